@@ -1,0 +1,62 @@
+# How every target of ours is compiled, and the two functions that declare one.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(CD_CCACHE ccache)
+if(CD_CCACHE)
+    # One cache serves every checkout and build folder.
+    set(CMAKE_CXX_COMPILER_LAUNCHER
+        "${CMAKE_COMMAND};-E;env;CCACHE_BASEDIR=${CMAKE_SOURCE_DIR};CCACHE_NOHASHDIR=1;${CD_CCACHE}")
+endif()
+find_program(CD_MOLD mold)
+if(CD_MOLD)
+    add_link_options(-fuse-ld=mold)
+endif()
+if(CD_TIDY)
+    find_program(CD_CLANG_TIDY NAMES clang-tidy-16 clang-tidy REQUIRED)
+    set(CMAKE_CXX_CLANG_TIDY "${CD_CLANG_TIDY};--quiet;--extra-arg=-DBOOST_ASIO_HAS_CO_AWAIT=1;--extra-arg=-DBOOST_ASIO_HAS_STD_COROUTINE=1")
+endif()
+
+add_library(cd_flags INTERFACE)
+# No fused multiply-add and no reassociation: results are the same bits on every host.
+target_compile_options(cd_flags INTERFACE -ffp-contract=off)
+target_compile_options(cd_flags INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align
+    -Woverloaded-virtual -Wimplicit-fallthrough $<$<BOOL:${CD_WERROR}>:-Werror>)
+# GCC 12 guesses these from inlined library code, and guesses wrong.
+target_compile_options(cd_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:
+    -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds -Wno-maybe-uninitialized -Wno-restrict>)
+target_include_directories(cd_flags INTERFACE "${CMAKE_SOURCE_DIR}")
+target_link_libraries(cd_flags INTERFACE Threads::Threads)
+
+# cd_add_library(NAME [PUBLIC libs...] [PRIVATE libs...]): all .cpp files of the calling folder but
+# main.cpp.
+function(cd_add_library name)
+    cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE;SUBFOLDERS" ${ARGN})
+    set(patterns "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+    foreach(folder IN LISTS arg_SUBFOLDERS)
+        list(APPEND patterns "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp")
+    endforeach()
+    file(GLOB sources CONFIGURE_DEPENDS ${patterns})
+    list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+    add_library(${name} STATIC ${sources})
+    target_link_libraries(${name} PUBLIC cd_flags ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+endfunction()
+
+# cd_add_test(NAME FOLDER LABEL [libs...]): one program of all *_test.cpp in FOLDER.
+function(cd_add_test name folder label)
+    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*_test.cpp")
+    if(NOT sources)
+        return()
+    endif()
+    add_executable(${name} ${sources})
+    target_link_libraries(${name} PRIVATE ${ARGN} cd_test_support GTest::gtest_main GTest::gmock)
+    gtest_discover_tests(${name} PROPERTIES LABELS ${label} DISCOVERY_MODE PRE_TEST)
+endfunction()

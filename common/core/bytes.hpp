@@ -1,0 +1,109 @@
+// Values to little-endian bytes and back, for every format of ours that is hashed or stored.
+#pragma once
+
+#include "common/core/result.hpp"
+
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cd {
+
+static_assert(std::endian::native == std::endian::little, "big-endian hosts are not supported");
+
+using Bytes = std::vector<std::byte>;
+
+template <class T>
+concept Scalar = std::integral<T> || std::floating_point<T>;
+
+/// Appends values to a buffer.
+class ByteWriter {
+  public:
+    template <Scalar T>
+    void put(T value) {
+        put_array(std::span<const T>(&value, 1));
+    }
+
+    template <Scalar T>
+    void put_array(std::span<const T> values) {
+        const auto bytes = std::as_bytes(values);
+        if (bytes.empty()) {
+            return;
+        }
+        const std::size_t end = bytes_.size();
+        bytes_.resize(end + bytes.size());
+        std::memcpy(bytes_.data() + end, bytes.data(), bytes.size());
+    }
+
+    /// Length as u32, then the characters.
+    void put_text(std::string_view text) {
+        put(static_cast<std::uint32_t>(text.size()));
+        put_array(std::span<const char>(text.data(), text.size()));
+    }
+
+    [[nodiscard]] std::size_t size() const { return bytes_.size(); }
+    [[nodiscard]] const Bytes& bytes() const { return bytes_; }
+    [[nodiscard]] Bytes take() { return std::move(bytes_); }
+
+  private:
+    Bytes bytes_;
+};
+
+/// Takes values from bytes of foreign origin. After the first value that is not there whole, the
+/// reader has failed: it returns zeros and empty arrays, and `complete` says so at the end.
+class ByteReader {
+  public:
+    explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
+
+    template <Scalar T>
+    [[nodiscard]] T get() {
+        T value{};
+        if (claim(sizeof value)) {
+            std::memcpy(&value, rest_.data(), sizeof value);
+            rest_ = rest_.subspan(sizeof value);
+        }
+        return value;
+    }
+
+    /// `count` may be hostile: nothing is allocated unless the bytes are really there.
+    template <Scalar T>
+    [[nodiscard]] std::vector<T> get_array(std::uint64_t count) {
+        if (count > rest_.size() / sizeof(T) || failed_) {
+            failed_ = true;
+            return {};
+        }
+        std::vector<T> values(count);
+        if (count != 0) {
+            std::memcpy(values.data(), rest_.data(), count * sizeof(T));
+        }
+        rest_ = rest_.subspan(count * sizeof(T));
+        return values;
+    }
+
+    [[nodiscard]] std::string get_text() {
+        const auto characters = get_array<char>(get<std::uint32_t>());
+        return {characters.begin(), characters.end()};
+    }
+
+    [[nodiscard]] std::size_t remaining() const { return rest_.size(); }
+    [[nodiscard]] bool failed() const { return failed_; }
+    /// True when everything asked for was there and nothing is left over.
+    [[nodiscard]] bool complete() const { return !failed_ && rest_.empty(); }
+
+  private:
+    [[nodiscard]] bool claim(std::size_t size) {
+        failed_ = failed_ || rest_.size() < size;
+        return !failed_;
+    }
+
+    std::span<const std::byte> rest_;
+    bool failed_ = false;
+};
+
+} // namespace cd

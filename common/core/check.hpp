@@ -1,0 +1,17 @@
+// A broken invariant of our own ends the process; work in flight is redone elsewhere.
+#pragma once
+
+namespace cd {
+
+/// Logs the condition and its place, then aborts.
+[[noreturn]] void check_failed(const char* condition, const char* file, int line);
+
+} // namespace cd
+
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the text of the condition is needed.
+#define CD_CHECK(condition)                                                                        \
+    do {                                                                                           \
+        if (!(condition)) [[unlikely]] {                                                           \
+            ::cd::check_failed(#condition, __FILE__, __LINE__);                                    \
+        }                                                                                          \
+    } while (false)

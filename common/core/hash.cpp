@@ -1,0 +1,95 @@
+#include "common/core/hash.hpp"
+
+#include "common/core/check.hpp"
+
+#include <openssl/evp.h>
+
+#include <xxhash.h>
+
+#include <cstring>
+
+namespace cd {
+
+struct Sha256Stream::State {
+    EVP_MD_CTX* context = EVP_MD_CTX_new();
+
+    State() {
+        CD_CHECK(context != nullptr);
+        CD_CHECK(EVP_DigestInit_ex(context, EVP_sha256(), nullptr) == 1);
+    }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() { EVP_MD_CTX_free(context); }
+};
+
+Sha256Stream::Sha256Stream() : state_(std::make_unique<State>()) {}
+Sha256Stream::Sha256Stream(Sha256Stream&&) noexcept = default;
+Sha256Stream& Sha256Stream::operator=(Sha256Stream&&) noexcept = default;
+Sha256Stream::~Sha256Stream() = default;
+
+void Sha256Stream::update(std::span<const std::byte> bytes) {
+    CD_CHECK(EVP_DigestUpdate(state_->context, bytes.data(), bytes.size()) == 1);
+}
+
+Sha256 Sha256Stream::finish() {
+    Sha256 hash;
+    unsigned size = 0;
+    auto* out = reinterpret_cast<unsigned char*>(hash.bytes.data());
+    CD_CHECK(EVP_DigestFinal_ex(state_->context, out, &size) == 1);
+    CD_CHECK(size == hash.bytes.size());
+    return hash;
+}
+
+Sha256 sha256(std::span<const std::byte> bytes) {
+    Sha256Stream stream;
+    stream.update(bytes);
+    return stream.finish();
+}
+
+std::string to_hex(const Sha256& hash) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string hex;
+    hex.reserve(2 * hash.bytes.size());
+    for (const std::byte byte : hash.bytes) {
+        hex += digits[std::to_integer<unsigned>(byte >> 4)];
+        hex += digits[std::to_integer<unsigned>(byte & std::byte{15})];
+    }
+    return hex;
+}
+
+std::string to_short_hex(const Sha256& hash) {
+    return to_hex(hash).substr(0, 16);
+}
+
+std::optional<Sha256> sha256_from_hex(std::string_view hex) {
+    Sha256 hash;
+    if (hex.size() != 2 * hash.bytes.size()) {
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < hex.size(); ++i) {
+        const char digit = hex[i];
+        unsigned value = 0;
+        if (digit >= '0' && digit <= '9') {
+            value = static_cast<unsigned>(digit - '0');
+        } else if (digit >= 'a' && digit <= 'f') {
+            value = static_cast<unsigned>(digit - 'a') + 10;
+        } else {
+            return std::nullopt;
+        }
+        std::byte& byte = hash.bytes[i / 2];
+        byte = (byte << 4) | static_cast<std::byte>(value);
+    }
+    return hash;
+}
+
+std::uint64_t checksum(std::span<const std::byte> bytes) {
+    return XXH3_64bits(bytes.data(), bytes.size());
+}
+
+} // namespace cd
+
+std::size_t std::hash<cd::Sha256>::operator()(const cd::Sha256& value) const noexcept {
+    std::size_t first = 0;
+    std::memcpy(&first, value.bytes.data(), sizeof first);
+    return first;
+}

@@ -1,0 +1,29 @@
+// Numbers that name things, not interchangeable at compile time.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <functional>
+
+namespace cd {
+
+/// A number that names one thing of kind Tag.
+template <class Tag>
+struct Id {
+    std::uint64_t value = 0;
+
+    friend auto operator<=>(const Id&, const Id&) = default;
+};
+
+using JobId = Id<struct JobTag>;
+using WorkerId = Id<struct WorkerTag>;
+using TaskId = Id<struct TaskTag>; ///< One batch of scenarios sent to one worker.
+
+} // namespace cd
+
+template <class Tag>
+struct std::hash<cd::Id<Tag>> {
+    std::size_t operator()(const cd::Id<Tag>& id) const noexcept {
+        return std::hash<std::uint64_t>{}(id.value);
+    }
+};

@@ -1,0 +1,50 @@
+// Errors that a caller is expected to handle travel in the return value.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace cd {
+
+enum class ErrorCode {
+    BadInput,     ///< A file, option or field is not what it has to be. Exit code 2.
+    BadFrame,     ///< Bytes that are not a message of this protocol.
+    TooLarge,     ///< Over a limit of `limits.hpp`.
+    Timeout,      ///< The peer did not answer before the deadline.
+    Disconnected, ///< The peer cannot be reached, or closed or reset the connection. Exit code 4.
+    Refused,      ///< The peer understood and said no (version, authorisation). Exit code 5.
+    NotFound,     ///< No job, mesh or file of that name.
+    Io,           ///< The operating system failed a read or write.
+    Incomplete,   ///< The job ended without an answer for some scenario. Exit code 3.
+    Interrupted,  ///< The user or the operator ended it.
+};
+
+struct Error {
+    ErrorCode code;
+    std::string detail; ///< One sentence for a person: what, where, and the way out. Never parsed.
+};
+
+/// A value, or the reason why there is none.
+template <class T>
+class [[nodiscard]] Result {
+  public:
+    Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
+    Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
+
+    [[nodiscard]] bool has_value() const { return state_.index() == 0; }
+    explicit operator bool() const { return has_value(); }
+
+    [[nodiscard]] T& value() { return std::get<0>(state_); }
+    [[nodiscard]] const T& value() const { return std::get<0>(state_); }
+    [[nodiscard]] const Error& error() const { return std::get<1>(state_); }
+
+  private:
+    std::variant<T, Error> state_;
+};
+
+/// The result of something done for its effect.
+struct Done {};
+using Status = Result<Done>;
+
+} // namespace cd

@@ -1,0 +1,34 @@
+// Axis-aligned boxes of points, for sizes and the first broad phase.
+#pragma once
+
+#include "common/geometry/types.hpp"
+
+#include <limits>
+#include <span>
+
+namespace cd {
+
+/// The closed box of all points added so far; empty at first.
+struct Aabb {
+    Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
+    Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+    void add(const Vec3& point) {
+        min = min.cwiseMin(point);
+        max = max.cwiseMax(point);
+    }
+    [[nodiscard]] bool is_empty() const { return !(min.x() <= max.x()); }
+    [[nodiscard]] Vec3 size() const { return is_empty() ? Vec3(Vec3::Zero()) : Vec3(max - min); }
+    [[nodiscard]] Vec3 center() const { return 0.5 * min + 0.5 * max; }
+    [[nodiscard]] double diagonal() const { return size().stableNorm(); }
+};
+
+[[nodiscard]] inline Aabb bounding_box(std::span<const Vec3> points) {
+    Aabb box;
+    for (const Vec3& point : points) {
+        box.add(point);
+    }
+    return box;
+}
+
+} // namespace cd

@@ -1,0 +1,66 @@
+// A triangle mesh that has been checked once and never changes.
+#pragma once
+
+#include "common/core/bytes.hpp"
+#include "common/core/hash.hpp"
+#include "common/core/result.hpp"
+#include "common/geometry/types.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+/// What the coordinates of a mesh are: its file's doubles, or the floats that an importer made.
+enum class Precision : std::uint8_t { Float = 0, Double = 1 };
+
+/// A named run of consecutive triangles. Parts do not overlap and come in ascending order.
+struct Part {
+    std::string name;
+    std::uint32_t triangles_begin = 0;
+    std::uint32_t triangles_end = 0;
+
+    friend bool operator==(const Part&, const Part&) = default;
+};
+
+/// The arrays of a mesh, not yet checked.
+struct MeshArrays {
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles; ///< In the canonical order; a triangle's place is its id.
+    std::vector<Part> parts;
+    Precision precision = Precision::Double;
+};
+
+/// A valid mesh: at least one triangle, indices in range, finite coordinates (floats where it says
+/// so), parts in order and in range. Degenerate and duplicate triangles are legal and kept.
+class Mesh {
+  public:
+    /// Errors: BadInput naming the first bad vertex, triangle (both counted from 0) or part;
+    /// TooLarge over the limits.
+    [[nodiscard]] static Result<Mesh> create(MeshArrays arrays);
+
+    [[nodiscard]] const std::vector<Vec3>& vertices() const { return arrays_.vertices; }
+    [[nodiscard]] const std::vector<Triangle>& triangles() const { return arrays_.triangles; }
+    [[nodiscard]] const std::vector<Part>& parts() const { return arrays_.parts; }
+    [[nodiscard]] Precision precision() const { return arrays_.precision; }
+
+    [[nodiscard]] Corners corners(std::uint32_t triangle) const;
+
+    /// The bytes that name and carry a mesh: precision, vertices, triangles, parts, little-endian.
+    [[nodiscard]] Bytes canonical_bytes() const;
+    /// The inverse. The bytes may be hostile: everything is checked as in `create`.
+    [[nodiscard]] static Result<Mesh> from_canonical_bytes(std::span<const std::byte> bytes);
+
+    /// SHA-256 of the canonical bytes.
+    [[nodiscard]] const Sha256& hash() const { return hash_; }
+
+  private:
+    Mesh(MeshArrays arrays, Sha256 hash) : arrays_(std::move(arrays)), hash_(hash) {}
+
+    MeshArrays arrays_;
+    Sha256 hash_;
+};
+
+} // namespace cd

@@ -1,0 +1,31 @@
+// What the connections of a mesh say: closed or not, how many pieces, what is degenerate.
+#pragma once
+
+#include "common/geometry/mesh.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace cd {
+
+/// Vertices with equal coordinates count as one vertex throughout.
+struct Topology {
+    std::uint64_t degenerate = 0; ///< Triangles without area: a repeated corner, or a zero cross
+                                  ///< product computed in double.
+    std::uint64_t duplicate = 0;  ///< Triangles with the three corners of an earlier one.
+    std::uint64_t boundary_edges = 0;     ///< Used by one triangle (degenerate ones left out).
+    std::uint64_t non_manifold_edges = 0; ///< Used by more than two.
+    std::uint64_t inconsistent_edges = 0; ///< Used by two in the same direction.
+    /// One triangle of each connected component, ascending. Those of degenerate triangles alone
+    /// count too.
+    std::vector<std::uint32_t> component_triangles;
+
+    /// No boundary, non-manifold or inconsistent edge: the mesh bounds a solid.
+    [[nodiscard]] bool is_closed() const {
+        return boundary_edges == 0 && non_manifold_edges == 0 && inconsistent_edges == 0;
+    }
+};
+
+[[nodiscard]] Topology analyse_topology(const Mesh& mesh);
+
+} // namespace cd

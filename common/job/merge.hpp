@@ -1,0 +1,62 @@
+// Gathers a job's results, each scenario once, and makes the job's digest and summary.
+#pragma once
+
+#include "common/job/result.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace cd {
+
+/// Coverage and classes of a job so far (USERS, section 5).
+struct Summary {
+    std::uint64_t total = 0;
+    std::uint64_t separate = 0;
+    std::uint64_t touch = 0;
+    std::uint64_t cross = 0;
+    std::uint64_t inside = 0;
+    std::uint64_t contact = 0; ///< Level any only.
+    std::uint64_t undecided = 0;
+    std::uint64_t failed = 0;
+    std::uint64_t pairs = 0;         ///< The true number over all scenarios.
+    std::uint64_t surfaces_only = 0; ///< Scenarios with an open body.
+    std::uint64_t cut = 0;           ///< Scenarios whose list of pairs is cut.
+
+    [[nodiscard]] std::uint64_t merged() const {
+        return separate + touch + cross + inside + contact + undecided + failed;
+    }
+    /// Answered: merged and not failed.
+    [[nodiscard]] std::uint64_t tested() const { return merged() - failed; }
+    [[nodiscard]] bool is_complete() const { return merged() == total; }
+};
+
+/// The merge is idempotent by scenario: of several results for one, the first counts and later ones
+/// are compared with it. Memory: a hash for each scenario.
+class ResultMerger {
+  public:
+    explicit ResultMerger(std::uint64_t scenarios);
+
+    enum class Outcome : std::uint8_t {
+        Added,    ///< The first result of this scenario.
+        Repeated, ///< Equal to the one already merged.
+        Differs,  ///< Not equal: a fault of memory or code. The first one stays.
+        Foreign,  ///< No such scenario.
+    };
+
+    [[nodiscard]] Outcome add(const ScenarioResult& result);
+    [[nodiscard]] bool has(std::uint64_t index) const;
+
+    [[nodiscard]] const Summary& summary() const { return summary_; }
+
+    /// SHA-256 over the scenarios' digests in submitted order; nothing until all are merged.
+    [[nodiscard]] std::optional<Sha256> digest() const;
+
+  private:
+    std::vector<Sha256> digests_;
+    std::vector<bool> merged_;
+    Summary summary_;
+};
+
+} // namespace cd

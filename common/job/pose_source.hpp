@@ -1,0 +1,83 @@
+// Where a job's scenarios come from, read in runs so that they never all stand in memory.
+#pragma once
+
+#include "common/core/bytes.hpp"
+#include "common/core/result.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/job/scenario.hpp"
+#include "common/tree/obb_tree.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace cd {
+
+/// The scenarios of a job by index. A seam: files (client), generators, and the master's spool.
+class PoseSource {
+  public:
+    PoseSource() = default;
+    PoseSource(const PoseSource&) = delete;
+    PoseSource& operator=(const PoseSource&) = delete;
+    virtual ~PoseSource() = default;
+
+    [[nodiscard]] virtual std::uint64_t count() const = 0;
+    /// Scenarios [first, first + count), which must exist. A function of the arguments alone.
+    /// Errors: Io, BadInput naming the row.
+    [[nodiscard]] virtual Result<std::vector<Scenario>> read(std::uint64_t first,
+                                                             std::uint64_t count) = 0;
+};
+
+/// Evenly spaced values from `first` to `last`, both included; a count of 1 gives `first`.
+struct GridAxis {
+    double first = 0;
+    double last = 0;
+    std::uint64_t count = 1;
+};
+
+/// The grid over positions and Euler angles, x slowest and yaw fastest in the order x, y, z, roll,
+/// pitch, yaw. It travels as this description; angles are already quaternions, so evaluating it
+/// takes + - * / only.
+struct Grid {
+    std::array<GridAxis, 3> position;                    ///< x, y, z
+    std::array<std::vector<Quaternion>, 3> rotation;     ///< about x (roll), y (pitch), z (yaw)
+
+    [[nodiscard]] std::uint64_t count() const; ///< Saturates instead of overflowing.
+};
+
+/// The quaternions of evenly spaced angles in degrees about axis 0, 1 or 2. The one use of sin and
+/// cos: where the job is read. Multiples of 90 degrees come out exact.
+[[nodiscard]] std::vector<Quaternion> rotation_axis(const GridAxis& degrees, int axis);
+
+/// Roll about x first, then pitch about y, then yaw about z, in degrees (R = Rz Ry Rx).
+[[nodiscard]] Quaternion quaternion_from_euler(double roll_deg, double pitch_deg, double yaw_deg);
+
+[[nodiscard]] std::unique_ptr<PoseSource> make_grid_source(Grid grid);
+
+[[nodiscard]] Bytes encode_grid(const Grid& grid);
+/// The bytes may be hostile: counts are bounded by `limits::scenarios_max`. Errors: BadFrame.
+[[nodiscard]] Result<Grid> decode_grid(std::span<const std::byte> bytes);
+
+/// The paper's scenarios (section 7): B comes in a random orientation from a random direction and is
+/// pushed in until it first collides, then by a random share in [penetration_min, penetration_max]
+/// of the diagonal of B's box further.
+struct RandomPoses {
+    std::uint64_t count = 1000;
+    std::uint64_t seed = 1;
+    double penetration_min = 0.005;
+    double penetration_max = 0.05;
+};
+
+/// The same scenarios on every host and for any number of threads. B's poses are quaternions, A's
+/// the identity.
+[[nodiscard]] std::vector<Scenario> make_random_poses(const RandomPoses& options,
+                                                      const ObbTree& a,
+                                                      const ObbTree& b,
+                                                      ThreadPool& pool);
+
+/// Scenarios that stand in memory.
+[[nodiscard]] std::unique_ptr<PoseSource> make_list_source(std::vector<Scenario> scenarios);
+
+} // namespace cd

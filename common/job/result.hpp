@@ -1,0 +1,62 @@
+// The answer for one scenario, in its one canonical form: digested, sent and stored alike.
+#pragma once
+
+#include "common/core/bytes.hpp"
+#include "common/core/hash.hpp"
+#include "common/core/result.hpp"
+#include "common/job/query.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cd {
+
+/// NUMERICS, section 1; `any` knows only Separate and Contact.
+enum class ScenarioClass : std::uint8_t {
+    Separate = 0,
+    Touch = 1,
+    Cross = 2,
+    Inside = 3,
+    Contact = 4,
+    Undecided = 5,
+    Failed = 6,
+};
+
+[[nodiscard]] std::string_view to_text(ScenarioClass value);
+
+struct ScenarioResult {
+    std::uint64_t index = 0;
+    std::uint32_t body_a = 0;
+    std::uint32_t body_b = 1;
+    Level level = Level::Pairs;
+    ScenarioClass kind = ScenarioClass::Separate;
+    bool surfaces_only = false;   ///< A body is open: nothing is said of insides.
+    std::uint64_t pair_count = 0; ///< The true number, even where the list is cut; 0 at level any.
+    std::vector<ContactPair> pairs; ///< Sorted; the first `limit_pairs` where a limit was set.
+
+    /// Of each listed pair, at level contacts: its origin in the world, and the run of its shared
+    /// points, relative to the origin.
+    std::vector<Vec3> point_origins;
+    std::vector<std::uint32_t> point_offsets; ///< pairs + 1 entries, from 0; empty below contacts.
+    std::vector<Vec3> points;
+
+    std::string failure; ///< Why, for Failed.
+
+    [[nodiscard]] bool is_cut() const { return level >= Level::Pairs && pairs.size() < pair_count; }
+};
+
+/// The canonical record of DESIGN section 5: version, index, bodies, level, class, flags, count,
+/// pairs with class, points as IEEE bits with -0 as 0; little-endian. Statistics, times and hosts
+/// never enter.
+[[nodiscard]] Bytes encode_result(const ScenarioResult& result);
+
+/// The inverse. The bytes may be hostile: everything is checked (classes and levels in range, pairs
+/// strictly ascending, counts that fit). Errors: BadFrame.
+[[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);
+
+/// SHA-256 of the canonical record.
+[[nodiscard]] Sha256 digest_of(const ScenarioResult& result);
+
+} // namespace cd

@@ -1,0 +1,51 @@
+// One scenario, from poses to result. The worker, the one-process run and the tests all call this.
+#pragma once
+
+#include "common/job/query.hpp"
+#include "common/job/result.hpp"
+#include "common/job/scenario.hpp"
+#include "common/tree/cut.hpp"
+#include "common/tree/obb_tree.hpp"
+#include "common/tree/subtree_block.hpp"
+
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace cd {
+
+/// A result with what it cost.
+struct ScenarioRun {
+    ScenarioResult result;
+    QueryStatistics statistics;
+};
+
+/// One colliding pair of distribution roots with its two subtrees.
+struct SubtreePair {
+    TreeView a;
+    TreeView b;
+};
+
+/// The contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). No pairs: separate.
+/// The caller keeps the subtrees alive.
+[[nodiscard]] ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
+                                          const Scenario& scenario,
+                                          const Query& query);
+
+/// What only the whole bodies can tell, for a result of `run_on_subtrees`: `surfaces_only`, and
+/// `inside` where nothing touches. Called once by whoever merges.
+void settle_class(const ObbTree& a,
+                  const ObbTree& b,
+                  const Scenario& scenario,
+                  const Query& query,
+                  ScenarioResult& result);
+
+/// True when `settle_class` may have more to do than set a flag: it then deserves a thread.
+[[nodiscard]] bool settling_is_work(const ObbTree& a, const ObbTree& b, const ScenarioResult& result);
+
+/// Both in one, on whole trees.
+[[nodiscard]] ScenarioRun
+run_scenario(const ObbTree& a, const ObbTree& b, const Scenario& scenario, const Query& query);
+
+} // namespace cd

@@ -1,0 +1,16 @@
+// Whether a point lies inside a closed mesh: exact parity.
+#pragma once
+
+#include "common/tree/obb_tree.hpp"
+
+namespace cd {
+
+/// True when some connected component of `inner` lies in the solid that `outer` bounds. Meant for
+/// bodies whose surfaces share no point, so one corner of each component decides. `outer` must be
+/// closed. Exact under the poses as given; never wrong through rounding.
+[[nodiscard]] bool contains_component(const ObbTree& outer,
+                                      const Pose& outer_pose,
+                                      const ObbTree& inner,
+                                      const Pose& inner_pose);
+
+} // namespace cd

@@ -1,0 +1,81 @@
+// The cut of a tree at its distribution depth (paper, section 5.1, figure 2 and table 1).
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/tree/obb_tree.hpp"
+
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// The place of a distribution root in its cut, from left to right.
+using RootIndex = std::uint32_t;
+
+/// One distribution root of each body whose boxes overlap.
+struct RootPair {
+    RootIndex a = 0;
+    RootIndex b = 0;
+
+    friend auto operator<=>(const RootPair&, const RootPair&) = default;
+};
+
+/// The nodes above the cut and the cut itself. A node of `nodes` without children is a distribution
+/// root; roots are numbered in the order in which they stand. This is what a worker holds of a tree
+/// from the start, and all that the master needs for its analysis.
+struct TreeTop {
+    std::vector<ObbNode> nodes;            ///< Preorder; triangle ranges are those of the tree.
+    std::vector<std::uint32_t> root_nodes; ///< Index into `nodes` of each root, ascending.
+
+    [[nodiscard]] std::uint32_t root_count() const {
+        return static_cast<std::uint32_t>(root_nodes.size());
+    }
+    [[nodiscard]] std::uint32_t triangles_under(RootIndex root) const {
+        return nodes[root_nodes[root]].triangle_count();
+    }
+};
+
+/// The nodes at depth `depth` (0 is the root of the tree), or the leaves above it.
+[[nodiscard]] TreeTop cut_tree(const ObbTree& tree, std::uint32_t depth);
+
+/// The place in `tree.nodes()` of each distribution root of `cut_tree(tree, depth)`.
+[[nodiscard]] std::vector<std::uint32_t> cut_nodes(const ObbTree& tree, std::uint32_t depth);
+
+/// Errors: BadInput when the nodes of foreign origin are no tree in preorder with finite sizes and
+/// consecutive triangle ranges. Rebuilds `root_nodes`.
+[[nodiscard]] Result<TreeTop> make_tree_top(std::vector<ObbNode> nodes);
+
+/// Descends both tops together. Each contact of the scenario lies under exactly one returned pair,
+/// so the pairs' contacts together are the answer, without duplicates; no pair means no contact.
+/// Sorted, and a function of the arguments alone. Errors: TooLarge over `limits::root_pairs_max`.
+[[nodiscard]] Result<std::vector<RootPair>>
+colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses);
+
+/// The paper's "OBB tree distributed nodes indicator" of one scenario or one worker: for each
+/// distribution root of one tree 0, or the number of triangles under it.
+class RootIndicator {
+  public:
+    explicit RootIndicator(std::uint32_t root_count) : triangles_(root_count, 0) {}
+
+    /// The roots that take part in a scenario, each with its triangles (Table 1).
+    [[nodiscard]] static RootIndicator of(const TreeTop& top, std::span<const RootIndex> roots);
+
+    void set(RootIndex root, std::uint32_t triangles) { triangles_[root] = triangles; }
+    void clear(RootIndex root) { triangles_[root] = 0; }
+    [[nodiscard]] std::uint32_t at(RootIndex root) const { return triangles_[root]; }
+    [[nodiscard]] std::uint32_t size() const {
+        return static_cast<std::uint32_t>(triangles_.size());
+    }
+    [[nodiscard]] std::span<const std::uint32_t> values() const { return triangles_; }
+
+  private:
+    std::vector<std::uint32_t> triangles_;
+};
+
+/// The distinct roots of one side of a list of pairs, ascending.
+[[nodiscard]] std::vector<RootIndex> roots_of_a(std::span<const RootPair> pairs);
+[[nodiscard]] std::vector<RootIndex> roots_of_b(std::span<const RootPair> pairs);
+
+} // namespace cd
