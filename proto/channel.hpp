@@ -1,0 +1,85 @@
+// A connection that carries messages, over TCP for now and over TLS later.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "proto/asio.hpp"
+#include "proto/message.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+
+namespace cd {
+
+/// Host and port as written by a user: "127.0.0.1:7600", "[::1]:7600", "host:7600".
+struct Endpoint {
+    std::string host;
+    std::uint16_t port = 0;
+};
+
+/// Errors: BadInput saying what is expected.
+[[nodiscard]] Result<Endpoint> parse_endpoint(const std::string& text);
+/// True for 127.0.0.0/8, ::1 and "localhost".
+[[nodiscard]] bool is_loopback(const Endpoint& endpoint);
+/// Until TLS exists nothing leaves or enters beyond loopback unless `insecure` says so. Errors:
+/// Refused naming the option; with `insecure` beyond loopback a warning is logged.
+[[nodiscard]] Status check_exposure(const Endpoint& endpoint, bool insecure, bool listening);
+
+/// Counts of one connection.
+struct Traffic {
+    std::uint64_t bytes_sent = 0;
+    std::uint64_t bytes_received = 0;
+};
+
+/// One peer. All members run on the executor of the socket, on one thread. Control messages go
+/// before data messages; a data message goes in frames, so that a heartbeat waits for one at most.
+class Channel : public std::enable_shared_from_this<Channel> {
+  public:
+    /// The socket is connected. Starts the writer.
+    [[nodiscard]] static std::shared_ptr<Channel> make(asio::ip::tcp::socket socket);
+
+    /// The next message. Errors: Timeout when `timeout` passes without one; Disconnected; BadFrame
+    /// or TooLarge for bytes that are none, after which the channel is closed.
+    [[nodiscard]] asio::awaitable<Result<Message>>
+    receive(std::chrono::steady_clock::duration timeout);
+
+    /// Queues the message. Never blocks; after `close` it does nothing.
+    void send(const Message& message);
+
+    [[nodiscard]] std::size_t queued_bytes() const;
+    /// Returns when less than `bytes` are queued, or the channel is closed.
+    [[nodiscard]] asio::awaitable<void> wait_until_queued_below(std::size_t bytes);
+
+    /// Ends the connection; a waiting `receive` fails. With `flush`, what is queued goes out first,
+    /// for a few seconds at most.
+    void close(bool flush = false);
+    [[nodiscard]] bool is_open() const;
+
+    [[nodiscard]] const Traffic& traffic() const;
+    /// The other end's address, for logs.
+    [[nodiscard]] const std::string& peer() const;
+
+  private:
+    struct State;
+    explicit Channel(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+
+  public:
+    Channel(const Channel&) = delete;
+    Channel& operator=(const Channel&) = delete;
+    ~Channel();
+};
+
+/// Connects within `limits::connect_timeout`. Errors: Disconnected naming host and port.
+[[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Endpoint endpoint);
+
+/// Says hello and awaits the answer. Errors: Refused with the other side's reason, and those of
+/// `receive`.
+[[nodiscard]] asio::awaitable<Result<Welcome>> greet(std::shared_ptr<Channel> channel, Hello hello);
+
+/// Runs a coroutine on its own; what escapes from it is logged under `name`.
+void spawn(asio::any_io_executor executor, std::string name, asio::awaitable<void> coroutine);
+
+} // namespace cd

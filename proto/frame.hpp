@@ -1,0 +1,58 @@
+// Frames: how messages are cut into pieces on a stream of bytes (PROTOCOL.md).
+#pragma once
+
+#include "common/core/bytes.hpp"
+#include "common/core/result.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace cd {
+
+inline constexpr std::size_t frame_header_bytes = 32;
+inline constexpr std::size_t frame_payload_bytes_max = 1u << 20;
+
+/// The fixed header, little-endian on the wire: magic, type, flags, stream, payload length, session
+/// epoch, checksum of the payload, checksum of the header.
+struct FrameHeader {
+    std::uint16_t type = 0;
+    bool has_more = false; ///< The next frame of this stream goes on with the same message.
+    std::uint32_t stream = 0;
+    std::uint32_t payload_bytes = 0;
+    std::uint32_t epoch = 0;
+    std::uint64_t payload_checksum = 0;
+
+    friend bool operator==(const FrameHeader&, const FrameHeader&) = default;
+};
+
+[[nodiscard]] std::array<std::byte, frame_header_bytes> encode_header(const FrameHeader& header);
+/// Errors: BadFrame for a wrong magic, checksum, flag or type; TooLarge for an overlong length.
+[[nodiscard]] Result<FrameHeader>
+decode_header(std::span<const std::byte, frame_header_bytes> bytes);
+
+/// Puts messages together from frames; a pure state machine, no I/O. Holds at most what
+/// `payload_bytes_max` of each type allows, over few streams.
+class MessageAssembler {
+  public:
+    struct Whole {
+        std::uint16_t type = 0;
+        Bytes payload;
+    };
+
+    /// Nothing while the message is not whole. Errors: BadFrame, TooLarge; the connection then ends.
+    [[nodiscard]] Result<std::optional<Whole>> add(const FrameHeader& header,
+                                                   std::span<const std::byte> payload);
+
+  private:
+    struct Open {
+        std::uint32_t stream = 0;
+        std::uint16_t type = 0;
+        Bytes payload;
+    };
+    std::vector<Open> open_;
+};
+
+} // namespace cd

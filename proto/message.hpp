@@ -1,0 +1,313 @@
+// What travels between the programs: one struct a message. PROTOCOL.md tells the order of play.
+#pragma once
+
+#include "common/core/bytes.hpp"
+#include "common/core/hash.hpp"
+#include "common/core/id.hpp"
+#include "common/core/result.hpp"
+#include "common/job/merge.hpp"
+#include "common/job/query.hpp"
+#include "common/job/result.hpp"
+#include "common/tree/cut.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace cd {
+
+inline constexpr std::uint16_t protocol_version_min = 1;
+inline constexpr std::uint16_t protocol_version_max = 1;
+
+/// A tree cut at a depth, as the master numbers them while it runs.
+using TreeId = Id<struct TreeTag>;
+
+enum class Role : std::uint8_t { Worker = 1, Client = 2 };
+
+// ---- Both kinds of peer ---------------------------------------------------------------------
+
+/// First message of whoever connects.
+struct Hello {
+    std::uint16_t version_min = protocol_version_min;
+    std::uint16_t version_max = protocol_version_max;
+    Role role = Role::Client;
+    std::string name;  ///< For people: host and process, or what --name said.
+    std::string build; ///< Version of the program.
+    std::uint32_t threads = 0;     ///< Of a worker.
+    std::uint64_t cache_bytes = 0; ///< Of a worker: the limit of its subtree cache.
+};
+
+/// The master's answer to a Hello that it accepts.
+struct Welcome {
+    std::uint16_t version = protocol_version_max; ///< The greatest that both speak.
+    std::uint64_t id = 0;                         ///< A WorkerId, or the client's number.
+    std::string build;
+};
+
+/// The other side cannot or will not. To a client it answers the request before it.
+struct Failure {
+    ErrorCode code = ErrorCode::Refused;
+    std::string detail;
+};
+
+struct Heartbeat {
+    std::uint64_t sequence = 0;
+    std::uint64_t cached_bytes = 0; ///< Of a worker.
+    std::uint64_t waiting = 0;      ///< Scenarios at the worker not yet answered.
+};
+
+// ---- Master to worker -----------------------------------------------------------------------
+
+/// From now on the worker may be asked about this tree. Its slots are empty.
+struct AddTree {
+    TreeId tree;
+    std::vector<ObbNode> top; ///< The nodes of a `TreeTop`.
+};
+
+/// Frees the tree, its blocks and what waits for them. Comes when no job uses the tree.
+struct RemoveTree {
+    TreeId tree;
+};
+
+/// One distribution root's block, compressed. The hash names the uncompressed bytes.
+struct SubtreeBlock {
+    RootIndex root = 0;
+    Sha256 hash;
+    Bytes compressed;
+};
+
+struct Subtrees {
+    TreeId tree;
+    std::vector<SubtreeBlock> blocks;
+};
+
+/// A task: scenarios that one worker gets together (paper, 6.4.3).
+struct Batch {
+    TaskId task;
+    JobId job;
+    TreeId tree_a;
+    TreeId tree_b;
+    Query query;
+    Bytes scenarios;                          ///< `pack_scenarios`.
+    std::vector<std::uint32_t> pair_offsets;  ///< scenarios + 1 entries, from 0.
+    std::vector<RootPair> pairs;              ///< The colliding distribution roots.
+};
+
+/// Take no more, finish what is there, then say EndOfDrain by closing.
+struct Drain {};
+
+/// End now.
+struct Terminate {
+    std::string reason;
+};
+
+// ---- Worker to master -----------------------------------------------------------------------
+
+struct WantSubtrees {
+    TreeId tree;
+    std::vector<RootIndex> roots;
+};
+
+/// Results of some of a task's scenarios, in bulk: canonical records, each behind its length as
+/// u32, compressed together.
+struct Results {
+    TaskId task;
+    JobId job;
+    std::uint32_t count = 0;
+    Bytes records;
+    std::uint64_t box_tests = 0;      ///< N_b
+    std::uint64_t triangle_tests = 0; ///< N_p
+    double compute_seconds = 0;       ///< Summed over the worker's threads.
+};
+
+/// All results of the task have been sent.
+struct EndOfTask {
+    TaskId task;
+};
+
+/// These slots are empty again.
+struct Evicted {
+    TreeId tree;
+    std::vector<RootIndex> roots;
+};
+
+// ---- Client to master, each answered by the message named -----------------------------------
+
+/// Answered by MeshesMissing.
+struct MeshesQuery {
+    std::vector<Sha256> meshes;
+};
+struct MeshesMissing {
+    std::vector<Sha256> meshes;
+};
+
+/// A run of a mesh's canonical bytes. Parts come in order; the last is answered by MeshStored, when
+/// the mesh has been validated and its tree built.
+struct MeshPart {
+    Sha256 mesh;
+    std::string name; ///< For people: the file's name.
+    std::uint64_t bytes_total = 0;
+    std::uint64_t offset = 0;
+    Bytes bytes;
+};
+struct MeshStored {
+    Sha256 mesh;
+};
+
+enum class Strategy : std::uint8_t { BestMatch = 0, BestMatchLoad = 1, Random = 2, Lowest = 3 };
+
+[[nodiscard]] std::string_view to_text(Strategy strategy);
+[[nodiscard]] std::optional<Strategy> strategy_from_text(std::string_view text);
+
+/// The [cluster] table of a job.
+struct ClusterOptions {
+    Strategy strategy = Strategy::BestMatch;
+    std::uint32_t depth_a = 12; ///< Distribution depth (paper: 12 or 10 for the fixed body,
+    std::uint32_t depth_b = 6;  ///< 6 for the moved one).
+    std::uint32_t q = 20;       ///< A buffer is full at q scenarios
+    std::uint32_t v_kb = 4096;  ///< or V kB.
+    bool claim = false;         ///< The paper's strict claiming: one task at a worker at a time.
+    std::uint64_t seed = 1;     ///< Of the random strategy.
+};
+
+/// A new job. With a grid it is complete and answered by Accepted; otherwise poses follow in
+/// PosesPart, and PosesEnd is answered by Accepted.
+struct Submit {
+    std::string name;
+    std::vector<Sha256> bodies; ///< A and B; they must be stored.
+    Query query;
+    ClusterOptions cluster;
+    std::uint64_t scenarios = 0;
+    std::optional<Bytes> grid; ///< `encode_grid`.
+};
+
+/// The next scenarios in order.
+struct PosesPart {
+    Bytes scenarios; ///< `pack_scenarios`.
+};
+struct PosesEnd {};
+
+struct Accepted {
+    JobId job;
+};
+
+enum class JobState : std::uint8_t { Running = 0, Done = 1, Cancelled = 2, Failed = 3 };
+
+[[nodiscard]] std::string_view to_text(JobState state);
+
+struct JobStatus {
+    JobId job;
+    std::string name;
+    JobState state = JobState::Running;
+    Summary summary;
+    std::optional<Sha256> digest; ///< When Done.
+    double seconds = 0;           ///< Since it was accepted; of a finished job, how long it took.
+    double scenarios_per_second = 0;
+    std::string failure;
+    std::array<Sha256, 2> bodies;
+    std::uint64_t answered_by_master = 0; ///< No pair of distribution roots: no worker was asked.
+    std::uint64_t box_tests = 0;
+    std::uint64_t triangle_tests = 0;
+    double compute_seconds = 0;
+};
+
+/// Answered by JobStatus at once and whenever something changed, at most some five times a second,
+/// until the state is not Running.
+struct Watch {
+    JobId job;
+};
+
+/// Answered by ClusterStatus.
+struct StatusQuery {};
+
+struct WorkerStatus {
+    WorkerId worker;
+    std::string name;
+    std::uint32_t threads = 0;
+    std::uint64_t cache_bytes = 0;
+    std::uint64_t cached_bytes = 0;
+    bool claimed = false;
+    bool draining = false;
+    std::uint64_t buffered = 0; ///< Scenarios in the proxy's buffer.
+    std::uint64_t working = 0;  ///< Scenarios at the worker.
+    std::uint64_t tasks = 0;
+    std::uint64_t scenarios = 0; ///< Answered.
+    double scenarios_per_second = 0; ///< Over the time that it had work.
+    std::uint64_t bytes_sent = 0;
+    std::uint64_t bytes_received = 0;
+    std::uint64_t subtrees_sent = 0;
+    std::uint64_t subtree_bytes_sent = 0;
+};
+
+struct MeshStatus {
+    Sha256 mesh;
+    std::string name;
+    std::uint64_t triangles = 0;
+    std::uint64_t bytes = 0; ///< Canonical.
+    double build_seconds = 0; ///< 0 when its tree was found on disk.
+};
+
+struct ClusterStatus {
+    std::string build;
+    double uptime_seconds = 0;
+    double cpu_seconds = 0; ///< Of the master, user and system.
+    std::vector<WorkerStatus> workers;
+    std::vector<JobStatus> jobs;
+    std::vector<MeshStatus> meshes;
+};
+
+/// Answered by ResultsPart. Records exist for scenarios already merged.
+struct ResultsQuery {
+    JobId job;
+    std::uint64_t first = 0;
+    std::uint64_t count = 0;
+};
+
+/// Records of scenarios [first, first + count) as in `Results`; fewer than asked for where the
+/// message would grow too large. Count 0: `first` is not there (yet).
+struct ResultsPart {
+    JobId job;
+    std::uint64_t first = 0;
+    std::uint32_t count = 0;
+    Bytes records;
+};
+
+/// Answered by JobStatus.
+struct Cancel {
+    JobId job;
+};
+
+/// In the order of their numbers on the wire, which start at 1 and never change.
+using Message = std::variant<Hello,
+                             Welcome,
+                             Failure,
+                             Heartbeat,
+                             AddTree,
+                             RemoveTree,
+                             Subtrees,
+                             Batch,
+                             Drain,
+                             Terminate,
+                             WantSubtrees,
+                             Results,
+                             EndOfTask,
+                             Evicted,
+                             MeshesQuery,
+                             MeshesMissing,
+                             MeshPart,
+                             MeshStored,
+                             Submit,
+                             PosesPart,
+                             PosesEnd,
+                             Accepted,
+                             Watch,
+                             JobStatus,
+                             StatusQuery,
+                             ClusterStatus,
+                             ResultsQuery,
+                             ResultsPart,
+                             Cancel>;
+
+} // namespace cd
