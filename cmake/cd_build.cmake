@@ -50,6 +50,14 @@ function(cd_add_library name)
     target_link_libraries(${name} PUBLIC cd_flags ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
 endfunction()
 
+# cd_add_program(NAME LIBRARY): main.cpp of the calling folder; all programs stand in one place.
+function(cd_add_program name library)
+    add_executable(${name} main.cpp)
+    target_link_libraries(${name} PRIVATE ${library})
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+    install(TARGETS ${name} RUNTIME)
+endfunction()
+
 # cd_add_test(NAME FOLDER LABEL [libs...]): one program of all *_test.cpp in FOLDER.
 function(cd_add_test name folder label)
     file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*_test.cpp")

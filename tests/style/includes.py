@@ -1,1 +1,87 @@
-import sys; sys.exit(0)
+#!/usr/bin/env python3
+"""Checks every #include against the table of layers (CONTRIBUTING.md): who may include whom, and which
+folder is the door to which library. Usage: includes.py REPOSITORY"""
+import pathlib
+import re
+import sys
+
+# A folder may include its own files and those of the folders named here.
+LAYERS = {
+    "common/core": [],
+    "common/geometry": ["common/core"],
+    "common/tree": ["common/core", "common/geometry"],
+    "common/job": ["common/core", "common/geometry", "common/tree"],
+    "proto": ["common"],
+    "master": ["common", "proto"],
+    "worker": ["common", "proto"],
+    "client": ["common", "proto"],
+}
+
+# A library may be included only from these files (prefixes of paths).
+DOORS = {
+    r"Eigen/": ["common/geometry", "common/tree", "common/job"],
+    r"openssl/": ["common/core/hash.cpp"],
+    r"xxhash\.h": ["common/core/hash.cpp"],
+    r"zstd\.h": ["common/core/compress.cpp"],
+    r"spdlog/": ["common/core"],
+    r"boost/asio": ["proto/asio.hpp"],
+    r"boost/multiprecision": ["common/geometry", "common/tree"],
+    r"boost/": ["proto", "common/geometry", "common/tree"],
+    r"cereal/": ["proto"],
+    r"assimp/": ["client/mesh_import"],
+    r"zip\.h": ["client/npz"],
+    r"zlib\.h": ["client"],
+    r"CLI/": ["master", "worker", "client"],
+    r"toml\+\+/": ["master", "worker", "client"],
+    r"nlohmann/": ["client"],
+    r"fcl/": [],
+}
+ANYWHERE = ("tests/", "bench/")  # May include everything of ours and any library.
+SOURCES = {".cpp", ".hpp", ".h"}
+
+
+def may_include_ours(path, included):
+    own = path.rsplit("/", 1)[0] + "/"
+    for layer, allowed in LAYERS.items():
+        if path.startswith(layer + "/"):
+            return included.startswith((layer + "/", *(a + "/" for a in allowed)))
+    return included.startswith(own)
+
+
+def problems_of(root, path):
+    text = (root / path).read_text(encoding="utf-8")
+    if path.endswith(".hpp") and "#pragma once" not in text:
+        yield f"{path}:1: a header without #pragma once"
+    for number, line in enumerate(text.splitlines(), 1):
+        match = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
+        if not match:
+            continue
+        quoted, included = match.group(1) == '"', match.group(2)
+        place = f"{path}:{number}"
+        if quoted and not (root / included).is_file():
+            yield f'{place}: "{included}" is no file, named from the root of the repository'
+        elif quoted and not path.startswith(ANYWHERE) and not may_include_ours(path, included):
+            yield f'{place}: "{included}" is not of this layer or one below'
+        elif not quoted and not path.startswith(ANYWHERE):
+            for library, doors in DOORS.items():
+                if re.match(library, included):
+                    if not path.startswith(tuple(doors)):
+                        yield f"{place}: <{included}> enters only through {', '.join(doors)}"
+                    break
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    files = sorted(
+        p.relative_to(root).as_posix()
+        for folder in ("common", "proto", "master", "worker", "client", "tests", "bench")
+        for p in (root / folder).rglob("*")
+        if p.suffix in SOURCES
+    )
+    found = [problem for path in files for problem in problems_of(root, path)]
+    print("\n".join(found) or f"{len(files)} files keep to the layers")
+    return 1 if found or not files else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
