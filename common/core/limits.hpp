@@ -19,12 +19,17 @@ inline constexpr std::uint64_t mesh_bytes_max = 8ull << 30;
 inline constexpr std::uint32_t parts_max = 1u << 20;
 inline constexpr std::uint32_t distribution_depth_max = 20;
 inline constexpr std::uint64_t subtree_block_bytes_max = 1ull << 30;
+inline constexpr std::size_t mesh_uploads_max = 16; ///< At a time; each is a temporary file.
+inline constexpr std::size_t trees_kept_max = 8;    ///< That no job uses any more.
 
 // Jobs.
 inline constexpr std::uint64_t scenarios_max = 1ull << 40;
 inline constexpr std::uint32_t root_pairs_max = 1u << 22; ///< Per scenario; more is an error.
 inline constexpr std::uint64_t result_record_bytes_max = 1ull << 32;
 inline constexpr std::uint32_t q_max = 1u << 16;
+inline constexpr std::uint64_t analysis_block_scenarios = 256;
+inline constexpr std::uint64_t spool_run_scenarios = 4096;       ///< On disk together.
+inline constexpr std::size_t result_buffer_bytes_max = 1u << 20; ///< Not yet written to a file.
 
 // Time.
 inline constexpr std::chrono::seconds heartbeat_period{2};

@@ -1,0 +1,120 @@
+// Keeps meshes, their trees and their encoded subtrees on disk, each made once, ever.
+#pragma once
+
+#include "common/core/hash.hpp"
+#include "common/core/result.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/tree/cut.hpp"
+#include "common/tree/obb_tree.hpp"
+#include "proto/message.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+/// A tree cut at one depth, with all its blocks encoded and on disk. Immutable, shared freely
+/// between threads; holds the file open, and of its blocks nothing in memory.
+class CutGeometry {
+  public:
+    struct State;
+    explicit CutGeometry(std::unique_ptr<const State> state);
+    CutGeometry(const CutGeometry&) = delete;
+    CutGeometry& operator=(const CutGeometry&) = delete;
+    ~CutGeometry();
+
+    [[nodiscard]] const TreeTop& top() const;
+    [[nodiscard]] std::uint32_t root_count() const;
+    /// The name of a root's uncompressed bytes.
+    [[nodiscard]] const Sha256& hash(RootIndex root) const;
+    [[nodiscard]] std::uint64_t compressed_bytes(RootIndex root) const;
+    /// Over all roots.
+    [[nodiscard]] std::uint64_t compressed_bytes_total() const;
+    [[nodiscard]] std::uint64_t bytes_total() const;
+
+    /// One block as it travels. One read of the file: microseconds while the system caches it, so
+    /// it may be called from the network thread. Errors: Io, naming the file, when it cannot be
+    /// read or the block is damaged.
+    [[nodiscard]] Result<SubtreeBlock> block(RootIndex root) const;
+
+  private:
+    std::unique_ptr<const State> state_;
+};
+
+/// A mesh that comes in pieces, in a temporary file that goes when this does. One thread at a time.
+class MeshUpload {
+  public:
+    struct State;
+    explicit MeshUpload(std::unique_ptr<State> state);
+    MeshUpload(const MeshUpload&) = delete;
+    MeshUpload& operator=(const MeshUpload&) = delete;
+    ~MeshUpload();
+
+    [[nodiscard]] const Sha256& mesh() const;
+    /// The pieces must follow one another. Blocks for the write. Errors: BadInput for a gap, a
+    /// repetition or more than was announced; Io.
+    [[nodiscard]] Status append(std::uint64_t offset, std::span<const std::byte> bytes);
+    /// All announced bytes are there.
+    [[nodiscard]] bool is_complete() const;
+
+  private:
+    friend class GeometryStore;
+    std::unique_ptr<State> state_;
+};
+
+/// The geometry under `<state>/meshes`, `trees` and `blocks`.
+///
+/// Any thread may call any member at any time. `finish_upload`, `tree` and `cut` may take seconds
+/// (they read, build and encode, with the help of the pool handed in); two that want the same thing
+/// wait for one making of it. They must not be called from a function that runs on that pool. All
+/// others return within a file operation.
+///
+/// What is damaged on disk is never deleted. A damaged tree or blocks file is reported in the log,
+/// set aside under a new name and made anew; a damaged mesh cannot be, and is an error naming the
+/// file.
+class GeometryStore {
+  public:
+    /// Makes the directories where they are missing. Errors: Io.
+    [[nodiscard]] static Result<std::unique_ptr<GeometryStore>>
+    open(const std::filesystem::path& directory, ThreadPool& pool);
+    GeometryStore(const GeometryStore&) = delete;
+    GeometryStore& operator=(const GeometryStore&) = delete;
+    ~GeometryStore();
+
+    [[nodiscard]] bool has(const Sha256& mesh) const;
+    /// Those of `meshes` that are not here, in the order given, each once.
+    [[nodiscard]] std::vector<Sha256> missing(std::span<const Sha256> meshes) const;
+
+    /// `name` is for people and is kept with the mesh. Errors: TooLarge over
+    /// `limits::mesh_bytes_max` or with `limits::mesh_uploads_max` open; Io.
+    [[nodiscard]] Result<std::unique_ptr<MeshUpload>>
+    begin_upload(const Sha256& mesh, const std::string& name, std::uint64_t bytes_total);
+
+    /// Checks the bytes against their name, validates them as a mesh, builds the tree, and keeps
+    /// both. Of a mesh that is here already: nothing. Errors: BadInput when incomplete, of another
+    /// hash, or no valid mesh; Io.
+    [[nodiscard]] Status finish_upload(std::unique_ptr<MeshUpload> upload);
+
+    /// The tree, from memory, from disk, or built now. Errors: NotFound; Io naming a file that is
+    /// damaged or cannot be read.
+    [[nodiscard]] Result<std::shared_ptr<const ObbTree>> tree(const Sha256& mesh);
+
+    /// The tree cut at `depth`, encoded now or earlier. Errors: as `tree`; TooLarge over
+    /// `limits::distribution_depth_max`.
+    [[nodiscard]] Result<std::shared_ptr<const CutGeometry>> cut(const Sha256& mesh,
+                                                                 std::uint32_t depth);
+
+    /// All meshes, by hash.
+    [[nodiscard]] std::vector<MeshStatus> meshes() const;
+
+  private:
+    struct State;
+    explicit GeometryStore(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace cd

@@ -1,0 +1,80 @@
+// The pre-analysis of a job's scenarios: which distribution roots collide (paper, 6.4.6).
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/job/query.hpp"
+#include "common/job/result.hpp"
+#include "common/tree/cut.hpp"
+#include "common/tree/obb_tree.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace cd {
+
+/// What the analysis of a job reads. The tops are those of the trees' cuts.
+struct AnalysisInput {
+    std::shared_ptr<const ObbTree> a;
+    std::shared_ptr<const ObbTree> b;
+    std::shared_ptr<const TreeTop> top_a;
+    std::shared_ptr<const TreeTop> top_b;
+    Query query;
+    std::shared_ptr<PoseSource> poses; ///< Its `read` must bear several threads at once.
+};
+
+/// One scenario after the analysis: either with work for a worker, or finished.
+struct Analysis {
+    Scenario scenario;
+    std::vector<RootPair> pairs;    ///< The colliding distribution roots, sorted.
+    std::vector<RootIndex> roots_a; ///< The distinct ones of each side, ascending.
+    std::vector<RootIndex> roots_b;
+    std::uint64_t bytes = 0; ///< What the scenario adds to a batch on the wire, about.
+
+    /// Where no roots collide: separate, or inside; or failed, where they are too many. `pairs` is
+    /// then empty.
+    std::optional<ScenarioResult> finished;
+};
+
+/// The analysis of one scenario. Pure. A failure of it is a `finished` result that names it.
+[[nodiscard]] Analysis analyse(const AnalysisInput& input, const Scenario& scenario);
+
+/// The scenarios [first, first + count) of a job, in order. With an error (of reading the poses)
+/// there are none, and no block after this one comes.
+struct AnalysedBlock {
+    std::uint64_t first = 0;
+    std::vector<Analysis> scenarios;
+    std::optional<Error> error;
+};
+
+/// Analyses one job in blocks of `limits::analysis_block_scenarios` on a pool, several at once, no
+/// more of them than the owner asked for.
+class Submitter {
+  public:
+    /// Blocks are delivered in order and one at a time, on threads of the pool. `deliver` must
+    /// neither throw nor destroy the submitter. The pool must outlive the work posted to it.
+    Submitter(ThreadPool& pool, AnalysisInput input, std::function<void(AnalysedBlock)> deliver);
+    Submitter(const Submitter&) = delete;
+    Submitter& operator=(const Submitter&) = delete;
+    /// When this returns, `deliver` is not running and will not be called again. Blocks not yet
+    /// started are dropped.
+    ~Submitter();
+
+    /// Starts the next `blocks` blocks; fewer where the job ends before. Returns how many.
+    std::uint64_t start(std::uint64_t blocks);
+
+    /// Blocks started and not yet delivered.
+    [[nodiscard]] std::uint64_t under_way() const;
+    /// Every block has been started.
+    [[nodiscard]] bool all_started() const;
+
+  private:
+    struct State;
+    std::shared_ptr<State> state_;
+};
+
+} // namespace cd
