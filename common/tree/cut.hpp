@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
+#include "common/geometry/pose.hpp"
 #include "common/tree/obb_tree.hpp"
 
 #include <compare>
