@@ -15,9 +15,13 @@ namespace cd {
 /// A node: an oriented box that contains its triangles, always. A point x is inside when
 /// |row_i . (x - center)| <= half_i for the three rows of `axes` taken as exact numbers; the rows
 /// are orthonormal only within float rounding, and the box test allows for that.
+///
+/// Axes and centre are finite. The half sizes are positive, and infinite where coordinates are
+/// beyond the floats. The centre is a double because small features far from the origin (maps) would
+/// lie within one step of a float.
 struct ObbNode {
+    std::array<double, 3> center{};
     std::array<float, 9> axes{}; ///< Row-major: three unit directions.
-    std::array<float, 3> center{};
     std::array<float, 3> half{};
     std::uint32_t right = 0; ///< Index of the right child; 0 for a leaf. The left child follows.
     std::uint32_t triangles_begin = 0; ///< The triangles under this node, in tree order.
