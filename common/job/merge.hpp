@@ -33,7 +33,7 @@ struct Summary {
 };
 
 /// The merge is idempotent by scenario: of several results for one, the first counts and later ones
-/// are compared with it. Memory: a hash for each scenario.
+/// are compared with it. Memory: a hash for each scenario up to the last that came.
 class ResultMerger {
   public:
     explicit ResultMerger(std::uint64_t scenarios);
@@ -46,6 +46,8 @@ class ResultMerger {
     };
 
     [[nodiscard]] Outcome add(const ScenarioResult& result);
+    /// The same for a result whose record is at hand: `digest` is the record's SHA-256.
+    [[nodiscard]] Outcome add(const ScenarioResult& result, const Sha256& digest);
     [[nodiscard]] bool has(std::uint64_t index) const;
 
     [[nodiscard]] const Summary& summary() const { return summary_; }
@@ -54,6 +56,9 @@ class ResultMerger {
     [[nodiscard]] std::optional<Sha256> digest() const;
 
   private:
+    void count(const ScenarioResult& result);
+
+    // Both grow with the scenarios that came, so that a job's claimed size costs nothing.
     std::vector<Sha256> digests_;
     std::vector<bool> merged_;
     Summary summary_;

@@ -35,16 +35,27 @@ struct GridAxis {
     double first = 0;
     double last = 0;
     std::uint64_t count = 1;
+
+    /// The ends exactly; between them first + (last - first) * place / (count - 1), each operation
+    /// rounded in the order of C++.
+    [[nodiscard]] double at(std::uint64_t place) const;
+
+    friend bool operator==(const GridAxis&, const GridAxis&) = default;
 };
 
 /// The grid over positions and Euler angles, x slowest and yaw fastest in the order x, y, z, roll,
 /// pitch, yaw. It travels as this description; angles are already quaternions, so evaluating it
 /// takes + - * / only.
 struct Grid {
-    std::array<GridAxis, 3> position;                    ///< x, y, z
-    std::array<std::vector<Quaternion>, 3> rotation;     ///< about x (roll), y (pitch), z (yaw)
+    std::array<GridAxis, 3> position; ///< x, y, z
+    /// About x (roll), y (pitch), z (yaw); an empty list does not turn.
+    std::array<std::vector<Quaternion>, 3> rotation;
 
     [[nodiscard]] std::uint64_t count() const; ///< Saturates instead of overflowing.
+    /// B's pose at a place below `count()`, always a quaternion's.
+    [[nodiscard]] Pose at(std::uint64_t place) const;
+
+    friend bool operator==(const Grid&, const Grid&) = default;
 };
 
 /// The quaternions of evenly spaced angles in degrees about axis 0, 1 or 2. The one use of sin and
@@ -54,15 +65,18 @@ struct Grid {
 /// Roll about x first, then pitch about y, then yaw about z, in degrees (R = Rz Ry Rx).
 [[nodiscard]] Quaternion quaternion_from_euler(double roll_deg, double pitch_deg, double yaw_deg);
 
+/// B on the grid, A at the identity.
 [[nodiscard]] std::unique_ptr<PoseSource> make_grid_source(Grid grid);
 
 [[nodiscard]] Bytes encode_grid(const Grid& grid);
-/// The bytes may be hostile: counts are bounded by `limits::scenarios_max`. Errors: BadFrame.
+/// The bytes may be hostile: numbers are finite, quaternions not zero, and the count lies in
+/// [1, `limits::scenarios_max`]. Errors: BadFrame.
 [[nodiscard]] Result<Grid> decode_grid(std::span<const std::byte> bytes);
 
-/// The paper's scenarios (section 7): B comes in a random orientation from a random direction and is
-/// pushed in until it first collides, then by a random share in [penetration_min, penetration_max]
-/// of the diagonal of B's box further.
+/// The paper's scenarios (section 7): B comes in a random orientation from a random direction and
+/// is pushed in until it first collides, then by a random share in [penetration_min,
+/// penetration_max] of the diagonal of B's box further. Whoever reads a job sees to it that 0 <=
+/// penetration_min <= penetration_max <= 1.
 struct RandomPoses {
     std::uint64_t count = 1000;
     std::uint64_t seed = 1;
@@ -71,11 +85,13 @@ struct RandomPoses {
 };
 
 /// The same scenarios on every host and for any number of threads. B's poses are quaternions, A's
-/// the identity.
-[[nodiscard]] std::vector<Scenario> make_random_poses(const RandomPoses& options,
-                                                      const ObbTree& a,
-                                                      const ObbTree& b,
-                                                      ThreadPool& pool);
+/// the identity. A scenario depends on its index, the seed and the shares alone, not on `count`.
+///
+/// B approaches the centre of A's box along a straight line. "First collides" is found to some
+/// 1/32,000 of the way, at the first of 32 places that collides; where a line passes through A
+/// without a collision another direction and orientation are drawn.
+[[nodiscard]] std::vector<Scenario>
+make_random_poses(const RandomPoses& options, const ObbTree& a, const ObbTree& b, ThreadPool& pool);
 
 /// Scenarios that stand in memory.
 [[nodiscard]] std::unique_ptr<PoseSource> make_list_source(std::vector<Scenario> scenarios);

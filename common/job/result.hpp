@@ -42,18 +42,26 @@ struct ScenarioResult {
     std::vector<std::uint32_t> point_offsets; ///< pairs + 1 entries, from 0; empty below contacts.
     std::vector<Vec3> points;
 
-    std::string failure; ///< Why, for Failed.
+    std::string failure; ///< Why, for Failed, which has no pairs.
 
     [[nodiscard]] bool is_cut() const { return level >= Level::Pairs && pairs.size() < pair_count; }
 };
 
-/// The canonical record of DESIGN section 5: version, index, bodies, level, class, flags, count,
-/// pairs with class, points as IEEE bits with -0 as 0; little-endian. Statistics, times and hosts
-/// never enter.
+/// The canonical record, little-endian. Statistics, times and hosts never enter.
+///
+///     u8 version = 1    u64 index    u32 body_a    u32 body_b    u8 level    u8 class
+///     u8 flags (bit 0: surfaces only)    u64 pair_count
+///     class failed:     u32 length, characters of the reason; the record ends here
+///     level >= pairs:   u32 n; n x u32 triangles of A; n x u32 triangles of B; n x u8 class
+///     level contacts:   n x u8 points of the pair (at most 6); n x 3 f64 origins; points x 3 f64
+///
+/// -0 is stored as 0, and a NaN (a point that left the range of double) as the one quiet NaN.
+/// Whoever fills a result keeps to what `decode_result` checks.
 [[nodiscard]] Bytes encode_result(const ScenarioResult& result);
 
-/// The inverse. The bytes may be hostile: everything is checked (classes and levels in range, pairs
-/// strictly ascending, counts that fit). Errors: BadFrame.
+/// The inverse: `encode_result` gives the same bytes again. The bytes may be hostile: everything is
+/// checked (classes and levels in range and fitting each other, pairs strictly ascending, counts
+/// that fit, numbers in canonical form). Errors: BadFrame.
 [[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);
 
 /// SHA-256 of the canonical record.

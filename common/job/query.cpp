@@ -1,0 +1,30 @@
+#include "common/job/query.hpp"
+
+#include "common/core/check.hpp"
+
+#include <array>
+
+namespace cd {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> level_names{"any", "count", "pairs", "contacts"};
+
+} // namespace
+
+std::string_view to_text(Level level) {
+    const auto place = static_cast<std::size_t>(level);
+    CD_CHECK(place < level_names.size());
+    return level_names[place];
+}
+
+std::optional<Level> level_from_text(std::string_view text) {
+    for (std::size_t i = 0; i < level_names.size(); ++i) {
+        if (level_names[i] == text) {
+            return static_cast<Level>(i);
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace cd

@@ -1,0 +1,150 @@
+// Proves that scenarios come back from their packed form with exactly their numbers, that the form
+// is as small as it says, and that no bytes whatever make the decoder crash or allocate at will.
+
+#include "common/job/scenario.hpp"
+
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace cd::tests {
+
+namespace {
+
+Scenario make_scenario(std::uint64_t index, const Pose& a, const Pose& b) {
+    Scenario scenario;
+    scenario.index = index;
+    scenario.poses = {a, b};
+    return scenario;
+}
+
+Pose pose_of_any_form(std::mt19937_64& random) {
+    switch (random() % 4) {
+    case 0:
+        return Pose{};
+    case 1:
+        return translation_pose(uniform(random, -1, 1), 0.0, 2.5);
+    case 2:
+        return make_matrix_pose(random, 3.0);
+    default:
+        return make_pose(random, 3.0);
+    }
+}
+
+std::vector<Scenario> mixed_scenarios(std::mt19937_64& random, std::size_t count) {
+    std::vector<Scenario> scenarios;
+    std::uint64_t index = random() % 1000;
+    for (std::size_t i = 0; i < count; ++i) {
+        Scenario scenario =
+            make_scenario(index, pose_of_any_form(random), pose_of_any_form(random));
+        scenario.body_b = random() % 8 == 0 ? 7u : 1u;
+        scenarios.push_back(scenario);
+        index = random() % 4 == 0 ? random() >> 1 : index + 1;
+    }
+    return scenarios;
+}
+
+std::size_t packed_size(std::span<const Scenario> scenarios) {
+    return pack_scenarios(scenarios).size();
+}
+
+} // namespace
+
+TEST(Scenario, ComesBackAsItWas) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const auto scenarios = mixed_scenarios(random, seed % 40);
+        const auto unpacked = unpack_scenarios(pack_scenarios(scenarios));
+        ASSERT_TRUE(unpacked) << unpacked.error().detail;
+        ASSERT_EQ(unpacked.value(), scenarios);
+    }
+}
+
+TEST(Scenario, PosesKeepTheirKindAndNumbers) {
+    const Pose turned = Pose::from_quaternion({2, 0, 0, 0}, Vec3(1e300, 5e-324, -0.1));
+    const Pose identity = Pose::from_quaternion({1, 0, 0, 0}, Vec3::Zero());
+    const std::vector<Scenario> scenarios{make_scenario(0, turned, Pose{}),
+                                          make_scenario(1, Pose{}, identity)};
+    const auto unpacked = unpack_scenarios(pack_scenarios(scenarios));
+    ASSERT_TRUE(unpacked);
+    EXPECT_EQ(unpacked.value()[0].poses.a.quaternion(), (Quaternion{2, 0, 0, 0}));
+    EXPECT_EQ(unpacked.value()[0].poses.a.translation(), Vec3(1e300, 5e-324, -0.1));
+    EXPECT_EQ(unpacked.value()[0].poses.b.kind(), Pose::Kind::Matrix);
+    EXPECT_EQ(unpacked.value()[1].poses.b.kind(), Pose::Kind::Quaternion);
+}
+
+TEST(Scenario, CostsLittleMoreThanItsNumbers) {
+    std::mt19937_64 random(1);
+    std::vector<Scenario> quaternions;
+    std::vector<Scenario> matrices;
+    std::vector<Scenario> scattered;
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+        quaternions.push_back(make_scenario(5000 + i, Pose{}, make_pose(random, 1)));
+        matrices.push_back(make_scenario(5000 + i, Pose{}, make_matrix_pose(random, 1)));
+        scattered.push_back(make_scenario(random() % 1'000'000, Pose{}, make_pose(random, 1)));
+    }
+    EXPECT_LE(packed_size(quaternions), 56u * 1000 + 16);
+    EXPECT_LE(packed_size(matrices), 96u * 1000 + 16);
+    EXPECT_LE(packed_size(scattered), (56u + 8) * 1000 + 16);
+}
+
+TEST(Scenario, NamesTheScenarioWhosePoseIsNoPose) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Bytes bytes = pack_scenarios(std::vector<Scenario>{
+        make_scenario(41, Pose{}, translation_pose(1, 2, 3)),
+        make_scenario(42, Pose{}, translation_pose(1, 2, 3)),
+    });
+    std::memcpy(bytes.data() + bytes.size() - sizeof nan, &nan, sizeof nan);
+    const auto unpacked = unpack_scenarios(bytes);
+    ASSERT_FALSE(unpacked);
+    EXPECT_EQ(unpacked.error().code, ErrorCode::BadInput);
+    EXPECT_NE(unpacked.error().detail.find("scenario 42"), std::string::npos);
+
+    Bytes zero = pack_scenarios(std::vector<Scenario>{
+        make_scenario(7, Pose{}, Pose::from_quaternion({1, 0, 0, 0}, Vec3::Zero()))});
+    std::fill(zero.end() - 56, zero.end(), std::byte{0});
+    const auto unpacked_zero = unpack_scenarios(zero);
+    ASSERT_FALSE(unpacked_zero);
+    EXPECT_EQ(unpacked_zero.error().code, ErrorCode::BadInput);
+}
+
+TEST(Scenario, RefusesEveryTruncation) {
+    std::mt19937_64 random(3);
+    const Bytes bytes = pack_scenarios(mixed_scenarios(random, 12));
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        ASSERT_FALSE(unpack_scenarios(std::span(bytes).first(size))) << size;
+    }
+    Bytes longer = bytes;
+    longer.push_back(std::byte{0});
+    EXPECT_FALSE(unpack_scenarios(longer));
+}
+
+TEST(Scenario, RefusesCountsThatTheBytesDoNotJustify) {
+    // Version, count 2^35, one run of identities claiming the same.
+    const std::array<std::uint8_t, 17> claim{
+        1, 0x80, 0x80, 0x80, 0x80, 0x80, 1, 0, 0x80, 0x80, 0x80, 0x80, 0x80, 1, 0, 0, 1};
+    EXPECT_FALSE(unpack_scenarios(std::as_bytes(std::span(claim))));
+}
+
+TEST(Scenario, SurvivesDamage) {
+    std::mt19937_64 random(5);
+    const Bytes bytes = pack_scenarios(mixed_scenarios(random, 6));
+    for (int round = 0; round < 20'000; ++round) {
+        Bytes damaged = bytes;
+        for (std::uint64_t flips = 1 + random() % 4; flips > 0; --flips) {
+            damaged[random() % damaged.size()] ^= static_cast<std::byte>(1u << (random() % 8));
+        }
+        if (const auto unpacked = unpack_scenarios(damaged)) {
+            for (const Scenario& scenario : unpacked.value()) {
+                ASSERT_TRUE(scenario.poses.a.is_finite());
+                ASSERT_TRUE(scenario.poses.b.is_finite());
+            }
+        }
+    }
+}
+
+} // namespace cd::tests
