@@ -4,12 +4,13 @@
 
 #include "common/core/id.hpp"
 #include "master/matchmaker.hpp"
+#include "master/worker_proxy.hpp"
 #include "proto/message.hpp"
 
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
+#include <variant>
 #include <vector>
 
 namespace cd {
@@ -39,11 +40,6 @@ using Actions = std::vector<Action>;
 struct DispatchTree {
     TreeId tree;
     std::vector<std::uint32_t> root_triangles; ///< Of each distribution root.
-};
-
-struct WorkerFacts {
-    std::string name;
-    std::uint32_t threads = 1;
 };
 
 /// A scenario that needs a worker: it has at least one pair of colliding roots.

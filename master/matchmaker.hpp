@@ -27,18 +27,22 @@ struct Candidate {
     WorkerId worker;
     const RootIndicator* held_a = nullptr;
     const RootIndicator* held_b = nullptr;
-    double load = 0; ///< Buffered scenarios / q.
+    double load = 0;             ///< Buffered scenarios / q, below 1.
+    std::uint64_t scenarios = 0; ///< Buffered, or at the worker and unanswered.
 };
 
-/// Scores and chooses. Deterministic: equal scores go to the worker with the fewest buffered, then
-/// the smallest id; `random` draws from a generator of the given seed.
+/// Scores and chooses, by the strategies of the paper's section 7:
+/// `best-match` the highest score; `best-match-load` the highest score x (1 - load); `random` any,
+/// drawn from a generator of the given seed; `lowest` the lowest score. Deterministic: equals go to
+/// the worker with the fewest scenarios, then to the smallest id.
 class Matchmaker {
   public:
     Matchmaker(Strategy strategy, std::uint64_t seed);
 
-    /// The sum over both trees of scenario indicator x (held ? 1 : 0): the triangles that the worker
-    /// has already.
-    [[nodiscard]] static std::uint64_t score(const ScenarioRoots& scenario, const Candidate& candidate);
+    /// The sum over both trees of scenario indicator x (held ? 1 : 0): the triangles that the
+    /// worker has already.
+    [[nodiscard]] static std::uint64_t score(const ScenarioRoots& scenario,
+                                             const Candidate& candidate);
 
     /// Nothing when there is no candidate. Candidates come in ascending order of id.
     [[nodiscard]] std::optional<WorkerId> choose(const ScenarioRoots& scenario,

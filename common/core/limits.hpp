@@ -7,10 +7,16 @@
 
 namespace cd::limits {
 
-// Frames. Checked against the header before anything is allocated.
-inline constexpr std::uint32_t frame_control_bytes_max = 1u << 20; ///< Any message but data.
-inline constexpr std::uint32_t frame_data_bytes_max = 4u << 20;    ///< Blocks, poses, results.
-inline constexpr std::size_t write_queue_bytes_max = 64u << 20;    ///< Then the sender waits.
+// Messages. A type's cap is checked while its frames come in, before more is kept (PROTOCOL.md).
+inline constexpr std::uint64_t message_control_bytes_max = 1u << 20;
+inline constexpr std::uint64_t message_roots_bytes_max = 8u << 20;  ///< Lists of roots of one tree.
+inline constexpr std::uint64_t message_data_bytes_max = 64u << 20;  ///< Batches, poses, mesh parts.
+inline constexpr std::uint64_t message_tree_bytes_max = 192u << 20; ///< The top of a deepest cut.
+inline constexpr std::uint64_t message_results_bytes_max = 257u << 20;   ///< One largest record.
+inline constexpr std::uint64_t message_subtrees_bytes_max = 1025u << 20; ///< One largest block.
+inline constexpr std::size_t streams_max = 4; ///< Messages that one peer may have begun.
+inline constexpr std::size_t hello_text_bytes_max = 256;
+inline constexpr std::size_t write_queue_bytes_max = 64u << 20; ///< Then the sender waits.
 
 // Geometry.
 inline constexpr std::uint64_t mesh_vertices_max = 1ull << 31;
@@ -25,15 +31,18 @@ inline constexpr std::size_t trees_kept_max = 8;    ///< That no job uses any mo
 // Jobs.
 inline constexpr std::uint64_t scenarios_max = 1ull << 40;
 inline constexpr std::uint32_t root_pairs_max = 1u << 22; ///< Per scenario; more is an error.
-inline constexpr std::uint64_t result_record_bytes_max = 1ull << 32;
+inline constexpr std::uint64_t result_record_bytes_max = 1ull << 28; ///< Fits a message.
 inline constexpr std::uint32_t q_max = 1u << 16;
 inline constexpr std::uint64_t analysis_block_scenarios = 256;
-inline constexpr std::uint64_t spool_run_scenarios = 4096;       ///< On disk together.
+inline constexpr std::uint64_t spool_run_scenarios = analysis_block_scenarios; ///< Read together.
 inline constexpr std::size_t result_buffer_bytes_max = 1u << 20; ///< Not yet written to a file.
+inline constexpr std::uint32_t scenario_losses_max = 3; ///< Workers that a scenario may take down.
 
 // Time.
 inline constexpr std::chrono::seconds heartbeat_period{2};
 inline constexpr std::chrono::seconds peer_lost_after{15};
 inline constexpr std::chrono::seconds connect_timeout{10};
+inline constexpr std::chrono::seconds write_stall_max{30}; ///< One frame; then the peer is lost.
+inline constexpr std::chrono::seconds close_flush_max{5};  ///< For what is queued at a close.
 
 } // namespace cd::limits

@@ -1,0 +1,202 @@
+// The dispatcher's events.
+#include "master/dispatcher.hpp"
+
+#include "common/core/check.hpp"
+#include "master/dispatcher_state.hpp"
+
+namespace cd {
+
+namespace {
+
+std::vector<ScenarioRoots::Root> with_triangles(const DispatchTree& tree,
+                                                std::span<const RootIndex> roots) {
+    std::vector<ScenarioRoots::Root> with;
+    with.reserve(roots.size());
+    for (const RootIndex root : roots) {
+        with.push_back({root, tree.root_triangles.at(root)});
+    }
+    return with;
+}
+
+} // namespace
+
+Dispatcher::Dispatcher() : state_(std::make_unique<State>()) {}
+Dispatcher::~Dispatcher() = default;
+
+// ---- Workers ----------------------------------------------------------------------------------
+
+Actions Dispatcher::worker_joined(WorkerId worker, const WorkerFacts& facts) {
+    WorkerProxy& proxy = state_->pool.add(worker, facts);
+    for (const auto& [id, job] : state_->jobs) {
+        proxy.add_tree(job.a.tree, static_cast<std::uint32_t>(job.a.root_triangles.size()));
+        proxy.add_tree(job.b.tree, static_cast<std::uint32_t>(job.b.root_triangles.size()));
+    }
+    Actions actions;
+    state_->settle(actions);
+    return actions;
+}
+
+Actions Dispatcher::worker_lost(WorkerId worker) {
+    WorkerProxy* proxy = state_->pool.find(worker);
+    if (proxy == nullptr) {
+        return {};
+    }
+    Actions actions;
+    state_->take_back_buffers(*proxy);
+    // The newest task first, so that the oldest ends up first in line.
+    while (!proxy->tasks().empty()) {
+        const auto& [task, content] = *proxy->tasks().rbegin();
+        const JobId job = content.job;
+        state_->take_back_lost(job, proxy->end_task(TaskId(task)), actions);
+    }
+    state_->pool.remove(worker);
+    state_->settle(actions);
+    return actions;
+}
+
+Actions Dispatcher::worker_draining(WorkerId worker) {
+    WorkerProxy* proxy = state_->pool.find(worker);
+    if (proxy == nullptr) {
+        return {};
+    }
+    proxy->set_draining();
+    state_->take_back_buffers(*proxy);
+    Actions actions;
+    state_->settle(actions);
+    return actions;
+}
+
+Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
+    WorkerProxy* proxy = state_->pool.find(worker);
+    if (proxy == nullptr || !proxy->tasks().contains(task)) {
+        return {};
+    }
+    const JobId job = proxy->tasks().at(task).job;
+    Actions actions;
+    state_->take_back_lost(job, proxy->end_task(task), actions);
+    state_->settle(actions);
+    return actions;
+}
+
+Actions Dispatcher::roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots) {
+    if (WorkerProxy* proxy = state_->pool.find(worker)) {
+        proxy->release(tree, roots);
+    }
+    return {};
+}
+
+// ---- Jobs ---------------------------------------------------------------------------------------
+
+Actions
+Dispatcher::job_opened(JobId job, const ClusterOptions& options, DispatchTree a, DispatchTree b) {
+    CD_CHECK(options.q > 0);
+    state_->pool.add_tree(a.tree, static_cast<std::uint32_t>(a.root_triangles.size()));
+    state_->pool.add_tree(b.tree, static_cast<std::uint32_t>(b.root_triangles.size()));
+    const bool is_new =
+        state_->jobs.try_emplace(job, job, options, std::move(a), std::move(b)).second;
+    CD_CHECK(is_new);
+    return {};
+}
+
+Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
+    DispatchJob* job = state_->find_job(job_id);
+    CD_CHECK(job != nullptr);
+    DispatchScenario scenario;
+    scenario.roots = {with_triangles(job->a, analysed.roots_a),
+                      with_triangles(job->b, analysed.roots_b)};
+    scenario.bytes = analysed.bytes;
+    const bool is_new = job->scenarios.emplace(analysed.index, std::move(scenario)).second;
+    CD_CHECK(is_new);
+    job->waiting.push_back(analysed.index);
+    ++state_->unsent;
+    state_->input_is_paused = false;
+
+    // Others wait before it: then nobody can take a scenario of this job now, and nothing changed.
+    Actions actions;
+    if (job->waiting.size() == 1) {
+        state_->allocate_one(*job, actions);
+    }
+    return actions;
+}
+
+Actions Dispatcher::input_paused() {
+    state_->input_is_paused = true;
+    Actions actions;
+    state_->settle(actions);
+    return actions;
+}
+
+Actions Dispatcher::job_closed(JobId job_id) {
+    DispatchJob* job = state_->find_job(job_id);
+    if (job == nullptr) {
+        return {};
+    }
+    state_->unsent -= job->waiting.size();
+    state_->unsent -= std::erase_if(state_->suspects,
+                                    [&](const Suspect& suspect) { return suspect.job == job_id; });
+    for (auto& [id, proxy] : state_->pool.all()) {
+        state_->unsent -= proxy.take_buffer(job_id).scenarios.size();
+        for (const auto& [task, content] : proxy.tasks()) {
+            if (content.job == job_id) {
+                proxy.forget_scenarios(task);
+            }
+        }
+    }
+    const TreeId tree_a = job->a.tree;
+    const TreeId tree_b = job->b.tree;
+    state_->jobs.erase(job_id);
+    for (const TreeId tree : {tree_a, tree_b}) {
+        if (!state_->is_tree_used(tree)) {
+            state_->pool.remove_tree(tree);
+        }
+    }
+    Actions actions;
+    state_->settle(actions);
+    return actions;
+}
+
+Actions Dispatcher::scenario_answered(WorkerId worker, JobId job_id, std::uint64_t index) {
+    DispatchJob* job = state_->find_job(job_id);
+    if (job == nullptr) {
+        return {};
+    }
+    const auto found = job->scenarios.find(index);
+    if (found == job->scenarios.end()) {
+        return {};
+    }
+    const bool was_sent = found->second.where == Whereabouts::Sent;
+    const WorkerId holder = found->second.worker;
+    state_->withdraw(*job, index, found->second, worker);
+    job->scenarios.erase(found);
+
+    Actions actions;
+    if (was_sent) {
+        // Its worker may run dry now. Nothing else can have become possible.
+        state_->flush_ripe(state_->pool.at(holder), actions);
+    } else {
+        state_->settle(actions);
+    }
+    return actions;
+}
+
+// ---- Questions
+// ------------------------------------------------------------------------------------
+
+std::uint64_t Dispatcher::unsent() const {
+    return state_->unsent;
+}
+
+WorkerStatus Dispatcher::worker_status(WorkerId worker) const {
+    const WorkerProxy* proxy = state_->pool.find(worker);
+    return proxy == nullptr ? WorkerStatus{} : proxy->status();
+}
+
+std::vector<WorkerId> Dispatcher::workers() const {
+    std::vector<WorkerId> ids;
+    for (const auto& [id, proxy] : state_->pool.all()) {
+        ids.push_back(id);
+    }
+    return ids;
+}
+
+} // namespace cd

@@ -1,0 +1,246 @@
+// How scenarios get from the queues through the buffers to the workers, and back.
+#include "common/core/check.hpp"
+#include "common/core/limits.hpp"
+#include "master/dispatcher_state.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+DispatchJob* Dispatcher::State::find_job(JobId job) {
+    const auto found = jobs.find(job);
+    return found == jobs.end() ? nullptr : &found->second;
+}
+
+void Dispatcher::State::settle(Actions& actions) {
+    give_suspects(actions);
+    for (auto& [id, proxy] : pool.all()) {
+        flush_ripe(proxy, actions);
+    }
+    while (allocate_next(actions)) {
+    }
+    // Only now is it known that nothing more comes for these workers.
+    for (auto& [id, proxy] : pool.all()) {
+        flush_ripe(proxy, actions);
+    }
+}
+
+bool Dispatcher::State::allocate_next(Actions& actions) {
+    // Round robin: the jobs after the one served last, then those before and it.
+    const auto next = jobs.upper_bound(served_last);
+    for (auto place = next; place != jobs.end(); ++place) {
+        if (allocate_one(place->second, actions)) {
+            return true;
+        }
+    }
+    for (auto place = jobs.begin(); place != next; ++place) {
+        if (allocate_one(place->second, actions)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool Dispatcher::State::allocate_one(DispatchJob& job, Actions& actions) {
+    if (job.waiting.empty()) {
+        return false;
+    }
+    const WorkerProxy* excluded = reserved();
+    candidates.clear();
+    for (const auto& [id, proxy] : pool.all()) {
+        const ScenarioBuffer& buffer = proxy.buffer(job.id);
+        if (proxy.is_draining() || proxy.is_claimed() || &proxy == excluded ||
+            buffer.is_full(job.options)) {
+            continue;
+        }
+        const double load = static_cast<double>(buffer.scenarios.size()) / job.options.q;
+        candidates.push_back({id,
+                              &proxy.held(job.a.tree),
+                              &proxy.held(job.b.tree),
+                              load,
+                              proxy.buffered() + proxy.working()});
+    }
+    const std::uint64_t index = job.waiting.front();
+    DispatchScenario& scenario = job.scenarios.at(index);
+    const auto chosen = job.matchmaker.choose(scenario.roots, candidates);
+    if (!chosen) {
+        return false;
+    }
+    WorkerProxy& proxy = pool.at(*chosen);
+    job.waiting.pop_front();
+    served_last = job.id;
+    scenario.where = Whereabouts::Buffered;
+    scenario.worker = proxy.id();
+    hold_roots(job, scenario, proxy);
+    proxy.add_to_buffer(job.id, index, scenario.bytes);
+    if (proxy.buffer(job.id).is_full(job.options) && proxy.has_room_for_task(job.id, job.options)) {
+        flush(proxy, job, actions);
+    }
+    return true;
+}
+
+void Dispatcher::State::hold_roots(const DispatchJob& job,
+                                   const DispatchScenario& scenario,
+                                   WorkerProxy& proxy) {
+    for (const ScenarioRoots::Root& root : scenario.roots.a) {
+        proxy.hold(job.a.tree, root.root, root.triangles);
+    }
+    for (const ScenarioRoots::Root& root : scenario.roots.b) {
+        proxy.hold(job.b.tree, root.root, root.triangles);
+    }
+}
+
+void Dispatcher::State::give_suspects(Actions& actions) {
+    for (auto& [id, proxy] : pool.all()) {
+        if (suspects.empty()) {
+            return;
+        }
+        if (proxy.is_draining() || !proxy.is_idle()) {
+            continue;
+        }
+        const Suspect suspect = suspects.front();
+        suspects.pop_front();
+        DispatchJob& job = jobs.at(suspect.job);
+        hold_roots(job, job.scenarios.at(suspect.scenario), proxy);
+        send(proxy, job, {suspect.scenario}, true, actions);
+    }
+}
+
+const WorkerProxy* Dispatcher::State::reserved() const {
+    if (suspects.empty()) {
+        return nullptr;
+    }
+    for (const auto& [id, proxy] : pool.all()) {
+        if (!proxy.is_draining()) {
+            return &proxy;
+        }
+    }
+    return nullptr;
+}
+
+void Dispatcher::State::flush_ripe(WorkerProxy& proxy, Actions& actions) {
+    while (DispatchJob* job = next_ripe(proxy)) {
+        flush(proxy, *job, actions);
+    }
+}
+
+DispatchJob* Dispatcher::State::next_ripe(const WorkerProxy& proxy) {
+    // Round robin over the jobs, as in `allocate_next`.
+    const auto next = proxy.buffers().upper_bound(proxy.flushed_last());
+    for (auto place = next; place != proxy.buffers().end(); ++place) {
+        if (is_ripe(proxy, jobs.at(place->first))) {
+            return &jobs.at(place->first);
+        }
+    }
+    for (auto place = proxy.buffers().begin(); place != next; ++place) {
+        if (is_ripe(proxy, jobs.at(place->first))) {
+            return &jobs.at(place->first);
+        }
+    }
+    return nullptr;
+}
+
+bool Dispatcher::State::is_ripe(const WorkerProxy& proxy, const DispatchJob& job) const {
+    const ScenarioBuffer& buffer = proxy.buffer(job.id);
+    if (buffer.scenarios.empty() || !proxy.has_room_for_task(job.id, job.options)) {
+        return false;
+    }
+    const bool nothing_comes = (input_is_paused && job.waiting.empty()) || &proxy == reserved();
+    return buffer.is_full(job.options) || (nothing_comes && proxy.would_run_dry(job.options));
+}
+
+void Dispatcher::State::flush(WorkerProxy& proxy, DispatchJob& job, Actions& actions) {
+    ScenarioBuffer buffer = proxy.take_buffer(job.id);
+    send(proxy, job, std::move(buffer.scenarios), job.options.claim, actions);
+}
+
+void Dispatcher::State::send(WorkerProxy& proxy,
+                             DispatchJob& job,
+                             std::vector<std::uint64_t> scenarios,
+                             bool claims,
+                             Actions& actions) {
+    const TaskId task{++task_last};
+    for (const std::uint64_t index : scenarios) {
+        DispatchScenario& scenario = job.scenarios.at(index);
+        scenario.where = Whereabouts::Sent;
+        scenario.worker = proxy.id();
+        scenario.task = task;
+    }
+    unsent -= scenarios.size();
+    proxy.start_task(task, {job.id, scenarios, claims});
+    actions.push_back(SendBatch{proxy.id(), task, job.id, std::move(scenarios)});
+}
+
+void Dispatcher::State::take_back_buffers(WorkerProxy& proxy) {
+    while (!proxy.buffers().empty()) {
+        DispatchJob& job = jobs.at(proxy.buffers().begin()->first);
+        wait_first(job, proxy.take_buffer(job.id).scenarios);
+    }
+}
+
+void Dispatcher::State::take_back_lost(JobId job_id,
+                                       std::span<const std::uint64_t> scenarios,
+                                       Actions& actions) {
+    DispatchJob* job = find_job(job_id);
+    if (job == nullptr) {
+        return;
+    }
+    std::vector<std::uint64_t> again;
+    for (const std::uint64_t index : scenarios) {
+        DispatchScenario& scenario = job->scenarios.at(index);
+        ++scenario.losses;
+        if (scenario.losses >= limits::scenario_losses_max) {
+            job->scenarios.erase(index);
+            actions.push_back(GiveUp{job_id, index});
+            continue;
+        }
+        ++unsent;
+        if (scenario.losses + 1 == limits::scenario_losses_max) {
+            scenario.where = Whereabouts::Suspect;
+            suspects.push_back({job_id, index});
+        } else {
+            again.push_back(index);
+        }
+    }
+    wait_first(*job, again);
+}
+
+void Dispatcher::State::wait_first(DispatchJob& job, std::span<const std::uint64_t> scenarios) {
+    for (const std::uint64_t index : scenarios) {
+        job.scenarios.at(index).where = Whereabouts::Waiting;
+    }
+    job.waiting.insert(job.waiting.begin(), scenarios.begin(), scenarios.end());
+}
+
+void Dispatcher::State::withdraw(DispatchJob& job,
+                                 std::uint64_t index,
+                                 DispatchScenario& scenario,
+                                 WorkerId by) {
+    switch (scenario.where) {
+    case Whereabouts::Waiting:
+        std::erase(job.waiting, index);
+        --unsent;
+        return;
+    case Whereabouts::Suspect:
+        std::erase_if(suspects, [&](const Suspect& suspect) {
+            return suspect.job == job.id && suspect.scenario == index;
+        });
+        --unsent;
+        return;
+    case Whereabouts::Buffered:
+        pool.at(scenario.worker).remove_from_buffer(job.id, index, scenario.bytes);
+        --unsent;
+        return;
+    case Whereabouts::Sent:
+        pool.at(scenario.worker).answer(scenario.task, index, scenario.worker == by);
+        return;
+    }
+}
+
+bool Dispatcher::State::is_tree_used(TreeId tree) const {
+    return std::any_of(jobs.begin(), jobs.end(), [&](const auto& entry) {
+        return entry.second.a.tree == tree || entry.second.b.tree == tree;
+    });
+}
+
+} // namespace cd

@@ -1,0 +1,110 @@
+// What is always true between two events of the dispatcher.
+#include "common/core/check.hpp"
+#include "common/core/limits.hpp"
+#include "master/dispatcher_state.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+void Dispatcher::State::check_counts() const {
+    std::uint64_t known = 0;
+    std::uint64_t placed = suspects.size();
+    std::uint64_t not_sent = suspects.size();
+    for (const auto& [id, job] : jobs) {
+        known += job.scenarios.size();
+        placed += job.waiting.size();
+        not_sent += job.waiting.size();
+    }
+    for (const auto& [id, proxy] : pool.all()) {
+        placed += proxy.buffered() + proxy.working();
+        not_sent += proxy.buffered();
+    }
+    // Each is somewhere (check_job), and there are no more places taken than scenarios.
+    CD_CHECK(known == placed);
+    CD_CHECK(unsent == not_sent);
+}
+
+void Dispatcher::State::check_job(const DispatchJob& job) const {
+    const auto holds = [](const auto& list, std::uint64_t index) {
+        return std::count(list.begin(), list.end(), index) == 1;
+    };
+    for (const auto& [index, scenario] : job.scenarios) {
+        CD_CHECK(scenario.losses < limits::scenario_losses_max);
+        switch (scenario.where) {
+        case Whereabouts::Waiting:
+            CD_CHECK(holds(job.waiting, index));
+            break;
+        case Whereabouts::Suspect:
+            CD_CHECK(std::any_of(suspects.begin(), suspects.end(), [&](const Suspect& suspect) {
+                return suspect.job == job.id && suspect.scenario == index;
+            }));
+            break;
+        case Whereabouts::Buffered: {
+            const WorkerProxy* proxy = pool.find(scenario.worker);
+            CD_CHECK(proxy != nullptr);
+            CD_CHECK(holds(proxy->buffer(job.id).scenarios, index));
+            break;
+        }
+        case Whereabouts::Sent: {
+            const WorkerProxy* proxy = pool.find(scenario.worker);
+            CD_CHECK(proxy != nullptr);
+            CD_CHECK(holds(proxy->tasks().at(scenario.task).scenarios, index));
+            break;
+        }
+        }
+    }
+}
+
+void Dispatcher::State::check_worker(const WorkerProxy& proxy) const {
+    std::uint64_t buffered = 0;
+    for (const auto& [id, buffer] : proxy.buffers()) {
+        CD_CHECK(jobs.contains(id));
+        CD_CHECK(!buffer.scenarios.empty());
+        CD_CHECK(buffer.scenarios.size() <= jobs.at(id).options.q);
+        // A buffer that is ripe has been flushed.
+        CD_CHECK(!is_ripe(proxy, jobs.at(id)));
+        buffered += buffer.scenarios.size();
+    }
+    CD_CHECK(buffered == proxy.buffered());
+    CD_CHECK(!proxy.is_draining() || buffered == 0);
+
+    std::uint64_t working = 0;
+    std::size_t claiming = 0;
+    for (const auto& [id, task] : proxy.tasks()) {
+        CD_CHECK(id.value <= task_last);
+        working += task.scenarios.size();
+        claiming += task.claims ? 1 : 0;
+    }
+    CD_CHECK(working == proxy.working());
+    CD_CHECK(claiming <= 1);
+    CD_CHECK((claiming == 1) == proxy.is_claimed());
+}
+
+void Dispatcher::State::check_progress() const {
+    const WorkerProxy* excluded = reserved();
+    for (const auto& [id, proxy] : pool.all()) {
+        if (proxy.is_draining()) {
+            continue;
+        }
+        CD_CHECK(suspects.empty() || !proxy.is_idle());
+        for (const auto& [job_id, job] : jobs) {
+            const bool can_take = !proxy.is_claimed() && &proxy != excluded &&
+                                  !proxy.buffer(job_id).is_full(job.options);
+            CD_CHECK(job.waiting.empty() || !can_take);
+        }
+    }
+}
+
+void Dispatcher::check_invariants() const {
+    state_->check_counts();
+    for (const auto& [id, job] : state_->jobs) {
+        state_->check_job(job);
+    }
+    for (const auto& [id, proxy] : state_->pool.all()) {
+        state_->check_worker(proxy);
+    }
+    state_->check_progress();
+}
+
+} // namespace cd

@@ -1,0 +1,144 @@
+#include "master/worker_proxy.hpp"
+
+#include "common/core/check.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+std::size_t WorkerProxy::tasks_max(const ClusterOptions& options) const {
+    const std::size_t q = std::max(options.q, 1u);
+    const std::size_t working = (std::size_t{facts_.threads} + q - 1) / q;
+    return 1 + std::max<std::size_t>(working, 1);
+}
+
+bool WorkerProxy::would_run_dry(const ClusterOptions& options) const {
+    return working_ < std::max<std::uint64_t>(options.q, 2 * std::uint64_t{facts_.threads});
+}
+
+void WorkerProxy::add_tree(TreeId tree, std::uint32_t root_count) {
+    held_.try_emplace(tree, root_count);
+}
+
+void WorkerProxy::remove_tree(TreeId tree) {
+    held_.erase(tree);
+}
+
+const RootIndicator& WorkerProxy::held(TreeId tree) const {
+    const auto found = held_.find(tree);
+    CD_CHECK(found != held_.end());
+    return found->second;
+}
+
+void WorkerProxy::hold(TreeId tree, RootIndex root, std::uint32_t triangles) {
+    const auto found = held_.find(tree);
+    CD_CHECK(found != held_.end());
+    CD_CHECK(root < found->second.size());
+    found->second.set(root, triangles);
+}
+
+void WorkerProxy::release(TreeId tree, std::span<const RootIndex> roots) {
+    const auto found = held_.find(tree);
+    if (found == held_.end()) {
+        return;
+    }
+    for (const RootIndex root : roots) {
+        if (root < found->second.size()) {
+            found->second.clear(root);
+        }
+    }
+}
+
+const ScenarioBuffer& WorkerProxy::buffer(JobId job) const {
+    static const ScenarioBuffer empty;
+    const auto found = buffers_.find(job);
+    return found == buffers_.end() ? empty : found->second;
+}
+
+void WorkerProxy::add_to_buffer(JobId job, std::uint64_t scenario, std::uint64_t bytes) {
+    ScenarioBuffer& buffer = buffers_[job];
+    buffer.scenarios.push_back(scenario);
+    buffer.bytes += bytes;
+    ++buffered_;
+}
+
+void WorkerProxy::remove_from_buffer(JobId job, std::uint64_t scenario, std::uint64_t bytes) {
+    const auto found = buffers_.find(job);
+    CD_CHECK(found != buffers_.end());
+    ScenarioBuffer& buffer = found->second;
+    const auto place = std::find(buffer.scenarios.begin(), buffer.scenarios.end(), scenario);
+    CD_CHECK(place != buffer.scenarios.end());
+    buffer.scenarios.erase(place);
+    buffer.bytes -= bytes;
+    --buffered_;
+    if (buffer.scenarios.empty()) {
+        buffers_.erase(found);
+    }
+}
+
+ScenarioBuffer WorkerProxy::take_buffer(JobId job) {
+    auto node = buffers_.extract(job);
+    if (node.empty()) {
+        return {};
+    }
+    buffered_ -= node.mapped().scenarios.size();
+    return std::move(node.mapped());
+}
+
+std::size_t WorkerProxy::tasks_of(JobId job) const {
+    return static_cast<std::size_t>(std::count_if(
+        tasks_.begin(), tasks_.end(), [&](const auto& task) { return task.second.job == job; }));
+}
+
+void WorkerProxy::start_task(TaskId task, ProxyTask content) {
+    working_ += content.scenarios.size();
+    claiming_tasks_ += content.claims ? 1 : 0;
+    ++tasks_sent_;
+    flushed_last_ = content.job;
+    const bool is_new = tasks_.emplace(task, std::move(content)).second;
+    CD_CHECK(is_new);
+}
+
+void WorkerProxy::answer(TaskId task, std::uint64_t scenario, bool here) {
+    const auto found = tasks_.find(task);
+    CD_CHECK(found != tasks_.end());
+    std::vector<std::uint64_t>& open = found->second.scenarios;
+    const auto place = std::find(open.begin(), open.end(), scenario);
+    CD_CHECK(place != open.end());
+    open.erase(place);
+    --working_;
+    scenarios_answered_ += here ? 1 : 0;
+}
+
+void WorkerProxy::forget_scenarios(TaskId task) {
+    const auto found = tasks_.find(task);
+    CD_CHECK(found != tasks_.end());
+    working_ -= found->second.scenarios.size();
+    found->second.scenarios.clear();
+}
+
+std::vector<std::uint64_t> WorkerProxy::end_task(TaskId task) {
+    auto node = tasks_.extract(task);
+    if (node.empty()) {
+        return {};
+    }
+    working_ -= node.mapped().scenarios.size();
+    claiming_tasks_ -= node.mapped().claims ? 1 : 0;
+    return std::move(node.mapped().scenarios);
+}
+
+WorkerStatus WorkerProxy::status() const {
+    WorkerStatus status;
+    status.worker = id_;
+    status.name = facts_.name;
+    status.threads = facts_.threads;
+    status.claimed = is_claimed();
+    status.draining = draining_;
+    status.buffered = buffered_;
+    status.working = working_;
+    status.tasks = tasks_sent_;
+    status.scenarios = scenarios_answered_;
+    return status;
+}
+
+} // namespace cd

@@ -1,0 +1,114 @@
+// The master's side of one worker (the paper's "local client", section 6.4.3).
+#pragma once
+
+#include "common/core/id.hpp"
+#include "common/tree/cut.hpp"
+#include "proto/message.hpp"
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+struct WorkerFacts {
+    std::string name;
+    std::uint32_t threads = 1;
+};
+
+/// Scenarios of one job that go to the worker as the next task.
+struct ScenarioBuffer {
+    std::vector<std::uint64_t> scenarios;
+    std::uint64_t bytes = 0;
+
+    /// Paper, 6.4.3: q scenarios, or more than V kB (of 1000 bytes).
+    [[nodiscard]] bool is_full(const ClusterOptions& options) const {
+        return scenarios.size() >= options.q || bytes > std::uint64_t{options.v_kb} * 1000;
+    }
+};
+
+/// A batch at the worker, from its sending until the worker says that it has ended.
+struct ProxyTask {
+    JobId job;
+    std::vector<std::uint64_t> scenarios; ///< Not yet answered, in the order sent.
+    bool claims = false;                  ///< While it lasts, the worker gets nothing else.
+};
+
+/// Buffers, tasks, what the worker holds of each tree, and counts. Decides nothing.
+class WorkerProxy {
+  public:
+    WorkerProxy(WorkerId id, WorkerFacts facts) : id_(id), facts_(std::move(facts)) {}
+
+    [[nodiscard]] WorkerId id() const { return id_; }
+    [[nodiscard]] const WorkerFacts& facts() const { return facts_; }
+
+    [[nodiscard]] bool is_draining() const { return draining_; }
+    void set_draining() { draining_ = true; }
+    /// The paper's label: a task that claims the worker is not over.
+    [[nodiscard]] bool is_claimed() const { return claiming_tasks_ != 0; }
+    /// Nothing buffered and no task.
+    [[nodiscard]] bool is_idle() const { return buffered_ == 0 && tasks_.empty(); }
+    [[nodiscard]] std::uint64_t buffered() const { return buffered_; }
+    /// At the worker and not yet answered.
+    [[nodiscard]] std::uint64_t working() const { return working_; }
+
+    /// How many tasks of a job may stand at the worker: the one being worked on (several,
+    /// where q scenarios are fewer than its threads) and one more that waits there.
+    [[nodiscard]] std::size_t tasks_max(const ClusterOptions& options) const;
+    [[nodiscard]] bool has_room_for_task(JobId job, const ClusterOptions& options) const {
+        return !is_claimed() && tasks_of(job) < tasks_max(options);
+    }
+    /// Less work stands at the worker than a buffer, or than twice its threads.
+    [[nodiscard]] bool would_run_dry(const ClusterOptions& options) const;
+
+    // ---- What it holds, or was allocated, of each tree (paper, 5.1 and 6.4.5) ----------------
+    void add_tree(TreeId tree, std::uint32_t root_count);
+    void remove_tree(TreeId tree);
+    /// The tree has been added.
+    [[nodiscard]] const RootIndicator& held(TreeId tree) const;
+    void hold(TreeId tree, RootIndex root, std::uint32_t triangles);
+    /// Of a tree that is not here, or roots out of range: nothing.
+    void release(TreeId tree, std::span<const RootIndex> roots);
+
+    // ---- Buffers and tasks --------------------------------------------------------------------
+    /// Empty where nothing is buffered.
+    [[nodiscard]] const ScenarioBuffer& buffer(JobId job) const;
+    [[nodiscard]] const std::map<JobId, ScenarioBuffer>& buffers() const { return buffers_; }
+    void add_to_buffer(JobId job, std::uint64_t scenario, std::uint64_t bytes);
+    void remove_from_buffer(JobId job, std::uint64_t scenario, std::uint64_t bytes);
+    /// What was buffered, in order; nothing is left of it.
+    ScenarioBuffer take_buffer(JobId job);
+
+    [[nodiscard]] const std::map<TaskId, ProxyTask>& tasks() const { return tasks_; }
+    [[nodiscard]] std::size_t tasks_of(JobId job) const;
+    void start_task(TaskId task, ProxyTask content);
+    /// Whose buffer was flushed last; the others have their turn before it.
+    [[nodiscard]] JobId flushed_last() const { return flushed_last_; }
+    /// The scenario is in the task. `here`: this worker answered it.
+    void answer(TaskId task, std::uint64_t scenario, bool here);
+    /// The task's scenarios are no longer of interest; the task itself lasts until it ends.
+    void forget_scenarios(TaskId task);
+    /// What of the task is unanswered. An unknown task has nothing.
+    std::vector<std::uint64_t> end_task(TaskId task);
+
+    /// Of `WorkerStatus`, what is known here.
+    [[nodiscard]] WorkerStatus status() const;
+
+  private:
+    WorkerId id_;
+    WorkerFacts facts_;
+    bool draining_ = false;
+    std::map<TreeId, RootIndicator> held_;
+    std::map<JobId, ScenarioBuffer> buffers_; ///< None of them empty.
+    std::map<TaskId, ProxyTask> tasks_;
+    std::uint64_t buffered_ = 0;
+    std::uint64_t working_ = 0;
+    std::size_t claiming_tasks_ = 0;
+    JobId flushed_last_;
+    std::uint64_t tasks_sent_ = 0;
+    std::uint64_t scenarios_answered_ = 0;
+};
+
+} // namespace cd
