@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <string>
 
@@ -40,20 +39,26 @@ class Channel : public std::enable_shared_from_this<Channel> {
     /// The socket is connected. Starts the writer.
     [[nodiscard]] static std::shared_ptr<Channel> make(asio::ip::tcp::socket socket);
 
-    /// The next message. Errors: Timeout when `timeout` passes without one; Disconnected; BadFrame
-    /// or TooLarge for bytes that are none, after which the channel is closed.
+    /// The next message. Nothing is read from the socket beyond one message that nobody awaits, so
+    /// a slow caller slows the peer. Errors: Timeout when `timeout` passes without one (the channel
+    /// stays usable); Disconnected; BadFrame or TooLarge for bytes that are none, after which the
+    /// channel is closed. The first message must be a Hello, Welcome or Failure. One caller at a
+    /// time.
     [[nodiscard]] asio::awaitable<Result<Message>>
     receive(std::chrono::steady_clock::duration timeout);
 
-    /// Queues the message. Never blocks; after `close` it does nothing.
+    /// Queues the message, which must not be over its type's limit (`payload_bytes_max`). Never
+    /// blocks; after `close` it does nothing. Who sends much awaits `wait_until_queued_below`.
     void send(const Message& message);
 
+    /// Not yet handed to the operating system.
     [[nodiscard]] std::size_t queued_bytes() const;
     /// Returns when less than `bytes` are queued, or the channel is closed.
     [[nodiscard]] asio::awaitable<void> wait_until_queued_below(std::size_t bytes);
 
     /// Ends the connection; a waiting `receive` fails. With `flush`, what is queued goes out first,
-    /// for a few seconds at most.
+    /// within `limits::close_flush_max`, also after the last owner has dropped the channel; without
+    /// it, dropping the channel closes it at once.
     void close(bool flush = false);
     [[nodiscard]] bool is_open() const;
 
@@ -63,8 +68,8 @@ class Channel : public std::enable_shared_from_this<Channel> {
 
   private:
     struct State;
-    explicit Channel(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    explicit Channel(std::shared_ptr<State> state);
+    std::shared_ptr<State> state_; ///< Operations under way share it.
 
   public:
     Channel(const Channel&) = delete;
@@ -78,6 +83,14 @@ class Channel : public std::enable_shared_from_this<Channel> {
 /// Says hello and awaits the answer. Errors: Refused with the other side's reason, and those of
 /// `receive`.
 [[nodiscard]] asio::awaitable<Result<Welcome>> greet(std::shared_ptr<Channel> channel, Hello hello);
+
+/// The greatest version that both sides speak. Errors: Refused naming both ranges.
+[[nodiscard]] Result<std::uint16_t> negotiate(const Hello& hello);
+
+/// Awaits the hello of whoever connected, within `limits::connect_timeout`. A peer without a common
+/// version, or that says something else, is told so and the channel closed. The caller answers with
+/// a Welcome of the `negotiate`d version. Errors: Refused, BadFrame, and those of `receive`.
+[[nodiscard]] asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel);
 
 /// Runs a coroutine on its own; what escapes from it is logged under `name`.
 void spawn(asio::any_io_executor executor, std::string name, asio::awaitable<void> coroutine);

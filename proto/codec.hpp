@@ -20,11 +20,17 @@ namespace cd {
 /// 0 for an unknown type.
 [[nodiscard]] std::uint64_t payload_bytes_max(std::uint16_t type);
 
-/// Portable binary (little-endian) cereal archive of the message's members.
+/// True for what goes in the lane of data. Messages of one lane keep their order; control overtakes
+/// data.
+[[nodiscard]] bool travels_as_data(std::uint16_t type);
+
+/// Portable binary (little-endian) cereal archive of the message's members. A message that
+/// `decode_message` would refuse is a bug.
 [[nodiscard]] Bytes encode_message(const Message& message);
 
 /// The bytes may be hostile: a size is believed only as far as bytes are there for it, enumerations
 /// and cross-references are validated, nothing may be left over. Errors: BadFrame.
-[[nodiscard]] Result<Message> decode_message(std::uint16_t type, std::span<const std::byte> payload);
+[[nodiscard]] Result<Message> decode_message(std::uint16_t type,
+                                             std::span<const std::byte> payload);
 
 } // namespace cd

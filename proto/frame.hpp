@@ -42,7 +42,8 @@ class MessageAssembler {
         Bytes payload;
     };
 
-    /// Nothing while the message is not whole. Errors: BadFrame, TooLarge; the connection then ends.
+    /// Nothing while the message is not whole. Errors: BadFrame, TooLarge; the connection then
+    /// ends.
     [[nodiscard]] Result<std::optional<Whole>> add(const FrameHeader& header,
                                                    std::span<const std::byte> payload);
 

@@ -33,8 +33,8 @@ struct Hello {
     std::uint16_t version_min = protocol_version_min;
     std::uint16_t version_max = protocol_version_max;
     Role role = Role::Client;
-    std::string name;  ///< For people: host and process, or what --name said.
-    std::string build; ///< Version of the program.
+    std::string name;              ///< For people: host and process, or what --name said.
+    std::string build;             ///< Version of the program.
     std::uint32_t threads = 0;     ///< Of a worker.
     std::uint64_t cache_bytes = 0; ///< Of a worker: the limit of its subtree cache.
 };
@@ -90,9 +90,9 @@ struct Batch {
     TreeId tree_a;
     TreeId tree_b;
     Query query;
-    Bytes scenarios;                          ///< `pack_scenarios`.
-    std::vector<std::uint32_t> pair_offsets;  ///< scenarios + 1 entries, from 0.
-    std::vector<RootPair> pairs;              ///< The colliding distribution roots.
+    Bytes scenarios;                         ///< `pack_scenarios`.
+    std::vector<std::uint32_t> pair_offsets; ///< scenarios + 1 entries, from 0.
+    std::vector<RootPair> pairs;             ///< The colliding distribution roots.
 };
 
 /// Take no more, finish what is there, then say EndOfDrain by closing.
@@ -233,7 +233,7 @@ struct WorkerStatus {
     std::uint64_t buffered = 0; ///< Scenarios in the proxy's buffer.
     std::uint64_t working = 0;  ///< Scenarios at the worker.
     std::uint64_t tasks = 0;
-    std::uint64_t scenarios = 0; ///< Answered.
+    std::uint64_t scenarios = 0;     ///< Answered.
     double scenarios_per_second = 0; ///< Over the time that it had work.
     std::uint64_t bytes_sent = 0;
     std::uint64_t bytes_received = 0;
@@ -245,7 +245,7 @@ struct MeshStatus {
     Sha256 mesh;
     std::string name;
     std::uint64_t triangles = 0;
-    std::uint64_t bytes = 0; ///< Canonical.
+    std::uint64_t bytes = 0;  ///< Canonical.
     double build_seconds = 0; ///< 0 when its tree was found on disk.
 };
 

@@ -1,0 +1,418 @@
+#include "proto/channel.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits.hpp"
+#include "proto/codec.hpp"
+#include "proto/frame.hpp"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <limits>
+
+namespace cd {
+namespace {
+
+using boost::system::error_code;
+
+enum class Phase {
+    Open,
+    Flushing, ///< Sends what is queued, then waits for the peer's end; drops what comes in.
+    Closed,
+};
+
+/// A message on its way out. It keeps its place in its lane until its last frame is written.
+struct Outgoing {
+    std::uint16_t type = 0;
+    Bytes payload;
+    std::size_t sent = 0;
+};
+
+constexpr std::size_t lane_control = 0;
+constexpr std::size_t lane_data = 1;
+
+std::size_t bytes_on_the_wire(std::size_t payload) {
+    const std::size_t frames = (payload + frame_payload_bytes_max - 1) / frame_payload_bytes_max;
+    return payload + std::max<std::size_t>(1, frames) * frame_header_bytes;
+}
+
+bool may_come_first(std::uint16_t type) {
+    static const std::array<std::uint16_t, 3> types{
+        message_type(Hello{}), message_type(Welcome{}), message_type(Failure{})};
+    return std::find(types.begin(), types.end(), type) != types.end();
+}
+
+/// All of the buffer, in as few system calls as it takes.
+std::size_t whole(const error_code& error, std::size_t /*transferred*/) {
+    return error ? 0 : std::numeric_limits<std::size_t>::max();
+}
+
+std::string peer_of(const asio::ip::tcp::socket& socket) {
+    error_code error;
+    const auto endpoint = socket.remote_endpoint(error);
+    if (error) {
+        return "unknown";
+    }
+    return endpoint.address().to_string() + ":" + std::to_string(endpoint.port());
+}
+
+} // namespace
+
+// The operations under way share the state, so it outlives the channel until they have ended. All
+// handlers run on the socket's executor.
+struct Channel::State : std::enable_shared_from_this<State> {
+    explicit State(asio::ip::tcp::socket connected)
+        : socket(std::move(connected)),
+          peer(peer_of(socket)),
+          received(socket.get_executor()),
+          written(socket.get_executor()),
+          write_deadline(socket.get_executor()),
+          flush_deadline(socket.get_executor()) {
+        written.expires_at(std::chrono::steady_clock::time_point::max());
+        error_code ignored;
+        socket.set_option(asio::ip::tcp::no_delay(true), ignored);
+    }
+
+    void read_next();
+    void header_came(const error_code& error);
+    void payload_came(const error_code& error);
+    void deliver(const MessageAssembler::Whole& whole_message);
+    void read_failed(const error_code& error);
+    void drop_incoming();
+
+    void send(const Message& message);
+    void write_next();
+    void frame_written(std::size_t lane, std::size_t payload, const error_code& error);
+    void watch_write();
+
+    void flush_and_close();
+    void fail(Error error);
+    void shut();
+
+    asio::ip::tcp::socket socket;
+    std::string peer;
+    Phase phase = Phase::Open;
+    Traffic traffic;
+    std::optional<Error> failure; ///< Why the channel is no longer open.
+
+    std::array<std::byte, frame_header_bytes> header_bytes{};
+    FrameHeader header;
+    Bytes frame; ///< Grows to the largest frame seen.
+    MessageAssembler assembler;
+    std::optional<Message> incoming; ///< The one message that has come and nobody has taken.
+    bool reading = false;
+    bool receiving = false;
+    bool greeted = false;
+    asio::steady_timer received; ///< Ends early when `incoming` or `failure` is there.
+
+    std::array<std::deque<Outgoing>, 2> lanes;
+    std::size_t queued_bytes = 0;
+    bool writing = false;
+    std::uint64_t frames_begun = 0;
+    asio::steady_timer written; ///< Never expires; cancelled when there is news of the queue.
+    asio::steady_timer write_deadline;
+    asio::steady_timer flush_deadline;
+};
+
+// ---- Reading --------------------------------------------------------------------------------
+
+void Channel::State::read_next() {
+    if (reading || phase != Phase::Open) {
+        return;
+    }
+    reading = true;
+    asio::async_read(socket,
+                     asio::buffer(header_bytes),
+                     [self = shared_from_this()](const error_code& error, std::size_t bytes) {
+                         self->traffic.bytes_received += bytes;
+                         self->header_came(error);
+                     });
+}
+
+void Channel::State::header_came(const error_code& error) {
+    reading = false;
+    if (error || phase != Phase::Open) {
+        return read_failed(error);
+    }
+    auto decoded = decode_header(header_bytes);
+    if (!decoded) {
+        return fail(decoded.error());
+    }
+    header = decoded.value();
+    if (!greeted && !may_come_first(header.type)) {
+        return fail({ErrorCode::BadFrame,
+                     "message '" + std::string(message_name(header.type)) + "' before a greeting"});
+    }
+    if (frame.size() < header.payload_bytes) {
+        frame.resize(header.payload_bytes); // Bounded by decode_header.
+    }
+    reading = true;
+    asio::async_read(socket,
+                     asio::buffer(frame.data(), header.payload_bytes),
+                     whole,
+                     [self = shared_from_this()](const error_code& failed, std::size_t bytes) {
+                         self->traffic.bytes_received += bytes;
+                         self->payload_came(failed);
+                     });
+}
+
+void Channel::State::payload_came(const error_code& error) {
+    reading = false;
+    if (error || phase != Phase::Open) {
+        return read_failed(error);
+    }
+    auto added = assembler.add(header, std::span(frame).first(header.payload_bytes));
+    if (!added) {
+        return fail(added.error());
+    }
+    if (!added.value()) {
+        return read_next();
+    }
+    deliver(*added.value());
+}
+
+void Channel::State::deliver(const MessageAssembler::Whole& whole_message) {
+    auto decoded = decode_message(whole_message.type, whole_message.payload);
+    if (!decoded) {
+        return fail(decoded.error());
+    }
+    greeted = true;
+    incoming = std::move(decoded.value());
+    received.cancel();
+}
+
+void Channel::State::read_failed(const error_code& error) {
+    if (phase == Phase::Closed) {
+        return;
+    }
+    if (phase == Phase::Open) {
+        return fail(
+            {ErrorCode::Disconnected,
+             error == asio::error::eof ? "the peer closed the connection" : error.message()});
+    }
+    if (!error) {
+        return drop_incoming();
+    }
+    // The peer may have ended its half only, and still read what is queued here.
+    if (error != asio::error::eof || lanes[lane_control].size() + lanes[lane_data].size() == 0) {
+        shut();
+    }
+}
+
+// Reads on while closing: unread bytes at a close would reset the connection, and with it what is
+// still on its way to the peer.
+void Channel::State::drop_incoming() {
+    if (reading || phase != Phase::Flushing) {
+        return;
+    }
+    reading = true;
+    frame.resize(std::max<std::size_t>(frame.size(), 4096));
+    socket.async_read_some(asio::buffer(frame),
+                           [self = shared_from_this()](const error_code& error, std::size_t bytes) {
+                               self->reading = false;
+                               self->traffic.bytes_received += bytes;
+                               self->read_failed(error);
+                           });
+}
+
+// ---- Writing --------------------------------------------------------------------------------
+
+void Channel::State::send(const Message& message) {
+    if (phase != Phase::Open) {
+        return;
+    }
+    Outgoing outgoing{message_type(message), encode_message(message), 0};
+    CD_CHECK(outgoing.payload.size() <= payload_bytes_max(outgoing.type));
+    queued_bytes += bytes_on_the_wire(outgoing.payload.size());
+    lanes[travels_as_data(outgoing.type) ? lane_data : lane_control].push_back(std::move(outgoing));
+    write_next();
+}
+
+void Channel::State::write_next() {
+    if (writing || phase == Phase::Closed) {
+        return;
+    }
+    const std::size_t lane = lanes[lane_control].empty() ? lane_data : lane_control;
+    if (lanes[lane].empty()) {
+        if (phase == Phase::Flushing) {
+            error_code ignored;
+            socket.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+        }
+        return;
+    }
+    const Outgoing& message = lanes[lane].front();
+    const auto rest = std::span(message.payload).subspan(message.sent);
+    const auto slice = rest.first(std::min(rest.size(), frame_payload_bytes_max));
+    FrameHeader out;
+    out.type = message.type;
+    out.has_more = slice.size() < rest.size();
+    out.stream = static_cast<std::uint32_t>(lane);
+    out.payload_bytes = static_cast<std::uint32_t>(slice.size());
+    out.payload_checksum = checksum(slice);
+
+    writing = true;
+    // Shared with the handler: the bytes must stay where they are while they are written.
+    const auto bytes =
+        std::make_shared<const std::array<std::byte, frame_header_bytes>>(encode_header(out));
+    const std::array<asio::const_buffer, 2> buffers{asio::buffer(*bytes),
+                                                    asio::buffer(slice.data(), slice.size())};
+    asio::async_write(socket,
+                      buffers,
+                      whole,
+                      [self = shared_from_this(), bytes, lane, payload = slice.size()](
+                          const error_code& error, std::size_t transferred) {
+                          self->traffic.bytes_sent += transferred;
+                          self->frame_written(lane, payload, error);
+                      });
+    watch_write();
+}
+
+void Channel::State::frame_written(std::size_t lane, std::size_t payload, const error_code& error) {
+    writing = false;
+    write_deadline.cancel();
+    if (phase == Phase::Closed) {
+        lanes = {};
+        return;
+    }
+    if (error) {
+        return fail({ErrorCode::Disconnected, error.message()});
+    }
+    Outgoing& message = lanes[lane].front();
+    message.sent += payload;
+    queued_bytes -= payload + frame_header_bytes;
+    if (message.sent == message.payload.size()) {
+        lanes[lane].pop_front();
+    }
+    written.cancel();
+    write_next();
+}
+
+void Channel::State::watch_write() {
+    write_deadline.expires_after(limits::write_stall_max);
+    write_deadline.async_wait(
+        [self = shared_from_this(), frame_number = ++frames_begun](const error_code& error) {
+            // An expiry already queued is delivered even after the cancel.
+            if (!error && self->writing && self->frames_begun == frame_number) {
+                self->fail({ErrorCode::Timeout, "the peer does not read"});
+            }
+        });
+}
+
+// ---- Closing --------------------------------------------------------------------------------
+
+void Channel::State::flush_and_close() {
+    phase = Phase::Flushing;
+    failure = Error{ErrorCode::Disconnected, "closed on this side"};
+    received.cancel();
+    written.cancel();
+    flush_deadline.expires_after(limits::close_flush_max);
+    flush_deadline.async_wait([self = shared_from_this()](const error_code& error) {
+        if (!error) {
+            self->shut();
+        }
+    });
+    drop_incoming();
+    write_next();
+}
+
+void Channel::State::fail(Error error) {
+    if (!failure) {
+        failure = std::move(error);
+    }
+    shut();
+}
+
+void Channel::State::shut() {
+    if (phase == Phase::Closed) {
+        return;
+    }
+    phase = Phase::Closed;
+    if (!failure) {
+        failure = Error{ErrorCode::Disconnected, "closed on this side"};
+    }
+    error_code ignored;
+    socket.shutdown(asio::ip::tcp::socket::shutdown_both, ignored);
+    socket.close(ignored);
+    if (!writing) {
+        lanes = {};
+    }
+    queued_bytes = 0;
+    received.cancel();
+    written.cancel();
+    write_deadline.cancel();
+    flush_deadline.cancel();
+}
+
+// ---- The channel ----------------------------------------------------------------------------
+
+std::shared_ptr<Channel> Channel::make(asio::ip::tcp::socket socket) {
+    return std::shared_ptr<Channel>(new Channel(std::make_shared<State>(std::move(socket))));
+}
+
+Channel::Channel(std::shared_ptr<State> state) : state_(std::move(state)) {}
+
+Channel::~Channel() {
+    if (state_->phase == Phase::Open) {
+        state_->shut();
+    }
+}
+
+asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::duration timeout) {
+    const std::shared_ptr<State> state = state_;
+    CD_CHECK(!state->receiving);
+    if (!state->incoming && state->phase == Phase::Open) {
+        state->receiving = true;
+        state->read_next();
+        state->received.expires_after(timeout);
+        error_code ignored;
+        co_await state->received.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        state->receiving = false;
+    }
+    if (state->incoming) {
+        Result<Message> message(std::move(*state->incoming));
+        state->incoming.reset();
+        co_return message;
+    }
+    if (state->failure) {
+        co_return *state->failure;
+    }
+    co_return Error{ErrorCode::Timeout, "no message in time"};
+}
+
+void Channel::send(const Message& message) {
+    state_->send(message);
+}
+
+std::size_t Channel::queued_bytes() const {
+    return state_->queued_bytes;
+}
+
+asio::awaitable<void> Channel::wait_until_queued_below(std::size_t bytes) {
+    const std::shared_ptr<State> state = state_;
+    while (state->phase == Phase::Open && state->queued_bytes >= bytes) {
+        error_code ignored;
+        co_await state->written.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+}
+
+void Channel::close(bool flush) {
+    if (!flush) {
+        state_->shut();
+    } else if (state_->phase == Phase::Open) {
+        state_->flush_and_close();
+    }
+}
+
+bool Channel::is_open() const {
+    return state_->phase == Phase::Open;
+}
+
+const Traffic& Channel::traffic() const {
+    return state_->traffic;
+}
+
+const std::string& Channel::peer() const {
+    return state_->peer;
+}
+
+} // namespace cd

@@ -1,0 +1,155 @@
+#include "proto/codec.hpp"
+
+#include "common/core/limits.hpp"
+#include "proto/wire_messages.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace cd {
+namespace {
+
+// What the members say of each other; nothing when all is well. Checked before encoding, where a
+// problem is a bug, and after decoding, where it is the peer's.
+using Problem = const char*;
+
+template <class T>
+Problem problem_of(const T& /*message*/) {
+    return nullptr;
+}
+
+bool is_printable(const std::string& text) {
+    return std::none_of(
+        text.begin(), text.end(), [](unsigned char c) { return c < 32 || c == 127; });
+}
+
+Problem problem_of(const Hello& hello) {
+    if (hello.version_min == 0 || hello.version_min > hello.version_max) {
+        return "no range of versions";
+    }
+    for (const std::string* text : {&hello.name, &hello.build}) {
+        if (text->size() > limits::hello_text_bytes_max || !is_printable(*text)) {
+            return "a name that is too long or not printable";
+        }
+    }
+    return nullptr;
+}
+
+Problem problem_of(const Batch& batch) {
+    const auto& offsets = batch.pair_offsets;
+    if (offsets.empty() || offsets.front() != 0 || offsets.back() != batch.pairs.size()) {
+        return "offsets of pairs that do not span the pairs";
+    }
+    if (!std::is_sorted(offsets.begin(), offsets.end())) {
+        return "offsets of pairs that descend";
+    }
+    for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
+        const auto pairs = std::span(batch.pairs).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+        if (std::adjacent_find(pairs.begin(), pairs.end(), std::greater_equal<>()) != pairs.end()) {
+            return "pairs of a scenario that do not ascend";
+        }
+    }
+    return nullptr;
+}
+
+Problem problem_of_roots(const std::vector<RootIndex>& roots) {
+    const bool ascends =
+        std::adjacent_find(roots.begin(), roots.end(), std::greater_equal<>()) == roots.end();
+    return ascends ? nullptr : "roots that do not ascend";
+}
+
+Problem problem_of(const WantSubtrees& want) {
+    return problem_of_roots(want.roots);
+}
+Problem problem_of(const Evicted& evicted) {
+    return problem_of_roots(evicted.roots);
+}
+
+Problem problem_of(const MeshPart& part) {
+    if (part.bytes_total > limits::mesh_bytes_max || part.bytes.size() > part.bytes_total ||
+        part.offset > part.bytes_total - part.bytes.size()) {
+        return "a part outside its mesh";
+    }
+    return nullptr;
+}
+
+Problem problem_of(const Results& results) {
+    return results.compute_seconds < 0 ? "a negative time" : nullptr;
+}
+
+/// Spares large messages the growth of their buffer.
+template <class T>
+std::size_t bytes_expected(const T& /*message*/) {
+    return 256;
+}
+
+std::size_t bytes_expected(const AddTree& add) { return 256 + add.top.size() * sizeof(ObbNode); }
+
+std::size_t bytes_expected(const Subtrees& subtrees) {
+    std::size_t bytes = 256;
+    for (const SubtreeBlock& block : subtrees.blocks) {
+        bytes += block.compressed.size() + 64;
+    }
+    return bytes;
+}
+
+std::size_t bytes_expected(const Results& results) {
+    return 256 + results.records.size();
+}
+std::size_t bytes_expected(const ResultsPart& part) {
+    return 256 + part.records.size();
+}
+std::size_t bytes_expected(const MeshPart& part) {
+    return 256 + part.bytes.size();
+}
+
+template <class T>
+Message decode_as(WireInput& in) {
+    T message{};
+    in(message);
+    if (in.remaining() != 0) {
+        throw WireError("bytes left over");
+    }
+    if (const Problem problem = problem_of(message)) {
+        throw WireError(problem);
+    }
+    return message;
+}
+
+using Decoder = Message (*)(WireInput&);
+
+template <std::size_t... I>
+constexpr auto make_decoders(std::index_sequence<I...> /*places*/) {
+    return std::array<Decoder, sizeof...(I)>{decode_as<std::variant_alternative_t<I, Message>>...};
+}
+
+constexpr auto decoders = make_decoders(std::make_index_sequence<std::variant_size_v<Message>>());
+
+} // namespace
+
+Bytes encode_message(const Message& message) {
+    return std::visit(
+        [](const auto& m) {
+            CD_CHECK(problem_of(m) == nullptr);
+            WireOutput out(bytes_expected(m));
+            out(m);
+            return out.take();
+        },
+        message);
+}
+
+Result<Message> decode_message(std::uint16_t type, std::span<const std::byte> payload) {
+    if (type == 0 || type > decoders.size()) {
+        return Error{ErrorCode::BadFrame, "unknown message " + std::to_string(type)};
+    }
+    try {
+        WireInput in(payload);
+        return decoders[type - 1u](in);
+    } catch (const WireError& error) {
+        return Error{ErrorCode::BadFrame,
+                     "message '" + std::string(message_name(type)) + "': " + error.what()};
+    }
+}
+
+} // namespace cd

@@ -1,0 +1,101 @@
+#include "proto/message.hpp"
+
+#include "common/core/limits.hpp"
+#include "proto/codec.hpp"
+
+#include <array>
+
+namespace cd {
+namespace {
+
+enum class Lane { Control, Data };
+
+/// What the wire knows of a type beside its members.
+struct Kind {
+    std::string_view name;
+    Lane lane = Lane::Control;
+    std::uint64_t bytes_max = limits::message_control_bytes_max;
+};
+
+// In the order of `Message`. What must not overtake data (the end of something, a removal) travels
+// in the lane of data itself.
+constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
+    {"hello"},
+    {"welcome"},
+    {"failure"},
+    {"heartbeat"},
+    {"add tree", Lane::Data, limits::message_tree_bytes_max},
+    {"remove tree", Lane::Data},
+    {"subtrees", Lane::Data, limits::message_subtrees_bytes_max},
+    {"batch", Lane::Data, limits::message_data_bytes_max},
+    {"drain", Lane::Data},
+    {"terminate"},
+    {"want subtrees", Lane::Control, limits::message_roots_bytes_max},
+    {"results", Lane::Data, limits::message_results_bytes_max},
+    {"end of task", Lane::Data},
+    {"evicted", Lane::Control, limits::message_roots_bytes_max},
+    {"meshes query"},
+    {"meshes missing"},
+    {"mesh part", Lane::Data, limits::message_data_bytes_max},
+    {"mesh stored"},
+    {"submit", Lane::Data, limits::message_data_bytes_max},
+    {"poses part", Lane::Data, limits::message_data_bytes_max},
+    {"poses end", Lane::Data},
+    {"accepted"},
+    {"watch"},
+    {"job status"},
+    {"status query"},
+    {"cluster status", Lane::Control, limits::message_data_bytes_max},
+    {"results query"},
+    {"results part", Lane::Data, limits::message_results_bytes_max},
+    {"cancel"},
+}};
+static_assert(!kinds.back().name.empty(), "a message without a row");
+
+const Kind* kind_of(std::uint16_t type) {
+    return type >= 1 && type <= kinds.size() ? &kinds[type - 1u] : nullptr;
+}
+
+constexpr std::array<std::string_view, 4> strategy_names{
+    "best-match", "best-match-load", "random", "lowest"};
+constexpr std::array<std::string_view, 4> state_names{"running", "done", "cancelled", "failed"};
+
+} // namespace
+
+std::uint16_t message_type(const Message& message) {
+    return static_cast<std::uint16_t>(message.index() + 1);
+}
+
+std::string_view message_name(std::uint16_t type) {
+    const Kind* kind = kind_of(type);
+    return kind == nullptr ? "unknown" : kind->name;
+}
+
+std::uint64_t payload_bytes_max(std::uint16_t type) {
+    const Kind* kind = kind_of(type);
+    return kind == nullptr ? 0 : kind->bytes_max;
+}
+
+bool travels_as_data(std::uint16_t type) {
+    const Kind* kind = kind_of(type);
+    return kind != nullptr && kind->lane == Lane::Data;
+}
+
+std::string_view to_text(Strategy strategy) {
+    return strategy_names[static_cast<std::size_t>(strategy)];
+}
+
+std::optional<Strategy> strategy_from_text(std::string_view text) {
+    for (std::size_t i = 0; i < strategy_names.size(); ++i) {
+        if (strategy_names[i] == text) {
+            return static_cast<Strategy>(i);
+        }
+    }
+    return std::nullopt;
+}
+
+std::string_view to_text(JobState state) {
+    return state_names[static_cast<std::size_t>(state)];
+}
+
+} // namespace cd

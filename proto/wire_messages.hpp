@@ -1,0 +1,191 @@
+// Which members of a message travel, in which order (PROTOCOL.md). Included by the codec alone.
+#pragma once
+
+#include "proto/message.hpp"
+#include "proto/wire_archive.hpp"
+
+namespace cd {
+
+template <class Archive, class Tag>
+void serialize(Archive& archive, Id<Tag>& id) {
+    archive(id.value);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Query& query) {
+    enumeration(archive, query.level, Level::Any, Level::Contacts);
+    archive(query.limit_pairs, query.ignored);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Summary& s) {
+    archive(s.total, s.separate, s.touch, s.cross, s.inside, s.contact, s.undecided, s.failed);
+    archive(s.pairs, s.surfaces_only, s.cut);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Hello& m) {
+    archive(m.version_min, m.version_max);
+    enumeration(archive, m.role, Role::Worker, Role::Client);
+    archive(m.name, m.build, m.threads, m.cache_bytes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Welcome& m) {
+    archive(m.version, m.id, m.build);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Failure& m) {
+    enumeration(archive, m.code, ErrorCode::BadInput, ErrorCode::Interrupted);
+    archive(m.detail);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Heartbeat& m) {
+    archive(m.sequence, m.cached_bytes, m.waiting);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ObbNode& node) {
+    archive(node.center, node.axes, node.half);
+    archive(node.right, node.triangles_begin, node.triangles_end);
+}
+
+template <class Archive>
+void serialize(Archive& archive, AddTree& m) {
+    archive(m.tree, m.top);
+}
+
+template <class Archive>
+void serialize(Archive& archive, RemoveTree& m) {
+    archive(m.tree);
+}
+
+template <class Archive>
+void serialize(Archive& archive, SubtreeBlock& block) {
+    archive(block.root, block.hash, block.compressed);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Subtrees& m) {
+    archive(m.tree, m.blocks);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Batch& m) {
+    archive(m.task, m.job, m.tree_a, m.tree_b, m.query, m.scenarios, m.pair_offsets, m.pairs);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Terminate& m) {
+    archive(m.reason);
+}
+
+template <class Archive>
+void serialize(Archive& archive, WantSubtrees& m) {
+    archive(m.tree, m.roots);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Results& m) {
+    archive(m.task, m.job, m.count, m.records, m.box_tests, m.triangle_tests, m.compute_seconds);
+}
+
+template <class Archive>
+void serialize(Archive& archive, EndOfTask& m) {
+    archive(m.task);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Evicted& m) {
+    archive(m.tree, m.roots);
+}
+
+template <class Archive>
+void serialize(Archive& archive, MeshesQuery& m) {
+    archive(m.meshes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, MeshesMissing& m) {
+    archive(m.meshes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, MeshPart& m) {
+    archive(m.mesh, m.name, m.bytes_total, m.offset, m.bytes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, MeshStored& m) {
+    archive(m.mesh);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ClusterOptions& o) {
+    enumeration(archive, o.strategy, Strategy::BestMatch, Strategy::Lowest);
+    archive(o.depth_a, o.depth_b, o.q, o.v_kb, o.claim, o.seed);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Submit& m) {
+    archive(m.name, m.bodies, m.query, m.cluster, m.scenarios, m.grid);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PosesPart& m) {
+    archive(m.scenarios);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Accepted& m) {
+    archive(m.job);
+}
+
+template <class Archive>
+void serialize(Archive& archive, JobStatus& m) {
+    archive(m.job, m.name);
+    enumeration(archive, m.state, JobState::Running, JobState::Failed);
+    archive(m.summary, m.digest, m.seconds, m.scenarios_per_second, m.failure, m.bodies);
+    archive(m.answered_by_master, m.box_tests, m.triangle_tests, m.compute_seconds);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Watch& m) {
+    archive(m.job);
+}
+
+template <class Archive>
+void serialize(Archive& archive, WorkerStatus& s) {
+    archive(s.worker, s.name, s.threads, s.cache_bytes, s.cached_bytes, s.claimed, s.draining);
+    archive(s.buffered, s.working, s.tasks, s.scenarios, s.scenarios_per_second);
+    archive(s.bytes_sent, s.bytes_received, s.subtrees_sent, s.subtree_bytes_sent);
+}
+
+template <class Archive>
+void serialize(Archive& archive, MeshStatus& s) {
+    archive(s.mesh, s.name, s.triangles, s.bytes, s.build_seconds);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ClusterStatus& m) {
+    archive(m.build, m.uptime_seconds, m.cpu_seconds, m.workers, m.jobs, m.meshes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ResultsQuery& m) {
+    archive(m.job, m.first, m.count);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ResultsPart& m) {
+    archive(m.job, m.first, m.count, m.records);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Cancel& m) {
+    archive(m.job);
+}
+
+} // namespace cd
