@@ -1,0 +1,42 @@
+// Whether two oriented boxes may overlap: never a wrong "no".
+#pragma once
+
+#include "common/geometry/pose.hpp"
+#include "common/tree/obb_tree.hpp"
+
+#include <array>
+
+namespace cd {
+
+/// A box of B as seen by A, rounded.
+struct PosedBox {
+    std::array<double, 9> axes{};   ///< Row-major: B's three directions in A's body coordinates.
+    std::array<double, 3> center{}; ///< In A's body coordinates.
+    std::array<double, 3> half{};
+    double error = 0; ///< What its rounding and the pose's errors can add to any projection.
+};
+
+/// The separating axes of two boxes under one relative pose.
+class BoxTest {
+  public:
+    explicit BoxTest(const RelativePose& b_to_a);
+
+    [[nodiscard]] PosedBox pose(const ObbNode& b) const;
+
+    /// False only if no point of box `a` is a point of box `b`, in exact terms, under the true
+    /// poses. True wherever numbers overflow or the pose's bounds are of no use.
+    [[nodiscard]] bool may_overlap(const ObbNode& a, const PosedBox& b) const;
+    [[nodiscard]] bool may_overlap(const ObbNode& a, const ObbNode& b) const {
+        return may_overlap(a, pose(b));
+    }
+
+  private:
+    std::array<double, 9> rotation_{};
+    std::array<double, 3> translation_{};
+    double translation_size_ = 0; ///< The sum of its components' sizes.
+    double rotation_error_ = 0;
+    double translation_error_ = 0;
+    double frame_error_ = 0; ///< Per half size of B: see the source.
+};
+
+} // namespace cd
