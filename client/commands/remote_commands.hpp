@@ -1,0 +1,20 @@
+// The verbs of cdctl that speak with a master. Each returns the exit code.
+#pragma once
+
+#include "client/cli.hpp"
+#include "client/prepared_job.hpp"
+
+namespace cd {
+
+[[nodiscard]] int execute(const SubmitCommand& command);
+[[nodiscard]] int execute(const WatchCommand& command);
+[[nodiscard]] int execute(const ResultsCommand& command);
+[[nodiscard]] int execute(const GetCommand& command);
+[[nodiscard]] int execute(const StatusCommand& command);
+[[nodiscard]] int execute(const CancelCommand& command);
+
+/// `run --master`: submits, watches, fetches, reports. The job's header has been printed, and an
+/// InterruptGuard lives; an interrupt cancels the job.
+[[nodiscard]] int run_on_master(const RunCommand& command, PreparedJob& job);
+
+} // namespace cd
