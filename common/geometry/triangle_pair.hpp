@@ -43,10 +43,11 @@ class TrianglePairTest {
 
     [[nodiscard]] PairClass classify(const Corners& a, const Corners& b);
 
-    /// The corners of the set of shared points of two triangles that `classify` found to meet: one
-    /// point, the two ends of a segment, or a convex polygon of up to six points in order.
-    /// Relative to `point_origin(a)`, in doubles, by a fixed sequence of operations.
-    [[nodiscard]] std::vector<Vec3> shared_points(const Corners& a, const Corners& b);
+    /// The corners of the set of shared points of two triangles that `classify` found to meet, as
+    /// `kind`: one point, the two ends of a segment, or a convex polygon of up to six points in
+    /// order. Relative to `point_origin(a)`, in doubles, by a fixed sequence of operations.
+    [[nodiscard]] std::vector<Vec3>
+    shared_points(const Corners& a, const Corners& b, PairClass kind);
 
     /// The first corner of A in the world, rounded: what shared points are relative to.
     [[nodiscard]] Vec3 point_origin(const Corners& a) const;

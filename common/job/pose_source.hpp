@@ -87,9 +87,10 @@ struct RandomPoses {
 /// The same scenarios on every host and for any number of threads. B's poses are quaternions, A's
 /// the identity. A scenario depends on its index, the seed and the shares alone, not on `count`.
 ///
-/// B approaches the centre of A's box along a straight line. "First collides" is found to some
-/// 1/32,000 of the way, at the first of 32 places that collides; where a line passes through A
-/// without a collision another direction and orientation are drawn.
+/// B approaches the centre of A's box along a straight line. "First collides" is the first of 32
+/// places on the way that collides, made exact to some 1/32,000 of the way. Where a line leads to
+/// A's centre without a collision another direction and orientation are drawn; after 64 such lines
+/// B stays at the centre.
 [[nodiscard]] std::vector<Scenario>
 make_random_poses(const RandomPoses& options, const ObbTree& a, const ObbTree& b, ThreadPool& pool);
 

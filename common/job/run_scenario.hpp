@@ -28,21 +28,30 @@ struct SubtreePair {
 };
 
 /// The contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). No pairs: separate.
-/// The caller keeps the subtrees alive.
-[[nodiscard]] ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
-                                          const Scenario& scenario,
-                                          const Query& query);
+/// The caller keeps the subtrees alive. The result does not depend on how the trees were cut, nor
+/// on the order of the pairs.
+///
+/// Level any: contact or separate; the search ends at the first contact. Else cross if any pair is
+/// proper, touch if there are pairs and none is proper, separate without pairs. Two closed bodies
+/// that penetrate each other without a proper pair (boxes that cross along their grid lines, a body
+/// on itself) thus count as touch: the parity rule of NUMERICS section 1 for them is not applied.
+[[nodiscard]] ScenarioRun
+run_on_subtrees(std::span<const SubtreePair> pairs, const Scenario& scenario, const Query& query);
 
-/// What only the whole bodies can tell, for a result of `run_on_subtrees`: `surfaces_only`, and
-/// `inside` where nothing touches. Called once by whoever merges.
+/// What only the whole bodies can tell, for a result of `run_on_subtrees`: `surfaces_only` where a
+/// body is open, and, from level count on, `inside` where nothing touches and some component of one
+/// closed body lies in the other. With ignored pairs `inside` is not decided: parts that may stick
+/// in each other say nothing about the rest. Called once by whoever merges.
 void settle_class(const ObbTree& a,
                   const ObbTree& b,
                   const Scenario& scenario,
                   const Query& query,
                   ScenarioResult& result);
 
-/// True when `settle_class` may have more to do than set a flag: it then deserves a thread.
-[[nodiscard]] bool settling_is_work(const ObbTree& a, const ObbTree& b, const ScenarioResult& result);
+/// True when `settle_class` may have more to do than set a flag: it then deserves a thread. (It is
+/// cheap while the bodies' boxes are apart.)
+[[nodiscard]] bool
+settling_is_work(const ObbTree& a, const ObbTree& b, const ScenarioResult& result);
 
 /// Both in one, on whole trees.
 [[nodiscard]] ScenarioRun

@@ -44,8 +44,9 @@ struct TreeTop {
 /// The place in `tree.nodes()` of each distribution root of `cut_tree(tree, depth)`.
 [[nodiscard]] std::vector<std::uint32_t> cut_nodes(const ObbTree& tree, std::uint32_t depth);
 
-/// Errors: BadInput when the nodes of foreign origin are no tree in preorder with finite sizes and
-/// consecutive triangle ranges. Rebuilds `root_nodes`.
+/// Errors: BadInput unless the nodes, which may be of foreign origin, are a tree in preorder whose
+/// triangle ranges are consecutive from 0 and not empty, with boxes that `is_valid_box`
+/// (node_check.hpp) admits. Rebuilds `root_nodes`.
 [[nodiscard]] Result<TreeTop> make_tree_top(std::vector<ObbNode> nodes);
 
 /// Descends both tops together. Each contact of the scenario lies under exactly one returned pair,

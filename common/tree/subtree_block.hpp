@@ -31,15 +31,30 @@ class Subtree {
     std::vector<std::uint32_t> triangle_ids_;
 };
 
-/// The part of the tree under `node`, with each vertex that it uses once.
+/// The part of the tree under `node`, with each vertex that it uses once, numbered in the order of
+/// first use. Vertices with equal coordinates become one.
 [[nodiscard]] Subtree extract_subtree(const ObbTree& tree, std::uint32_t node);
 
-/// The canonical, uncompressed bytes of a subtree: the same for the same tree, on any host. Boxes
-/// are stored so that they decode to exactly themselves.
+/// The canonical, uncompressed bytes of a subtree as `extract_subtree` makes them: the same for the
+/// same tree, on any host. Boxes are stored so that they decode to exactly themselves. With
+/// Precision::Float every coordinate is a float.
+///
+///     u8 version = 1    u8 flags (1: double vertices, 2: 32-bit corners)
+///     u32 nodes    u32 vertices    u32 triangles
+///     columns of the nodes: center x y z (f64), axes 0-5 (f32), axes 6-8 (u32: bits less those of
+///         the cross product of the first two rows), half x y z (f32)
+///     of each node in preorder a varint: 0, or the number of a leaf's triangles
+///     columns of the vertices: x, y, z (f32 or f64)
+///     three corners of each triangle (u16 or u32): how far behind the next vertex not yet met
+///     triangle ids (u32): the zigzag step from the id before
+///
+/// Each column, the corners and the ids stand as byte planes, lowest first, which compress better.
 [[nodiscard]] Bytes encode_subtree(const Subtree& subtree, Precision precision);
 
 /// The inverse. The bytes may be hostile: every index, range and number is checked, and nothing is
-/// allocated that the bytes do not justify. Errors: BadFrame.
+/// allocated that the bytes do not justify (at most 3 times their size). That ids are distinct and
+/// boxes contain their triangles is not checked: the block's hash vouches for its origin. Errors:
+/// BadFrame.
 [[nodiscard]] Result<Subtree> decode_subtree(std::span<const std::byte> bytes);
 
 } // namespace cd

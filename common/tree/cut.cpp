@@ -1,0 +1,266 @@
+#include "common/tree/cut.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/tree/box_test.hpp"
+#include "common/tree/node_check.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+/// A node on the way down from the root to the cut.
+struct TopNode {
+    std::uint32_t node = 0; ///< In the tree.
+    std::uint32_t depth = 0;
+    std::uint32_t parent = 0; ///< In the top, if this is a right child.
+    bool is_right = false;
+};
+
+/// Calls `visit` for the nodes above and on the cut, in preorder.
+void for_each_top_node(const ObbTree& tree,
+                       const std::function<void(const TopNode&)>& visit,
+                       std::uint32_t depth) {
+    // Preorder: the place of a node in the top is the number of nodes visited before it.
+    std::uint32_t place = 0;
+    std::vector<TopNode> waiting{TopNode{}};
+    while (!waiting.empty()) {
+        const TopNode top = waiting.back();
+        waiting.pop_back();
+        visit(top);
+        const ObbNode& node = tree.nodes()[top.node];
+        if (!node.is_leaf() && top.depth < depth) {
+            waiting.push_back({node.right, top.depth + 1, place, true});
+            waiting.push_back({top.node + 1, top.depth + 1, 0, false});
+        }
+        ++place;
+    }
+}
+
+Error bad(const char* what) {
+    return {ErrorCode::BadInput, std::string("top of a tree: ") + what};
+}
+
+/// Whether the children of each inner node stand where preorder puts them. The walk needs no stack
+/// beyond one place for each right child still to come.
+bool is_preorder(std::span<const ObbNode> nodes) {
+    std::vector<std::uint32_t> rights;
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        if (!nodes[i].is_leaf()) {
+            rights.push_back(nodes[i].right);
+            continue;
+        }
+        // After a leaf comes the right child of the innermost open node, or the end.
+        const bool is_last = rights.empty();
+        if (i + 1 != (is_last ? nodes.size() : rights.back())) {
+            return false;
+        }
+        if (!is_last) {
+            rights.pop_back();
+        }
+    }
+    return rights.empty();
+}
+
+/// The nodes are known to be in preorder.
+bool has_consecutive_ranges(std::span<const ObbNode> nodes) {
+    if (nodes.front().triangles_begin != 0) {
+        return false;
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const ObbNode& node = nodes[i];
+        if (node.triangles_begin >= node.triangles_end) {
+            return false;
+        }
+        if (node.is_leaf()) {
+            continue;
+        }
+        const ObbNode& left = nodes[i + 1];
+        const ObbNode& right = nodes[node.right];
+        if (left.triangles_begin != node.triangles_begin ||
+            right.triangles_begin != left.triangles_end ||
+            right.triangles_end != node.triangles_end) {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::vector<std::uint32_t> leaves_of(std::span<const ObbNode> nodes) {
+    std::vector<std::uint32_t> leaves;
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i].is_leaf()) {
+            leaves.push_back(i);
+        }
+    }
+    return leaves;
+}
+
+double size_of(const ObbNode& node) {
+    return static_cast<double>(node.half[0]) + static_cast<double>(node.half[1]) +
+           static_cast<double>(node.half[2]);
+}
+
+/// Which of two nodes is opened: the larger, so that the boxes stay alike.
+bool opens_a(const ObbNode& a, const ObbNode& b) {
+    return !a.is_leaf() && (b.is_leaf() || size_of(a) >= size_of(b));
+}
+
+/// One simultaneous descent of two tops. Its pairs are places in `nodes`, not numbers of roots.
+class TopDescent {
+  public:
+    TopDescent(const TreeTop& a, const TreeTop& b, const PosePair& poses)
+        : a_(a), b_(b), boxes_(relative_pose(poses)), posed_(boxes_.pose(b.nodes[0])) {}
+
+    /// Pairs of nodes without children. Errors: TooLarge.
+    [[nodiscard]] Result<std::vector<RootPair>> leaf_pairs() {
+        std::vector<RootPair> found;
+        push_if_overlapping({0, 0});
+        while (!waiting_.empty()) {
+            const RootPair now = waiting_.back();
+            waiting_.pop_back();
+            const ObbNode& a = a_.nodes[now.a];
+            const ObbNode& b = b_.nodes[now.b];
+            if (a.is_leaf() && b.is_leaf()) {
+                if (found.size() == limits::root_pairs_max) {
+                    return Error{ErrorCode::TooLarge,
+                                 "more than " + std::to_string(limits::root_pairs_max) +
+                                     " pairs of distribution roots overlap; a smaller "
+                                     "distribution depth helps"};
+                }
+                found.push_back(now);
+            } else if (opens_a(a, b)) {
+                push_if_overlapping({now.a + 1, now.b});
+                push_if_overlapping({a.right, now.b});
+            } else {
+                push_if_overlapping({now.a, now.b + 1});
+                push_if_overlapping({now.a, b.right});
+            }
+        }
+        return found;
+    }
+
+  private:
+    void push_if_overlapping(const RootPair& nodes) {
+        if (nodes.b != posed_place_) {
+            posed_ = boxes_.pose(b_.nodes[nodes.b]);
+            posed_place_ = nodes.b;
+        }
+        if (boxes_.may_overlap(a_.nodes[nodes.a], posed_)) {
+            waiting_.push_back(nodes);
+        }
+    }
+
+    const TreeTop& a_;
+    const TreeTop& b_;
+    BoxTest boxes_;
+    PosedBox posed_; ///< The box of B at `posed_place_`: going down A, one of B meets many.
+    std::uint32_t posed_place_ = 0;
+    std::vector<RootPair> waiting_;
+};
+
+/// The number of the root at a node of the top.
+RootIndex root_at(const TreeTop& top, std::uint32_t node) {
+    const auto at = std::lower_bound(top.root_nodes.begin(), top.root_nodes.end(), node);
+    return static_cast<RootIndex>(at - top.root_nodes.begin());
+}
+
+std::vector<RootIndex> distinct(std::vector<RootIndex> roots) {
+    std::sort(roots.begin(), roots.end());
+    roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+    return roots;
+}
+
+} // namespace
+
+TreeTop cut_tree(const ObbTree& tree, std::uint32_t depth) {
+    TreeTop top;
+    const auto add = [&](const TopNode& at) {
+        if (at.is_right) {
+            top.nodes[at.parent].right = static_cast<std::uint32_t>(top.nodes.size());
+        }
+        ObbNode node = tree.nodes()[at.node];
+        if (at.depth == depth) {
+            node.right = 0;
+        }
+        top.nodes.push_back(node);
+    };
+    for_each_top_node(tree, add, depth);
+    top.root_nodes = leaves_of(top.nodes);
+    return top;
+}
+
+std::vector<std::uint32_t> cut_nodes(const ObbTree& tree, std::uint32_t depth) {
+    std::vector<std::uint32_t> places;
+    const auto add = [&](const TopNode& at) {
+        if (at.depth == depth || tree.nodes()[at.node].is_leaf()) {
+            places.push_back(at.node);
+        }
+    };
+    for_each_top_node(tree, add, depth);
+    return places;
+}
+
+Result<TreeTop> make_tree_top(std::vector<ObbNode> nodes) {
+    if (nodes.empty()) {
+        return bad("no nodes");
+    }
+    if (!is_preorder(nodes)) {
+        return bad("its nodes are not in preorder");
+    }
+    if (!has_consecutive_ranges(nodes)) {
+        return bad("the triangles of a node are not those of its children");
+    }
+    if (!std::all_of(nodes.begin(), nodes.end(), is_valid_box)) {
+        return bad("a box with axes that are not orthonormal or numbers that are not finite");
+    }
+    TreeTop top;
+    top.root_nodes = leaves_of(nodes);
+    top.nodes = std::move(nodes);
+    return top;
+}
+
+Result<std::vector<RootPair>>
+colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses) {
+    Result<std::vector<RootPair>> pairs = TopDescent(a, b, poses).leaf_pairs();
+    if (!pairs) {
+        return pairs;
+    }
+    for (RootPair& pair : pairs.value()) {
+        pair = {root_at(a, pair.a), root_at(b, pair.b)};
+    }
+    std::sort(pairs.value().begin(), pairs.value().end());
+    return pairs;
+}
+
+RootIndicator RootIndicator::of(const TreeTop& top, std::span<const RootIndex> roots) {
+    RootIndicator indicator(top.root_count());
+    for (const RootIndex root : roots) {
+        indicator.set(root, top.triangles_under(root));
+    }
+    return indicator;
+}
+
+std::vector<RootIndex> roots_of_a(std::span<const RootPair> pairs) {
+    std::vector<RootIndex> roots;
+    roots.reserve(pairs.size());
+    for (const RootPair& pair : pairs) {
+        roots.push_back(pair.a);
+    }
+    return distinct(std::move(roots));
+}
+
+std::vector<RootIndex> roots_of_b(std::span<const RootPair> pairs) {
+    std::vector<RootIndex> roots;
+    roots.reserve(pairs.size());
+    for (const RootPair& pair : pairs) {
+        roots.push_back(pair.b);
+    }
+    return distinct(std::move(roots));
+}
+
+} // namespace cd

@@ -1,0 +1,450 @@
+#include "common/tree/subtree_block.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/varint.hpp"
+#include "common/tree/node_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <tuple>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+constexpr std::uint8_t version = 1;
+constexpr std::uint8_t flag_double = 1;
+constexpr std::uint8_t flag_wide_indices = 2;
+
+/// Distances behind the next vertex reach the number of vertices.
+bool needs_wide_indices(std::size_t vertices) {
+    return vertices > UINT16_MAX;
+}
+
+// ---- Extraction ------------------------------------------------------------------------------
+
+/// The index after the last node under `node`.
+std::uint32_t end_of_subtree(std::span<const ObbNode> nodes, std::uint32_t node) {
+    while (!nodes[node].is_leaf()) {
+        node = nodes[node].right;
+    }
+    return node + 1;
+}
+
+std::vector<ObbNode> renumbered(std::span<const ObbNode> nodes, std::uint32_t first) {
+    const std::uint32_t triangles_first = nodes.front().triangles_begin;
+    std::vector<ObbNode> own(nodes.begin(), nodes.end());
+    for (ObbNode& node : own) {
+        node.right -= node.is_leaf() ? 0 : first;
+        node.triangles_begin -= triangles_first;
+        node.triangles_end -= triangles_first;
+    }
+    return own;
+}
+
+/// Which vertices are used, in the order of their first use; those in one place are one.
+struct VertexSelection {
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles; ///< Into `vertices`.
+};
+
+VertexSelection select_vertices(std::span<const Triangle> triangles,
+                                std::span<const Vec3> vertices) {
+    std::vector<std::uint32_t> used;
+    used.reserve(3 * triangles.size());
+    for (const Triangle& triangle : triangles) {
+        used.insert(used.end(), triangle.begin(), triangle.end());
+    }
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+
+    const auto key = [&](std::uint32_t vertex) {
+        const Vec3& at = vertices[vertex];
+        return std::tuple(at.x(), at.y(), at.z());
+    };
+    std::vector<std::uint32_t> by_place(used.size());
+    for (std::uint32_t i = 0; i < used.size(); ++i) {
+        by_place[i] = i;
+    }
+    std::sort(by_place.begin(), by_place.end(), [&](std::uint32_t left, std::uint32_t right) {
+        return key(used[left]) < key(used[right]);
+    });
+    std::vector<std::uint32_t> place_of_used(used.size()); // Equal for vertices in one place.
+    std::uint32_t places = 0;
+    for (std::size_t i = 0; i < by_place.size(); ++i) {
+        places += i > 0 && key(used[by_place[i]]) != key(used[by_place[i - 1]]) ? 1 : 0;
+        place_of_used[by_place[i]] = places;
+    }
+
+    constexpr std::uint32_t not_met = UINT32_MAX;
+    std::vector<std::uint32_t> number_of_place(places + 1, not_met);
+    VertexSelection selection;
+    selection.triangles.reserve(triangles.size());
+    for (const Triangle& triangle : triangles) {
+        Triangle own{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto at = std::lower_bound(used.begin(), used.end(), triangle[i]) - used.begin();
+            std::uint32_t& number = number_of_place[place_of_used[static_cast<std::size_t>(at)]];
+            if (number == not_met) {
+                number = static_cast<std::uint32_t>(selection.vertices.size());
+                selection.vertices.push_back(vertices[triangle[i]]);
+            }
+            own[i] = number;
+        }
+        selection.triangles.push_back(own);
+    }
+    return selection;
+}
+
+// ---- Columns ---------------------------------------------------------------------------------
+
+/// Values as byte planes: all lowest bytes, then all second ones, and so on. Exponents and leading
+/// digits, which are alike, then stand together and compress.
+template <std::unsigned_integral T>
+void put_planes(ByteWriter& out, std::span<const T> values) {
+    std::vector<std::uint8_t> plane(values.size());
+    for (unsigned shift = 0; shift < 8 * sizeof(T); shift += 8) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            plane[i] = static_cast<std::uint8_t>(values[i] >> shift);
+        }
+        out.put_array(std::span<const std::uint8_t>(plane));
+    }
+}
+
+template <std::unsigned_integral T>
+std::vector<T> get_planes(ByteReader& in, std::size_t count) {
+    const auto bytes = in.get_array<std::uint8_t>(sizeof(T) * count);
+    if (in.failed()) {
+        return {};
+    }
+    std::vector<T> values(count);
+    for (std::size_t plane = 0; plane < sizeof(T); ++plane) {
+        for (std::size_t i = 0; i < count; ++i) {
+            values[i] =
+                static_cast<T>(values[i] | static_cast<T>(bytes[plane * count + i]) << (8 * plane));
+        }
+    }
+    return values;
+}
+
+template <class Float>
+using BitsOf = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
+
+/// One number of each item as a column; `number(i)` is that of item i.
+template <class Float, class Number>
+void put_column(ByteWriter& out, std::size_t count, const Number& number) {
+    std::vector<BitsOf<Float>> bits(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        bits[i] = std::bit_cast<BitsOf<Float>>(static_cast<Float>(number(i)));
+    }
+    put_planes(out, std::span<const BitsOf<Float>>(bits));
+}
+
+/// The inverse; `number(i)` is set. False when the bytes end early.
+template <class Float, class Number>
+bool get_column(ByteReader& in, std::size_t count, const Number& number) {
+    const auto bits = get_planes<BitsOf<Float>>(in, count);
+    if (in.failed()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        number(i) = std::bit_cast<Float>(bits[i]);
+    }
+    return true;
+}
+
+// ---- Nodes -----------------------------------------------------------------------------------
+
+/// What the third row of a frame is but for the sign and a few last places, by operations that
+/// round alike everywhere. Storing the difference costs next to nothing.
+std::array<std::uint32_t, 3> predicted_row(const std::array<float, 9>& axes) {
+    const auto at = [&](std::size_t i) { return static_cast<double>(axes[i]); };
+    const std::array<double, 3> cross{at(1) * at(5) - at(2) * at(4),
+                                      at(2) * at(3) - at(0) * at(5),
+                                      at(0) * at(4) - at(1) * at(3)};
+    std::array<std::uint32_t, 3> bits{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        bits[i] = std::bit_cast<std::uint32_t>(static_cast<float>(cross[i]));
+    }
+    return bits;
+}
+
+void put_boxes(ByteWriter& out, std::span<const ObbNode> nodes) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        put_column<double>(out, nodes.size(), [&](std::size_t i) { return nodes[i].center[k]; });
+    }
+    for (std::size_t k = 0; k < 6; ++k) {
+        put_column<float>(out, nodes.size(), [&](std::size_t i) { return nodes[i].axes[k]; });
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::vector<std::uint32_t> differences(nodes.size());
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            differences[i] = std::bit_cast<std::uint32_t>(nodes[i].axes[6 + k]) -
+                             predicted_row(nodes[i].axes)[k];
+        }
+        put_planes(out, std::span<const std::uint32_t>(differences));
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        put_column<float>(out, nodes.size(), [&](std::size_t i) { return nodes[i].half[k]; });
+    }
+}
+
+bool get_boxes(ByteReader& in, std::span<ObbNode> nodes) {
+    bool complete = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        complete = complete && get_column<double>(in, nodes.size(), [&](std::size_t i) -> double& {
+                       return nodes[i].center[k];
+                   });
+    }
+    for (std::size_t k = 0; k < 6; ++k) {
+        complete = complete && get_column<float>(in, nodes.size(), [&](std::size_t i) -> float& {
+                       return nodes[i].axes[k];
+                   });
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto differences = get_planes<std::uint32_t>(in, nodes.size());
+        for (std::size_t i = 0; i < differences.size(); ++i) {
+            nodes[i].axes[6 + k] =
+                std::bit_cast<float>(differences[i] + predicted_row(nodes[i].axes)[k]);
+        }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        complete = complete && get_column<float>(in, nodes.size(), [&](std::size_t i) -> float& {
+                       return nodes[i].half[k];
+                   });
+    }
+    return complete && !in.failed() && std::all_of(nodes.begin(), nodes.end(), is_valid_box);
+}
+
+/// The shape of the tree: of each node in preorder 0, or for a leaf the number of its triangles.
+void put_shape(ByteWriter& out, std::span<const ObbNode> nodes) {
+    for (const ObbNode& node : nodes) {
+        put_varint(out, node.is_leaf() ? node.triangle_count() : 0);
+    }
+}
+
+/// Sets children and triangle ranges. False when the shape is no tree over `triangles` triangles.
+bool get_shape(ByteReader& in, std::span<ObbNode> nodes, std::uint32_t triangles) {
+    std::uint32_t begin = 0;
+    for (ObbNode& node : nodes) {
+        const auto count = get_varint(in);
+        if (!count || *count > triangles - begin) {
+            return false;
+        }
+        node.triangles_begin = begin;
+        begin += static_cast<std::uint32_t>(*count);
+        node.triangles_end = begin;
+    }
+    // From the back, the subtrees that are complete stand on a stack, the leftmost on top.
+    std::vector<std::uint32_t> complete;
+    for (auto i = static_cast<std::uint32_t>(nodes.size()); i-- > 0;) {
+        ObbNode& node = nodes[i];
+        if (node.triangle_count() == 0) {
+            if (complete.size() < 2) {
+                return false;
+            }
+            complete.pop_back(); // The left child: the node that follows.
+            node.right = complete.back();
+            node.triangles_end = nodes[node.right].triangles_end;
+            complete.pop_back();
+        }
+        complete.push_back(i);
+    }
+    return complete.size() == 1 && begin == triangles;
+}
+
+// ---- Triangles -------------------------------------------------------------------------------
+
+/// Each corner as how far it lies behind the next vertex not yet met: 0 is a new one. Vertices are
+/// numbered by first use, so that most numbers are small.
+template <std::unsigned_integral Index>
+void put_corners(ByteWriter& out, std::span<const Triangle> triangles, std::size_t vertices) {
+    std::vector<Index> distances;
+    distances.reserve(3 * triangles.size());
+    std::uint32_t next = 0;
+    for (const Triangle& triangle : triangles) {
+        for (const std::uint32_t vertex : triangle) {
+            CD_CHECK(vertex <= next);
+            distances.push_back(static_cast<Index>(next - vertex));
+            next += vertex == next ? 1 : 0;
+        }
+    }
+    CD_CHECK(next == vertices);
+    put_planes(out, std::span<const Index>(distances));
+}
+
+/// Empty when a corner names no vertex, or a vertex is not used.
+template <std::unsigned_integral Index>
+std::vector<Triangle> get_corners(ByteReader& in, std::size_t count, std::size_t vertices) {
+    const auto distances = get_planes<Index>(in, 3 * count);
+    if (in.failed()) {
+        return {};
+    }
+    std::vector<Triangle> triangles(count);
+    std::uint32_t next = 0;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        if (distances[i] > next || (distances[i] == 0 && next == vertices)) {
+            return {};
+        }
+        triangles[i / 3][i % 3] = next - distances[i];
+        next += distances[i] == 0 ? 1 : 0;
+    }
+    return next == vertices ? triangles : std::vector<Triangle>{};
+}
+
+void put_ids(ByteWriter& out, std::span<const std::uint32_t> ids) {
+    std::vector<std::uint32_t> steps;
+    steps.reserve(ids.size());
+    std::uint32_t before = 0;
+    for (const std::uint32_t id : ids) {
+        // Modulo 2^32, so that every step fits.
+        steps.push_back(static_cast<std::uint32_t>(zigzag(static_cast<std::int32_t>(id - before))));
+        before = id;
+    }
+    put_planes(out, std::span<const std::uint32_t>(steps));
+}
+
+std::vector<std::uint32_t> get_ids(ByteReader& in, std::size_t count) {
+    auto ids = get_planes<std::uint32_t>(in, count);
+    std::uint32_t before = 0;
+    for (std::uint32_t& id : ids) {
+        before += static_cast<std::uint32_t>(unzigzag(id));
+        id = before;
+    }
+    return ids;
+}
+
+// ---- Vertices --------------------------------------------------------------------------------
+
+template <class Float>
+void put_vertices(ByteWriter& out, std::span<const Vec3> vertices) {
+    for (int k = 0; k < 3; ++k) {
+        put_column<Float>(out, vertices.size(), [&](std::size_t i) { return vertices[i][k]; });
+    }
+}
+
+template <class Float>
+bool get_vertices(ByteReader& in, std::vector<Vec3>& vertices) {
+    bool complete = true;
+    for (int k = 0; k < 3; ++k) {
+        complete =
+            complete && get_column<Float>(in, vertices.size(), [&](std::size_t i) -> double& {
+                return vertices[i][k];
+            });
+    }
+    return complete && std::all_of(vertices.begin(), vertices.end(), [](const Vec3& vertex) {
+               return vertex.allFinite();
+           });
+}
+
+Error bad(const char* what) {
+    return {ErrorCode::BadFrame, std::string("subtree block: ") + what};
+}
+
+} // namespace
+
+Subtree::Subtree(std::vector<ObbNode> nodes,
+                 std::vector<Vec3> vertices,
+                 std::vector<Triangle> triangles,
+                 std::vector<std::uint32_t> triangle_ids)
+    : nodes_(std::move(nodes)),
+      vertices_(std::move(vertices)),
+      triangles_(std::move(triangles)),
+      triangle_ids_(std::move(triangle_ids)) {
+    CD_CHECK(!nodes_.empty());
+    CD_CHECK(triangles_.size() == triangle_ids_.size());
+    CD_CHECK(nodes_.front().triangle_count() == triangles_.size());
+}
+
+TreeView Subtree::view() const {
+    return {nodes_, vertices_, triangles_, triangle_ids_};
+}
+
+std::uint64_t Subtree::memory_bytes() const {
+    return sizeof(Subtree) + nodes_.capacity() * sizeof(ObbNode) +
+           vertices_.capacity() * sizeof(Vec3) + triangles_.capacity() * sizeof(Triangle) +
+           triangle_ids_.capacity() * sizeof(std::uint32_t);
+}
+
+Subtree extract_subtree(const ObbTree& tree, std::uint32_t node) {
+    const TreeView whole = tree.view();
+    CD_CHECK(node < whole.nodes.size());
+    const std::uint32_t end = end_of_subtree(whole.nodes, node);
+    const ObbNode& root = whole.nodes[node];
+    VertexSelection selection = select_vertices(
+        whole.triangles.subspan(root.triangles_begin, root.triangle_count()), whole.vertices);
+    const auto ids = whole.triangle_ids.subspan(root.triangles_begin, root.triangle_count());
+    return Subtree(renumbered(whole.nodes.subspan(node, end - node), node),
+                   std::move(selection.vertices),
+                   std::move(selection.triangles),
+                   {ids.begin(), ids.end()});
+}
+
+Bytes encode_subtree(const Subtree& subtree, Precision precision) {
+    const TreeView view = subtree.view();
+    const bool is_double = precision == Precision::Double;
+    const bool is_wide = needs_wide_indices(view.vertices.size());
+    ByteWriter out;
+    out.put(version);
+    out.put(static_cast<std::uint8_t>((is_double ? flag_double : 0) |
+                                      (is_wide ? flag_wide_indices : 0)));
+    out.put(static_cast<std::uint32_t>(view.nodes.size()));
+    out.put(static_cast<std::uint32_t>(view.vertices.size()));
+    out.put(static_cast<std::uint32_t>(view.triangles.size()));
+    put_boxes(out, view.nodes);
+    put_shape(out, view.nodes);
+    if (is_double) {
+        put_vertices<double>(out, view.vertices);
+    } else {
+        put_vertices<float>(out, view.vertices);
+    }
+    if (is_wide) {
+        put_corners<std::uint32_t>(out, view.triangles, view.vertices.size());
+    } else {
+        put_corners<std::uint16_t>(out, view.triangles, view.vertices.size());
+    }
+    put_ids(out, view.triangle_ids);
+    return out.take();
+}
+
+Result<Subtree> decode_subtree(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    if (in.get<std::uint8_t>() != version) {
+        return bad("unknown version");
+    }
+    const auto flags = in.get<std::uint8_t>();
+    const auto node_count = in.get<std::uint32_t>();
+    const auto vertex_count = in.get<std::uint32_t>();
+    const auto triangle_count = in.get<std::uint32_t>();
+    const bool is_double = (flags & flag_double) != 0;
+    const bool is_wide = (flags & flag_wide_indices) != 0;
+    // A vertex takes 12 bytes at least, a triangle 10 and a node 73: what is not there is not
+    // allocated.
+    if (in.failed() || flags > (flag_double | flag_wide_indices) || node_count == 0 ||
+        triangle_count == 0 || is_wide != needs_wide_indices(vertex_count) ||
+        node_count > in.remaining() / 73 || vertex_count > in.remaining() / 12 ||
+        triangle_count > in.remaining() / 10) {
+        return bad("a header that does not fit the bytes");
+    }
+    std::vector<ObbNode> nodes(node_count);
+    if (!get_boxes(in, nodes) || !get_shape(in, nodes, triangle_count)) {
+        return bad("nodes that are no tree of boxes");
+    }
+    std::vector<Vec3> vertices(vertex_count, Vec3::Zero());
+    if (!(is_double ? get_vertices<double>(in, vertices) : get_vertices<float>(in, vertices))) {
+        return bad("vertices cut short or not finite");
+    }
+    auto triangles = is_wide ? get_corners<std::uint32_t>(in, triangle_count, vertex_count)
+                             : get_corners<std::uint16_t>(in, triangle_count, vertex_count);
+    auto ids = get_ids(in, triangle_count);
+    if (!in.complete() || triangles.empty()) {
+        return bad("triangles that do not fit the vertices, or a wrong length");
+    }
+    return Subtree(std::move(nodes), std::move(vertices), std::move(triangles), std::move(ids));
+}
+
+} // namespace cd
