@@ -1,0 +1,148 @@
+// Proves that frames carry messages whole, in pieces and side by side, and that a damaged, hostile
+// or endless stream of frames ends in an error with bounded memory.
+#include "proto/frame.hpp"
+
+#include "common/core/hash.hpp"
+#include "common/core/limits.hpp"
+#include "proto/codec.hpp"
+#include "tests/proto/sample_messages.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+namespace cd::tests {
+namespace {
+
+FrameHeader header_of(std::uint16_t type, std::span<const std::byte> payload) {
+    FrameHeader header;
+    header.type = type;
+    header.payload_bytes = static_cast<std::uint32_t>(payload.size());
+    header.payload_checksum = checksum(payload);
+    return header;
+}
+
+using HeaderBytes = std::array<std::byte, frame_header_bytes>;
+
+/// With a value changed and the checksum made right again.
+HeaderBytes
+forged(const FrameHeader& header, std::size_t place, std::uint32_t value, std::size_t n) {
+    HeaderBytes bytes = encode_header(header);
+    std::memcpy(bytes.data() + place, &value, n);
+    const auto sum = static_cast<std::uint32_t>(checksum(std::span(bytes).first(28)));
+    std::memcpy(bytes.data() + 28, &sum, sizeof sum);
+    return bytes;
+}
+
+TEST(Frame, HeadersComeBackAsTheyWere) {
+    FrameHeader header = header_of(8, some_bytes(20));
+    header.has_more = true;
+    header.stream = 7;
+    header.epoch = 9;
+    const auto decoded = decode_header(encode_header(header));
+    ASSERT_TRUE(decoded);
+    EXPECT_EQ(decoded.value(), header);
+}
+
+TEST(Frame, TheHeaderIsThatOfVersionOne) {
+    FrameHeader header = header_of(8, some_bytes(20));
+    header.has_more = true;
+    header.stream = 1;
+    const HeaderBytes bytes = encode_header(header);
+    EXPECT_EQ(std::memcmp(bytes.data(), "CDF1", 4), 0);
+    EXPECT_EQ(to_short_hex(sha256(bytes)), "bffbbfc6efc456a6");
+}
+
+TEST(Frame, AnyChangedBitOfAHeaderIsRefused) {
+    const HeaderBytes good = encode_header(header_of(8, some_bytes(20)));
+    for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
+        HeaderBytes bytes = good;
+        bytes[bit / 8] ^= static_cast<std::byte>(1u << (bit % 8));
+        EXPECT_FALSE(decode_header(bytes)) << bit;
+    }
+}
+
+TEST(Frame, ForgedHeadersAreRefused) {
+    const FrameHeader header = header_of(8, some_bytes(20));
+    EXPECT_TRUE(decode_header(forged(header, 4, 8, 2)));
+    EXPECT_FALSE(decode_header(forged(header, 4, 0, 2))) << "type 0";
+    EXPECT_FALSE(decode_header(forged(header, 4, 999, 2))) << "unknown type";
+    EXPECT_FALSE(decode_header(forged(header, 6, 2, 2))) << "unknown flag";
+    const auto overlong = decode_header(forged(header, 12, frame_payload_bytes_max + 1, 4));
+    ASSERT_FALSE(overlong);
+    EXPECT_EQ(overlong.error().code, ErrorCode::TooLarge);
+}
+
+TEST(MessageAssembler, PutsMessagesOfTwoStreamsTogether) {
+    MessageAssembler assembler;
+    const Bytes left = some_bytes(100);
+    const Bytes right = some_bytes(50, 7);
+    const auto add = [&](std::uint32_t stream,
+                         std::uint16_t type,
+                         std::span<const std::byte> piece,
+                         bool has_more) {
+        FrameHeader header = header_of(type, piece);
+        header.stream = stream;
+        header.has_more = has_more;
+        return assembler.add(header, piece);
+    };
+    EXPECT_FALSE(add(1, 7, std::span(left).first(60), true).value());
+    EXPECT_FALSE(add(0, 11, std::span(right).first(20), true).value());
+    const auto second = add(0, 11, std::span(right).subspan(20), false);
+    ASSERT_TRUE(second.value());
+    EXPECT_EQ(second.value()->type, 11);
+    EXPECT_EQ(second.value()->payload, right);
+    const auto first = add(1, 7, std::span(left).subspan(60), false);
+    ASSERT_TRUE(first.value());
+    EXPECT_EQ(first.value()->payload, left);
+    EXPECT_TRUE(add(1, 9, {}, false).value()) << "an empty message is a message";
+}
+
+TEST(MessageAssembler, ADamagedPayloadIsRefused) {
+    MessageAssembler assembler;
+    Bytes payload = some_bytes(100);
+    const FrameHeader header = header_of(7, payload);
+    payload[50] ^= std::byte{1};
+    EXPECT_FALSE(assembler.add(header, payload));
+    EXPECT_FALSE(MessageAssembler().add(header, std::span(payload).first(99)));
+}
+
+TEST(MessageAssembler, AMessageThatNeverEndsIsRefusedAtItsTypesLimit) {
+    MessageAssembler assembler;
+    const Bytes piece(frame_payload_bytes_max);
+    FrameHeader header = header_of(message_type(Heartbeat{}), piece);
+    header.has_more = true;
+    ASSERT_TRUE(assembler.add(header, piece));
+    const auto over = assembler.add(header, piece);
+    ASSERT_FALSE(over);
+    EXPECT_EQ(over.error().code, ErrorCode::TooLarge);
+}
+
+TEST(MessageAssembler, TooManyMessagesBegunAndEmptyPiecesAreRefused) {
+    MessageAssembler assembler;
+    const Bytes piece = some_bytes(1);
+    FrameHeader header = header_of(7, piece);
+    header.has_more = true;
+    for (header.stream = 0; header.stream < limits::streams_max; ++header.stream) {
+        EXPECT_TRUE(assembler.add(header, piece));
+    }
+    EXPECT_FALSE(assembler.add(header, piece));
+
+    FrameHeader empty = header_of(7, {});
+    empty.has_more = true;
+    EXPECT_FALSE(MessageAssembler().add(empty, {}));
+}
+
+TEST(MessageAssembler, AMessageMayNotChangeItsType) {
+    MessageAssembler assembler;
+    const Bytes piece = some_bytes(4);
+    FrameHeader header = header_of(7, piece);
+    header.has_more = true;
+    ASSERT_TRUE(assembler.add(header, piece));
+    header.type = 8;
+    EXPECT_FALSE(assembler.add(header, piece));
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,147 @@
+// One message of each type with every member set, so that a forgotten or swapped one shows.
+#pragma once
+
+#include "proto/message.hpp"
+
+#include <vector>
+
+namespace cd::tests {
+
+inline Bytes some_bytes(std::size_t count, unsigned first = 1) {
+    Bytes bytes(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        bytes[i] = static_cast<std::byte>(first + i);
+    }
+    return bytes;
+}
+
+inline Sha256 some_hash(unsigned first) {
+    Sha256 hash;
+    for (std::size_t i = 0; i < hash.bytes.size(); ++i) {
+        hash.bytes[i] = static_cast<std::byte>(first + i);
+    }
+    return hash;
+}
+
+inline ObbNode some_node(std::uint32_t seed) {
+    ObbNode node;
+    node.center = {0.5 + seed, -1.25, 3e30};
+    node.axes = {1, 0, 0, 0, 0.5F, -0.5F, 0, 0.5F, 0.5F};
+    node.half = {1, 2, 3.5F};
+    node.right = seed;
+    node.triangles_begin = 10 * seed;
+    node.triangles_end = 10 * seed + 7;
+    return node;
+}
+
+inline Query some_query() {
+    Query query;
+    query.level = Level::Contacts;
+    query.limit_pairs = 77;
+    query.ignored = {{1, 2, 3, 4}, {5, 6, 7, 8}};
+    return query;
+}
+
+inline JobStatus some_job_status() {
+    JobStatus status;
+    status.job = JobId{9};
+    status.name = "wheel in arch";
+    status.state = JobState::Cancelled;
+    status.summary = {11, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    status.digest = some_hash(3);
+    status.seconds = 1.5;
+    status.scenarios_per_second = 2.5;
+    status.failure = "none";
+    status.bodies = {some_hash(4), some_hash(5)};
+    status.answered_by_master = 12;
+    status.box_tests = 13;
+    status.triangle_tests = 14;
+    status.compute_seconds = 3.5;
+    return status;
+}
+
+inline WorkerStatus some_worker_status() {
+    WorkerStatus status;
+    status.worker = WorkerId{1};
+    status.name = "node-1";
+    status.threads = 8;
+    status.cache_bytes = 9;
+    status.cached_bytes = 10;
+    status.claimed = true;
+    status.buffered = 11;
+    status.working = 12;
+    status.tasks = 13;
+    status.scenarios = 14;
+    status.scenarios_per_second = 15.5;
+    status.bytes_sent = 16;
+    status.bytes_received = 17;
+    status.subtrees_sent = 18;
+    status.subtree_bytes_sent = 19;
+    return status;
+}
+
+inline Batch some_batch() {
+    Batch batch;
+    batch.task = TaskId{1};
+    batch.job = JobId{2};
+    batch.tree_a = TreeId{3};
+    batch.tree_b = TreeId{4};
+    batch.query = some_query();
+    batch.scenarios = some_bytes(50);
+    batch.pair_offsets = {0, 2, 2, 3};
+    batch.pairs = {{0, 5}, {1, 0}, {0, 5}};
+    return batch;
+}
+
+inline Submit some_submit() {
+    Submit submit;
+    submit.name = "job";
+    submit.bodies = {some_hash(1), some_hash(2)};
+    submit.query = some_query();
+    submit.cluster = {Strategy::Lowest, 10, 5, 21, 4097, true, 6};
+    submit.scenarios = 1000;
+    submit.grid = some_bytes(9);
+    return submit;
+}
+
+/// In the order of their numbers.
+inline std::vector<Message> sample_messages() {
+    return {
+        Hello{1, 3, Role::Worker, "node-1", "0.1.0", 8, 1u << 30},
+        Welcome{1, 42, "0.1.0"},
+        Failure{ErrorCode::NotFound, "no job 7"},
+        Heartbeat{1, 2, 3},
+        AddTree{TreeId{1}, {some_node(1), some_node(2)}},
+        RemoveTree{TreeId{5}},
+        Subtrees{TreeId{6}, {{3, some_hash(9), some_bytes(40)}, {4, some_hash(8), {}}}},
+        some_batch(),
+        Drain{},
+        Terminate{"the operator said so"},
+        WantSubtrees{TreeId{2}, {1, 5, 9}},
+        Results{TaskId{1}, JobId{2}, 3, some_bytes(30), 4, 5, 0.25},
+        EndOfTask{TaskId{7}},
+        Evicted{TreeId{2}, {0, 8}},
+        MeshesQuery{{some_hash(1), some_hash(2)}},
+        MeshesMissing{{some_hash(2)}},
+        MeshPart{some_hash(1), "sedan.obj", 100, 40, some_bytes(60)},
+        MeshStored{some_hash(1)},
+        some_submit(),
+        PosesPart{some_bytes(64)},
+        PosesEnd{},
+        Accepted{JobId{3}},
+        Watch{JobId{4}},
+        some_job_status(),
+        StatusQuery{},
+        ClusterStatus{"0.1.0",
+                      12.5,
+                      3.25,
+                      {some_worker_status()},
+                      {some_job_status()},
+                      {{some_hash(1), "sedan.obj", 5, 6, 0.5}}},
+        ResultsQuery{JobId{1}, 2, 3},
+        ResultsPart{JobId{1}, 2, 3, some_bytes(30)},
+        Cancel{JobId{8}},
+    };
+}
+
+} // namespace cd::tests
