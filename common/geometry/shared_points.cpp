@@ -1,5 +1,7 @@
 #include "common/geometry/shared_points.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "common/geometry/topology.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <numeric>

@@ -3,6 +3,8 @@
 #include "common/geometry/exact_triangle_pair.hpp"
 #include "common/geometry/shared_points.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
