@@ -1,0 +1,44 @@
+// Runs a job in this process, with the code that the cluster runs.
+#pragma once
+
+#include "client/report.hpp"
+#include "common/core/result.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/job/merge.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/job/query.hpp"
+#include "common/job/result.hpp"
+#include "common/tree/obb_tree.hpp"
+
+#include <functional>
+#include <optional>
+
+namespace cd {
+
+/// What a run reports to while it goes, all on the calling thread.
+struct RunObserver {
+    /// Each result, in the submitted order. An error ends the run with it.
+    std::function<Status(const ScenarioResult&)> result;
+    /// Now and then, at least some times a second.
+    std::function<void(const Summary&, double seconds)> progress;
+    /// True ends the run with the error Interrupted.
+    std::function<bool()> stopped;
+};
+
+struct RunOutcome {
+    Summary summary;
+    std::optional<Sha256> digest;
+    double seconds = 0; ///< Without import and building of trees.
+};
+
+/// Every scenario of `poses` on the threads of the pool. The same results and digest for any number
+/// of threads. Results that wait for an earlier one are bounded in number and in bytes.
+/// Errors: those of `poses` and of the observer; Interrupted.
+[[nodiscard]] Result<RunOutcome> run_locally(const ObbTree& a,
+                                             const ObbTree& b,
+                                             PoseSource& poses,
+                                             const Query& query,
+                                             ThreadPool& pool,
+                                             const RunObserver& observer);
+
+} // namespace cd

@@ -1,0 +1,306 @@
+#include "client/report.hpp"
+
+#include "client/words.hpp"
+#include "common/geometry/aabb.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace cd {
+
+namespace {
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(text.size(), width), ' ');
+    return text;
+}
+
+std::string right_aligned(const std::string& text, std::size_t width) {
+    return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
+}
+
+/// Three significant digits, or all before the point.
+std::string length_text(double value) {
+    if (value != 0 && (std::abs(value) < 0.01 || std::abs(value) >= 1e7)) {
+        std::string text(32, '\0');
+        text.resize(
+            static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.3g", value)));
+        return text;
+    }
+    return fixed_text(value, std::abs(value) < 0.1 ? 4 : std::abs(value) < 100 ? 2 : 0);
+}
+
+std::string box_text(const BodyLine& body) {
+    return length_text(body.size.x()) + " x " + length_text(body.size.y()) + " x " +
+           length_text(body.size.z()) + " " + body.unit;
+}
+
+std::string closed_text(const BodyLine& body) {
+    return !body.closed ? "" : *body.closed ? "closed" : "open";
+}
+
+std::string percent(std::uint64_t part, std::uint64_t whole) {
+    return fixed_text(whole == 0 ? 0.0
+                                 : 100.0 * static_cast<double>(part) / static_cast<double>(whole),
+                      1) +
+           " %";
+}
+
+} // namespace
+
+BodyLine describe_body(const std::string& name, const std::string& unit, const Mesh& mesh) {
+    BodyLine line;
+    line.name = name;
+    line.unit = unit;
+    line.triangles = mesh.triangles().size();
+    line.size = bounding_box(mesh.vertices()).size();
+    line.parts = std::max<std::size_t>(1, mesh.parts().size());
+    return line;
+}
+
+std::string header_text(const BodyLine& a,
+                        const BodyLine& b,
+                        std::uint64_t scenarios,
+                        const std::string& poses) {
+    const std::size_t name = std::max({a.name.size(), b.name.size(), std::size_t{14}});
+    const std::size_t count =
+        std::max({grouped(a.triangles).size(), grouped(b.triangles).size(), std::size_t{7}});
+    const std::size_t box = std::max(box_text(a).size(), box_text(b).size());
+    std::string text;
+    const auto add = [&](char letter, const BodyLine& body) {
+        const std::string closed = closed_text(body);
+        text += std::string("  ") + letter + "  " + padded(body.name, name) + "  " +
+                right_aligned(grouped(body.triangles), count) + " triangles   " +
+                padded(box_text(body), box) + "   " +
+                (closed.empty() ? "" : padded(closed, 6) + "   ") + counted(body.parts, "part") +
+                "\n";
+    };
+    add('A', a);
+    add('B', b);
+    text += "  " + padded("poses", name + 3) + "  " + right_aligned(grouped(scenarios), count) +
+            (poses.empty() ? "" : "  " + poses) + "\n";
+    return text;
+}
+
+std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b) {
+    const double size_a = a.size.maxCoeff();
+    const double size_b = b.size.maxCoeff();
+    if (!(size_a > 0) || !(size_b > 0)) {
+        return std::nullopt;
+    }
+    const double ratio = std::max(size_a, size_b) / std::min(size_a, size_b);
+    for (const double suspect : {25.4, 1000.0}) {
+        if (std::abs(ratio / suspect - 1) <= 0.02) {
+            return "warning: " + (size_a > size_b ? a.name : b.name) + " is " +
+                   fixed_text(ratio, 1) + " times as large as " +
+                   (size_a > size_b ? b.name : a.name) + "; if one is in another unit (" +
+                   (suspect < 100 ? "in or mm" : "mm or m") + "), give its unit";
+        }
+    }
+    return std::nullopt;
+}
+
+PartTally::PartTally(const Mesh& a, const Mesh& b) {
+    const auto fill = [](Body& body, const Mesh& mesh) {
+        body.parts = mesh.parts();
+        body.scenarios.assign(body.parts.size(), 0);
+        body.last_seen.assign(body.parts.size(), 0);
+    };
+    fill(a_, a);
+    fill(b_, b);
+}
+
+void PartTally::note(Body& body, std::uint32_t triangle, std::uint64_t stamp) {
+    const auto after = std::upper_bound(
+        body.parts.begin(), body.parts.end(), triangle, [](std::uint32_t id, const Part& part) {
+            return id < part.triangles_end;
+        });
+    if (after == body.parts.end() || triangle < after->triangles_begin) {
+        return;
+    }
+    const auto place = static_cast<std::size_t>(after - body.parts.begin());
+    if (body.last_seen[place] != stamp) {
+        body.last_seen[place] = stamp;
+        ++body.scenarios[place];
+    }
+}
+
+void PartTally::add(const ScenarioResult& result) {
+    ++stamp_;
+    for (const ContactPair& pair : result.pairs) {
+        note(a_, pair.a, stamp_);
+        note(b_, pair.b, stamp_);
+    }
+}
+
+std::vector<PartTally::Touched> PartTally::most_touched(std::size_t count) const {
+    std::vector<Touched> touched;
+    if (a_.parts.size() <= 1 && b_.parts.size() <= 1) {
+        return touched;
+    }
+    for (const Body* body : {&a_, &b_}) {
+        for (std::size_t i = 0; i < body->parts.size(); ++i) {
+            if (body->scenarios[i] != 0 && body->parts.size() > 1) {
+                touched.push_back({body->parts[i].name, body->scenarios[i]});
+            }
+        }
+    }
+    std::stable_sort(touched.begin(), touched.end(), [](const Touched& left, const Touched& right) {
+        return left.scenarios > right.scenarios;
+    });
+    touched.resize(std::min(touched.size(), count));
+    return touched;
+}
+
+namespace {
+
+constexpr const char* green = "\x1b[32m";
+constexpr const char* yellow = "\x1b[33m";
+constexpr const char* red = "\x1b[31m";
+
+std::string coloured(const std::string& text, const char* colour, bool colours) {
+    return colours ? colour + text + "\x1b[0m" : text;
+}
+
+std::string classes_text(const Summary& summary, Level level, bool colours) {
+    std::string text = "  " + coloured("separate  " + grouped(summary.separate), green, colours);
+    const auto add = [&](const std::string& name, std::uint64_t count, const char* colour) {
+        const std::string part = name + " " + grouped(count);
+        text += "    " + coloured(part, colour, colours && count != 0);
+    };
+    if (level == Level::Any) {
+        add("contact", summary.contact, red);
+    } else {
+        add("touch", summary.touch, yellow);
+        add("cross", summary.cross, red);
+        text += summary.pairs == 0 ? "" : " (" + counted(summary.pairs, "pair") + ")";
+        add("inside", summary.inside, red);
+    }
+    if (summary.undecided != 0) {
+        add("undecided", summary.undecided, yellow);
+    }
+    add("failed", summary.failed, red);
+    return text + "    tested " + grouped(summary.tested()) + " of " + grouped(summary.total) +
+           "\n";
+}
+
+} // namespace
+
+std::string summary_text(const RunReport& report, bool colours) {
+    const Summary& summary = report.summary;
+    const double rate =
+        report.seconds > 0 ? static_cast<double>(summary.merged()) / report.seconds : 0.0;
+    const double whole_rate = std::round(rate);
+    std::string text =
+        (summary.is_complete() ? "done in " : "ended after ") +
+        fixed_text(report.seconds, report.seconds < 10 ? 2 : 1) + " s      " +
+        (rate < 100 ? fixed_text(rate, 1) : grouped(static_cast<std::uint64_t>(whole_rate))) +
+        " scenarios/s" + (report.where.empty() ? "" : ", " + report.where) + "\n";
+    text += classes_text(summary, report.level, colours);
+    if (summary.surfaces_only != 0) {
+        text += "  surfaces only  in " + counted(summary.surfaces_only, "scenario") +
+                ": a body is open, so nothing is said of insides\n";
+    }
+    if (summary.cut != 0) {
+        text += "  cut lists  in " + counted(summary.cut, "scenario") +
+                ": limit_pairs was reached; the counts are true\n";
+    }
+    if (!report.most_touched.empty()) {
+        text += "  most touched  ";
+        for (std::size_t i = 0; i < report.most_touched.size(); ++i) {
+            const auto& part = report.most_touched[i];
+            text +=
+                (i == 0 ? "" : ", ") + part.part + " " + percent(part.scenarios, summary.tested());
+        }
+        text += "\n";
+    }
+    if (report.digest) {
+        text += "  digest        " + to_short_hex(*report.digest) + "\n";
+    }
+    return text;
+}
+
+std::string progress_text(const ProgressState& state, bool with_bar) {
+    const Summary& summary = state.summary;
+    const std::uint64_t done = summary.merged();
+    const double share =
+        summary.total == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(summary.total);
+    std::string text = state.name + "  ";
+    if (with_bar) {
+        constexpr std::size_t width = 26;
+        const auto filled = static_cast<std::size_t>(share * static_cast<double>(width));
+        text += "[" + std::string(filled, '#') + std::string(width - filled, '-') + "]  ";
+    }
+    text += std::to_string(static_cast<int>(100 * share)) + "%  " + grouped(done) + "/" +
+            grouped(summary.total);
+    const double rate = state.seconds > 0 ? static_cast<double>(done) / state.seconds : 0;
+    const std::uint64_t contacts = summary.touch + summary.cross + summary.inside + summary.contact;
+    text += "   " + rate_text(rate) + "/s   contact " + grouped(contacts);
+    if (rate > 0 && done < summary.total) {
+        const auto left =
+            static_cast<std::uint64_t>(std::ceil(static_cast<double>(summary.total - done) / rate));
+        const std::uint64_t seconds = left % 60;
+        text += "   ETA " + std::to_string(left / 60) + (seconds < 10 ? ":0" : ":") +
+                std::to_string(seconds);
+    }
+    return text;
+}
+
+ProgressPrinter::Style ProgressPrinter::style_for(bool quiet) {
+    if (quiet) {
+        return Style::Silent;
+    }
+    const char* terminal = std::getenv("TERM");
+    const bool redraws = terminal != nullptr && std::string(terminal) != "dumb";
+    return isatty(STDERR_FILENO) != 0 && redraws ? Style::Bar : Style::Lines;
+}
+
+ProgressPrinter::~ProgressPrinter() {
+    if (line_is_open_) {
+        std::fputc('\n', stream_);
+    }
+}
+
+void ProgressPrinter::update(const ProgressState& state) {
+    constexpr double bar_period = 0.1;
+    constexpr double line_period = 10;
+    if (style_ == Style::Silent) {
+        return;
+    }
+    if (style_ == Style::Lines && next_seconds_ == 0) {
+        next_seconds_ = line_period;
+    }
+    if (state.seconds < next_seconds_) {
+        return;
+    }
+    next_seconds_ = state.seconds + (style_ == Style::Bar ? bar_period : line_period);
+    draw(state);
+}
+
+void ProgressPrinter::finish(const ProgressState& state) {
+    if (style_ == Style::Bar) {
+        draw(state);
+        std::fputc('\n', stream_);
+        line_is_open_ = false;
+    }
+}
+
+void ProgressPrinter::draw(const ProgressState& state) {
+    const bool bar = style_ == Style::Bar;
+    // To the start of the line, the text, and away with what stood there before.
+    const std::string line =
+        (bar ? "\r" : "") + progress_text(state, bar) + (bar ? "\x1b[K" : "\n");
+    std::fputs(line.c_str(), stream_);
+    std::fflush(stream_);
+    line_is_open_ = bar;
+}
+
+bool colours_wanted(std::FILE* stream) {
+    const char* refused = std::getenv("NO_COLOR");
+    return (refused == nullptr || *refused == '\0') && isatty(fileno(stream)) != 0;
+}
+
+} // namespace cd

@@ -1,0 +1,142 @@
+// Proves that a run in one process gives every result once, in order, with the same digest for any
+// number of threads, and that it ends at once when it is told to.
+#include "client/local_run.hpp"
+
+#include "common/job/run_scenario.hpp"
+#include "common/tree/build.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+
+namespace {
+
+constexpr std::uint64_t scenarios = 3000;
+
+class LocalRun : public testing::Test {
+  protected:
+    static std::vector<Scenario> make_scenarios() {
+        std::mt19937_64 random(7);
+        std::vector<Scenario> list(scenarios);
+        for (std::uint64_t i = 0; i < scenarios; ++i) {
+            list[i].index = i;
+            list[i].poses.b = make_pose(random, 2.5);
+        }
+        return list;
+    }
+
+    [[nodiscard]] Result<RunOutcome> run(unsigned threads, RunObserver observer) {
+        ThreadPool pool(threads);
+        const auto poses = make_list_source(make_scenarios());
+        if (!observer.result) {
+            observer.result = [](const ScenarioResult&) { return Status(Done{}); };
+        }
+        if (!observer.progress) {
+            observer.progress = [](const Summary&, double) {};
+        }
+        if (!observer.stopped) {
+            observer.stopped = [] { return false; };
+        }
+        return run_locally(a_, b_, *poses, query_, pool, observer);
+    }
+
+    ThreadPool build_pool_{1};
+    ObbTree a_ = build_tree(share(make_torus(1.0, 0.4, 24, 12)), {}, build_pool_);
+    ObbTree b_ = build_tree(share(make_sphere(2)), {}, build_pool_);
+    Query query_;
+};
+
+} // namespace
+
+TEST_F(LocalRun, EveryResultComesOnceInOrder) {
+    std::uint64_t next = 0;
+    std::uint64_t contacts = 0;
+    const auto list = make_scenarios();
+    const auto outcome =
+        run(3,
+            {[&](const ScenarioResult& result) {
+                 EXPECT_EQ(result.index, next);
+                 EXPECT_EQ(digest_of(result),
+                           digest_of(run_scenario(a_, b_, list[next], query_).result));
+                 ++next;
+                 contacts += result.pair_count == 0 ? 0 : 1;
+                 return Status(Done{});
+             },
+             {},
+             {}});
+    ASSERT_TRUE(outcome) << outcome.error().detail;
+    EXPECT_EQ(next, scenarios);
+    EXPECT_TRUE(outcome.value().summary.is_complete());
+    EXPECT_EQ(outcome.value().summary.total, scenarios);
+    // Both outcomes were exercised.
+    EXPECT_GT(contacts, scenarios / 10);
+    EXPECT_LT(contacts, scenarios * 9 / 10);
+}
+
+TEST_F(LocalRun, TheDigestDoesNotDependOnThreads) {
+    for (const Level level : {Level::Any, Level::Count, Level::Contacts}) {
+        query_.level = level;
+        const auto one = run(1, {});
+        const auto three = run(3, {});
+        ASSERT_TRUE(one);
+        ASSERT_TRUE(three);
+        ASSERT_TRUE(one.value().digest);
+        EXPECT_EQ(one.value().digest, three.value().digest);
+    }
+}
+
+TEST_F(LocalRun, AnInterruptEndsIt) {
+    std::uint64_t seen = 0;
+    const auto outcome = run(2,
+                             {[&](const ScenarioResult&) {
+                                  ++seen;
+                                  return Status(Done{});
+                              },
+                              {},
+                              [&] { return seen >= 10; }});
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().code, ErrorCode::Interrupted);
+    EXPECT_EQ(seen, 10u);
+}
+
+TEST_F(LocalRun, AWriterThatFailsEndsIt) {
+    const auto outcome = run(
+        2,
+        {[](const ScenarioResult& result) {
+             return result.index == 5 ? Status(Error{ErrorCode::Io, "disk full"}) : Status(Done{});
+         },
+         {},
+         {}});
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().detail, "disk full");
+}
+
+TEST_F(LocalRun, PosesThatCannotBeReadEndIt) {
+    class Broken final : public PoseSource {
+      public:
+        std::uint64_t count() const override { return 1000; }
+        Result<std::vector<Scenario>> read(std::uint64_t first, std::uint64_t) override {
+            if (first >= 128) {
+                return Error{ErrorCode::BadInput, "row 128"};
+            }
+            std::vector<Scenario> list(1);
+            list[0].index = first;
+            return list;
+        }
+    };
+    Broken poses;
+    ThreadPool pool(2);
+    const auto outcome = run_locally(a_,
+                                     b_,
+                                     poses,
+                                     query_,
+                                     pool,
+                                     {[](const ScenarioResult&) { return Status(Done{}); },
+                                      [](const Summary&, double) {},
+                                      [] { return false; }});
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().detail, "row 128");
+}
+
+} // namespace cd::tests

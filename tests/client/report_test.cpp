@@ -1,0 +1,200 @@
+// Proves that the lines around a run say what happened: sizes, progress, classes, coverage, digest.
+#include "client/report.hpp"
+
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Summary example_summary() {
+    Summary summary;
+    summary.total = 100'000;
+    summary.separate = 87'302;
+    summary.touch = 41;
+    summary.cross = 12'557;
+    summary.inside = 100;
+    summary.pairs = 1'204'883;
+    return summary;
+}
+
+BodyLine body(const std::string& name, const Vec3& size) {
+    BodyLine line;
+    line.name = name;
+    line.unit = "m";
+    line.triangles = 48'212;
+    line.size = size;
+    line.parts = 12;
+    line.closed = true;
+    return line;
+}
+
+/// Two parts of six triangles each.
+Mesh two_parts() {
+    const Mesh box = make_box({1, 1, 1});
+    MeshArrays arrays{
+        box.vertices(), box.triangles(), {{"left", 0, 6}, {"right", 6, 12}}, box.precision()};
+    return Mesh::create(std::move(arrays)).value();
+}
+
+/// Everything that `print` writes to a stream.
+template <class Print>
+std::string printed(const Print& print) {
+    char* text = nullptr;
+    std::size_t size = 0;
+    std::FILE* stream = open_memstream(&text, &size);
+    print(stream);
+    std::fclose(stream);
+    std::string copy(text, size);
+    std::free(text);
+    return copy;
+}
+
+ProgressState at(double seconds) {
+    ProgressState state{"j-1", {}, seconds};
+    state.summary.total = 100;
+    state.summary.separate = static_cast<std::uint64_t>(seconds);
+    return state;
+}
+
+} // namespace
+
+TEST(Report, TheHeaderGivesSizes) {
+    BodyLine small = body("bollard.glb", {0.22, 0.22, 1.05});
+    small.parts = 1;
+    small.triangles = 6'340;
+    small.closed = false;
+    EXPECT_EQ(header_text(body("van.glb", {4.91, 2.02, 2.31}), small, 100'000, "grid"),
+              "  A  van.glb          48 212 triangles   4.91 x 2.02 x 2.31 m   closed   12 parts\n"
+              "  B  bollard.glb       6 340 triangles   0.22 x 0.22 x 1.05 m   open     1 part\n"
+              "  poses              100 000  grid\n");
+}
+
+TEST(Report, ASizeRatioOfAUnitIsWarnedAbout) {
+    const BodyLine meters = body("a.obj", {4.0, 1, 1});
+    EXPECT_THAT(unit_warning(meters, body("b.stl", {4010, 1, 1})).value_or(""),
+                HasSubstr("b.stl is 1002.5 times as large as a.obj"));
+    EXPECT_TRUE(unit_warning(body("b", {4.0 * 25.5, 1, 1}), meters));
+    EXPECT_FALSE(unit_warning(meters, body("b", {4.0 * 26, 1, 1})));
+    EXPECT_FALSE(unit_warning(meters, body("b", {3, 1, 1})));
+    EXPECT_FALSE(unit_warning(meters, body("point", {0, 0, 0})));
+}
+
+TEST(Report, TheSummaryCoversEveryScenario) {
+    RunReport report;
+    report.summary = example_summary();
+    report.digest = sha256({});
+    report.seconds = 1.718;
+    report.where = "2 workers";
+    report.most_touched = {{"front_bumper", 6'100}};
+    EXPECT_EQ(
+        summary_text(report),
+        "done in 1.72 s      58 207 scenarios/s, 2 workers\n"
+        "  separate  87 302    touch 41    cross 12 557 (1 204 883 pairs)    inside 100    failed 0"
+        "    tested 100 000 of 100 000\n"
+        "  most touched  front_bumper 6.1 %\n"
+        "  digest        " +
+            to_short_hex(sha256({})) + "\n");
+}
+
+TEST(Report, WhatWasNotTestedIsNotCalledDone) {
+    RunReport report;
+    report.summary = example_summary();
+    report.summary.separate -= 10;
+    report.summary.surfaces_only = 3;
+    report.summary.cut = 2;
+    const std::string text = summary_text(report);
+    EXPECT_THAT(text, HasSubstr("ended after"));
+    EXPECT_THAT(text, HasSubstr("tested 99 990 of 100 000"));
+    EXPECT_THAT(text, HasSubstr("surfaces only  in 3 scenarios"));
+    EXPECT_THAT(text, HasSubstr("limit_pairs was reached"));
+    EXPECT_THAT(text, Not(HasSubstr("digest")));
+}
+
+TEST(Report, LevelAnyKnowsContactAlone) {
+    RunReport report;
+    report.level = Level::Any;
+    report.summary.total = 3;
+    report.summary.separate = 1;
+    report.summary.contact = 2;
+    EXPECT_THAT(summary_text(report), HasSubstr("separate  1    contact 2    failed 0"));
+}
+
+TEST(Report, ColoursComeOnlyWhenAskedFor) {
+    RunReport report;
+    report.summary = example_summary();
+    EXPECT_THAT(summary_text(report, false), Not(HasSubstr("\x1b")));
+    EXPECT_THAT(summary_text(report, true), HasSubstr("\x1b[31mcross 12 557\x1b[0m"));
+}
+
+TEST(PartTally, CountsScenariosNotPairs) {
+    const Mesh a = two_parts();
+    const Mesh b = make_box({1, 1, 1});
+    PartTally tally(a, b);
+    ScenarioResult result;
+    result.pairs = {{0, 0, PairClass::Proper}, {1, 0, PairClass::Proper}, {7, 3, PairClass::Touch}};
+    tally.add(result);
+    result.pairs = {{11, 0, PairClass::Proper}};
+    tally.add(result);
+
+    const auto touched = tally.most_touched(5);
+    ASSERT_EQ(touched.size(), 2u);
+    EXPECT_EQ(touched[0].part, "right");
+    EXPECT_EQ(touched[0].scenarios, 2u);
+    EXPECT_EQ(touched[1].scenarios, 1u);
+    EXPECT_TRUE(PartTally(b, b).most_touched(5).empty());
+}
+
+TEST(Progress, ABarShowsShareRateAndTimeLeft) {
+    ProgressState state{"j-4f2a", example_summary(), 1.0};
+    state.summary.separate = 50'000 - 12'698;
+    EXPECT_EQ(
+        progress_text(state, true),
+        "j-4f2a  [#############-------------]  50%  50 000/100 000   50.0 k/s   contact 12 698   "
+        "ETA 0:01");
+}
+
+TEST(Progress, WithoutATerminalALineComesEachTenSeconds) {
+    const std::string text = printed([](std::FILE* stream) {
+        ProgressPrinter printer(ProgressPrinter::Style::Lines, stream);
+        for (const double seconds : {0.0, 5.0, 9.9, 10.0, 15.0, 19.9, 20.5, 21.0}) {
+            printer.update(at(seconds));
+        }
+        printer.finish(at(21));
+    });
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+    EXPECT_THAT(text, HasSubstr("j-1  10%  10/100"));
+    EXPECT_THAT(text, HasSubstr("j-1  20%  20/100"));
+}
+
+TEST(Progress, ABarIsRedrawnOnItsLine) {
+    const std::string text = printed([](std::FILE* stream) {
+        ProgressPrinter printer(ProgressPrinter::Style::Bar, stream);
+        printer.update(at(0));
+        printer.update(at(0.05));
+        printer.update(at(1));
+    });
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\r'), 2);
+    EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(Progress, QuietIsSilent) {
+    EXPECT_EQ(printed([](std::FILE* stream) {
+                  ProgressPrinter printer(ProgressPrinter::Style::Silent, stream);
+                  printer.update(at(100));
+                  printer.finish(at(100));
+              }),
+              "");
+}
+
+} // namespace cd::tests
