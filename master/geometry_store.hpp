@@ -4,8 +4,9 @@
 #include "common/core/hash.hpp"
 #include "common/core/result.hpp"
 #include "common/core/thread_pool.hpp"
-#include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
+#include "master/cut_geometry.hpp"
+#include "master/mesh_upload.hpp"
 #include "proto/message.hpp"
 
 #include <cstdint>
@@ -16,55 +17,6 @@
 #include <vector>
 
 namespace cd {
-
-/// A tree cut at one depth, with all its blocks encoded and on disk. Immutable, shared freely
-/// between threads; holds the file open, and of its blocks nothing in memory.
-class CutGeometry {
-  public:
-    struct State;
-    explicit CutGeometry(std::unique_ptr<const State> state);
-    CutGeometry(const CutGeometry&) = delete;
-    CutGeometry& operator=(const CutGeometry&) = delete;
-    ~CutGeometry();
-
-    [[nodiscard]] const TreeTop& top() const;
-    [[nodiscard]] std::uint32_t root_count() const;
-    /// The name of a root's uncompressed bytes.
-    [[nodiscard]] const Sha256& hash(RootIndex root) const;
-    [[nodiscard]] std::uint64_t compressed_bytes(RootIndex root) const;
-    /// Over all roots.
-    [[nodiscard]] std::uint64_t compressed_bytes_total() const;
-    [[nodiscard]] std::uint64_t bytes_total() const;
-
-    /// One block as it travels. One read of the file: microseconds while the system caches it, so
-    /// it may be called from the network thread. Errors: Io, naming the file, when it cannot be
-    /// read or the block is damaged.
-    [[nodiscard]] Result<SubtreeBlock> block(RootIndex root) const;
-
-  private:
-    std::unique_ptr<const State> state_;
-};
-
-/// A mesh that comes in pieces, in a temporary file that goes when this does. One thread at a time.
-class MeshUpload {
-  public:
-    struct State;
-    explicit MeshUpload(std::unique_ptr<State> state);
-    MeshUpload(const MeshUpload&) = delete;
-    MeshUpload& operator=(const MeshUpload&) = delete;
-    ~MeshUpload();
-
-    [[nodiscard]] const Sha256& mesh() const;
-    /// The pieces must follow one another. Blocks for the write. Errors: BadInput for a gap, a
-    /// repetition or more than was announced; Io.
-    [[nodiscard]] Status append(std::uint64_t offset, std::span<const std::byte> bytes);
-    /// All announced bytes are there.
-    [[nodiscard]] bool is_complete() const;
-
-  private:
-    friend class GeometryStore;
-    std::unique_ptr<State> state_;
-};
 
 /// The geometry under `<state>/meshes`, `trees` and `blocks`.
 ///
@@ -78,7 +30,8 @@ class MeshUpload {
 /// file.
 class GeometryStore {
   public:
-    /// Makes the directories where they are missing. Errors: Io.
+    /// Makes the directories where they are missing, and locks them against another process.
+    /// Errors: Io.
     [[nodiscard]] static Result<std::unique_ptr<GeometryStore>>
     open(const std::filesystem::path& directory, ThreadPool& pool);
     GeometryStore(const GeometryStore&) = delete;

@@ -74,6 +74,7 @@ class Submitter {
 
   private:
     struct State;
+    ThreadPool& pool_;
     std::shared_ptr<State> state_;
 };
 

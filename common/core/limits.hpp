@@ -38,10 +38,41 @@ inline constexpr std::uint64_t spool_run_scenarios = analysis_block_scenarios; /
 inline constexpr std::size_t result_buffer_bytes_max = 1u << 20; ///< Not yet written to a file.
 inline constexpr std::uint32_t scenario_losses_max = 3; ///< Workers that a scenario may take down.
 
+// The master.
+inline constexpr std::size_t connections_max = 8192;
+inline constexpr std::size_t jobs_running_max = 256;
+inline constexpr std::size_t jobs_ended_kept_max =
+    1024;                                         ///< With their results; then the oldest goes.
+inline constexpr std::uint32_t v_kb_max = 16'384; ///< So that a batch fits a message.
+inline constexpr std::size_t ignored_ranges_max = 1u << 16; ///< They go with each batch.
+inline constexpr std::uint64_t unsent_scenarios_max = 4096; ///< Analysed, beyond the buffers.
+inline constexpr std::uint64_t open_analyses_bytes_max = 512u << 20; ///< Unanswered, in memory.
+inline constexpr std::size_t subtrees_bytes_min = 1u << 20; ///< Blocks are gathered up to this.
+inline constexpr std::size_t subtrees_queue_bytes_max = 16u << 20; ///< Towards one worker.
+inline constexpr std::size_t results_in_hand_max = 8; ///< Messages of one worker, being checked.
+inline constexpr std::uint64_t results_bytes_max = 512u << 20; ///< Of one message, uncompressed.
+inline constexpr std::uint64_t results_part_bytes_target = 4u << 20; ///< To a client, uncompressed.
+inline constexpr std::size_t watches_max = 64;                       ///< Of one client at a time.
+
+// The worker.
+inline constexpr std::uint64_t subtree_bytes_per_triangle = 128; ///< In memory; an estimate.
+inline constexpr std::size_t results_flush_bytes = 1u << 20;     ///< Uncompressed, of one task.
+inline constexpr std::chrono::milliseconds results_flush_period{50};
+inline constexpr std::size_t jobs_per_thread_max = 4; ///< Begun or queued for the threads.
+inline constexpr std::uint32_t worker_threads_max = 4096;
+inline constexpr std::chrono::milliseconds reconnect_after_min{100};
+inline constexpr std::chrono::milliseconds reconnect_after_max{5000};
+
 // Time.
 inline constexpr std::chrono::seconds heartbeat_period{2};
 inline constexpr std::chrono::seconds peer_lost_after{15};
 inline constexpr std::chrono::seconds connect_timeout{10};
+inline constexpr std::chrono::seconds answer_timeout{30}; ///< A client's, for what takes no work.
+inline constexpr std::chrono::seconds mesh_stored_timeout{3600}; ///< And for what does.
+inline constexpr std::chrono::hours client_idle_max{24};
+inline constexpr std::chrono::milliseconds watch_period{200};
+inline constexpr std::chrono::milliseconds accept_retry_period{100};
+inline constexpr std::chrono::seconds stop_grace{5}; ///< For what is under way when a program ends.
 inline constexpr std::chrono::seconds write_stall_max{30}; ///< One frame; then the peer is lost.
 inline constexpr std::chrono::seconds close_flush_max{5};  ///< For what is queued at a close.
 

@@ -1,0 +1,46 @@
+// All subtree blocks of one cut on disk: an index, then the compressed blocks.
+#pragma once
+
+#include "common/core/hash.hpp"
+#include "common/core/result.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/tree/cut.hpp"
+#include "common/tree/obb_tree.hpp"
+#include "master/disk_file.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace cd {
+
+/// Where one root's block stands, and what it is.
+struct BlockPlace {
+    std::uint64_t offset = 0;
+    std::uint64_t compressed_bytes = 0;
+    std::uint64_t bytes = 0;    ///< Uncompressed.
+    Sha256 hash;                ///< Of the uncompressed bytes.
+    std::uint64_t checksum = 0; ///< Of the compressed ones.
+};
+
+struct BlocksFile {
+    DiskFile file;
+    std::vector<BlockPlace> places; ///< By root.
+};
+
+/// Encodes every subtree of the cut, on the pool, and writes the file. Errors: TooLarge when one is
+/// over `limits::subtree_block_bytes_max`; Io.
+[[nodiscard]] Status write_blocks_file(const std::filesystem::path& path,
+                                       const ObbTree& tree,
+                                       std::uint32_t depth,
+                                       ThreadPool& pool);
+
+/// Reads the index. Errors: NotFound; Io naming the file when it is damaged, or was made of another
+/// tree or depth.
+[[nodiscard]] Result<BlocksFile>
+open_blocks_file(const std::filesystem::path& path, const ObbTree& tree, std::uint32_t depth);
+
+/// One compressed block. Errors: Io naming the file.
+[[nodiscard]] Result<Bytes> read_block(const BlocksFile& blocks, RootIndex root);
+
+} // namespace cd

@@ -1,0 +1,47 @@
+// One cut of a tree as the master serves it: its top in memory, its blocks on disk.
+#pragma once
+
+#include "common/core/hash.hpp"
+#include "common/core/result.hpp"
+#include "common/tree/cut.hpp"
+#include "common/tree/obb_tree.hpp"
+#include "proto/message.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+namespace cd {
+
+/// A tree cut at one depth, with all its blocks encoded and on disk. Immutable, shared freely
+/// between threads; holds the file open, and of its blocks nothing in memory.
+class CutGeometry {
+  public:
+    /// Of a file that `write_blocks_file` made. Errors: those of `open_blocks_file`.
+    [[nodiscard]] static Result<std::shared_ptr<const CutGeometry>>
+    open(const std::filesystem::path& path, const ObbTree& tree, std::uint32_t depth);
+    CutGeometry(const CutGeometry&) = delete;
+    CutGeometry& operator=(const CutGeometry&) = delete;
+    ~CutGeometry();
+
+    [[nodiscard]] const TreeTop& top() const;
+    [[nodiscard]] std::uint32_t root_count() const;
+    /// The name of a root's uncompressed bytes.
+    [[nodiscard]] const Sha256& hash(RootIndex root) const;
+    [[nodiscard]] std::uint64_t compressed_bytes(RootIndex root) const;
+    /// Over all roots.
+    [[nodiscard]] std::uint64_t compressed_bytes_total() const;
+    [[nodiscard]] std::uint64_t bytes_total() const;
+
+    /// One block as it travels. One read of the file: microseconds while the system caches it, so
+    /// it may be called from the network thread. Errors: Io, naming the file, when it cannot be
+    /// read or the block is damaged.
+    [[nodiscard]] Result<SubtreeBlock> block(RootIndex root) const;
+
+  private:
+    struct State;
+    explicit CutGeometry(std::unique_ptr<const State> state);
+    std::unique_ptr<const State> state_;
+};
+
+} // namespace cd

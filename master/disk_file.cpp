@@ -1,0 +1,294 @@
+#include "master/disk_file.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/log.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+
+namespace cd {
+
+namespace {
+
+constexpr std::size_t checked_header_bytes = sizeof(std::uint64_t) + sizeof(std::uint32_t);
+
+Error system_failure(const std::string& what, const std::filesystem::path& path) {
+    const std::error_code reason(errno, std::generic_category());
+    const ErrorCode code = errno == ENOENT ? ErrorCode::NotFound : ErrorCode::Io;
+    return {code, "cannot " + what + " " + path.string() + ": " + reason.message()};
+}
+
+Error io_failure(const std::string& what, const std::filesystem::path& path) {
+    return {ErrorCode::Io, system_failure(what, path).detail};
+}
+
+Error damaged(const std::filesystem::path& path, const std::string& why) {
+    return {ErrorCode::Io, path.string() + " is damaged: " + why};
+}
+
+/// A new file called `stem` and a few letters. Sets `stem` to its name.
+int make_unique(std::string& stem) {
+    stem += std::string(temporary_marker) + "XXXXXX";
+    return ::mkostemp(stem.data(), O_CLOEXEC);
+}
+
+/// A name is on the disk only once its directory is.
+Status sync_directory(const std::filesystem::path& directory) {
+    const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) {
+        return io_failure("open", directory);
+    }
+    const bool failed = ::fsync(descriptor) != 0;
+    const Error error = io_failure("sync", directory);
+    ::close(descriptor);
+    return failed ? Status(error) : Status(Done{});
+}
+
+} // namespace
+
+DiskFile::DiskFile(int descriptor, std::filesystem::path path, std::filesystem::path temporary)
+    : descriptor_(descriptor), path_(std::move(path)), temporary_(std::move(temporary)) {}
+
+DiskFile::DiskFile(DiskFile&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)),
+      path_(std::move(other.path_)),
+      temporary_(std::exchange(other.temporary_, {})) {}
+
+DiskFile& DiskFile::operator=(DiskFile&& other) noexcept {
+    if (this != &other) {
+        close();
+        descriptor_ = std::exchange(other.descriptor_, -1);
+        path_ = std::move(other.path_);
+        temporary_ = std::exchange(other.temporary_, {});
+    }
+    return *this;
+}
+
+DiskFile::~DiskFile() {
+    close();
+}
+
+void DiskFile::close() {
+    if (!temporary_.empty()) {
+        ::unlink(temporary_.c_str());
+    }
+    if (descriptor_ >= 0) {
+        ::close(descriptor_);
+    }
+}
+
+Result<DiskFile> DiskFile::open(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) {
+        return system_failure("open", path);
+    }
+    return DiskFile(descriptor, path, {});
+}
+
+Result<DiskFile> DiskFile::create_for(const std::filesystem::path& path) {
+    std::string name = path.string();
+    const int descriptor = make_unique(name);
+    if (descriptor < 0) {
+        return io_failure("create", name);
+    }
+    return DiskFile(descriptor, path, name);
+}
+
+Result<DiskFile> DiskFile::create_nameless(const std::filesystem::path& directory) {
+    std::string name = (directory / "file").string();
+    const int descriptor = make_unique(name);
+    if (descriptor < 0) {
+        return io_failure("create", name);
+    }
+    ::unlink(name.c_str());
+    return DiskFile(descriptor, name, {});
+}
+
+Result<DiskFile> DiskFile::lock(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0) {
+        return io_failure("create", path);
+    }
+    DiskFile file(descriptor, path, {});
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+        return Error{ErrorCode::Io,
+                     path.parent_path().string() + " is in use by another process; give this one "
+                                                   "a directory of its own"};
+    }
+    return file;
+}
+
+Status DiskFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) const {
+    while (!bytes.empty()) {
+        const ssize_t count =
+            ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count < 0) {
+            return io_failure("write", path_);
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+        offset += static_cast<std::uint64_t>(count);
+    }
+    return Done{};
+}
+
+Result<Bytes> DiskFile::read_at(std::uint64_t offset, std::uint64_t size) const {
+    const Result<std::uint64_t> there = this->size();
+    if (!there) {
+        return there.error();
+    }
+    if (offset > there.value() || size > there.value() - offset) {
+        return damaged(path_, "it is cut short");
+    }
+    Bytes bytes(size);
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = ::pread(descriptor_,
+                                      bytes.data() + done,
+                                      bytes.size() - done,
+                                      static_cast<off_t>(offset + done));
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count < 0) {
+            return io_failure("read", path_);
+        }
+        if (count == 0) {
+            return damaged(path_, "it is cut short");
+        }
+        done += static_cast<std::size_t>(count);
+    }
+    return bytes;
+}
+
+Result<std::uint64_t> DiskFile::size() const {
+    struct stat facts {};
+    if (::fstat(descriptor_, &facts) != 0) {
+        return io_failure("examine", path_);
+    }
+    return static_cast<std::uint64_t>(facts.st_size);
+}
+
+Status DiskFile::commit() {
+    CD_CHECK(!temporary_.empty());
+    if (::fsync(descriptor_) != 0) {
+        return io_failure("sync", path_);
+    }
+    if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
+        return io_failure("name", path_);
+    }
+    temporary_.clear();
+    return sync_directory(path_.parent_path());
+}
+
+Status make_directories(const std::filesystem::path& directory) {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error) {
+        return Error{ErrorCode::Io, "cannot create " + directory.string() + ": " + error.message()};
+    }
+    return Done{};
+}
+
+Status set_aside(const std::filesystem::path& path, const std::string& why) {
+    std::filesystem::path aside;
+    int number = 0;
+    do {
+        aside = path.string() + ".damaged-" + std::to_string(++number);
+    } while (std::filesystem::exists(aside));
+    std::error_code error;
+    std::filesystem::rename(path, aside, error);
+    if (error) {
+        return Error{ErrorCode::Io, "cannot set aside " + path.string() + ": " + error.message()};
+    }
+    spdlog::warn(
+        "damaged file set aside: file={} to={} why={}", path.string(), aside.string(), why);
+    return Done{};
+}
+
+Status write_checked(const std::filesystem::path& path,
+                     FileKind kind,
+                     std::span<const std::byte> content) {
+    Result<DiskFile> file = DiskFile::create_for(path);
+    if (!file) {
+        return file.error();
+    }
+    ByteWriter header;
+    header.put(kind.magic);
+    header.put(kind.version);
+    ByteWriter footer;
+    footer.put(checksum(content));
+    std::uint64_t offset = 0;
+    for (const std::span<const std::byte> piece : {std::span<const std::byte>(header.bytes()),
+                                                   content,
+                                                   std::span<const std::byte>(footer.bytes())}) {
+        if (const Status status = file.value().write_at(offset, piece); !status) {
+            return status.error();
+        }
+        offset += piece.size();
+    }
+    return file.value().commit();
+}
+
+Result<Bytes> read_checked(const std::filesystem::path& path, FileKind kind) {
+    const Result<DiskFile> file = DiskFile::open(path);
+    if (!file) {
+        return file.error();
+    }
+    const Result<std::uint64_t> size = file.value().size();
+    if (!size) {
+        return size.error();
+    }
+    if (size.value() < checked_header_bytes + sizeof(std::uint64_t)) {
+        return damaged(path, "it is cut short");
+    }
+    const std::uint64_t content_bytes = size.value() - checked_header_bytes - sizeof(std::uint64_t);
+    const Result<Bytes> header = file.value().read_at(0, checked_header_bytes);
+    Result<Bytes> content = file.value().read_at(checked_header_bytes, content_bytes);
+    const Result<Bytes> footer =
+        file.value().read_at(checked_header_bytes + content_bytes, sizeof(std::uint64_t));
+    for (const Result<Bytes>* piece : {&header, &std::as_const(content), &footer}) {
+        if (!*piece) {
+            return piece->error();
+        }
+    }
+    ByteReader head(header.value());
+    if (head.get<std::uint64_t>() != kind.magic) {
+        return damaged(path, "it is a file of another kind");
+    }
+    if (const auto version = head.get<std::uint32_t>(); version != kind.version) {
+        return damaged(path,
+                       "its version is " + std::to_string(version) + ", expected " +
+                           std::to_string(kind.version));
+    }
+    if (ByteReader(footer.value()).get<std::uint64_t>() != checksum(content.value())) {
+        return damaged(path, "its checksum is wrong");
+    }
+    return content;
+}
+
+void put_bytes(ByteWriter& out, std::span<const std::byte> bytes) {
+    out.put_array(std::span(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+void put_hash(ByteWriter& out, const Sha256& hash) {
+    put_bytes(out, hash.bytes);
+}
+
+Sha256 get_hash(ByteReader& in) {
+    Sha256 hash;
+    for (std::byte& byte : hash.bytes) {
+        byte = static_cast<std::byte>(in.get<std::uint8_t>());
+    }
+    return hash;
+}
+
+} // namespace cd

@@ -1,0 +1,349 @@
+#include "master/geometry_store.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/core/log.hpp"
+#include "common/tree/build.hpp"
+#include "master/blocks_file.hpp"
+#include "master/disk_file.hpp"
+#include "master/mesh_file.hpp"
+#include "master/tree_file.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <set>
+
+namespace cd {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
+namespace {
+
+/// One mesh, here or about to be.
+struct Entry {
+    std::mutex making; ///< Held while the tree or a cut of it is made; guards these three:
+    bool stored = false;
+    std::weak_ptr<const ObbTree> tree;
+    std::map<std::uint32_t, std::weak_ptr<const CutGeometry>> cuts;
+};
+
+} // namespace
+
+struct GeometryStore::State {
+    State(std::filesystem::path where, DiskFile locked, ThreadPool& threads)
+        : directory(std::move(where)), lock_file(std::move(locked)), pool(threads) {}
+
+    std::filesystem::path directory;
+    DiskFile lock_file;
+    ThreadPool& pool;
+    std::shared_ptr<std::atomic<std::size_t>> open_uploads =
+        std::make_shared<std::atomic<std::size_t>>(0);
+
+    mutable std::mutex mutex; ///< Guards all below; never held during work.
+    std::map<Sha256, std::shared_ptr<Entry>> entries;
+    std::map<Sha256, MeshStatus> statuses;             ///< Of the meshes that are here.
+    std::deque<std::shared_ptr<const ObbTree>> recent; ///< Keeps trees between jobs.
+
+    [[nodiscard]] std::filesystem::path mesh_path(const Sha256& mesh) const {
+        return directory / "meshes" / (to_hex(mesh) + std::string(mesh_suffix));
+    }
+    [[nodiscard]] std::filesystem::path info_path(const Sha256& mesh) const {
+        return directory / "meshes" / (to_hex(mesh) + ".info");
+    }
+    [[nodiscard]] std::filesystem::path tree_path(const Sha256& mesh) const {
+        return directory / "trees" / (to_hex(mesh) + ".tree");
+    }
+    [[nodiscard]] std::filesystem::path blocks_path(const Sha256& mesh, std::uint32_t depth) const {
+        return directory / "blocks" / (to_hex(mesh) + "-d" + std::to_string(depth) + ".blocks");
+    }
+
+    void find_meshes();
+    [[nodiscard]] bool has(const Sha256& mesh) const;
+    [[nodiscard]] std::shared_ptr<Entry> find(const Sha256& mesh) const;
+    [[nodiscard]] std::shared_ptr<Entry> find_or_add(const Sha256& mesh);
+    void keep(const std::shared_ptr<const ObbTree>& tree);
+    Status store(Entry& entry, MeshUpload& upload);
+    Result<std::shared_ptr<const ObbTree>> build(std::shared_ptr<const Mesh> mesh, double& seconds);
+    Result<std::shared_ptr<const ObbTree>> load_tree(Entry& entry, const Sha256& mesh);
+    Result<std::shared_ptr<const CutGeometry>>
+    load_cut(Entry& entry, const ObbTree& tree, std::uint32_t depth);
+};
+
+/// Meshes of earlier runs, and what a run that was killed left half-written.
+void GeometryStore::State::find_meshes() {
+    for (const char* folder : {"meshes", "trees", "blocks"}) {
+        for (const auto& file : std::filesystem::directory_iterator(directory / folder)) {
+            const std::filesystem::path& path = file.path();
+            std::error_code ignored;
+            if (path.filename().string().find(temporary_marker) != std::string::npos) {
+                std::filesystem::remove(path, ignored);
+                continue;
+            }
+            const std::optional<Sha256> hash = sha256_from_hex(path.stem().string());
+            if (path.extension() != mesh_suffix || !hash) {
+                continue;
+            }
+            const MeshInfo info = read_info(info_path(*hash));
+            auto entry = std::make_shared<Entry>();
+            entry->stored = true;
+            entries[*hash] = std::move(entry);
+            statuses[*hash] = {*hash, info.name, info.triangles, file.file_size(), 0};
+        }
+    }
+}
+
+bool GeometryStore::State::has(const Sha256& mesh) const {
+    const std::lock_guard lock(mutex);
+    return statuses.contains(mesh);
+}
+
+std::shared_ptr<Entry> GeometryStore::State::find(const Sha256& mesh) const {
+    const std::lock_guard lock(mutex);
+    const auto found = entries.find(mesh);
+    return found == entries.end() ? nullptr : found->second;
+}
+
+std::shared_ptr<Entry> GeometryStore::State::find_or_add(const Sha256& mesh) {
+    const std::lock_guard lock(mutex);
+    std::shared_ptr<Entry>& entry = entries[mesh];
+    if (entry == nullptr) {
+        entry = std::make_shared<Entry>();
+    }
+    return entry;
+}
+
+void GeometryStore::State::keep(const std::shared_ptr<const ObbTree>& tree) {
+    const std::lock_guard lock(mutex);
+    std::erase(recent, tree);
+    recent.push_back(tree);
+    if (recent.size() > limits::trees_kept_max) {
+        recent.pop_front();
+    }
+}
+
+/// Builds the tree and writes it.
+Result<std::shared_ptr<const ObbTree>> GeometryStore::State::build(std::shared_ptr<const Mesh> mesh,
+                                                                   double& seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    const Sha256 hash = mesh->hash();
+    auto tree = std::make_shared<const ObbTree>(build_tree(std::move(mesh), BuildOptions{}, pool));
+    seconds = seconds_since(start);
+    spdlog::info("tree built: mesh={} triangles={} seconds={:.3f}",
+                 to_short_hex(hash),
+                 tree->mesh().triangles().size(),
+                 seconds);
+    if (const Status status = write_tree_file(tree_path(hash), *tree); !status) {
+        return status.error();
+    }
+    return tree;
+}
+
+/// The mesh's name on the disk comes last, so that a mesh that is there has all else.
+Status GeometryStore::State::store(Entry& entry, MeshUpload& upload) {
+    const Result<std::shared_ptr<const Mesh>> mesh = upload.read();
+    if (!mesh) {
+        return mesh.error();
+    }
+    const Sha256& hash = upload.mesh();
+    const std::uint64_t triangles = mesh.value()->triangles().size();
+    MeshStatus facts{hash, upload.name(), triangles, upload.bytes_total(), 0};
+    const Result<std::shared_ptr<const ObbTree>> tree = build(mesh.value(), facts.build_seconds);
+    if (!tree) {
+        return tree.error();
+    }
+    if (Status status = write_info(info_path(hash), {facts.name, facts.triangles}); !status) {
+        return status;
+    }
+    if (Status status = upload.commit(); !status) {
+        return status;
+    }
+    keep(tree.value());
+    entry.tree = tree.value();
+    entry.stored = true;
+    const std::lock_guard lock(mutex);
+    statuses[hash] = std::move(facts);
+    return Done{};
+}
+
+Result<std::shared_ptr<const ObbTree>> GeometryStore::State::load_tree(Entry& entry,
+                                                                       const Sha256& mesh_hash) {
+    if (auto tree = entry.tree.lock()) {
+        keep(tree);
+        return tree;
+    }
+    const Result<std::shared_ptr<const Mesh>> mesh = read_mesh(mesh_path(mesh_hash), mesh_hash);
+    if (!mesh) {
+        return mesh.error();
+    }
+    const std::filesystem::path path = tree_path(mesh_hash);
+    Result<std::shared_ptr<const ObbTree>> tree = read_tree_file(path, mesh.value());
+    double seconds = 0;
+    if (!tree && tree.error().code != ErrorCode::NotFound) {
+        if (const Status status = set_aside(path, tree.error().detail); !status) {
+            return status.error();
+        }
+    }
+    if (!tree) {
+        tree = build(mesh.value(), seconds);
+    }
+    if (tree) {
+        keep(tree.value());
+        entry.tree = tree.value();
+        const std::lock_guard lock(mutex);
+        statuses[mesh_hash].build_seconds += seconds;
+        statuses[mesh_hash].triangles = mesh.value()->triangles().size();
+    }
+    return tree;
+}
+
+Result<std::shared_ptr<const CutGeometry>>
+GeometryStore::State::load_cut(Entry& entry, const ObbTree& tree, std::uint32_t depth) {
+    if (auto cut = entry.cuts[depth].lock()) {
+        return cut;
+    }
+    const std::filesystem::path path = blocks_path(tree.mesh().hash(), depth);
+    Result<std::shared_ptr<const CutGeometry>> cut = CutGeometry::open(path, tree, depth);
+    if (!cut && cut.error().code != ErrorCode::NotFound) {
+        if (const Status status = set_aside(path, cut.error().detail); !status) {
+            return status.error();
+        }
+    }
+    if (!cut) {
+        const auto start = std::chrono::steady_clock::now();
+        if (const Status status = write_blocks_file(path, tree, depth, pool); !status) {
+            return status.error();
+        }
+        spdlog::info("blocks encoded: mesh={} depth={} seconds={:.3f}",
+                     to_short_hex(tree.mesh().hash()),
+                     depth,
+                     seconds_since(start));
+        cut = CutGeometry::open(path, tree, depth);
+    }
+    if (cut) {
+        entry.cuts[depth] = cut.value();
+    }
+    return cut;
+}
+
+GeometryStore::GeometryStore(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GeometryStore::~GeometryStore() = default;
+
+Result<std::unique_ptr<GeometryStore>> GeometryStore::open(const std::filesystem::path& directory,
+                                                           ThreadPool& pool) {
+    for (const char* folder : {"meshes", "trees", "blocks"}) {
+        if (const Status status = make_directories(directory / folder); !status) {
+            return status.error();
+        }
+    }
+    Result<DiskFile> lock_file = DiskFile::lock(directory / "lock");
+    if (!lock_file) {
+        return lock_file.error();
+    }
+    auto state = std::make_unique<State>(directory, std::move(lock_file.value()), pool);
+    try {
+        state->find_meshes();
+    } catch (const std::filesystem::filesystem_error& error) {
+        return Error{ErrorCode::Io, error.what()};
+    }
+    return std::unique_ptr<GeometryStore>(new GeometryStore(std::move(state)));
+}
+
+bool GeometryStore::has(const Sha256& mesh) const {
+    return state_->has(mesh);
+}
+
+std::vector<Sha256> GeometryStore::missing(std::span<const Sha256> meshes) const {
+    std::vector<Sha256> missing;
+    std::set<Sha256> named;
+    for (const Sha256& mesh : meshes) {
+        if (!has(mesh) && named.insert(mesh).second) {
+            missing.push_back(mesh);
+        }
+    }
+    return missing;
+}
+
+Result<std::unique_ptr<MeshUpload>> GeometryStore::begin_upload(const Sha256& mesh,
+                                                                const std::string& name,
+                                                                std::uint64_t bytes_total) {
+    if (bytes_total > limits::mesh_bytes_max) {
+        return Error{ErrorCode::TooLarge,
+                     "a mesh of " + std::to_string(bytes_total) + " bytes; at most " +
+                         std::to_string(limits::mesh_bytes_max) + " are allowed"};
+    }
+    if (*state_->open_uploads >= limits::mesh_uploads_max) {
+        return Error{ErrorCode::TooLarge, "too many meshes are being uploaded; try again later"};
+    }
+    Result<DiskFile> file = DiskFile::create_for(state_->mesh_path(mesh));
+    if (!file) {
+        return file.error();
+    }
+    return std::make_unique<MeshUpload>(
+        std::move(file.value()), mesh, name, bytes_total, state_->open_uploads);
+}
+
+Status GeometryStore::finish_upload(std::unique_ptr<MeshUpload> given) {
+    // Gone, with its file, when this returns; a parameter may live a little longer.
+    const std::unique_ptr<MeshUpload> upload = std::move(given);
+    const Sha256 mesh = upload->mesh();
+    const std::shared_ptr<Entry> entry = state_->find_or_add(mesh);
+    const std::lock_guard making(entry->making);
+    Status status = entry->stored ? Status(Done{}) : state_->store(*entry, *upload);
+    const std::lock_guard lock(state_->mutex);
+    if (status) {
+        state_->entries[mesh] = entry;
+    } else if (const auto found = state_->entries.find(mesh);
+               found != state_->entries.end() && found->second == entry) {
+        state_->entries.erase(found);
+    }
+    return status;
+}
+
+Result<std::shared_ptr<const ObbTree>> GeometryStore::tree(const Sha256& mesh) {
+    const std::shared_ptr<Entry> entry = state_->find(mesh);
+    if (entry == nullptr) {
+        return Error{ErrorCode::NotFound, "no mesh " + to_short_hex(mesh) + " here"};
+    }
+    const std::lock_guard making(entry->making);
+    if (!entry->stored) {
+        return Error{ErrorCode::NotFound, "no mesh " + to_short_hex(mesh) + " here"};
+    }
+    return state_->load_tree(*entry, mesh);
+}
+
+Result<std::shared_ptr<const CutGeometry>> GeometryStore::cut(const Sha256& mesh,
+                                                              std::uint32_t depth) {
+    if (depth > limits::distribution_depth_max) {
+        return Error{ErrorCode::TooLarge,
+                     "distribution depth " + std::to_string(depth) + "; at most " +
+                         std::to_string(limits::distribution_depth_max) + " is allowed"};
+    }
+    const Result<std::shared_ptr<const ObbTree>> tree = this->tree(mesh);
+    if (!tree) {
+        return tree.error();
+    }
+    const std::shared_ptr<Entry> entry = state_->find(mesh);
+    const std::lock_guard making(entry->making);
+    return state_->load_cut(*entry, *tree.value(), depth);
+}
+
+std::vector<MeshStatus> GeometryStore::meshes() const {
+    const std::lock_guard lock(state_->mutex);
+    std::vector<MeshStatus> meshes;
+    meshes.reserve(state_->statuses.size());
+    for (const auto& [hash, status] : state_->statuses) {
+        meshes.push_back(status);
+    }
+    return meshes;
+}
+
+} // namespace cd

@@ -1,0 +1,63 @@
+#include "master/mesh_file.hpp"
+
+#include "common/core/log.hpp"
+#include "master/disk_file.hpp"
+
+namespace cd {
+
+namespace {
+
+constexpr FileKind info_kind{0x31'4f'46'4e'49'44'43'00, 1}; // "\0CDINFO1"
+
+} // namespace
+
+Status write_info(const std::filesystem::path& path, const MeshInfo& info) {
+    ByteWriter out;
+    out.put_text(info.name);
+    out.put(info.triangles);
+    return write_checked(path, info_kind, out.bytes());
+}
+
+MeshInfo read_info(const std::filesystem::path& path) {
+    const Result<Bytes> content = read_checked(path, info_kind);
+    if (!content) {
+        spdlog::warn("no description of a mesh: why={}", content.error().detail);
+        return {};
+    }
+    ByteReader in(content.value());
+    MeshInfo info;
+    info.name = in.get_text();
+    info.triangles = in.get<std::uint64_t>();
+    return info;
+}
+
+Result<std::shared_ptr<const Mesh>> read_mesh(const std::filesystem::path& path,
+                                              const Sha256& hash) {
+    const auto damaged = [&](const std::string& why) {
+        return Error{ErrorCode::Io,
+                     path.string() + " is damaged: " + why +
+                         "; move it away, restart cdmaster and submit the mesh again"};
+    };
+    const Result<DiskFile> file = DiskFile::open(path);
+    if (!file) {
+        return file.error();
+    }
+    const Result<std::uint64_t> size = file.value().size();
+    if (!size) {
+        return size.error();
+    }
+    const Result<Bytes> bytes = file.value().read_at(0, size.value());
+    if (!bytes) {
+        return bytes.error();
+    }
+    if (sha256(bytes.value()) != hash) {
+        return damaged("its content does not have its name's hash");
+    }
+    Result<Mesh> mesh = Mesh::from_canonical_bytes(bytes.value());
+    if (!mesh) {
+        return damaged(mesh.error().detail);
+    }
+    return std::make_shared<const Mesh>(std::move(mesh.value()));
+}
+
+} // namespace cd

@@ -1,0 +1,32 @@
+// A mesh on disk: its canonical bytes, and beside them what is shown of it.
+#pragma once
+
+#include "common/core/hash.hpp"
+#include "common/core/result.hpp"
+#include "common/geometry/mesh.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace cd {
+
+inline constexpr std::string_view mesh_suffix = ".mesh";
+
+/// What is shown of a mesh without opening it.
+struct MeshInfo {
+    std::string name;
+    std::uint64_t triangles = 0;
+};
+
+[[nodiscard]] Status write_info(const std::filesystem::path& path, const MeshInfo& info);
+/// Only people miss it: what cannot be read is logged and left empty.
+[[nodiscard]] MeshInfo read_info(const std::filesystem::path& path);
+
+/// The mesh of this hash. Errors: Io naming the file when it is damaged or cannot be read.
+[[nodiscard]] Result<std::shared_ptr<const Mesh>> read_mesh(const std::filesystem::path& path,
+                                                            const Sha256& hash);
+
+} // namespace cd

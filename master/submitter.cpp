@@ -1,0 +1,179 @@
+#include "master/submitter.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/job/run_scenario.hpp"
+
+#include <algorithm>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+
+namespace cd {
+
+namespace {
+
+ScenarioResult
+failed_result(const AnalysisInput& input, const Scenario& scenario, const Error& why) {
+    ScenarioResult result;
+    result.index = scenario.index;
+    result.body_a = scenario.body_a;
+    result.body_b = scenario.body_b;
+    result.level = input.query.level;
+    result.kind = ScenarioClass::Failed;
+    result.failure = "scenario " + std::to_string(scenario.index) + ": " + why.detail;
+    return result;
+}
+
+/// The paper's step for one scenario, where the poses' bytes are not yet counted.
+Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario) {
+    Analysis analysis;
+    analysis.scenario = scenario;
+    // The two roots of the tops are the bodies' own boxes, so this is the broad phase as well.
+    Result<std::vector<RootPair>> pairs =
+        colliding_roots(*input.top_a, *input.top_b, scenario.poses);
+    if (!pairs) {
+        analysis.finished = failed_result(input, scenario, pairs.error());
+    } else if (pairs.value().empty()) {
+        analysis.finished = run_on_subtrees({}, scenario, input.query).result;
+        settle_class(*input.a, *input.b, scenario, input.query, *analysis.finished);
+    } else {
+        analysis.pairs = std::move(pairs.value());
+        analysis.roots_a = roots_of_a(analysis.pairs);
+        analysis.roots_b = roots_of_b(analysis.pairs);
+    }
+    return analysis;
+}
+
+std::uint64_t bytes_in_batch(const Analysis& analysis, std::uint64_t pose_bytes) {
+    return pose_bytes + sizeof(std::uint32_t) + analysis.pairs.size() * sizeof(RootPair);
+}
+
+AnalysedBlock analyse_block(const AnalysisInput& input, std::uint64_t first, std::uint64_t count) {
+    AnalysedBlock block;
+    block.first = first;
+    const Result<std::vector<Scenario>> scenarios = input.poses->read(first, count);
+    if (!scenarios) {
+        block.error = scenarios.error();
+        return block;
+    }
+    const std::uint64_t pose_bytes = pack_scenarios(scenarios.value()).size() / count;
+    block.scenarios.reserve(count);
+    for (const Scenario& scenario : scenarios.value()) {
+        block.scenarios.push_back(analyse_uncounted(input, scenario));
+        block.scenarios.back().bytes = bytes_in_batch(block.scenarios.back(), pose_bytes);
+    }
+    return block;
+}
+
+} // namespace
+
+Analysis analyse(const AnalysisInput& input, const Scenario& scenario) {
+    Analysis analysis = analyse_uncounted(input, scenario);
+    analysis.bytes =
+        bytes_in_batch(analysis, pack_scenarios(std::span<const Scenario>(&scenario, 1)).size());
+    return analysis;
+}
+
+/// Shared with the functions on the pool, which may outlive the submitter.
+struct Submitter::State {
+    AnalysisInput input;
+    std::function<void(AnalysedBlock)> deliver;
+
+    mutable std::mutex mutex;
+    std::condition_variable changed;
+    std::uint64_t started = 0;                    ///< Blocks
+    std::uint64_t delivered = 0;                  ///< of the job.
+    std::map<std::uint64_t, AnalysedBlock> ready; ///< Analysed, waiting for those before them.
+    bool delivering = false;
+    bool stopped = false;
+
+    [[nodiscard]] std::uint64_t blocks_total() const {
+        const std::uint64_t count = input.poses->count();
+        return count / limits::analysis_block_scenarios +
+               (count % limits::analysis_block_scenarios != 0 ? 1 : 0);
+    }
+    void run_block(std::uint64_t number);
+    void deliver_ready();
+};
+
+void Submitter::State::run_block(std::uint64_t number) {
+    {
+        const std::lock_guard lock(mutex);
+        if (stopped) {
+            return;
+        }
+    }
+    const std::uint64_t first = number * limits::analysis_block_scenarios;
+    const std::uint64_t count =
+        std::min(limits::analysis_block_scenarios, input.poses->count() - first);
+    AnalysedBlock block = analyse_block(input, first, count);
+    {
+        const std::lock_guard lock(mutex);
+        ready.emplace(number, std::move(block));
+        // Whoever delivers goes on until nothing is ready.
+        if (delivering || stopped) {
+            return;
+        }
+        delivering = true;
+    }
+    deliver_ready();
+}
+
+void Submitter::State::deliver_ready() {
+    std::unique_lock lock(mutex);
+    while (!stopped && !ready.empty() && ready.begin()->first == delivered) {
+        AnalysedBlock block = std::move(ready.begin()->second);
+        ready.erase(ready.begin());
+        ++delivered;
+        stopped = block.error.has_value();
+        lock.unlock();
+        deliver(std::move(block));
+        lock.lock();
+    }
+    delivering = false;
+    changed.notify_all();
+}
+
+Submitter::Submitter(ThreadPool& pool,
+                     AnalysisInput input,
+                     std::function<void(AnalysedBlock)> deliver)
+    : pool_(pool), state_(std::make_shared<State>()) {
+    state_->input = std::move(input);
+    state_->deliver = std::move(deliver);
+}
+
+Submitter::~Submitter() {
+    std::unique_lock lock(state_->mutex);
+    state_->stopped = true;
+    state_->changed.wait(lock, [this] { return !state_->delivering; });
+}
+
+std::uint64_t Submitter::start(std::uint64_t blocks) {
+    std::uint64_t begin = 0;
+    std::uint64_t end = 0;
+    {
+        const std::lock_guard lock(state_->mutex);
+        if (state_->stopped) {
+            return 0;
+        }
+        begin = state_->started;
+        end = begin + std::min(blocks, state_->blocks_total() - begin);
+        state_->started = end;
+    }
+    for (std::uint64_t number = begin; number < end; ++number) {
+        pool_.post([state = state_, number] { state->run_block(number); });
+    }
+    return end - begin;
+}
+
+std::uint64_t Submitter::under_way() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->stopped ? 0 : state_->started - state_->delivered;
+}
+
+bool Submitter::all_started() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->stopped || state_->started == state_->blocks_total();
+}
+
+} // namespace cd
