@@ -1,0 +1,402 @@
+#include "client/cli.hpp"
+
+#include "client/exit_code.hpp"
+#include "client/units.hpp"
+#include "common/core/limits.hpp"
+#include "common/core/version.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <sstream>
+
+namespace cd {
+
+namespace {
+
+/// Help that opens with what to type. A description's first line says what the verb does; the rest
+/// are its examples.
+class ExamplesFirst final : public CLI::Formatter {
+  public:
+    std::string make_description(const CLI::App* app) const override {
+        const std::string text = app->get_description();
+        const auto end = text.find('\n');
+        if (end == std::string::npos) {
+            return text + "\n\n";
+        }
+        return text.substr(end + 1) + "\n\n" + text.substr(0, end) + "\n\n";
+    }
+
+    std::string make_subcommand(const CLI::App* verb) const override {
+        const std::string text = verb->get_description();
+        std::ostringstream out;
+        CLI::detail::format_help(
+            out, verb->get_name(), text.substr(0, text.find('\n')), get_column_width());
+        return out.str();
+    }
+};
+
+constexpr const char* main_help =
+    "Finds every contact of two triangle meshes for many poses, here or on a cluster.\n"
+    "Examples:\n"
+    "  cdctl demo                                          a local cluster and a real vehicle\n"
+    "  cdctl run --a car.obj --b post.stl --poses p.csv --out out\n"
+    "  cdctl run --a car.obj --b post.stl --random 1000    the paper's kind of scenarios\n"
+    "  cdctl run job.toml                                  on this machine alone\n"
+    "  cdctl run job.toml --master 127.0.0.1:7600          on the cluster\n"
+    "  cdctl inspect car.obj                               size, parts, closed or not\n"
+    "\n"
+    "Triangles only, exactly: no hulls, no tolerance. A pose maps B's coordinates into A's frame:\n"
+    "x_A = R x_B + t.\n"
+    "\n"
+    "Exit codes: 0 done; 1 done, and contacts found (only with --fail-on); 2 wrong usage or "
+    "input;\n"
+    "3 incomplete (failed, cancelled); 4 master unreachable; 5 refused; 130 and 143 ended by a "
+    "signal.\n"
+    "Data goes to stdout, progress to stderr. NO_COLOR is honoured. `cdctl VERB --help` tells "
+    "more.";
+
+constexpr const char* run_help =
+    "Runs a job and reports: on this machine alone, or with --master on the cluster.\n"
+    "Examples:\n"
+    "  cdctl run job.toml\n"
+    "  cdctl run job.toml --master 127.0.0.1:7600 --out out\n"
+    "  cdctl run --a car.obj --b post.stl --unit-b mm --poses poses.csv --out out --formats "
+    "csv,npz\n"
+    "  cdctl run --a car.obj --b tram.obj --random 3744 --seed 1 --penetration 0.005 0.05\n"
+    "  cdctl run --a a.stl --b b.stl --poses - -o csv < poses.csv > scenarios.csv\n"
+    "  cdctl run job.toml --level count --fail-on cross || echo 'it clashes'\n"
+    "\n"
+    "A job.toml has the keys name, unit, and the tables\n"
+    "  [a] [b]    mesh = \"car.obj\", unit = \"mm\" (m, cm, mm, km, in, ft), name\n"
+    "  [poses]    file = \"poses.npy\" | grid = { x = [-3, 3, 200], yaw_deg = [0, 350, 36] }\n"
+    "             | random = { n = 1000, seed = 1, penetration = [0.005, 0.05] };\n"
+    "             quat_order = \"xyzw\", of = \"both\", rigid_tolerance = 1e-5\n"
+    "  [query]    level = \"any\" | \"count\" | \"pairs\" | \"contacts\", limit_pairs = 10_000,\n"
+    "             ignore = [[\"wheel_*\", \"ground\"]]\n"
+    "  [output]   dir = \"out\", formats = [\"text\", \"json\", \"csv\", \"npz\"]\n"
+    "  [cluster]  strategy = \"best-match\", depth = { a = 12, b = 6 }, q = 20, v_kb = 4096, claim "
+    "= true";
+
+const std::vector<std::string> levels{"any", "count", "pairs", "contacts"};
+const std::vector<std::string> strategies{"best-match", "best-match-load", "random", "lowest"};
+const std::map<std::string, FailOn> fail_on_words{{"touch", FailOn::Touch},
+                                                  {"cross", FailOn::Cross}};
+
+std::vector<std::string> units() {
+    const auto names = unit_names();
+    return {names.begin(), names.end()};
+}
+
+void add_job_options(CLI::App& verb, JobOptions& job) {
+    verb.add_option("job", job.file, "A job file (job.toml)")->type_name("JOB");
+    const std::string inputs = "Without a job file";
+    verb.add_option("--a", job.a, "Mesh of body A")->type_name("MESH")->group(inputs);
+    verb.add_option("--b", job.b, "Mesh of body B")->type_name("MESH")->group(inputs);
+    verb.add_option("--unit", job.unit, "Unit of the job and its poses (m)")
+        ->check(CLI::IsMember(units()))
+        ->type_name("UNIT")
+        ->group(inputs);
+    verb.add_option("--unit-a", job.unit_a, "Unit of A's file, where it differs")
+        ->check(CLI::IsMember(units()))
+        ->type_name("UNIT")
+        ->group(inputs);
+    verb.add_option("--unit-b", job.unit_b, "Unit of B's file, where it differs")
+        ->check(CLI::IsMember(units()))
+        ->type_name("UNIT")
+        ->group(inputs);
+    verb.add_option("--poses", job.poses, "Poses of B in A's frame: .npy, .csv, TUM; - is stdin")
+        ->type_name("FILE")
+        ->group(inputs);
+    verb.add_option("--quat-order", job.quat_order, "Only for a bare (N,7): xyzw or wxyz")
+        ->check(CLI::IsMember(std::vector<std::string>{"xyzw", "wxyz"}))
+        ->type_name("ORDER")
+        ->group(inputs);
+    verb.add_flag("--both", job.poses_of_both, "The file has poses of both bodies")->group(inputs);
+    verb.add_option("--rigid-tolerance", job.rigid_tolerance, "How far a matrix may be from rigid")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("X")
+        ->group(inputs);
+    verb.add_option("--random", job.random, "N scenarios from random directions, pushed in")
+        ->check(CLI::PositiveNumber)
+        ->type_name("N")
+        ->group(inputs);
+    verb.add_option("--seed", job.seed, "Seed of --random (1)")->type_name("N")->group(inputs);
+    verb.add_option(
+            "--penetration", job.penetration, "Least and most, of B's box diagonal (0.005 0.05)")
+        ->expected(2)
+        ->type_name("X")
+        ->group(inputs);
+
+    const std::string query = "What is asked";
+    verb.add_option("--name", job.name, "The job's name")->type_name("NAME")->group(query);
+    verb.add_option("--level", job.level, "any, count, pairs (default) or contacts")
+        ->check(CLI::IsMember(levels))
+        ->type_name("LEVEL")
+        ->group(query);
+    verb.add_option("--limit-pairs", job.limit_pairs, "Keep so many pairs a scenario; 0 keeps all")
+        ->type_name("N")
+        ->group(query);
+    verb.add_option("--out", job.out, "Folder for the results")->type_name("DIR")->group(query);
+    verb.add_option("--formats", job.formats, "text, json, csv, npz (default csv,npz)")
+        ->delimiter(',')
+        ->type_name("LIST")
+        ->group(query);
+
+    const std::string cluster = "On the cluster";
+    verb.add_option("--strategy", job.strategy, "How workers are chosen (best-match)")
+        ->check(CLI::IsMember(strategies))
+        ->type_name("NAME")
+        ->group(cluster);
+    verb.add_option("--depth-a", job.depth_a, "Distribution depth of A (12)")
+        ->check(CLI::Range(0u, limits::distribution_depth_max))
+        ->type_name("D")
+        ->group(cluster);
+    verb.add_option("--depth-b", job.depth_b, "Distribution depth of B (6)")
+        ->check(CLI::Range(0u, limits::distribution_depth_max))
+        ->type_name("D")
+        ->group(cluster);
+    verb.add_option("--q", job.q, "A buffer is full at so many scenarios (20)")
+        ->check(CLI::Range(1u, limits::q_max))
+        ->type_name("N")
+        ->group(cluster);
+    verb.add_option("--v-kb", job.v_kb, "or at so many kB (4096)")
+        ->check(CLI::PositiveNumber)
+        ->type_name("N")
+        ->group(cluster);
+    verb.add_flag("--claim", job.claim, "One task at a worker at a time, as in the paper")
+        ->group(cluster);
+}
+
+constexpr const char* loopback_master = "127.0.0.1:7600";
+
+/// `required_here`: the verb means nothing without a master, so it has a default.
+void add_master_options(CLI::App& verb, MasterOptions& master, bool required_here) {
+    auto* address = verb.add_option("--master", master.address, "The master's HOST:PORT");
+    address->type_name("ADDRESS");
+    if (required_here) {
+        master.address = loopback_master;
+        address->envname("CDCTL_MASTER")->capture_default_str();
+    }
+    verb.add_flag("--insecure", master.insecure, "Allow a master beyond loopback, unencrypted");
+}
+
+void add_output(CLI::App& verb, std::string& output, const std::vector<std::string>& words) {
+    verb.add_option("-o,--output", output, "What stdout carries")
+        ->check(CLI::IsMember(words))
+        ->type_name("FORMAT")
+        ->capture_default_str();
+}
+
+void add_quiet(CLI::App& verb, bool& quiet) {
+    verb.add_flag("-q,--quiet", quiet, "No progress and no header");
+}
+
+void add_fail_on(CLI::App& verb, FailOn& fail_on) {
+    verb.add_option(
+            "--fail-on", fail_on, "Exit with 1 on touch (or worse), or on cross or inside only")
+        ->transform(CLI::CheckedTransformer(fail_on_words).description(""))
+        ->type_name("touch|cross");
+}
+
+/// Owns the values that the options of the verbs are written into.
+struct Verbs {
+    RunCommand run;
+    DemoCommand demo;
+    SubmitCommand submit;
+    WatchCommand watch;
+    WatchCommand wait;
+    ResultsCommand results;
+    GetCommand get;
+    StatusCommand status;
+    CancelCommand cancel;
+    InspectCommand inspect;
+    std::optional<Command> chosen;
+};
+
+template <class T>
+CLI::App* add_verb(CLI::App& app, Verbs& verbs, const char* name, const char* help, T& command) {
+    CLI::App* verb = app.add_subcommand(name, help);
+    verb->callback([&verbs, &command] { verbs.chosen = command; });
+    return verb;
+}
+
+void add_local_verbs(CLI::App& app, Verbs& verbs) {
+    CLI::App* run = add_verb(app, verbs, "run", run_help, verbs.run);
+    add_job_options(*run, verbs.run.job);
+    add_master_options(*run, verbs.run.master, false);
+    run->add_option("--threads", verbs.run.threads, "Threads here; 0 is one for each core")
+        ->check(CLI::Range(0u, 4096u))
+        ->type_name("N")
+        ->capture_default_str();
+    add_fail_on(*run, verbs.run.fail_on);
+    run->add_flag("--dry-run", verbs.run.dry_run, "Read and check all inputs, then stop");
+    add_quiet(*run, verbs.run.quiet);
+    add_output(*run, verbs.run.output, {"text", "json", "csv"});
+
+    CLI::App* demo = add_verb(app,
+                              verbs,
+                              "demo",
+                              "Starts a local cluster, runs a job on a real vehicle, stops it.\n"
+                              "Examples:\n"
+                              "  cdctl demo\n"
+                              "  cdctl demo --scenarios 5000 --out results\n"
+                              "  cdctl demo --a car.obj --b tram.obj",
+                              verbs.demo);
+    demo->add_option("--scenarios", verbs.demo.scenarios, "How many")
+        ->check(CLI::PositiveNumber)
+        ->type_name("N")
+        ->capture_default_str();
+    CLI::Option* a = demo->add_option("--a", verbs.demo.a, "Mesh of body A")->type_name("MESH");
+    CLI::Option* b = demo->add_option("--b", verbs.demo.b, "Mesh of body B")->type_name("MESH");
+    a->needs(b);
+    b->needs(a);
+    demo->add_option("--out", verbs.demo.out, "Folder for the results")->type_name("DIR");
+    add_quiet(*demo, verbs.demo.quiet);
+
+    CLI::App* inspect = add_verb(app,
+                                 verbs,
+                                 "inspect",
+                                 "Shows what a mesh file holds.\n"
+                                 "Examples:\n"
+                                 "  cdctl inspect car.obj\n"
+                                 "  cdctl inspect post.stl --unit mm",
+                                 verbs.inspect);
+    inspect->add_option("mesh", verbs.inspect.meshes, "Mesh files")->required()->type_name("MESH");
+    inspect->add_option("--unit", verbs.inspect.unit, "Unit of the file; shown in --job-unit")
+        ->check(CLI::IsMember(units()))
+        ->type_name("UNIT");
+    inspect->add_option("--job-unit", verbs.inspect.job_unit, "Unit of the job (m)")
+        ->check(CLI::IsMember(units()))
+        ->type_name("UNIT");
+    add_output(*inspect, verbs.inspect.output, {"text", "json"});
+}
+
+void add_job_verbs(CLI::App& app, Verbs& verbs) {
+    CLI::App* submit = add_verb(app,
+                                verbs,
+                                "submit",
+                                "Hands a job to the master and prints its id.\n"
+                                "Examples:\n"
+                                "  cdctl submit job.toml\n"
+                                "  job=$(cdctl submit job.toml -o name) && cdctl watch \"$job\"",
+                                verbs.submit);
+    add_job_options(*submit, verbs.submit.job);
+    add_master_options(*submit, verbs.submit.master, true);
+    submit->add_option("--threads", verbs.submit.threads, "Threads that make poses here")
+        ->check(CLI::Range(0u, 4096u))
+        ->type_name("N");
+    add_quiet(*submit, verbs.submit.quiet);
+    add_output(*submit, verbs.submit.output, {"text", "json", "name"});
+
+    const auto add_watch = [&](const char* name, const char* help, WatchCommand& command) {
+        CLI::App* watch = add_verb(app, verbs, name, help, command);
+        watch->add_option("job", command.job, "A job's id, or its beginning")
+            ->required()
+            ->type_name("JOB");
+        add_master_options(*watch, command.master, true);
+        add_fail_on(*watch, command.fail_on);
+        add_quiet(*watch, command.quiet);
+        add_output(*watch, command.output, {"text", "json"});
+    };
+    verbs.wait.only_wait = true;
+    add_watch("watch", "Follows a job to its end.\nExamples:\n  cdctl watch j-1", verbs.watch);
+    add_watch(
+        "wait",
+        "Waits for a job's end, without progress.\nExamples:\n  cdctl wait j-1 --fail-on cross",
+        verbs.wait);
+
+    CLI::App* results = add_verb(app,
+                                 verbs,
+                                 "results",
+                                 "Fetches a job's results.\n"
+                                 "Examples:\n"
+                                 "  cdctl results j-1 --out out --formats csv,npz\n"
+                                 "  cdctl results j-1 -o csv > scenarios.csv",
+                                 verbs.results);
+    results->add_option("job", verbs.results.job, "A job's id, or its beginning")
+        ->required()
+        ->type_name("JOB");
+    add_master_options(*results, verbs.results.master, true);
+    results->add_option("--out", verbs.results.out, "Folder for the results")->type_name("DIR");
+    results
+        ->add_option("--formats", verbs.results.formats, "text, json, csv, npz (default csv,npz)")
+        ->delimiter(',')
+        ->type_name("LIST");
+    add_quiet(*results, verbs.results.quiet);
+    add_output(*results, verbs.results.output, {"text", "json", "csv"});
+
+    CLI::App* cancel = add_verb(
+        app, verbs, "cancel", "Ends a job early.\nExamples:\n  cdctl cancel j-1", verbs.cancel);
+    cancel->add_option("job", verbs.cancel.job, "A job's id, or its beginning")
+        ->required()
+        ->type_name("JOB");
+    add_master_options(*cancel, verbs.cancel.master, true);
+}
+
+void add_cluster_verbs(CLI::App& app, Verbs& verbs) {
+    CLI::App* get = add_verb(app,
+                             verbs,
+                             "get",
+                             "Lists jobs, workers or meshes.\n"
+                             "Examples:\n"
+                             "  cdctl get jobs\n"
+                             "  cdctl get workers -o wide",
+                             verbs.get);
+    get->add_option("what", verbs.get.what, "jobs, workers or meshes")
+        ->required()
+        ->check(CLI::IsMember(std::vector<std::string>{"jobs", "workers", "meshes"}))
+        ->type_name("WHAT");
+    add_master_options(*get, verbs.get.master, true);
+    add_output(*get, verbs.get.output, {"text", "wide", "json", "csv", "name"});
+
+    CLI::App* status = add_verb(app,
+                                verbs,
+                                "status",
+                                "Shows the cluster; the last line names the bottleneck.\n"
+                                "Examples:\n"
+                                "  cdctl status",
+                                verbs.status);
+    add_master_options(*status, verbs.status.master, true);
+    add_output(*status, verbs.status.output, {"text", "json"});
+    app.add_subcommand("version", "Prints the version")->callback([&verbs] {
+        verbs.chosen = VersionCommand{};
+    });
+}
+
+/// CLI11's exit codes tell its own errors apart; ours is one for all wrong usage.
+CommandLine refused(const CLI::App& app, const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream problem;
+    const int code = app.exit(error, out, problem);
+    if (code == 0) {
+        return {std::nullopt, out.str(), exit_done};
+    }
+    return {std::nullopt, "cdctl: " + problem.str(), exit_usage};
+}
+
+} // namespace
+
+CommandLine parse_command_line(std::vector<std::string> arguments) {
+    Verbs verbs;
+    CLI::App app(main_help, "cdctl");
+    app.formatter(std::make_shared<ExamplesFirst>());
+    app.get_formatter()->column_width(34);
+    app.set_version_flag("--version", "cdctl " + std::string(version));
+    app.set_help_flag("-h,--help", "This text");
+    app.require_subcommand(1);
+    add_local_verbs(app, verbs);
+    add_job_verbs(app, verbs);
+    add_cluster_verbs(app, verbs);
+    std::reverse(arguments.begin(), arguments.end()); // As CLI11 wants a vector.
+    try {
+        app.parse(std::move(arguments));
+    } catch (const CLI::ParseError& error) {
+        return refused(app, error);
+    }
+    return {std::move(verbs.chosen), "", exit_done};
+}
+
+} // namespace cd

@@ -1,0 +1,114 @@
+// The command line of cdctl: verbs and their options, as plain values.
+#pragma once
+
+#include "client/job_options.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace cd {
+
+/// Where the master is, for the verbs that need one.
+struct MasterOptions {
+    std::string address; ///< HOST:PORT
+    bool insecure = false;
+};
+
+/// What decides exit code 1.
+enum class FailOn : std::uint8_t { Never, Touch, Cross };
+
+struct RunCommand {
+    JobOptions job;
+    MasterOptions master; ///< No address: on this machine alone.
+    unsigned threads = 0; ///< 0: one for each core.
+    FailOn fail_on = FailOn::Never;
+    bool dry_run = false;
+    bool quiet = false;
+    std::string output = "text"; ///< text, json or csv, on stdout.
+};
+
+struct DemoCommand {
+    std::uint64_t scenarios = 1000;
+    std::string a; ///< Both or neither.
+    std::string b;
+    std::string out;
+    bool quiet = false;
+};
+
+struct SubmitCommand {
+    JobOptions job;
+    MasterOptions master;
+    unsigned threads = 0;
+    bool quiet = false;
+    std::string output = "text"; ///< text, json, name
+};
+
+struct WatchCommand {
+    std::string job;
+    MasterOptions master;
+    bool quiet = false;
+    bool only_wait = false; ///< The verb `wait`: no progress.
+    FailOn fail_on = FailOn::Never;
+    std::string output = "text"; ///< text, json
+};
+
+struct ResultsCommand {
+    std::string job;
+    MasterOptions master;
+    std::string out;
+    std::vector<std::string> formats;
+    bool quiet = false;
+    std::string output = "text"; ///< text, json, csv: on stdout where no folder is given.
+};
+
+struct GetCommand {
+    std::string what; ///< jobs, workers or meshes
+    MasterOptions master;
+    std::string output = "text"; ///< text, wide, json, csv, name
+};
+
+struct StatusCommand {
+    MasterOptions master;
+    std::string output = "text"; ///< text, json
+};
+
+struct CancelCommand {
+    std::string job;
+    MasterOptions master;
+};
+
+struct InspectCommand {
+    std::vector<std::string> meshes;
+    std::string unit;
+    std::string job_unit;
+    std::string output = "text"; ///< text, json
+};
+
+struct VersionCommand {};
+
+using Command = std::variant<RunCommand,
+                             DemoCommand,
+                             SubmitCommand,
+                             WatchCommand,
+                             ResultsCommand,
+                             GetCommand,
+                             StatusCommand,
+                             CancelCommand,
+                             InspectCommand,
+                             VersionCommand>;
+
+/// A command to run; or none, with what to print instead (help on stdout, a usage error on stderr)
+/// and the exit code.
+struct CommandLine {
+    std::optional<Command> command;
+    std::string text;
+    int exit_code = 0;
+};
+
+/// `arguments` without the program's name.
+[[nodiscard]] CommandLine parse_command_line(std::vector<std::string> arguments);
+
+} // namespace cd

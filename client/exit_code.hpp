@@ -1,0 +1,19 @@
+// The exit codes of cdctl.
+#pragma once
+
+#include "common/core/result.hpp"
+
+namespace cd {
+
+inline constexpr int exit_done = 0;
+inline constexpr int exit_contacts = 1; ///< Only with --fail-on.
+inline constexpr int exit_usage = 2;    ///< Wrong usage or input.
+inline constexpr int exit_incomplete = 3;
+inline constexpr int exit_unreachable = 4;
+inline constexpr int exit_refused = 5;
+inline constexpr int exit_signal_base = 128; ///< Plus the signal: 130 and 143.
+
+/// `signal` is the one that interrupted, for errors of that kind.
+[[nodiscard]] int exit_code_of(const Error& error, int signal = 2);
+
+} // namespace cd

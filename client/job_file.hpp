@@ -1,0 +1,73 @@
+// The description of a job, as job.toml or the command line gives it.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/job/query.hpp"
+#include "proto/message.hpp"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace cd {
+
+struct BodySpec {
+    std::filesystem::path path;
+    std::string unit; ///< Of the file's coordinates; empty: the job's.
+    std::string name; ///< For people; empty: the file's name.
+};
+
+/// Poses that stand in a file; "-" is standard input.
+struct PoseFileSpec {
+    std::filesystem::path path;
+    std::string quat_order;      ///< "xyzw", "wxyz", or empty where the file itself says.
+    bool of_both_bodies = false; ///< Otherwise the poses are B's in A's frame.
+    std::optional<double> rigid_tolerance;
+};
+
+using PosesSpec = std::variant<PoseFileSpec, Grid, RandomPoses>;
+
+/// Part names of A and of B, each with the wildcards of a shell: their pairs are passed over.
+struct IgnoreRule {
+    std::string a;
+    std::string b;
+    std::uint32_t line = 0; ///< In the job file; 0 where there is none.
+};
+
+struct OutputSpec {
+    std::filesystem::path dir; ///< Empty: results are not kept.
+    std::vector<std::string> formats{"csv", "npz"};
+};
+
+struct JobSpec {
+    std::string name;
+    std::string unit = "m";
+    std::array<BodySpec, 2> bodies;
+    PosesSpec poses = RandomPoses{};
+    Level level = Level::Pairs;
+    std::uint64_t limit_pairs = 0;
+    std::vector<IgnoreRule> ignore;
+    OutputSpec output;
+    ClusterOptions cluster;
+    std::filesystem::path file; ///< The job file; empty where there is none.
+};
+
+/// Reads and checks a job file. Relative paths in it are relative to the folder that it stands in.
+/// Errors: NotFound, Io; BadInput naming the file, the line, the key, and for a word that is not
+/// known the nearest that is.
+[[nodiscard]] Result<JobSpec> read_job_file(const std::filesystem::path& path);
+
+/// The same on text; `path` is for messages and for relative paths.
+[[nodiscard]] Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path);
+
+/// Errors: BadInput naming the formats that exist.
+[[nodiscard]] Status check_format(std::string_view format);
+
+} // namespace cd

@@ -1,0 +1,128 @@
+#include "client/job_options.hpp"
+
+#include "client/units.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+namespace {
+
+Error usage(const std::string& what) {
+    return {ErrorCode::BadInput, what};
+}
+
+bool gives_inputs(const JobOptions& options) {
+    return !options.a.empty() || !options.b.empty() || !options.poses.empty() ||
+           !options.unit.empty() || !options.unit_a.empty() || !options.unit_b.empty() ||
+           !options.quat_order.empty() || options.poses_of_both || options.rigid_tolerance ||
+           options.random || options.seed || !options.penetration.empty();
+}
+
+Result<PosesSpec> poses_of(const JobOptions& options) {
+    if (options.poses.empty() == !options.random) {
+        return usage("give the poses: either --poses FILE or --random N");
+    }
+    const bool has_random_option = options.seed || !options.penetration.empty();
+    const bool has_file_option =
+        !options.quat_order.empty() || options.poses_of_both || options.rigid_tolerance;
+    if (!options.random) {
+        if (has_random_option) {
+            return usage("--seed and --penetration belong to --random");
+        }
+        return PosesSpec(PoseFileSpec{
+            options.poses, options.quat_order, options.poses_of_both, options.rigid_tolerance});
+    }
+    if (has_file_option) {
+        return usage("--quat-order, --both and --rigid-tolerance belong to --poses");
+    }
+    RandomPoses random;
+    random.count = *options.random;
+    random.seed = options.seed.value_or(random.seed);
+    if (!options.penetration.empty()) {
+        random.penetration_min = options.penetration.front();
+        random.penetration_max = options.penetration.back();
+    }
+    if (!(0 <= random.penetration_min && random.penetration_min <= random.penetration_max &&
+          random.penetration_max <= 1)) {
+        return usage("--penetration has to be LEAST MOST with 0 <= LEAST <= MOST <= 1");
+    }
+    return PosesSpec(random);
+}
+
+Result<JobSpec> spec_without_file(const JobOptions& options) {
+    if (options.a.empty() || options.b.empty()) {
+        return usage("give a job file, or the two meshes with --a and --b");
+    }
+    auto poses = poses_of(options);
+    if (!poses) {
+        return poses.error();
+    }
+    JobSpec spec;
+    spec.bodies[0] = {options.a, options.unit_a, ""};
+    spec.bodies[1] = {options.b, options.unit_b, ""};
+    spec.unit = options.unit.empty() ? spec.unit : options.unit;
+    spec.poses = std::move(poses.value());
+    spec.name = spec.bodies[0].path.stem().string() + "-" + spec.bodies[1].path.stem().string();
+    return spec;
+}
+
+template <class T>
+void replace(T& value, const std::optional<T>& given) {
+    value = given.value_or(value);
+}
+
+Status apply(const JobOptions& options, JobSpec& spec) {
+    spec.name = options.name.empty() ? spec.name : options.name;
+    if (!options.level.empty()) {
+        const auto level = level_from_text(options.level);
+        if (!level) {
+            return usage("--level \"" + options.level +
+                         "\" is none of any, count, pairs, contacts");
+        }
+        spec.level = *level;
+    }
+    replace(spec.limit_pairs, options.limit_pairs);
+    spec.output.dir = options.out.empty() ? spec.output.dir : std::filesystem::path(options.out);
+    if (!options.formats.empty()) {
+        spec.output.formats = options.formats;
+    }
+    for (const std::string& format : spec.output.formats) {
+        if (Status known = check_format(format); !known) {
+            return known;
+        }
+    }
+    if (!options.strategy.empty()) {
+        const auto strategy = strategy_from_text(options.strategy);
+        if (!strategy) {
+            return usage("--strategy \"" + options.strategy +
+                         "\" is none of best-match, best-match-load, random, lowest");
+        }
+        spec.cluster.strategy = *strategy;
+    }
+    replace(spec.cluster.depth_a, options.depth_a);
+    replace(spec.cluster.depth_b, options.depth_b);
+    replace(spec.cluster.q, options.q);
+    replace(spec.cluster.v_kb, options.v_kb);
+    spec.cluster.claim = spec.cluster.claim || options.claim;
+    return Done{};
+}
+
+} // namespace
+
+Result<JobSpec> make_job_spec(const JobOptions& options) {
+    if (!options.file.empty() && gives_inputs(options)) {
+        return usage("the job file " + options.file +
+                     " names the meshes and the poses; change them there, or give no file");
+    }
+    auto spec = options.file.empty() ? spec_without_file(options) : read_job_file(options.file);
+    if (!spec) {
+        return spec;
+    }
+    if (Status applied = apply(options, spec.value()); !applied) {
+        return applied.error();
+    }
+    return spec;
+}
+
+} // namespace cd

@@ -1,0 +1,49 @@
+// A job as the command line gives it: a job file with a few things changed, or no file at all.
+#pragma once
+
+#include "client/job_file.hpp"
+#include "common/core/result.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+/// What the options said; what is empty was not given.
+struct JobOptions {
+    std::string file;
+
+    // Instead of a file.
+    std::string a;
+    std::string b;
+    std::string unit;
+    std::string unit_a;
+    std::string unit_b;
+    std::string poses;
+    std::string quat_order;
+    bool poses_of_both = false;
+    std::optional<double> rigid_tolerance;
+    std::optional<std::uint64_t> random;
+    std::optional<std::uint64_t> seed;
+    std::vector<double> penetration;
+
+    // Over what the file says.
+    std::string name;
+    std::string level;
+    std::optional<std::uint64_t> limit_pairs;
+    std::string out;
+    std::vector<std::string> formats;
+    std::string strategy;
+    std::optional<std::uint32_t> depth_a;
+    std::optional<std::uint32_t> depth_b;
+    std::optional<std::uint32_t> q;
+    std::optional<std::uint32_t> v_kb;
+    bool claim = false;
+};
+
+/// Errors: those of `read_job_file`; BadInput naming the option.
+[[nodiscard]] Result<JobSpec> make_job_spec(const JobOptions& options);
+
+} // namespace cd

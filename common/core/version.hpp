@@ -1,0 +1,10 @@
+// The version of the three programs; the same as that of the CMake project.
+#pragma once
+
+#include <string_view>
+
+namespace cd {
+
+inline constexpr std::string_view version = "0.1.0";
+
+} // namespace cd

@@ -1,0 +1,97 @@
+// Proves that the command line becomes the command that was meant, and that help and wrong usage
+// end with their exit codes.
+#include "client/cli.hpp"
+
+#include "client/exit_code.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(CommandLine, HelpStartsWithExamples) {
+    const CommandLine line = parse_command_line({"--help"});
+    EXPECT_FALSE(line.command);
+    EXPECT_EQ(line.exit_code, exit_done);
+    EXPECT_THAT(line.text, StartsWith("Examples:\n  cdctl demo"));
+    EXPECT_THAT(line.text, HasSubstr("Exit codes: 0 done"));
+    for (const char* verb : {"run",
+                             "demo",
+                             "submit",
+                             "watch",
+                             "wait",
+                             "results",
+                             "get",
+                             "status",
+                             "inspect",
+                             "cancel"}) {
+        EXPECT_THAT(line.text, HasSubstr(std::string("\n  ") + verb + " "));
+        const CommandLine help = parse_command_line({verb, "-h"});
+        EXPECT_EQ(help.exit_code, exit_done);
+        EXPECT_THAT(help.text, StartsWith("Examples:\n  ")) << verb;
+    }
+}
+
+TEST(CommandLine, WrongUsageIsTwo) {
+    const std::vector<std::vector<std::string>> wrong{{},
+                                                      {"rnu"},
+                                                      {"run", "--levle", "any"},
+                                                      {"run", "--level", "most"},
+                                                      {"run", "job.toml", "--fail-on", "love"},
+                                                      {"run", "--random", "-3"},
+                                                      {"demo", "--a", "a.obj"},
+                                                      {"get", "tea"},
+                                                      {"watch"}};
+    for (const auto& arguments : wrong) {
+        const CommandLine line = parse_command_line(arguments);
+        EXPECT_FALSE(line.command);
+        EXPECT_EQ(line.exit_code, exit_usage) << testing::PrintToString(arguments);
+        EXPECT_THAT(line.text, StartsWith("cdctl: "));
+    }
+}
+
+TEST(CommandLine, RunTakesMeshesInsteadOfAFile) {
+    const CommandLine line = parse_command_line(
+        {"run",       "--a",      "a.obj",     "--b",           "b.stl",     "--unit-b",
+         "mm",        "--random", "50",        "--penetration", "0.01",      "0.02",
+         "--level",   "count",    "--formats", "csv,json",      "--threads", "3",
+         "--fail-on", "touch",    "-o",        "json",          "--quiet"});
+    ASSERT_TRUE(line.command) << line.text;
+    const auto& run = std::get<RunCommand>(*line.command);
+    EXPECT_EQ(run.job.a, "a.obj");
+    EXPECT_EQ(run.job.unit_b, "mm");
+    EXPECT_EQ(run.job.random, 50u);
+    EXPECT_EQ(run.job.penetration, (std::vector<double>{0.01, 0.02}));
+    EXPECT_EQ(run.job.level, "count");
+    EXPECT_EQ(run.job.formats, (std::vector<std::string>{"csv", "json"}));
+    EXPECT_EQ(run.threads, 3u);
+    EXPECT_EQ(run.fail_on, FailOn::Touch);
+    EXPECT_EQ(run.output, "json");
+    EXPECT_TRUE(run.quiet);
+    EXPECT_TRUE(run.master.address.empty());
+}
+
+TEST(CommandLine, RemoteVerbsHaveAMasterOnLoopback) {
+    const CommandLine line = parse_command_line({"wait", "j-1", "--fail-on", "cross"});
+    ASSERT_TRUE(line.command) << line.text;
+    const auto& wait = std::get<WatchCommand>(*line.command);
+    EXPECT_EQ(wait.job, "j-1");
+    EXPECT_TRUE(wait.only_wait);
+    EXPECT_EQ(wait.fail_on, FailOn::Cross);
+    EXPECT_FALSE(wait.master.address.empty());
+    EXPECT_FALSE(wait.master.insecure);
+}
+
+TEST(ExitCodes, FollowTheKindOfError) {
+    EXPECT_EQ(exit_code_of({ErrorCode::BadInput, ""}), 2);
+    EXPECT_EQ(exit_code_of({ErrorCode::Incomplete, ""}), 3);
+    EXPECT_EQ(exit_code_of({ErrorCode::Disconnected, ""}), 4);
+    EXPECT_EQ(exit_code_of({ErrorCode::Refused, ""}), 5);
+    EXPECT_EQ(exit_code_of({ErrorCode::Interrupted, ""}, 2), 130);
+    EXPECT_EQ(exit_code_of({ErrorCode::Interrupted, ""}, 15), 143);
+}
+
+} // namespace cd::tests
