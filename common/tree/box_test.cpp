@@ -42,6 +42,7 @@
 
 #include "common/tree/build_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -52,6 +53,7 @@ namespace {
 constexpr double unit_roundoff = 0x1p-53;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double skew_max = 0x1p-10;    ///< Beyond, the bounds above do not hold.
+constexpr double underflow = 0x1p-1000; ///< More than all that can be lost to it.
 constexpr double center_max = 0x1p1000; ///< Beyond, sums may overflow on the way.
 
 double size_of(const std::array<double, 3>& v) {
@@ -99,6 +101,26 @@ PosedBox BoxTest::pose(const ObbNode& b) const {
         posed.error = infinity;
     }
     return posed;
+}
+
+Aabb BoxTest::bounds(const Corners& b) const {
+    Aabb box;
+    double size = 0;
+    for (const Vec3& corner : b) {
+        const std::array<double, 3> c = {corner.x(), corner.y(), corner.z()};
+        box.add(
+            {rotation_[0] * c[0] + rotation_[1] * c[1] + rotation_[2] * c[2] + translation_[0],
+             rotation_[3] * c[0] + rotation_[4] * c[1] + rotation_[5] * c[2] + translation_[1],
+             rotation_[6] * c[0] + rotation_[7] * c[1] + rotation_[8] * c[2] + translation_[2]});
+        size = std::max(size, size_of(c));
+    }
+    // As for T in the comment above, without the frame; growing by the error rounds once more.
+    double error = rotation_error_ * size + translation_error_ +
+                   12 * unit_roundoff * (size + translation_size_) + underflow;
+    if (!(size + translation_size_ < center_max) || !(frame_error_ < infinity)) {
+        error = infinity;
+    }
+    return {box.min - Vec3::Constant(error), box.max + Vec3::Constant(error)};
 }
 
 bool BoxTest::may_overlap(const ObbNode& a, const PosedBox& b) const {

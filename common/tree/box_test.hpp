@@ -1,6 +1,7 @@
 // Whether two oriented boxes may overlap: never a wrong "no".
 #pragma once
 
+#include "common/geometry/aabb.hpp"
 #include "common/geometry/pose.hpp"
 #include "common/tree/obb_tree.hpp"
 
@@ -22,6 +23,9 @@ class BoxTest {
     explicit BoxTest(const RelativePose& b_to_a);
 
     [[nodiscard]] PosedBox pose(const ObbNode& b) const;
+
+    /// A box in A's body coordinates around a triangle of B, in exact terms.
+    [[nodiscard]] Aabb bounds(const Corners& b) const;
 
     /// False only if no point of box `a` is a point of box `b`, in exact terms, under the true
     /// poses. True wherever numbers overflow or the pose's bounds are of no use.

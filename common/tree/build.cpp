@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <latch>
 #include <optional>
 #include <span>
 #include <utility>
@@ -37,7 +38,12 @@ struct TopNode {
 class Builder {
   public:
     Builder(const Mesh& mesh, const BuildOptions& options, ThreadPool& pool)
-        : vertices_(mesh.vertices()), options_(options), pool_(pool) {
+        : vertices_(mesh.vertices()),
+          options_(options),
+          pool_(pool),
+          measurable_(std::ranges::all_of(vertices_, [](const Vec3& vertex) {
+              return vertex.cwiseAbs().maxCoeff() < coordinate_max;
+          })) {
         triangles_.reserve(mesh.triangles().size());
         for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
             triangles_.push_back({mesh.triangles()[i], i});
@@ -71,6 +77,7 @@ class Builder {
     std::span<const Vec3> vertices_;
     BuildOptions options_;
     ThreadPool& pool_;
+    bool measurable_;
     std::vector<BuildTriangle> triangles_;
     std::vector<TopNode> top_;
     std::vector<std::uint32_t> tasks_; ///< Places among the top nodes.
@@ -81,10 +88,15 @@ class Builder {
 std::uint32_t Builder::make_node(ObbNode& node, Scratch& scratch, ThreadPool* pool) {
     const std::span<BuildTriangle> triangles =
         std::span(triangles_).subspan(node.triangles_begin, node.triangle_count());
+    const bool leaf = triangles.size() <= options_.leaf_triangles_max;
+    if (!measurable_) {
+        set_unbounded_box(node);
+        return leaf ? 0 : node.triangle_count() / 2;
+    }
     node.axes = options_.boxes == BoxKind::Obb ? fit_axes(triangles, vertices_) : body_axes;
     project(triangles, vertices_, node.axes, scratch.projections);
     set_box(scratch.projections, node);
-    return triangles.size() <= options_.leaf_triangles_max ? 0 : part(triangles, scratch, pool);
+    return leaf ? 0 : part(triangles, scratch, pool);
 }
 
 std::uint32_t
@@ -214,9 +226,16 @@ std::vector<ObbNode> Builder::assemble() const {
 ObbTree
 build_tree(std::shared_ptr<const Mesh> mesh, const BuildOptions& options, ThreadPool& pool) {
     CD_CHECK(options.leaf_triangles_max >= 1);
+    // As long as the tree, and apart from it.
+    Topology topology;
+    std::latch analysed(1);
+    pool.post([&] {
+        topology = analyse_topology(*mesh);
+        analysed.count_down();
+    });
     Builder builder(*mesh, options, pool);
     builder.build();
-    Topology topology = analyse_topology(*mesh);
+    analysed.wait();
     return {std::move(mesh), builder.assemble(), builder.triangle_ids(), std::move(topology)};
 }
 

@@ -27,8 +27,7 @@ struct BuildOptions {
 
 /// The same tree for any number of threads. Near n log n with the quarter rule; needs no stack
 /// whose depth the input decides.
-[[nodiscard]] ObbTree build_tree(std::shared_ptr<const Mesh> mesh,
-                                 const BuildOptions& options,
-                                 ThreadPool& pool);
+[[nodiscard]] ObbTree
+build_tree(std::shared_ptr<const Mesh> mesh, const BuildOptions& options, ThreadPool& pool);
 
 } // namespace cd

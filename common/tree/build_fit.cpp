@@ -109,7 +109,7 @@ bool is_orthonormal(const std::array<float, 9>& axes) {
     return true;
 }
 
-/// A float that is at least `value` and a normal number, or infinity; NaN becomes infinity.
+/// A float that is at least `value` and a normal number, or infinity.
 float round_up(double value) {
     // Rounding to nearest takes away at most 2^-24 of it.
     const double grown = value * (1 + 0x1p-23);
@@ -150,6 +150,12 @@ std::array<float, 9> fit_axes(std::span<const BuildTriangle> triangles,
         }
     }
     return is_orthonormal(axes) ? axes : body_axes;
+}
+
+void set_unbounded_box(ObbNode& node) {
+    node.axes = body_axes;
+    node.center.fill(0);
+    node.half.fill(std::numeric_limits<float>::infinity());
 }
 
 void project(std::span<const BuildTriangle> triangles,
@@ -194,16 +200,9 @@ void set_box(const Projections& projections, ObbNode& node) {
         reach += std::max(std::abs(whole.low), std::abs(whole.high));
     }
     // The rows are their own inverse but for rounding, which the last step makes good.
-    bool finite = std::isfinite(reach);
     for (std::size_t k = 0; k < 3; ++k) {
         const double offset = f[k] * middle[0] + f[3 + k] * middle[1] + f[6 + k] * middle[2];
         node.center[k] = projections.origin[static_cast<int>(k)] + offset;
-        finite = finite && std::isfinite(node.center[k]);
-    }
-    if (!finite) {
-        std::copy_n(projections.origin.data(), 3, node.center.begin());
-        node.half.fill(std::numeric_limits<float>::infinity());
-        return;
     }
 
     // With o the origin, x a vertex and c the centre (all doubles, exact numbers), what must be

@@ -40,6 +40,12 @@ inline constexpr std::array<float, 9> body_axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 /// Bounds each |entry| of F F' - I for the frame F of every node.
 inline constexpr double axes_error_max = 0x1p-23;
 
+/// Coordinates below this in size can be measured: nothing below overflows.
+inline constexpr double coordinate_max = 0x1p1000;
+
+/// The box of a node with coordinates beyond that: all of space.
+void set_unbounded_box(ObbNode& node);
+
 /// Fills `out`, whose memory is used again.
 void project(std::span<const BuildTriangle> triangles,
              std::span<const Vec3> vertices,

@@ -22,6 +22,12 @@ double squared_distance(const ObbNode& a, const PosedBox& b) {
     return sum;
 }
 
+/// A comparison with NaN, which only B's box can hold, does not part them.
+bool are_apart(const Aabb& a, const Aabb& b) {
+    return a.max.x() < b.min.x() || a.min.x() > b.max.x() || a.max.y() < b.min.y() ||
+           a.min.y() > b.max.y() || a.max.z() < b.min.z() || a.min.z() > b.max.z();
+}
+
 Corners corners_at(const TreeView& tree, std::uint32_t place) {
     const Triangle& t = tree.triangles[place];
     return {tree.vertices[t[0]], tree.vertices[t[1]], tree.vertices[t[2]]};
@@ -99,17 +105,28 @@ bool ContactSearch::descend(const TreeView& a, const TreeView& b, const OnLeaves
     return false;
 }
 
-bool ContactSearch::any_in_leaves(const TreeView& a, const TreeView& b, const NodePair& leaves) {
+/// Calls `on_pair(triangle of A, triangle of B)`, as places in the trees, for the pairs of two
+/// leaves that may touch, until it returns true; whether it did.
+template <class OnPair>
+bool ContactSearch::visit_leaves(const TreeView& a,
+                                 const TreeView& b,
+                                 const NodePair& leaves,
+                                 const OnPair& on_pair) {
     const ObbNode& node_a = a.nodes[leaves.a];
     const ObbNode& node_b = b.nodes[leaves.b];
+    bounds_.clear();
+    for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
+        bounds_.push_back(boxes_.bounds(corners_at(b, j)));
+    }
     for (std::uint32_t i = node_a.triangles_begin; i < node_a.triangles_end; ++i) {
-        const Corners corners_a = corners_at(a, i);
+        const Aabb own = bounding_box(corners_at(a, i));
         for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
-            if (is_ignored(ignored_, a.triangle_ids[i], b.triangle_ids[j])) {
+            if (are_apart(own, bounds_[j - node_b.triangles_begin]) ||
+                is_ignored(ignored_, a.triangle_ids[i], b.triangle_ids[j])) {
                 continue;
             }
             ++triangle_tests_;
-            if (test_.touches(corners_a, corners_at(b, j))) {
+            if (on_pair(i, j)) {
                 return true;
             }
         }
@@ -117,42 +134,27 @@ bool ContactSearch::any_in_leaves(const TreeView& a, const TreeView& b, const No
     return false;
 }
 
-void ContactSearch::collect_in_leaves(const TreeView& a,
-                                      const TreeView& b,
-                                      const NodePair& leaves) {
-    const ObbNode& node_a = a.nodes[leaves.a];
-    const ObbNode& node_b = b.nodes[leaves.b];
-    for (std::uint32_t i = node_a.triangles_begin; i < node_a.triangles_end; ++i) {
+bool ContactSearch::any(const TreeView& a, const TreeView& b) {
+    const auto touch = [&](std::uint32_t i, std::uint32_t j) {
+        return test_.touches(corners_at(a, i), corners_at(b, j));
+    };
+    return descend(a, b, [&](const NodePair& leaves) { return visit_leaves(a, b, leaves, touch); });
+}
+
+void ContactSearch::collect(const TreeView& a, const TreeView& b) {
+    const auto add = [&](std::uint32_t i, std::uint32_t j) {
         const Corners corners_a = corners_at(a, i);
-        for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
-            const std::uint32_t id_a = a.triangle_ids[i];
-            const std::uint32_t id_b = b.triangle_ids[j];
-            if (is_ignored(ignored_, id_a, id_b)) {
-                continue;
-            }
-            ++triangle_tests_;
-            const Corners corners_b = corners_at(b, j);
-            const PairClass kind = test_.classify(corners_a, corners_b);
-            if (kind == PairClass::Separate) {
-                continue;
-            }
-            pairs_.push_back({id_a, id_b, kind});
+        const Corners corners_b = corners_at(b, j);
+        const PairClass kind = test_.classify(corners_a, corners_b);
+        if (kind != PairClass::Separate) {
+            pairs_.push_back({a.triangle_ids[i], b.triangle_ids[j], kind});
             if (keep_corners_) {
                 corners_.push_back({corners_a, corners_b});
             }
         }
-    }
-}
-
-bool ContactSearch::any(const TreeView& a, const TreeView& b) {
-    return descend(a, b, [&](const NodePair& leaves) { return any_in_leaves(a, b, leaves); });
-}
-
-void ContactSearch::collect(const TreeView& a, const TreeView& b) {
-    descend(a, b, [&](const NodePair& leaves) {
-        collect_in_leaves(a, b, leaves);
         return false;
-    });
+    };
+    descend(a, b, [&](const NodePair& leaves) { return visit_leaves(a, b, leaves, add); });
 }
 
 void ContactSearch::sort() {

@@ -86,8 +86,11 @@ class ContactSearch {
 
     template <class OnLeaves>
     bool descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves);
-    bool any_in_leaves(const TreeView& a, const TreeView& b, const NodePair& leaves);
-    void collect_in_leaves(const TreeView& a, const TreeView& b, const NodePair& leaves);
+    template <class OnPair>
+    bool visit_leaves(const TreeView& a,
+                      const TreeView& b,
+                      const NodePair& leaves,
+                      const OnPair& on_pair);
 
     BoxTest boxes_;
     std::span<const IgnoredRange> ignored_;
@@ -96,6 +99,7 @@ class ContactSearch {
     std::vector<ContactPair> pairs_;
     std::vector<PairCorners> corners_;
     std::vector<NodePair> stack_;
+    std::vector<Aabb> bounds_; ///< Of the triangles of one leaf of B, as A sees them.
     std::uint64_t box_tests_ = 0;
     std::uint64_t triangle_tests_ = 0;
 };

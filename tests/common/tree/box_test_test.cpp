@@ -1,0 +1,177 @@
+// Proves that the box test never rejects boxes that share a point, in exact terms and however the
+// numbers round, and that it does reject boxes that are apart by little.
+
+#include "common/tree/box_test.hpp"
+
+#include "common/core/thread_pool.hpp"
+#include "common/tree/build.hpp"
+#include "tests/common/tree/exact_box.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace cd::tests {
+
+namespace {
+
+/// The box of a flat, a long or a round cloud, with a frame as the builder makes it.
+ObbNode random_node(std::mt19937_64& random, double offset) {
+    ThreadPool pool(1);
+    Mesh soup = make_triangle_soup(random, 6);
+    std::vector<Vec3> vertices = soup.vertices();
+    const Vec3 stretch(uniform(random, 0, 1) < 0.3 ? 0 : 1,
+                       uniform(random, 0, 1) < 0.3 ? 1e-3 : 1,
+                       uniform(random, 0, 1) < 0.3 ? 50 : 1);
+    const Mat3 turn = make_matrix_pose(random, 1).matrix();
+    const Vec3 shift = random_point(random, offset);
+    for (Vec3& vertex : vertices) {
+        vertex = turn * vertex.cwiseProduct(stretch) + shift;
+    }
+    const ObbTree tree =
+        build_tree(share(make_mesh(vertices, soup.triangles())), {.leaf_triangles_max = 8}, pool);
+    return tree.nodes()[0];
+}
+
+bool may_overlap(const ObbNode& a, const ObbNode& b, const PosePair& poses) {
+    return BoxTest(relative_pose(poses)).may_overlap(a, b);
+}
+
+Pose moved(const Pose& pose, const Vec3& by) {
+    const Vec3 translation = pose.translation() + by;
+    return pose.kind() == Pose::Kind::Matrix
+               ? Pose::from_matrix(pose.matrix(), translation)
+               : Pose::from_quaternion(pose.quaternion(), translation);
+}
+
+double size_of(const ObbNode& node) {
+    return static_cast<double>(node.half[0]) + static_cast<double>(node.half[1]) +
+           static_cast<double>(node.half[2]);
+}
+
+/// Poses of B moved along a line until the two boxes are just not rejected, and just rejected.
+struct Brink {
+    PosePair inside;
+    PosePair outside;
+    Vec3 direction;
+    double step = 0; ///< Between the two.
+};
+
+Brink find_brink(std::mt19937_64& random, const ObbNode& a, const ObbNode& b, double offset) {
+    PosePair poses{make_pose(random, offset), make_pose(random, offset)};
+    if (random() % 2 == 0) {
+        poses = {make_matrix_pose(random, offset), make_matrix_pose(random, offset)};
+    }
+    // The centres coincide.
+    const auto center = [](const ObbNode& node) {
+        return Vec3(node.center[0], node.center[1], node.center[2]);
+    };
+    poses.b = moved(poses.b, poses.a.apply(center(a)) - poses.b.apply(center(b)));
+    const Vec3 direction = random_point(random, 1).normalized();
+
+    double near = 0;
+    double far = 4 * (size_of(a) + size_of(b));
+    for (int i = 0; i < 80; ++i) {
+        const double middle = 0.5 * near + 0.5 * far;
+        const PosePair now{poses.a, moved(poses.b, middle * direction)};
+        (may_overlap(a, b, now) ? near : far) = middle;
+    }
+    return {{poses.a, moved(poses.b, near * direction)},
+            {poses.a, moved(poses.b, far * direction)},
+            direction,
+            far - near};
+}
+
+bool exactly_overlap(const ObbNode& a, const ObbNode& b, const PosePair& poses) {
+    return exactly_overlap(exact_box(a, poses.a), exact_box(b, poses.b));
+}
+
+TEST(BoxTest, RejectsOnlyBoxesThatAreApart) {
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const double offset = seed % 3 == 0 ? 1e6 : 1.0;
+        const ObbNode a = random_node(random, offset);
+        const ObbNode b = random_node(random, offset);
+        const Brink brink = find_brink(random, a, b, offset);
+        ASSERT_FALSE(may_overlap(a, b, brink.outside));
+        ASSERT_FALSE(exactly_overlap(a, b, brink.outside));
+    }
+}
+
+TEST(BoxTest, RejectsBoxesApartByAHundredThousandthOfTheirSize) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const ObbNode a = random_node(random, 1.0);
+        const ObbNode b = random_node(random, 1.0);
+        const Brink brink = find_brink(random, a, b, 1.0);
+        // Pulled back to where they really overlap again: from there on it is at most the margin.
+        const double gap = 1e-5 * (size_of(a) + size_of(b));
+        double pulled = 0;
+        PosePair poses = brink.inside;
+        while (!exactly_overlap(a, b, poses)) {
+            pulled += 0.25 * gap;
+            poses.b = moved(brink.inside.b, -pulled * brink.direction);
+            // Moving along a line that grazes the boxes opens the gap slowly.
+            ASSERT_LT(pulled, 20 * gap);
+        }
+    }
+}
+
+TEST(BoxTest, KeepsBoxesThatTouchInOnePoint) {
+    // Boxes of one body next to each other, on a lattice that floats hold exactly.
+    ObbNode a;
+    a.axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    a.half = {0.5F, 0.5F, 0.5F};
+    for (const double x : {-1.0, 0.0, 1.0}) {
+        for (const double y : {-1.0, 0.0, 1.0}) {
+            for (const double z : {-1.0, 0.0, 1.0}) {
+                EXPECT_TRUE(may_overlap(a, a, {Pose{}, translation_pose(x, y, z)}));
+                EXPECT_FALSE(
+                    may_overlap(a, a, {Pose{}, translation_pose(x * 1.01, y * 1.01, 1.01)}));
+            }
+        }
+    }
+}
+
+TEST(BoxTest, ParallelEdgesDoNotReject) {
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        std::mt19937_64 random(seed);
+        const ObbNode a = random_node(random, 1.0);
+        const Pose pose = make_pose(random, 5.0);
+        EXPECT_TRUE(may_overlap(a, a, {pose, pose}));
+    }
+}
+
+TEST(BoxTest, OverflowMeansMaybe) {
+    std::mt19937_64 random(1);
+    ObbNode huge = random_node(random, 1.0);
+    huge.half.fill(std::numeric_limits<float>::infinity());
+    const ObbNode small = random_node(random, 1.0);
+    const PosePair poses{make_pose(random, 10.0), make_matrix_pose(random, 10.0)};
+    EXPECT_TRUE(may_overlap(huge, small, poses));
+    EXPECT_TRUE(may_overlap(small, huge, poses));
+    EXPECT_TRUE(may_overlap(huge, huge, poses));
+
+    ObbNode far = small;
+    far.center = {1.7e308, -1.7e308, 1.7e308};
+    EXPECT_TRUE(may_overlap(small, far, poses));
+    EXPECT_TRUE(may_overlap(far, far, poses));
+}
+
+TEST(BoxTest, AMatrixThatIsNoRotationMeansMaybe) {
+    std::mt19937_64 random(2);
+    const ObbNode a = random_node(random, 1.0);
+    const Pose stretched = Pose::from_matrix(Mat3::Identity() * 3.0, Vec3(100, 0, 0));
+    EXPECT_TRUE(may_overlap(a, a, {Pose{}, stretched}));
+    EXPECT_TRUE(may_overlap(a, a, {stretched, Pose{}}));
+    const Pose flat = Pose::from_matrix(Mat3::Zero(), Vec3(100, 0, 0));
+    EXPECT_TRUE(may_overlap(a, a, {flat, Pose{}}));
+}
+
+} // namespace
+
+} // namespace cd::tests

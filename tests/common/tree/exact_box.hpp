@@ -1,0 +1,131 @@
+// Boxes and poses in rational arithmetic: the slow and obvious side of the box tests.
+#pragma once
+
+#include "common/geometry/pose.hpp"
+#include "common/tree/obb_tree.hpp"
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <array>
+#include <vector>
+
+namespace cd::tests {
+
+using Rational = boost::multiprecision::cpp_rational;
+using ExactVec = std::array<Rational, 3>;
+using ExactMat = std::array<ExactVec, 3>; ///< Rows.
+
+inline Rational dot(const ExactVec& a, const ExactVec& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline ExactVec cross(const ExactVec& a, const ExactVec& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline ExactVec operator*(const ExactMat& m, const ExactVec& v) {
+    return {dot(m[0], v), dot(m[1], v), dot(m[2], v)};
+}
+
+inline ExactVec operator+(const ExactVec& a, const ExactVec& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+inline ExactVec scaled(const Rational& factor, const ExactVec& v) {
+    return {factor * v[0], factor * v[1], factor * v[2]};
+}
+
+inline ExactVec exact(const Vec3& v) {
+    return {Rational(v.x()), Rational(v.y()), Rational(v.z())};
+}
+
+inline ExactMat axes_of(const ObbNode& node) {
+    ExactMat m;
+    for (std::size_t i = 0; i < 9; ++i) {
+        m[i / 3][i % 3] = Rational(node.axes[i]);
+    }
+    return m;
+}
+
+inline ExactVec center_of(const ObbNode& node) {
+    return {Rational(node.center[0]), Rational(node.center[1]), Rational(node.center[2])};
+}
+
+/// The contract of ObbNode. The half sizes are finite.
+inline bool contains(const ObbNode& node, const Vec3& point) {
+    const ExactVec alpha = axes_of(node) * (exact(point) + scaled(Rational(-1), center_of(node)));
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (abs(alpha[i]) > Rational(node.half[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The linear part of a pose as it was meant.
+inline ExactMat exact_rotation(const Pose& pose) {
+    if (pose.kind() == Pose::Kind::Matrix) {
+        const Mat3& m = pose.matrix();
+        return {exact(m.row(0)), exact(m.row(1)), exact(m.row(2))};
+    }
+    const Quaternion& q = pose.quaternion();
+    const Rational w(q.w);
+    const Rational x(q.x);
+    const Rational y(q.y);
+    const Rational z(q.z);
+    const Rational n = w * w + x * x + y * y + z * z;
+    ExactMat m = {
+        ExactVec{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+        ExactVec{2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+        ExactVec{2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+    for (ExactVec& row : m) {
+        row = scaled(1 / n, row);
+    }
+    return m;
+}
+
+/// A box in the world: a parallelepiped, as its frame is only nearly orthonormal.
+struct ExactBox {
+    ExactVec center;
+    std::array<ExactVec, 3> edges; ///< From the centre to the middle of three faces.
+};
+
+inline ExactBox exact_box(const ObbNode& node, const Pose& pose) {
+    const ExactMat f = axes_of(node);
+    const ExactMat rotation = exact_rotation(pose);
+    const Rational determinant = dot(f[0], cross(f[1], f[2]));
+    ExactBox box;
+    box.center = rotation * center_of(node) + exact(pose.translation());
+    for (std::size_t k = 0; k < 3; ++k) {
+        // The columns of the frame's inverse.
+        const ExactVec column = cross(f[(k + 1) % 3], f[(k + 2) % 3]);
+        box.edges[k] = rotation * scaled(Rational(node.half[k]) / determinant, column);
+    }
+    return box;
+}
+
+/// True when the closed boxes share a point: no plane that a separating one could be turned to
+/// (along a face of one, or along an edge of each) separates them.
+inline bool exactly_overlap(const ExactBox& a, const ExactBox& b) {
+    std::vector<ExactVec> axes;
+    for (std::size_t i = 0; i < 3; ++i) {
+        axes.push_back(cross(a.edges[i], a.edges[(i + 1) % 3]));
+        axes.push_back(cross(b.edges[i], b.edges[(i + 1) % 3]));
+        for (std::size_t k = 0; k < 3; ++k) {
+            axes.push_back(cross(a.edges[i], b.edges[k]));
+        }
+    }
+    const ExactVec between = b.center + scaled(Rational(-1), a.center);
+    for (const ExactVec& axis : axes) {
+        Rational reach = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            reach += abs(dot(axis, a.edges[k])) + abs(dot(axis, b.edges[k]));
+        }
+        if (abs(dot(axis, between)) > reach) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace cd::tests

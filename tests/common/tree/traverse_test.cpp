@@ -1,0 +1,198 @@
+// Proves that the traversal loses no contact and invents none: on random, degenerate and touching
+// meshes, under either kind of pose on both bodies, it finds what testing every triangle against
+// every other finds.
+
+#include "common/tree/traverse.hpp"
+
+#include "common/core/thread_pool.hpp"
+#include "common/tree/brute_force.hpp"
+#include "common/tree/build.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace cd::tests {
+
+namespace {
+
+ObbTree build(const Mesh& mesh, const BuildOptions& options = {}) {
+    ThreadPool pool(1);
+    return build_tree(share(Mesh(mesh)), options, pool);
+}
+
+/// Compares all answers of the traversal with the slow twin; how many pairs there are.
+std::size_t expect_agreement(const Mesh& a, const Mesh& b, const PosePair& poses) {
+    const std::vector<ContactPair> expected = contact_pairs_brute_force(a, b, poses);
+    const BuildOptions variants[] = {
+        {}, {.leaf_triangles_max = 1}, {.boxes = BoxKind::Aabb}, {.rule = SplitRule::Bare}};
+    for (const BuildOptions& options : variants) {
+        const ObbTree tree_a = build(a, options);
+        const ObbTree tree_b = build(b, options);
+        EXPECT_EQ(contact_pairs(tree_a, tree_b, poses), expected);
+        ContactSearch search(poses, {});
+        EXPECT_EQ(search.any(tree_a.view(), tree_b.view()), !expected.empty());
+        EXPECT_TRUE(search.pairs().empty());
+    }
+    return expected.size();
+}
+
+PosePair random_poses(std::mt19937_64& random, double reach) {
+    const auto one = [&] {
+        return random() % 2 == 0 ? make_pose(random, reach) : make_matrix_pose(random, reach);
+    };
+    Pose a = one();
+    Pose b = one();
+    return {a, b};
+}
+
+TEST(Traverse, AgreesWithBruteForceOnRandomSoups) {
+    constexpr std::uint64_t rounds = 60;
+    std::uint64_t rounds_with_contact = 0;
+    for (std::uint64_t seed = 0; seed < rounds; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const Mesh a = make_triangle_soup(random, 40);
+        const Mesh b = make_triangle_soup(random, 50, 0.2);
+        rounds_with_contact += expect_agreement(a, b, random_poses(random, 1.5)) != 0 ? 1u : 0u;
+    }
+    // Both outcomes were exercised; otherwise agreement would mean little.
+    EXPECT_GT(rounds_with_contact, rounds / 5);
+    EXPECT_LT(rounds_with_contact, rounds * 19 / 20);
+}
+
+TEST(Traverse, AgreesWithBruteForceOnDegenerateSoups) {
+    std::size_t contacts = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const Mesh a = make_degenerate_soup(random, 40);
+        const Mesh b = make_degenerate_soup(random, 40);
+        contacts += expect_agreement(a, b, {Pose{}, translation_pose(1, 0, 0)});
+        contacts += expect_agreement(a, b, random_poses(random, 1.0));
+        contacts += expect_agreement(a, a, PosePair{});
+    }
+    EXPECT_GT(contacts, 0u);
+}
+
+TEST(Traverse, AgreesWithBruteForceOnSpheresThatTouchOrCross) {
+    const Mesh sphere = make_sphere(2);
+    EXPECT_GT(expect_agreement(sphere, sphere, PosePair{}), 0u);
+    EXPECT_GT(expect_agreement(sphere, sphere, {Pose{}, translation_pose(2, 0, 0)}), 0u);
+    EXPECT_GT(expect_agreement(sphere, sphere, {Pose{}, translation_pose(1.5, 0.3, 0)}), 0u);
+    EXPECT_EQ(expect_agreement(sphere, sphere, {Pose{}, translation_pose(2.0001, 0, 0)}), 0u);
+}
+
+TEST(Traverse, FindsEveryContactOfGriddedBoxesFaceToFace) {
+    const Mesh box = make_gridded_box(Vec3(1, 1, 1), 4);
+    const std::size_t aligned = expect_agreement(box, box, {Pose{}, translation_pose(1, 0, 0)});
+    EXPECT_GE(aligned, 32u);
+    EXPECT_GT(expect_agreement(box, box, {Pose{}, translation_pose(1, 1, 0)}), 0u);
+    EXPECT_GT(expect_agreement(box, box, {Pose{}, translation_pose(1, 1, 1)}), 0u);
+    EXPECT_EQ(expect_agreement(box, box, {Pose{}, translation_pose(0x1.000002p0, 0, 0)}), 0u);
+    // Both bodies turned by the same 3-4-5 angle: nothing is axis-aligned, everything touches.
+    const Quaternion turn{2, 0, 0, 1};
+    const PosePair turned{Pose::from_quaternion(turn, Vec3(5, 0, 0)),
+                          Pose::from_quaternion(turn, Vec3(5, 0, 1))};
+    EXPECT_EQ(expect_agreement(box, box, turned), aligned);
+}
+
+TEST(Traverse, AgreesWithBruteForceOnHugeTinyAndFarMeshes) {
+    std::mt19937_64 random(7);
+    const Mesh soup = make_triangle_soup(random, 30);
+    for (const double scale : {1e-320, 1e-200, 1e-30, 1e30, 0x1p400}) {
+        SCOPED_TRACE(testing::Message() << "scale " << scale);
+        std::vector<Vec3> vertices = soup.vertices();
+        for (Vec3& vertex : vertices) {
+            vertex *= scale;
+        }
+        const Mesh mesh = make_mesh(vertices, soup.triangles());
+        EXPECT_GT(expect_agreement(mesh, mesh, PosePair{}), 0u);
+        expect_agreement(mesh, mesh, random_poses(random, 0.5 * scale));
+    }
+    const Mesh far = translated(soup, Vec3(1e7, -1e7, 1e6));
+    EXPECT_GT(expect_agreement(far, far, {Pose{}, translation_pose(0.25, 0, 0)}), 0u);
+    expect_agreement(far, soup, {Pose{}, translation_pose(1e7, -1e7, 1e6)});
+}
+
+TEST(Traverse, PassesOverIgnoredRanges) {
+    const Mesh sphere = make_sphere(2);
+    const ObbTree tree = build(sphere);
+    const auto last = static_cast<std::uint32_t>(sphere.triangles().size());
+    const std::vector<IgnoredRange> ignored = {{0, 40, 0, last}, {50, 60, 10, 70}};
+
+    ContactSearch search(PosePair{}, ignored);
+    search.collect(tree.view(), tree.view());
+    search.sort();
+
+    std::vector<ContactPair> expected = contact_pairs_brute_force(sphere, sphere, PosePair{});
+    std::erase_if(expected, [&](const ContactPair& pair) {
+        return pair.a < 40 || (pair.a >= 50 && pair.a < 60 && pair.b >= 10 && pair.b < 70);
+    });
+    EXPECT_EQ(search.pairs(), expected);
+
+    const std::vector<IgnoredRange> all = {{0, last, 0, last}};
+    ContactSearch nothing(PosePair{}, all);
+    EXPECT_FALSE(nothing.any(tree.view(), tree.view()));
+    EXPECT_EQ(nothing.statistics().triangle_tests, 0u);
+}
+
+TEST(Traverse, KeepsTheCornersOfEachPairBesideItIfAsked) {
+    std::mt19937_64 random(8);
+    const Mesh a = make_triangle_soup(random, 80);
+    const Mesh b = make_triangle_soup(random, 80);
+    ContactSearch search(PosePair{}, {}, true);
+    search.collect(build(a).view(), build(b).view());
+    search.sort();
+    ASSERT_FALSE(search.pairs().empty());
+    ASSERT_EQ(search.corners().size(), search.pairs().size());
+    EXPECT_TRUE(std::is_sorted(search.pairs().begin(), search.pairs().end()));
+    for (std::size_t i = 0; i < search.pairs().size(); ++i) {
+        EXPECT_EQ(search.corners()[i].a, a.corners(search.pairs()[i].a));
+        EXPECT_EQ(search.corners()[i].b, b.corners(search.pairs()[i].b));
+    }
+}
+
+TEST(Traverse, GathersOverSeveralCallsAndCounts) {
+    const Mesh sphere = make_sphere(1);
+    const ObbTree tree = build(sphere);
+    ContactSearch search(PosePair{}, {});
+    search.collect(tree.view(), tree.view());
+    const std::size_t once = search.pairs().size();
+    const QueryStatistics first = search.statistics();
+    search.collect(tree.view(), tree.view());
+    EXPECT_EQ(search.pairs().size(), 2 * once);
+    EXPECT_EQ(search.statistics().box_tests, 2 * first.box_tests);
+    EXPECT_EQ(search.statistics().triangle_tests, 2 * first.triangle_tests);
+    EXPECT_GE(first.triangle_tests, once);
+}
+
+TEST(Traverse, SeparateBodiesCostOneBoxTest) {
+    const ObbTree tree = build(make_sphere(3));
+    ContactSearch search({Pose{}, translation_pose(10, 0, 0)}, {});
+    EXPECT_FALSE(search.any(tree.view(), tree.view()));
+    EXPECT_EQ(search.statistics().box_tests, 1u);
+    EXPECT_EQ(search.statistics().triangle_tests, 0u);
+}
+
+TEST(Traverse, EndsOnTreesAsDeepAsTheBareRuleMakesThem) {
+    std::vector<Vec3> vertices = {Vec3::Zero()};
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        vertices.emplace_back(1.0 + 0.01 * i, 0, 0);
+        vertices.emplace_back(1.0 + 0.01 * i, 1e-3, 0);
+        triangles.push_back({0, 2 * i + 1, 2 * i + 2});
+    }
+    const Mesh fan = make_mesh(vertices, triangles);
+    const Mesh needle =
+        make_mesh({Vec3(15, 5e-4, -1), Vec3(15, 5e-4, 1), Vec3(15, 6e-4, 1)}, {{0, 1, 2}});
+    const ObbTree deep = build(fan, {.rule = SplitRule::Bare, .leaf_triangles_max = 1});
+    ASSERT_GT(deep.depth(), 500u);
+    EXPECT_EQ(contact_pairs(deep, build(needle), PosePair{}),
+              contact_pairs_brute_force(fan, needle, PosePair{}));
+}
+
+} // namespace
+
+} // namespace cd::tests
