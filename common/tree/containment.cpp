@@ -3,6 +3,7 @@
 #include "common/core/check.hpp"
 #include "common/tree/box_test.hpp"
 
+#include <Eigen/Geometry>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>

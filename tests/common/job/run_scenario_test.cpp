@@ -1,0 +1,218 @@
+// Proves that a scenario's result is one and the same for whole trees and for subtrees of any cut,
+// that each level says as much as it promises, and that classes are those that are documented.
+
+#include "common/job/run_scenario.hpp"
+
+#include "common/tree/brute_force.hpp"
+#include "common/tree/build.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace cd::tests {
+
+namespace {
+
+ObbTree make_tree(Mesh mesh) {
+    ThreadPool pool(1);
+    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
+}
+
+Scenario make_scenario(const Pose& a, const Pose& b) {
+    Scenario scenario;
+    scenario.index = 17;
+    scenario.poses = {a, b};
+    return scenario;
+}
+
+Query query_of(Level level) {
+    Query query;
+    query.level = level;
+    return query;
+}
+
+ScenarioClass class_at(const ObbTree& a, const ObbTree& b, const Pose& pose, Level level) {
+    return run_scenario(a, b, make_scenario(Pose{}, pose), query_of(level)).result.kind;
+}
+
+/// What the cluster does: cut, find the pairs of roots, run on blocks that went through bytes, in
+/// any order.
+ScenarioResult run_in_parts(const ObbTree& a,
+                            const ObbTree& b,
+                            const Scenario& scenario,
+                            const Query& query,
+                            std::mt19937_64& random) {
+    const auto depth_a = static_cast<std::uint32_t>(random() % 12);
+    const auto depth_b = static_cast<std::uint32_t>(random() % 12);
+    auto pairs =
+        colliding_roots(cut_tree(a, depth_a), cut_tree(b, depth_b), scenario.poses).value();
+    std::reverse(pairs.begin(), pairs.end());
+    const auto through_bytes = [](const ObbTree& tree, std::uint32_t node) {
+        const Subtree subtree = extract_subtree(tree, node);
+        return decode_subtree(encode_subtree(subtree, tree.mesh().precision())).value();
+    };
+    std::vector<Subtree> parts_a;
+    std::vector<Subtree> parts_b;
+    for (const std::uint32_t node : cut_nodes(a, depth_a)) {
+        parts_a.push_back(through_bytes(a, node));
+    }
+    for (const std::uint32_t node : cut_nodes(b, depth_b)) {
+        parts_b.push_back(through_bytes(b, node));
+    }
+    std::vector<SubtreePair> parts;
+    for (const RootPair& pair : pairs) {
+        parts.push_back({parts_a[pair.a].view(), parts_b[pair.b].view()});
+    }
+    ScenarioResult result = run_on_subtrees(parts, scenario, query).result;
+    settle_class(a, b, scenario, query, result);
+    return result;
+}
+
+} // namespace
+
+TEST(RunScenario, PartsGiveTheSameRecordAsTheWhole) {
+    std::mt19937_64 random(5);
+    std::vector<ObbTree> trees;
+    trees.push_back(make_tree(make_sphere(2)));
+    trees.push_back(make_tree(make_gridded_box(Vec3(1.5, 1, 1), 4)));
+    trees.push_back(make_tree(make_triangle_soup(random, 60)));
+    trees.push_back(make_tree(make_degenerate_soup(random, 40)));
+    int in_contact = 0;
+    for (int round = 0; round < 60; ++round) {
+        SCOPED_TRACE(testing::Message() << "round " << round);
+        const ObbTree& a = trees[random() % trees.size()];
+        const ObbTree& b = trees[random() % trees.size()];
+        const Scenario scenario = make_scenario(make_pose(random, 0.2), make_pose(random, 1.5));
+        for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+            Query query = query_of(level);
+            query.limit_pairs = round % 3 == 0 ? 5 : 0;
+            const ScenarioResult whole = run_scenario(a, b, scenario, query).result;
+            const Bytes record = encode_result(whole);
+            ASSERT_EQ(encode_result(run_in_parts(a, b, scenario, query, random)), record);
+            const auto decoded = decode_result(record);
+            ASSERT_TRUE(decoded) << decoded.error().detail;
+            in_contact += whole.kind == ScenarioClass::Contact ? 1 : 0;
+        }
+    }
+    EXPECT_GT(in_contact, 15);
+    EXPECT_LT(in_contact, 55);
+}
+
+TEST(RunScenario, EachLevelSaysWhatItPromises) {
+    const ObbTree sphere = make_tree(make_sphere(2));
+    const Scenario scenario = make_scenario(Pose{}, translation_pose(0.9, 0.1, 0.2));
+    const auto expected = contact_pairs_brute_force(sphere.mesh(), sphere.mesh(), scenario.poses);
+    ASSERT_GT(expected.size(), 10u);
+
+    const auto any = run_scenario(sphere, sphere, scenario, query_of(Level::Any)).result;
+    EXPECT_EQ(any.kind, ScenarioClass::Contact);
+    EXPECT_EQ(any.pair_count, 0u);
+    EXPECT_EQ(any.index, 17u);
+
+    const auto count = run_scenario(sphere, sphere, scenario, query_of(Level::Count)).result;
+    EXPECT_EQ(count.kind, ScenarioClass::Cross);
+    EXPECT_EQ(count.pair_count, expected.size());
+    EXPECT_TRUE(count.pairs.empty());
+
+    const auto pairs = run_scenario(sphere, sphere, scenario, query_of(Level::Pairs)).result;
+    EXPECT_EQ(pairs.pairs, expected);
+    EXPECT_FALSE(pairs.is_cut());
+    EXPECT_TRUE(pairs.points.empty());
+
+    const auto contacts = run_scenario(sphere, sphere, scenario, query_of(Level::Contacts)).result;
+    EXPECT_EQ(contacts.pairs, expected);
+    ASSERT_EQ(contacts.point_offsets.size(), expected.size() + 1);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const std::uint32_t points = contacts.point_offsets[i + 1] - contacts.point_offsets[i];
+        EXPECT_GE(points, 1u);
+        const Vec3 first = sphere.mesh().corners(expected[i].a)[0];
+        EXPECT_EQ(contacts.point_origins[i], first);
+    }
+    for (const Vec3& point : contacts.points) {
+        EXPECT_LT(point.norm(), 0.6) << "shared points lie in the small triangle of A";
+    }
+}
+
+TEST(RunScenario, AnyStopsAtTheFirstContact) {
+    const ObbTree sphere = make_tree(make_sphere(4));
+    const Scenario scenario = make_scenario(Pose{}, translation_pose(0.9, 0.1, 0.2));
+    const auto any = run_scenario(sphere, sphere, scenario, query_of(Level::Any)).statistics;
+    const auto pairs = run_scenario(sphere, sphere, scenario, query_of(Level::Pairs)).statistics;
+    EXPECT_GT(any.triangle_tests, 0u);
+    EXPECT_LT(10 * any.triangle_tests, pairs.triangle_tests);
+}
+
+TEST(RunScenario, ALimitKeepsTheFirstPairsAndTheTrueCount) {
+    const ObbTree sphere = make_tree(make_sphere(2));
+    const Scenario scenario = make_scenario(Pose{}, translation_pose(0.9, 0.1, 0.2));
+    Query query = query_of(Level::Contacts);
+    const auto all = run_scenario(sphere, sphere, scenario, query).result;
+    query.limit_pairs = 4;
+    const auto cut = run_scenario(sphere, sphere, scenario, query).result;
+    EXPECT_TRUE(cut.is_cut());
+    EXPECT_EQ(cut.pair_count, all.pairs.size());
+    EXPECT_EQ(cut.kind, all.kind);
+    EXPECT_TRUE(std::equal(cut.pairs.begin(), cut.pairs.end(), all.pairs.begin()));
+    ASSERT_EQ(cut.pairs.size(), 4u);
+    EXPECT_EQ(cut.points.size(), all.point_offsets[4]);
+    query.limit_pairs = all.pairs.size();
+    EXPECT_FALSE(run_scenario(sphere, sphere, scenario, query).result.is_cut());
+}
+
+TEST(RunScenario, ClassesOfBoxes) {
+    const ObbTree box = make_tree(make_box(Vec3(2, 2, 2)));
+    const ObbTree small = make_tree(make_box(Vec3(0.5, 0.5, 0.5)));
+    const Level level = Level::Count;
+    EXPECT_EQ(class_at(box, box, translation_pose(3, 0, 0), level), ScenarioClass::Separate);
+    EXPECT_EQ(class_at(box, box, translation_pose(2, 0.3, 0.1), level), ScenarioClass::Touch);
+    EXPECT_EQ(class_at(box, box, translation_pose(2, 2, 2), level), ScenarioClass::Touch);
+    EXPECT_EQ(class_at(box, box, translation_pose(1.3, 0.4, 0.2), level), ScenarioClass::Cross);
+    EXPECT_EQ(class_at(box, small, translation_pose(0.3, 0.1, 0), level), ScenarioClass::Inside);
+    EXPECT_EQ(class_at(small, box, translation_pose(0.3, 0.1, 0), level), ScenarioClass::Inside);
+    EXPECT_EQ(class_at(box, small, Pose{}, Level::Any), ScenarioClass::Separate);
+    EXPECT_EQ(class_at(box, small, Pose{}, Level::Pairs), ScenarioClass::Inside);
+}
+
+TEST(RunScenario, OpenBodiesAreSurfacesOnly) {
+    std::vector<Triangle> triangles = make_box(Vec3(2, 2, 2)).triangles();
+    triangles.pop_back();
+    const ObbTree open = make_tree(make_mesh(make_box(Vec3(2, 2, 2)).vertices(), triangles));
+    const ObbTree small = make_tree(make_box(Vec3(0.5, 0.5, 0.5)));
+    const Scenario scenario = make_scenario(Pose{}, Pose{});
+    const auto result = run_scenario(open, small, scenario, query_of(Level::Count)).result;
+    EXPECT_EQ(result.kind, ScenarioClass::Separate);
+    EXPECT_TRUE(result.surfaces_only);
+    EXPECT_FALSE(settling_is_work(open, small, result));
+    EXPECT_FALSE(run_scenario(small, small, scenario, query_of(Level::Count)).result.surfaces_only);
+}
+
+TEST(RunScenario, IgnoredPairsAreNoContacts) {
+    const ObbTree box = make_tree(make_box(Vec3(2, 2, 2)));
+    const Scenario scenario = make_scenario(Pose{}, translation_pose(1.3, 0.4, 0.2));
+    Query query = query_of(Level::Pairs);
+    const auto all = run_scenario(box, box, scenario, query).result;
+    const ContactPair& first = all.pairs.front();
+    query.ignored = {{first.a, first.a + 1, 0, 12}};
+    const auto some = run_scenario(box, box, scenario, query).result;
+    EXPECT_LT(some.pair_count, all.pair_count);
+    for (const ContactPair& pair : some.pairs) {
+        EXPECT_NE(pair.a, first.a);
+    }
+    query.ignored = {{0, 12, 0, 12}};
+    EXPECT_EQ(run_scenario(box, box, scenario, query).result.kind, ScenarioClass::Separate);
+}
+
+TEST(RunScenario, NoPairsOfSubtreesMeansSeparate) {
+    const Scenario scenario = make_scenario(Pose{}, Pose{});
+    for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+        const ScenarioRun run = run_on_subtrees({}, scenario, query_of(level));
+        EXPECT_EQ(run.result.kind, ScenarioClass::Separate);
+        EXPECT_EQ(run.statistics.box_tests, 0u);
+        EXPECT_TRUE(decode_result(encode_result(run.result)));
+    }
+}
+
+} // namespace cd::tests

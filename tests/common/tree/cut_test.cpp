@@ -1,0 +1,225 @@
+// Proves that a cut loses nothing: the contacts under all pairs of colliding roots together are the
+// whole answer, each once, at every depth; that indicators are those of the paper's Table 1; and
+// that nodes of foreign origin are checked.
+
+#include "common/tree/cut.hpp"
+
+#include "common/tree/build.hpp"
+#include "common/tree/subtree_block.hpp"
+#include "common/tree/traverse.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+namespace cd::tests {
+
+namespace {
+
+ObbTree make_tree(Mesh mesh) {
+    ThreadPool pool(1);
+    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
+}
+
+/// The contacts under the pairs of roots, gathered from subtrees that stand on their own.
+std::vector<ContactPair> contacts_under_roots(const ObbTree& a,
+                                              const ObbTree& b,
+                                              std::uint32_t depth_a,
+                                              std::uint32_t depth_b,
+                                              const PosePair& poses) {
+    const auto pairs = colliding_roots(cut_tree(a, depth_a), cut_tree(b, depth_b), poses);
+    EXPECT_TRUE(pairs);
+    EXPECT_TRUE(std::is_sorted(pairs.value().begin(), pairs.value().end()));
+    const auto nodes_a = cut_nodes(a, depth_a);
+    const auto nodes_b = cut_nodes(b, depth_b);
+    ContactSearch search(poses, {});
+    for (const RootPair& pair : pairs.value()) {
+        const Subtree part_a = extract_subtree(a, nodes_a[pair.a]);
+        const Subtree part_b = extract_subtree(b, nodes_b[pair.b]);
+        search.collect(part_a.view(), part_b.view());
+    }
+    search.sort();
+    return search.pairs();
+}
+
+std::vector<Mesh> shapes(std::mt19937_64& random) {
+    std::vector<Mesh> meshes;
+    meshes.push_back(make_sphere(2));
+    meshes.push_back(make_torus(1.0, 0.3, 20, 10));
+    meshes.push_back(make_gridded_box(Vec3(1, 1, 1), 5));
+    meshes.push_back(make_triangle_soup(random, 120));
+    meshes.push_back(make_degenerate_soup(random, 60));
+    return meshes;
+}
+
+ObbNode make_box_node(std::uint32_t right, std::uint32_t begin, std::uint32_t end) {
+    ObbNode node;
+    node.axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    node.half = {1, 1, 1};
+    node.right = right;
+    node.triangles_begin = begin;
+    node.triangles_end = end;
+    return node;
+}
+
+/// ((2, 3), 4): three leaves under two inner nodes, by their triangles.
+std::vector<ObbNode> three_leaves() {
+    return {make_box_node(4, 0, 9),
+            make_box_node(3, 0, 5),
+            make_box_node(0, 0, 2),
+            make_box_node(0, 2, 5),
+            make_box_node(0, 5, 9)};
+}
+
+} // namespace
+
+TEST(Cut, TheRootsTogetherAreTheWholeAnswerEachContactOnce) {
+    std::mt19937_64 random(7);
+    std::vector<ObbTree> trees;
+    for (Mesh& mesh : shapes(random)) {
+        trees.push_back(make_tree(std::move(mesh)));
+    }
+    std::size_t contacts = 0;
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        for (std::size_t j = 0; j < trees.size(); ++j) {
+            SCOPED_TRACE(testing::Message() << "shapes " << i << " and " << j);
+            const PosePair poses{make_pose(random, 0.1), make_matrix_pose(random, 0.8)};
+            const auto expected = contact_pairs(trees[i], trees[j], poses);
+            contacts += expected.size();
+            const auto depth_a = static_cast<std::uint32_t>(random() % 15);
+            const auto depth_b = static_cast<std::uint32_t>(random() % 15);
+            ASSERT_EQ(contacts_under_roots(trees[i], trees[j], depth_a, depth_b, poses), expected)
+                << "depths " << depth_a << " and " << depth_b;
+        }
+    }
+    EXPECT_GT(contacts, 1000u);
+}
+
+TEST(Cut, EveryDepthGivesTheSameAnswer) {
+    std::mt19937_64 random(3);
+    const ObbTree a = make_tree(make_sphere(3));
+    const ObbTree b = make_tree(make_torus(1.0, 0.4, 16, 8));
+    const PosePair poses{Pose{}, make_pose(random, 0.5)};
+    const auto expected = contact_pairs(a, b, poses);
+    ASSERT_GT(expected.size(), 50u);
+    for (std::uint32_t depth = 0; depth <= 14; ++depth) {
+        ASSERT_EQ(contacts_under_roots(a, b, depth, depth, poses), expected) << depth;
+        ASSERT_EQ(contacts_under_roots(a, b, depth, 14 - depth, poses), expected) << depth;
+    }
+}
+
+TEST(Cut, BodiesApartHaveNoPairs) {
+    const ObbTree a = make_tree(make_sphere(2));
+    const auto pairs =
+        colliding_roots(cut_tree(a, 6), cut_tree(a, 6), {Pose{}, translation_pose(5, 0, 0)});
+    ASSERT_TRUE(pairs);
+    EXPECT_TRUE(pairs.value().empty());
+}
+
+TEST(Cut, TheTopHoldsTheNodesAboveTheCut) {
+    const ObbTree tree = make_tree(make_sphere(3));
+    for (const std::uint32_t depth : {0u, 1u, 4u, 20u}) {
+        const TreeTop top = cut_tree(tree, depth);
+        const auto nodes = cut_nodes(tree, depth);
+        ASSERT_EQ(top.root_count(), nodes.size());
+        std::uint32_t triangles = 0;
+        for (RootIndex root = 0; root < top.root_count(); ++root) {
+            // From left to right, without a gap.
+            const ObbNode& node = tree.nodes()[nodes[root]];
+            ASSERT_EQ(node.triangles_begin, triangles);
+            ASSERT_EQ(top.triangles_under(root), node.triangle_count());
+            ASSERT_EQ(top.nodes[top.root_nodes[root]].center, node.center);
+            triangles += node.triangle_count();
+        }
+        EXPECT_EQ(triangles, tree.mesh().triangles().size());
+        const auto again = make_tree_top(top.nodes);
+        ASSERT_TRUE(again) << again.error().detail;
+        EXPECT_EQ(again.value().root_nodes, top.root_nodes);
+    }
+    EXPECT_EQ(cut_tree(tree, 0).nodes.size(), 1u);
+    EXPECT_EQ(cut_tree(tree, 1000).nodes.size(), tree.nodes().size());
+}
+
+TEST(TreeTop, RefusesNodesThatAreNoTree) {
+    ASSERT_TRUE(make_tree_top(three_leaves()));
+    EXPECT_EQ(make_tree_top(three_leaves()).value().root_nodes,
+              (std::vector<std::uint32_t>{2, 3, 4}));
+    const auto refused = [](const auto& damage) {
+        std::vector<ObbNode> nodes = three_leaves();
+        damage(nodes);
+        const auto top = make_tree_top(nodes);
+        return !top && top.error().code == ErrorCode::BadInput;
+    };
+    EXPECT_TRUE(refused([](auto& nodes) { nodes.clear(); }));
+    EXPECT_TRUE(refused([](auto& nodes) { nodes.pop_back(); }));
+    EXPECT_TRUE(refused([](auto& nodes) { nodes.push_back(nodes.back()); }));
+    EXPECT_TRUE(refused([](auto& nodes) { nodes[0].right = 3; }));
+    EXPECT_TRUE(refused([](auto& nodes) { nodes[0].right = 5; }));
+    EXPECT_TRUE(refused([](auto& nodes) { nodes[1].right = 1; })) << "a cycle";
+    EXPECT_TRUE(refused([](auto& nodes) { nodes[3].right = 2; }));
+    EXPECT_TRUE(refused([](auto& nodes) { nodes[4].right = UINT32_MAX; }));
+    EXPECT_TRUE(refused([](auto& nodes) { nodes[0].triangles_begin = 1; }));
+    EXPECT_TRUE(refused([](auto& nodes) { nodes[2].triangles_end = 3; }));
+    EXPECT_TRUE(refused([](auto& nodes) { nodes[4].triangles_end = 5; }));
+    EXPECT_TRUE(refused([](auto& nodes) { nodes[3].triangles_begin = nodes[3].triangles_end; }));
+}
+
+TEST(TreeTop, RefusesBoxesThatCannotBeTested) {
+    const auto accepted = [](const auto& change) {
+        std::vector<ObbNode> nodes = three_leaves();
+        change(nodes[3]);
+        return make_tree_top(nodes).has_value();
+    };
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity();
+    EXPECT_TRUE(accepted([&](ObbNode& node) { node.half[1] = infinity; }));
+    EXPECT_FALSE(accepted([&](ObbNode& node) { node.half[1] = nan; }));
+    EXPECT_FALSE(accepted([&](ObbNode& node) { node.half[1] = -1; }));
+    EXPECT_FALSE(accepted([&](ObbNode& node) { node.center[0] = infinity; }));
+    EXPECT_FALSE(accepted([&](ObbNode& node) { node.axes[4] = 0.5f; }));
+    EXPECT_FALSE(accepted([&](ObbNode& node) { node.axes[1] = 0.001f; }));
+    EXPECT_FALSE(accepted([&](ObbNode& node) { node.axes[8] = nan; }));
+}
+
+// Table 1 of the paper: the roots of a model hold 1, 11, (unknown), 1, 1 and 4 triangles; a
+// scenario's indicator holds these numbers where it touches the root and 0 elsewhere.
+TEST(RootIndicator, IsThatOfTable1) {
+    const std::vector<std::uint32_t> triangles{1, 11, 2, 1, 1, 4};
+    TreeTop top;
+    std::uint32_t begin = 0;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        top.nodes.push_back(make_box_node(0, begin, begin + triangles[i]));
+        top.root_nodes.push_back(i);
+        begin += triangles[i];
+    }
+    const auto indicator_of = [&](const std::vector<RootIndex>& roots) {
+        const RootIndicator indicator = RootIndicator::of(top, roots);
+        return std::vector<std::uint32_t>(indicator.values().begin(), indicator.values().end());
+    };
+    using Vector = std::vector<std::uint32_t>;
+    EXPECT_EQ(indicator_of({4, 5}), (Vector{0, 0, 0, 0, 1, 4}));        // Scenario 1
+    EXPECT_EQ(indicator_of({1, 3, 4}), (Vector{0, 11, 0, 1, 1, 0}));    // Scenarios 2 and 5
+    EXPECT_EQ(indicator_of({0, 1, 3, 5}), (Vector{1, 11, 0, 1, 0, 4})); // Scenario 3
+    EXPECT_EQ(indicator_of({}), (Vector{0, 0, 0, 0, 0, 0}));            // Scenario 4
+}
+
+TEST(RootIndicator, MarksWhatAWorkerHolds) {
+    RootIndicator held(4);
+    held.set(2, 14);
+    EXPECT_EQ(held.at(2), 14u);
+    EXPECT_EQ(held.at(1), 0u);
+    held.clear(2);
+    EXPECT_EQ(held.at(2), 0u);
+    EXPECT_EQ(held.size(), 4u);
+}
+
+TEST(RootPair, TheRootsOfASideAreDistinctAndAscending) {
+    const std::vector<RootPair> pairs{{1, 5}, {1, 7}, {3, 5}, {9, 0}};
+    EXPECT_EQ(roots_of_a(pairs), (std::vector<RootIndex>{1, 3, 9}));
+    EXPECT_EQ(roots_of_b(pairs), (std::vector<RootIndex>{0, 5, 7}));
+}
+
+} // namespace cd::tests
