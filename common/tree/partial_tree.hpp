@@ -9,8 +9,8 @@
 
 namespace cd {
 
-/// The paper's "parallel OBB tree". Slots are empty until filled; a scenario holds the subtrees that
-/// it uses by shared pointers, so a slot may be emptied while one runs.
+/// The paper's "parallel OBB tree". Slots are empty until filled; a scenario holds the subtrees
+/// that it uses by shared pointers, so a slot may be emptied while one runs.
 class PartialObbTree {
   public:
     explicit PartialObbTree(TreeTop top) : top_(std::move(top)), slots_(top_.root_count()) {}

@@ -160,8 +160,7 @@ TEST(Containment, GridPointsOfAGriddedBoxHaveManyDegenerateRays) {
 }
 
 TEST(Containment, RaysThroughEdgesAreCastAgain) {
-    // The ray of the first attempt from the origin has direction (1, t, t^2) with t = 26177 /
-    // 65536.
+    // The first attempt's ray from the origin has the direction (1, t, t^2).
     const double t = 26177.0 / 65536;
     const Vec3 tip(1, t, t * t);
     // A tetrahedron around the origin with this tip: the ray meets three triangles in one corner.
