@@ -18,6 +18,9 @@ inline constexpr std::size_t streams_max = 4; ///< Messages that one peer may ha
 inline constexpr std::size_t hello_text_bytes_max = 256;
 inline constexpr std::size_t write_queue_bytes_max = 64u << 20; ///< Then the sender waits.
 
+// Files.
+inline constexpr std::uint64_t npz_array_bytes_max = 16ull << 30; ///< One array, unpacked.
+
 // Geometry.
 inline constexpr std::uint64_t mesh_vertices_max = 1ull << 31;
 inline constexpr std::uint64_t mesh_triangles_max = 1ull << 31;

@@ -1,0 +1,267 @@
+#include "client/mesh_import.hpp"
+
+#include "client/mesh_builder.hpp"
+#include "client/mesh_text_check.hpp"
+#include "client/npz.hpp"
+#include "common/geometry/aabb.hpp"
+
+#include <Eigen/Core>
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <system_error>
+
+namespace cd {
+
+namespace {
+
+Error bad(const std::filesystem::path& path, const std::string& detail) {
+    return {ErrorCode::BadInput, path.string() + ": " + detail};
+}
+
+std::string lower_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
+        return static_cast<char>(std::tolower(c));
+    });
+    return extension;
+}
+
+Eigen::Matrix4d to_double(const aiMatrix4x4& m) {
+    Eigen::Matrix4d out;
+    for (unsigned row = 0; row < 4; ++row) {
+        for (unsigned column = 0; column < 4; ++column) {
+            out(row, column) = static_cast<double>(m[row][column]);
+        }
+    }
+    return out;
+}
+
+/// The walk over a scene, depth first, without recursion: a file decides the depth.
+class SceneReader {
+  public:
+    SceneReader(const aiScene& scene, const std::filesystem::path& path, double unit_factor)
+        : scene_(scene), path_(path), unit_factor_(unit_factor) {}
+
+    Result<ImportedMesh> read() {
+        struct Visit {
+            const aiNode* node;
+            Eigen::Matrix4d to_world;
+        };
+        std::vector<Visit> waiting{
+            {scene_.mRootNode, to_double(scene_.mRootNode->mTransformation)}};
+        while (!waiting.empty()) {
+            const Visit visit = waiting.back();
+            waiting.pop_back();
+            for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
+                const aiMesh& mesh = *scene_.mMeshes[visit.node->mMeshes[i]];
+                if (const Status status = add(mesh, *visit.node, visit.to_world); !status) {
+                    return status.error();
+                }
+            }
+            for (unsigned i = visit.node->mNumChildren; i-- > 0;) {
+                const aiNode* child = visit.node->mChildren[i];
+                waiting.push_back({child, visit.to_world * to_double(child->mTransformation)});
+            }
+        }
+        return finish();
+    }
+
+  private:
+    Status add(const aiMesh& mesh, const aiNode& node, const Eigen::Matrix4d& to_world) {
+        builder_.begin_part(part_name(mesh, node));
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            const aiFace& face = mesh.mFaces[f];
+            if (face.mNumIndices != 3) {
+                (face.mNumIndices == 2 ? lines_ : points_) += 1;
+                continue;
+            }
+            Corners corners;
+            for (unsigned k = 0; k < 3; ++k) {
+                const unsigned index = face.mIndices[k];
+                if (index >= mesh.mNumVertices) {
+                    return bad(path_,
+                               "face " + std::to_string(builder_.triangle_count()) +
+                                   " names vertex " + std::to_string(index) + " of " +
+                                   std::to_string(mesh.mNumVertices));
+                }
+                corners[k] = place(mesh.mVertices[index], to_world);
+                if (!corners[k].allFinite()) {
+                    return bad(path_,
+                               "face " + std::to_string(builder_.triangle_count()) +
+                                   " has a coordinate that is not finite");
+                }
+            }
+            builder_.add(corners);
+        }
+        return Done{};
+    }
+
+    [[nodiscard]] Vec3 place(const aiVector3D& v, const Eigen::Matrix4d& to_world) const {
+        const Eigen::Vector4d in(
+            static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z), 1);
+        const Eigen::Vector4d world = to_world * in;
+        const Vec3 scaled = unit_factor_ * Vec3(world.x(), world.y(), world.z());
+        return scaled.cast<float>().cast<double>();
+    }
+
+    [[nodiscard]] std::string part_name(const aiMesh& mesh, const aiNode& node) const {
+        const std::string of_node = node.mName.C_Str();
+        const std::string of_mesh = mesh.mName.C_Str();
+        if (node.mNumMeshes > 1 && !of_mesh.empty()) {
+            return of_mesh;
+        }
+        const bool is_root = &node == scene_.mRootNode;
+        if (!of_node.empty() && !is_root) {
+            return of_node;
+        }
+        return of_mesh.empty() ? path_.stem().string() : of_mesh;
+    }
+
+    Result<ImportedMesh> finish() {
+        ImportedMesh imported;
+        imported.points_skipped = points_;
+        imported.lines_skipped = lines_;
+        auto mesh = builder_.finish(Precision::Float);
+        if (!mesh) {
+            return bad(path_, mesh.error().detail);
+        }
+        imported.mesh = std::make_shared<const Mesh>(std::move(mesh.value()));
+        return imported;
+    }
+
+    const aiScene& scene_;
+    const std::filesystem::path& path_;
+    double unit_factor_;
+    MeshBuilder builder_;
+    std::uint64_t points_ = 0;
+    std::uint64_t lines_ = 0;
+};
+
+Result<ImportedMesh> import_with_assimp(const std::filesystem::path& path,
+                                        const ImportOptions& options) {
+    try {
+        Assimp::Importer importer;
+        const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate);
+        if (scene == nullptr || scene->mRootNode == nullptr) {
+            const std::string why = importer.GetErrorString();
+            return bad(path, "cannot be read as a mesh" + (why.empty() ? "" : ": " + why));
+        }
+        return SceneReader(*scene, path, options.unit_factor).read();
+    } catch (const std::exception& error) {
+        return bad(path, std::string("cannot be read as a mesh: ") + error.what());
+    }
+}
+
+Result<ImportedMesh> import_npz(const std::filesystem::path& path, const ImportOptions& options) {
+    const auto arrays = read_npz(path);
+    if (!arrays) {
+        return Error{ErrorCode::BadInput, arrays.error().detail};
+    }
+    const auto vertices = arrays.value().find("vertices");
+    const auto faces = arrays.value().find("faces");
+    if (vertices == arrays.value().end() || faces == arrays.value().end()) {
+        return bad(path, "has no arrays 'vertices' and 'faces'");
+    }
+    const auto is_triples = [](const NpyArray& array) {
+        return array.shape.size() == 2 && array.shape[1] == 3;
+    };
+    if (!is_triples(vertices->second) || !is_triples(faces->second)) {
+        return bad(path, "'vertices' must be of shape (N, 3) and 'faces' of shape (M, 3)");
+    }
+    const auto indices = faces->second.to_integers();
+    if (!indices) {
+        return bad(path, "'faces': " + indices.error().detail);
+    }
+    MeshArrays arrays_out;
+    arrays_out.precision = Precision::Double;
+    const std::vector<double> values = vertices->second.to_doubles();
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+        arrays_out.vertices.emplace_back(options.unit_factor *
+                                         Vec3(values[i], values[i + 1], values[i + 2]));
+    }
+    for (std::size_t i = 0; i < indices.value().size(); i += 3) {
+        Triangle triangle{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int64_t index = indices.value()[i + k];
+            if (index < 0 || static_cast<std::uint64_t>(index) >= arrays_out.vertices.size()) {
+                return bad(path,
+                           "face " + std::to_string(i / 3) + " names vertex " +
+                               std::to_string(index) + " of " +
+                               std::to_string(arrays_out.vertices.size()));
+            }
+            triangle[k] = static_cast<std::uint32_t>(index);
+        }
+        arrays_out.triangles.push_back(triangle);
+    }
+    arrays_out.parts.push_back(
+        {path.stem().string(), 0, static_cast<std::uint32_t>(arrays_out.triangles.size())});
+    auto mesh = Mesh::create(std::move(arrays_out));
+    if (!mesh) {
+        return bad(path, mesh.error().detail);
+    }
+    ImportedMesh imported;
+    imported.mesh = std::make_shared<const Mesh>(std::move(mesh.value()));
+    return imported;
+}
+
+/// Floats far from the origin are coarse: a warning where their step there is visible at the
+/// body's own size.
+void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& imported) {
+    if (imported.mesh->precision() != Precision::Float) {
+        return;
+    }
+    double farthest = 0;
+    Aabb box;
+    for (const Vec3& vertex : imported.mesh->vertices()) {
+        farthest = std::max(farthest, vertex.cwiseAbs().maxCoeff());
+        box.add(vertex);
+    }
+    const auto corner = static_cast<float>(farthest);
+    const double step = static_cast<double>(
+        std::nextafter(corner, std::numeric_limits<float>::infinity()) - corner);
+    if (step > 1e-6 * box.diagonal()) {
+        imported.warnings.push_back(
+            path.string() + ": floats are coarse here: their step at the box's far corner is " +
+            std::to_string(step / box.diagonal()) +
+            " of the diagonal; move the model to its origin, or use .npz, which keeps doubles");
+    }
+}
+
+} // namespace
+
+Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const ImportOptions& options) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) {
+        return bad(path, "no such file");
+    }
+    if (std::filesystem::is_directory(status)) {
+        return bad(path, "is a folder, not a mesh file");
+    }
+    if (std::filesystem::file_size(path, error) == 0 && !error) {
+        return bad(path, "is empty");
+    }
+    const std::string extension = lower_extension(path);
+    if (extension == ".npz") {
+        return import_npz(path, options);
+    }
+    auto imported = import_with_assimp(path, options);
+    if (!imported) {
+        return imported;
+    }
+    if (const Status same = check_against_text(path, extension, options, *imported.value().mesh);
+        !same) {
+        return same.error();
+    }
+    warn_of_coarse_floats(path, imported.value());
+    return imported;
+}
+
+} // namespace cd

@@ -1,0 +1,294 @@
+#include "client/mesh_text_check.hpp"
+
+#include "common/core/hash.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <unordered_set>
+
+namespace cd {
+
+namespace {
+
+/// What a text file says, before any importer.
+struct TextMesh {
+    std::vector<Vec3> vertices;
+    std::vector<std::uint64_t> vertex_lines; ///< From 1; 0 where lines do not count.
+    std::vector<bool> used;
+    std::uint64_t triangles = 0; ///< Of all its polygons.
+};
+
+Error bad(const std::filesystem::path& path, const std::string& detail) {
+    return {ErrorCode::BadInput, path.string() + ": " + detail};
+}
+
+/// Words of a line, separated by blanks.
+class Words {
+  public:
+    explicit Words(std::string_view line) : rest_(line) {}
+
+    /// Empty at the end.
+    std::string_view next() {
+        const std::size_t begin = rest_.find_first_not_of(" \t\r");
+        if (begin == std::string_view::npos) {
+            rest_ = {};
+            return {};
+        }
+        rest_.remove_prefix(begin);
+        const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\r"));
+        rest_.remove_prefix(word.size());
+        return word;
+    }
+
+  private:
+    std::string_view rest_;
+};
+
+std::optional<double> to_number(std::string_view word) {
+    if (word.starts_with('+')) {
+        word.remove_prefix(1);
+    }
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool whole = end == word.data() + word.size() && !word.empty();
+    return whole && error != std::errc::invalid_argument ? std::optional(value) : std::nullopt;
+}
+
+std::optional<std::int64_t> to_index(std::string_view word) {
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return error == std::errc{} && end != word.data() ? std::optional(value) : std::nullopt;
+}
+
+std::optional<Vec3> to_vertex(Words& words) {
+    Vec3 vertex;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto number = to_number(words.next());
+        if (!number) {
+            return std::nullopt;
+        }
+        vertex[axis] = *number;
+    }
+    return vertex;
+}
+
+/// A logical line of an OBJ file: a backslash at the end joins the next one.
+bool next_line(std::istream& in, std::string& line, std::uint64_t& number) {
+    line.clear();
+    std::string piece;
+    while (std::getline(in, piece)) {
+        ++number;
+        if (piece.ends_with('\r')) {
+            piece.pop_back();
+        }
+        const bool goes_on = piece.ends_with('\\');
+        line += goes_on ? piece.substr(0, piece.size() - 1) + " " : piece;
+        if (!goes_on) {
+            return true;
+        }
+    }
+    return !line.empty();
+}
+
+Status read_obj_face(Words& words, TextMesh& mesh, const std::string& place) {
+    std::uint64_t corners = 0;
+    for (std::string_view word = words.next(); !word.empty() && !word.starts_with('#');
+         word = words.next()) {
+        const auto index = to_index(word);
+        const auto count = static_cast<std::int64_t>(mesh.vertices.size());
+        const std::int64_t vertex = !index ? -1 : *index < 0 ? count + *index : *index - 1;
+        if (vertex < 0 || vertex >= count) {
+            return Error{ErrorCode::BadInput,
+                         place + ": the face names vertex " + std::string(word) + " of " +
+                             std::to_string(count)};
+        }
+        mesh.used[static_cast<std::size_t>(vertex)] = true;
+        ++corners;
+    }
+    mesh.triangles += corners >= 3 ? corners - 2 : 0;
+    return Done{};
+}
+
+Result<TextMesh> read_obj(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    TextMesh mesh;
+    std::string line;
+    std::uint64_t number = 0;
+    while (next_line(in, line, number)) {
+        Words words(line);
+        const std::string_view keyword = words.next();
+        const auto place = [&] { return path.string() + ":" + std::to_string(number); };
+        if (keyword == "v") {
+            const auto vertex = to_vertex(words);
+            if (!vertex) {
+                return Error{ErrorCode::BadInput, place() + ": a vertex without three numbers"};
+            }
+            mesh.vertices.push_back(*vertex);
+            mesh.vertex_lines.push_back(number);
+            mesh.used.push_back(false);
+        } else if (keyword == "f") {
+            if (const Status status = read_obj_face(words, mesh, place()); !status) {
+                return status.error();
+            }
+        }
+    }
+    return mesh;
+}
+
+/// Plain OFF: counts, vertices, faces; comments begin with '#'.
+Result<TextMesh> read_off(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream in;
+    std::string line;
+    while (std::getline(file, line)) {
+        in << line.substr(0, line.find('#')) << '\n';
+    }
+    std::string keyword;
+    std::uint64_t vertices = 0;
+    std::uint64_t faces = 0;
+    std::uint64_t edges = 0;
+    in >> keyword >> vertices >> faces >> edges;
+    if (keyword != "OFF" || !in) {
+        return bad(path, "only plain OFF files are taken: 'OFF', then the counts");
+    }
+    TextMesh mesh;
+    for (std::uint64_t i = 0; i < vertices; ++i) {
+        std::array<std::string, 3> words;
+        in >> words[0] >> words[1] >> words[2];
+        const auto x = to_number(words[0]);
+        const auto y = to_number(words[1]);
+        const auto z = to_number(words[2]);
+        if (!in || !x || !y || !z) {
+            return bad(path,
+                       "vertex " + std::to_string(i) + " of " + std::to_string(vertices) +
+                           " is missing or is not three numbers");
+        }
+        mesh.vertices.emplace_back(*x, *y, *z);
+        mesh.vertex_lines.push_back(0);
+        mesh.used.push_back(false);
+    }
+    for (std::uint64_t i = 0; i < faces; ++i) {
+        std::uint64_t corners = 0;
+        in >> corners;
+        for (std::uint64_t k = 0; in && k < corners; ++k) {
+            std::int64_t vertex = -1;
+            in >> vertex;
+            if (in && (vertex < 0 || static_cast<std::uint64_t>(vertex) >= vertices)) {
+                return bad(path,
+                           "face " + std::to_string(i) + " names vertex " + std::to_string(vertex) +
+                               " of " + std::to_string(vertices));
+            }
+            if (in) {
+                mesh.used[static_cast<std::size_t>(vertex)] = true;
+            }
+        }
+        if (!in) {
+            return bad(path,
+                       "face " + std::to_string(i) + " of " + std::to_string(faces) +
+                           " is missing or damaged");
+        }
+        mesh.triangles += corners >= 3 ? corners - 2 : 0;
+        std::getline(in, line); // Colours may follow.
+    }
+    return mesh;
+}
+
+using Position = std::array<float, 3>;
+
+struct PositionHash {
+    std::size_t operator()(const Position& position) const {
+        return static_cast<std::size_t>(checksum(std::as_bytes(std::span(position))));
+    }
+};
+
+using Positions = std::unordered_set<Position, PositionHash>;
+
+/// The importer does not always round a decimal to the nearest float: it may be some steps off, and
+/// the unit's factor is applied to that.
+constexpr int steps_off_max = 4;
+
+/// True when a position within some float steps of the given one is in the set.
+bool has_nearby(const Positions& positions, const Vec3& wanted) {
+    Position nearest{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        nearest[k] = static_cast<float>(wanted[static_cast<Eigen::Index>(k)]) + 0.0f;
+    }
+    if (positions.contains(nearest)) {
+        return true;
+    }
+    std::array<std::vector<float>, 3> choices;
+    for (std::size_t k = 0; k < 3; ++k) {
+        float down = nearest[k];
+        float up = nearest[k];
+        choices[k].push_back(nearest[k]);
+        for (int step = 0; step < steps_off_max; ++step) {
+            down = std::nextafter(down, -std::numeric_limits<float>::infinity());
+            up = std::nextafter(up, std::numeric_limits<float>::infinity());
+            choices[k].push_back(down + 0.0f);
+            choices[k].push_back(up + 0.0f);
+        }
+    }
+    for (const float x : choices[0]) {
+        for (const float y : choices[1]) {
+            for (const float z : choices[2]) {
+                if (positions.contains({x, y, z})) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+Status compare(const std::filesystem::path& path,
+               const TextMesh& text,
+               const ImportOptions& options,
+               const Mesh& mesh) {
+    if (text.triangles != mesh.triangles().size()) {
+        return bad(path,
+                   "the file's faces make " + std::to_string(text.triangles) +
+                       " triangles, but the importer took " +
+                       std::to_string(mesh.triangles().size()));
+    }
+    Positions positions;
+    for (const Vec3& vertex : mesh.vertices()) {
+        positions.insert({static_cast<float>(vertex.x()),
+                          static_cast<float>(vertex.y()),
+                          static_cast<float>(vertex.z())});
+    }
+    for (std::size_t i = 0; i < text.vertices.size(); ++i) {
+        if (text.used[i] && !has_nearby(positions, options.unit_factor * text.vertices[i])) {
+            const std::uint64_t line = text.vertex_lines[i];
+            return bad(path,
+                       "the importer did not take vertex " + std::to_string(i) +
+                           (line != 0 ? " (line " + std::to_string(line) + ")" : "") +
+                           "; write its numbers as 0.25, not .25");
+        }
+    }
+    return Done{};
+}
+
+} // namespace
+
+Status check_against_text(const std::filesystem::path& path,
+                          const std::string& lower_extension,
+                          const ImportOptions& options,
+                          const Mesh& mesh) {
+    if (lower_extension != ".obj" && lower_extension != ".off") {
+        return Done{};
+    }
+    const auto text = lower_extension == ".obj" ? read_obj(path) : read_off(path);
+    if (!text) {
+        return text.error();
+    }
+    return compare(path, text.value(), options, mesh);
+}
+
+} // namespace cd

@@ -1,0 +1,180 @@
+#include "client/npz.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits.hpp"
+
+#include <zip.h>
+
+#include <fstream>
+#include <system_error>
+
+namespace cd {
+
+namespace {
+
+struct CloseArchive {
+    void operator()(zip_t* archive) const { zip_discard(archive); }
+};
+struct CloseEntry {
+    void operator()(zip_file_t* entry) const { zip_fclose(entry); }
+};
+
+Error bad(const std::filesystem::path& path, const std::string& detail) {
+    return {ErrorCode::BadInput, path.string() + ": " + detail};
+}
+
+Result<Bytes> unpack(zip_t* archive, zip_uint64_t index, std::uint64_t size) {
+    Bytes bytes(size);
+    const std::unique_ptr<zip_file_t, CloseEntry> entry(zip_fopen_index(archive, index, 0));
+    std::uint64_t done = 0;
+    while (entry && done < size) {
+        const zip_int64_t got = zip_fread(entry.get(), bytes.data() + done, size - done);
+        if (got <= 0) {
+            break;
+        }
+        done += static_cast<std::uint64_t>(got);
+    }
+    if (done != size) {
+        return Error{ErrorCode::BadInput, "is damaged"};
+    }
+    return bytes;
+}
+
+} // namespace
+
+Result<std::map<std::string, NpyArray>> read_npz(const std::filesystem::path& path) {
+    int code = 0;
+    const std::unique_ptr<zip_t, CloseArchive> archive(
+        zip_open(path.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code));
+    if (!archive) {
+        if (code == ZIP_ER_NOENT) {
+            return Error{ErrorCode::NotFound, path.string() + ": no such file"};
+        }
+        return bad(path, "not a .npz archive");
+    }
+    std::map<std::string, NpyArray> arrays;
+    const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
+    for (zip_int64_t i = 0; i < count; ++i) {
+        zip_stat_t entry;
+        if (zip_stat_index(archive.get(), static_cast<zip_uint64_t>(i), 0, &entry) != 0) {
+            return bad(path, "a damaged directory");
+        }
+        std::string name = entry.name;
+        if (entry.size > limits::npz_array_bytes_max) {
+            return bad(path, "array '" + name + "' is too large");
+        }
+        const auto bytes = unpack(archive.get(), static_cast<zip_uint64_t>(i), entry.size);
+        if (!bytes) {
+            return bad(path, "array '" + name + "' " + bytes.error().detail);
+        }
+        auto array = parse_npy(bytes.value());
+        if (!array) {
+            return bad(path, "array '" + name + "': " + array.error().detail);
+        }
+        if (name.ends_with(".npy")) {
+            name.resize(name.size() - 4);
+        }
+        arrays.emplace(std::move(name), std::move(array.value()));
+    }
+    return arrays;
+}
+
+struct NpzWriter::State {
+    struct Array {
+        std::string name;
+        NpyType type = NpyType::F8;
+        std::uint64_t columns = 0;
+        std::filesystem::path spool;
+        std::ofstream file;
+        std::uint64_t elements = 0;
+    };
+
+    std::filesystem::path path;
+    std::vector<Array> arrays;
+};
+
+NpzWriter::NpzWriter(std::filesystem::path path) : state_(std::make_unique<State>()) {
+    state_->path = std::move(path);
+}
+
+NpzWriter::~NpzWriter() {
+    for (State::Array& array : state_->arrays) {
+        array.file.close();
+        std::error_code ignored;
+        std::filesystem::remove(array.spool, ignored);
+    }
+}
+
+std::size_t NpzWriter::add_array(const std::string& name, NpyType type, std::uint64_t columns) {
+    State::Array array;
+    array.name = name;
+    array.type = type;
+    array.columns = columns;
+    array.spool = state_->path.string() + "." + name + ".part";
+    array.file.open(array.spool, std::ios::binary | std::ios::trunc);
+    // The header is written at the end, when the length is known.
+    const Bytes room(npy_header_bytes);
+    array.file.write(reinterpret_cast<const char*>(room.data()), npy_header_bytes);
+    state_->arrays.push_back(std::move(array));
+    return state_->arrays.size() - 1;
+}
+
+void NpzWriter::append_bytes(std::size_t array,
+                             std::span<const std::byte> bytes,
+                             std::size_t item) {
+    State::Array& target = state_->arrays[array];
+    CD_CHECK(item == size_of(target.type));
+    target.file.write(reinterpret_cast<const char*>(bytes.data()),
+                      static_cast<std::streamsize>(bytes.size()));
+    target.elements += bytes.size() / item;
+}
+
+Status NpzWriter::finish() {
+    const std::filesystem::path temporary = state_->path.string() + ".part";
+    int code = 0;
+    std::unique_ptr<zip_t, CloseArchive> archive(
+        zip_open(temporary.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
+    const auto failed = [&](const std::string& what) {
+        return Error{ErrorCode::Io, state_->path.string() + ": cannot be written: " + what};
+    };
+    if (!archive) {
+        return failed("the folder is missing or may not be written to");
+    }
+    for (State::Array& array : state_->arrays) {
+        std::vector<std::uint64_t> shape{array.elements};
+        if (array.columns != 0) {
+            shape = {array.elements / array.columns, array.columns};
+        }
+        const Bytes header = make_npy_header(array.type, shape);
+        array.file.seekp(0);
+        array.file.write(reinterpret_cast<const char*>(header.data()), npy_header_bytes);
+        array.file.close();
+        if (!array.file) {
+            return failed("no room, or no right, for " + array.spool.string());
+        }
+        zip_source_t* source = zip_source_file(archive.get(), array.spool.c_str(), 0, -1);
+        const zip_int64_t index =
+            source == nullptr
+                ? -1
+                : zip_file_add(
+                      archive.get(), (array.name + ".npy").c_str(), source, ZIP_FL_ENC_UTF_8);
+        if (index < 0) {
+            zip_source_free(source);
+            return failed(zip_strerror(archive.get()));
+        }
+        zip_set_file_compression(
+            archive.get(), static_cast<zip_uint64_t>(index), ZIP_CM_DEFLATE, 1);
+    }
+    if (zip_close(archive.get()) != 0) {
+        return failed(zip_strerror(archive.get()));
+    }
+    static_cast<void>(archive.release()); // Freed by zip_close.
+    std::error_code error;
+    std::filesystem::rename(temporary, state_->path, error);
+    if (error) {
+        return failed(error.message());
+    }
+    return Done{};
+}
+
+} // namespace cd

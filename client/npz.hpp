@@ -1,0 +1,53 @@
+// NumPy's .npz: a zip of .npy files. The only user of libzip.
+#pragma once
+
+#include "client/npy.hpp"
+#include "common/core/result.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace cd {
+
+/// All arrays of an archive by name (without ".npy"). The bytes may be hostile: an array is
+/// unpacked only as far as the archive's directory says, and at most `limits::npz_array_bytes_max`.
+/// Errors: NotFound; BadInput naming the file and the array.
+[[nodiscard]] Result<std::map<std::string, NpyArray>> read_npz(const std::filesystem::path& path);
+
+/// Writes an archive whose arrays grow in pieces, without holding them in memory: each is spooled
+/// to a file beside the target, which appears whole at `finish` or not at all.
+class NpzWriter {
+  public:
+    explicit NpzWriter(std::filesystem::path path);
+    NpzWriter(const NpzWriter&) = delete;
+    NpzWriter& operator=(const NpzWriter&) = delete;
+    /// Removes what was spooled.
+    ~NpzWriter();
+
+    /// A new array of one dimension, or of rows of `columns` elements. Returns its number. Errors
+    /// of the file system are reported by `finish`.
+    std::size_t add_array(const std::string& name, NpyType type, std::uint64_t columns = 0);
+
+    template <class T>
+    void append(std::size_t array, std::span<const T> values) {
+        static_assert(std::is_arithmetic_v<T>);
+        append_bytes(array, std::as_bytes(values), sizeof(T));
+    }
+
+    /// Errors: Io naming the file.
+    [[nodiscard]] Status finish();
+
+  private:
+    struct State;
+    void append_bytes(std::size_t array, std::span<const std::byte> bytes, std::size_t item);
+
+    std::unique_ptr<State> state_;
+};
+
+} // namespace cd

@@ -1,0 +1,212 @@
+// Proves that the import door takes a file whole or refuses it with one clear line: real models
+// with the counts known of them, each kind of damage that importers pass over, and the order of
+// triangles.
+#include "client/mesh_import.hpp"
+
+#include "client/inspect.hpp"
+#include "client/npz.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::HasSubstr;
+
+struct Model {
+    const char* file;
+    std::uint64_t triangles;
+    std::uint64_t degenerate;
+    std::uint64_t duplicate;
+    double size[3];
+};
+
+constexpr Model models[] = {
+    {"audi_body.obj", 41'868, 0, 18'646, {4.87779, 2.18632, 1.2802}},
+    {"curiosity_rover.stl", 149'656, 2, 7, {3.94473, 2.74499, 2.21469}},
+    {"drivaer_fastback.ply", 417'114, 0, 0, {4.61258, 2.0298, 1.41838}},
+    {"hatchback.obj", 788, 0, 0, {84.2702, 157.524, 61.7281}},
+    {"jet_fighter.obj", 36'446, 6, 4, {13.9876, 4.77665, 10.026}},
+    {"lugged_wheel.obj", 11'182, 0, 0, {0.898808, 0.326872, 0.89836}},
+    {"m113_apc.glb", 348'519, 1, 0, {5.4007, 2.686, 2.83176}},
+    {"man_kat1_8x8.glb", 53'711, 1, 9, {9.71773, 2.47294, 3.24483}},
+    {"motorbike.ply", 331'653, 0, 67'326, {2.04281, 0.682556, 1.35156}},
+    {"polaris_ranger.dae", 7'714, 0, 0, {1.49216, 1.95049, 2.72967}},
+    {"pushback_tractor.ac", 21'932, 0, 184, {9.0921, 2.2937, 3.567}},
+    {"sedan.obj", 75'314, 182, 0, {4.8895, 1.84912, 1.65882}},
+    {"stanford_bunny.ply", 69'451, 0, 0, {0.155699, 0.154334, 0.120673}},
+    {"toy_truck.glb", 989, 15, 10, {1.5, 1.55, 2.8}},
+};
+
+class ImportModel : public testing::TestWithParam<Model> {};
+
+Result<ImportedMesh> import_text(const std::string& name, const std::string& text) {
+    const TemporaryFolder folder;
+    write_text(folder / name, text);
+    return import_mesh(folder / name, {});
+}
+
+std::string error_of(const std::string& name, const std::string& text) {
+    const auto imported = import_text(name, text);
+    if (imported) {
+        return "was taken";
+    }
+    EXPECT_EQ(imported.error().code, ErrorCode::BadInput);
+    EXPECT_THAT(imported.error().detail, HasSubstr(name));
+    EXPECT_EQ(imported.error().detail.find('\n'), std::string::npos);
+    return imported.error().detail;
+}
+
+} // namespace
+
+TEST_P(ImportModel, HasTheCountsAndTheSizeThatAreKnownOfIt) {
+    CD_NEEDS_MODEL(path, GetParam().file);
+
+    const auto imported = import_mesh(path, {});
+    ASSERT_TRUE(imported) << imported.error().detail;
+    const MeshReport report = inspect_mesh(GetParam().file, imported.value());
+
+    EXPECT_EQ(report.triangles, GetParam().triangles);
+    EXPECT_EQ(report.topology.duplicate, GetParam().duplicate);
+    EXPECT_EQ(report.topology.degenerate, GetParam().degenerate);
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(report.box.size()[axis], GetParam().size[axis], 2e-5 * GetParam().size[axis]);
+    }
+    EXPECT_FALSE(report.parts.empty());
+    EXPECT_EQ(report.parts.back().triangles_end, report.triangles);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ImportModel, testing::ValuesIn(models), [](const auto& param) {
+    std::string name = param.param.file;
+    std::replace(name.begin(), name.end(), '.', '_');
+    return name;
+});
+
+TEST(MeshImport, TheWheelIsClosedAndTheSedanIsOpen) {
+    CD_NEEDS_MODEL(wheel, "lugged_wheel.obj");
+    CD_NEEDS_MODEL(sedan, "sedan.obj");
+    EXPECT_TRUE(inspect_mesh("", import_mesh(wheel, {}).value()).topology.is_closed());
+    EXPECT_FALSE(inspect_mesh("", import_mesh(sedan, {}).value()).topology.is_closed());
+}
+
+TEST(MeshImport, KeepsTheOrderOfFacesAndTheNamesOfParts) {
+    const auto imported = import_text("two.obj",
+                                      "o left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                                      "f 1 2 3\nf 1 3 4\no right\nf 2 3 4\n");
+    ASSERT_TRUE(imported) << imported.error().detail;
+    const Mesh& mesh = *imported.value().mesh;
+    ASSERT_EQ(mesh.triangles().size(), 3u);
+    ASSERT_EQ(mesh.parts().size(), 2u);
+    EXPECT_EQ(mesh.parts()[0], (Part{"left", 0, 2}));
+    EXPECT_EQ(mesh.parts()[1], (Part{"right", 2, 3}));
+    EXPECT_EQ(mesh.corners(1)[2], Vec3(0, 0, 1));
+    EXPECT_EQ(mesh.corners(2)[0], Vec3(1, 0, 0));
+    EXPECT_EQ(mesh.vertices().size(), 4u);
+}
+
+TEST(MeshImport, KeepsDegenerateAndDuplicateFaces) {
+    const auto imported =
+        import_text("dirty.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\nf 1 1 2\nf 3 1 2\n");
+    ASSERT_TRUE(imported) << imported.error().detail;
+    const Topology topology = analyse_topology(*imported.value().mesh);
+    EXPECT_EQ(imported.value().mesh->triangles().size(), 4u);
+    EXPECT_EQ(topology.degenerate, 1u);
+    EXPECT_EQ(topology.duplicate, 2u);
+}
+
+TEST(MeshImport, AppliesTheUnitInDoubleAndRoundsOnce) {
+    const TemporaryFolder folder;
+    write_text(folder / "one.obj", "v 0 0 0\nv 3.3 0 0\nv 0 7.7 0\nf 1 2 3\n");
+    const auto imported = import_mesh(folder / "one.obj", {0.0254});
+    ASSERT_TRUE(imported) << imported.error().detail;
+    const double expected =
+        static_cast<double>(static_cast<float>(0.0254 * static_cast<double>(3.3f)));
+    EXPECT_EQ(imported.value().mesh->vertices()[1].x(), expected);
+    EXPECT_EQ(imported.value().mesh->precision(), Precision::Float);
+}
+
+TEST(MeshImport, RefusesWhatIsNoMesh) {
+    EXPECT_THAT(error_of("empty.stl", ""), HasSubstr("empty"));
+    EXPECT_THAT(error_of("text.glb", "this is no mesh"), HasSubstr("cannot be read"));
+    EXPECT_THAT(error_of("unknown.xyz1", "v 0 0 0"), HasSubstr("cannot be read"));
+    EXPECT_NE(error_of("no_faces.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "was taken");
+    const auto missing = import_mesh("/nowhere/at/all.obj", {});
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().detail, "/nowhere/at/all.obj: no such file");
+}
+
+TEST(MeshImport, RefusesAnObjVertexThatTheImporterDrops) {
+    const std::string good = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0.25 1\nf 1 2 3\nf 1 2 4\n";
+    const std::string dropped = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv .25 .25 1\nf 1 2 3\nf 1 2 4\n";
+    EXPECT_TRUE(import_text("good.obj", good));
+    EXPECT_NE(error_of("dropped.obj", dropped), "was taken");
+}
+
+TEST(MeshImport, RefusesIndicesOutOfRangeByLineOrFace) {
+    const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    EXPECT_THAT(error_of("far.obj", vertices + "f 1 2 4\n"), HasSubstr("far.obj:4"));
+    EXPECT_THAT(error_of("zero.obj", vertices + "f 0 1 2\n"), HasSubstr("zero.obj:4"));
+    EXPECT_NE(error_of("back.obj", vertices + "f -1 -2 -4\n"), "was taken");
+    EXPECT_THAT(error_of("far.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n"),
+                HasSubstr("face 0"));
+    EXPECT_THAT(error_of("far.ply",
+                         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                         "property float y\nproperty float z\nelement face 1\n"
+                         "property list uchar int vertex_indices\nend_header\n"
+                         "0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"),
+                HasSubstr("face 0"));
+}
+
+TEST(MeshImport, RefusesCoordinatesThatAreNotFinite) {
+    const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                               "property float y\nproperty float z\nelement face 1\n"
+                               "property list uchar int vertex_indices\nend_header\n";
+    EXPECT_NE(error_of("nan.ply", header + "0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n"), "was taken");
+    EXPECT_NE(error_of("inf.obj", "v 0 0 0\nv inf 0 0\nv 0 1 0\nf 1 2 3\n"), "was taken");
+}
+
+TEST(MeshImport, WarnsWhereFloatsAreCoarse) {
+    const auto far = import_text("far.obj", "v 1e7 0 0\nv 10000001 0 0\nv 1e7 1 0\nf 1 2 3\n");
+    ASSERT_TRUE(far) << far.error().detail;
+    ASSERT_EQ(far.value().warnings.size(), 1u);
+    EXPECT_THAT(far.value().warnings[0], HasSubstr("coarse"));
+    EXPECT_TRUE(
+        import_text("near.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").value().warnings.empty());
+}
+
+TEST(MeshImport, ReadsNpzInDoubles) {
+    const TemporaryFolder folder;
+    const std::vector<double> vertices{0, 0, 0, 1.0 / 3, 0, 0, 0, 1e7 + 1e-3, 0};
+    const auto write = [&](const std::vector<double>& points,
+                           const std::vector<std::int64_t>& faces) {
+        NpzWriter writer(folder / "mesh.npz");
+        const auto v = writer.add_array("vertices", NpyType::F8, 3);
+        const auto f = writer.add_array("faces", NpyType::I8, 3);
+        writer.append(v, std::span<const double>(points));
+        writer.append(f, std::span<const std::int64_t>(faces));
+        ASSERT_TRUE(writer.finish());
+    };
+    write(vertices, {0, 1, 2});
+    const auto imported = import_mesh(folder / "mesh.npz", {});
+    ASSERT_TRUE(imported) << imported.error().detail;
+    EXPECT_EQ(imported.value().mesh->precision(), Precision::Double);
+    EXPECT_EQ(imported.value().mesh->vertices()[1].x(), 1.0 / 3);
+    EXPECT_EQ(imported.value().mesh->vertices()[2].y(), 1e7 + 1e-3);
+
+    write(vertices, {0, 1, 2, 0, 1, 3});
+    EXPECT_THAT(import_mesh(folder / "mesh.npz", {}).error().detail, HasSubstr("face 1"));
+    write({0, 0, 0, 1, std::numeric_limits<double>::quiet_NaN(), 0, 0, 1, 0}, {0, 1, 2});
+    EXPECT_THAT(import_mesh(folder / "mesh.npz", {}).error().detail, HasSubstr("vertex 1"));
+    write_text(folder / "mesh.npz", "PK no archive");
+    EXPECT_THAT(import_mesh(folder / "mesh.npz", {}).error().detail, HasSubstr("mesh.npz"));
+}
+
+} // namespace cd::tests
