@@ -142,7 +142,11 @@ TEST(SubtreeBlock, IndicesGrowWithTheVertices) {
 }
 
 TEST(SubtreeBlock, IsCompact) {
-    const ObbTree tree = make_tree(as_floats(make_sphere(5)));
+    ThreadPool pool(1);
+    BuildOptions options;
+    options.leaf_triangles_max =
+        4; // Boxes are most of a block: the figures are those of this size.
+    const ObbTree tree = build_tree(share(as_floats(make_sphere(5))), options, pool);
     std::size_t plain = 0;
     std::size_t compressed = 0;
     for (const std::uint32_t node : cut_nodes(tree, 4)) {
