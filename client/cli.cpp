@@ -1,5 +1,6 @@
 #include "client/cli.hpp"
 
+#include "client/cli_help.hpp"
 #include "client/exit_code.hpp"
 #include "client/units.hpp"
 #include "common/core/limits.hpp"
@@ -37,48 +38,6 @@ class ExamplesFirst final : public CLI::Formatter {
         return out.str();
     }
 };
-
-constexpr const char* main_help =
-    "Finds every contact of two triangle meshes for many poses, here or on a cluster.\n"
-    "Examples:\n"
-    "  cdctl demo                                          a local cluster and a real vehicle\n"
-    "  cdctl run --a car.obj --b post.stl --poses p.csv --out out\n"
-    "  cdctl run --a car.obj --b post.stl --random 1000    the paper's kind of scenarios\n"
-    "  cdctl run job.toml                                  on this machine alone\n"
-    "  cdctl run job.toml --master 127.0.0.1:7600          on the cluster\n"
-    "  cdctl inspect car.obj                               size, parts, closed or not\n"
-    "\n"
-    "Triangles only, exactly: no hulls, no tolerance. A pose maps B's coordinates into A's frame:\n"
-    "x_A = R x_B + t.\n"
-    "\n"
-    "Exit codes: 0 done; 1 done, and contacts found (only with --fail-on); 2 wrong usage or "
-    "input;\n"
-    "3 incomplete (failed, cancelled); 4 master unreachable; 5 refused; 130 and 143 ended by a "
-    "signal.\n"
-    "Data goes to stdout, progress to stderr. NO_COLOR is honoured. `cdctl VERB --help` tells "
-    "more.";
-
-constexpr const char* run_help =
-    "Runs a job and reports: on this machine alone, or with --master on the cluster.\n"
-    "Examples:\n"
-    "  cdctl run job.toml\n"
-    "  cdctl run job.toml --master 127.0.0.1:7600 --out out\n"
-    "  cdctl run --a car.obj --b post.stl --unit-b mm --poses poses.csv --out out --formats "
-    "csv,npz\n"
-    "  cdctl run --a car.obj --b tram.obj --random 3744 --seed 1 --penetration 0.005 0.05\n"
-    "  cdctl run --a a.stl --b b.stl --poses - -o csv < poses.csv > scenarios.csv\n"
-    "  cdctl run job.toml --level count --fail-on cross || echo 'it clashes'\n"
-    "\n"
-    "A job.toml has the keys name, unit, and the tables\n"
-    "  [a] [b]    mesh = \"car.obj\", unit = \"mm\" (m, cm, mm, km, in, ft), name\n"
-    "  [poses]    file = \"poses.npy\" | grid = { x = [-3, 3, 200], yaw_deg = [0, 350, 36] }\n"
-    "             | random = { n = 1000, seed = 1, penetration = [0.005, 0.05] };\n"
-    "             quat_order = \"xyzw\", of = \"both\", rigid_tolerance = 1e-5\n"
-    "  [query]    level = \"any\" | \"count\" | \"pairs\" | \"contacts\", limit_pairs = 10_000,\n"
-    "             ignore = [[\"wheel_*\", \"ground\"]]\n"
-    "  [output]   dir = \"out\", formats = [\"text\", \"json\", \"csv\", \"npz\"]\n"
-    "  [cluster]  strategy = \"best-match\", depth = { a = 12, b = 6 }, q = 20, v_kb = 4096, claim "
-    "= true";
 
 const std::vector<std::string> levels{"any", "count", "pairs", "contacts"};
 const std::vector<std::string> strategies{"best-match", "best-match-load", "random", "lowest"};

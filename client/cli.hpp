@@ -59,7 +59,7 @@ struct ResultsCommand {
     std::string job;
     MasterOptions master;
     std::string out;
-    std::vector<std::string> formats;
+    std::vector<std::string> formats{"csv", "npz"};
     bool quiet = false;
     std::string output = "text"; ///< text, json, csv: on stdout where no folder is given.
 };

@@ -1,0 +1,115 @@
+#include "client/export/result_writer.hpp"
+#include "client/words.hpp"
+#include "common/geometry/aabb.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace cd {
+
+namespace {
+
+using Json = nlohmann::ordered_json; // Keys in the order in which they are written here.
+
+/// A name may hold bytes that are no UTF-8: they are replaced, never thrown about.
+std::string dump(const Json& json, int indent = -1) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+Json points_of(const ScenarioResult& result, std::size_t pair) {
+    Json points = Json::array();
+    for_each_point(result, pair, [&](const Vec3& point) {
+        points.push_back({point.x(), point.y(), point.z()});
+    });
+    return points;
+}
+
+class JsonWriter final : public ResultWriter {
+  public:
+    explicit JsonWriter(OutputFile file) : file_(std::move(file)) {}
+
+    Status add(const ScenarioResult& result) override {
+        Json line{{"index", result.index}, {"class", to_text(result.kind)}};
+        if (result.level != Level::Any) {
+            line["count"] = result.pair_count;
+            line["surfaces_only"] = result.surfaces_only;
+        }
+        if (!result.failure.empty()) {
+            line["failure"] = result.failure;
+        }
+        if (result.level >= Level::Pairs) {
+            line["cut"] = result.is_cut();
+            add_pairs(result, line);
+        }
+        return file_.write(dump(line) + "\n");
+    }
+
+    Status finish() override { return file_.commit(); }
+
+  private:
+    static void add_pairs(const ScenarioResult& result, Json& line) {
+        Json pairs = Json::array();
+        Json points = Json::array();
+        for (std::size_t i = 0; i < result.pairs.size(); ++i) {
+            const ContactPair& pair = result.pairs[i];
+            pairs.push_back({pair.a, pair.b, pair_class_name(pair.kind)});
+            points.push_back(points_of(result, i));
+        }
+        line["pairs"] = std::move(pairs);
+        if (result.level == Level::Contacts) {
+            line["points"] = std::move(points);
+        }
+    }
+
+    OutputFile file_;
+};
+
+Json body_json(const std::string& name, const Mesh* mesh) {
+    if (mesh == nullptr) {
+        return {{"name", name}};
+    }
+    const Vec3 size = bounding_box(mesh->vertices()).size();
+    return {{"name", name},
+            {"triangles", mesh->triangles().size()},
+            {"parts", mesh->parts().size()},
+            {"size", {size.x(), size.y(), size.z()}},
+            {"sha256", to_hex(mesh->hash())}};
+}
+
+} // namespace
+
+std::unique_ptr<ResultWriter> make_json_writer(const ExportContext&, OutputFile file) {
+    return std::make_unique<JsonWriter>(std::move(file));
+}
+
+std::string summary_json(const ExportContext& context, const RunReport& report) {
+    const Summary& summary = report.summary;
+    Json json{{"job", context.job},
+              {"unit", context.unit},
+              {"level", to_text(context.level)},
+              {"a", body_json(context.bodies[0], context.meshes[0].get())},
+              {"b", body_json(context.bodies[1], context.meshes[1].get())},
+              {"total", summary.total},
+              {"tested", summary.tested()},
+              {"separate", summary.separate},
+              {"touch", summary.touch},
+              {"cross", summary.cross},
+              {"inside", summary.inside},
+              {"contact", summary.contact},
+              {"undecided", summary.undecided},
+              {"failed", summary.failed},
+              {"not_tested", summary.total - summary.merged()},
+              {"pairs", summary.pairs},
+              {"surfaces_only", summary.surfaces_only},
+              {"cut", summary.cut},
+              {"seconds", report.seconds},
+              {"where", report.where}};
+    json["digest"] = report.digest ? Json(to_hex(*report.digest)) : Json();
+    Json touched = Json::array();
+    for (const auto& part : report.most_touched) {
+        touched.push_back({{"part", part.part}, {"scenarios", part.scenarios}});
+    }
+    json["most_touched"] = std::move(touched);
+    return dump(json, 2);
+}
+
+} // namespace cd

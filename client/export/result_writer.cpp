@@ -1,0 +1,104 @@
+#include "client/export/result_writer.hpp"
+
+#include "client/job_file.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+namespace {
+
+Result<std::unique_ptr<ResultWriter>> make_writer(const std::string& format,
+                                                  const ExportContext& context,
+                                                  const std::filesystem::path& dir) {
+    if (format == "csv") {
+        return make_csv_writer(context, dir);
+    }
+    if (format == "npz") {
+        return make_npz_writer(context, dir);
+    }
+    if (Status known = check_format(format); !known) {
+        return known.error();
+    }
+    const bool is_text = format == "text";
+    auto file = OutputFile::create(dir / (is_text ? "results.txt" : "results.jsonl"));
+    if (!file) {
+        return file.error();
+    }
+    return is_text ? make_text_writer(context, std::move(file.value()))
+                   : make_json_writer(context, std::move(file.value()));
+}
+
+} // namespace
+
+std::string_view pair_class_name(PairClass kind) {
+    switch (kind) {
+    case PairClass::Separate:
+        return "separate";
+    case PairClass::Touch:
+        return "touch";
+    case PairClass::Coplanar:
+        return "coplanar";
+    case PairClass::Proper:
+        return "proper";
+    }
+    return "unknown";
+}
+
+const Part* part_of(const Mesh* mesh, std::uint32_t triangle) {
+    if (mesh == nullptr) {
+        return nullptr;
+    }
+    const auto& parts = mesh->parts();
+    const auto after = std::upper_bound(
+        parts.begin(), parts.end(), triangle, [](std::uint32_t id, const Part& part) {
+            return id < part.triangles_end;
+        });
+    return after == parts.end() || triangle < after->triangles_begin ? nullptr : &*after;
+}
+
+Result<ResultFiles> ResultFiles::open(const std::filesystem::path& dir,
+                                      const std::vector<std::string>& formats,
+                                      const ExportContext& context) {
+    std::error_code error;
+    std::filesystem::create_directories(dir, error);
+    if (error) {
+        return Error{ErrorCode::Io, dir.string() + ": " + error.message()};
+    }
+    ResultFiles files(dir, context);
+    for (const std::string& format : formats) {
+        auto writer = make_writer(format, context, dir);
+        if (!writer) {
+            return writer.error();
+        }
+        files.writers_.push_back(std::move(writer.value()));
+    }
+    return files;
+}
+
+Status ResultFiles::add(const ScenarioResult& result) {
+    for (const auto& writer : writers_) {
+        if (Status added = writer->add(result); !added) {
+            return added;
+        }
+    }
+    return Done{};
+}
+
+Status ResultFiles::finish(const RunReport& report) {
+    for (const auto& writer : writers_) {
+        if (Status finished = writer->finish(); !finished) {
+            return finished;
+        }
+    }
+    auto file = OutputFile::create(dir_ / "summary.json");
+    if (!file) {
+        return file.error();
+    }
+    if (Status written = file.value().write(summary_json(context_, report) + "\n"); !written) {
+        return written;
+    }
+    return file.value().commit();
+}
+
+} // namespace cd

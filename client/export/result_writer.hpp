@@ -1,0 +1,106 @@
+// Results on their way into files: one writer a format, fed in the submitted order.
+#pragma once
+
+#include "client/export/output_file.hpp"
+#include "client/report.hpp"
+#include "common/core/result.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/job/result.hpp"
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cd {
+
+/// What the writers say about the job beside its results.
+struct ExportContext {
+    std::string job;
+    std::string unit;
+    Level level = Level::Pairs;
+    std::array<std::string, 2> bodies;
+    /// Nothing where results are fetched without the meshes: parts are then not named.
+    std::array<std::shared_ptr<const Mesh>, 2> meshes;
+};
+
+/// A seam: one implementation for each format. Holds no more than a bounded buffer of results.
+class ResultWriter {
+  public:
+    ResultWriter() = default;
+    ResultWriter(const ResultWriter&) = delete;
+    ResultWriter& operator=(const ResultWriter&) = delete;
+    /// Removes what `finish` has not completed.
+    virtual ~ResultWriter() = default;
+
+    /// The next result, in the submitted order. Errors: Io naming the file.
+    [[nodiscard]] virtual Status add(const ScenarioResult& result) = 0;
+    /// Makes the files appear under their names.
+    [[nodiscard]] virtual Status finish() = 0;
+};
+
+/// results.txt, for people: a line for each scenario, and below it its pairs.
+[[nodiscard]] std::unique_ptr<ResultWriter> make_text_writer(const ExportContext& context,
+                                                             OutputFile file);
+/// results.jsonl: one JSON object a line for each scenario.
+[[nodiscard]] std::unique_ptr<ResultWriter> make_json_writer(const ExportContext& context,
+                                                             OutputFile file);
+/// scenarios.csv alone.
+[[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(OutputFile file);
+/// scenarios.csv, from level pairs on pairs.csv, and at level contacts points.csv.
+[[nodiscard]] Result<std::unique_ptr<ResultWriter>>
+make_csv_writer(const ExportContext& context, const std::filesystem::path& dir);
+/// results.npz with the arrays index[N], class[N] (the numbers of `ScenarioClass`), count[N],
+/// surfaces_only[N]; from level pairs on offsets[N+1], pairs[M,2], pair_class[M] (`PairClass`); at
+/// level contacts point_origins[M,3], point_offsets[M+1], points[K,3]. The pairs of scenario i are
+/// [offsets[i], offsets[i+1]), the points of pair j [point_offsets[j], point_offsets[j+1]), and a
+/// point in the world is point_origins[j] + points[k].
+[[nodiscard]] Result<std::unique_ptr<ResultWriter>>
+make_npz_writer(const ExportContext& context, const std::filesystem::path& dir);
+
+/// The whole output of a job: a folder with a writer for each format, and summary.json.
+class ResultFiles {
+  public:
+    /// Makes the folder. Errors: Io; BadInput for an unknown format.
+    [[nodiscard]] static Result<ResultFiles> open(const std::filesystem::path& dir,
+                                                  const std::vector<std::string>& formats,
+                                                  const ExportContext& context);
+
+    [[nodiscard]] Status add(const ScenarioResult& result);
+    /// Completes all files. Without it nothing of this run is left in the folder.
+    [[nodiscard]] Status finish(const RunReport& report);
+
+    [[nodiscard]] const std::filesystem::path& dir() const { return dir_; }
+
+  private:
+    ResultFiles(std::filesystem::path dir, ExportContext context)
+        : dir_(std::move(dir)), context_(std::move(context)) {}
+
+    std::filesystem::path dir_;
+    ExportContext context_;
+    std::vector<std::unique_ptr<ResultWriter>> writers_;
+};
+
+/// The report and the inputs as one JSON document.
+[[nodiscard]] std::string summary_json(const ExportContext& context, const RunReport& report);
+
+/// touch, coplanar or proper.
+[[nodiscard]] std::string_view pair_class_name(PairClass kind);
+
+/// The part that holds a triangle of the mesh; nothing where there is none, or no mesh.
+[[nodiscard]] const Part* part_of(const Mesh* mesh, std::uint32_t triangle);
+
+/// Calls `function(point)` with each shared point of a result's pair, in the world.
+template <class Function>
+void for_each_point(const ScenarioResult& result, std::size_t pair, const Function& function) {
+    if (result.point_offsets.size() <= pair + 1) {
+        return;
+    }
+    for (std::uint32_t i = result.point_offsets[pair]; i < result.point_offsets[pair + 1]; ++i) {
+        function(Vec3(result.point_origins[pair] + result.points[i]));
+    }
+}
+
+} // namespace cd

@@ -1,0 +1,61 @@
+#include "client/export/result_writer.hpp"
+#include "client/words.hpp"
+
+namespace cd {
+
+namespace {
+
+std::string triangle_text(const Mesh* mesh, std::uint32_t triangle) {
+    const Part* part = part_of(mesh, triangle);
+    const std::string number = std::to_string(triangle);
+    return part == nullptr || part->name.empty()
+               ? number
+               : number + " (" + part->name + " " +
+                     std::to_string(triangle - part->triangles_begin) + ")";
+}
+
+class TextWriter final : public ResultWriter {
+  public:
+    TextWriter(const ExportContext& context, OutputFile file)
+        : context_(context), file_(std::move(file)) {}
+
+    Status add(const ScenarioResult& result) override {
+        std::string text = std::to_string(result.index) + "  " + std::string(to_text(result.kind));
+        if (result.level != Level::Any && result.kind != ScenarioClass::Failed) {
+            text += "  " + counted(result.pair_count, "pair");
+        }
+        text += std::string(result.is_cut() ? ", the first " + grouped(result.pairs.size()) : "") +
+                (result.surfaces_only ? "  surfaces only" : "") +
+                (result.failure.empty() ? "" : "  " + result.failure) + "\n";
+        for (std::size_t i = 0; i < result.pairs.size(); ++i) {
+            text += pair_text(result, i);
+        }
+        return file_.write(text);
+    }
+
+    Status finish() override { return file_.commit(); }
+
+  private:
+    [[nodiscard]] std::string pair_text(const ScenarioResult& result, std::size_t place) const {
+        const ContactPair& pair = result.pairs[place];
+        std::string text = "    A " + triangle_text(context_.meshes[0].get(), pair.a) + "  B " +
+                           triangle_text(context_.meshes[1].get(), pair.b) + "  " +
+                           std::string(pair_class_name(pair.kind));
+        for_each_point(result, place, [&](const Vec3& point) {
+            text += "  " + exact_text(point.x()) + " " + exact_text(point.y()) + " " +
+                    exact_text(point.z());
+        });
+        return text + "\n";
+    }
+
+    ExportContext context_;
+    OutputFile file_;
+};
+
+} // namespace
+
+std::unique_ptr<ResultWriter> make_text_writer(const ExportContext& context, OutputFile file) {
+    return std::make_unique<TextWriter>(context, std::move(file));
+}
+
+} // namespace cd

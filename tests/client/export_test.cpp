@@ -1,0 +1,208 @@
+// Proves that what is written is what was found, in every format, and that files appear whole or
+// not at all.
+#include "client/export/result_writer.hpp"
+#include "client/npz.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class Export : public testing::Test {
+  protected:
+    Export() {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        dir_ = fs::temp_directory_path() /
+               ("cd-export-" + std::to_string(getpid()) + "-" + test->name());
+        const Mesh box = make_box({1, 1, 1});
+        MeshArrays arrays{box.vertices(),
+                          box.triangles(),
+                          {{"left, \"old\"", 0, 6}, {"right", 6, 12}},
+                          box.precision()};
+        context_.meshes = {share(Mesh::create(std::move(arrays)).value()),
+                           share(make_box({1, 1, 1}))};
+        context_.bodies = {"a.obj", "b.obj"};
+        context_.job = "test";
+        context_.unit = "m";
+    }
+    ~Export() override { fs::remove_all(dir_); }
+
+    [[nodiscard]] std::string text_of(const std::string& name) const {
+        std::ifstream file(dir_ / name, std::ios::binary);
+        std::ostringstream text;
+        text << file.rdbuf();
+        return text.str();
+    }
+
+    void write(const std::vector<std::string>& formats, Level level) {
+        context_.level = level;
+        auto files = ResultFiles::open(dir_, formats, context_);
+        ASSERT_TRUE(files) << files.error().detail;
+        RunReport report;
+        report.summary.total = 3;
+        for (ScenarioResult result : results()) {
+            result.level = level;
+            ASSERT_TRUE(files.value().add(result));
+        }
+        ASSERT_TRUE(files.value().finish(report));
+    }
+
+    /// Separate; two pairs of which one has points, and a third that was cut; failed.
+    static std::vector<ScenarioResult> results() {
+        ScenarioResult contact;
+        contact.index = 1;
+        contact.kind = ScenarioClass::Cross;
+        contact.pair_count = 3;
+        contact.pairs = {{0, 5, PairClass::Proper}, {7, 2, PairClass::Coplanar}};
+        contact.point_origins = {{10, 0, 0}, {20, 0, 0}};
+        contact.point_offsets = {0, 2, 2};
+        contact.points = {{0.5, 1, 0}, {0.25, 0, -3}};
+        ScenarioResult failed;
+        failed.index = 2;
+        failed.kind = ScenarioClass::Failed;
+        failed.failure = "too, large";
+        return {ScenarioResult{}, contact, failed};
+    }
+
+    fs::path dir_;
+    ExportContext context_;
+};
+
+} // namespace
+
+TEST_F(Export, CsvHasARowForEachScenarioPairAndPoint) {
+    write({"csv"}, Level::Contacts);
+    EXPECT_EQ(text_of("scenarios.csv"),
+              "scenario,class,count,cut,surfaces_only,failure\n"
+              "0,separate,0,0,0,\n"
+              "1,cross,3,1,0,\n"
+              "2,failed,0,0,0,\"too, large\"\n");
+    EXPECT_EQ(text_of("pairs.csv"),
+              "scenario,triangle_a,triangle_b,class,part_a,part_b\n"
+              "1,0,5,proper,\"left, \"\"old\"\"\",\n"
+              "1,7,2,coplanar,right,\n");
+    EXPECT_EQ(text_of("points.csv"),
+              "scenario,triangle_a,triangle_b,x,y,z\n"
+              "1,0,5,10.5,1,0\n"
+              "1,0,5,10.25,0,-3\n");
+}
+
+TEST_F(Export, CsvOfLevelCountHasScenariosAlone) {
+    write({"csv"}, Level::Count);
+    EXPECT_TRUE(fs::exists(dir_ / "scenarios.csv"));
+    EXPECT_FALSE(fs::exists(dir_ / "pairs.csv"));
+    EXPECT_FALSE(fs::exists(dir_ / "points.csv"));
+}
+
+TEST_F(Export, JsonHasAnObjectOnEachLine) {
+    write({"json"}, Level::Contacts);
+    std::istringstream lines(text_of("results.jsonl"));
+    std::vector<nlohmann::json> parsed;
+    for (std::string line; std::getline(lines, line);) {
+        parsed.push_back(nlohmann::json::parse(line));
+    }
+    ASSERT_EQ(parsed.size(), 3u);
+    EXPECT_EQ(parsed[0]["class"], "separate");
+    EXPECT_EQ(parsed[1]["count"], 3);
+    EXPECT_EQ(parsed[1]["cut"], true);
+    EXPECT_EQ(parsed[1]["pairs"], nlohmann::json::parse(R"([[0,5,"proper"],[7,2,"coplanar"]])"));
+    EXPECT_EQ(parsed[1]["points"], nlohmann::json::parse("[[[10.5,1.0,0.0],[10.25,0.0,-3.0]],[]]"));
+    EXPECT_EQ(parsed[2]["failure"], "too, large");
+}
+
+TEST_F(Export, TextNamesPartsAndPoints) {
+    write({"text"}, Level::Contacts);
+    EXPECT_EQ(text_of("results.txt"),
+              "0  separate  0 pairs\n"
+              "1  cross  3 pairs, the first 2\n"
+              "    A 0 (left, \"old\" 0)  B 5  proper  10.5 1 0  10.25 0 -3\n"
+              "    A 7 (right 1)  B 2  coplanar\n"
+              "2  failed  too, large\n");
+}
+
+TEST_F(Export, NpzHoldsCompressedRows) {
+    write({"npz"}, Level::Contacts);
+    const auto read = read_npz(dir_ / "results.npz");
+    ASSERT_TRUE(read) << read.error().detail;
+    const auto& arrays = read.value();
+    const auto integers = [&](const char* name) { return arrays.at(name).to_integers().value(); };
+    using Integers = std::vector<std::int64_t>;
+    EXPECT_EQ(integers("index"), (Integers{0, 1, 2}));
+    EXPECT_EQ(integers("class"), (Integers{0, 2, 6}));
+    EXPECT_EQ(integers("count"), (Integers{0, 3, 0}));
+    EXPECT_EQ(integers("offsets"), (Integers{0, 0, 2, 2}));
+    EXPECT_EQ(integers("pairs"), (Integers{0, 5, 7, 2}));
+    EXPECT_EQ(arrays.at("pairs").shape, (std::vector<std::uint64_t>{2, 2}));
+    EXPECT_EQ(integers("pair_class"), (Integers{3, 2}));
+    EXPECT_EQ(integers("point_offsets"), (Integers{0, 2, 2}));
+    EXPECT_EQ(arrays.at("points").shape, (std::vector<std::uint64_t>{2, 3}));
+    EXPECT_EQ(arrays.at("points").to_doubles(), (std::vector<double>{0.5, 1, 0, 0.25, 0, -3}));
+    EXPECT_EQ(arrays.at("point_origins").to_doubles(), (std::vector<double>{10, 0, 0, 20, 0, 0}));
+}
+
+TEST_F(Export, NpzOfLevelCountHasNoLists) {
+    write({"npz"}, Level::Count);
+    const auto read = read_npz(dir_ / "results.npz");
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_TRUE(read.value().contains("count"));
+    EXPECT_FALSE(read.value().contains("pairs"));
+    EXPECT_FALSE(read.value().contains("points"));
+}
+
+TEST_F(Export, TheSummaryIsADocument) {
+    write({"csv"}, Level::Pairs);
+    const auto summary = nlohmann::json::parse(text_of("summary.json"));
+    EXPECT_EQ(summary["job"], "test");
+    EXPECT_EQ(summary["a"]["triangles"], 12);
+    EXPECT_EQ(summary["a"]["sha256"], to_hex(context_.meshes[0]->hash()));
+    EXPECT_EQ(summary["not_tested"], 3);
+    EXPECT_TRUE(summary["digest"].is_null());
+}
+
+TEST_F(Export, WithoutTheMeshesPartsAreNotNamed) {
+    context_.meshes = {};
+    write({"csv", "text"}, Level::Pairs);
+    EXPECT_THAT(text_of("pairs.csv"), HasSubstr("1,0,5,proper,,\n"));
+    EXPECT_THAT(text_of("results.txt"), HasSubstr("    A 0  B 5  proper"));
+    EXPECT_EQ(nlohmann::json::parse(text_of("summary.json"))["a"]["name"], "a.obj");
+}
+
+TEST_F(Export, NothingStaysOfARunThatDidNotFinish) {
+    {
+        auto files = ResultFiles::open(dir_, {"csv", "json", "text", "npz"}, context_);
+        ASSERT_TRUE(files) << files.error().detail;
+        ASSERT_TRUE(files.value().add(results()[1]));
+        EXPECT_FALSE(fs::is_empty(dir_));
+    }
+    EXPECT_TRUE(fs::is_empty(dir_));
+}
+
+TEST_F(Export, ARunThatDidNotFinishLeavesEarlierResultsAlone) {
+    write({"csv"}, Level::Pairs);
+    const std::string before = text_of("pairs.csv");
+    {
+        auto files = ResultFiles::open(dir_, {"csv"}, context_);
+        ASSERT_TRUE(files);
+    }
+    EXPECT_EQ(text_of("pairs.csv"), before);
+}
+
+TEST_F(Export, AFolderThatCannotBeMadeIsNamed) {
+    const auto files = ResultFiles::open("/proc/no/such", {"csv"}, context_);
+    ASSERT_FALSE(files);
+    EXPECT_EQ(files.error().code, ErrorCode::Io);
+    EXPECT_THAT(files.error().detail, HasSubstr("/proc/no/such"));
+}
+
+} // namespace cd::tests
