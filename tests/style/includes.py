@@ -19,11 +19,11 @@ LAYERS = {
 
 # A library may be included only from these files (prefixes of paths).
 DOORS = {
-    r"Eigen/": ["common/geometry", "common/tree", "common/job"],
+    r"Eigen/": ["common/geometry", "common/tree", "common/job", "client"],
     r"openssl/": ["common/core/hash.cpp"],
     r"xxhash\.h": ["common/core/hash.cpp"],
     r"zstd\.h": ["common/core/compress.cpp"],
-    r"spdlog/": ["common/core"],
+    r"spdlog/(?!fmt/)": ["common/core"],
     r"boost/asio": ["proto/asio.hpp"],
     r"boost/multiprecision": ["common/geometry", "common/tree"],
     r"boost/": ["proto", "common/geometry", "common/tree"],

@@ -1,0 +1,143 @@
+#include "client/poses/pose_file.hpp"
+
+#include "client/npz.hpp"
+#include "client/poses/pose_rows.hpp"
+#include "client/poses/text_poses.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <fstream>
+#include <iostream>
+#include <optional>
+
+namespace cd {
+
+namespace {
+
+Error bad(std::string detail) {
+    return {ErrorCode::BadInput, std::move(detail)};
+}
+
+/// The layout that the axes of an array behind its first say.
+Result<PoseLayout> layout_of(std::vector<std::uint64_t> shape, const PoseFileSpec& spec) {
+    const std::vector<std::uint64_t> given = shape;
+    shape.erase(shape.begin());
+    if (spec.of_both_bodies) {
+        if (shape.empty() || shape.front() != 2) {
+            return bad("poses of both bodies need a second axis of 2");
+        }
+        shape.erase(shape.begin());
+    }
+    using Shape = std::vector<std::uint64_t>;
+    if (shape == Shape{4, 4}) {
+        return PoseLayout::Matrix44;
+    }
+    if (shape == Shape{3, 4} || shape == Shape{12}) {
+        return PoseLayout::Matrix34;
+    }
+    if (shape == Shape{7} && spec.quat_order == "xyzw") {
+        return PoseLayout::Xyzw;
+    }
+    if (shape == Shape{7} && spec.quat_order == "wxyz") {
+        return PoseLayout::Wxyz;
+    }
+    if (shape == Shape{7}) {
+        return bad("a bare (N, 7) array does not say where qw stands; give quat_order \"xyzw\" or "
+                   "\"wxyz\"");
+    }
+    return bad(fmt::format("an array of shape ({}); expected (N,4,4), (N,3,4), (N,12) or (N,7)",
+                           fmt::join(given, ", ")));
+}
+
+Result<PoseTable> table_of(std::unique_ptr<NpyRows> rows, const PoseFileSpec& spec) {
+    const auto layout = layout_of(rows->shape(), spec);
+    if (!layout) {
+        return layout.error();
+    }
+    return PoseTable{std::move(rows), layout.value(), spec.of_both_bodies};
+}
+
+Result<PoseTable> open_npz(const PoseFileSpec& spec) {
+    auto arrays = read_npz(spec.path);
+    if (!arrays) {
+        return arrays.error();
+    }
+    auto found = arrays.value().find("poses");
+    if (found == arrays.value().end() && arrays.value().size() == 1) {
+        found = arrays.value().begin();
+    }
+    if (found == arrays.value().end()) {
+        return bad("has several arrays, and none is called 'poses'");
+    }
+    return table_of(NpyRows::of(found->second), spec);
+}
+
+Result<PoseTable> open_npy(const PoseFileSpec& spec) {
+    auto rows = NpyRows::open(spec.path);
+    if (!rows) {
+        return rows.error();
+    }
+    return table_of(std::move(rows.value()), spec);
+}
+
+Result<PoseTable> open_table(const PoseFileSpec& spec) {
+    if (spec.path == "-") {
+        return read_csv_poses(std::cin, spec.of_both_bodies);
+    }
+    const std::string ending = spec.path.extension().string();
+    if (ending == ".npy") {
+        return open_npy(spec);
+    }
+    if (ending == ".npz") {
+        return open_npz(spec);
+    }
+    std::ifstream in(spec.path, std::ios::binary);
+    if (!in) {
+        return bad("cannot be opened");
+    }
+    if (ending == ".csv") {
+        return read_csv_poses(in, spec.of_both_bodies);
+    }
+    if (ending == ".tum" || ending == ".txt") {
+        if (spec.of_both_bodies) {
+            return bad("a TUM file has the poses of one body; use .csv or .npy for both");
+        }
+        return read_tum_poses(in);
+    }
+    return bad("the ending '" + ending + "' is none of .csv, .npy, .npz, .tum, .txt");
+}
+
+} // namespace
+
+Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec) {
+    const std::string name = spec.path == "-" ? "standard input" : spec.path.string();
+    const auto named = [&](const Error& error) {
+        const bool has_name = error.detail.starts_with(name);
+        return Error{ErrorCode::BadInput, has_name ? error.detail : name + ": " + error.detail};
+    };
+    auto table = open_table(spec);
+    if (!table) {
+        return named(table.error());
+    }
+    if (table.value().rows->row_count() == 0) {
+        return named(bad("has no poses"));
+    }
+    const auto report = check_rows(table.value(), spec.rigid_tolerance);
+    if (!report) {
+        return named(report.error());
+    }
+    OpenedPoses opened;
+    if (report.value().off != 0) {
+        opened.warnings.push_back(
+            fmt::format("{}: {} poses are off from rigid by more than 1e-9; the worst is row {}, "
+                        "off by {:.3g}. They are taken as they are",
+                        name,
+                        report.value().off,
+                        report.value().worst_row,
+                        report.value().worst));
+    }
+    opened.source = make_table_source(std::move(table.value()));
+    return opened;
+}
+
+} // namespace cd

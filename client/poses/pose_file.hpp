@@ -1,0 +1,34 @@
+// Poses from files: CSV with named columns, NumPy arrays, TUM trajectories, standard input.
+#pragma once
+
+#include "client/job_file.hpp"
+#include "common/core/result.hpp"
+#include "common/job/pose_source.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+struct OpenedPoses {
+    std::unique_ptr<PoseSource> source;
+    std::vector<std::string> warnings; ///< A sentence each, naming the file.
+};
+
+/// Opens a file of poses and checks every one of them, so that a run does not end in the middle.
+///
+/// The ending decides the format: `.csv`, or `-` for CSV on standard input; `.npy` and `.npz` (the
+/// array `poses`, or the only one) of shape (N,4,4), (N,3,4), (N,12) row-major, or (N,7) with the
+/// translation first and `quat_order` given; `.tum` and `.txt`. With `of_both_bodies` an array has
+/// another axis of two behind the first, and a CSV file columns `scenario` and `body`. A matrix
+/// stays a matrix and a quaternion a quaternion; Euler angles become quaternions. Large arrays are
+/// read in runs.
+///
+/// Errors: BadInput naming the file, the row (from 0) and the value: a number that is missing or
+/// not finite; a quaternion whose norm is off by more than 1e-3, a matrix with max|R'R - I| > 1e-5
+/// (or more than `rigid_tolerance`) or det <= 0. What is off by more than 1e-9 is a counted
+/// warning.
+[[nodiscard]] Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec);
+
+} // namespace cd

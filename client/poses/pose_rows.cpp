@@ -1,0 +1,168 @@
+#include "client/poses/pose_rows.hpp"
+
+#include <Eigen/LU>
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+constexpr double quaternion_off_max = 1e-3;
+constexpr double matrix_off_max = 1e-5;
+constexpr double warn_above = 1e-9;
+constexpr std::uint64_t rows_at_once = 4096;
+
+Pose to_pose(std::span<const double> v, PoseLayout layout) {
+    switch (layout) {
+    case PoseLayout::Xyzw:
+        return Pose::from_quaternion({v[6], v[3], v[4], v[5]}, {v[0], v[1], v[2]});
+    case PoseLayout::Wxyz:
+        return Pose::from_quaternion({v[3], v[4], v[5], v[6]}, {v[0], v[1], v[2]});
+    case PoseLayout::Matrix44:
+    case PoseLayout::Matrix34:
+        break;
+    }
+    Mat3 rotation;
+    Vec3 translation;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            rotation(row, column) = v[static_cast<std::size_t>(4 * row + column)];
+        }
+        translation[row] = v[static_cast<std::size_t>(4 * row + 3)];
+    }
+    return Pose::from_matrix(rotation, translation);
+}
+
+bool is_quaternion(PoseLayout layout) {
+    return layout == PoseLayout::Xyzw || layout == PoseLayout::Wxyz;
+}
+
+/// How far from rigid the numbers of one pose are. Errors: what no tolerance forgives.
+Result<double> distance_from_rigid(std::span<const double> v, PoseLayout layout) {
+    const auto bad = [](std::string detail) {
+        return Error{ErrorCode::BadInput, std::move(detail)};
+    };
+    for (const double value : v) {
+        if (!std::isfinite(value)) {
+            return bad(fmt::format("the number {} is not finite", value));
+        }
+    }
+    if (is_quaternion(layout)) {
+        const double norm = std::sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5] + v[6] * v[6]);
+        if (norm == 0) {
+            return bad("the quaternion is zero");
+        }
+        return std::abs(norm - 1);
+    }
+    if (layout == PoseLayout::Matrix44 && !(v[12] == 0 && v[13] == 0 && v[14] == 0 && v[15] == 1)) {
+        return bad(fmt::format(
+            "the last row of the matrix is {} {} {} {}, not 0 0 0 1", v[12], v[13], v[14], v[15]));
+    }
+    const Mat3 rotation = to_pose(v, layout).matrix();
+    const double determinant = rotation.determinant();
+    if (!(determinant > 0)) {
+        return bad(fmt::format("the matrix mirrors: its determinant is {:.6g}", determinant));
+    }
+    return Mat3(rotation.transpose() * rotation - Mat3::Identity()).cwiseAbs().maxCoeff();
+}
+
+std::string describe(PoseLayout layout, double off, double allowed) {
+    const char* what = is_quaternion(layout) ? "the quaternion's norm is off 1 by"
+                                             : "max |R'R - I| of the matrix is";
+    return fmt::format(
+        "{} {:.3g}, more than {:.3g}; --rigid-tolerance allows more", what, off, allowed);
+}
+
+class TableSource final : public PoseSource {
+  public:
+    explicit TableSource(PoseTable table) : table_(std::move(table)) {}
+
+    [[nodiscard]] std::uint64_t count() const override { return table_.rows->row_count(); }
+
+    [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
+                                                     std::uint64_t count) override {
+        const std::lock_guard lock(mutex_);
+        const auto numbers = table_.rows->read(first, count);
+        if (!numbers) {
+            return numbers.error();
+        }
+        const std::size_t size = numbers_of(table_.layout);
+        std::span<const double> rest = numbers.value();
+        std::vector<Scenario> scenarios(count);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            scenarios[i].index = first + i;
+            if (table_.of_both_bodies) {
+                scenarios[i].poses.a = to_pose(rest.first(size), table_.layout);
+                rest = rest.subspan(size);
+            }
+            scenarios[i].poses.b = to_pose(rest.first(size), table_.layout);
+            rest = rest.subspan(size);
+        }
+        return scenarios;
+    }
+
+  private:
+    PoseTable table_;
+    std::mutex mutex_; ///< The file has one position.
+};
+
+} // namespace
+
+std::size_t numbers_of(PoseLayout layout) {
+    switch (layout) {
+    case PoseLayout::Matrix44:
+        return 16;
+    case PoseLayout::Matrix34:
+        return 12;
+    case PoseLayout::Xyzw:
+    case PoseLayout::Wxyz:
+        break;
+    }
+    return 7;
+}
+
+Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> rigid_tolerance) {
+    const std::size_t size = numbers_of(table.layout);
+    const std::size_t poses = table.of_both_bodies ? 2 : 1;
+    const double allowed =
+        rigid_tolerance.value_or(is_quaternion(table.layout) ? quaternion_off_max : matrix_off_max);
+    RigidityReport report;
+    for (std::uint64_t first = 0; first < table.rows->row_count(); first += rows_at_once) {
+        const std::uint64_t count = std::min(rows_at_once, table.rows->row_count() - first);
+        const auto numbers = table.rows->read(first, count);
+        if (!numbers) {
+            return numbers.error();
+        }
+        for (std::uint64_t i = 0; i < count * poses; ++i) {
+            const std::uint64_t row = first + i / poses;
+            const auto off = distance_from_rigid(std::span(numbers.value()).subspan(i * size, size),
+                                                 table.layout);
+            if (!off || !(off.value() <= allowed)) {
+                return Error{ErrorCode::BadInput,
+                             fmt::format("row {}: {}",
+                                         row,
+                                         off ? describe(table.layout, off.value(), allowed)
+                                             : off.error().detail)};
+            }
+            if (off.value() > warn_above) {
+                ++report.off;
+                if (off.value() > report.worst) {
+                    report.worst = off.value();
+                    report.worst_row = row;
+                }
+            }
+        }
+    }
+    return report;
+}
+
+std::unique_ptr<PoseSource> make_table_source(PoseTable table) {
+    return std::make_unique<TableSource>(std::move(table));
+}
+
+} // namespace cd

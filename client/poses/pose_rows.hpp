@@ -1,0 +1,47 @@
+// Rows of numbers as poses: layouts, and the check that they are rigid.
+#pragma once
+
+#include "client/npy.hpp"
+#include "common/core/result.hpp"
+#include "common/job/pose_source.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace cd {
+
+/// What the numbers of one pose are.
+enum class PoseLayout : std::uint8_t {
+    Matrix44, ///< Row-major; the last row is 0 0 0 1.
+    Matrix34, ///< Row-major.
+    Xyzw,     ///< x y z qx qy qz qw
+    Wxyz,     ///< x y z qw qx qy qz
+};
+
+[[nodiscard]] std::size_t numbers_of(PoseLayout layout);
+
+/// Rows with one pose (B's in A's frame), or two (A's, then B's, in the world).
+struct PoseTable {
+    std::unique_ptr<NpyRows> rows;
+    PoseLayout layout = PoseLayout::Matrix44;
+    bool of_both_bodies = false;
+};
+
+/// What the check of all rows found.
+struct RigidityReport {
+    std::uint64_t off = 0;       ///< Poses off by more than 1e-9 and accepted.
+    std::uint64_t worst_row = 0; ///< Of these.
+    double worst = 0;
+};
+
+/// Reads all rows once. Errors: BadInput naming the row and the value, as `open_pose_file`.
+[[nodiscard]] Result<RigidityReport> check_rows(const PoseTable& table,
+                                                std::optional<double> rigid_tolerance);
+
+/// The rows as scenarios. They have been checked.
+[[nodiscard]] std::unique_ptr<PoseSource> make_table_source(PoseTable table);
+
+} // namespace cd

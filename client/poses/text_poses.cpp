@@ -1,0 +1,300 @@
+#include "client/poses/text_poses.hpp"
+
+#include "common/core/limits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+Error bad(std::uint64_t line, const std::string& detail) {
+    return {ErrorCode::BadInput, "line " + std::to_string(line) + ": " + detail};
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\"";
+    const std::size_t first = text.find_first_not_of(blanks);
+    return first == std::string_view::npos
+               ? std::string_view{}
+               : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string_view>
+split(std::string_view line, std::string_view separators, bool joins) {
+    std::vector<std::string_view> words;
+    while (true) {
+        const std::size_t end = line.find_first_of(separators);
+        const std::string_view word = trimmed(line.substr(0, end));
+        if (!joins || !word.empty()) {
+            words.push_back(word);
+        }
+        if (end == std::string_view::npos) {
+            return words;
+        }
+        line.remove_prefix(end + 1);
+    }
+}
+
+bool is_comment(std::string_view line) {
+    const std::string_view text = trimmed(line);
+    return text.empty() || text.front() == '#';
+}
+
+std::optional<double> to_number(std::string_view word) {
+    if (word.starts_with('+')) {
+        word.remove_prefix(1);
+    }
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return error == std::errc{} && end == word.data() + word.size() ? std::optional(value)
+                                                                    : std::nullopt;
+}
+
+PoseTable make_table(std::vector<double> numbers, PoseLayout layout, bool of_both_bodies) {
+    NpyArray array;
+    const std::uint64_t row = numbers_of(layout) * (of_both_bodies ? 2 : 1);
+    array.shape = {numbers.size() / row, row};
+    const auto bytes = std::as_bytes(std::span(numbers));
+    array.data.assign(bytes.begin(), bytes.end());
+    return {NpyRows::of(array), layout, of_both_bodies};
+}
+
+enum class ColumnSet { Quaternion, Matrix, Euler };
+
+struct Columns {
+    ColumnSet set = ColumnSet::Quaternion;
+    std::vector<std::size_t> places; ///< Of the numbers, in the order of the layout.
+    std::size_t scenario = 0;
+    std::size_t body = 0;
+    std::size_t count = 0;
+};
+
+const std::vector<std::string_view>& names_of(ColumnSet set) {
+    static const std::vector<std::string_view> quaternion{"x", "y", "z", "qx", "qy", "qz", "qw"};
+    static const std::vector<std::string_view> euler{"x", "y", "z", "roll", "pitch", "yaw"};
+    static const std::vector<std::string_view> matrix{
+        "m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13", "m20", "m21", "m22", "m23"};
+    return set == ColumnSet::Quaternion ? quaternion : set == ColumnSet::Euler ? euler : matrix;
+}
+
+Result<Columns> read_header(std::string_view line, std::uint64_t number, bool of_both_bodies) {
+    std::vector<std::string> names;
+    for (const std::string_view word : split(line, ",", false)) {
+        std::string name(word);
+        std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
+            return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+        });
+        if (name.ends_with("_deg")) {
+            name.resize(name.size() - 4);
+        }
+        names.push_back(std::move(name));
+    }
+    const auto place_of = [&](std::string_view name) {
+        return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
+                                        names.begin());
+    };
+    const auto has = [&](std::string_view name) { return place_of(name) < names.size(); };
+
+    Columns columns;
+    columns.count = names.size();
+    columns.set = has("qx") || has("qw") ? ColumnSet::Quaternion
+                  : has("m00")           ? ColumnSet::Matrix
+                                         : ColumnSet::Euler;
+    const auto& wanted = names_of(columns.set);
+    for (const std::string_view name : wanted) {
+        if (!has(name)) {
+            return bad(number,
+                       "there is no column '" + std::string(name) +
+                           "'; the first line must name x,y,z,qx,qy,qz,qw or m00 to m23 or "
+                           "x,y,z,roll,pitch,yaw");
+        }
+        columns.places.push_back(place_of(name));
+    }
+    constexpr std::array<std::string_view, 6> others{"id", "t", "time", "name", "scenario", "body"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string& name = names[i];
+        if (std::find(wanted.begin(), wanted.end(), name) == wanted.end() &&
+            std::find(others.begin(), others.end(), name) == others.end()) {
+            return bad(number, "column '" + name + "' is not known");
+        }
+        if (place_of(name) != i) {
+            return bad(number, "column '" + name + "' stands there twice");
+        }
+    }
+    columns.scenario = place_of("scenario");
+    columns.body = place_of("body");
+    if (of_both_bodies && (!has("scenario") || !has("body"))) {
+        return bad(number, "poses of both bodies need the columns 'scenario' and 'body'");
+    }
+    return columns;
+}
+
+/// The numbers of one line, as a matrix or as x y z qx qy qz qw.
+Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& words,
+                                         const Columns& columns,
+                                         std::uint64_t line) {
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < columns.places.size(); ++i) {
+        const std::string_view word = words[columns.places[i]];
+        const auto number = to_number(word);
+        if (!number) {
+            return bad(line,
+                       std::string(names_of(columns.set)[i]) + " is '" + std::string(word) +
+                           "', not a number");
+        }
+        numbers.push_back(*number);
+    }
+    if (columns.set == ColumnSet::Euler) {
+        const Quaternion q = quaternion_from_euler(numbers[3], numbers[4], numbers[5]);
+        numbers.resize(3);
+        numbers.insert(numbers.end(), {q.x, q.y, q.z, q.w});
+    }
+    return numbers;
+}
+
+/// Puts rows with `scenario` and `body` in their places.
+class BothBodies {
+  public:
+    explicit BothBodies(std::size_t numbers) : numbers_(numbers) {}
+
+    Status add(std::string_view scenario_word,
+               std::string_view body_word,
+               const std::vector<double>& numbers,
+               std::uint64_t line) {
+        const auto scenario = to_number(scenario_word);
+        const bool is_a = body_word == "a" || body_word == "A" || body_word == "0";
+        const bool is_b = body_word == "b" || body_word == "B" || body_word == "1";
+        if (!scenario || *scenario < 0 || *scenario >= rows_max || (!is_a && !is_b)) {
+            return bad(line,
+                       "scenario '" + std::string(scenario_word) + "', body '" +
+                           std::string(body_word) + "': a count from 0, and a or b are expected");
+        }
+        const std::size_t place = 2 * static_cast<std::size_t>(*scenario) + (is_b ? 1 : 0);
+        if (place >= seen_.size()) {
+            // Rows in any order, but not with gaps that only a broken file has.
+            if (place > 2 * (rows_ + gap_max)) {
+                return bad(line, "scenario " + std::string(scenario_word) + " is far out of order");
+            }
+            seen_.resize(place / 2 * 2 + 2, false);
+            values_.resize(seen_.size() * numbers_);
+        }
+        if (seen_[place]) {
+            return bad(line, "scenario " + std::string(scenario_word) + " has this body twice");
+        }
+        seen_[place] = true;
+        ++rows_;
+        std::copy(numbers.begin(),
+                  numbers.end(),
+                  values_.begin() + static_cast<std::ptrdiff_t>(place * numbers_));
+        return Done{};
+    }
+
+    Result<std::vector<double>> finish() {
+        const auto missing = std::find(seen_.begin(), seen_.end(), false);
+        if (missing != seen_.end()) {
+            const auto place = static_cast<std::size_t>(missing - seen_.begin());
+            return Error{ErrorCode::BadInput,
+                         "scenario " + std::to_string(place / 2) + " has no pose of body " +
+                             (place % 2 == 0 ? "a" : "b")};
+        }
+        return std::move(values_);
+    }
+
+  private:
+    static constexpr double rows_max = 1e15;
+    static constexpr std::size_t gap_max = 1'000'000;
+
+    std::size_t numbers_;
+    std::size_t rows_ = 0;
+    std::vector<bool> seen_;
+    std::vector<double> values_;
+};
+
+} // namespace
+
+Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
+    std::string line;
+    std::uint64_t number = 0;
+    std::optional<Columns> columns;
+    std::vector<double> values;
+    std::optional<BothBodies> both;
+    while (std::getline(in, line)) {
+        ++number;
+        if (is_comment(line)) {
+            continue;
+        }
+        if (!columns) {
+            auto header = read_header(line, number, of_both_bodies);
+            if (!header) {
+                return header.error();
+            }
+            columns = std::move(header.value());
+            both.emplace(columns->set == ColumnSet::Matrix ? 12 : 7);
+            continue;
+        }
+        const auto words = split(line, ",", false);
+        if (words.size() != columns->count) {
+            return bad(number,
+                       std::to_string(words.size()) + " values, but the first line names " +
+                           std::to_string(columns->count));
+        }
+        const auto numbers = read_numbers(words, *columns, number);
+        if (!numbers) {
+            return numbers.error();
+        }
+        if (!of_both_bodies) {
+            values.insert(values.end(), numbers.value().begin(), numbers.value().end());
+        } else if (const Status added = both->add(
+                       words[columns->scenario], words[columns->body], numbers.value(), number);
+                   !added) {
+            return added.error();
+        }
+    }
+    if (!columns) {
+        return Error{ErrorCode::BadInput, "there is no line that names the columns"};
+    }
+    if (of_both_bodies) {
+        auto ordered = both->finish();
+        if (!ordered) {
+            return ordered.error();
+        }
+        values = std::move(ordered.value());
+    }
+    return make_table(std::move(values),
+                      columns->set == ColumnSet::Matrix ? PoseLayout::Matrix34 : PoseLayout::Xyzw,
+                      of_both_bodies);
+}
+
+Result<PoseTable> read_tum_poses(std::istream& in) {
+    std::string line;
+    std::uint64_t number = 0;
+    std::vector<double> values;
+    while (std::getline(in, line)) {
+        ++number;
+        if (is_comment(line)) {
+            continue;
+        }
+        const auto words = split(line, " \t", true);
+        if (words.size() != 8) {
+            return bad(number,
+                       std::to_string(words.size()) +
+                           " numbers where TUM has 8: time x y z qx qy qz qw");
+        }
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            const auto value = to_number(words[i]);
+            if (!value) {
+                return bad(number, "'" + std::string(words[i]) + "' is not a number");
+            }
+            values.push_back(*value);
+        }
+    }
+    return make_table(std::move(values), PoseLayout::Xyzw, false);
+}
+
+} // namespace cd

@@ -1,0 +1,218 @@
+// Proves that poses are read as the exact numbers of their file, in every format, and that a pose
+// that is not rigid, not finite or not there is refused by its row.
+#include "client/poses/pose_file.hpp"
+
+#include "client/npz.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::HasSubstr;
+
+class PoseFile : public testing::Test {
+  protected:
+    PoseFileSpec spec(const std::string& name) {
+        PoseFileSpec s;
+        s.path = folder_ / name;
+        return s;
+    }
+
+    std::vector<Scenario> read_all(const PoseFileSpec& s) {
+        auto opened = open_pose_file(s);
+        if (!opened) {
+            ADD_FAILURE() << opened.error().detail;
+            return {};
+        }
+        warnings_ = opened.value().warnings;
+        return opened.value().source->read(0, opened.value().source->count()).value();
+    }
+
+    std::vector<Scenario> read_text_file(const std::string& name, const std::string& text) {
+        write_text(folder_ / name, text);
+        return read_all(spec(name));
+    }
+
+    std::string error_of(const PoseFileSpec& s) {
+        auto opened = open_pose_file(s);
+        return opened ? "was taken" : opened.error().detail;
+    }
+
+    std::string error_of_text(const std::string& name, const std::string& text) {
+        write_text(folder_ / name, text);
+        return error_of(spec(name));
+    }
+
+    void write_npy(const std::string& name,
+                   const std::vector<std::uint64_t>& shape,
+                   const std::vector<double>& values) {
+        ByteWriter out;
+        out.put_array(std::span<const std::byte>(make_npy_header(NpyType::F8, shape)));
+        out.put_array(std::span<const double>(values));
+        write_text(folder_ / name,
+                   {reinterpret_cast<const char*>(out.bytes().data()), out.bytes().size()});
+    }
+
+    TemporaryFolder folder_;
+    std::vector<std::string> warnings_;
+};
+
+const std::vector<double> turned{0, -1, 0, 1.5, 1, 0, 0, -2, 0, 0, 1, 0.25, 0, 0, 0, 1};
+
+} // namespace
+
+TEST_F(PoseFile, CsvColumnsMayStandInAnyOrder) {
+    const auto scenarios = read_text_file("p.csv",
+                                          "# a comment\nqw,qx,qy,qz,z,y,x,id\n\n"
+                                          "0.6,0.8,0,0,3,2,1,7\n 1, 0,0,0, 6,5,4, 8\n");
+    ASSERT_EQ(scenarios.size(), 2u);
+    EXPECT_EQ(scenarios[0].poses.b, Pose::from_quaternion({0.6, 0.8, 0, 0}, {1, 2, 3}));
+    EXPECT_EQ(scenarios[1].poses.b.translation(), Vec3(4, 5, 6));
+    EXPECT_EQ(scenarios[1].index, 1u);
+    EXPECT_EQ(scenarios[0].poses.a, Pose());
+}
+
+TEST_F(PoseFile, CsvTakesMatricesAndEulerAngles) {
+    const auto matrices = read_text_file(
+        "m.csv", "m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n0,-1,0,5,1,0,0,6,0,0,1,7\n");
+    ASSERT_EQ(matrices.size(), 1u);
+    EXPECT_EQ(matrices[0].poses.b.kind(), Pose::Kind::Matrix);
+    EXPECT_EQ(matrices[0].poses.b.apply(Vec3(1, 0, 0)), Vec3(5, 7, 7));
+
+    const auto euler = read_text_file("e.csv", "x,y,z,roll,pitch,yaw_deg\n0,0,0,0,0,90\n");
+    ASSERT_EQ(euler.size(), 1u);
+    EXPECT_EQ(euler[0].poses.b.kind(), Pose::Kind::Quaternion);
+    EXPECT_LT((euler[0].poses.b.apply(Vec3(1, 0, 0)) - Vec3(0, 1, 0)).norm(), 1e-15);
+}
+
+TEST_F(PoseFile, CsvOfBothBodiesComesInAnyOrder) {
+    write_text(folder_ / "both.csv",
+               "scenario,body,x,y,z,qx,qy,qz,qw\n1,b,4,0,0,0,0,0,1\n0,a,1,0,0,0,0,0,1\n"
+               "1,a,3,0,0,0,0,0,1\n0,b,2,0,0,0,0,0,1\n");
+    PoseFileSpec s = spec("both.csv");
+    s.of_both_bodies = true;
+    const auto scenarios = read_all(s);
+    ASSERT_EQ(scenarios.size(), 2u);
+    EXPECT_EQ(scenarios[0].poses.a.translation().x(), 1);
+    EXPECT_EQ(scenarios[0].poses.b.translation().x(), 2);
+    EXPECT_EQ(scenarios[1].poses.b.translation().x(), 4);
+
+    write_text(folder_ / "both.csv", "scenario,body,x,y,z,qx,qy,qz,qw\n0,a,1,0,0,0,0,0,1\n");
+    EXPECT_THAT(error_of(s), HasSubstr("no pose of body b"));
+}
+
+TEST_F(PoseFile, TumIsTimePositionQuaternion) {
+    const auto scenarios =
+        read_text_file("p.tum", "# timestamp tx ty tz qx qy qz qw\n0.5 1 2 3  0 0 0 1\n");
+    ASSERT_EQ(scenarios.size(), 1u);
+    EXPECT_EQ(scenarios[0].poses.b, Pose::from_quaternion({1, 0, 0, 0}, {1, 2, 3}));
+}
+
+TEST_F(PoseFile, NpyTakesMatricesOfThreeShapes) {
+    const std::vector<double> upper(turned.begin(), turned.begin() + 12);
+    write_npy("a.npy", {1, 4, 4}, turned);
+    write_npy("b.npy", {1, 3, 4}, upper);
+    write_npy("c.npy", {1, 12}, upper);
+    for (const char* name : {"a.npy", "b.npy", "c.npy"}) {
+        const auto scenarios = read_all(spec(name));
+        ASSERT_EQ(scenarios.size(), 1u) << name;
+        EXPECT_EQ(scenarios[0].poses.b.apply(Vec3(1, 0, 0)), Vec3(1.5, -1, 0.25)) << name;
+    }
+}
+
+TEST_F(PoseFile, ABareQuaternionArrayNeedsItsOrder) {
+    write_npy("q.npy", {1, 7}, {1, 2, 3, 0.6, 0.8, 0, 0});
+    PoseFileSpec s = spec("q.npy");
+    EXPECT_THAT(error_of(s), HasSubstr("quat_order"));
+    s.quat_order = "wxyz";
+    EXPECT_EQ(read_all(s)[0].poses.b.quaternion(), (Quaternion{0.6, 0.8, 0, 0}));
+    s.quat_order = "xyzw";
+    EXPECT_EQ(read_all(s)[0].poses.b.quaternion(), (Quaternion{0, 0.6, 0.8, 0}));
+}
+
+TEST_F(PoseFile, NpzHoldsAnArrayCalledPoses) {
+    NpzWriter writer(folder_ / "p.npz");
+    const auto other = writer.add_array("other", NpyType::F8);
+    const auto poses = writer.add_array("poses", NpyType::F8, 12);
+    writer.append(other, std::span<const double>(turned));
+    writer.append(poses, std::span<const double>(turned).first(12));
+    ASSERT_TRUE(writer.finish());
+    EXPECT_EQ(read_all(spec("p.npz")).size(), 1u);
+}
+
+TEST_F(PoseFile, RefusesByRowAndValueWhatIsNotRigid) {
+    const std::string columns = "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,1\n";
+    EXPECT_THAT(error_of_text("n.csv", columns + "0,0,0,0,0,0,1.01\n"),
+                testing::AllOf(HasSubstr("row 1"), HasSubstr("0.01"), HasSubstr("tolerance")));
+    EXPECT_THAT(error_of_text("z.csv", columns + "0,0,0,0,0,0,0\n"), HasSubstr("zero"));
+    EXPECT_THAT(error_of_text("f.csv", columns + "nan,0,0,0,0,0,1\n"), HasSubstr("row 1"));
+    EXPECT_THAT(error_of_text("w.csv", columns + "a,0,0,0,0,0,1\n"), HasSubstr("line 3"));
+    EXPECT_THAT(error_of_text("s.csv", columns + "0,0,0,0,0,1\n"), HasSubstr("line 3"));
+    EXPECT_THAT(error_of_text("c.csv", "x,y,z,qx,qy,qz\n"), HasSubstr("qw"));
+    EXPECT_THAT(error_of_text("e.csv", columns.substr(0, 18)), HasSubstr("no poses"));
+
+    std::vector<double> mirrored = turned;
+    mirrored[10] = -1;
+    write_npy("mirror.npy", {1, 4, 4}, mirrored);
+    EXPECT_THAT(error_of(spec("mirror.npy")), HasSubstr("determinant"));
+    std::vector<double> projective = turned;
+    projective[15] = 2;
+    write_npy("last.npy", {1, 4, 4}, projective);
+    EXPECT_THAT(error_of(spec("last.npy")), HasSubstr("0 0 0 1"));
+    std::vector<double> bent = turned;
+    bent[0] = 1e-4;
+    write_npy("bent.npy", {1, 4, 4}, bent);
+    PoseFileSpec s = spec("bent.npy");
+    EXPECT_THAT(error_of(s), HasSubstr("row 0"));
+    s.rigid_tolerance = 1e-3;
+    EXPECT_EQ(read_all(s).size(), 1u);
+}
+
+TEST_F(PoseFile, WarnsOfFewDecimalsNamingTheWorstRow) {
+    const auto scenarios = read_text_file("w.csv",
+                                          "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,1\n"
+                                          "0,0,0,0.70711,0,0,0.70711\n0,0,0,0.7071,0,0,0.7071\n");
+    EXPECT_EQ(scenarios.size(), 3u);
+    ASSERT_EQ(warnings_.size(), 1u);
+    EXPECT_THAT(warnings_[0], testing::AllOf(HasSubstr("2 poses"), HasSubstr("row 2")));
+}
+
+TEST_F(PoseFile, RefusesDamagedArrays) {
+    write_npy("good.npy", {1, 4, 4}, turned);
+    const std::string good = read_text(folder_ / "good.npy");
+    for (std::size_t length = 0; length < good.size(); ++length) {
+        ASSERT_NE(error_of_text("cut.npy", good.substr(0, length)), "was taken") << length;
+    }
+    std::string hostile = good;
+    hostile.replace(hostile.find("(1, 4, 4)"), 9, "(9999999999999,)");
+    EXPECT_NE(error_of_text("big.npy", hostile), "was taken");
+    EXPECT_NE(error_of_text("more.npy", good + "x"), "was taken");
+    EXPECT_NE(error_of_text("no.xyz", "1 2 3"), "was taken");
+}
+
+TEST_F(PoseFile, ReadsRunsOfALargeArray) {
+    std::vector<double> values;
+    for (int i = 0; i < 10'000; ++i) {
+        values.insert(values.end(), {1.0 * i, 0, 0, 0, 0, 0, 1});
+    }
+    write_npy("large.npy", {10'000, 7}, values);
+    PoseFileSpec s = spec("large.npy");
+    s.quat_order = "xyzw";
+    auto opened = open_pose_file(s);
+    ASSERT_TRUE(opened) << opened.error().detail;
+    const auto run = opened.value().source->read(7'000, 3).value();
+    ASSERT_EQ(run.size(), 3u);
+    EXPECT_EQ(run[2].index, 7'002u);
+    EXPECT_EQ(run[2].poses.b.translation().x(), 7'002);
+}
+
+} // namespace cd::tests
