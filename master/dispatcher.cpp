@@ -47,7 +47,7 @@ Actions Dispatcher::worker_lost(WorkerId worker) {
     while (!proxy->tasks().empty()) {
         const auto& [task, content] = *proxy->tasks().rbegin();
         const JobId job = content.job;
-        state_->take_back_lost(job, proxy->end_task(TaskId(task)), actions);
+        state_->take_back(job, proxy->end_task(TaskId(task)), true, actions);
     }
     state_->pool.remove(worker);
     state_->settle(actions);
@@ -72,8 +72,9 @@ Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
         return {};
     }
     const JobId job = proxy->tasks().at(task).job;
+    const bool handed_back = proxy->is_draining();
     Actions actions;
-    state_->take_back_lost(job, proxy->end_task(task), actions);
+    state_->take_back(job, proxy->end_task(task), !handed_back, actions);
     state_->settle(actions);
     return actions;
 }

@@ -74,7 +74,8 @@ class Dispatcher {
 
     /// The scenario is answered, by whichever worker. Of a scenario already answered: nothing.
     Actions scenario_answered(WorkerId worker, JobId job, std::uint64_t scenario);
-    /// The worker has sent all results of the task. Scenarios of it that are not answered go back.
+    /// The worker has sent all results of the task. Scenarios of it that are not answered go back:
+    /// those of a draining worker are handed back, those of another one count as lost with it.
     Actions task_ended(WorkerId worker, TaskId task);
     Actions roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
 

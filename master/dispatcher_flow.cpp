@@ -178,9 +178,10 @@ void Dispatcher::State::take_back_buffers(WorkerProxy& proxy) {
     }
 }
 
-void Dispatcher::State::take_back_lost(JobId job_id,
-                                       std::span<const std::uint64_t> scenarios,
-                                       Actions& actions) {
+void Dispatcher::State::take_back(JobId job_id,
+                                  std::span<const std::uint64_t> scenarios,
+                                  bool are_lost,
+                                  Actions& actions) {
     DispatchJob* job = find_job(job_id);
     if (job == nullptr) {
         return;
@@ -188,7 +189,7 @@ void Dispatcher::State::take_back_lost(JobId job_id,
     std::vector<std::uint64_t> again;
     for (const std::uint64_t index : scenarios) {
         DispatchScenario& scenario = job->scenarios.at(index);
-        ++scenario.losses;
+        scenario.losses += are_lost ? 1 : 0;
         if (scenario.losses >= limits::scenario_losses_max) {
             job->scenarios.erase(index);
             actions.push_back(GiveUp{job_id, index});

@@ -96,8 +96,10 @@ struct Dispatcher::State {
     // ---- Taking back ----------------------------------------------------------------------------
     /// Buffered scenarios wait again, first in line.
     void take_back_buffers(WorkerProxy& proxy);
-    /// Scenarios of an ended task without answers wait again, are suspected, or are given up.
-    void take_back_lost(JobId job, std::span<const std::uint64_t> scenarios, Actions& actions);
+    /// Scenarios of an ended task without answers wait again; where they are lost, some are
+    /// suspected or given up.
+    void
+    take_back(JobId job, std::span<const std::uint64_t> scenarios, bool are_lost, Actions& actions);
     /// Removes the scenario from where it is; its entry stays.
     void withdraw(DispatchJob& job, std::uint64_t index, DispatchScenario& scenario, WorkerId by);
     void wait_first(DispatchJob& job, std::span<const std::uint64_t> scenarios);

@@ -1,1 +1,21 @@
-int main() { return 0; }
+// cdmaster: takes jobs from clients and has them done by workers.
+#include "common/core/log.hpp"
+#include "master/config.hpp"
+#include "master/run_master.hpp"
+
+#include <cstdio>
+
+int main(int count, char** arguments) {
+    const cd::MasterCommandLine line = cd::parse_master_command_line(count, arguments);
+    if (!line.config) {
+        std::fputs(line.text.c_str(), line.exit_code == 0 ? stdout : stderr);
+        return line.exit_code;
+    }
+    cd::start_logging("cdmaster", line.config->log_level);
+    const cd::Status status = cd::run_master(*line.config);
+    if (!status) {
+        std::fprintf(stderr, "cdmaster: %s\n", status.error().detail.c_str());
+        return status.error().code == cd::ErrorCode::Refused ? 5 : 2;
+    }
+    return 0;
+}

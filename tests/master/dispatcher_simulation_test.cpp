@@ -184,7 +184,9 @@ class Simulation {
     void end_task(TaskId id) {
         const SimulatedTask task = tasks_.at(id);
         tasks_.erase(id);
-        count_losses(task);
+        if (!draining_.contains(task.worker)) {
+            count_losses(task);
+        }
         do_actions(dispatcher_.task_ended(task.worker, id));
     }
 

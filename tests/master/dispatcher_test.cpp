@@ -274,6 +274,23 @@ TEST(Dispatcher, ATaskThatEndsWithoutAllAnswersHasTheRestDoneAgain) {
     EXPECT_EQ(driver.sent(), Lists{});
 }
 
+TEST(Dispatcher, WhatADrainingWorkerHandsBackIsNotLost) {
+    Driver driver;
+    driver.open(job_1, options_with(2, false));
+    driver.feed(job_1, 0, 2);
+    for (std::uint64_t i = 1; i <= 2 * limits::scenario_losses_max; ++i) {
+        driver.join(WorkerId{i});
+        const SendBatch batch = driver.batches.back();
+        EXPECT_EQ(batch.worker, WorkerId{i});
+        EXPECT_EQ(batch.scenarios, (std::vector<std::uint64_t>{0, 1}));
+        driver.keep(driver.dispatcher.worker_draining(WorkerId{i}));
+        driver.keep(driver.dispatcher.task_ended(WorkerId{i}, batch.task));
+        driver.keep(driver.dispatcher.worker_lost(WorkerId{i}));
+    }
+    EXPECT_TRUE(driver.given_up.empty());
+    EXPECT_EQ(driver.dispatcher.unsent(), 2u);
+}
+
 TEST(Dispatcher, OneDeadlyScenarioIsGivenUpAndItsNeighboursAreNot) {
     constexpr std::uint64_t deadly = 5;
     Driver driver;

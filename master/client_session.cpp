@@ -1,0 +1,254 @@
+#include "master/client_session.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/core/log.hpp"
+#include "master/run_on.hpp"
+#include "master/submission.hpp"
+#include "proto/codec.hpp"
+
+namespace cd {
+
+ClientSession::ClientSession(Coordinator& coordinator, std::shared_ptr<Channel> channel)
+    : coordinator_(coordinator), channel_(std::move(channel)) {}
+
+asio::awaitable<void> ClientSession::run() {
+    const auto self = shared_from_this();
+    for (;;) {
+        Result<Message> message = co_await channel_->receive(limits::client_idle_max);
+        if (!message) {
+            spdlog::debug(
+                "client left: peer={} reason=\"{}\"", channel_->peer(), message.error().detail);
+            break;
+        }
+        co_await std::visit([this](auto& content) { return on(std::move(content)); },
+                            message.value());
+        // Who does not read the answers is not asked for more questions.
+        co_await channel_->wait_until_queued_below(limits::write_queue_bytes_max);
+    }
+    // One that is being flushed closes by itself.
+    if (channel_->is_open()) {
+        channel_->close();
+    }
+}
+
+void ClientSession::refuse(const Error& error) {
+    spdlog::info("request refused: peer={} reason=\"{}\"", channel_->peer(), error.detail);
+    channel_->send(Failure{error.code, error.detail});
+}
+
+void ClientSession::answer(const Result<JobStatus>& status) {
+    if (status) {
+        channel_->send(status.value());
+    } else {
+        refuse(status.error());
+    }
+}
+
+template <class Other>
+asio::awaitable<void> ClientSession::on(Other message) {
+    const std::string name(message_name(message_type(message)));
+    refuse({ErrorCode::BadFrame, "a client does not send '" + name + "'"});
+    channel_->close(true);
+    co_return;
+}
+
+asio::awaitable<void> ClientSession::on(Heartbeat /*message*/) {
+    co_return;
+}
+
+// ---- Meshes -------------------------------------------------------------------------------------
+
+asio::awaitable<void> ClientSession::on(MeshesQuery message) {
+    channel_->send(MeshesMissing{coordinator_.geometry().missing(message.meshes)});
+    co_return;
+}
+
+asio::awaitable<void> ClientSession::on(MeshPart message) {
+    const Sha256 mesh = message.mesh;
+    const bool is_last = message.offset + message.bytes.size() == message.bytes_total;
+    const bool is_begun = upload_ != nullptr && upload_->mesh() == mesh;
+    if (message.offset != 0 && !is_begun) {
+        // The rest of an upload that failed: its failure has been answered.
+        co_return;
+    }
+    const Status taken = co_await take_mesh_part(std::move(message));
+    if (!taken) {
+        upload_.reset();
+        refuse(taken.error());
+    } else if (is_last) {
+        channel_->send(MeshStored{mesh});
+    }
+}
+
+asio::awaitable<Status> ClientSession::take_mesh_part(MeshPart message) {
+    GeometryStore& store = coordinator_.geometry();
+    if (message.offset == 0) {
+        upload_.reset(); // One at a time; its temporary file goes.
+        message.name.resize(std::min(message.name.size(), limits::hello_text_bytes_max));
+        auto begun = store.begin_upload(message.mesh, message.name, message.bytes_total);
+        if (!begun) {
+            co_return begun.error();
+        }
+        upload_ = std::move(begun.value());
+    }
+    auto append = [this, &message] { return upload_->append(message.offset, message.bytes); };
+    Status status = co_await run_on(coordinator_.blocking(), append);
+    if (status && upload_->is_complete()) {
+        auto finish = [this, &store] { return store.finish_upload(std::move(upload_)); };
+        status = co_await run_on(coordinator_.blocking(), finish);
+    }
+    co_return status;
+}
+
+// ---- Submitting ---------------------------------------------------------------------------------
+
+asio::awaitable<void> ClientSession::on(Submit message) {
+    spool_.reset();
+    refused_ = false;
+    const bool poses_follow = !message.grid;
+    const Status begun = co_await begin_poses(std::move(message));
+    if (!begun) {
+        refuse(begun.error());
+        refused_ = poses_follow;
+    }
+}
+
+asio::awaitable<Status> ClientSession::begin_poses(Submit message) {
+    const auto stored = coordinator_.geometry().meshes();
+    if (const Status checked = check_submission(message, stored); !checked) {
+        co_return checked;
+    }
+    if (message.grid) {
+        Result<Grid> grid = decode_grid(*message.grid);
+        if (!grid) {
+            co_return grid.error();
+        }
+        if (grid.value().count() != message.scenarios) {
+            co_return Error{ErrorCode::BadInput,
+                            "the grid has " + std::to_string(grid.value().count()) +
+                                " scenarios, and " + std::to_string(message.scenarios) +
+                                " were announced"};
+        }
+        open_job(std::move(message), make_grid_source(std::move(grid.value())));
+        co_return Done{};
+    }
+    auto spool = PoseSpool::create(coordinator_.directory(), message.scenarios);
+    if (!spool) {
+        co_return spool.error();
+    }
+    spool_ = std::move(spool.value());
+    submit_ = std::move(message);
+    co_return Done{};
+}
+
+asio::awaitable<void> ClientSession::on(PosesPart message) {
+    if (refused_) {
+        co_return;
+    }
+    if (spool_ == nullptr) {
+        refuse_poses({ErrorCode::BadInput, "poses without a job before them"});
+        co_return;
+    }
+    auto append = [spool = spool_, &message] { return spool->append(message.scenarios); };
+    const Status appended = co_await run_on(coordinator_.blocking(), append);
+    if (!appended) {
+        refuse_poses(appended.error());
+    }
+}
+
+asio::awaitable<void> ClientSession::on(PosesEnd /*message*/) {
+    const auto spool = std::exchange(spool_, nullptr);
+    if (std::exchange(refused_, false)) {
+        co_return;
+    }
+    if (spool == nullptr) {
+        refuse({ErrorCode::BadInput, "the end of poses without a job before it"});
+    } else if (!spool->is_complete()) {
+        refuse({ErrorCode::BadInput,
+                std::to_string(spool->count()) + " poses came, and " +
+                    std::to_string(submit_.scenarios) + " were announced"});
+    } else {
+        open_job(std::move(submit_), spool);
+    }
+}
+
+void ClientSession::refuse_poses(const Error& error) {
+    spool_.reset();
+    refused_ = true;
+    refuse(error);
+}
+
+void ClientSession::open_job(Submit submit, std::shared_ptr<PoseSource> poses) {
+    const Result<JobId> job = coordinator_.open_job(std::move(submit), std::move(poses));
+    if (job) {
+        channel_->send(Accepted{job.value()});
+    } else {
+        refuse(job.error());
+    }
+}
+
+// ---- Asking -------------------------------------------------------------------------------------
+
+asio::awaitable<void> ClientSession::on(StatusQuery /*message*/) {
+    channel_->send(coordinator_.cluster_status());
+    co_return;
+}
+
+asio::awaitable<void> ClientSession::on(Cancel message) {
+    answer(coordinator_.cancel_job(message.job));
+    co_return;
+}
+
+asio::awaitable<void> ClientSession::on(ResultsQuery message) {
+    const auto results = coordinator_.results_of(message.job);
+    if (results == nullptr) {
+        refuse(coordinator_.job_status(message.job).error());
+        co_return;
+    }
+    auto read = [results, message] {
+        return results->read(message.first, message.count, limits::results_part_bytes_target);
+    };
+    Result<ResultsPart> part = co_await run_on(coordinator_.blocking(), read);
+    if (!part) {
+        refuse(part.error());
+        co_return;
+    }
+    part.value().job = message.job;
+    channel_->send(part.value());
+}
+
+asio::awaitable<void> ClientSession::on(Watch message) {
+    if (watches_ >= limits::watches_max) {
+        refuse({ErrorCode::Refused, "too many watches on one connection"});
+        co_return;
+    }
+    ++watches_;
+    spawn(coordinator_.executor(), "watch", watch(message.job));
+}
+
+asio::awaitable<void> ClientSession::watch(JobId job) {
+    const auto self = shared_from_this();
+    const auto pause = std::make_shared<asio::steady_timer>(coordinator_.executor());
+    coordinator_.notify_at_end(job, pause);
+    std::optional<std::uint64_t> seen;
+    while (channel_->is_open()) {
+        const Result<JobStatus> status = coordinator_.job_status(job);
+        const bool is_over = !status || status.value().state != JobState::Running;
+        const std::uint64_t changes = coordinator_.job_changes(job);
+        if (is_over || seen != changes) {
+            answer(status);
+            seen = changes;
+        }
+        if (is_over) {
+            break;
+        }
+        pause->expires_after(limits::watch_period);
+        boost::system::error_code ignored;
+        co_await pause->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        // A watcher that does not read misses what it could not have read in time.
+        co_await channel_->wait_until_queued_below(limits::write_queue_bytes_max);
+    }
+    --watches_;
+}
+
+} // namespace cd

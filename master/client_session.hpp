@@ -1,0 +1,59 @@
+// One client's conversation with the master.
+#pragma once
+
+#include "master/coordinator.hpp"
+#include "master/mesh_upload.hpp"
+#include "master/pose_spool.hpp"
+#include "proto/asio.hpp"
+#include "proto/channel.hpp"
+
+#include <memory>
+#include <string>
+
+namespace cd {
+
+/// Answers a client's requests, one after the other; watches go on beside them. What a client did
+/// not finish (a mesh, a job's poses) goes with its connection.
+class ClientSession : public std::enable_shared_from_this<ClientSession> {
+  public:
+    ClientSession(Coordinator& coordinator, std::shared_ptr<Channel> channel);
+
+    /// The whole conversation after the welcome. Ends when the connection does.
+    [[nodiscard]] asio::awaitable<void> run();
+
+  private:
+    // One for each message that a client sends; all others end the connection.
+    asio::awaitable<void> on(MeshesQuery message);
+    asio::awaitable<void> on(MeshPart message);
+    asio::awaitable<void> on(Submit message);
+    asio::awaitable<void> on(PosesPart message);
+    asio::awaitable<void> on(PosesEnd message);
+    asio::awaitable<void> on(Watch message);
+    asio::awaitable<void> on(StatusQuery message);
+    asio::awaitable<void> on(ResultsQuery message);
+    asio::awaitable<void> on(Cancel message);
+    asio::awaitable<void> on(Heartbeat message);
+    template <class Other>
+    asio::awaitable<void> on(Other message);
+
+    [[nodiscard]] asio::awaitable<Status> take_mesh_part(MeshPart message);
+    [[nodiscard]] asio::awaitable<Status> begin_poses(Submit message);
+    void open_job(Submit submit, std::shared_ptr<PoseSource> poses);
+    [[nodiscard]] asio::awaitable<void> watch(JobId job);
+
+    void refuse(const Error& error);
+    void refuse_poses(const Error& error);
+    void answer(const Result<JobStatus>& status);
+
+    Coordinator& coordinator_;
+    std::shared_ptr<Channel> channel_;
+    std::unique_ptr<MeshUpload> upload_;
+    /// A submitted job whose poses are coming.
+    Submit submit_;
+    std::shared_ptr<PoseSpool> spool_;
+    /// Its poses are passed over, up to their end: it was refused, and the client has been told.
+    bool refused_ = false;
+    std::size_t watches_ = 0;
+};
+
+} // namespace cd

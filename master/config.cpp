@@ -1,0 +1,183 @@
+#include "master/config.hpp"
+
+#include "common/core/version.hpp"
+
+#include <CLI/CLI.hpp>
+#include <toml++/toml.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <sstream>
+
+namespace cd {
+
+namespace {
+
+constexpr const char* help =
+    "Examples:\n"
+    "  cdmaster                                   on this machine alone, port 7600\n"
+    "  cdmaster --listen 127.0.0.1:0 --port-file port   the system chooses the port\n"
+    "  cdmaster --listen 0.0.0.0:7600 --insecure  for a network that you trust\n"
+    "  cdmaster --config /etc/cdcluster/cdmaster.toml\n"
+    "\n"
+    "Takes jobs from cdctl and has them done by cdworkers. Prints the line with which a worker\n"
+    "joins. Options may stand in the file of --config, as in `listen = \"127.0.0.1:7600\"`, and "
+    "in\n"
+    "the environment, as in CDMASTER_LISTEN.\n"
+    "\n"
+    "Exit codes: 0 ended by SIGINT or SIGTERM; 2 wrong usage, or cannot start; 5 refused to "
+    "listen\n"
+    "beyond loopback without --insecure.";
+
+/// Help that opens with what to type.
+class ExamplesFirst final : public CLI::Formatter {
+  public:
+    std::string make_description(const CLI::App* app) const override {
+        return app->get_description() + "\n\n";
+    }
+};
+
+std::string environment_name(std::string option) {
+    std::ranges::transform(option, option.begin(), [](unsigned char c) {
+        return c == '-' ? '_' : static_cast<char>(std::toupper(c));
+    });
+    return "CDMASTER_" + option;
+}
+
+std::string text_of(const std::string& key, const toml::node& value) {
+    std::ostringstream out;
+    if (const auto* text = value.as_string()) {
+        out << text->get();
+    } else if (const auto* number = value.as_integer()) {
+        out << number->get();
+    } else if (const auto* boolean = value.as_boolean()) {
+        out << (boolean->get() ? "true" : "false");
+    } else {
+        throw CLI::ConfigError("line " + std::to_string(value.source().begin.line) + ": '" + key +
+                               "' is neither text, a whole number, nor true or false");
+    }
+    return out.str();
+}
+
+/// Reads the file of --config. CLI11 would let a file go before the environment, so what stands in
+/// the environment is left out.
+class TomlConfig final : public CLI::Config {
+  public:
+    std::string to_config(const CLI::App* /*app*/,
+                          bool /*defaults*/,
+                          bool /*description*/,
+                          std::string /*prefix*/) const override {
+        return {};
+    }
+
+    std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
+        toml::table table;
+        try {
+            table = toml::parse(input);
+        } catch (const toml::parse_error& error) {
+            throw CLI::ConfigError("line " + std::to_string(error.source().begin.line) + ": " +
+                                   std::string(error.description()));
+        }
+        std::vector<CLI::ConfigItem> found;
+        for (const auto& [key, value] : table) {
+            const std::string name(key.str());
+            if (std::getenv(environment_name(name).c_str()) != nullptr) {
+                continue;
+            }
+            CLI::ConfigItem item;
+            item.name = name;
+            item.inputs = {text_of(name, value)};
+            found.push_back(std::move(item));
+        }
+        return found;
+    }
+};
+
+std::string this_host() {
+    std::array<char, 256> name{};
+    return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "HOST";
+}
+
+std::filesystem::path default_state() {
+    if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != 0) {
+        return std::filesystem::path(state) / "cdcluster";
+    }
+    if (const char* home = std::getenv("HOME"); home != nullptr && *home != 0) {
+        return std::filesystem::path(home) / ".local" / "state" / "cdcluster";
+    }
+    return "cdcluster-state";
+}
+
+void add_options(CLI::App& app, MasterConfig& config, std::string& listen, std::string& state) {
+    const auto option = [](CLI::Option* added, const char* type) {
+        added->envname(environment_name(added->get_lnames().front()))->type_name(type);
+        return added;
+    };
+    option(app.add_option("--listen", listen, "Where workers and clients connect"), "HOST:PORT")
+        ->capture_default_str();
+    option(app.add_option("--state", state, "Folder of meshes, trees and results"), "DIR")
+        ->capture_default_str();
+    option(app.add_option("--threads", config.threads, "For trees and analysis; 0 is one per core"),
+           "N")
+        ->check(CLI::Range(0u, 4096u))
+        ->capture_default_str();
+    option(app.add_flag("--insecure", config.insecure, "Allow to listen beyond loopback"), "");
+    option(app.add_option("--log-level", config.log_level, "How much is logged"), "LEVEL")
+        ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
+        ->capture_default_str();
+    option(app.add_option("--port-file", config.port_file, "Write the port into this file"),
+           "FILE");
+    app.set_config("--config", "", "A TOML file with these options")
+        ->envname("CDMASTER_CONFIG")
+        ->type_name("FILE");
+    app.config_formatter(std::make_shared<TomlConfig>());
+    app.allow_config_extras(false);
+}
+
+MasterCommandLine refused(const CLI::App& app, const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream errors;
+    const bool is_failure = app.exit(error, out, errors) != 0;
+    return {std::nullopt, is_failure ? "cdmaster: " + errors.str() : out.str(), is_failure ? 2 : 0};
+}
+
+} // namespace
+
+MasterCommandLine parse_master_command_line(int count, const char* const* arguments) {
+    MasterConfig config;
+    std::string listen = "127.0.0.1:7600";
+    std::string state = default_state().string();
+    CLI::App app(help, "cdmaster");
+    app.formatter(std::make_shared<ExamplesFirst>());
+    app.set_version_flag("--version", "cdmaster " + std::string(version));
+    app.set_help_flag("-h,--help", "This text");
+    add_options(app, config, listen, state);
+    try {
+        app.parse(count, arguments);
+    } catch (const CLI::ParseError& error) {
+        return refused(app, error);
+    }
+    const Result<Endpoint> endpoint = parse_endpoint(listen);
+    if (!endpoint) {
+        return {std::nullopt, "cdmaster: --listen: " + endpoint.error().detail + "\n", 2};
+    }
+    config.listen = endpoint.value();
+    config.state = state;
+    return {std::move(config), "", 0};
+}
+
+std::string join_line(const Endpoint& listening) {
+    std::string host = listening.host;
+    if (host == "0.0.0.0" || host == "::") {
+        host = this_host();
+    } else if (host.find(':') != std::string::npos) {
+        host = "[" + host + "]";
+    }
+    return "cdworker --master " + host + ":" + std::to_string(listening.port) +
+           (is_loopback(listening) ? "" : " --insecure");
+}
+
+} // namespace cd

@@ -1,0 +1,36 @@
+// What cdmaster is told: by its command line, CDMASTER_* in the environment, and a TOML file.
+#pragma once
+
+#include "proto/channel.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+struct MasterConfig {
+    Endpoint listen{"127.0.0.1", 7600}; ///< Port 0 lets the system choose one.
+    std::filesystem::path state;
+    unsigned threads = 0; ///< 0: one for each core.
+    bool insecure = false;
+    std::string log_level = "info";
+    std::string port_file; ///< Gets the port, for scripts. Empty: none.
+};
+
+/// A configuration; or none, with what to print instead (help on stdout, an error on stderr) and
+/// the exit code.
+struct MasterCommandLine {
+    std::optional<MasterConfig> config;
+    std::string text;
+    int exit_code = 0;
+};
+
+/// The command line goes before the environment, which goes before the file of --config.
+[[nodiscard]] MasterCommandLine parse_master_command_line(int count, const char* const* arguments);
+
+/// The one line with which a worker joins a master that listens there.
+[[nodiscard]] std::string join_line(const Endpoint& listening);
+
+} // namespace cd

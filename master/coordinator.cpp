@@ -1,0 +1,110 @@
+// The dispatcher's actions, and what is asked of the whole.
+#include "master/coordinator.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits.hpp"
+#include "common/core/log.hpp"
+#include "common/core/version.hpp"
+
+#include <sys/resource.h>
+
+namespace cd {
+
+namespace {
+
+double seconds_of(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+double cpu_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+}
+
+} // namespace
+
+Coordinator::Coordinator(CoordinatorParts parts) : parts_(std::move(parts)) {}
+Coordinator::~Coordinator() = default;
+
+void Coordinator::act(Actions actions) {
+    std::move(actions.begin(), actions.end(), std::back_inserter(actions_));
+    // What an action sets off may bring further ones; they wait for their turn.
+    if (acting_) {
+        return;
+    }
+    acting_ = true;
+    while (!actions_.empty()) {
+        const Action action = std::move(actions_.front());
+        actions_.pop_front();
+        if (const auto* batch = std::get_if<SendBatch>(&action)) {
+            send_batch(*batch);
+        } else {
+            give_up(std::get<GiveUp>(action));
+        }
+    }
+    acting_ = false;
+}
+
+void Coordinator::send_batch(const SendBatch& action) {
+    const auto link = workers_.find(action.worker);
+    if (link == workers_.end()) {
+        return; // It left; the dispatcher knows.
+    }
+    MasterJob* job = jobs_.find_running(action.job);
+    if (job == nullptr) {
+        act(dispatcher_.task_ended(action.worker, action.task));
+        return;
+    }
+    auto content = std::make_shared<TaskContent>();
+    content->job = job->id;
+    content->material = job->material;
+    Batch batch{action.task, job->id, job->tree_a, job->tree_b, job->submit.query, {}, {0}, {}};
+    std::vector<Scenario> scenarios;
+    for (const std::uint64_t index : action.scenarios) {
+        const auto& analysis = job->open.at(index);
+        scenarios.push_back(analysis->scenario);
+        batch.pairs.insert(batch.pairs.end(), analysis->pairs.begin(), analysis->pairs.end());
+        batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
+        content->scenarios.push_back(analysis);
+    }
+    batch.scenarios = pack_scenarios(scenarios);
+    add_tree_to(link->second, job->tree_a);
+    add_tree_to(link->second, job->tree_b);
+    link->second.channel->send(batch);
+    tasks_.emplace(action.task, RunningTask{action.worker, std::move(content)});
+    note_work(action.worker);
+}
+
+void Coordinator::give_up(const GiveUp& action) {
+    MasterJob* job = jobs_.find_running(action.job);
+    if (job == nullptr) {
+        return;
+    }
+    const Scenario& scenario = job->open.at(action.scenario)->scenario;
+    ScenarioResult result;
+    result.index = scenario.index;
+    result.body_a = scenario.body_a;
+    result.body_b = scenario.body_b;
+    result.level = job->submit.query.level;
+    result.kind = ScenarioClass::Failed;
+    result.failure = "scenario " + std::to_string(scenario.index) + ": lost with " +
+                     std::to_string(limits::scenario_losses_max) + " workers, one after the other";
+    spdlog::error("scenario given up: job={} scenario={}", job->id.value, scenario.index);
+    merge(*job, take_result(std::move(result)), WorkerId{});
+}
+
+ClusterStatus Coordinator::cluster_status() {
+    ClusterStatus status;
+    status.build = version;
+    status.uptime_seconds = std::chrono::duration<double>(Clock::now() - started_).count();
+    status.cpu_seconds = cpu_seconds();
+    for (const auto& [id, link] : workers_) {
+        status.workers.push_back(worker_status(id, link));
+    }
+    status.jobs = jobs_.statuses(Clock::now());
+    status.meshes = parts_.geometry.meshes();
+    return status;
+}
+
+} // namespace cd

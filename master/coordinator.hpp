@@ -1,0 +1,144 @@
+// Drives the dispatcher: carries events to it from sessions and jobs, and its actions out.
+#pragma once
+
+#include "common/core/thread_pool.hpp"
+#include "master/dispatcher.hpp"
+#include "master/geometry_store.hpp"
+#include "master/job_board.hpp"
+#include "master/tree_registry.hpp"
+#include "proto/asio.hpp"
+#include "proto/channel.hpp"
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+/// What the coordinator works with; all of it outlives the coordinator.
+struct CoordinatorParts {
+    asio::any_io_executor executor; ///< Its one thread owns all state.
+    GeometryStore& geometry;
+    ThreadPool& compute;             ///< Analysis, and the checking of results.
+    ThreadPool& blocking;            ///< For what waits for the disk or for `compute`.
+    std::filesystem::path directory; ///< Of job files.
+};
+
+/// All jobs and all workers. Every member runs on the executor's thread.
+class Coordinator {
+  public:
+    explicit Coordinator(CoordinatorParts parts);
+    Coordinator(const Coordinator&) = delete;
+    Coordinator& operator=(const Coordinator&) = delete;
+    ~Coordinator();
+
+    [[nodiscard]] const asio::any_io_executor& executor() const { return parts_.executor; }
+    [[nodiscard]] GeometryStore& geometry() { return parts_.geometry; }
+    [[nodiscard]] ThreadPool& blocking() { return parts_.blocking; }
+    [[nodiscard]] const std::filesystem::path& directory() const { return parts_.directory; }
+
+    // ---- Workers (coordinator_workers.cpp) ------------------------------------------------------
+    [[nodiscard]] WorkerId new_worker_id() { return WorkerId{++worker_last_}; }
+    /// The worker has been welcomed, and gets work at once.
+    void worker_joined(WorkerId worker, const Hello& hello, std::shared_ptr<Channel> channel);
+    void worker_left(WorkerId worker, const std::string& why);
+    void heartbeat_came(WorkerId worker, const Heartbeat& heartbeat);
+    void evicted(WorkerId worker, const Evicted& evicted);
+    /// Checks the results on the pool and merges them; then calls `done`. A worker whose results
+    /// are none is cut off.
+    void results_came(WorkerId worker, Results results, std::function<void()> done);
+    void task_ended(WorkerId worker, TaskId task);
+    /// The worker takes no more, and leaves when it has finished what it has.
+    void worker_draining(WorkerId worker);
+    /// Cuts off a worker that does not keep to the protocol.
+    void cut_off(WorkerId worker, const Error& why);
+    /// Null for a tree that no running job uses: its worker has not heard yet that it went.
+    [[nodiscard]] std::shared_ptr<const CutGeometry> tree(TreeId tree) const;
+    /// A block of the tree cannot be read: the jobs that use it end.
+    void tree_failed(TreeId tree, const Error& why);
+    void subtrees_sent(WorkerId worker, std::uint64_t blocks, std::uint64_t bytes);
+
+    // ---- Jobs (coordinator_jobs.cpp)
+    // --------------------------------------------------------------
+    /// The submission has been checked, and the poses are complete.
+    [[nodiscard]] Result<JobId> open_job(Submit submit, std::shared_ptr<PoseSource> poses);
+    /// Nothing to do for a job that has ended. Errors: NotFound.
+    [[nodiscard]] Result<JobStatus> cancel_job(JobId job);
+    /// Errors: NotFound.
+    [[nodiscard]] Result<JobStatus> job_status(JobId job);
+    /// Grows when the status of the job changes; 0 for no job.
+    [[nodiscard]] std::uint64_t job_changes(JobId job);
+    /// Cancels the timer when the job ends, if it still exists.
+    void notify_at_end(JobId job, const std::shared_ptr<asio::steady_timer>& timer);
+    /// Null for no job.
+    [[nodiscard]] std::shared_ptr<ResultStore> results_of(JobId job);
+    [[nodiscard]] ClusterStatus cluster_status();
+
+  private:
+    struct WorkerLink {
+        std::shared_ptr<Channel> channel;
+        std::string name;
+        std::uint64_t cache_bytes = 0;
+        std::uint64_t cached_bytes = 0;
+        std::set<TreeId> trees; ///< That it has been told of.
+        std::uint64_t subtrees_sent = 0;
+        std::uint64_t subtree_bytes_sent = 0;
+        Clock::duration busy{}; ///< With something to do, before `busy_since`.
+        std::optional<Clock::time_point> busy_since;
+    };
+    struct RunningTask {
+        WorkerId worker;
+        std::shared_ptr<const TaskContent> content;
+        std::size_t in_hand = 0; ///< Messages of results that are being checked.
+        bool ended = false;      ///< The worker says that it has sent all.
+    };
+    struct Preparation;
+
+    // Workers.
+    void results_taken(WorkerId worker,
+                       const TaskContent& content,
+                       const Results& results,
+                       const Result<std::vector<TakenResult>>& taken);
+    void end_task_if_complete(TaskId task);
+    void add_tree_to(WorkerLink& link, TreeId tree);
+    void note_work(WorkerId worker);
+    [[nodiscard]] WorkerStatus worker_status(WorkerId worker, const WorkerLink& link) const;
+
+    // Jobs.
+    asio::awaitable<void> prepare_job(JobId job, std::shared_ptr<PoseSource> poses);
+    void start_job(MasterJob& job, const Preparation& made, std::shared_ptr<PoseSource> poses);
+    void block_came(JobId job, AnalysedBlock block, const std::vector<TakenResult>& finished);
+    /// The only place where a result enters a job. `worker`: who computed it; 0 is the master.
+    void merge(MasterJob& job, const TakenResult& taken, WorkerId worker);
+    void end_job(MasterJob& job, JobState state, const std::string& failure);
+    void release_tree(TreeId tree);
+    /// Asks for more analyses where there is room for them; tells the dispatcher when none come.
+    void feed();
+    [[nodiscard]] std::uint64_t unsent_max() const;
+
+    // The dispatcher's actions.
+    void act(Actions actions);
+    void send_batch(const SendBatch& batch);
+    void give_up(const GiveUp& action);
+
+    CoordinatorParts parts_;
+    Clock::time_point started_ = Clock::now();
+    Dispatcher dispatcher_;
+    std::deque<Action> actions_;
+    bool acting_ = false;
+    std::map<WorkerId, WorkerLink> workers_;
+    std::uint64_t worker_last_ = 0;
+    std::map<TaskId, RunningTask> tasks_;
+    TreeRegistry trees_;
+    JobBoard jobs_;
+    JobId fed_last_;
+    std::uint64_t open_bytes_ = 0; ///< Of all jobs' open analyses.
+    std::multimap<JobId, std::weak_ptr<asio::steady_timer>> waiting_for_end_;
+};
+
+} // namespace cd

@@ -1,0 +1,188 @@
+// What workers do to the coordinator.
+#include "common/core/check.hpp"
+#include "common/core/log.hpp"
+#include "master/coordinator.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+void Coordinator::worker_joined(WorkerId worker,
+                                const Hello& hello,
+                                std::shared_ptr<Channel> channel) {
+    spdlog::info("worker joined: worker={} name={} threads={} cache_bytes={} peer={}",
+                 worker.value,
+                 hello.name,
+                 hello.threads,
+                 hello.cache_bytes,
+                 channel->peer());
+    WorkerLink link;
+    link.channel = std::move(channel);
+    link.name = hello.name;
+    link.cache_bytes = hello.cache_bytes;
+    workers_.emplace(worker, std::move(link));
+    act(dispatcher_.worker_joined(worker, {hello.name, std::max(1u, hello.threads)}));
+    feed();
+}
+
+void Coordinator::worker_left(WorkerId worker, const std::string& why) {
+    spdlog::info("worker left: worker={} reason=\"{}\"", worker.value, why);
+    workers_.erase(worker);
+    std::erase_if(tasks_, [&](const auto& task) { return task.second.worker == worker; });
+    act(dispatcher_.worker_lost(worker));
+    feed();
+}
+
+void Coordinator::worker_draining(WorkerId worker) {
+    spdlog::info("worker draining: worker={}", worker.value);
+    act(dispatcher_.worker_draining(worker));
+    feed();
+}
+
+void Coordinator::cut_off(WorkerId worker, const Error& why) {
+    const auto link = workers_.find(worker);
+    if (link == workers_.end() || !link->second.channel->is_open()) {
+        return;
+    }
+    spdlog::error("worker cut off: worker={} error=\"{}\"", worker.value, why.detail);
+    // Its session ends with that, and reports it as gone.
+    link->second.channel->close();
+}
+
+void Coordinator::heartbeat_came(WorkerId worker, const Heartbeat& heartbeat) {
+    const auto link = workers_.find(worker);
+    if (link != workers_.end()) {
+        link->second.cached_bytes = heartbeat.cached_bytes;
+    }
+}
+
+void Coordinator::evicted(WorkerId worker, const Evicted& evicted) {
+    act(dispatcher_.roots_evicted(worker, evicted.tree, evicted.roots));
+}
+
+void Coordinator::results_came(WorkerId worker, Results results, std::function<void()> done) {
+    const auto task = tasks_.find(results.task);
+    if (task == tasks_.end() || task->second.worker != worker) {
+        spdlog::warn("results of no task: worker={} task={}", worker.value, results.task.value);
+        return done();
+    }
+    ++task->second.in_hand;
+    parts_.compute.post([this,
+                         executor = parts_.executor,
+                         worker,
+                         content = task->second.content,
+                         came = std::make_shared<const Results>(std::move(results)),
+                         done = std::move(done)]() mutable {
+        auto taken =
+            std::make_shared<const Result<std::vector<TakenResult>>>(take_results(*content, *came));
+        asio::post(executor, [this, worker, content, came, taken, done = std::move(done)] {
+            results_taken(worker, *content, *came, *taken);
+            done();
+        });
+    });
+}
+
+void Coordinator::results_taken(WorkerId worker,
+                                const TaskContent& content,
+                                const Results& results,
+                                const Result<std::vector<TakenResult>>& taken) {
+    if (!taken) {
+        cut_off(worker, taken.error());
+        return;
+    }
+    if (MasterJob* job = jobs_.find_running(content.job)) {
+        job->box_tests += results.box_tests;
+        job->triangle_tests += results.triangle_tests;
+        job->compute_seconds += results.compute_seconds;
+        for (const TakenResult& one : taken.value()) {
+            act(dispatcher_.scenario_answered(worker, job->id, one.result.index));
+            merge(*job, one, worker);
+            if (!job->is_running()) {
+                break;
+            }
+        }
+    }
+    // The task is gone already if its worker is.
+    const auto task = tasks_.find(results.task);
+    if (task != tasks_.end()) {
+        --task->second.in_hand;
+        end_task_if_complete(results.task);
+    }
+    note_work(worker);
+    feed();
+}
+
+void Coordinator::task_ended(WorkerId worker, TaskId id) {
+    const auto task = tasks_.find(id);
+    if (task == tasks_.end() || task->second.worker != worker) {
+        spdlog::warn("end of no task: worker={} task={}", worker.value, id.value);
+        return;
+    }
+    task->second.ended = true;
+    end_task_if_complete(id);
+    feed();
+}
+
+void Coordinator::end_task_if_complete(TaskId id) {
+    const auto task = tasks_.find(id);
+    CD_CHECK(task != tasks_.end());
+    if (!task->second.ended || task->second.in_hand != 0) {
+        return;
+    }
+    const WorkerId worker = task->second.worker;
+    tasks_.erase(task);
+    act(dispatcher_.task_ended(worker, id));
+    note_work(worker);
+}
+
+std::shared_ptr<const CutGeometry> Coordinator::tree(TreeId tree) const {
+    return trees_.find(tree);
+}
+
+void Coordinator::subtrees_sent(WorkerId worker, std::uint64_t blocks, std::uint64_t bytes) {
+    const auto link = workers_.find(worker);
+    if (link != workers_.end()) {
+        link->second.subtrees_sent += blocks;
+        link->second.subtree_bytes_sent += bytes;
+    }
+}
+
+void Coordinator::add_tree_to(WorkerLink& link, TreeId tree) {
+    if (link.trees.insert(tree).second) {
+        const auto geometry = trees_.find(tree);
+        CD_CHECK(geometry != nullptr);
+        link.channel->send(AddTree{tree, geometry->top().nodes});
+    }
+}
+
+void Coordinator::note_work(WorkerId worker) {
+    const auto found = workers_.find(worker);
+    if (found == workers_.end()) {
+        return;
+    }
+    WorkerLink& link = found->second;
+    const bool is_busy = dispatcher_.worker_status(worker).working != 0;
+    if (is_busy && !link.busy_since) {
+        link.busy_since = Clock::now();
+    } else if (!is_busy && link.busy_since) {
+        link.busy += Clock::now() - *link.busy_since;
+        link.busy_since.reset();
+    }
+}
+
+WorkerStatus Coordinator::worker_status(WorkerId worker, const WorkerLink& link) const {
+    WorkerStatus status = dispatcher_.worker_status(worker);
+    status.cache_bytes = link.cache_bytes;
+    status.cached_bytes = link.cached_bytes;
+    const auto busy =
+        link.busy + (link.busy_since ? Clock::now() - *link.busy_since : Clock::duration{});
+    const double seconds = std::chrono::duration<double>(busy).count();
+    status.scenarios_per_second = seconds > 0 ? static_cast<double>(status.scenarios) / seconds : 0;
+    status.bytes_sent = link.channel->traffic().bytes_sent;
+    status.bytes_received = link.channel->traffic().bytes_received;
+    status.subtrees_sent = link.subtrees_sent;
+    status.subtree_bytes_sent = link.subtree_bytes_sent;
+    return status;
+}
+
+} // namespace cd

@@ -1,0 +1,77 @@
+#include "master/result_intake.hpp"
+
+#include "common/core/compress.hpp"
+#include "common/core/limits.hpp"
+#include "common/job/run_scenario.hpp"
+
+#include <unordered_map>
+
+namespace cd {
+
+namespace {
+
+using ByIndex = std::unordered_map<std::uint64_t, const Analysis*>;
+
+Result<ScenarioResult> check_record(const JobMaterial& material,
+                                    const ByIndex& scenarios,
+                                    std::span<const std::byte> bytes) {
+    Result<ScenarioResult> decoded = decode_result(bytes);
+    if (!decoded) {
+        return decoded;
+    }
+    ScenarioResult& result = decoded.value();
+    const auto found = scenarios.find(result.index);
+    if (found == scenarios.end()) {
+        return Error{ErrorCode::BadFrame,
+                     "a result of scenario " + std::to_string(result.index) +
+                         ", which is not in the task"};
+    }
+    const Scenario& scenario = found->second->scenario;
+    if (result.level != material.query.level || result.body_a != scenario.body_a ||
+        result.body_b != scenario.body_b) {
+        return Error{ErrorCode::BadFrame,
+                     "the result of scenario " + std::to_string(result.index) +
+                         " is not of the level or bodies asked for"};
+    }
+    settle_class(*material.a, *material.b, scenario, material.query, result);
+    return decoded;
+}
+
+} // namespace
+
+TakenResult take_result(ScenarioResult result) {
+    Bytes record = encode_result(result);
+    const Sha256 digest = sha256(record);
+    return {std::move(result), std::move(record), digest};
+}
+
+Result<std::vector<TakenResult>> take_results(const TaskContent& task, const Results& results) {
+    const Result<Bytes> records = decompress(results.records, limits::results_bytes_max);
+    if (!records) {
+        return records.error();
+    }
+    ByIndex scenarios;
+    for (const auto& analysis : task.scenarios) {
+        scenarios.emplace(analysis->scenario.index, analysis.get());
+    }
+    std::vector<TakenResult> taken;
+    ByteReader reader(records.value());
+    for (std::uint32_t i = 0; i < results.count; ++i) {
+        const auto record = reader.get_array<std::uint8_t>(reader.get<std::uint32_t>());
+        if (reader.failed()) {
+            break;
+        }
+        Result<ScenarioResult> result =
+            check_record(*task.material, scenarios, std::as_bytes(std::span(record)));
+        if (!result) {
+            return result.error();
+        }
+        taken.push_back(take_result(std::move(result.value())));
+    }
+    if (!reader.complete()) {
+        return Error{ErrorCode::BadFrame, "results that are not as many as announced"};
+    }
+    return taken;
+}
+
+} // namespace cd

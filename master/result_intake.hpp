@@ -1,0 +1,46 @@
+// Checks what a worker sends as results, and settles what only the whole bodies can tell.
+#pragma once
+
+#include "common/core/hash.hpp"
+#include "common/core/result.hpp"
+#include "common/job/query.hpp"
+#include "common/job/result.hpp"
+#include "common/tree/obb_tree.hpp"
+#include "master/submitter.hpp"
+#include "proto/message.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace cd {
+
+/// What results of a job are checked and settled with.
+struct JobMaterial {
+    std::shared_ptr<const ObbTree> a;
+    std::shared_ptr<const ObbTree> b;
+    Query query;
+};
+
+/// A task's scenarios, in the order sent.
+struct TaskContent {
+    JobId job;
+    std::shared_ptr<const JobMaterial> material;
+    std::vector<std::shared_ptr<const Analysis>> scenarios;
+};
+
+/// A result with its canonical record and the record's hash.
+struct TakenResult {
+    ScenarioResult result;
+    Bytes record;
+    Sha256 digest;
+};
+
+[[nodiscard]] TakenResult take_result(ScenarioResult result);
+
+/// The results of a message, each settled. The bytes may be hostile. Errors: BadFrame, TooLarge;
+/// for a record that is none, of another level or bodies than asked, or of a scenario that is not
+/// in the task.
+[[nodiscard]] Result<std::vector<TakenResult>> take_results(const TaskContent& task,
+                                                            const Results& results);
+
+} // namespace cd

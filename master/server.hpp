@@ -1,0 +1,43 @@
+// Listens, greets whoever connects, and hands the connection to its kind of session.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "master/coordinator.hpp"
+#include "proto/asio.hpp"
+#include "proto/channel.hpp"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+
+namespace cd {
+
+class Server {
+  public:
+    /// Listens at once; port 0 lets the system choose one. Errors: BadInput for a host that is no
+    /// address of this machine; Io when the port is taken or may not be used.
+    [[nodiscard]] static Result<std::unique_ptr<Server>> listen(
+        const asio::any_io_executor& executor, const Endpoint& endpoint, Coordinator& coordinator);
+
+    [[nodiscard]] std::uint16_t port() const;
+    /// Accepts connections from now on.
+    void start();
+    /// Closes the listener and all connections.
+    void close();
+
+  private:
+    Server(asio::ip::tcp::acceptor acceptor, Coordinator& coordinator);
+
+    [[nodiscard]] asio::awaitable<void> accept_all();
+    [[nodiscard]] asio::awaitable<void> serve(std::uint64_t connection,
+                                              std::shared_ptr<Channel> channel);
+    [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel);
+
+    asio::ip::tcp::acceptor acceptor_;
+    asio::steady_timer pause_;
+    Coordinator& coordinator_;
+    std::map<std::uint64_t, std::shared_ptr<Channel>> connections_;
+    std::uint64_t connection_last_ = 0;
+};
+
+} // namespace cd

@@ -1,0 +1,39 @@
+// The cut trees that running jobs use, under the numbers by which workers know them.
+#pragma once
+
+#include "common/core/hash.hpp"
+#include "master/cut_geometry.hpp"
+#include "proto/message.hpp"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace cd {
+
+/// Jobs that use the same mesh at the same depth share a number. A number is never used again.
+class TreeRegistry {
+  public:
+    /// One more user of the tree.
+    TreeId
+    acquire(const Sha256& mesh, std::uint32_t depth, std::shared_ptr<const CutGeometry> geometry);
+    /// One user less. True when that was the last one: the tree is gone.
+    bool release(TreeId tree);
+
+    /// Null for a tree that nobody uses (any more).
+    [[nodiscard]] std::shared_ptr<const CutGeometry> find(TreeId tree) const;
+
+  private:
+    using Key = std::pair<Sha256, std::uint32_t>;
+    struct Used {
+        Key key;
+        std::shared_ptr<const CutGeometry> geometry;
+        std::uint64_t users = 0;
+    };
+    std::map<Key, TreeId> ids_;
+    std::map<TreeId, Used> trees_;
+    std::uint64_t last_ = 0;
+};
+
+} // namespace cd

@@ -1,0 +1,143 @@
+#include "master/worker_session.hpp"
+
+#include "common/core/limits.hpp"
+#include "proto/codec.hpp"
+
+namespace cd {
+
+WorkerSession::WorkerSession(Coordinator& coordinator,
+                             std::shared_ptr<Channel> channel,
+                             WorkerId worker)
+    : coordinator_(coordinator),
+      channel_(std::move(channel)),
+      worker_(worker),
+      heartbeat_(coordinator.executor()),
+      room_(coordinator.executor(), asio::steady_timer::time_point::max()) {}
+
+asio::awaitable<void> WorkerSession::run(Hello hello) {
+    const auto self = shared_from_this();
+    coordinator_.worker_joined(worker_, hello, channel_);
+    spawn(coordinator_.executor(), "heartbeats to a worker", send_heartbeats());
+    std::string why;
+    for (;;) {
+        Result<Message> message = co_await channel_->receive(limits::peer_lost_after);
+        if (!message) {
+            why = message.error().detail;
+            break;
+        }
+        std::visit([this](auto& content) { on(content); }, message.value());
+        // A worker that is faster than the merge is read more slowly.
+        while (results_in_hand_ >= limits::results_in_hand_max) {
+            boost::system::error_code ignored;
+            co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        }
+    }
+    channel_->close();
+    heartbeat_.cancel();
+    coordinator_.worker_left(worker_, why);
+}
+
+asio::awaitable<void> WorkerSession::send_heartbeats() {
+    const auto self = shared_from_this();
+    Heartbeat heartbeat;
+    while (channel_->is_open()) {
+        ++heartbeat.sequence;
+        channel_->send(heartbeat);
+        heartbeat_.expires_after(limits::heartbeat_period);
+        boost::system::error_code ignored;
+        co_await heartbeat_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+}
+
+void WorkerSession::on(const Heartbeat& message) {
+    coordinator_.heartbeat_came(worker_, message);
+}
+
+void WorkerSession::on(const Evicted& message) {
+    coordinator_.evicted(worker_, message);
+}
+
+void WorkerSession::on(const Drain& /*message*/) {
+    coordinator_.worker_draining(worker_);
+}
+
+void WorkerSession::on(const Failure& message) {
+    coordinator_.cut_off(worker_, {message.code, "it says: " + message.detail});
+}
+
+void WorkerSession::on(Results& message) {
+    ++results_in_hand_;
+    coordinator_.results_came(worker_, std::move(message), [self = shared_from_this()] {
+        --self->results_in_hand_;
+        self->room_.cancel();
+    });
+}
+
+void WorkerSession::on(const EndOfTask& message) {
+    coordinator_.task_ended(worker_, message.task);
+}
+
+template <class Other>
+void WorkerSession::on(const Other& message) {
+    const std::string name(message_name(message_type(message)));
+    coordinator_.cut_off(worker_, {ErrorCode::BadFrame, "a worker does not send '" + name + "'"});
+}
+
+void WorkerSession::on(const WantSubtrees& message) {
+    const auto geometry = coordinator_.tree(message.tree);
+    if (geometry == nullptr) {
+        return; // Its RemoveTree is under way.
+    }
+    if (!message.roots.empty() && message.roots.back() >= geometry->root_count()) {
+        coordinator_.cut_off(worker_, {ErrorCode::BadFrame, "it wants a root that does not exist"});
+        return;
+    }
+    for (const RootIndex root : message.roots) {
+        if (wanted_once_.insert({message.tree, root}).second) {
+            wanted_.emplace_back(message.tree, root);
+        }
+    }
+    if (!sending_) {
+        sending_ = true;
+        spawn(coordinator_.executor(), "subtrees to a worker", send_wanted());
+    }
+}
+
+asio::awaitable<void> WorkerSession::send_wanted() {
+    const auto self = shared_from_this();
+    while (!wanted_.empty() && channel_->is_open()) {
+        send_some();
+        co_await channel_->wait_until_queued_below(limits::subtrees_queue_bytes_max);
+    }
+    sending_ = false;
+}
+
+void WorkerSession::send_some() {
+    Subtrees subtrees;
+    subtrees.tree = wanted_.front().first;
+    const auto geometry = coordinator_.tree(subtrees.tree);
+    if (geometry == nullptr) {
+        return forget_wanted(subtrees.tree);
+    }
+    std::uint64_t bytes = 0;
+    while (!wanted_.empty() && wanted_.front().first == subtrees.tree &&
+           bytes < limits::subtrees_bytes_min) {
+        Result<SubtreeBlock> block = geometry->block(wanted_.front().second);
+        if (!block) {
+            return coordinator_.tree_failed(subtrees.tree, block.error());
+        }
+        wanted_once_.erase(wanted_.front());
+        wanted_.pop_front();
+        bytes += block.value().compressed.size();
+        subtrees.blocks.push_back(std::move(block.value()));
+    }
+    coordinator_.subtrees_sent(worker_, subtrees.blocks.size(), bytes);
+    channel_->send(subtrees);
+}
+
+void WorkerSession::forget_wanted(TreeId tree) {
+    std::erase_if(wanted_, [&](const Wanted& wanted) { return wanted.first == tree; });
+    std::erase_if(wanted_once_, [&](const Wanted& wanted) { return wanted.first == tree; });
+}
+
+} // namespace cd

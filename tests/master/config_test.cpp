@@ -1,0 +1,81 @@
+// Proves that the command line goes before the environment, which goes before the file, and that
+// what is wrong is said with exit code 2.
+#include "master/config.hpp"
+
+#include "tests/support/process.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace cd::tests {
+namespace {
+
+MasterCommandLine parse(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "cdmaster");
+    return parse_master_command_line(static_cast<int>(arguments.size()), arguments.data());
+}
+
+TEST(MasterConfig, HasDefaultsOnLoopback) {
+    const auto line = parse({});
+    ASSERT_TRUE(line.config);
+    EXPECT_EQ(line.config->listen.host, "127.0.0.1");
+    EXPECT_EQ(line.config->listen.port, 7600);
+    EXPECT_FALSE(line.config->insecure);
+    EXPECT_FALSE(line.config->state.empty());
+}
+
+TEST(MasterConfig, TheCommandLineGoesBeforeTheEnvironmentBeforeTheFile) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "master.toml").string();
+    write_text(file,
+               "listen = \"127.0.0.1:1\"\nthreads = 1\nstate = \"from-file\"\ninsecure = true\n");
+    setenv("CDMASTER_THREADS", "2", 1);
+    setenv("CDMASTER_LISTEN", "127.0.0.1:2", 1);
+    const auto line = parse({"--config", file.c_str(), "--listen", "127.0.0.1:3"});
+    unsetenv("CDMASTER_THREADS");
+    unsetenv("CDMASTER_LISTEN");
+    ASSERT_TRUE(line.config) << line.text;
+    EXPECT_EQ(line.config->listen.port, 3);
+    EXPECT_EQ(line.config->threads, 2u);
+    EXPECT_EQ(line.config->state, "from-file");
+    EXPECT_TRUE(line.config->insecure);
+}
+
+TEST(MasterConfig, WhatIsWrongIsNamed) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "master.toml").string();
+    const auto expect_error = [](const MasterCommandLine& line, const std::string& words) {
+        EXPECT_FALSE(line.config);
+        EXPECT_EQ(line.exit_code, 2);
+        EXPECT_NE(line.text.find(words), std::string::npos) << line.text;
+    };
+    expect_error(parse({"--listen", "nowhere"}), "--listen");
+    expect_error(parse({"--log-level", "loud"}), "log-level");
+    expect_error(parse({"--threads", "many"}), "threads");
+    expect_error(parse({"--no-such-option"}), "no-such-option");
+    expect_error(parse({"--config", "/no/such/file.toml"}), "file.toml");
+    write_text(file, "lisen = \"127.0.0.1:1\"\n");
+    expect_error(parse({"--config", file.c_str()}), "lisen");
+    write_text(file, "listen = \n");
+    expect_error(parse({"--config", file.c_str()}), "line 1");
+    write_text(file, "[table]\nlisten = 1\n");
+    expect_error(parse({"--config", file.c_str()}), "table");
+}
+
+TEST(MasterConfig, HelpOpensWithExamplesAndIsNoError) {
+    const auto line = parse({"--help"});
+    EXPECT_FALSE(line.config);
+    EXPECT_EQ(line.exit_code, 0);
+    EXPECT_EQ(line.text.find("Examples:"), 0u) << line.text;
+    EXPECT_EQ(parse({"--version"}).text.find("cdmaster "), 0u);
+}
+
+TEST(MasterConfig, TheJoinLineIsWhatAWorkerTypes) {
+    EXPECT_EQ(join_line({"127.0.0.1", 7600}), "cdworker --master 127.0.0.1:7600");
+    EXPECT_EQ(join_line({"::1", 1}), "cdworker --master [::1]:1");
+    EXPECT_EQ(join_line({"10.0.0.1", 1}), "cdworker --master 10.0.0.1:1 --insecure");
+}
+
+} // namespace
+} // namespace cd::tests

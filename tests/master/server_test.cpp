@@ -1,0 +1,559 @@
+// Proves that a master in this process does whole jobs over loopback: the digest is that of the
+// same scenarios without a cluster, whatever workers do, and what clients send wrong is refused.
+#include "master/server.hpp"
+
+#include "common/core/compress.hpp"
+#include "common/core/limits.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/job/run_scenario.hpp"
+#include "common/tree/build.hpp"
+#include "common/tree/partial_tree.hpp"
+#include "master/coordinator.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace cd::tests {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto patience = 60s;
+
+/// A whole master on one context, which the test runs.
+class Master {
+  public:
+    Master() { server->start(); }
+    ~Master() {
+        server->close();
+        context.run_for(patience);
+    }
+
+    /// Runs everything until the condition holds.
+    template <class Condition>
+    void run_until(Condition condition) {
+        const auto deadline = std::chrono::steady_clock::now() + patience;
+        while (!condition() && std::chrono::steady_clock::now() < deadline) {
+            context.run_one_for(1s);
+        }
+        ASSERT_TRUE(condition()) << "this took too long";
+    }
+    [[nodiscard]] Endpoint endpoint() const { return {"127.0.0.1", server->port()}; }
+
+    TemporaryFolder folder;
+    asio::io_context context{1};
+    ThreadPool compute{2};
+    std::unique_ptr<GeometryStore> store =
+        std::move(GeometryStore::open(folder.path(), compute).value());
+    ThreadPool blocking{2};
+    Coordinator coordinator{
+        {context.get_executor(), *store, compute, blocking, folder.path() / "jobs"}};
+    std::unique_ptr<Server> server =
+        std::move(Server::listen(context.get_executor(), {"127.0.0.1", 0}, coordinator).value());
+};
+
+/// The end of a peer's conversation with the master, which a test must not outlive.
+struct Ending {
+    bool& ended;
+    ~Ending() { ended = true; }
+};
+
+void hang_up(Master& master, const std::shared_ptr<Channel>& channel, const bool& ended) {
+    while (!ended) {
+        if (channel != nullptr) {
+            channel->close();
+        }
+        master.context.run_one_for(1s);
+    }
+}
+
+/// A worker in its simplest form: it asks for all that a batch lacks, then computes the batch.
+class FakeWorker {
+  public:
+    struct Habits {
+        std::uint64_t dies_at_batch = 0; ///< Counted from 1; 0 lives on.
+        bool answers_twice = false;
+        bool sends_rubbish = false;
+        bool forgets_one = false; ///< Once, it ends a task without an answer.
+    };
+
+    FakeWorker(Master& master, Habits habits) : master_(master), habits_(habits) {
+        spawn(master.context.get_executor(), "fake worker", run());
+    }
+    ~FakeWorker() { hang_up(master_, channel_, ended); }
+
+    std::uint64_t batches = 0;
+    std::uint64_t blocks = 0;
+    std::uint64_t trees_removed = 0;
+    bool ended = false;
+
+  private:
+    struct Tree {
+        std::uint32_t roots = 0;
+        std::map<RootIndex, Subtree> subtrees;
+    };
+
+    asio::awaitable<void> run() {
+        const Ending ending{ended};
+        auto connected = co_await connect(master_.endpoint());
+        channel_ = connected.value();
+        Hello hello;
+        hello.role = Role::Worker;
+        hello.name = "fake";
+        hello.threads = 1;
+        hello.cache_bytes = 1 << 20;
+        (void)co_await greet(channel_, hello);
+        for (;;) {
+            Result<Message> message = co_await channel_->receive(patience);
+            if (!message) {
+                break;
+            }
+            if (auto* add = std::get_if<AddTree>(&message.value())) {
+                trees_[add->tree].roots = make_tree_top(add->top).value().root_count();
+            } else if (const auto* remove = std::get_if<RemoveTree>(&message.value())) {
+                trees_removed += trees_.erase(remove->tree);
+            } else if (const auto* subtrees = std::get_if<Subtrees>(&message.value())) {
+                keep(*subtrees);
+            } else if (auto* batch = std::get_if<Batch>(&message.value())) {
+                if (++batches == habits_.dies_at_batch) {
+                    channel_->close();
+                    break;
+                }
+                waiting_.push_back(std::move(*batch));
+                ask();
+            }
+            work();
+        }
+    }
+
+    void keep(const Subtrees& subtrees) {
+        for (const SubtreeBlock& block : subtrees.blocks) {
+            const Bytes bytes =
+                decompress(block.compressed, limits::subtree_block_bytes_max).value();
+            EXPECT_EQ(sha256(bytes), block.hash);
+            trees_.at(subtrees.tree)
+                .subtrees.emplace(block.root, std::move(decode_subtree(bytes).value()));
+            ++blocks;
+        }
+    }
+
+    [[nodiscard]] std::vector<RootIndex> missing(TreeId tree, const std::vector<RootIndex>& roots) {
+        std::vector<RootIndex> lacking;
+        for (const RootIndex root : roots) {
+            if (!trees_.at(tree).subtrees.contains(root)) {
+                lacking.push_back(root);
+            }
+        }
+        return lacking;
+    }
+
+    void ask() {
+        const Batch& batch = waiting_.back();
+        const auto a = missing(batch.tree_a, roots_of_a(batch.pairs));
+        const auto b = missing(batch.tree_b, roots_of_b(batch.pairs));
+        // Twice, as a worker might: the master sends each once, or twice, but never fails.
+        channel_->send(WantSubtrees{batch.tree_a, a});
+        channel_->send(WantSubtrees{batch.tree_a, a});
+        channel_->send(WantSubtrees{batch.tree_b, b});
+    }
+
+    void work() {
+        while (!waiting_.empty()) {
+            const Batch& batch = waiting_.front();
+            if (!missing(batch.tree_a, roots_of_a(batch.pairs)).empty() ||
+                !missing(batch.tree_b, roots_of_b(batch.pairs)).empty()) {
+                return;
+            }
+            compute(batch);
+            waiting_.erase(waiting_.begin());
+        }
+    }
+
+    void compute(const Batch& batch) {
+        const auto scenarios = unpack_scenarios(batch.scenarios).value();
+        Results results;
+        results.task = batch.task;
+        results.job = batch.job;
+        ByteWriter records;
+        const std::size_t left_out = std::exchange(habits_.forgets_one, false) ? 1 : 0;
+        for (std::size_t i = left_out; i < scenarios.size(); ++i) {
+            std::vector<SubtreePair> pairs;
+            for (std::uint32_t p = batch.pair_offsets[i]; p < batch.pair_offsets[i + 1]; ++p) {
+                pairs.push_back({trees_.at(batch.tree_a).subtrees.at(batch.pairs[p].a).view(),
+                                 trees_.at(batch.tree_b).subtrees.at(batch.pairs[p].b).view()});
+            }
+            const ScenarioRun run = run_on_subtrees(pairs, scenarios[i], batch.query);
+            const Bytes record = encode_result(run.result);
+            records.put(static_cast<std::uint32_t>(record.size()));
+            records.put_array(
+                std::span(reinterpret_cast<const char*>(record.data()), record.size()));
+            results.box_tests += run.statistics.box_tests;
+            ++results.count;
+        }
+        results.records = compress(records.bytes(), compression_level_fast);
+        if (habits_.sends_rubbish) {
+            results.records.resize(results.records.size() / 2);
+        }
+        channel_->send(results);
+        if (habits_.answers_twice) {
+            channel_->send(results);
+        }
+        channel_->send(EndOfTask{batch.task});
+    }
+
+    Master& master_;
+    Habits habits_;
+    std::shared_ptr<Channel> channel_;
+    std::map<TreeId, Tree> trees_;
+    std::vector<Batch> waiting_;
+};
+
+/// The meshes and scenarios of the tests, and what is right.
+struct Reference {
+    Reference() {
+        std::mt19937_64 random(1);
+        for (std::uint64_t i = 0; i < 90; ++i) {
+            Scenario scenario;
+            scenario.index = i;
+            scenario.poses.b = make_pose(random, 1.6);
+            scenarios.push_back(scenario);
+        }
+        ThreadPool pool(2);
+        const ObbTree tree_a = build_tree(share(a), {}, pool);
+        const ObbTree tree_b = build_tree(share(b), {}, pool);
+        ResultMerger merger(scenarios.size());
+        for (const Scenario& scenario : scenarios) {
+            (void)merger.add(run_scenario(tree_a, tree_b, scenario, {}).result);
+        }
+        summary = merger.summary();
+        digest = merger.digest().value();
+    }
+
+    [[nodiscard]] Submit submission() const {
+        Submit submit;
+        submit.name = "test";
+        submit.bodies = {a.hash(), b.hash()};
+        submit.cluster.depth_a = 4;
+        submit.cluster.depth_b = 3;
+        submit.cluster.q = 5;
+        submit.scenarios = scenarios.size();
+        return submit;
+    }
+
+    Mesh a = make_sphere(3);
+    Mesh b = make_torus(0.7, 0.2, 24, 12);
+    std::vector<Scenario> scenarios;
+    Summary summary;
+    Sha256 digest;
+};
+
+const Reference& reference() {
+    static const Reference instance;
+    return instance;
+}
+
+/// A client that runs one conversation.
+class Client {
+  public:
+    explicit Client(Master& master) : master_(master) {}
+    ~Client() { hang_up(master_, channel_, ended_); }
+
+    /// Uploads what is missing, submits with poses, watches to the end, and fetches all results.
+    void start(Submit submit) {
+        spawn(master_.context.get_executor(), "client", run(std::move(submit)));
+    }
+    /// Sends the messages and keeps one answer.
+    void start_asking(std::vector<Message> messages) {
+        spawn(master_.context.get_executor(), "client", ask(std::move(messages)));
+    }
+
+    std::vector<JobStatus> statuses;
+    std::uint64_t records = 0;
+    std::optional<Result<Message>> answer;
+    std::optional<JobId> job;
+    std::uint64_t meshes_sent = 0;
+    bool done = false;
+
+  private:
+    asio::awaitable<void> greet_master() {
+        channel_ = (co_await connect(master_.endpoint())).value();
+        const Hello hello; // Named: GCC 12 copies temporaries in such an expression bit by bit.
+        (void)co_await greet(channel_, hello);
+    }
+
+    asio::awaitable<void> ask(std::vector<Message> messages) {
+        const Ending ending{ended_};
+        co_await greet_master();
+        for (const Message& message : messages) {
+            channel_->send(message);
+        }
+        answer = co_await channel_->receive(patience);
+        done = true;
+    }
+
+    asio::awaitable<void> run(Submit submit) {
+        const Ending ending{ended_};
+        co_await greet_master();
+        channel_->send(MeshesQuery{submit.bodies});
+        const auto missing =
+            std::get<MeshesMissing>((co_await channel_->receive(patience)).value());
+        for (const Sha256& hash : missing.meshes) {
+            co_await upload(hash);
+        }
+        channel_->send(submit);
+        const std::span<const Scenario> all(reference().scenarios);
+        channel_->send(PosesPart{pack_scenarios(all.first(40))});
+        channel_->send(PosesPart{pack_scenarios(all.subspan(40))});
+        channel_->send(PosesEnd{});
+        job = std::get<Accepted>((co_await channel_->receive(patience)).value()).job;
+        channel_->send(Watch{*job});
+        do {
+            statuses.push_back(std::get<JobStatus>((co_await channel_->receive(patience)).value()));
+        } while (statuses.back().state == JobState::Running);
+        co_await fetch();
+        done = true;
+    }
+
+    asio::awaitable<void> upload(Sha256 hash) {
+        const Mesh& mesh = hash == reference().a.hash() ? reference().a : reference().b;
+        const Bytes bytes = mesh.canonical_bytes();
+        const std::size_t half = bytes.size() / 2;
+        const auto part = [&](std::size_t begin, std::size_t end) {
+            return MeshPart{hash,
+                            "mesh",
+                            bytes.size(),
+                            begin,
+                            Bytes(bytes.begin() + static_cast<std::ptrdiff_t>(begin),
+                                  bytes.begin() + static_cast<std::ptrdiff_t>(end))};
+        };
+        channel_->send(part(0, half));
+        channel_->send(part(half, bytes.size()));
+        const auto stored = std::get<MeshStored>((co_await channel_->receive(patience)).value());
+        EXPECT_EQ(stored.mesh, hash);
+        ++meshes_sent;
+    }
+
+    asio::awaitable<void> fetch() {
+        for (;;) {
+            channel_->send(ResultsQuery{*job, records, 1000});
+            const auto part = std::get<ResultsPart>((co_await channel_->receive(patience)).value());
+            EXPECT_EQ(part.first, records);
+            if (part.count == 0) {
+                co_return;
+            }
+            records += part.count;
+        }
+    }
+
+    Master& master_;
+    std::shared_ptr<Channel> channel_;
+    bool ended_ = false;
+};
+
+void expect_right(const Client& client) {
+    ASSERT_TRUE(client.done);
+    const JobStatus& last = client.statuses.back();
+    EXPECT_EQ(last.state, JobState::Done) << last.failure;
+    EXPECT_EQ(last.digest, reference().digest);
+    EXPECT_EQ(last.summary.merged(), reference().scenarios.size());
+    EXPECT_EQ(last.summary.pairs, reference().summary.pairs);
+    EXPECT_EQ(last.summary.cross, reference().summary.cross);
+    EXPECT_EQ(client.records, reference().scenarios.size());
+}
+
+TEST(Server, AJobHasTheDigestOfTheSameScenariosWithoutACluster) {
+    // Every kind of answer occurs, or agreement would mean little.
+    ASSERT_GT(reference().summary.cross, 10u);
+    ASSERT_GT(reference().summary.separate, 10u);
+    for (const Strategy strategy :
+         {Strategy::BestMatch, Strategy::BestMatchLoad, Strategy::Random, Strategy::Lowest}) {
+        Master master;
+        FakeWorker one(master, {});
+        FakeWorker two(master, {});
+        Client client(master);
+        Submit submit = reference().submission();
+        submit.cluster.strategy = strategy;
+        submit.cluster.claim = strategy != Strategy::BestMatch;
+        client.start(submit);
+        master.run_until([&] { return client.done; });
+        expect_right(client);
+        EXPECT_EQ(client.meshes_sent, 2u);
+        EXPECT_GT(client.statuses.back().answered_by_master, 0u);
+        EXPECT_GT(client.statuses.back().box_tests, 0u);
+        // Nothing uses the trees any more.
+        master.run_until([&] { return one.trees_removed + two.trees_removed >= 2; });
+    }
+}
+
+TEST(Server, AWorkerThatDiesHasItsScenariosDoneByAnother) {
+    Master master;
+    FakeWorker mortal(master, {.dies_at_batch = 2});
+    FakeWorker other(master, {});
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+    EXPECT_TRUE(mortal.ended);
+}
+
+TEST(Server, AWorkerMayComeAfterTheJob) {
+    Master master;
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.job.has_value(); });
+    FakeWorker late(master, {});
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+}
+
+TEST(Server, RepeatedAndForgottenAnswersDoNoHarm) {
+    Master master;
+    FakeWorker twice(master, {.answers_twice = true, .forgets_one = true});
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+}
+
+TEST(Server, AWorkerWhoseResultsAreRubbishIsCutOff) {
+    Master master;
+    FakeWorker bad(master, {.sends_rubbish = true});
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return bad.ended; });
+    FakeWorker good(master, {});
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+}
+
+TEST(Server, JobsOfSeveralClientsRunSideBySideAndMeshesAreSentOnce) {
+    Master master;
+    FakeWorker worker(master, {});
+    Client first(master);
+    first.start(reference().submission());
+    master.run_until([&] { return first.job.has_value(); });
+    Client second(master);
+    Submit other = reference().submission();
+    other.cluster.depth_a = 6;
+    second.start(other);
+    master.run_until([&] { return first.done && second.done; });
+    expect_right(first);
+    expect_right(second);
+    EXPECT_NE(first.job, second.job);
+    EXPECT_EQ(second.meshes_sent, 0u);
+}
+
+TEST(Server, AGridNeedsNoPoses) {
+    Master master;
+    FakeWorker worker(master, {});
+    Client upload(master);
+    upload.start(reference().submission());
+    master.run_until([&] { return upload.done; });
+
+    Grid grid;
+    grid.position = {GridAxis{-1.5, 1.5, 7}, GridAxis{-1, 1, 3}, GridAxis{0, 0, 1}};
+    for (int axis = 0; axis < 3; ++axis) {
+        grid.rotation[static_cast<std::size_t>(axis)] = rotation_axis({0, 0, 1}, axis);
+    }
+    Submit submit = reference().submission();
+    submit.scenarios = grid.count();
+    submit.grid = encode_grid(grid);
+    Client client(master);
+    client.start_asking({submit});
+    master.run_until([&] { return client.done; });
+    ASSERT_TRUE(client.answer->has_value());
+    const auto* accepted = std::get_if<Accepted>(&client.answer->value());
+    ASSERT_NE(accepted, nullptr);
+    master.run_until([&] {
+        return master.coordinator.job_status(accepted->job).value().state == JobState::Done;
+    });
+    EXPECT_EQ(master.coordinator.job_status(accepted->job).value().summary.merged(), 21u);
+}
+
+TEST(Server, ACancelledJobEndsAndSaysSo) {
+    Master master;
+    Client client(master); // No worker: it would run for ever.
+    client.start(reference().submission());
+    master.run_until([&] { return !client.statuses.empty(); });
+    Client other(master);
+    other.start_asking({Cancel{*client.job}});
+    master.run_until([&] { return client.done && other.done; });
+    EXPECT_EQ(client.statuses.back().state, JobState::Cancelled);
+    EXPECT_EQ(std::get<JobStatus>(other.answer->value()).state, JobState::Cancelled);
+}
+
+TEST(Server, WhatIsSubmittedWrongIsRefusedWithAReason) {
+    Master master;
+    Client upload(master);
+    upload.start(reference().submission());
+    master.run_until([&] { return upload.job.has_value(); });
+
+    const auto expect_failure = [&](std::vector<Message> messages, const std::string& words) {
+        SCOPED_TRACE(words);
+        Client client(master);
+        client.start_asking(std::move(messages));
+        master.run_until([&] { return client.done; });
+        ASSERT_TRUE(client.answer->has_value());
+        const auto* failure = std::get_if<Failure>(&client.answer->value());
+        ASSERT_NE(failure, nullptr);
+        EXPECT_NE(failure->detail.find(words), std::string::npos) << failure->detail;
+    };
+    const Submit good = reference().submission();
+    const auto with = [&](auto change) {
+        Submit submit = good;
+        change(submit);
+        return std::vector<Message>{submit};
+    };
+    expect_failure(with([](Submit& s) { s.bodies.pop_back(); }), "two bodies");
+    expect_failure(with([](Submit& s) { s.bodies[1] = Sha256{}; }), "not stored");
+    expect_failure(with([](Submit& s) { s.cluster.depth_a = 21; }), "depth of A");
+    expect_failure(with([](Submit& s) { s.cluster.q = 0; }), "q is 0");
+    expect_failure(with([](Submit& s) { s.cluster.v_kb = 0; }), "v_kb");
+    expect_failure(with([](Submit& s) { s.scenarios = ~0ull; }), "number of scenarios");
+    expect_failure(with([](Submit& s) { s.query.ignored = {{0, 1u << 30, 0, 1}}; }), "outside");
+    expect_failure(with([](Submit& s) { s.grid = Bytes(3); }), "");
+    // Fewer poses than announced; then more.
+    const std::span<const Scenario> all(reference().scenarios);
+    expect_failure({good, PosesPart{pack_scenarios(all.first(10))}, PosesEnd{}}, "announced");
+    Submit one = good;
+    one.scenarios = 1;
+    expect_failure({one, PosesPart{pack_scenarios(all.first(2))}, PosesEnd{}}, "");
+    expect_failure({PosesEnd{}}, "without a job");
+    expect_failure({Cancel{JobId{99}}}, "no job 99");
+    expect_failure({Watch{JobId{99}}}, "no job 99");
+    expect_failure({ResultsQuery{JobId{99}, 0, 1}}, "no job 99");
+    expect_failure({EndOfTask{}}, "does not send");
+    // A mesh whose bytes are not what its name says, and one that starts in the middle.
+    const Bytes bytes(100);
+    expect_failure({MeshPart{Sha256{}, "x", 100, 0, bytes}}, "");
+}
+
+TEST(Server, TheStatusOfTheClusterTellsOfWorkersJobsAndMeshes) {
+    Master master;
+    FakeWorker worker(master, {});
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.done; });
+    Client asking(master);
+    asking.start_asking({StatusQuery{}});
+    master.run_until([&] { return asking.done; });
+    const auto status = std::get<ClusterStatus>(asking.answer->value());
+    ASSERT_EQ(status.workers.size(), 1u);
+    EXPECT_EQ(status.workers[0].name, "fake");
+    EXPECT_EQ(status.workers[0].scenarios + status.jobs.at(0).answered_by_master,
+              reference().scenarios.size());
+    EXPECT_GE(status.workers[0].tasks, 1u);
+    EXPECT_EQ(status.workers[0].subtrees_sent, worker.blocks);
+    EXPECT_GT(status.workers[0].subtree_bytes_sent, 0u);
+    EXPECT_GT(status.workers[0].bytes_sent, status.workers[0].subtree_bytes_sent);
+    EXPECT_GT(status.workers[0].bytes_received, 0u);
+    EXPECT_GT(status.workers[0].scenarios_per_second, 0);
+    EXPECT_EQ(status.meshes.size(), 2u);
+    EXPECT_GT(status.cpu_seconds, 0);
+}
+
+} // namespace
+} // namespace cd::tests
