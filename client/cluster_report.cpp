@@ -1,0 +1,249 @@
+#include "client/cluster_report.hpp"
+
+#include "client/job_id.hpp"
+#include "client/words.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace cd {
+
+namespace {
+
+std::vector<JobId> job_ids(const ClusterStatus& status) {
+    std::vector<JobId> ids;
+    for (const JobStatus& job : status.jobs) {
+        ids.push_back(job.job);
+    }
+    return ids;
+}
+
+std::string worker_name(const WorkerStatus& worker) {
+    return "w-" + std::to_string(worker.worker.value);
+}
+
+std::string worker_state(const WorkerStatus& worker) {
+    if (worker.draining) {
+        return "draining";
+    }
+    if (worker.working != 0 || worker.buffered != 0) {
+        return worker.claimed ? "claimed" : "working";
+    }
+    return "idle";
+}
+
+std::size_t count_running(const ClusterStatus& status) {
+    return static_cast<std::size_t>(
+        std::count_if(status.jobs.begin(), status.jobs.end(), [](const JobStatus& job) {
+            return job.state == JobState::Running;
+        }));
+}
+
+std::uint64_t contacts_of(const Summary& summary) {
+    return summary.touch + summary.cross + summary.inside + summary.contact;
+}
+
+template <class Member>
+std::uint64_t sum_over_workers(const ClusterStatus& status, Member member) {
+    std::uint64_t sum = 0;
+    for (const WorkerStatus& worker : status.workers) {
+        sum += worker.*member;
+    }
+    return sum;
+}
+
+/// Per second between the two; a worker that has left makes no negative rate.
+template <class Member>
+double rate_between(const ClusterStatus& before, const ClusterStatus& after, Member member) {
+    const double seconds = after.uptime_seconds - before.uptime_seconds;
+    const std::uint64_t first = sum_over_workers(before, member);
+    const std::uint64_t last = sum_over_workers(after, member);
+    return seconds <= 0 || last < first ? 0 : static_cast<double>(last - first) / seconds;
+}
+
+/// Of one core.
+double master_share(const ClusterStatus& before, const ClusterStatus& after) {
+    const double seconds = after.uptime_seconds - before.uptime_seconds;
+    return seconds <= 0 ? 0 : (after.cpu_seconds - before.cpu_seconds) / seconds;
+}
+
+} // namespace
+
+Table jobs_table(const ClusterStatus& status) {
+    Table table;
+    table.columns = {{"job", "JOB", CellKind::Text},
+                     {"name", "NAME", CellKind::Text},
+                     {"state", "STATE", CellKind::Text},
+                     {"scenarios", "SCENARIOS", CellKind::Count},
+                     {"done", "DONE", CellKind::Count},
+                     {"contact", "CONTACT", CellKind::Count},
+                     {"failed", "FAILED", CellKind::Count},
+                     {"pairs", "PAIRS", CellKind::Count},
+                     {"seconds", "TIME", CellKind::Seconds},
+                     {"scenarios_per_second", "RATE", CellKind::Rate},
+                     {"digest", "DIGEST", CellKind::Text},
+                     {"answered_by_master", "BY MASTER", CellKind::Count, true},
+                     {"box_tests", "BOX TESTS", CellKind::Count, true},
+                     {"triangle_tests", "TRIANGLE TESTS", CellKind::Count, true},
+                     {"compute_seconds", "COMPUTE", CellKind::Seconds, true},
+                     {"failure", "FAILURE", CellKind::Text, true}};
+    const std::vector<JobId> ids = job_ids(status);
+    for (const JobStatus& job : status.jobs) {
+        table.rows.push_back({job_id_text(job.job, ids),
+                              job.name,
+                              std::string(to_text(job.state)),
+                              job.summary.total,
+                              job.summary.merged(),
+                              contacts_of(job.summary),
+                              job.summary.failed,
+                              job.summary.pairs,
+                              job.seconds,
+                              job.scenarios_per_second,
+                              job.digest ? to_short_hex(*job.digest) : std::string(),
+                              job.answered_by_master,
+                              job.box_tests,
+                              job.triangle_tests,
+                              job.compute_seconds,
+                              job.failure});
+    }
+    return table;
+}
+
+Table workers_table(const ClusterStatus& status) {
+    Table table;
+    table.columns = {{"worker", "WORKER", CellKind::Text},
+                     {"name", "NAME", CellKind::Text},
+                     {"state", "STATE", CellKind::Text},
+                     {"threads", "THREADS", CellKind::Count},
+                     {"buffered", "BUFFERED", CellKind::Count},
+                     {"working", "WORKING", CellKind::Count},
+                     {"scenarios", "DONE", CellKind::Count},
+                     {"scenarios_per_second", "RATE", CellKind::Rate},
+                     {"bytes_sent", "SENT", CellKind::Size},
+                     {"bytes_received", "RECEIVED", CellKind::Size},
+                     {"cached_bytes", "CACHED", CellKind::Size},
+                     {"cache_bytes", "CACHE", CellKind::Size, true},
+                     {"tasks", "TASKS", CellKind::Count, true},
+                     {"subtrees_sent", "SUBTREES", CellKind::Count, true},
+                     {"subtree_bytes_sent", "OF SUBTREES", CellKind::Size, true}};
+    for (const WorkerStatus& worker : status.workers) {
+        table.rows.push_back({worker_name(worker),
+                              worker.name,
+                              worker_state(worker),
+                              std::uint64_t{worker.threads},
+                              worker.buffered,
+                              worker.working,
+                              worker.scenarios,
+                              worker.scenarios_per_second,
+                              worker.bytes_sent,
+                              worker.bytes_received,
+                              worker.cached_bytes,
+                              worker.cache_bytes,
+                              worker.tasks,
+                              worker.subtrees_sent,
+                              worker.subtree_bytes_sent});
+    }
+    return table;
+}
+
+Table meshes_table(const ClusterStatus& status) {
+    Table table;
+    table.columns = {{"mesh", "MESH", CellKind::Text},
+                     {"name", "NAME", CellKind::Text},
+                     {"triangles", "TRIANGLES", CellKind::Count},
+                     {"bytes", "BYTES", CellKind::Size},
+                     {"build_seconds", "TREE BUILT IN", CellKind::Seconds},
+                     {"sha256", "SHA-256", CellKind::Text, true}};
+    for (const MeshStatus& mesh : status.meshes) {
+        table.rows.push_back({to_short_hex(mesh.mesh),
+                              mesh.name,
+                              mesh.triangles,
+                              mesh.bytes,
+                              mesh.build_seconds,
+                              to_hex(mesh.mesh)});
+    }
+    return table;
+}
+
+std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& after) {
+    if (count_running(after) == 0) {
+        return "none: no job is running";
+    }
+    if (after.workers.empty()) {
+        return "no worker is here: start `cdworker --master ...`";
+    }
+    std::uint64_t idle = 0;
+    for (const WorkerStatus& worker : after.workers) {
+        idle += worker.working == 0 ? 1u : 0u;
+    }
+    const std::size_t workers = after.workers.size();
+    const double master = master_share(before, after);
+    const std::string share = cell_text(master, CellKind::Share) + " of a core";
+    // The master's analysis has several threads, so it may well use more than one core.
+    if (idle * 2 > workers && master > 0.8) {
+        return "the master's processor (" + share + "): it analyses more slowly than " +
+               counted(workers, "worker") + " can finish";
+    }
+    if (idle * 2 > workers) {
+        return "too little to do: " + std::to_string(idle) + " of " + counted(workers, "worker") +
+               " have nothing (the job is short, or at its end)";
+    }
+    const double geometry = rate_between(before, after, &WorkerStatus::subtree_bytes_sent);
+    const double scenarios = rate_between(before, after, &WorkerStatus::scenarios);
+    if (geometry > 0 && scenarios == 0) {
+        return "geometry on its way to the workers (" + cell_text(geometry, CellKind::Size) +
+               "/s): the caches are filling";
+    }
+    return "the workers' processors: " + std::to_string(workers - idle) + " of " +
+           counted(workers, "worker") + " are busy, more would help (master: " + share + ")";
+}
+
+std::string status_text(const ClusterStatus& before, const ClusterStatus& after) {
+    const std::size_t running = count_running(after);
+    std::string text = "cdmaster " + after.build + "   up " +
+                       cell_text(after.uptime_seconds, CellKind::Seconds) + "   processor " +
+                       cell_text(after.cpu_seconds, CellKind::Seconds) + "\n";
+    text += counted(running, "job") + " running, " + std::to_string(after.jobs.size() - running) +
+            " ended\n";
+    if (!after.jobs.empty()) {
+        text += table_text(jobs_table(after), false, "  ");
+    }
+    text +=
+        counted(after.workers.size(), "worker") + "   " +
+        cell_text(rate_between(before, after, &WorkerStatus::scenarios), CellKind::Rate) +
+        "   sent " + cell_text(sum_over_workers(after, &WorkerStatus::bytes_sent), CellKind::Size) +
+        "   received " +
+        cell_text(sum_over_workers(after, &WorkerStatus::bytes_received), CellKind::Size) + "\n";
+    if (!after.workers.empty()) {
+        text += table_text(workers_table(after), false, "  ");
+    }
+    std::uint64_t bytes = 0;
+    for (const MeshStatus& mesh : after.meshes) {
+        bytes += mesh.bytes;
+    }
+    text += std::to_string(after.meshes.size()) + (after.meshes.size() == 1 ? " mesh" : " meshes") +
+            "   " + cell_text(bytes, CellKind::Size) + "\n";
+    return text + "bottleneck: " + bottleneck_text(before, after) + "\n";
+}
+
+std::string status_json(const ClusterStatus& before, const ClusterStatus& after) {
+    nlohmann::ordered_json document;
+    document["build"] = after.build;
+    document["uptime_seconds"] = after.uptime_seconds;
+    document["cpu_seconds"] = after.cpu_seconds;
+    document["jobs"] = nlohmann::ordered_json::parse(table_json(jobs_table(after)));
+    document["workers"] = nlohmann::ordered_json::parse(table_json(workers_table(after)));
+    document["meshes"] = nlohmann::ordered_json::parse(table_json(meshes_table(after)));
+    document["bottleneck"] = bottleneck_text(before, after);
+    return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string job_json(const JobStatus& job) {
+    ClusterStatus alone;
+    alone.jobs.push_back(job);
+    const auto list = nlohmann::ordered_json::parse(table_json(jobs_table(alone)));
+    return list.front().dump(2) + "\n";
+}
+
+} // namespace cd

@@ -1,0 +1,237 @@
+// The verbs that look at a master and at its jobs.
+#include "client/commands/remote_commands.hpp"
+
+#include "client/cluster_report.hpp"
+#include "client/commands/commands.hpp"
+#include "client/commands/remote_session.hpp"
+#include "client/exit_code.hpp"
+#include "client/export/result_writer.hpp"
+#include "client/interrupt.hpp"
+
+#include <cstdio>
+#include <optional>
+
+namespace cd {
+
+namespace {
+
+/// Between the two statuses that rates and the bottleneck are judged by.
+constexpr std::chrono::milliseconds sample_time{500};
+
+/// A status does not tell what was asked, but its classes do, where it matters.
+Level level_of(const Summary& summary) {
+    return summary.contact != 0 ? Level::Any : Level::Pairs;
+}
+
+/// Where results go that were fetched without the meshes being here.
+class FetchedResults {
+  public:
+    FetchedResults(const ResultsCommand& command, const KnownJob& job)
+        : command_(command), job_(job) {}
+
+    /// What the files look like depends on the level, which the first result tells.
+    Status add(const ScenarioResult& result) {
+        if (!opened_) {
+            if (Status opened = open(result.level); !opened) {
+                return opened;
+            }
+        }
+        if (files_) {
+            if (Status added = files_->add(result); !added) {
+                return added;
+            }
+        }
+        return stdout_writer_ ? stdout_writer_->add(result) : Status(Done{});
+    }
+
+    Status finish() {
+        const RunReport report = report_of(job_.status, level_);
+        if (files_) {
+            if (Status finished = files_->finish(report); !finished) {
+                return finished;
+            }
+        }
+        if (stdout_writer_) {
+            return stdout_writer_->finish();
+        }
+        std::string text = summary_text(report, colours_wanted(stdout));
+        text += files_ ? "  results       " + files_->dir().string() + "\n" : "";
+        std::fputs(text.c_str(), stdout);
+        return Done{};
+    }
+
+  private:
+    Status open(Level level) {
+        opened_ = true;
+        level_ = level;
+        ExportContext context;
+        context.job = job_.status.name;
+        context.level = level;
+        context.bodies = job_.bodies;
+        if (!command_.out.empty()) {
+            auto files = ResultFiles::open(command_.out, command_.formats, context);
+            if (!files) {
+                return files.error();
+            }
+            files_.emplace(std::move(files.value()));
+        }
+        if (command_.output == "json") {
+            stdout_writer_ = make_json_writer(context, OutputFile::standard_output());
+        } else if (command_.output == "csv") {
+            stdout_writer_ = make_scenarios_csv_writer(OutputFile::standard_output());
+        } else if (command_.out.empty()) {
+            stdout_writer_ = make_text_writer(context, OutputFile::standard_output());
+        }
+        return Done{};
+    }
+
+    const ResultsCommand& command_;
+    const KnownJob& job_;
+    bool opened_ = false;
+    Level level_ = Level::Pairs;
+    std::optional<ResultFiles> files_;
+    std::unique_ptr<ResultWriter> stdout_writer_;
+};
+
+struct Statuses {
+    ClusterStatus before;
+    ClusterStatus after;
+};
+
+/// Two statuses, a moment apart where something goes on.
+Result<Statuses> sample(Connection& connection) {
+    const Result<ClusterStatus> before = connection.status();
+    if (!before) {
+        return before.error();
+    }
+    bool running = false;
+    for (const JobStatus& job : before.value().jobs) {
+        running = running || job.state == JobState::Running;
+    }
+    if (!running) {
+        return Statuses{before.value(), before.value()};
+    }
+    if (const Status paused = connection.pause(sample_time); !paused) {
+        return paused.error();
+    }
+    const Result<ClusterStatus> after = connection.status();
+    if (!after) {
+        return after.error();
+    }
+    return Statuses{before.value(), after.value()};
+}
+
+} // namespace
+
+int execute(const WatchCommand& command) {
+    const InterruptGuard interrupts;
+    auto connection = open_master(command.master);
+    if (!connection) {
+        return fail(connection.error());
+    }
+    const Result<KnownJob> job = find_known_job(*connection.value(), command.job);
+    if (!job) {
+        return fail(job.error());
+    }
+    const auto style = ProgressPrinter::style_for(command.quiet || command.only_wait);
+    const auto status =
+        watch_job(*connection.value(), job.value().status.job, job.value().id, style);
+    if (!status) {
+        return fail(status.error());
+    }
+    const Level level = level_of(status.value().summary);
+    if (command.output == "json") {
+        std::fputs(job_json(status.value()).c_str(), stdout);
+    } else if (!command.quiet && !command.only_wait) {
+        const RunReport report = report_of(status.value(), level);
+        std::fputs(summary_text(report, colours_wanted(stdout)).c_str(), stdout);
+    }
+    if (const Status done = check_done(status.value(), job.value().id); !done) {
+        return fail(done.error());
+    }
+    if (const Status answerable = check_fail_on(command.fail_on, level); !answerable) {
+        return fail(answerable.error());
+    }
+    return exit_code_of(status.value().summary, command.fail_on);
+}
+
+int execute(const ResultsCommand& command) {
+    const InterruptGuard interrupts;
+    auto connection = open_master(command.master);
+    if (!connection) {
+        return fail(connection.error());
+    }
+    const Result<KnownJob> job = find_known_job(*connection.value(), command.job);
+    if (!job) {
+        return fail(job.error());
+    }
+    if (const Status done = check_done(job.value().status, job.value().id); !done) {
+        return fail(done.error());
+    }
+    FetchedResults results(command, job.value());
+    const Status fetched =
+        fetch_results(*connection.value(),
+                      job.value().status,
+                      [&](const ScenarioResult& result) -> Status { return results.add(result); });
+    if (!fetched) {
+        return fail(fetched.error());
+    }
+    if (const Status finished = results.finish(); !finished) {
+        return fail(finished.error());
+    }
+    return exit_code_of(job.value().status.summary, FailOn::Never);
+}
+
+int execute(const GetCommand& command) {
+    const InterruptGuard interrupts;
+    auto connection = open_master(command.master);
+    if (!connection) {
+        return fail(connection.error());
+    }
+    const Result<ClusterStatus> status = connection.value()->status();
+    if (!status) {
+        return fail(status.error());
+    }
+    const Table table = command.what == "jobs"      ? jobs_table(status.value())
+                        : command.what == "workers" ? workers_table(status.value())
+                                                    : meshes_table(status.value());
+    std::fputs(format_table(table, command.output).c_str(), stdout);
+    return exit_done;
+}
+
+int execute(const StatusCommand& command) {
+    const InterruptGuard interrupts;
+    auto connection = open_master(command.master);
+    if (!connection) {
+        return fail(connection.error());
+    }
+    const Result<Statuses> statuses = sample(*connection.value());
+    if (!statuses) {
+        return fail(statuses.error());
+    }
+    const auto& [before, after] = statuses.value();
+    const bool json = command.output == "json";
+    std::fputs((json ? status_json(before, after) : status_text(before, after)).c_str(), stdout);
+    return exit_done;
+}
+
+int execute(const CancelCommand& command) {
+    const InterruptGuard interrupts;
+    auto connection = open_master(command.master);
+    if (!connection) {
+        return fail(connection.error());
+    }
+    const Result<KnownJob> job = find_known_job(*connection.value(), command.job);
+    if (!job) {
+        return fail(job.error());
+    }
+    const auto status = connection.value()->cancel(job.value().status.job);
+    if (!status) {
+        return fail(status.error());
+    }
+    std::printf(
+        "%s  %s\n", job.value().id.c_str(), std::string(to_text(status.value().state)).c_str());
+    return exit_done;
+}
+
+} // namespace cd

@@ -1,0 +1,121 @@
+// run --master and submit: a prepared job on its way to a master, and its results back.
+#include "client/commands/commands.hpp"
+#include "client/commands/remote_commands.hpp"
+#include "client/commands/remote_session.hpp"
+#include "client/commands/run_command.hpp"
+#include "client/exit_code.hpp"
+#include "client/interrupt.hpp"
+#include "client/job_id.hpp"
+#include "client/words.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace cd {
+
+namespace {
+
+constexpr std::size_t touched_parts_shown = 3;
+
+/// Who interrupts `run` does not want its job to go on.
+int fail_and_cancel(Connection& connection, JobId job, const Error& error) {
+    if (error.code == ErrorCode::Interrupted && connection.cancel(job)) {
+        std::fprintf(stderr, "cdctl: job %s is cancelled\n", job_id_text(job).c_str());
+    }
+    return fail(error);
+}
+
+std::string workers_text(Connection& connection) {
+    const Result<ClusterStatus> status = connection.status();
+    return status ? counted(status.value().workers.size(), "worker") : std::string();
+}
+
+Status report(Connection& connection,
+              const RunCommand& command,
+              const PreparedJob& job,
+              const JobStatus& status) {
+    auto sink = ResultSink::open(job.spec.output, command.output, export_context(job));
+    if (!sink) {
+        return sink.error();
+    }
+    const Status fetched =
+        fetch_results(connection, status, [&](const ScenarioResult& result) -> Status {
+            return sink.value().add(result);
+        });
+    if (!fetched) {
+        return fetched;
+    }
+    RunReport told = report_of(status, job.query.level);
+    told.where = workers_text(connection);
+    told.most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    return sink.value().finish(told, command.quiet);
+}
+
+std::string submitted_text(const SubmitCommand& command, const PreparedJob& job, JobId id) {
+    const std::string text = job_id_text(id);
+    if (command.output == "json") {
+        nlohmann::ordered_json json{{"job", text},
+                                    {"number", id.value},
+                                    {"name", job.spec.name},
+                                    {"scenarios", job.poses->count()}};
+        return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    }
+    if (command.output == "name") {
+        return text + "\n";
+    }
+    return text + "  " + job.spec.name + ", " + counted(job.poses->count(), "scenario") +
+           "; `cdctl watch " + text + "` shows how it goes\n";
+}
+
+} // namespace
+
+int run_on_master(const RunCommand& command, PreparedJob& job) {
+    auto connection = open_master(command.master);
+    if (!connection) {
+        return fail(connection.error());
+    }
+    const Result<JobId> id = send_job(*connection.value(), job, command.quiet);
+    if (!id) {
+        return fail(id.error());
+    }
+    const std::string text = job_id_text(id.value());
+    const auto status =
+        watch_job(*connection.value(), id.value(), text, ProgressPrinter::style_for(command.quiet));
+    if (!status) {
+        return fail_and_cancel(*connection.value(), id.value(), status.error());
+    }
+    if (const Status done = check_done(status.value(), text); !done) {
+        return fail(done.error());
+    }
+    if (const Status told = report(*connection.value(), command, job, status.value()); !told) {
+        return fail(told.error());
+    }
+    return exit_code_of(status.value().summary, command.fail_on);
+}
+
+int execute(const SubmitCommand& command) {
+    const InterruptGuard interrupts;
+    auto spec = make_job_spec(command.job);
+    if (!spec) {
+        return fail(spec.error());
+    }
+    ThreadPool pool(command.threads);
+    auto job = prepare_job(std::move(spec.value()), Trees::ForPosesOnly, pool);
+    if (!job) {
+        return fail(job.error());
+    }
+    print_header(job.value(), command.quiet);
+    auto connection = open_master(command.master);
+    if (!connection) {
+        return fail(connection.error());
+    }
+    const Result<JobId> id = send_job(*connection.value(), job.value(), command.quiet);
+    if (!id) {
+        return fail(id.error());
+    }
+    std::fputs(submitted_text(command, job.value(), id.value()).c_str(), stdout);
+    return exit_done;
+}
+
+} // namespace cd

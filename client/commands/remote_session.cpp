@@ -1,0 +1,145 @@
+#include "client/commands/remote_session.hpp"
+
+#include "client/interrupt.hpp"
+#include "client/job_id.hpp"
+#include "client/words.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace cd {
+
+namespace {
+
+constexpr double bytes_per_megabyte = 1e6;
+
+std::string mesh_name(const ClusterStatus& status, const Sha256& mesh) {
+    const auto found = std::find_if(status.meshes.begin(),
+                                    status.meshes.end(),
+                                    [&](const MeshStatus& each) { return each.mesh == mesh; });
+    return found == status.meshes.end() || found->name.empty() ? to_short_hex(mesh) : found->name;
+}
+
+} // namespace
+
+Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options) {
+    return Connection::open(
+        options.address, options.insecure, [] { return InterruptGuard::signal() != 0; });
+}
+
+Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
+    const std::array<NamedMesh, 2> meshes{NamedMesh{job.names[0], job.meshes[0]},
+                                          NamedMesh{job.names[1], job.meshes[1]}};
+    const Status uploaded = connection.upload(
+        meshes, [quiet](const NamedMesh& mesh, std::uint64_t bytes, std::uint64_t total) {
+            if (!quiet && bytes == 0) {
+                std::fprintf(stderr,
+                             "  uploading %s, %.1f MB\n",
+                             mesh.name.c_str(),
+                             static_cast<double>(total) / bytes_per_megabyte);
+            }
+        });
+    if (!uploaded) {
+        return uploaded.error();
+    }
+    Submit submit;
+    submit.name = job.spec.name;
+    submit.bodies = {job.meshes[0]->hash(), job.meshes[1]->hash()};
+    submit.query = job.query;
+    submit.cluster = job.spec.cluster;
+    submit.scenarios = job.poses->count();
+    if (!job.grid) {
+        return connection.submit(std::move(submit), *job.poses);
+    }
+    submit.grid = encode_grid(*job.grid);
+    return connection.submit(submit);
+}
+
+Result<KnownJob> find_known_job(Connection& connection, const std::string& text) {
+    const Result<ClusterStatus> status = connection.status();
+    if (!status) {
+        return status.error();
+    }
+    std::vector<JobId> ids;
+    for (const JobStatus& job : status.value().jobs) {
+        ids.push_back(job.job);
+    }
+    const Result<JobId> id = find_job(text, ids);
+    if (!id) {
+        return id.error();
+    }
+    KnownJob known;
+    known.id = job_id_text(id.value(), ids);
+    for (const JobStatus& job : status.value().jobs) {
+        if (job.job == id.value()) {
+            known.status = job;
+        }
+    }
+    for (std::size_t body = 0; body < known.bodies.size(); ++body) {
+        known.bodies[body] = mesh_name(status.value(), known.status.bodies[body]);
+    }
+    return known;
+}
+
+Result<JobStatus> watch_job(Connection& connection,
+                            JobId job,
+                            const std::string& id,
+                            ProgressPrinter::Style progress) {
+    ProgressPrinter printer(progress);
+    return connection.watch(job, [&](const JobStatus& status) {
+        const ProgressState state{id, status.summary, status.seconds};
+        if (status.state == JobState::Running) {
+            printer.update(state);
+        } else {
+            printer.finish(state);
+        }
+    });
+}
+
+Status fetch_results(Connection& connection,
+                     const JobStatus& job,
+                     const std::function<Status(const ScenarioResult&)>& take) {
+    // The same code that the master merges with: a result lost or changed on the way shows.
+    ResultMerger merger(job.summary.total);
+    const Status fetched =
+        connection.fetch(job.job, 0, job.summary.total, [&](const ScenarioResult& result) {
+            (void)merger.add(result);
+            return take(result);
+        });
+    if (!fetched) {
+        return fetched;
+    }
+    if (job.digest && merger.digest() != job.digest) {
+        return Error{ErrorCode::BadFrame, "the results that came do not have the job's digest"};
+    }
+    return Done{};
+}
+
+Status check_done(const JobStatus& job, const std::string& id) {
+    const std::string done =
+        " (" + grouped(job.summary.merged()) + " of " + grouped(job.summary.total) + " done)";
+    switch (job.state) {
+    case JobState::Done:
+        return Done{};
+    case JobState::Running:
+        return Error{ErrorCode::Incomplete,
+                     "job " + id + " is still running" + done + "; `cdctl wait " + id +
+                         "` waits for it"};
+    case JobState::Cancelled:
+        return Error{ErrorCode::Incomplete, "job " + id + " was cancelled" + done};
+    case JobState::Failed:
+        return Error{ErrorCode::Incomplete, "job " + id + " failed" + done + ": " + job.failure};
+    }
+    return Error{ErrorCode::BadFrame, "job " + id + " is in a state that is not known here"};
+}
+
+RunReport report_of(const JobStatus& job, Level level) {
+    RunReport report;
+    report.summary = job.summary;
+    report.level = level;
+    report.digest = job.digest;
+    report.seconds = job.seconds;
+    return report;
+}
+
+} // namespace cd

@@ -1,0 +1,50 @@
+// What the verbs that speak with a master have in common.
+#pragma once
+
+#include "client/cli.hpp"
+#include "client/connection.hpp"
+#include "client/prepared_job.hpp"
+#include "client/report.hpp"
+#include "common/core/result.hpp"
+#include "common/job/merge.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace cd {
+
+/// A connection that heeds the InterruptGuard.
+[[nodiscard]] Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options);
+
+/// Uploads what is missing, with a line on stderr for each mesh unless quiet, and submits.
+[[nodiscard]] Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet);
+
+/// A job that the master knows, as the user wrote it, with its name among the others.
+struct KnownJob {
+    JobStatus status;
+    std::string id;                    ///< "j-4f2a"
+    std::array<std::string, 2> bodies; ///< Names of the meshes, as far as they are known.
+};
+/// Errors: those of `find_job`.
+[[nodiscard]] Result<KnownJob> find_known_job(Connection& connection, const std::string& text);
+
+/// Watches the job to its end, with progress on stderr.
+[[nodiscard]] Result<JobStatus> watch_job(Connection& connection,
+                                          JobId job,
+                                          const std::string& id,
+                                          ProgressPrinter::Style progress);
+
+/// Pulls all results of a job that is done into `take`. Errors: those of `take`; BadFrame when what
+/// came does not have the digest that the master states.
+[[nodiscard]] Status fetch_results(Connection& connection,
+                                   const JobStatus& job,
+                                   const std::function<Status(const ScenarioResult&)>& take);
+
+/// Nothing of a job that is done; otherwise why there are no results of it: Incomplete.
+[[nodiscard]] Status check_done(const JobStatus& job, const std::string& id);
+
+/// What a report says of a job that has ended. `level` is that of its results where it is known.
+[[nodiscard]] RunReport report_of(const JobStatus& job, Level level);
+
+} // namespace cd

@@ -1,0 +1,401 @@
+#include "client/connection.hpp"
+
+#include "client/result_records.hpp"
+#include "common/core/limits.hpp"
+#include "common/core/version.hpp"
+#include "proto/channel.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <set>
+
+namespace cd {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How often a call that waits looks whether it has been stopped.
+constexpr std::chrono::milliseconds stop_period{100};
+/// After a stop, how long a call may take to end by itself.
+constexpr std::chrono::milliseconds stop_patience{1000};
+constexpr std::size_t piece_bytes = 1u << 20;
+constexpr std::size_t queued_bytes_max = 4u << 20;
+constexpr std::uint64_t poses_together = 4096;
+
+Error interrupted() {
+    return {ErrorCode::Interrupted, "interrupted"};
+}
+
+Hello make_hello() {
+    std::array<char, 256> host{};
+    if (::gethostname(host.data(), host.size() - 1) != 0) {
+        host[0] = '\0';
+    }
+    Hello hello;
+    hello.role = Role::Client;
+    hello.name =
+        "cdctl " + std::string(host.data()).substr(0, 200) + " " + std::to_string(::getpid());
+    hello.build = std::string(version);
+    return hello;
+}
+
+} // namespace
+
+struct Connection::State {
+    asio::io_context context{1};
+    std::function<bool()> stopped;
+    bool heeds_stop = true;
+    std::string address;
+    std::shared_ptr<Channel> channel;
+
+    template <class T>
+    Result<T> run(asio::awaitable<Result<T>> coroutine);
+    void run_until(const bool& done);
+
+    [[nodiscard]] bool is_stopped() const { return heeds_stop && stopped(); }
+
+    asio::awaitable<Status> open(Endpoint endpoint);
+    asio::awaitable<Result<Message>> receive(Clock::duration timeout);
+    asio::awaitable<Status> make_room();
+    template <class T>
+    asio::awaitable<Result<T>> answer(Clock::duration timeout);
+    template <class T>
+    asio::awaitable<Result<T>> ask(Message question);
+    asio::awaitable<Status> upload(std::span<const NamedMesh> meshes,
+                                   const UploadProgress& progress);
+    asio::awaitable<Status> upload_one(const NamedMesh& mesh, const UploadProgress& progress);
+    asio::awaitable<Result<JobId>> submit(Submit submit, PoseSource* poses);
+    asio::awaitable<Result<JobStatus>> watch(JobId job,
+                                             const std::function<void(const JobStatus&)>& changed);
+    asio::awaitable<Result<JobStatus>> cancel(JobId job);
+};
+
+// ---- Waiting --------------------------------------------------------------------------------
+
+/// The handler of co_spawn would need a result that can be nothing.
+template <class T>
+asio::awaitable<void> keep(asio::awaitable<Result<T>> coroutine, std::optional<Result<T>>& result) {
+    result = co_await std::move(coroutine);
+}
+
+/// Runs the coroutine to its end on this thread.
+template <class T>
+Result<T> Connection::State::run(asio::awaitable<Result<T>> coroutine) {
+    std::optional<Result<T>> result;
+    bool done = false;
+    asio::co_spawn(
+        context, keep(std::move(coroutine), result), [&done](const std::exception_ptr& thrown) {
+            if (thrown) {
+                std::rethrow_exception(thrown);
+            }
+            done = true;
+        });
+    run_until(done);
+    return done ? std::move(*result) : Result<T>(interrupted());
+}
+
+/// Waits themselves look whether they are stopped. Where one does not, closing the channel ends it
+/// (a peer that does not read); before there is a channel, whatever goes on is left to the
+/// destructor.
+void Connection::State::run_until(const bool& done) {
+    std::optional<Clock::time_point> stopped_at;
+    while (!done) {
+        context.restart();
+        context.run_for(stop_period);
+        if (done || !is_stopped()) {
+            continue;
+        }
+        stopped_at = stopped_at.value_or(Clock::now());
+        if (channel == nullptr) {
+            return;
+        }
+        if (Clock::now() - *stopped_at > stop_patience) {
+            channel->close();
+        }
+    }
+}
+
+asio::awaitable<Result<Message>> Connection::State::receive(Clock::duration timeout) {
+    const auto deadline = Clock::now() + timeout;
+    while (true) {
+        if (is_stopped()) {
+            co_return interrupted();
+        }
+        const Clock::duration left = deadline - Clock::now();
+        Result<Message> message = co_await channel->receive(
+            std::clamp<Clock::duration>(left, Clock::duration(0), stop_period));
+        if (message || message.error().code != ErrorCode::Timeout) {
+            co_return message;
+        }
+        if (left <= Clock::duration(0)) {
+            co_return Error{ErrorCode::Timeout, "the master at " + address + " does not answer"};
+        }
+    }
+}
+
+/// Before more is sent.
+asio::awaitable<Status> Connection::State::make_room() {
+    if (is_stopped()) {
+        co_return interrupted();
+    }
+    co_await channel->wait_until_queued_below(queued_bytes_max);
+    if (is_stopped()) {
+        co_return interrupted();
+    }
+    co_return Done{};
+}
+
+template <class T>
+asio::awaitable<Result<T>> Connection::State::answer(Clock::duration timeout) {
+    Result<Message> message = co_await receive(timeout);
+    if (!message) {
+        co_return message.error();
+    }
+    if (auto* expected = std::get_if<T>(&message.value())) {
+        co_return std::move(*expected);
+    }
+    if (const auto* failure = std::get_if<Failure>(&message.value())) {
+        co_return Error{failure->code, failure->detail};
+    }
+    co_return Error{ErrorCode::BadFrame, "the master at " + address + " answers something else"};
+}
+
+template <class T>
+asio::awaitable<Result<T>> Connection::State::ask(Message question) {
+    channel->send(question);
+    co_return co_await answer<T>(limits::answer_timeout);
+}
+
+// ---- Conversations --------------------------------------------------------------------------
+
+asio::awaitable<Status> Connection::State::open(Endpoint endpoint) {
+    Result<std::shared_ptr<Channel>> connected = co_await connect(std::move(endpoint));
+    if (!connected) {
+        co_return connected.error();
+    }
+    channel = std::move(connected.value());
+    const Result<Welcome> welcome = co_await greet(channel, make_hello());
+    if (!welcome) {
+        co_return welcome.error();
+    }
+    co_return Done{};
+}
+
+asio::awaitable<Status> Connection::State::upload(std::span<const NamedMesh> meshes,
+                                                  const UploadProgress& progress) {
+    MeshesQuery query;
+    for (const NamedMesh& mesh : meshes) {
+        query.meshes.push_back(mesh.mesh->hash());
+    }
+    const auto missing = co_await ask<MeshesMissing>(query);
+    if (!missing) {
+        co_return missing.error();
+    }
+    std::set<Sha256> wanted(missing.value().meshes.begin(), missing.value().meshes.end());
+    for (const NamedMesh& mesh : meshes) {
+        if (wanted.erase(mesh.mesh->hash()) == 0) {
+            continue;
+        }
+        if (Status status = co_await upload_one(mesh, progress); !status) {
+            co_return status;
+        }
+    }
+    co_return Done{};
+}
+
+asio::awaitable<Status> Connection::State::upload_one(const NamedMesh& mesh,
+                                                      const UploadProgress& progress) {
+    const Bytes bytes = mesh.mesh->canonical_bytes();
+    progress(mesh, 0, bytes.size());
+    for (std::size_t offset = 0; offset < bytes.size(); offset += piece_bytes) {
+        if (Status status = co_await make_room(); !status) {
+            co_return status;
+        }
+        const auto piece =
+            std::span(bytes).subspan(offset, std::min(piece_bytes, bytes.size() - offset));
+        channel->send(MeshPart{
+            mesh.mesh->hash(), mesh.name, bytes.size(), offset, Bytes(piece.begin(), piece.end())});
+        progress(mesh, offset + piece.size(), bytes.size());
+    }
+    const auto stored = co_await answer<MeshStored>(limits::mesh_stored_timeout);
+    if (!stored) {
+        co_return stored.error();
+    }
+    if (stored.value().mesh != mesh.mesh->hash()) {
+        co_return Error{ErrorCode::BadFrame, "the master confirms another mesh than it was sent"};
+    }
+    co_return Done{};
+}
+
+asio::awaitable<Result<JobId>> Connection::State::submit(Submit submit, PoseSource* poses) {
+    channel->send(submit);
+    for (std::uint64_t sent = 0; poses != nullptr && sent < submit.scenarios;) {
+        const auto run = poses->read(sent, std::min(poses_together, submit.scenarios - sent));
+        if (!run) {
+            co_return run.error();
+        }
+        if (const Status status = co_await make_room(); !status) {
+            co_return status.error();
+        }
+        channel->send(PosesPart{pack_scenarios(run.value())});
+        sent += run.value().size();
+    }
+    if (poses != nullptr) {
+        channel->send(PosesEnd{});
+    }
+    const auto accepted = co_await answer<Accepted>(limits::mesh_stored_timeout);
+    if (!accepted) {
+        co_return accepted.error();
+    }
+    co_return accepted.value().job;
+}
+
+/// A job may stand still for long, and then there is nothing to say about it. So that a master that
+/// is gone is noticed, it is asked something small after each silence.
+asio::awaitable<Result<JobStatus>>
+Connection::State::watch(JobId job, const std::function<void(const JobStatus&)>& changed) {
+    channel->send(Watch{job});
+    bool asked = false;
+    while (true) {
+        const Result<Message> message = co_await receive(limits::answer_timeout);
+        if (!message) {
+            if (message.error().code != ErrorCode::Timeout || asked) {
+                co_return message.error();
+            }
+            channel->send(MeshesQuery{});
+            asked = true;
+            continue;
+        }
+        asked = false;
+        if (const auto* failure = std::get_if<Failure>(&message.value())) {
+            co_return Error{failure->code, failure->detail};
+        }
+        const auto* status = std::get_if<JobStatus>(&message.value());
+        if (status == nullptr) {
+            continue;
+        }
+        changed(*status);
+        if (status->state != JobState::Running) {
+            co_return *status;
+        }
+    }
+}
+
+/// A watch that was interrupted may still be answered before the cancel is.
+asio::awaitable<Result<JobStatus>> Connection::State::cancel(JobId job) {
+    channel->send(Cancel{job});
+    while (true) {
+        Result<JobStatus> status = co_await answer<JobStatus>(limits::answer_timeout);
+        if (!status || status.value().state != JobState::Running) {
+            co_return status;
+        }
+    }
+}
+
+// ---- The connection -------------------------------------------------------------------------
+
+Connection::Connection(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+Connection::~Connection() {
+    // What has been sent is on its way; the master forgets this client when the socket closes.
+    if (state_->channel != nullptr) {
+        state_->channel->close();
+    }
+    state_->context.restart();
+    state_->context.poll();
+}
+
+Result<std::unique_ptr<Connection>>
+Connection::open(const std::string& address, bool insecure, std::function<bool()> stopped) {
+    const Result<Endpoint> endpoint = parse_endpoint(address);
+    if (!endpoint) {
+        return endpoint.error();
+    }
+    if (const Status exposed = check_exposure(endpoint.value(), insecure, false); !exposed) {
+        return exposed.error();
+    }
+    auto state = std::make_unique<State>();
+    state->address = address;
+    state->stopped = std::move(stopped);
+    if (const Status opened = state->run(state->open(endpoint.value())); !opened) {
+        return opened.error();
+    }
+    return std::unique_ptr<Connection>(new Connection(std::move(state)));
+}
+
+Status Connection::upload(std::span<const NamedMesh> meshes, const UploadProgress& progress) {
+    return state_->run(state_->upload(meshes, progress));
+}
+
+Result<JobId> Connection::submit(const Submit& submit) {
+    return state_->run(state_->submit(submit, nullptr));
+}
+
+Result<JobId> Connection::submit(Submit submit, PoseSource& poses) {
+    submit.grid.reset();
+    submit.scenarios = poses.count();
+    return state_->run(state_->submit(std::move(submit), &poses));
+}
+
+Result<JobStatus> Connection::watch(JobId job,
+                                    const std::function<void(const JobStatus&)>& changed) {
+    return state_->run(state_->watch(job, changed));
+}
+
+Status Connection::fetch(JobId job,
+                         std::uint64_t first,
+                         std::uint64_t count,
+                         const std::function<Status(const ScenarioResult&)>& take) {
+    std::uint64_t next = first;
+    while (next - first < count) {
+        const auto part =
+            state_->run(state_->ask<ResultsPart>(ResultsQuery{job, next, count - (next - first)}));
+        if (!part) {
+            return part.error();
+        }
+        const auto results = unpack_results(part.value(), next, count - (next - first));
+        if (!results) {
+            return results.error();
+        }
+        for (const ScenarioResult& result : results.value()) {
+            if (Status taken = take(result); !taken) {
+                return taken;
+            }
+        }
+        next += results.value().size();
+    }
+    return Done{};
+}
+
+Result<ClusterStatus> Connection::status() {
+    return state_->run(state_->ask<ClusterStatus>(StatusQuery{}));
+}
+
+Result<JobStatus> Connection::cancel(JobId job) {
+    // The one thing that is still done after a stop.
+    state_->heeds_stop = false;
+    Result<JobStatus> status = state_->run(state_->cancel(job));
+    state_->heeds_stop = true;
+    return status;
+}
+
+Status Connection::pause(std::chrono::milliseconds time) {
+    const auto end = Clock::now() + time;
+    while (Clock::now() < end) {
+        if (state_->is_stopped()) {
+            return interrupted();
+        }
+        state_->context.restart();
+        asio::steady_timer timer(state_->context,
+                                 std::min<Clock::duration>(stop_period, end - Clock::now()));
+        timer.async_wait([](const boost::system::error_code&) {});
+        state_->context.run();
+    }
+    return Done{};
+}
+
+} // namespace cd

@@ -1,0 +1,74 @@
+// A client's conversation with a master, in calls that wait for their answers.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/job/result.hpp"
+#include "proto/message.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace cd {
+
+/// A mesh that a job needs, under the name that people know it by.
+struct NamedMesh {
+    std::string name;
+    std::shared_ptr<const Mesh> mesh;
+};
+
+/// One connection, used by one thread, one call at a time. Every call may fail with: Disconnected;
+/// Timeout when the master says nothing for long; BadFrame for an answer that is none; the code and
+/// the words of the master's own Failure; and Interrupted soon after `stopped` has become true.
+/// After Interrupted only `cancel` and the destructor may be called.
+class Connection {
+  public:
+    /// `address` as a user writes it. `stopped` is asked some times a second while a call waits.
+    /// Errors: BadInput for the address; Refused beyond loopback without `insecure`, or by the
+    /// master.
+    [[nodiscard]] static Result<std::unique_ptr<Connection>>
+    open(const std::string& address, bool insecure, std::function<bool()> stopped);
+    Connection(const Connection&) = delete;
+    Connection& operator=(const Connection&) = delete;
+    ~Connection();
+
+    /// Tells of a mesh that travels: at its start, after each piece, and at its end.
+    using UploadProgress =
+        std::function<void(const NamedMesh&, std::uint64_t bytes, std::uint64_t bytes_total)>;
+    /// Sends those that the master does not have, each once, and waits until it has stored them.
+    [[nodiscard]] Status upload(std::span<const NamedMesh> meshes, const UploadProgress& progress);
+
+    /// A job that is whole in its description (`submit.grid` is set).
+    [[nodiscard]] Result<JobId> submit(const Submit& submit);
+    /// A job whose poses follow. Sets `submit.scenarios`; reads the poses in runs. Errors: also
+    /// those of `poses`.
+    [[nodiscard]] Result<JobId> submit(Submit submit, PoseSource& poses);
+
+    /// Until the job has ended. Calls `changed` with each status, the last one included.
+    [[nodiscard]] Result<JobStatus> watch(JobId job,
+                                          const std::function<void(const JobStatus&)>& changed);
+
+    /// The results of [first, first + count) in order, pulled in runs. An error of `take` ends it.
+    /// Errors: Incomplete when one is not there.
+    [[nodiscard]] Status fetch(JobId job,
+                               std::uint64_t first,
+                               std::uint64_t count,
+                               const std::function<Status(const ScenarioResult&)>& take);
+
+    [[nodiscard]] Result<ClusterStatus> status();
+    /// Ends the job; of one that has ended, nothing. The status after it.
+    [[nodiscard]] Result<JobStatus> cancel(JobId job);
+    /// Waits, with an ear for interrupts.
+    [[nodiscard]] Status pause(std::chrono::milliseconds time);
+
+  private:
+    struct State;
+    explicit Connection(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace cd

@@ -1,0 +1,19 @@
+// Results as they come from a master, back into values.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/job/result.hpp"
+#include "proto/message.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace cd {
+
+/// The results of scenarios `first` and on, at least one and at most `count`, in order. The bytes
+/// may be hostile. Errors: Incomplete when the part is empty; BadFrame when it holds anything else
+/// than it should; TooLarge.
+[[nodiscard]] Result<std::vector<ScenarioResult>>
+unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count);
+
+} // namespace cd
