@@ -22,7 +22,8 @@ enum class SplitRule : std::uint8_t {
 struct BuildOptions {
     BoxKind boxes = BoxKind::Obb;
     SplitRule rule = SplitRule::Quarter;
-    std::uint32_t leaf_triangles_max = 4;
+    /// Two measured fastest on vehicles; one costs half as much memory again for the same time.
+    std::uint32_t leaf_triangles_max = 2;
 };
 
 /// The same tree for any number of threads. Near n log n with the quarter rule; needs no stack

@@ -8,9 +8,10 @@ namespace cd {
 
 namespace {
 
-/// What decides which of two boxes is descended: its longest side.
+/// What decides which of two boxes is descended: its surface.
 float size_of(const ObbNode& node) {
-    return std::max({node.half[0], node.half[1], node.half[2]});
+    const auto& [x, y, z] = node.half;
+    return x * y + y * z + z * x;
 }
 
 double squared_distance(const ObbNode& a, const PosedBox& b) {
