@@ -1,1 +1,21 @@
-int main() { return 0; }
+// cdctl: everything that a user does.
+#include "client/cli.hpp"
+#include "client/commands/commands.hpp"
+#include "client/commands/remote_commands.hpp"
+
+#include <cstdio>
+#include <exception>
+
+int main(int argc, char** argv) {
+    try {
+        const cd::CommandLine line = cd::parse_command_line({argv + 1, argv + argc});
+        if (!line.command) {
+            std::fputs(line.text.c_str(), line.exit_code == 0 ? stdout : stderr);
+            return line.exit_code;
+        }
+        return std::visit([](const auto& command) { return cd::execute(command); }, *line.command);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "cdctl: %s\n", error.what());
+        return 2;
+    }
+}

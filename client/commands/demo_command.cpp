@@ -1,0 +1,76 @@
+#include "client/commands/commands.hpp"
+#include "client/commands/run_command.hpp"
+#include "client/demo_vehicles.hpp"
+#include "client/exit_code.hpp"
+#include "client/interrupt.hpp"
+#include "client/local_cluster.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+namespace cd {
+
+namespace {
+
+constexpr unsigned demo_workers = 2;
+
+/// The paper's kind of job (section 7): random directions and orientations, pushed in to a small or
+/// medium penetration.
+RunCommand demo_run(const DemoCommand& command, const std::filesystem::path& cache) {
+    RunCommand run;
+    run.job.a = command.a;
+    run.job.b = command.b;
+    run.job.name = "demo";
+    run.job.random = command.scenarios;
+    run.job.seed = 1;
+    run.job.penetration = {0.005, 0.05};
+    run.job.out = command.out.empty() ? (cache / "demo-results").string() : command.out;
+    run.quiet = command.quiet;
+    return run;
+}
+
+Status use_vehicles(const std::filesystem::path& cache, RunCommand& run) {
+    if (!run.job.a.empty()) {
+        return Done{};
+    }
+    const auto vehicles = find_vehicles(cache);
+    if (!vehicles) {
+        return vehicles.error();
+    }
+    run.job.a = vehicles.value()[0].string();
+    run.job.b = vehicles.value()[1].string();
+    return Done{};
+}
+
+} // namespace
+
+int execute(const DemoCommand& command) {
+    const InterruptGuard interrupts;
+    const auto cache = cache_dir();
+    RunCommand run = demo_run(command, cache);
+    if (Status found = use_vehicles(cache, run); !found) {
+        return fail(found.error());
+    }
+    LocalClusterOptions options;
+    options.programs = program_folder();
+    options.state = cache / "demo-state";
+    options.logs = cache / "demo-logs";
+    options.workers = demo_workers;
+    options.threads = std::max(1u, std::thread::hardware_concurrency() / demo_workers);
+    auto cluster = LocalCluster::start(options, [] { return InterruptGuard::signal() != 0; });
+    if (!cluster) {
+        return fail(cluster.error());
+    }
+    run.master.address = cluster.value().address();
+    if (!command.quiet) {
+        std::fprintf(stderr,
+                     "  cluster  cdmaster on %s and %u workers; logs in %s\n",
+                     run.master.address.c_str(),
+                     options.workers,
+                     options.logs.c_str());
+    }
+    return run_job(run);
+}
+
+} // namespace cd

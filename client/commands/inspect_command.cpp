@@ -1,0 +1,42 @@
+#include "client/commands/commands.hpp"
+#include "client/exit_code.hpp"
+#include "client/inspect.hpp"
+#include "client/units.hpp"
+
+#include <cstdio>
+
+namespace cd {
+
+namespace {
+
+/// Without a unit the coordinates are shown as they stand in the file.
+Result<double> factor_of(const InspectCommand& command) {
+    if (command.unit.empty() && !command.job_unit.empty()) {
+        return Error{ErrorCode::BadInput, "--job-unit needs --unit, the unit of the file"};
+    }
+    if (command.unit.empty()) {
+        return 1.0;
+    }
+    return unit_factor(command.unit, command.job_unit.empty() ? "m" : command.job_unit).value_or(1);
+}
+
+} // namespace
+
+int execute(const InspectCommand& command) {
+    const auto factor = factor_of(command);
+    if (!factor) {
+        return fail(factor.error());
+    }
+    for (const std::string& file : command.meshes) {
+        const auto imported = import_mesh(file, {factor.value()});
+        if (!imported) {
+            return fail(imported.error());
+        }
+        const MeshReport report = inspect_mesh(file, imported.value());
+        const std::string text = command.output == "json" ? to_json(report) : to_text(report);
+        std::fputs(text.c_str(), stdout);
+    }
+    return exit_done;
+}
+
+} // namespace cd

@@ -1,0 +1,41 @@
+#include "client/commands/commands.hpp"
+#include "client/exit_code.hpp"
+#include "client/interrupt.hpp"
+#include "common/core/version.hpp"
+
+#include <csignal>
+#include <cstdio>
+
+namespace cd {
+
+int exit_code_of(const Summary& summary, FailOn fail_on) {
+    if (!summary.is_complete() || summary.failed != 0) {
+        return exit_incomplete;
+    }
+    const std::uint64_t worst = summary.cross + summary.inside;
+    const std::uint64_t any = worst + summary.touch + summary.contact;
+    const std::uint64_t asked =
+        fail_on == FailOn::Never ? 0 : (fail_on == FailOn::Cross ? worst : any);
+    return asked != 0 ? exit_contacts : exit_done;
+}
+
+Status check_fail_on(FailOn fail_on, Level level) {
+    if (fail_on != FailOn::Never && level == Level::Any) {
+        return Error{ErrorCode::BadInput,
+                     "--fail-on needs level count or more: any does not tell touch from cross"};
+    }
+    return Done{};
+}
+
+int fail(const Error& error) {
+    std::fprintf(stderr, "cdctl: %s\n", error.detail.c_str());
+    const int signal = InterruptGuard::signal();
+    return exit_code_of(error, signal == 0 ? SIGINT : signal);
+}
+
+int execute(const VersionCommand&) {
+    std::printf("cdctl %s\n", std::string(version).c_str());
+    return exit_done;
+}
+
+} // namespace cd

@@ -1,0 +1,136 @@
+#include "client/commands/run_command.hpp"
+
+#include "client/commands/commands.hpp"
+#include "client/commands/remote_commands.hpp"
+#include "client/exit_code.hpp"
+#include "client/interrupt.hpp"
+#include "client/local_run.hpp"
+#include "client/words.hpp"
+
+#include <cstdio>
+
+namespace cd {
+
+namespace {
+
+constexpr std::size_t touched_parts_shown = 3;
+
+int run_here(const RunCommand& command, PreparedJob& job, ThreadPool& pool) {
+    auto sink = ResultSink::open(job.spec.output, command.output, export_context(job));
+    if (!sink) {
+        return fail(sink.error());
+    }
+    ProgressPrinter progress(ProgressPrinter::style_for(command.quiet));
+    const RunObserver observer{
+        [&](const ScenarioResult& result) { return sink.value().add(result); },
+        [&](const Summary& summary, double seconds) {
+            progress.update({job.spec.name, summary, seconds});
+        },
+        [] { return InterruptGuard::signal() != 0; }};
+    const auto outcome =
+        run_locally(*job.trees[0], *job.trees[1], *job.poses, job.query, pool, observer);
+    if (!outcome) {
+        return fail(outcome.error());
+    }
+    progress.finish({job.spec.name, outcome.value().summary, outcome.value().seconds});
+    RunReport report;
+    report.summary = outcome.value().summary;
+    report.level = job.query.level;
+    report.digest = outcome.value().digest;
+    report.seconds = outcome.value().seconds;
+    report.where = counted(pool.size(), "thread");
+    report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    if (Status finished = sink.value().finish(report, command.quiet); !finished) {
+        return fail(finished.error());
+    }
+    return exit_code_of(report.summary, command.fail_on);
+}
+
+} // namespace
+
+Result<ResultSink>
+ResultSink::open(const OutputSpec& spec, const std::string& output, const ExportContext& context) {
+    ResultSink sink(PartTally(*context.meshes[0], *context.meshes[1]));
+    if (!spec.dir.empty()) {
+        auto files = ResultFiles::open(spec.dir, spec.formats, context);
+        if (!files) {
+            return files.error();
+        }
+        sink.files_.emplace(std::move(files.value()));
+    }
+    if (output == "json") {
+        sink.stdout_writer_ = make_json_writer(context, OutputFile::standard_output());
+    } else if (output == "csv") {
+        sink.stdout_writer_ = make_scenarios_csv_writer(OutputFile::standard_output());
+    }
+    return sink;
+}
+
+Status ResultSink::add(const ScenarioResult& result) {
+    tally_.add(result);
+    if (files_) {
+        if (Status added = files_->add(result); !added) {
+            return added;
+        }
+    }
+    return stdout_writer_ ? stdout_writer_->add(result) : Status(Done{});
+}
+
+Status ResultSink::finish(const RunReport& report, bool quiet) {
+    if (files_) {
+        if (Status finished = files_->finish(report); !finished) {
+            return finished;
+        }
+    }
+    if (stdout_writer_) {
+        if (Status finished = stdout_writer_->finish(); !finished) {
+            return finished;
+        }
+    }
+    std::FILE* stream = stdout_writer_ ? stderr : stdout;
+    if (!stdout_writer_ || !quiet) {
+        std::string text = summary_text(report, colours_wanted(stream));
+        text += files_ ? "  results       " + files_->dir().string() + "\n" : "";
+        std::fputs(text.c_str(), stream);
+        std::fflush(stream);
+    }
+    return Done{};
+}
+
+void print_header(const PreparedJob& job, bool quiet) {
+    for (const std::string& warning : job.warnings) {
+        std::fprintf(stderr, "%s\n", warning.c_str());
+    }
+    if (!quiet) {
+        std::fputs(job.header.c_str(), stderr);
+    }
+}
+
+int execute(const RunCommand& command) {
+    const InterruptGuard interrupts;
+    return run_job(command);
+}
+
+int run_job(const RunCommand& command) {
+    auto spec = make_job_spec(command.job);
+    if (!spec) {
+        return fail(spec.error());
+    }
+    if (Status answerable = check_fail_on(command.fail_on, spec.value().level); !answerable) {
+        return fail(answerable.error());
+    }
+    ThreadPool pool(command.threads);
+    const bool here = command.master.address.empty();
+    auto job =
+        prepare_job(std::move(spec.value()), here ? Trees::Always : Trees::ForPosesOnly, pool);
+    if (!job) {
+        return fail(job.error());
+    }
+    print_header(job.value(), command.quiet);
+    if (command.dry_run) {
+        return exit_done;
+    }
+    return here ? run_here(command, job.value(), pool) : run_on_master(command, job.value());
+}
+
+} // namespace cd

@@ -1,0 +1,153 @@
+#include "client/prepared_job.hpp"
+
+#include "client/mesh_import.hpp"
+#include "client/poses/pose_file.hpp"
+#include "client/units.hpp"
+#include "client/words.hpp"
+#include "common/geometry/topology.hpp"
+#include "common/tree/build.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+namespace {
+
+std::string name_of(const BodySpec& body) {
+    return body.name.empty() ? body.path.filename().string() : body.name;
+}
+
+/// The job's own unit where the body has none.
+const std::string& unit_of(const BodySpec& body, const std::string& job_unit) {
+    return body.unit.empty() ? job_unit : body.unit;
+}
+
+Status import_bodies(PreparedJob& job) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const BodySpec& body = job.spec.bodies[i];
+        const BodySpec& first = job.spec.bodies[0];
+        job.names[i] = name_of(body);
+        const std::string& unit = unit_of(body, job.spec.unit);
+        if (i == 1 && body.path == first.path && unit == unit_of(first, job.spec.unit)) {
+            job.meshes[1] = job.meshes[0];
+            continue;
+        }
+        const auto factor = unit_factor(unit, job.spec.unit);
+        if (!factor) {
+            return Error{ErrorCode::BadInput, "unit \"" + unit + "\" is not known"};
+        }
+        auto imported = import_mesh(body.path, {*factor});
+        if (!imported) {
+            return imported.error();
+        }
+        job.meshes[i] = imported.value().mesh;
+        for (const std::string& warning : imported.value().warnings) {
+            job.warnings.push_back("warning: " + warning);
+        }
+    }
+    return Done{};
+}
+
+void build_trees(PreparedJob& job, ThreadPool& pool) {
+    const auto build = [&](std::size_t body) {
+        return std::make_shared<const ObbTree>(build_tree(job.meshes[body], {}, pool));
+    };
+    job.trees[0] = build(0);
+    job.trees[1] = job.meshes[1] == job.meshes[0] ? job.trees[0] : build(1);
+}
+
+/// How the poses came about, for the header.
+std::string poses_text(const PosesSpec& spec) {
+    if (const auto* file = std::get_if<PoseFileSpec>(&spec)) {
+        return file->path == "-" ? "from standard input" : file->path.filename().string();
+    }
+    if (const auto* random = std::get_if<RandomPoses>(&spec)) {
+        return "random, seed " + std::to_string(random->seed) + ", penetration " +
+               exact_text(random->penetration_min) + " to " + exact_text(random->penetration_max);
+    }
+    const Grid& grid = std::get<Grid>(spec);
+    constexpr std::array<const char*, 3> positions{"x", "y", "z"};
+    constexpr std::array<const char*, 3> angles{"roll", "pitch", "yaw"};
+    std::string text = "grid";
+    const auto add = [&](const char* name, std::uint64_t count) {
+        if (count > 1) {
+            text += std::string(text == "grid" ? " " : ", ") + name + " " + grouped(count);
+        }
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        add(positions[i], grid.position[i].count);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        add(angles[i], grid.rotation[i].size());
+    }
+    return text;
+}
+
+Status make_poses(PreparedJob& job, ThreadPool& pool) {
+    if (const auto* grid = std::get_if<Grid>(&job.spec.poses)) {
+        job.grid = *grid;
+        job.poses = make_grid_source(*grid);
+        return Done{};
+    }
+    if (const auto* random = std::get_if<RandomPoses>(&job.spec.poses)) {
+        job.poses =
+            make_list_source(make_random_poses(*random, *job.trees[0], *job.trees[1], pool));
+        return Done{};
+    }
+    const auto& spec = std::get<PoseFileSpec>(job.spec.poses);
+    auto file = open_pose_file(spec);
+    if (!file) {
+        return file.error();
+    }
+    job.poses = std::move(file.value().source);
+    for (const std::string& warning : file.value().warnings) {
+        job.warnings.push_back("warning: " + warning);
+    }
+    return Done{};
+}
+
+void describe(PreparedJob& job) {
+    std::array<BodyLine, 2> lines;
+    for (std::size_t i = 0; i < 2; ++i) {
+        lines[i] = describe_body(job.names[i], job.spec.unit, *job.meshes[i]);
+        if (i == 1 && job.meshes[1] == job.meshes[0]) {
+            lines[1].closed = lines[0].closed;
+        } else {
+            lines[i].closed = job.trees[i] ? job.trees[i]->topology().is_closed()
+                                           : analyse_topology(*job.meshes[i]).is_closed();
+        }
+    }
+    if (auto warning = unit_warning(lines[0], lines[1])) {
+        job.warnings.push_back(*warning);
+    }
+    job.header = header_text(lines[0], lines[1], job.poses->count(), poses_text(job.spec.poses));
+}
+
+} // namespace
+
+Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, ThreadPool& pool) {
+    PreparedJob job;
+    job.spec = std::move(spec);
+    if (Status imported = import_bodies(job); !imported) {
+        return imported.error();
+    }
+    auto ignored = resolve_ignored(job.spec.ignore, *job.meshes[0], *job.meshes[1], job.spec.file);
+    if (!ignored) {
+        return ignored.error();
+    }
+    job.query = {job.spec.level, job.spec.limit_pairs, std::move(ignored.value())};
+    if (trees == Trees::Always || std::holds_alternative<RandomPoses>(job.spec.poses)) {
+        build_trees(job, pool);
+    }
+    if (Status made = make_poses(job, pool); !made) {
+        return made.error();
+    }
+    describe(job);
+    return job;
+}
+
+ExportContext export_context(const PreparedJob& job) {
+    return {job.spec.name, job.spec.unit, job.query.level, job.names, job.meshes};
+}
+
+} // namespace cd

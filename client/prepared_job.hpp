@@ -1,0 +1,51 @@
+// A job whose inputs have been read and checked: what `run` and `submit` start from.
+#pragma once
+
+#include "client/export/result_writer.hpp"
+#include "client/job_file.hpp"
+#include "client/report.hpp"
+#include "common/core/result.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/job/query.hpp"
+#include "common/tree/obb_tree.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+struct PreparedJob {
+    JobSpec spec;
+    std::array<std::string, 2> names;                  ///< Of the bodies, for people.
+    std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< The same object where both are one file.
+    std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Where they were needed.
+    Query query;
+    std::optional<Grid> grid; ///< Poses that travel as this description.
+    std::unique_ptr<PoseSource> poses;
+    std::vector<std::string> warnings; ///< One line each.
+    std::string header;                ///< `header_text`.
+};
+
+/// Who needs trees: a run in this process does; a cluster builds its own, but random poses are made
+/// here, from trees.
+enum class Trees : std::uint8_t { Always, ForPosesOnly };
+
+/// Imports the meshes, resolves what is ignored, opens or makes the poses. All of the same bits for
+/// any number of threads. Errors: BadInput, NotFound and Io, each naming the file.
+[[nodiscard]] Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, ThreadPool& pool);
+
+[[nodiscard]] ExportContext export_context(const PreparedJob& job);
+
+/// The ranges of triangles that the rules pass over. A name that no part matches is an error that
+/// names the rule, its line, and the parts that exist.
+[[nodiscard]] Result<std::vector<IgnoredRange>>
+resolve_ignored(const std::vector<IgnoreRule>& rules,
+                const Mesh& a,
+                const Mesh& b,
+                const std::filesystem::path& job_file);
+
+} // namespace cd
