@@ -1,0 +1,174 @@
+// Proves that a worker takes its options from the command line before the environment before the
+// file, and says in one line, with exit code 2, what is wrong with them.
+#include "worker/config.hpp"
+
+#include "worker/run_worker.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace cd::tests {
+namespace {
+
+using testing::HasSubstr;
+
+WorkerCommandLine parse(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "cdworker");
+    return parse_worker_command_line(static_cast<int>(arguments.size()), arguments.data());
+}
+
+/// Set for a test's time.
+class Environment {
+  public:
+    Environment(const char* name, const char* value) : name_(name) { ::setenv(name, value, 1); }
+    Environment(const Environment&) = delete;
+    Environment& operator=(const Environment&) = delete;
+    ~Environment() { ::unsetenv(name_); }
+
+  private:
+    const char* name_;
+};
+
+/// A file for a test's time.
+class File {
+  public:
+    explicit File(const std::string& content)
+        : path_(testing::TempDir() + "cdworker_config_test_" + std::to_string(::getpid()) + "_" +
+                std::to_string(content.size()) + ".toml") {
+        std::ofstream(path_) << content;
+    }
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    ~File() { std::filesystem::remove(path_); }
+    [[nodiscard]] const char* path() const { return path_.c_str(); }
+
+  private:
+    std::string path_;
+};
+
+TEST(WorkerConfig, DefaultsAreForAMasterOnThisMachine) {
+    const WorkerCommandLine line = parse({});
+    ASSERT_TRUE(line.config) << line.text;
+    EXPECT_EQ(line.config->master.host, "127.0.0.1");
+    EXPECT_EQ(line.config->master.port, 7600);
+    EXPECT_EQ(line.config->cache_bytes, std::uint64_t{4} << 30);
+    EXPECT_EQ(line.config->threads, 0u);
+    EXPECT_FALSE(line.config->insecure);
+    EXPECT_FALSE(line.config->name.empty());
+}
+
+TEST(WorkerConfig, OptionsAreRead) {
+    const WorkerCommandLine line = parse({"--master",
+                                          "node:1",
+                                          "--threads",
+                                          "3",
+                                          "--cache",
+                                          "512MiB",
+                                          "--name",
+                                          "n",
+                                          "--insecure",
+                                          "--log-level",
+                                          "debug",
+                                          "--connect-for",
+                                          "7"});
+    ASSERT_TRUE(line.config) << line.text;
+    EXPECT_EQ(line.config->master.host, "node");
+    EXPECT_EQ(line.config->threads, 3u);
+    EXPECT_EQ(line.config->cache_bytes, std::uint64_t{512} << 20);
+    EXPECT_EQ(line.config->name, "n");
+    EXPECT_TRUE(line.config->insecure);
+    EXPECT_EQ(line.config->log_level, "debug");
+    EXPECT_EQ(line.config->connect_for, std::chrono::seconds(7));
+}
+
+TEST(WorkerConfig, TheCommandLineGoesBeforeTheEnvironmentBeforeTheFile) {
+    const File file("threads = 1\nname = \"from the file\"\ncache = \"1MiB\"\ninsecure = true\n");
+    const Environment name("CDWORKER_NAME", "from the environment");
+    const Environment cache("CDWORKER_CACHE", "2MiB");
+    const WorkerCommandLine line = parse({"--config", file.path(), "--cache", "3MiB"});
+    ASSERT_TRUE(line.config) << line.text;
+    EXPECT_EQ(line.config->threads, 1u);
+    EXPECT_TRUE(line.config->insecure);
+    EXPECT_EQ(line.config->name, "from the environment");
+    EXPECT_EQ(line.config->cache_bytes, std::uint64_t{3} << 20);
+}
+
+TEST(WorkerConfig, WhatIsWrongIsUsage) {
+    const File unknown("thread = 1\n");
+    const File broken("threads = \n");
+    const std::vector<std::vector<const char*>> wrong{
+        {"--master", "nowhere"},
+        {"--cache", "much"},
+        {"--threads", "-1"},
+        {"--threads", "x"},
+        {"--log-level", "loud"},
+        {"--frobnicate"},
+        {"--name", "a\nb"},
+        {"--config", "/no/such/f"},
+        {"--config", unknown.path()},
+        {"--config", broken.path()},
+    };
+    for (const auto& arguments : wrong) {
+        const WorkerCommandLine line = parse(arguments);
+        EXPECT_FALSE(line.config) << arguments.front();
+        EXPECT_EQ(line.exit_code, 2) << arguments.front();
+        EXPECT_THAT(line.text, testing::StartsWith("cdworker: ")) << arguments.front();
+    }
+}
+
+TEST(WorkerConfig, HelpOpensWithExamplesAndTellsTheExitCodes) {
+    const WorkerCommandLine help = parse({"--help"});
+    EXPECT_FALSE(help.config);
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_THAT(help.text, testing::StartsWith("Examples:"));
+    EXPECT_THAT(help.text, HasSubstr("Exit codes: 0"));
+    EXPECT_THAT(parse({"--version"}).text, HasSubstr("cdworker 0."));
+}
+
+TEST(WorkerConfig, SizesHaveUnits) {
+    EXPECT_EQ(parse_size("123").value(), 123u);
+    EXPECT_EQ(parse_size("4GiB").value(), std::uint64_t{4} << 30);
+    EXPECT_EQ(parse_size("1.5 KiB").value(), 1536u);
+    EXPECT_EQ(parse_size("2MB").value(), 2'000'000u);
+    for (const char* text :
+         {"", "GiB", "-1", "4gib", "4GiBs", "1e30", "nan", "inf", "99999999TiB"}) {
+        EXPECT_FALSE(parse_size(text)) << text;
+    }
+}
+
+TEST(Backoff, GrowsToItsLimitAndVaries) {
+    Backoff backoff(1);
+    for (int i = 0; i < 40; ++i) {
+        const auto pause = backoff.next();
+        EXPECT_GE(pause.count(), 50);
+        EXPECT_LE(pause.count(), 5000);
+        if (i > 8) {
+            EXPECT_GE(pause.count(), 2500);
+        }
+    }
+    backoff.reset();
+    EXPECT_LE(backoff.next().count(), 100);
+}
+
+TEST(RunWorker, RefusesToLeaveLoopbackUnasked) {
+    WorkerConfig config;
+    config.master = {"192.0.2.1", 7600};
+    EXPECT_EQ(run_worker(config), 5);
+}
+
+TEST(RunWorker, GivesUpOnAMasterThatIsNotThere) {
+    WorkerConfig config;
+    config.master = {"127.0.0.1", 1};
+    config.threads = 1;
+    config.connect_for = std::chrono::seconds(0);
+    EXPECT_EQ(run_worker(config), 4);
+}
+
+} // namespace
+} // namespace cd::tests

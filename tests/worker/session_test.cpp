@@ -1,0 +1,352 @@
+// Proves that a worker's session, over a real connection to a master that the test plays, answers
+// what it is given exactly as one process does on whole trees; asks only for what it lacks; frees
+// what is removed; and ends in every way that it may end without losing or inventing a result.
+#include "worker/session.hpp"
+
+#include "common/core/limits.hpp"
+#include "tests/proto/loopback.hpp"
+#include "tests/worker/cut_body.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace cd::tests {
+namespace {
+
+constexpr TreeId tree_a{3};
+constexpr TreeId tree_b{4};
+constexpr std::uint64_t unlimited = std::uint64_t{1} << 40;
+
+struct Bodies {
+    CutBody a = cut_body(make_torus(1, 0.4, 40, 20), 5);
+    CutBody b = cut_body(make_sphere(3), 4);
+};
+
+const Bodies& bodies() {
+    static const Bodies made;
+    return made;
+}
+
+std::vector<Scenario> make_scenarios(std::uint64_t first, std::uint64_t count) {
+    std::vector<Scenario> scenarios;
+    for (std::uint64_t index = first; index < first + count; ++index) {
+        std::mt19937_64 random(index);
+        Scenario scenario;
+        scenario.index = index;
+        scenario.poses.b = make_pose(random, 1.5);
+        scenarios.push_back(scenario);
+    }
+    return scenarios;
+}
+
+Batch make_batch(TaskId task, std::span<const Scenario> scenarios) {
+    Batch batch;
+    batch.task = task;
+    batch.job = JobId{1};
+    batch.tree_a = tree_a;
+    batch.tree_b = tree_b;
+    batch.scenarios = pack_scenarios(scenarios);
+    batch.pair_offsets = {0};
+    for (const Scenario& scenario : scenarios) {
+        const auto pairs = colliding_roots(bodies().a.top, bodies().b.top, scenario.poses).value();
+        batch.pairs.insert(batch.pairs.end(), pairs.begin(), pairs.end());
+        batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
+    }
+    return batch;
+}
+
+/// What one process says, before `inside` is settled: that takes whole bodies.
+Bytes expected_record(const Scenario& scenario) {
+    const std::vector<SubtreePair> whole{{bodies().a.tree.view(), bodies().b.tree.view()}};
+    return encode_result(run_on_subtrees(whole, scenario, Query{}).result);
+}
+
+/// Plays the master: sends what is wanted, and keeps what comes.
+class FakeMaster {
+  public:
+    explicit FakeMaster(std::shared_ptr<Channel> to_worker) : channel(std::move(to_worker)) {}
+
+    void add_trees() {
+        channel->send(bodies().a.add(tree_a));
+        channel->send(bodies().b.add(tree_b));
+    }
+
+    /// Serves until so many tasks have ended, or the connection has.
+    asio::awaitable<void> serve_until_ended(std::size_t tasks) {
+        while (ended.size() < tasks) {
+            Result<Message> message = co_await channel->receive(patience);
+            if (!message) {
+                end = message.error().detail;
+                break;
+            }
+            std::visit([this](auto& content) { on(content); }, message.value());
+        }
+    }
+
+    void on(const WantSubtrees& want) {
+        const CutBody& body = want.tree == tree_a ? bodies().a : bodies().b;
+        Subtrees subtrees;
+        subtrees.tree = want.tree;
+        for (const RootIndex root : want.roots) {
+            EXPECT_TRUE(held.insert({want.tree, root}).second) << "asked for what it holds";
+            subtrees.blocks.push_back(body.blocks[root]);
+            ++subtrees_sent;
+        }
+        channel->send(subtrees);
+    }
+    void on(const Evicted& evicted) {
+        for (const RootIndex root : evicted.roots) {
+            EXPECT_EQ(held.erase({evicted.tree, root}), 1u) << "let go what it never held";
+            ++subtrees_evicted;
+        }
+    }
+    void on(const Results& results) {
+        EXPECT_FALSE(ended.contains(results.task));
+        ++results_messages;
+        const Bytes bytes = decompress(results.records, limits::results_bytes_max).value();
+        ByteReader in(bytes);
+        for (std::uint32_t i = 0; i < results.count; ++i) {
+            const auto size = in.get<std::uint32_t>();
+            const auto characters = in.get_array<std::uint8_t>(size);
+            Bytes record(characters.size());
+            std::memcpy(record.data(), characters.data(), characters.size());
+            const ScenarioResult result = decode_result(record).value();
+            EXPECT_TRUE(records.emplace(result.index, record).second) << "answered twice";
+        }
+        EXPECT_TRUE(in.complete());
+    }
+    void on(const EndOfTask& end_of_task) { EXPECT_TRUE(ended.insert(end_of_task.task).second); }
+    void on(const Heartbeat&) { ++heartbeats; }
+    void on(const Drain&) { worker_drains = true; }
+    void on(const Failure& failure) { complaint = failure.detail; }
+    template <class T>
+    void on(const T&) {
+        ADD_FAILURE() << "a message that no worker sends";
+    }
+
+    std::shared_ptr<Channel> channel;
+    std::set<SubtreeKey> held;
+    std::map<std::uint64_t, Bytes> records;
+    std::set<TaskId> ended;
+    std::size_t subtrees_sent = 0;
+    std::size_t subtrees_evicted = 0;
+    std::size_t results_messages = 0;
+    std::size_t heartbeats = 0;
+    bool worker_drains = false;
+    std::string complaint;
+    std::string end;
+};
+
+asio::awaitable<void> run_session(std::shared_ptr<Session> session,
+                                  std::optional<SessionEnd>& how) {
+    how = co_await session->run();
+}
+
+/// A session with its threads, and the master that the test plays.
+struct Stage {
+    std::shared_ptr<Session> session;
+    FakeMaster master;
+    std::optional<SessionEnd>& how;
+};
+
+using Play = std::function<asio::awaitable<void>(Stage&)>;
+
+asio::awaitable<void> play_on(asio::io_context& context,
+                              Executor& executor,
+                              std::uint64_t cache_bytes,
+                              const Play& play,
+                              std::optional<SessionEnd>& how) {
+    Ends ends = co_await connect_greeted_ends();
+    Stage stage{std::make_shared<Session>(std::move(ends.left), executor, cache_bytes),
+                FakeMaster(std::move(ends.right)),
+                how};
+    spawn(context.get_executor(), "session", run_session(stage.session, how));
+    stage.master.add_trees();
+    co_await play(stage);
+    stage.master.channel->close();
+}
+
+/// Runs to the end of the play and of the session; says how the session ended.
+std::optional<SessionEnd> perform(std::uint64_t cache_bytes, unsigned threads, const Play& play) {
+    asio::io_context context;
+    Executor executor(context.get_executor(), threads);
+    std::optional<SessionEnd> how;
+    asio::co_spawn(context,
+                   play_on(context, executor, cache_bytes, play, how),
+                   [](const std::exception_ptr& thrown) { EXPECT_FALSE(thrown); });
+    context.run_for(patience);
+    EXPECT_TRUE(context.stopped()) << "something is still under way";
+    return how;
+}
+
+void expect_all_right(const FakeMaster& master, std::span<const Scenario> scenarios) {
+    EXPECT_EQ(master.records.size(), scenarios.size());
+    std::size_t contacts = 0;
+    for (const Scenario& scenario : scenarios) {
+        const auto record = master.records.find(scenario.index);
+        if (record == master.records.end()) {
+            ADD_FAILURE() << "no result of scenario " << scenario.index;
+            continue;
+        }
+        EXPECT_EQ(record->second, expected_record(scenario)) << scenario.index;
+        contacts += decode_result(record->second).value().pair_count == 0 ? 0u : 1u;
+    }
+    EXPECT_GT(contacts, scenarios.size() / 10);
+}
+
+TEST(Session, AnswersBatchesAsWholeTreesDo) {
+    const auto how = perform(unlimited, 2, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(0, 60);
+        master.channel->send(make_batch(TaskId{1}, std::span(scenarios).first(20)));
+        master.channel->send(make_batch(TaskId{2}, std::span(scenarios).subspan(20, 20)));
+        co_await master.serve_until_ended(2);
+        master.channel->send(make_batch(TaskId{3}, std::span(scenarios).subspan(40)));
+        co_await master.serve_until_ended(3);
+        expect_all_right(master, scenarios);
+        EXPECT_EQ(master.subtrees_evicted, 0u);
+        EXPECT_GE(master.heartbeats, 1u);
+        // Bulk: far fewer messages than scenarios.
+        EXPECT_LT(master.results_messages, 20u);
+    });
+    EXPECT_EQ(how, SessionEnd::Lost);
+}
+
+TEST(Session, ACacheTooSmallForAScenarioStillGivesEveryResult) {
+    perform(1, 2, [](Stage& stage) -> asio::awaitable<void> {
+        const auto scenarios = make_scenarios(100, 20);
+        stage.master.channel->send(make_batch(TaskId{1}, scenarios));
+        co_await stage.master.serve_until_ended(1);
+        expect_all_right(stage.master, scenarios);
+        EXPECT_GT(stage.master.subtrees_evicted, 0u);
+    });
+}
+
+TEST(Session, RemovedTreesAreFreedAndMayComeAgain) {
+    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(200, 10);
+        master.channel->send(make_batch(TaskId{1}, scenarios));
+        co_await master.serve_until_ended(1);
+        const std::size_t sent_before = master.subtrees_sent;
+        EXPECT_GT(sent_before, 0u);
+
+        master.channel->send(RemoveTree{tree_a});
+        master.channel->send(RemoveTree{tree_b});
+        master.add_trees();
+        master.held.clear();
+        master.records.clear();
+        master.channel->send(make_batch(TaskId{2}, scenarios));
+        co_await master.serve_until_ended(2);
+        expect_all_right(master, scenarios);
+        EXPECT_EQ(master.subtrees_sent, 2 * sent_before) << "nothing of it was kept";
+    });
+}
+
+TEST(Session, WhatWaitsForARemovedTreeIsDroppedWithIt) {
+    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(300, 10);
+        master.channel->send(make_batch(TaskId{1}, scenarios));
+        master.channel->send(RemoveTree{tree_b});
+        // Its wants are not served: the removal comes first.
+        while (!master.ended.contains(TaskId{1})) {
+            Result<Message> message = co_await master.channel->receive(patience);
+            EXPECT_TRUE(message);
+            if (!message) {
+                break;
+            }
+            if (const auto* ended = std::get_if<EndOfTask>(&message.value())) {
+                master.on(*ended);
+            }
+        }
+        EXPECT_LT(master.records.size(), scenarios.size());
+    });
+}
+
+TEST(Session, DrainAnswersAllThenCloses) {
+    const auto how = perform(unlimited, 2, [](Stage& stage) -> asio::awaitable<void> {
+        const auto scenarios = make_scenarios(400, 20);
+        stage.master.channel->send(make_batch(TaskId{1}, scenarios));
+        stage.master.channel->send(Drain{});
+        co_await stage.master.serve_until_ended(2);
+        expect_all_right(stage.master, scenarios);
+        EXPECT_EQ(stage.master.ended.size(), 1u);
+        EXPECT_FALSE(stage.master.end.empty()) << "it closed";
+    });
+    EXPECT_EQ(how, SessionEnd::Drained);
+}
+
+TEST(Session, StopHandsBackWhatItHasNotBegun) {
+    const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(500, 300);
+        master.channel->send(make_batch(TaskId{1}, scenarios));
+        // Some results first, so that it is in the middle of its work.
+        while (master.results_messages == 0) {
+            Result<Message> message = co_await master.channel->receive(patience);
+            std::visit([&](auto& content) { master.on(content); }, message.value());
+        }
+        stage.session->stop();
+        co_await master.serve_until_ended(2);
+        EXPECT_TRUE(master.worker_drains);
+        EXPECT_TRUE(master.ended.contains(TaskId{1}));
+        for (const auto& [index, record] : master.records) {
+            EXPECT_EQ(record, expected_record(scenarios[index - 500]));
+        }
+    });
+    EXPECT_EQ(how, SessionEnd::Drained);
+}
+
+TEST(Session, TerminateEndsAtOnce) {
+    const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        stage.master.channel->send(Terminate{"enough"});
+        co_await stage.master.serve_until_ended(1);
+    });
+    EXPECT_EQ(how, SessionEnd::Terminated);
+}
+
+/// What the session says of it before it closes.
+std::string complaint_about(const Message& message) {
+    std::string complaint;
+    const auto how = perform(unlimited, 1, [&](Stage& stage) -> asio::awaitable<void> {
+        stage.master.channel->send(message);
+        co_await stage.master.serve_until_ended(1);
+        complaint = stage.master.complaint;
+    });
+    EXPECT_EQ(how, SessionEnd::Lost);
+    return complaint;
+}
+
+TEST(Session, DisagreementEndsTheConnectionWithAReason) {
+    const auto scenarios = make_scenarios(0, 2);
+    Batch unknown_tree = make_batch(TaskId{1}, scenarios);
+    unknown_tree.tree_b = TreeId{99};
+    EXPECT_THAT(complaint_about(unknown_tree), testing::HasSubstr("tree that is not here"));
+
+    Batch unknown_root = make_batch(TaskId{1}, std::span(scenarios).first(1));
+    unknown_root.pairs = {{0, 1u << 30}};
+    unknown_root.pair_offsets = {0, 1};
+    EXPECT_THAT(complaint_about(unknown_root), testing::HasSubstr("root"));
+
+    Batch few_offsets = make_batch(TaskId{1}, scenarios);
+    few_offsets.pairs = {};
+    few_offsets.pair_offsets = {0};
+    EXPECT_THAT(complaint_about(few_offsets), testing::HasSubstr("number of scenarios"));
+
+    EXPECT_NE(complaint_about(AddTree{TreeId{9}, {ObbNode{}, ObbNode{}}}), "");
+    EXPECT_NE(complaint_about(bodies().a.add(tree_a)), "") << "twice";
+    EXPECT_THAT(complaint_about(Accepted{JobId{1}}), testing::HasSubstr("accepted"));
+
+    Subtrees wrong;
+    wrong.tree = tree_a;
+    wrong.blocks = {bodies().a.blocks[0]};
+    wrong.blocks[0].hash.bytes[0] ^= std::byte{1};
+    EXPECT_THAT(complaint_about(wrong), testing::HasSubstr("hash"));
+}
+
+} // namespace
+} // namespace cd::tests

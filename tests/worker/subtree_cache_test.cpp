@@ -1,0 +1,152 @@
+// Proves that the cache keeps to its limit, lets the longest unused go first, never lets go what is
+// pinned, says what went, and takes in nothing whose hash or shape is wrong.
+#include "worker/subtree_cache.hpp"
+
+#include "tests/worker/cut_body.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+constexpr TreeId tree{7};
+constexpr std::uint64_t unlimited = std::uint64_t{1} << 40;
+
+/// Eight or so subtrees of about the same size.
+class SubtreeCacheTest : public testing::Test {
+  protected:
+    [[nodiscard]] std::shared_ptr<const Subtree> subtree(RootIndex root) const {
+        return open_block(body.blocks[root]).value();
+    }
+    [[nodiscard]] SubtreeCache cache_for(std::uint64_t bytes) const {
+        SubtreeCache cache(bytes);
+        EXPECT_TRUE(cache.add_tree(tree, body.top));
+        return cache;
+    }
+    void insert(SubtreeCache& cache, RootIndex root) const {
+        EXPECT_TRUE(cache.insert({tree, root}, subtree(root)));
+    }
+    [[nodiscard]] std::uint64_t bytes_of(std::initializer_list<RootIndex> roots) const {
+        std::uint64_t bytes = 0;
+        for (const RootIndex root : roots) {
+            bytes += subtree(root)->memory_bytes();
+        }
+        return bytes;
+    }
+
+    CutBody body = cut_body(make_sphere(3), 3);
+};
+
+TEST_F(SubtreeCacheTest, WhatCameInIsHere) {
+    SubtreeCache cache = cache_for(unlimited);
+    EXPECT_EQ(cache.at({tree, 2}), nullptr);
+    insert(cache, 2);
+    EXPECT_NE(cache.at({tree, 2}), nullptr);
+    EXPECT_EQ(cache.find(tree)->at(2), cache.at({tree, 2}));
+    EXPECT_EQ(cache.bytes(), bytes_of({2}));
+    EXPECT_TRUE(cache.take_evicted().empty());
+}
+
+TEST_F(SubtreeCacheTest, BeyondTheLimitTheLongestUnusedLeaves) {
+    SubtreeCache cache = cache_for(bytes_of({0, 1, 2}));
+    insert(cache, 0);
+    insert(cache, 1);
+    insert(cache, 2);
+    cache.pin({tree, 0}); // A use: now 1 is the longest unused.
+    cache.unpin({tree, 0});
+    insert(cache, 3);
+    EXPECT_EQ(cache.at({tree, 1}), nullptr);
+    EXPECT_NE(cache.at({tree, 0}), nullptr);
+    const auto evicted = cache.take_evicted();
+    ASSERT_FALSE(evicted.empty());
+    EXPECT_EQ(evicted.front(), (SubtreeKey{tree, 1}));
+    EXPECT_LE(cache.bytes(), cache.bytes_max());
+    EXPECT_TRUE(cache.take_evicted().empty()) << "each is told once";
+}
+
+TEST_F(SubtreeCacheTest, WhatIsPinnedStaysEvenBeyondTheLimit) {
+    SubtreeCache cache = cache_for(1);
+    for (RootIndex root = 0; root < 3; ++root) {
+        cache.pin({tree, root}); // Before it comes.
+        insert(cache, root);
+    }
+    EXPECT_EQ(cache.bytes(), bytes_of({0, 1, 2}));
+    EXPECT_TRUE(cache.take_evicted().empty());
+    cache.unpin({tree, 1});
+    EXPECT_EQ(cache.at({tree, 1}), nullptr);
+    EXPECT_EQ(cache.bytes(), bytes_of({0, 2}));
+    cache.unpin({tree, 0});
+    cache.unpin({tree, 2});
+    EXPECT_EQ(cache.bytes(), 0u);
+    EXPECT_EQ(cache.take_evicted().size(), 3u);
+}
+
+TEST_F(SubtreeCacheTest, UnneededBlocksAreLetGoAtOnceWhenTheLimitIsTiny) {
+    SubtreeCache cache = cache_for(1);
+    insert(cache, 0);
+    EXPECT_EQ(cache.at({tree, 0}), nullptr);
+    EXPECT_EQ(cache.take_evicted(), (std::vector<SubtreeKey>{{tree, 0}}));
+}
+
+TEST_F(SubtreeCacheTest, RemovingATreeFreesItsBlocksAndNoOthers) {
+    SubtreeCache cache = cache_for(unlimited);
+    const TreeId other{8};
+    ASSERT_TRUE(cache.add_tree(other, body.top));
+    insert(cache, 0);
+    cache.pin({tree, 1});
+    insert(cache, 1);
+    ASSERT_TRUE(cache.insert({other, 4}, subtree(4)));
+    const std::weak_ptr<const Subtree> freed = cache.at({tree, 1});
+    cache.remove_tree(tree);
+    EXPECT_TRUE(freed.expired());
+    EXPECT_EQ(cache.bytes(), bytes_of({4}));
+    EXPECT_EQ(cache.find(tree), nullptr);
+    EXPECT_EQ(cache.at({tree, 0}), nullptr);
+    EXPECT_TRUE(cache.take_evicted().empty());
+    // What still arrives or ends for it does no harm.
+    insert(cache, 3);
+    cache.unpin({tree, 1});
+    cache.remove_tree(tree);
+    EXPECT_EQ(cache.bytes(), bytes_of({4}));
+}
+
+TEST_F(SubtreeCacheTest, ADuplicateIsIgnored) {
+    SubtreeCache cache = cache_for(unlimited);
+    insert(cache, 5);
+    const auto first = cache.at({tree, 5});
+    insert(cache, 5);
+    EXPECT_EQ(cache.at({tree, 5}), first);
+    EXPECT_EQ(cache.bytes(), bytes_of({5}));
+}
+
+TEST_F(SubtreeCacheTest, WhatDoesNotFitTheTreeIsRefused) {
+    SubtreeCache cache = cache_for(unlimited);
+    EXPECT_FALSE(cache.add_tree(tree, body.top)) << "twice";
+    EXPECT_FALSE(cache.insert({tree, body.top.root_count()}, subtree(0)));
+    const CutBody box = cut_body(make_box(Vec3(1, 1, 1)), 0);
+    EXPECT_FALSE(cache.insert({tree, 0}, open_block(box.blocks[0]).value()));
+    EXPECT_EQ(cache.bytes(), 0u);
+}
+
+TEST_F(SubtreeCacheTest, ABlockWithAnotherHashIsRefused) {
+    SubtreeBlock block = body.blocks[0];
+    EXPECT_TRUE(open_block(block));
+    block.hash = body.blocks[1].hash;
+    const auto opened = open_block(block);
+    ASSERT_FALSE(opened);
+    EXPECT_THAT(opened.error().detail, testing::HasSubstr("hash"));
+}
+
+TEST_F(SubtreeCacheTest, BytesThatAreNoBlockAreRefusedWhateverTheirHash) {
+    SubtreeBlock block;
+    block.compressed = Bytes(20, std::byte{1});
+    EXPECT_FALSE(open_block(block)) << "not compressed";
+    const Bytes nonsense(20, std::byte{1});
+    block.compressed = compress(nonsense, compression_level_fast);
+    block.hash = sha256(nonsense);
+    EXPECT_FALSE(open_block(block)) << "no subtree";
+}
+
+} // namespace
+} // namespace cd::tests

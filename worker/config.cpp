@@ -1,0 +1,226 @@
+#include "worker/config.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/core/version.hpp"
+
+#include <CLI/CLI.hpp>
+#include <toml++/toml.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+namespace cd {
+namespace {
+
+constexpr const char* help =
+    "Examples:\n"
+    "  cdworker                                          a master on this machine, all cores\n"
+    "  cdworker --master node-1:7600 --insecure          on a network that you trust\n"
+    "  cdworker --threads 8 --cache 16GiB --name blade-3\n"
+    "  CDWORKER_MASTER=127.0.0.1:7600 cdworker --config /etc/cdcluster/cdworker.toml\n"
+    "\n"
+    "Does the collision tests that a cdmaster gives it. One on each host is enough: its threads\n"
+    "share one cache of geometry. Options may stand in the file of --config, as in\n"
+    "`cache = \"4GiB\"`, and in the environment, as in CDWORKER_CACHE.\n"
+    "\n"
+    "SIGINT or SIGTERM: finishes what runs, hands back the rest, and ends; a second one ends at\n"
+    "once.\n"
+    "\n"
+    "Exit codes: 0 ended as asked; 2 wrong usage; 4 no master within --connect-for; 5 refused, by\n"
+    "the master, or for want of --insecure; 130 ended at once by a second signal.";
+
+/// Help that opens with what to type.
+class ExamplesFirst final : public CLI::Formatter {
+  public:
+    std::string make_description(const CLI::App* app) const override {
+        return app->get_description() + "\n\n";
+    }
+};
+
+std::string environment_name(std::string option) {
+    std::transform(option.begin(), option.end(), option.begin(), [](unsigned char c) {
+        return c == '-' ? '_' : static_cast<char>(std::toupper(c));
+    });
+    return "CDWORKER_" + option;
+}
+
+std::string text_of(std::string_view key, const toml::node& value) {
+    if (const auto* text = value.as_string()) {
+        return text->get();
+    }
+    if (const auto* number = value.as_integer()) {
+        return std::to_string(number->get());
+    }
+    if (const auto* truth = value.as_boolean()) {
+        return truth->get() ? "true" : "false";
+    }
+    throw CLI::ConfigError("line " + std::to_string(value.source().begin.line) + ": '" +
+                           std::string(key) +
+                           "' is neither text, a whole number, nor true or false");
+}
+
+/// Reads the file of --config. CLI11 would let a file go before the environment, so what stands in
+/// the environment is left out.
+class TomlConfig final : public CLI::Config {
+  public:
+    std::string to_config(const CLI::App* /*app*/,
+                          bool /*defaults*/,
+                          bool /*description*/,
+                          std::string /*prefix*/) const override {
+        return {};
+    }
+
+    std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
+        toml::table table;
+        try {
+            table = toml::parse(input);
+        } catch (const toml::parse_error& error) {
+            throw CLI::ConfigError("line " + std::to_string(error.source().begin.line) + ": " +
+                                   std::string(error.description()));
+        }
+        std::vector<CLI::ConfigItem> read;
+        for (const auto& [key, value] : table) {
+            CLI::ConfigItem item;
+            item.name = std::string(key.str());
+            item.inputs = {text_of(key.str(), value)};
+            if (std::getenv(environment_name(item.name).c_str()) == nullptr) {
+                read.push_back(std::move(item));
+            }
+        }
+        return read;
+    }
+};
+
+std::string default_name() {
+    boost::system::error_code error;
+    const std::string host = asio::ip::host_name(error);
+    return (error ? "worker" : host) + "-" + std::to_string(::getpid());
+}
+
+/// What CLI11 reads as text and this file gives a meaning.
+struct Texts {
+    std::string master = "127.0.0.1:7600";
+    std::string cache = "4GiB";
+    std::int64_t connect_for = 30;
+};
+
+void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
+    const auto option = [](CLI::Option* added, const char* type) {
+        added->envname(environment_name(added->get_lnames().front()))->type_name(type);
+        return added;
+    };
+    option(app.add_option("--master", texts.master, "The master to work for"), "HOST:PORT")
+        ->capture_default_str();
+    option(app.add_option("--threads", config.threads, "That compute; 0 is one per core"), "N")
+        ->check(CLI::Range(0u, limits::worker_threads_max))
+        ->capture_default_str();
+    option(app.add_option("--cache", texts.cache, "Memory for geometry"), "SIZE")
+        ->capture_default_str();
+    option(app.add_option("--name", config.name, "For people; by default host and process"),
+           "TEXT");
+    option(app.add_flag("--insecure", config.insecure, "Allow a master beyond loopback"), "");
+    option(app.add_option("--log-level", config.log_level, "How much is logged"), "LEVEL")
+        ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
+        ->capture_default_str();
+    option(app.add_option("--connect-for", texts.connect_for, "Try the first connection so long"),
+           "SECONDS")
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000}))
+        ->capture_default_str();
+    app.set_config("--config", "", "A TOML file with these options")
+        ->envname("CDWORKER_CONFIG")
+        ->type_name("FILE");
+    app.config_formatter(std::make_shared<TomlConfig>());
+    app.allow_config_extras(false);
+}
+
+WorkerCommandLine refused(const CLI::App& app, const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream errors;
+    const bool is_failure = app.exit(error, out, errors) != 0;
+    return {std::nullopt, is_failure ? "cdworker: " + errors.str() : out.str(), is_failure ? 2 : 0};
+}
+
+WorkerCommandLine wrong(const std::string& option, const Error& error) {
+    return {std::nullopt, "cdworker: " + option + ": " + error.detail + "\n", 2};
+}
+
+Status check_name(const std::string& name) {
+    const bool is_printable =
+        std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; });
+    if (name.size() > limits::hello_text_bytes_max || !is_printable) {
+        return Error{ErrorCode::BadInput,
+                     "expected at most " + std::to_string(limits::hello_text_bytes_max) +
+                         " printable characters"};
+    }
+    return Done{};
+}
+
+} // namespace
+
+WorkerCommandLine parse_worker_command_line(int count, const char* const* arguments) {
+    WorkerConfig config;
+    config.name = default_name();
+    Texts texts;
+    CLI::App app(help, "cdworker");
+    app.formatter(std::make_shared<ExamplesFirst>());
+    app.set_version_flag("--version", "cdworker " + std::string(version));
+    app.set_help_flag("-h,--help", "This text");
+    add_options(app, config, texts);
+    try {
+        app.parse(count, arguments);
+    } catch (const CLI::ParseError& error) {
+        return refused(app, error);
+    }
+    const Result<Endpoint> master = parse_endpoint(texts.master);
+    if (!master) {
+        return wrong("--master", master.error());
+    }
+    const Result<std::uint64_t> cache = parse_size(texts.cache);
+    if (!cache) {
+        return wrong("--cache", cache.error());
+    }
+    if (const Status name = check_name(config.name); !name) {
+        return wrong("--name", name.error());
+    }
+    config.master = master.value();
+    config.cache_bytes = cache.value();
+    config.connect_for = std::chrono::seconds(texts.connect_for);
+    return {std::move(config), "", 0};
+}
+
+Result<std::uint64_t> parse_size(const std::string& text) {
+    static constexpr std::array<std::pair<std::string_view, double>, 10> units{{
+        {"", 1},
+        {"B", 1},
+        {"KiB", 1024.0},
+        {"MiB", 1048576.0},
+        {"GiB", 1073741824.0},
+        {"TiB", 1099511627776.0},
+        {"kB", 1e3},
+        {"MB", 1e6},
+        {"GB", 1e9},
+        {"TB", 1e12},
+    }};
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
+    std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+    const auto* const found =
+        std::find_if(units.begin(), units.end(), [&](const auto& u) { return u.first == unit; });
+    if (error != std::errc() || found == units.end() || !(number >= 0) ||
+        number * found->second > 1e18) {
+        return Error{ErrorCode::BadInput,
+                     "'" + text + "' is no size: expected a number and a unit, such as 4GiB"};
+    }
+    return static_cast<std::uint64_t>(number * found->second);
+}
+
+} // namespace cd

@@ -1,0 +1,39 @@
+// What cdworker is told: by its command line, CDWORKER_* in the environment, and a TOML file.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "proto/channel.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace cd {
+
+struct WorkerConfig {
+    Endpoint master{"127.0.0.1", 7600};
+    unsigned threads = 0; ///< 0: one for each core that this process may use.
+    std::uint64_t cache_bytes = 4ull << 30;
+    std::string name; ///< For people.
+    bool insecure = false;
+    std::string log_level = "info";
+    std::chrono::seconds connect_for{30}; ///< How long the first connection is tried.
+};
+
+/// A configuration; or none, with what to print instead (help on stdout, an error on stderr) and
+/// the exit code.
+struct WorkerCommandLine {
+    std::optional<WorkerConfig> config;
+    std::string text;
+    int exit_code = 0;
+};
+
+/// The command line goes before the environment, which goes before the file of --config.
+[[nodiscard]] WorkerCommandLine parse_worker_command_line(int count, const char* const* arguments);
+
+/// "4GiB", "512 MiB", "1.5TiB" or a plain number of bytes; kB, MB, GB, TB are powers of 1000.
+/// Errors: BadInput.
+[[nodiscard]] Result<std::uint64_t> parse_size(const std::string& text);
+
+} // namespace cd

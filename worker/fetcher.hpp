@@ -1,0 +1,70 @@
+// Which scenarios wait for which subtrees, and which may run: a state machine without I/O.
+#pragma once
+
+#include "worker/subtree_cache.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace cd {
+
+/// Takes scenarios in, says which subtrees to ask for and which scenarios are ready.
+///
+/// A scenario is admitted in the order of coming, as soon as what all admitted ones need fits the
+/// cache's limit, and always when it is the only one. From then until `finished` its subtrees are
+/// pinned, so what has come for it stays. Admitted scenarios do not wait for each other. A missing
+/// subtree is asked for once, however many wait for it.
+class Fetcher {
+  public:
+    using Token = std::uint64_t; ///< Names a scenario.
+
+    struct Step {
+        std::vector<SubtreeKey> want; ///< Ascending.
+        std::vector<Token> ready;     ///< In the order in which they became so.
+    };
+
+    explicit Fetcher(SubtreeCache& cache) : cache_(cache) {}
+
+    /// `roots` are distinct and exist in the cache's trees. The token is new.
+    void add(Token token, std::vector<SubtreeKey> roots);
+    /// The cache holds this subtree now, or has refused it as unneeded.
+    void arrived(const SubtreeKey& key);
+    /// The scenario needs its subtrees no longer: it has run, or is given up at whatever stage.
+    void finished(Token token);
+
+    /// What is to be done since the last call.
+    [[nodiscard]] Step advance();
+
+    /// Call before the cache removes the tree: subtrees of it no longer come.
+    void forget_requests(TreeId tree);
+
+    [[nodiscard]] std::size_t size() const { return needs_.size(); } ///< Not finished.
+
+  private:
+    struct Need {
+        std::vector<SubtreeKey> roots;
+        std::size_t missing = 0;
+        bool is_admitted = false;
+    };
+    struct Use {
+        std::uint32_t scenarios = 0;
+        std::uint64_t bytes = 0; ///< As expected when first used.
+    };
+
+    [[nodiscard]] bool fits(const Need& need) const;
+    void admit(Token token, Need& need, Step& step);
+
+    SubtreeCache& cache_;
+    std::map<Token, Need> needs_;
+    std::deque<Token> queue_; ///< Not admitted; may name finished ones.
+    std::map<SubtreeKey, Use> used_;
+    std::map<SubtreeKey, std::set<Token>> requested_; ///< With those who wait, possibly none.
+    std::uint64_t used_bytes_ = 0;
+    std::size_t admitted_ = 0;
+    std::vector<Token> ready_;
+};
+
+} // namespace cd

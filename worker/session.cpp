@@ -1,0 +1,380 @@
+#include "worker/session.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/core/log.hpp"
+#include "proto/codec.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cd {
+
+Session::Session(std::shared_ptr<Channel> channel, Executor& executor, std::uint64_t cache_bytes)
+    : channel_(std::move(channel)),
+      executor_(executor),
+      cache_(cache_bytes),
+      fetcher_(cache_),
+      abandoned_(std::make_shared<std::atomic<bool>>(false)),
+      heartbeat_timer_(executor_.home()),
+      flush_timer_(executor_.home()) {}
+
+Session::~Session() {
+    abandoned_->store(true);
+}
+
+asio::awaitable<SessionEnd> Session::run() {
+    const std::shared_ptr<Session> self = shared_from_this();
+    spawn(executor_.home(), "heartbeats", send_heartbeats());
+    while (channel_->is_open()) {
+        Result<Message> message = co_await channel_->receive(limits::peer_lost_after);
+        if (!message) {
+            if (reason_.empty()) {
+                reason_ = message.error().detail;
+            }
+            break;
+        }
+        const Status status =
+            std::visit([this](auto& content) { return handle(content); }, message.value());
+        if (!status) {
+            refuse(status.error());
+        }
+    }
+    abandoned_->store(true);
+    heartbeat_timer_.cancel();
+    flush_timer_.cancel();
+    // One that was closed with a last word still sends it.
+    if (channel_->is_open()) {
+        channel_->close();
+    }
+    co_return end_;
+}
+
+asio::awaitable<void> Session::send_heartbeats() {
+    const std::shared_ptr<Session> self = shared_from_this();
+    for (std::uint64_t sequence = 1; channel_->is_open(); ++sequence) {
+        channel_->send(Heartbeat{sequence, cache_.bytes(), places_.size()});
+        heartbeat_timer_.expires_after(limits::heartbeat_period);
+        boost::system::error_code ignored;
+        co_await heartbeat_timer_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+}
+
+void Session::stop() {
+    if (stopping_) {
+        return;
+    }
+    stopping_ = true;
+    draining_ = true;
+    spdlog::info("draining: running={} waiting={}", running_, places_.size() - running_);
+    channel_->send(Drain{});
+    drop_unstarted([](const Task&) { return true; });
+    settle_soon();
+}
+
+// ---- What the master says -------------------------------------------------------------------
+
+Status Session::handle(AddTree& add) {
+    Result<TreeTop> top = make_tree_top(std::move(add.top));
+    if (!top) {
+        return top.error();
+    }
+    const std::uint32_t roots = top.value().root_count();
+    Status added = cache_.add_tree(add.tree, std::move(top.value()));
+    if (added) {
+        spdlog::info("tree added: tree={} roots={}", add.tree.value, roots);
+    }
+    return added;
+}
+
+Status Session::handle(RemoveTree& remove) {
+    const TreeId tree = remove.tree;
+    drop_unstarted([tree](const Task& task) { return task.uses(tree); });
+    fetcher_.forget_requests(tree);
+    cache_.remove_tree(tree);
+    spdlog::info("tree removed: tree={} cached_bytes={}", tree.value, cache_.bytes());
+    settle_soon();
+    return Done{};
+}
+
+// Hashing and decoding take a thread's time; the heartbeat does not wait for them.
+Status Session::handle(Subtrees& subtrees) {
+    for (SubtreeBlock& block : subtrees.blocks) {
+        const SubtreeKey key{subtrees.tree, block.root};
+        executor_.submit([weak = weak_from_this(),
+                          abandoned = abandoned_,
+                          key,
+                          block = std::make_shared<const SubtreeBlock>(std::move(block))]() {
+            if (abandoned->load()) {
+                return Executor::Continuation([] {});
+            }
+            return Executor::Continuation([weak, key, subtree = open_block(*block)] {
+                if (const auto session = weak.lock()) {
+                    session->block_opened(key, subtree);
+                }
+            });
+        });
+    }
+    return Done{};
+}
+
+Status Session::handle(Batch& batch) {
+    Result<Task> made = Task::make(std::move(batch), cache_);
+    if (!made) {
+        return made.error();
+    }
+    const TaskId id = made.value().id();
+    const auto [place, is_new] = tasks_.emplace(id, std::move(made.value()));
+    if (!is_new) {
+        return Error{ErrorCode::BadFrame, "task " + std::to_string(id.value) + " came twice"};
+    }
+    Task& task = place->second;
+    for (std::size_t scenario = 0; scenario < task.scenario_count(); ++scenario) {
+        const Token token = next_token_++;
+        places_.emplace(token, Place{id, scenario, false});
+        fetcher_.add(token, task.roots_of(scenario));
+    }
+    if (stopping_) {
+        drop_unstarted([id](const Task& candidate) { return candidate.id() == id; });
+    }
+    settle_soon();
+    return Done{};
+}
+
+Status Session::handle(Drain& /*drain*/) {
+    spdlog::info("draining: the master said so");
+    draining_ = true;
+    settle_soon();
+    return Done{};
+}
+
+Status Session::handle(Terminate& terminate) {
+    spdlog::info("terminated by the master: reason=\"{}\"", terminate.reason);
+    end_ = SessionEnd::Terminated;
+    channel_->close();
+    return Done{};
+}
+
+Status Session::handle(Heartbeat& /*heartbeat*/) {
+    return Done{};
+}
+
+Status Session::handle(Failure& failure) {
+    reason_ = "the master says: " + failure.detail;
+    channel_->close();
+    return Done{};
+}
+
+template <class T>
+Status Session::handle(T& message) {
+    const std::uint16_t type = message_type(Message(std::move(message)));
+    return Error{ErrorCode::BadFrame,
+                 "message '" + std::string(message_name(type)) + "' is not for a worker"};
+}
+
+void Session::refuse(const Error& error) {
+    spdlog::error("disagreement with the master: error=\"{}\"", error.detail);
+    reason_ = error.detail;
+    Failure failure;
+    failure.code = error.code;
+    failure.detail = error.detail;
+    channel_->send(failure);
+    channel_->close(true);
+}
+
+// ---- What comes back from the threads -------------------------------------------------------
+
+void Session::block_opened(const SubtreeKey& key,
+                           const Result<std::shared_ptr<const Subtree>>& subtree) {
+    if (!channel_->is_open()) {
+        return;
+    }
+    const Status inserted = subtree ? cache_.insert(key, subtree.value()) : Status(subtree.error());
+    if (!inserted) {
+        return refuse(inserted.error());
+    }
+    if (cache_.at(key) != nullptr) {
+        fetcher_.arrived(key);
+    }
+    settle_soon();
+}
+
+void Session::scenario_ran(Token token, const FinishedScenario& finished) {
+    --running_;
+    const auto place = places_.find(token);
+    Task& task = tasks_.at(place->second.task);
+    places_.erase(place);
+    fetcher_.finished(token);
+    task.add(finished);
+    if (task.result_bytes() >= limits::results_flush_bytes) {
+        flush(task);
+    } else {
+        flush_soon();
+    }
+    settle_soon();
+}
+
+// ---- What follows from it -------------------------------------------------------------------
+
+// Events that come together are answered together.
+void Session::settle_soon() {
+    if (std::exchange(settling_, true)) {
+        return;
+    }
+    asio::post(executor_.home(), [weak = weak_from_this()] {
+        if (const auto session = weak.lock()) {
+            session->settling_ = false;
+            session->settle();
+        }
+    });
+}
+
+void Session::settle() {
+    if (!channel_->is_open()) {
+        return;
+    }
+    const Fetcher::Step step = fetcher_.advance();
+    // First what left: the master must not take it for an answer to what is wanted now.
+    send_evicted();
+    send_wants(step.want);
+    ready_.insert(ready_.end(), step.ready.begin(), step.ready.end());
+    start_ready();
+    end_finished_tasks();
+    if (draining_ && tasks_.empty()) {
+        end_ = SessionEnd::Drained;
+        channel_->close(true);
+    }
+}
+
+void Session::send_evicted() {
+    std::map<TreeId, std::vector<RootIndex>> evicted;
+    for (const SubtreeKey& key : cache_.take_evicted()) {
+        // It may be back already.
+        if (cache_.at(key) == nullptr) {
+            evicted[key.tree].push_back(key.root);
+        }
+    }
+    for (auto& [tree, roots] : evicted) {
+        std::sort(roots.begin(), roots.end());
+        roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+        channel_->send(Evicted{tree, std::move(roots)});
+    }
+}
+
+void Session::send_wants(const std::vector<SubtreeKey>& want) {
+    std::map<TreeId, std::vector<RootIndex>> roots;
+    for (const SubtreeKey& key : want) {
+        roots[key.tree].push_back(key.root);
+    }
+    for (auto& [tree, wanted] : roots) {
+        spdlog::debug("subtrees wanted: tree={} roots={}", tree.value, wanted.size());
+        channel_->send(WantSubtrees{tree, std::move(wanted)});
+    }
+}
+
+void Session::start_ready() {
+    const std::size_t running_max = limits::jobs_per_thread_max * executor_.threads();
+    while (!ready_.empty() && running_ < running_max) {
+        // A master that does not take results gets no more of them.
+        if (channel_->queued_bytes() >= limits::write_queue_bytes_max) {
+            if (!std::exchange(waiting_for_queue_, true)) {
+                spawn(executor_.home(), "resume", resume_when_sent());
+            }
+            return;
+        }
+        const Token token = ready_.front();
+        ready_.pop_front();
+        start(token);
+    }
+}
+
+asio::awaitable<void> Session::resume_when_sent() {
+    const std::shared_ptr<Session> self = shared_from_this();
+    co_await channel_->wait_until_queued_below(limits::write_queue_bytes_max / 2);
+    waiting_for_queue_ = false;
+    settle_soon();
+}
+
+void Session::start(Token token) {
+    Place& place = places_.at(token);
+    const Task& task = tasks_.at(place.task);
+    place.is_running = true;
+    ++running_;
+    executor_.submit(
+        [weak = weak_from_this(),
+         abandoned = abandoned_,
+         token,
+         ready = std::make_shared<const ReadyScenario>(task.ready(place.scenario, cache_))]() {
+            if (abandoned->load()) {
+                return Executor::Continuation([] {});
+            }
+            return Executor::Continuation([weak, token, finished = execute(*ready)] {
+                if (const auto session = weak.lock()) {
+                    session->scenario_ran(token, finished);
+                }
+            });
+        });
+}
+
+void Session::drop_unstarted(const std::function<bool(const Task&)>& concerned) {
+    const auto is_dropped = [&](Token token) {
+        const Place& place = places_.at(token);
+        return !place.is_running && concerned(tasks_.at(place.task));
+    };
+    std::erase_if(ready_, is_dropped);
+    std::vector<Token> dropped;
+    for (const auto& [token, place] : places_) {
+        if (is_dropped(token)) {
+            dropped.push_back(token);
+        }
+    }
+    for (const Token token : dropped) {
+        tasks_.at(places_.at(token).task).drop();
+        places_.erase(token);
+        fetcher_.finished(token);
+    }
+}
+
+// ---- Results --------------------------------------------------------------------------------
+
+void Session::flush_soon() {
+    if (std::exchange(flushing_soon_, true)) {
+        return;
+    }
+    flush_timer_.expires_after(limits::results_flush_period);
+    flush_timer_.async_wait([weak = weak_from_this()](const boost::system::error_code& error) {
+        const auto session = weak.lock();
+        if (session != nullptr) {
+            session->flushing_soon_ = false;
+            if (!error) {
+                session->flush_all();
+            }
+        }
+    });
+}
+
+void Session::flush(Task& task) {
+    if (const auto results = task.take_results()) {
+        channel_->send(*results);
+    }
+}
+
+void Session::flush_all() {
+    for (auto& [id, task] : tasks_) {
+        flush(task);
+    }
+}
+
+void Session::end_finished_tasks() {
+    for (auto task = tasks_.begin(); task != tasks_.end();) {
+        if (task->second.unanswered() != 0) {
+            ++task;
+            continue;
+        }
+        flush(task->second);
+        channel_->send(EndOfTask{task->first});
+        spdlog::debug("task done: task={}", task->first.value);
+        task = tasks_.erase(task);
+    }
+}
+
+} // namespace cd

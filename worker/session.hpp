@@ -1,0 +1,106 @@
+// One connection to a master, from the welcome to its end.
+#pragma once
+
+#include "proto/channel.hpp"
+#include "worker/executor.hpp"
+#include "worker/fetcher.hpp"
+#include "worker/subtree_cache.hpp"
+#include "worker/task.hpp"
+
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace cd {
+
+/// How a session ended, and what its worker does next.
+enum class SessionEnd {
+    Lost,       ///< Of the connection or of agreement: connect again.
+    Drained,    ///< All that was here is answered or handed back.
+    Terminated, ///< The master said so.
+};
+
+/// Holds what one master has given to this worker: trees, subtrees, tasks. All of it goes when the
+/// session ends; threads that still run for it are told to skip the rest. All members run on the
+/// channel's thread.
+class Session : public std::enable_shared_from_this<Session> {
+  public:
+    Session(std::shared_ptr<Channel> channel, Executor& executor, std::uint64_t cache_bytes);
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+    ~Session();
+
+    /// Serves the master until the connection ends. Called once.
+    [[nodiscard]] asio::awaitable<SessionEnd> run();
+
+    /// Takes no more and begins nothing more; what runs is finished and sent, the rest of each task
+    /// handed back. Then `run` returns Drained.
+    void stop();
+
+    /// Why the session was lost.
+    [[nodiscard]] const std::string& reason() const { return reason_; }
+
+  private:
+    using Token = Fetcher::Token;
+    struct Place {
+        TaskId task;
+        std::size_t scenario = 0;
+        bool is_running = false; ///< At the threads.
+    };
+
+    asio::awaitable<void> send_heartbeats();
+    asio::awaitable<void> resume_when_sent();
+
+    Status handle(AddTree& add);
+    Status handle(RemoveTree& remove);
+    Status handle(Subtrees& subtrees);
+    Status handle(Batch& batch);
+    Status handle(Drain& drain);
+    Status handle(Terminate& terminate);
+    Status handle(Heartbeat& heartbeat);
+    Status handle(Failure& failure);
+    template <class T>
+    Status handle(T& message);
+
+    void block_opened(const SubtreeKey& key, const Result<std::shared_ptr<const Subtree>>& subtree);
+    void scenario_ran(Token token, const FinishedScenario& finished);
+    void drop_unstarted(const std::function<bool(const Task&)>& concerned);
+    void refuse(const Error& error);
+
+    void settle_soon();
+    void settle();
+    void send_evicted();
+    void send_wants(const std::vector<SubtreeKey>& want);
+    void start_ready();
+    void start(Token token);
+    void flush_soon();
+    void flush(Task& task);
+    void flush_all();
+    void end_finished_tasks();
+
+    std::shared_ptr<Channel> channel_;
+    Executor& executor_;
+    SubtreeCache cache_;
+    Fetcher fetcher_;
+    std::map<TaskId, Task> tasks_;
+    std::map<Token, Place> places_; ///< Of each scenario not yet answered.
+    std::deque<Token> ready_;       ///< Have their subtrees, wait for a thread.
+    std::size_t running_ = 0;       ///< At the threads.
+    Token next_token_ = 1;
+    std::shared_ptr<std::atomic<bool>> abandoned_; ///< Threads skip what nobody waits for.
+
+    bool settling_ = false;
+    bool waiting_for_queue_ = false;
+    bool flushing_soon_ = false;
+    bool stopping_ = false; ///< This host wants to end.
+    bool draining_ = false; ///< The session ends when the last task has.
+    SessionEnd end_ = SessionEnd::Lost;
+    std::string reason_;
+    asio::steady_timer heartbeat_timer_;
+    asio::steady_timer flush_timer_;
+};
+
+} // namespace cd

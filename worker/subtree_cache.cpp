@@ -1,0 +1,154 @@
+#include "worker/subtree_cache.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/compress.hpp"
+#include "common/core/limits.hpp"
+
+#include <utility>
+
+namespace cd {
+
+Result<std::shared_ptr<const Subtree>> open_block(const SubtreeBlock& block) {
+    const Result<Bytes> bytes = decompress(block.compressed, limits::subtree_block_bytes_max);
+    if (!bytes) {
+        return bytes.error();
+    }
+    if (sha256(bytes.value()) != block.hash) {
+        return Error{ErrorCode::BadFrame,
+                     "the block of root " + std::to_string(block.root) + " has not its hash"};
+    }
+    Result<Subtree> subtree = decode_subtree(bytes.value());
+    if (!subtree) {
+        return subtree.error();
+    }
+    return std::shared_ptr<const Subtree>(
+        std::make_shared<const Subtree>(std::move(subtree.value())));
+}
+
+Status SubtreeCache::add_tree(TreeId tree, TreeTop top) {
+    if (!trees_.try_emplace(tree, std::move(top)).second) {
+        return Error{ErrorCode::BadFrame,
+                     "tree " + std::to_string(tree.value) + " was added already"};
+    }
+    return Done{};
+}
+
+void SubtreeCache::remove_tree(TreeId tree) {
+    const auto found = trees_.find(tree);
+    if (found == trees_.end()) {
+        return;
+    }
+    Tree& removed = found->second;
+    for (RootIndex root = 0; root < removed.slots.size(); ++root) {
+        if (removed.partial.at(root) != nullptr) {
+            bytes_ -= removed.partial.at(root)->memory_bytes();
+        }
+        if (removed.slots[root].is_idle) {
+            idle_.erase(removed.slots[root].place);
+        }
+    }
+    trees_.erase(found);
+    std::erase_if(evicted_, [&](const SubtreeKey& key) { return key.tree == tree; });
+}
+
+const PartialObbTree* SubtreeCache::find(TreeId tree) const {
+    const auto found = trees_.find(tree);
+    return found == trees_.end() ? nullptr : &found->second.partial;
+}
+
+SubtreeCache::Tree* SubtreeCache::find_tree(const SubtreeKey& key) {
+    const auto found = trees_.find(key.tree);
+    const bool is_there = found != trees_.end() && key.root < found->second.slots.size();
+    return is_there ? &found->second : nullptr;
+}
+
+Status SubtreeCache::insert(const SubtreeKey& key, std::shared_ptr<const Subtree> subtree) {
+    CD_CHECK(subtree != nullptr);
+    if (find(key.tree) == nullptr) {
+        return Done{};
+    }
+    Tree* const tree = find_tree(key);
+    if (tree == nullptr) {
+        return Error{ErrorCode::BadFrame,
+                     "a block for root " + std::to_string(key.root) + " of a tree with " +
+                         std::to_string(find(key.tree)->top().root_count()) + " roots"};
+    }
+    if (tree->partial.at(key.root) != nullptr) {
+        return Done{};
+    }
+    if (subtree->view().triangles.size() != tree->partial.top().triangles_under(key.root)) {
+        return Error{ErrorCode::BadFrame,
+                     "the block of root " + std::to_string(key.root) +
+                         " has another number of triangles than the tree's top says"};
+    }
+    bytes_ += subtree->memory_bytes();
+    tree->partial.fill(key.root, std::move(subtree));
+    Slot& slot = tree->slots[key.root];
+    if (!slot.is_pinned) {
+        set_idle(slot, key);
+    }
+    evict_beyond_limit();
+    return Done{};
+}
+
+std::shared_ptr<const Subtree> SubtreeCache::at(const SubtreeKey& key) const {
+    const PartialObbTree* const tree = find(key.tree);
+    const bool is_slot = tree != nullptr && key.root < tree->top().root_count();
+    return is_slot ? tree->at(key.root) : nullptr;
+}
+
+void SubtreeCache::pin(const SubtreeKey& key) {
+    Tree* const tree = find_tree(key);
+    if (tree == nullptr) {
+        return;
+    }
+    Slot& slot = tree->slots[key.root];
+    slot.is_pinned = true;
+    if (slot.is_idle) {
+        idle_.erase(slot.place);
+        slot.is_idle = false;
+    }
+}
+
+void SubtreeCache::unpin(const SubtreeKey& key) {
+    Tree* const tree = find_tree(key);
+    if (tree == nullptr || !tree->slots[key.root].is_pinned) {
+        return;
+    }
+    Slot& slot = tree->slots[key.root];
+    slot.is_pinned = false;
+    if (tree->partial.at(key.root) != nullptr) {
+        set_idle(slot, key);
+        evict_beyond_limit();
+    }
+}
+
+void SubtreeCache::set_idle(Slot& slot, const SubtreeKey& key) {
+    CD_CHECK(!slot.is_idle);
+    slot.is_idle = true;
+    slot.place = idle_.insert(idle_.end(), key);
+}
+
+void SubtreeCache::evict_beyond_limit() {
+    while (bytes_ > bytes_max_ && !idle_.empty()) {
+        const SubtreeKey key = idle_.front();
+        idle_.pop_front();
+        Tree& tree = trees_.at(key.tree);
+        tree.slots[key.root].is_idle = false;
+        bytes_ -= tree.partial.at(key.root)->memory_bytes();
+        tree.partial.empty(key.root);
+        evicted_.push_back(key);
+    }
+}
+
+std::vector<SubtreeKey> SubtreeCache::take_evicted() {
+    return std::exchange(evicted_, {});
+}
+
+std::uint64_t SubtreeCache::bytes_expected(const SubtreeKey& key) const {
+    const PartialObbTree* const tree = find(key.tree);
+    CD_CHECK(tree != nullptr);
+    return tree->top().triangles_under(key.root) * limits::subtree_bytes_per_triangle;
+}
+
+} // namespace cd

@@ -1,0 +1,83 @@
+// The subtrees that a worker holds, within a limit of memory.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/tree/partial_tree.hpp"
+#include "proto/message.hpp"
+
+#include <compare>
+#include <cstdint>
+#include <list>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace cd {
+
+struct SubtreeKey {
+    TreeId tree;
+    RootIndex root = 0;
+
+    friend auto operator<=>(const SubtreeKey&, const SubtreeKey&) = default;
+};
+
+/// Decompresses a block, checks its hash and decodes it. Independent of any cache, for any thread.
+/// Errors: BadFrame, TooLarge.
+[[nodiscard]] Result<std::shared_ptr<const Subtree>> open_block(const SubtreeBlock& block);
+
+/// The trees that the master has named, with their slots. Beyond the limit the subtrees that went
+/// unused for longest leave, except those that are pinned; so the limit may be overshot by what
+/// is pinned. One thread at a time.
+class SubtreeCache {
+  public:
+    explicit SubtreeCache(std::uint64_t bytes_max) : bytes_max_(bytes_max) {}
+
+    /// Errors: BadFrame for a tree that is there already.
+    [[nodiscard]] Status add_tree(TreeId tree, TreeTop top);
+    /// Frees the tree with its blocks. Unknown trees are ignored.
+    void remove_tree(TreeId tree);
+    /// Null for an unknown tree.
+    [[nodiscard]] const PartialObbTree* find(TreeId tree) const;
+
+    /// Fills a slot. What is there already, or of an unknown tree, is ignored. Errors: BadFrame for
+    /// a root that the tree does not have, or a subtree of another size than the root's.
+    [[nodiscard]] Status insert(const SubtreeKey& key, std::shared_ptr<const Subtree> subtree);
+    /// Null while it is not here.
+    [[nodiscard]] std::shared_ptr<const Subtree> at(const SubtreeKey& key) const;
+
+    /// A pinned slot keeps its subtree, also one that has yet to come. Unpinning counts as a use.
+    void pin(const SubtreeKey& key);
+    void unpin(const SubtreeKey& key);
+
+    /// What left since the last call, in order. Slots of removed trees are not among them.
+    [[nodiscard]] std::vector<SubtreeKey> take_evicted();
+
+    /// What the subtree will take in memory, roughly; known before it is here.
+    [[nodiscard]] std::uint64_t bytes_expected(const SubtreeKey& key) const;
+    [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+    [[nodiscard]] std::uint64_t bytes_max() const { return bytes_max_; }
+
+  private:
+    struct Slot {
+        bool is_pinned = false;
+        bool is_idle = false; ///< Stands in `idle_`.
+        std::list<SubtreeKey>::iterator place;
+    };
+    struct Tree {
+        explicit Tree(TreeTop top) : partial(std::move(top)), slots(partial.top().root_count()) {}
+        PartialObbTree partial;
+        std::vector<Slot> slots;
+    };
+
+    Tree* find_tree(const SubtreeKey& key); ///< Null also for a root out of range.
+    void set_idle(Slot& slot, const SubtreeKey& key);
+    void evict_beyond_limit();
+
+    std::uint64_t bytes_max_;
+    std::uint64_t bytes_ = 0;
+    std::map<TreeId, Tree> trees_;
+    std::list<SubtreeKey> idle_; ///< Filled and not pinned; the longest unused first.
+    std::vector<SubtreeKey> evicted_;
+};
+
+} // namespace cd
