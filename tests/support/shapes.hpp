@@ -22,7 +22,8 @@ namespace cd::tests {
 [[nodiscard]] std::shared_ptr<const Mesh> share(Mesh mesh);
 
 /// `count` triangles of about `size` with unshared corners in the cube [-1, 1]^3.
-[[nodiscard]] Mesh make_triangle_soup(std::mt19937_64& random, std::uint32_t count, double size = 0.5);
+[[nodiscard]] Mesh
+make_triangle_soup(std::mt19937_64& random, std::uint32_t count, double size = 0.5);
 /// A closed sphere of radius 1: an octahedron, each triangle split in four `subdivisions` times.
 [[nodiscard]] Mesh make_sphere(int subdivisions);
 /// A closed box centred on the origin, 12 triangles.
@@ -50,15 +51,15 @@ namespace cd::tests {
 } // namespace cd::tests
 
 /// Skips the test loudly where the real models are not there; a failure where CI is "true".
-#define CD_NEEDS_MODEL(path, name)                                                                 \
-    const auto path##_found = ::cd::tests::find_model(name);                                       \
-    if (!path##_found) {                                                                           \
+#define CD_NEEDS_MODEL(model, name)                                                                \
+    const auto model##_found = ::cd::tests::find_model(name);                                      \
+    if (!model##_found) {                                                                          \
         if (::cd::tests::skips_are_failures()) {                                                   \
             FAIL() << "CI is set and the model is missing: " << (name);                            \
         }                                                                                          \
         GTEST_SKIP() << "no model " << (name) << "; set CD_MESHES to the folder of models";        \
     }                                                                                              \
-    const std::filesystem::path& path = *path##_found
+    const std::filesystem::path& model = *model##_found
 
 namespace cd::tests {
 [[nodiscard]] bool skips_are_failures();
