@@ -1,0 +1,202 @@
+// Proves that `cdctl run` without a master does a whole job: inputs, ignored parts, output, exit
+// codes, and that wrong inputs end it with one clear line.
+#include "client/commands/commands.hpp"
+#include "client/exit_code.hpp"
+#include "client/prepared_job.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// A tetrahedron with its corner at (x, 0, 0), as a group of an OBJ file; `first` is the number of
+/// its first vertex.
+std::string tetrahedron(const std::string& name, double x, int first) {
+    std::ostringstream text;
+    text << "g " << name << "\n";
+    for (const auto& [dx, dy, dz] : {std::array{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+        text << "v " << x + dx << " " << dy << " " << dz << "\n";
+    }
+    for (const auto& [i, j, k] : {std::array{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+        text << "f " << first + i << " " << first + j << " " << first + k << "\n";
+    }
+    return text.str();
+}
+
+class Run : public testing::Test {
+  protected:
+    Run() {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        dir_ =
+            fs::temp_directory_path() / ("cd-run-" + std::to_string(getpid()) + "-" + test->name());
+        fs::create_directories(dir_);
+        write("a.obj", tetrahedron("wheel_left", 0, 1) + tetrahedron("body", 5, 5));
+        write("b.obj", tetrahedron("post", 0, 1));
+        // B away from A, across its wheel, across its body, and in touch with its body at a corner.
+        write("poses.csv",
+              "x,y,z,qx,qy,qz,qw\n0,9,0,0,0,0,1\n0.25,0.1,0.1,0,0,0,1\n5.25,0.1,0.1,0,0,0,1\n"
+              "6,0,0,0,0,0,1\n");
+        command_.job.a = (dir_ / "a.obj").string();
+        command_.job.b = (dir_ / "b.obj").string();
+        command_.job.poses = (dir_ / "poses.csv").string();
+        command_.job.out = (dir_ / "out").string();
+        command_.job.formats = {"csv", "json"};
+        command_.threads = 2;
+        command_.quiet = true;
+    }
+    ~Run() override { fs::remove_all(dir_); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(dir_ / name, std::ios::binary) << text;
+    }
+    [[nodiscard]] std::string read(const std::string& name) const {
+        std::ostringstream text;
+        text << std::ifstream(dir_ / name, std::ios::binary).rdbuf();
+        return text.str();
+    }
+
+    /// Runs the command and keeps what it printed.
+    int run() {
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        const int code = execute(command_);
+        stdout_ = testing::internal::GetCapturedStdout();
+        stderr_ = testing::internal::GetCapturedStderr();
+        return code;
+    }
+
+    fs::path dir_;
+    RunCommand command_;
+    std::string stdout_;
+    std::string stderr_;
+};
+
+} // namespace
+
+TEST_F(Run, GivesEachScenarioItsClass) {
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    const std::string rows = read("out/scenarios.csv");
+    EXPECT_THAT(rows, HasSubstr("\n0,separate,0,"));
+    EXPECT_THAT(rows, HasSubstr("\n1,cross,"));
+    EXPECT_THAT(rows, HasSubstr("\n2,cross,"));
+    EXPECT_THAT(rows, HasSubstr("\n3,touch,"));
+    EXPECT_THAT(stdout_, HasSubstr("tested 4 of 4"));
+    EXPECT_THAT(stdout_, HasSubstr("most touched  body 50.0 %, wheel_left 25.0 %"));
+    EXPECT_THAT(stdout_, HasSubstr("results       " + command_.job.out));
+    EXPECT_EQ(stderr_, "");
+}
+
+TEST_F(Run, TheDigestIsThatOfOneThread) {
+    ASSERT_EQ(run(), exit_done);
+    const auto two = nlohmann::json::parse(read("out/summary.json"))["digest"];
+    command_.threads = 1;
+    ASSERT_EQ(run(), exit_done);
+    EXPECT_EQ(nlohmann::json::parse(read("out/summary.json"))["digest"], two);
+    EXPECT_TRUE(two.is_string());
+}
+
+TEST_F(Run, FailOnDecidesBetweenZeroAndOne) {
+    command_.fail_on = FailOn::Touch;
+    EXPECT_EQ(run(), exit_contacts);
+    command_.fail_on = FailOn::Cross;
+    EXPECT_EQ(run(), exit_contacts);
+    write("poses.csv", "x,y,z,qx,qy,qz,qw\n6,0,0,0,0,0,1\n");
+    EXPECT_EQ(run(), exit_done);
+    command_.fail_on = FailOn::Touch;
+    EXPECT_EQ(run(), exit_contacts);
+    write("poses.csv", "x,y,z,qx,qy,qz,qw\n0,9,0,0,0,0,1\n");
+    EXPECT_EQ(run(), exit_done);
+}
+
+TEST_F(Run, FailOnOfLevelAnyIsWrongUsage) {
+    command_.job.level = "any";
+    command_.fail_on = FailOn::Touch;
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("--fail-on needs level count"));
+}
+
+TEST_F(Run, IgnoredPartsAreNotInTheAnswer) {
+    write("job.toml",
+          "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n"
+          "[query]\nignore = [[\"wheel_*\", \"post\"]]\n");
+    command_.job = {};
+    command_.job.file = (dir_ / "job.toml").string();
+    command_.output = "csv";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("\n1,separate,0,"));
+    EXPECT_THAT(stdout_, HasSubstr("\n2,cross,"));
+}
+
+TEST_F(Run, AnIgnoredNameThatMatchesNothingIsAnError) {
+    write("job.toml",
+          "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n"
+          "[query]\nignore = [[\"whel_left\", \"post\"]]\n");
+    command_.job = {};
+    command_.job.file = (dir_ / "job.toml").string();
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("job.toml:8: ignore: no part of A matches \"whel_left\""));
+    EXPECT_THAT(stderr_, HasSubstr("did you mean \"wheel_left\"?"));
+}
+
+TEST_F(Run, ADryRunWritesNothing) {
+    command_.dry_run = true;
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_FALSE(fs::exists(dir_ / "out"));
+    EXPECT_EQ(stdout_, "");
+    EXPECT_THAT(stderr_, HasSubstr("A  a.obj"));
+    EXPECT_THAT(stderr_, HasSubstr("2 parts"));
+}
+
+TEST_F(Run, RandomPosesNeedNoFile) {
+    command_.job.poses.clear();
+    command_.job.random = 20;
+    command_.job.seed = 3;
+    command_.output = "json";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_EQ(std::count(stdout_.begin(), stdout_.end(), '\n'), 20);
+}
+
+TEST_F(Run, AUnitIsAppliedToItsMesh) {
+    command_.job.unit_b = "mm";
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_THAT(stderr_, HasSubstr("0.001 x 0.001 x 0.001 m"));
+}
+
+TEST_F(Run, WrongInputsAreOneLineThatNamesTheFile) {
+    command_.job.a = (dir_ / "missing.obj").string();
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("missing.obj"));
+    EXPECT_EQ(std::count(stderr_.begin(), stderr_.end(), '\n'), 1);
+    EXPECT_FALSE(fs::exists(dir_ / "out"));
+}
+
+TEST_F(Run, ExitCodesFollowTheSummary) {
+    Summary summary;
+    summary.total = 2;
+    summary.separate = 1;
+    EXPECT_EQ(exit_code_of(summary, FailOn::Never), exit_incomplete);
+    summary.failed = 1;
+    EXPECT_EQ(exit_code_of(summary, FailOn::Never), exit_incomplete);
+    summary.failed = 0;
+    summary.inside = 1;
+    EXPECT_EQ(exit_code_of(summary, FailOn::Never), exit_done);
+    EXPECT_EQ(exit_code_of(summary, FailOn::Cross), exit_contacts);
+}
+
+} // namespace cd::tests

@@ -1,0 +1,139 @@
+// A cluster of real processes on loopback, on a port that the system chose, and a job to give it.
+#pragma once
+
+#include "client/connection.hpp"
+#include "client/local_cluster.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/job/run_scenario.hpp"
+#include "common/tree/build.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cd::tests {
+
+/// Two meshes, scenarios, and what one process makes of them.
+struct Job {
+    std::shared_ptr<const ObbTree> a;
+    std::shared_ptr<const ObbTree> b;
+    std::vector<Scenario> scenarios;
+
+    [[nodiscard]] Sha256 digest_in_one_process(const Query& query) const {
+        ResultMerger merger(scenarios.size());
+        for (const Scenario& scenario : scenarios) {
+            EXPECT_EQ(merger.add(run_scenario(*a, *b, scenario, query).result),
+                      ResultMerger::Outcome::Added);
+        }
+        return merger.digest().value();
+    }
+};
+
+/// B at random places around A: some apart, some in contact. One pose of four is a matrix, the rest
+/// quaternions, and sometimes A is posed too.
+[[nodiscard]] inline std::vector<Scenario> mixed_scenarios(std::uint64_t count, double reach) {
+    std::mt19937_64 random(11);
+    std::vector<Scenario> scenarios(count);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        scenarios[i].index = i;
+        scenarios[i].poses.b =
+            i % 4 == 0 ? make_matrix_pose(random, reach) : make_pose(random, reach);
+        if (i % 7 == 0) {
+            scenarios[i].poses.a = make_pose(random, 0.2);
+        }
+    }
+    return scenarios;
+}
+
+/// A torus and a sphere; closed, so that `inside` occurs.
+[[nodiscard]] inline Job make_job(std::uint64_t count, double reach = 1.6) {
+    ThreadPool pool(2);
+    Job job;
+    const auto torus = share(make_torus(1, 0.4, 100, 40));
+    const auto sphere = share(make_sphere(4));
+    job.a = std::make_shared<const ObbTree>(build_tree(torus, {}, pool));
+    job.b = std::make_shared<const ObbTree>(build_tree(sphere, {}, pool));
+    job.scenarios = mixed_scenarios(count, reach);
+    return job;
+}
+
+class Cluster : public testing::Test {
+  protected:
+    void SetUp() override {
+        LocalClusterOptions options;
+        options.programs = program("cdmaster").parent_path();
+        options.state = folder_ / "state";
+        options.logs = folder_.path();
+        options.workers = 0;
+        auto started = LocalCluster::start(options, [] { return false; });
+        ASSERT_TRUE(started) << started.error().detail;
+        master_.emplace(std::move(started.value()));
+        connection_ = connect();
+    }
+
+    void TearDown() override {
+        if (HasFailure() && master_) {
+            std::printf("%s\n", read_text(folder_ / "master.log").c_str());
+        }
+    }
+
+    [[nodiscard]] std::unique_ptr<Connection> connect() const {
+        auto opened = Connection::open(master_->address(), false, [] { return false; });
+        EXPECT_TRUE(opened) << opened.error().detail;
+        return std::move(opened.value());
+    }
+
+    /// One more worker. It joins by itself.
+    Process& start_worker(unsigned threads = 1) {
+        const std::string name = "worker" + std::to_string(workers_.size());
+        workers_.push_back(
+            std::make_unique<Process>(std::vector<std::string>{program("cdworker").string(),
+                                                               "--master",
+                                                               master_->address(),
+                                                               "--threads",
+                                                               std::to_string(threads),
+                                                               "--name",
+                                                               name},
+                                      folder_ / name));
+        return *workers_.back();
+    }
+
+    JobId submit(const Job& job, const Query& query, const ClusterOptions& options) {
+        const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()},
+                                            {"b", job.b->mesh_pointer()}};
+        const Status uploaded = connection_->upload(meshes, [](auto&&...) {});
+        EXPECT_TRUE(uploaded) << uploaded.error().detail;
+        Submit message;
+        message.name = "test";
+        message.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+        message.query = query;
+        message.cluster = options;
+        const auto poses = make_list_source(job.scenarios);
+        const auto accepted = connection_->submit(message, *poses);
+        EXPECT_TRUE(accepted) << accepted.error().detail;
+        return accepted ? accepted.value() : JobId{};
+    }
+
+    /// The job's last status. `changed` hears every one.
+    JobStatus finish(JobId job, const std::function<void(const JobStatus&)>& changed) {
+        const auto status = connection_->watch(job, changed);
+        EXPECT_TRUE(status) << status.error().detail;
+        return status ? status.value() : JobStatus{};
+    }
+
+    JobStatus run(const Job& job, const Query& query, const ClusterOptions& options = {}) {
+        return finish(submit(job, query, options), [](const JobStatus&) {});
+    }
+
+    TemporaryFolder folder_;
+    std::optional<LocalCluster> master_;
+    std::unique_ptr<Connection> connection_;
+    std::vector<std::unique_ptr<Process>> workers_;
+};
+
+} // namespace cd::tests

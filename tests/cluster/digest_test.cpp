@@ -1,0 +1,241 @@
+// Proves the promise of one answer everywhere: with real processes over TCP the digest is that of
+// one process, for any number of workers, strategy, distribution depth and buffer size, and when
+// workers join late or are killed.
+#include "tests/cluster/cluster_fixture.hpp"
+
+#include <algorithm>
+#include <csignal>
+
+namespace cd::tests {
+
+namespace {
+
+Query at_level(Level level) {
+    Query query;
+    query.level = level;
+    return query;
+}
+
+} // namespace
+
+TEST_F(Cluster, TheJobHasEveryKindOfScenario) {
+    const Job job = make_job(600);
+    start_worker(2);
+    const JobStatus status = run(job, at_level(Level::Count));
+    EXPECT_EQ(status.state, JobState::Done);
+    EXPECT_TRUE(status.summary.is_complete());
+    EXPECT_GT(status.summary.separate, 20u);
+    EXPECT_GT(status.summary.cross, 100u);
+    EXPECT_EQ(status.summary.failed, 0u);
+    EXPECT_GT(status.answered_by_master, 0u);
+    EXPECT_LT(status.answered_by_master, 600u);
+}
+
+TEST_F(Cluster, EveryLevelHasTheDigestOfOneProcess) {
+    const Job job = make_job(300);
+    start_worker(1);
+    start_worker(2);
+    for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+        const JobStatus status = run(job, at_level(level));
+        EXPECT_EQ(status.digest, job.digest_in_one_process(at_level(level))) << to_text(level);
+    }
+    Query cut = at_level(Level::Pairs);
+    cut.limit_pairs = 5;
+    cut.ignored = {{0, 2000, 0, 700}};
+    EXPECT_EQ(run(job, cut).digest, job.digest_in_one_process(cut));
+}
+
+TEST_F(Cluster, TheNumberOfWorkersDoesNotShow) {
+    const Job job = make_job(400);
+    const Query query = at_level(Level::Pairs);
+    const Sha256 expected = job.digest_in_one_process(query);
+    for (const std::size_t workers : {1u, 2u, 5u}) {
+        while (workers_.size() < workers) {
+            start_worker();
+        }
+        EXPECT_EQ(run(job, query).digest, expected) << workers << " workers";
+    }
+}
+
+TEST_F(Cluster, StrategyBufferAndClaimingDoNotShow) {
+    const Job job = make_job(250);
+    const Query query = at_level(Level::Pairs);
+    const Sha256 expected = job.digest_in_one_process(query);
+    start_worker();
+    start_worker();
+    for (const Strategy strategy :
+         {Strategy::BestMatch, Strategy::BestMatchLoad, Strategy::Random, Strategy::Lowest}) {
+        for (const std::uint32_t q : {1u, 20u}) {
+            for (const bool claim : {false, true}) {
+                ClusterOptions options;
+                options.strategy = strategy;
+                options.q = q;
+                options.claim = claim;
+                EXPECT_EQ(run(job, query, options).digest, expected)
+                    << to_text(strategy) << ", q " << q << ", claim " << claim;
+            }
+        }
+    }
+}
+
+TEST_F(Cluster, TheDistributionDepthDoesNotShow) {
+    const Job job = make_job(200);
+    const Query query = at_level(Level::Contacts);
+    const Sha256 expected = job.digest_in_one_process(query);
+    start_worker(2);
+    for (std::uint32_t depth = 4; depth <= 14; ++depth) {
+        ClusterOptions options;
+        options.depth_a = depth;
+        options.depth_b = 18 - depth;
+        EXPECT_EQ(run(job, query, options).digest, expected) << "depth " << depth;
+    }
+}
+
+TEST_F(Cluster, AWorkerThatJoinsInTheMiddleTakesItsShare) {
+    const Job job = make_job(3000);
+    const Query query = at_level(Level::Pairs);
+    start_worker();
+    const JobId id = submit(job, query, {});
+    const JobStatus status = finish(id, [&](const JobStatus& now) {
+        if (workers_.size() == 1 && now.summary.merged() > now.answered_by_master) {
+            start_worker();
+        }
+    });
+    EXPECT_EQ(status.digest, job.digest_in_one_process(query));
+    ASSERT_EQ(workers_.size(), 2u);
+    const auto cluster = connection_->status();
+    ASSERT_TRUE(cluster) << cluster.error().detail;
+    ASSERT_EQ(cluster.value().workers.size(), 2u);
+    EXPECT_GT(cluster.value().workers[1].scenarios, 0u);
+}
+
+TEST_F(Cluster, AWorkerKilledInTheMiddleLosesNothing) {
+    const Job job = make_job(3000);
+    const Query query = at_level(Level::Pairs);
+    start_worker();
+    Process& victim = start_worker();
+    const JobId id = submit(job, query, {});
+    std::uint64_t merged_at_death = 0;
+    const JobStatus status = finish(id, [&](const JobStatus& now) {
+        if (merged_at_death == 0 && now.summary.merged() > now.answered_by_master) {
+            victim.signal(SIGKILL);
+            merged_at_death = now.summary.merged();
+        }
+    });
+    EXPECT_EQ(status.state, JobState::Done);
+    EXPECT_EQ(status.digest, job.digest_in_one_process(query));
+    EXPECT_GT(merged_at_death, 0u);
+    EXPECT_LT(merged_at_death, 3000u);
+    EXPECT_EQ(victim.wait(), 128 + SIGKILL);
+}
+
+TEST_F(Cluster, AJobOutlivesAllItsWorkers) {
+    const Job job = make_job(2000);
+    const Query query = at_level(Level::Count);
+    Process& first = start_worker();
+    const JobId id = submit(job, query, {});
+    bool killed = false;
+    const JobStatus status = finish(id, [&](const JobStatus& now) {
+        if (!killed && now.summary.merged() > now.answered_by_master) {
+            killed = true;
+            first.signal(SIGKILL);
+            start_worker();
+        }
+    });
+    EXPECT_TRUE(killed);
+    EXPECT_EQ(status.digest, job.digest_in_one_process(query));
+}
+
+TEST_F(Cluster, TwoClientsRunTwoJobsAtOnce) {
+    const Job one = make_job(800);
+    const Job two = make_job(500, 1.2);
+    const Query query = at_level(Level::Pairs);
+    start_worker();
+    start_worker();
+    const JobId first = submit(one, query, {});
+    const auto other = connect();
+    std::swap(connection_, const_cast<std::unique_ptr<Connection>&>(other));
+    const JobId second = submit(two, query, {});
+    const JobStatus status_of_second = finish(second, [](const JobStatus&) {});
+    const JobStatus status_of_first = finish(first, [](const JobStatus&) {});
+    EXPECT_EQ(status_of_first.digest, one.digest_in_one_process(query));
+    EXPECT_EQ(status_of_second.digest, two.digest_in_one_process(query));
+}
+
+TEST_F(Cluster, ResultsComeBackAsTheyAre) {
+    const Job job = make_job(300);
+    const Query query = at_level(Level::Contacts);
+    start_worker();
+    const JobId id = submit(job, query, {});
+    ASSERT_EQ(finish(id, [](const JobStatus&) {}).state, JobState::Done);
+    std::uint64_t next = 0;
+    const Status fetched =
+        connection_->fetch(id, 0, job.scenarios.size(), [&](const ScenarioResult& result) {
+            EXPECT_EQ(
+                encode_result(result),
+                encode_result(run_scenario(*job.a, *job.b, job.scenarios[next], query).result));
+            ++next;
+            return Status(Done{});
+        });
+    EXPECT_TRUE(fetched) << fetched.error().detail;
+    EXPECT_EQ(next, job.scenarios.size());
+}
+
+TEST_F(Cluster, AGridTravelsAsItsDescription) {
+    Job job = make_job(1);
+    Grid grid;
+    grid.position[0] = {-2, 2, 9};
+    grid.position[1] = {-1.5, 1.5, 4};
+    grid.rotation[2] = rotation_axis({0, 300, 6}, 2);
+    const auto source = make_grid_source(grid);
+    job.scenarios = source->read(0, source->count()).value();
+    start_worker();
+    ASSERT_TRUE(submit(job, {}, {}).value != 0); // The meshes are there now.
+
+    Submit message;
+    message.name = "grid";
+    message.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+    message.scenarios = grid.count();
+    message.grid = encode_grid(grid);
+    const auto accepted = connection_->submit(message);
+    ASSERT_TRUE(accepted) << accepted.error().detail;
+    EXPECT_EQ(finish(accepted.value(), [](const JobStatus&) {}).digest,
+              job.digest_in_one_process({}));
+}
+
+TEST_F(Cluster, SigtermEndsEveryProgramCleanly) {
+    Process& worker = start_worker();
+    const Job job = make_job(50);
+    ASSERT_EQ(run(job, {}).state, JobState::Done);
+    worker.signal(SIGTERM);
+    EXPECT_EQ(worker.wait(), 0) << worker.errors();
+
+    const TemporaryFolder state;
+    Process master(
+        {program("cdmaster").string(), "--listen", "127.0.0.1:0", "--state", state.path().string()},
+        folder_ / "second_master");
+    master.signal(SIGINT);
+    const auto code = master.wait();
+    // A signal that comes before the program listens for it ends it as a signal does.
+    EXPECT_TRUE(code == 0 || code == 128 + SIGINT) << master.errors();
+}
+
+TEST_F(Cluster, AWorkerWithoutAMasterSaysSoAndLeaves) {
+    Process lost({program("cdworker").string(), "--master", "127.0.0.1:1", "--connect-for", "0"},
+                 folder_ / "lost");
+    EXPECT_EQ(lost.wait(), 4) << lost.errors();
+    EXPECT_NE(lost.errors().find("127.0.0.1:1"), std::string::npos);
+}
+
+TEST_F(Cluster, NothingLeavesLoopbackUnasked) {
+    for (const auto& command : std::vector<std::vector<std::string>>{
+             {program("cdmaster").string(), "--listen", "0.0.0.0:0"},
+             {program("cdworker").string(), "--master", "192.0.2.1:7600"},
+             {program("cdctl").string(), "status", "--master", "192.0.2.1:7600"}}) {
+        const Ran ran = tests::run(command);
+        EXPECT_NE(ran.exit_code, 0) << command[0];
+        EXPECT_NE(ran.errors.find("--insecure"), std::string::npos) << command[0] << ran.errors;
+    }
+}
+
+} // namespace cd::tests
