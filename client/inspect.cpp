@@ -130,7 +130,8 @@ std::string to_json(const MeshReport& r) {
         {"parts", parts},
         {"warnings", r.warnings},
         {"hash", to_hex(r.hash)}};
-    return json.dump(2) + "\n";
+    // A name may hold bytes that are no UTF-8.
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 } // namespace cd

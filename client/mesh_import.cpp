@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <assimp/Importer.hpp>
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <span>
 #include <system_error>
 
 namespace cd {
@@ -84,14 +86,7 @@ class SceneReader {
             }
             Corners corners;
             for (unsigned k = 0; k < 3; ++k) {
-                const unsigned index = face.mIndices[k];
-                if (index >= mesh.mNumVertices) {
-                    return bad(path_,
-                               "face " + std::to_string(builder_.triangle_count()) +
-                                   " names vertex " + std::to_string(index) + " of " +
-                                   std::to_string(mesh.mNumVertices));
-                }
-                corners[k] = place(mesh.mVertices[index], to_world);
+                corners[k] = place(mesh.mVertices[face.mIndices[k]], to_world);
                 if (!corners[k].allFinite()) {
                     return bad(path_,
                                "face " + std::to_string(builder_.triangle_count()) +
@@ -144,18 +139,86 @@ class SceneReader {
     std::uint64_t lines_ = 0;
 };
 
+/// What an importer has to say, on one line.
+Error unreadable(const std::filesystem::path& path, std::string why) {
+    std::replace_if(
+        why.begin(), why.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    return bad(path, "cannot be read as a mesh" + (why.empty() ? "" : ": " + why));
+}
+
+/// The triangles that the polygons of each mesh make.
+///
+/// Comes before the triangulation, which reads the vertices of whatever an index says and aborts
+/// the process over a polygon without corners. Errors: BadInput naming the face.
+Result<std::vector<std::uint64_t>> count_triangles(const aiScene& scene,
+                                                   const std::filesystem::path& path) {
+    std::vector<std::uint64_t> triangles(scene.mNumMeshes, 0);
+    std::uint64_t faces_before = 0;
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        const aiMesh& mesh = *scene.mMeshes[m];
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            const aiFace& face = mesh.mFaces[f];
+            const auto name = [&] { return "face " + std::to_string(faces_before + f); };
+            if (face.mNumIndices == 0) {
+                return bad(path, name() + " is missing: the file has fewer than it counts");
+            }
+            for (unsigned k = 0; k < face.mNumIndices; ++k) {
+                if (face.mIndices[k] >= mesh.mNumVertices) {
+                    return bad(path,
+                               name() + " names vertex " + std::to_string(face.mIndices[k]) +
+                                   " of " + std::to_string(mesh.mNumVertices));
+                }
+            }
+            triangles[m] += face.mNumIndices > 2 ? face.mNumIndices - 2 : 0;
+        }
+        faces_before += mesh.mNumFaces;
+    }
+    return triangles;
+}
+
+/// A polygon that crosses itself may lose triangles on the way.
+Status check_triangles(const aiScene& scene,
+                       std::span<const std::uint64_t> expected,
+                       const std::filesystem::path& path) {
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        const aiMesh& mesh = *scene.mMeshes[m];
+        std::uint64_t triangles = 0;
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            triangles += mesh.mFaces[f].mNumIndices == 3 ? 1 : 0;
+        }
+        if (triangles != expected[m]) {
+            return bad(path,
+                       "mesh '" + std::string(mesh.mName.C_Str()) +
+                           "' has polygons that cannot be cut into triangles; triangulate it "
+                           "where it was made");
+        }
+    }
+    return Done{};
+}
+
 Result<ImportedMesh> import_with_assimp(const std::filesystem::path& path,
                                         const ImportOptions& options) {
     try {
         Assimp::Importer importer;
-        const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate);
+        importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+        const aiScene* scene = importer.ReadFile(path.string(), 0);
         if (scene == nullptr || scene->mRootNode == nullptr) {
-            const std::string why = importer.GetErrorString();
-            return bad(path, "cannot be read as a mesh" + (why.empty() ? "" : ": " + why));
+            return unreadable(path, importer.GetErrorString());
+        }
+        const auto triangles = count_triangles(*scene, path);
+        if (!triangles) {
+            return triangles.error();
+        }
+        scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
+        if (scene == nullptr || scene->mRootNode == nullptr) {
+            return unreadable(path, importer.GetErrorString());
+        }
+        if (const Status whole = check_triangles(*scene, triangles.value(), path); !whole) {
+            return whole.error();
         }
         return SceneReader(*scene, path, options.unit_factor).read();
     } catch (const std::exception& error) {
-        return bad(path, std::string("cannot be read as a mesh: ") + error.what());
+        return unreadable(path, error.what());
     }
 }
 
@@ -252,13 +315,19 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Import
     if (extension == ".npz") {
         return import_npz(path, options);
     }
+    const auto text = read_text_mesh(path, extension);
+    if (!text) {
+        return text.error();
+    }
     auto imported = import_with_assimp(path, options);
     if (!imported) {
         return imported;
     }
-    if (const Status same = check_against_text(path, extension, options, *imported.value().mesh);
-        !same) {
-        return same.error();
+    if (text.value()) {
+        const Mesh& mesh = *imported.value().mesh;
+        if (const Status same = check_against_text(path, *text.value(), options, mesh); !same) {
+            return same.error();
+        }
     }
     warn_of_coarse_floats(path, imported.value());
     return imported;

@@ -17,14 +17,6 @@ namespace cd {
 
 namespace {
 
-/// What a text file says, before any importer.
-struct TextMesh {
-    std::vector<Vec3> vertices;
-    std::vector<std::uint64_t> vertex_lines; ///< From 1; 0 where lines do not count.
-    std::vector<bool> used;
-    std::uint64_t triangles = 0; ///< Of all its polygons.
-};
-
 Error bad(const std::filesystem::path& path, const std::string& detail) {
     return {ErrorCode::BadInput, path.string() + ": " + detail};
 }
@@ -130,6 +122,10 @@ Result<TextMesh> read_obj(const std::filesystem::path& path) {
             if (!vertex) {
                 return Error{ErrorCode::BadInput, place() + ": a vertex without three numbers"};
             }
+            if (!vertex->allFinite()) {
+                return Error{ErrorCode::BadInput,
+                             place() + ": a vertex with a coordinate that is not finite"};
+            }
             mesh.vertices.push_back(*vertex);
             mesh.vertex_lines.push_back(number);
             mesh.used.push_back(false);
@@ -170,6 +166,10 @@ Result<TextMesh> read_off(const std::filesystem::path& path) {
                        "vertex " + std::to_string(i) + " of " + std::to_string(vertices) +
                            " is missing or is not three numbers");
         }
+        if (!std::isfinite(*x) || !std::isfinite(*y) || !std::isfinite(*z)) {
+            return bad(path,
+                       "vertex " + std::to_string(i) + " has a coordinate that is not finite");
+        }
         mesh.vertices.emplace_back(*x, *y, *z);
         mesh.vertex_lines.push_back(0);
         mesh.used.push_back(false);
@@ -197,7 +197,43 @@ Result<TextMesh> read_off(const std::filesystem::path& path) {
         mesh.triangles += corners >= 3 ? corners - 2 : 0;
         std::getline(in, line); // Colours may follow.
     }
+    if (in >> keyword) {
+        return bad(path,
+                   "goes on after the " + std::to_string(faces) +
+                       " faces that its first line counts");
+    }
     return mesh;
+}
+
+/// A PLY file in text has a line for each element.
+Status check_ply_lines(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::string line;
+    bool is_text = false;
+    std::uint64_t wanted = 0;
+    while (std::getline(in, line)) {
+        Words words(line);
+        const std::string_view keyword = words.next();
+        const std::string_view second = words.next();
+        if (keyword == "format") {
+            is_text = second == "ascii";
+        } else if (keyword == "element") {
+            const auto count = to_index(words.next());
+            wanted += count && *count > 0 ? static_cast<std::uint64_t>(*count) : 0;
+        } else if (keyword == "end_header") {
+            break;
+        }
+    }
+    std::uint64_t lines = 0;
+    while (is_text && std::getline(in, line)) {
+        lines += Words(line).next().empty() ? 0u : 1u;
+    }
+    if (is_text && lines < wanted) {
+        return bad(path,
+                   "is cut short: its header counts " + std::to_string(wanted) +
+                       " lines of elements, and there are " + std::to_string(lines));
+    }
+    return Done{};
 }
 
 using Position = std::array<float, 3>;
@@ -247,10 +283,12 @@ bool has_nearby(const Positions& positions, const Vec3& wanted) {
     return false;
 }
 
-Status compare(const std::filesystem::path& path,
-               const TextMesh& text,
-               const ImportOptions& options,
-               const Mesh& mesh) {
+} // namespace
+
+Status check_against_text(const std::filesystem::path& path,
+                          const TextMesh& text,
+                          const ImportOptions& options,
+                          const Mesh& mesh) {
     if (text.triangles != mesh.triangles().size()) {
         return bad(path,
                    "the file's faces make " + std::to_string(text.triangles) +
@@ -269,26 +307,26 @@ Status compare(const std::filesystem::path& path,
             return bad(path,
                        "the importer did not take vertex " + std::to_string(i) +
                            (line != 0 ? " (line " + std::to_string(line) + ")" : "") +
-                           "; write its numbers as 0.25, not .25");
+                           "; write three numbers, and 0.25 for .25");
         }
     }
     return Done{};
 }
 
-} // namespace
-
-Status check_against_text(const std::filesystem::path& path,
-                          const std::string& lower_extension,
-                          const ImportOptions& options,
-                          const Mesh& mesh) {
-    if (lower_extension != ".obj" && lower_extension != ".off") {
-        return Done{};
+Result<std::optional<TextMesh>> read_text_mesh(const std::filesystem::path& path,
+                                               const std::string& lower_extension) {
+    if (lower_extension == ".ply") {
+        const Status whole = check_ply_lines(path);
+        return whole ? Result(std::optional<TextMesh>()) : whole.error();
     }
-    const auto text = lower_extension == ".obj" ? read_obj(path) : read_off(path);
+    if (lower_extension != ".obj" && lower_extension != ".off") {
+        return std::optional<TextMesh>();
+    }
+    auto text = lower_extension == ".obj" ? read_obj(path) : read_off(path);
     if (!text) {
         return text.error();
     }
-    return compare(path, text.value(), options, mesh);
+    return std::optional(std::move(text.value()));
 }
 
 } // namespace cd

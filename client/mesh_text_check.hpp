@@ -1,18 +1,35 @@
-// Holds what the importer made of an OBJ or OFF file against the file itself.
+// Holds what the importer made of an OBJ, OFF or PLY file against the file itself.
 #pragma once
 
 #include "client/mesh_import.hpp"
 
+#include <optional>
+
 namespace cd {
 
+/// What a text file says, before any importer.
+struct TextMesh {
+    std::vector<Vec3> vertices;
+    std::vector<std::uint64_t> vertex_lines; ///< From 1; 0 where lines do not count.
+    std::vector<bool> used;
+    std::uint64_t triangles = 0; ///< Of all its polygons.
+};
+
+/// Reads an OBJ or OFF file by itself; of a PLY file in text only whether it is there whole, since
+/// the importer repeats its last face where lines are missing. Nothing for other formats.
+///
+/// Errors: BadInput naming the file and the line or face: an index that names no vertex, a number
+/// that is none or not finite, more or fewer lines than the file's own counts.
+[[nodiscard]] Result<std::optional<TextMesh>> read_text_mesh(const std::filesystem::path& path,
+                                                             const std::string& lower_extension);
+
 /// The importer drops an OBJ vertex whose number it cannot read and replaces an OFF index that is
-/// out of range, without a word. So for these two formats: every index of a face must name a
-/// vertex, the number of triangles must be that of the file's faces, and every vertex that a face
-/// uses must be in the mesh, up to the importer's rounding of decimals. Other formats pass.
+/// out of range, without a word. So the number of triangles must be that of the file's faces, and
+/// every vertex that a face uses must be in the mesh, up to the importer's rounding of decimals.
 ///
 /// Errors: BadInput naming the file and the line or face.
 [[nodiscard]] Status check_against_text(const std::filesystem::path& path,
-                                        const std::string& lower_extension,
+                                        const TextMesh& text,
                                         const ImportOptions& options,
                                         const Mesh& mesh);
 

@@ -327,11 +327,11 @@ Result<std::unique_ptr<NpyRows>> NpyRows::open(const std::filesystem::path& path
     return std::unique_ptr<NpyRows>(new NpyRows(std::move(state)));
 }
 
-std::unique_ptr<NpyRows> NpyRows::of(const NpyArray& array) {
+std::unique_ptr<NpyRows> NpyRows::of(NpyArray array) {
     auto state = std::make_unique<State>();
     state->shape = array.shape.empty() ? std::vector<std::uint64_t>{1} : array.shape;
     state->type = array.type;
-    state->data = array.data;
+    state->data = std::move(array.data);
     return std::unique_ptr<NpyRows>(new NpyRows(std::move(state)));
 }
 

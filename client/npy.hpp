@@ -61,7 +61,7 @@ class NpyRows {
     /// Errors: NotFound, Io, and those of the header, naming the file.
     [[nodiscard]] static Result<std::unique_ptr<NpyRows>> open(const std::filesystem::path& path);
     /// Rows of an array in memory.
-    [[nodiscard]] static std::unique_ptr<NpyRows> of(const NpyArray& array);
+    [[nodiscard]] static std::unique_ptr<NpyRows> of(NpyArray array);
     NpyRows(const NpyRows&) = delete;
     NpyRows& operator=(const NpyRows&) = delete;
     ~NpyRows();

@@ -5,6 +5,7 @@
 
 #include <zip.h>
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -23,18 +24,23 @@ Error bad(const std::filesystem::path& path, const std::string& detail) {
     return {ErrorCode::BadInput, path.string() + ": " + detail};
 }
 
+/// `size` is what the archive says and may be anything: room is made as bytes really come.
 Result<Bytes> unpack(zip_t* archive, zip_uint64_t index, std::uint64_t size) {
-    Bytes bytes(size);
+    constexpr std::uint64_t first_room = 1u << 20;
+    Bytes bytes;
     const std::unique_ptr<zip_file_t, CloseEntry> entry(zip_fopen_index(archive, index, 0));
     std::uint64_t done = 0;
-    while (entry && done < size) {
-        const zip_int64_t got = zip_fread(entry.get(), bytes.data() + done, size - done);
-        if (got <= 0) {
-            break;
+    zip_int64_t got = entry ? 1 : -1;
+    while (got > 0 && done < size) {
+        if (done == bytes.size()) {
+            bytes.resize(std::min(size, std::max(first_room, 2 * done)));
         }
-        done += static_cast<std::uint64_t>(got);
+        got = zip_fread(entry.get(), bytes.data() + done, bytes.size() - done);
+        done += got > 0 ? static_cast<std::uint64_t>(got) : 0;
     }
-    if (done != size) {
+    // The checksum is compared where the reading finds the end.
+    std::byte beyond{};
+    if (done != size || got < 0 || zip_fread(entry.get(), &beyond, 1) != 0) {
         return Error{ErrorCode::BadInput, "is damaged"};
     }
     return bytes;
@@ -164,6 +170,8 @@ Status NpzWriter::finish() {
         }
         zip_set_file_compression(
             archive.get(), static_cast<zip_uint64_t>(index), ZIP_CM_DEFLATE, 1);
+        // Equal arrays make equal files: 1 January 1980 stands for the time of writing.
+        zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0, 0x21, 0);
     }
     if (zip_close(archive.get()) != 0) {
         return failed(zip_strerror(archive.get()));

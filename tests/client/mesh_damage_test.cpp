@@ -1,0 +1,127 @@
+// Proves that damage which the importer passes over in silence, or over which it would end the
+// process, is refused with one line.
+#include "client/inspect.hpp"
+#include "client/mesh_import.hpp"
+#include "tests/support/process.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::HasSubstr;
+
+const std::string off_vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string ply_header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                               "property float y\nproperty float z\nelement face 2\n"
+                               "property list uchar int vertex_indices\nend_header\n"
+                               "0 0 0\n1 0 0\n0 1 0\n";
+
+Result<ImportedMesh> import_text(const std::string& name, const std::string& text) {
+    const TemporaryFolder folder;
+    write_text(folder / name, text);
+    return import_mesh(folder / name, {});
+}
+
+std::string error_of(const std::string& name, const std::string& text) {
+    const auto imported = import_text(name, text);
+    if (imported) {
+        return "was taken";
+    }
+    EXPECT_EQ(imported.error().code, ErrorCode::BadInput);
+    EXPECT_THAT(imported.error().detail, HasSubstr(name));
+    EXPECT_EQ(imported.error().detail.find('\n'), std::string::npos);
+    return imported.error().detail;
+}
+
+} // namespace
+
+TEST(MeshDamage, OffWithFewerOrMoreFacesThanItCounts) {
+    EXPECT_TRUE(import_text("good.off", "OFF\n4 2 0\n" + off_vertices + "3 0 1 2\n3 0 1 3\n"));
+    EXPECT_THAT(error_of("fewer.off", "OFF\n4 3 0\n" + off_vertices + "3 0 1 2\n"),
+                HasSubstr("face 1 of 3"));
+    EXPECT_THAT(error_of("more.off", "OFF\n4 1 0\n" + off_vertices + "3 0 1 2\n3 0 1 3\n"),
+                HasSubstr("goes on"));
+}
+
+TEST(MeshDamage, OffWhoseLinesTheImporterMisreads) {
+    EXPECT_NE(error_of("line.off", "OFF\n3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n"), "was taken");
+    EXPECT_NE(error_of("short.off", "OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n"), "was taken");
+    EXPECT_THAT(error_of("nan.off", "OFF\n3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n"),
+                HasSubstr("vertex 1"));
+    EXPECT_THAT(error_of("far.off", "OFF\n4 2 0\n" + off_vertices + "3 0 1 2\n3 0 1 9\n"),
+                HasSubstr("face 1 names vertex 9 of 4"));
+}
+
+TEST(MeshDamage, OffPolygonsLongerThanTheImporterTakes) {
+    std::string vertices;
+    for (int i = 0; i < 10; ++i) {
+        vertices += std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
+    }
+    EXPECT_NE(
+        error_of("long.off", "OFF\n10 2 0\n" + vertices + "3 0 1 2\n10 0 1 2 3 4 5 6 7 8 9\n"),
+        "was taken");
+}
+
+TEST(MeshDamage, PlyIndicesOutOfRangeInTrianglesAndPolygons) {
+    EXPECT_THAT(error_of("triangle.ply", ply_header + "3 0 1 2\n3 0 1 7\n"),
+                HasSubstr("face 1 names vertex 7 of 3"));
+    EXPECT_THAT(error_of("polygon.ply", ply_header + "3 0 1 2\n4 0 1 2 1000000\n"),
+                HasSubstr("face 1 names vertex 1000000 of 3"));
+    EXPECT_NE(error_of("negative.ply", ply_header + "3 0 1 2\n3 0 1 -1\n"), "was taken");
+}
+
+TEST(MeshDamage, PlyThatEndsBeforeItsLastFace) {
+    EXPECT_THAT(error_of("cut.ply", ply_header + "3 0 1 2\n"), HasSubstr("cut short"));
+}
+
+TEST(MeshDamage, ObjLinesThatTheImporterPassesOver) {
+    const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 5 5 5\n";
+    EXPECT_NE(error_of("indented.obj", vertices + "f 1 2 3\n  f 1 2 4\n"), "was taken");
+    EXPECT_NE(error_of("vertex.obj", "v 0 0 0\n  v 1 0 0\nv 1 1 0\nv 5 5 5\nf 1 2 3\n"),
+              "was taken");
+    // The importer would take the vertices after the one that it drops for those that are meant.
+    EXPECT_THAT(error_of("shifted.obj", "v 0 0 0\nv .25 0 0\nv 1 0 0\nv 1 1 0\nv 9 9 9\nf 1 3 4\n"),
+                HasSubstr("(line 3)"));
+    EXPECT_NE(
+        error_of("seven.obj", "v 0 0 0\nv 1 0 0 1 1 1 1\nv 1 1 0\nv 5 5 5\nv 6 6 6\nf 1 2 3\n"),
+        "was taken");
+}
+
+TEST(MeshDamage, ObjNumbersThatAreNotFiniteAreNamedByLine) {
+    EXPECT_THAT(error_of("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"),
+                HasSubstr("nan.obj:2"));
+    EXPECT_THAT(error_of("big.obj", "v 0 0 0\nv 1e50 0 0\nv 0 1 0\nf 1 2 3\n"),
+                HasSubstr("not finite"));
+}
+
+TEST(MeshDamage, FilesCutShort) {
+    EXPECT_NE(error_of("cut.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"),
+              "was taken");
+    EXPECT_NE(error_of("cut.dae", "<?xml version=\"1.0\"?><COLLADA>"), "was taken");
+    EXPECT_NE(error_of("points.ply",
+                       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                       "property float y\nproperty float z\nend_header\n0 0 0\n"),
+              "was taken");
+}
+
+TEST(MeshDamage, LinesAndPointsAreSkippedAndCounted) {
+    const auto imported =
+        import_text("mixed.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nl 1 2\np 1\n");
+    ASSERT_TRUE(imported) << imported.error().detail;
+    EXPECT_EQ(imported.value().mesh->triangles().size(), 2u);
+    EXPECT_EQ(imported.value().lines_skipped, 1u);
+    EXPECT_EQ(imported.value().points_skipped, 1u);
+}
+
+TEST(MeshDamage, AReportOfNamesThatAreNoUtf8IsStillJson) {
+    const auto imported = import_text("name.obj", "o a\xff\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    ASSERT_TRUE(imported) << imported.error().detail;
+    EXPECT_THAT(to_json(inspect_mesh("name.obj", imported.value())), HasSubstr("\"triangles\": 1"));
+}
+
+} // namespace cd::tests
