@@ -69,7 +69,7 @@ Result<PoseTable> open_npz(const PoseFileSpec& spec) {
     if (found == arrays.value().end()) {
         return bad("has several arrays, and none is called 'poses'");
     }
-    return table_of(NpyRows::of(found->second), spec);
+    return table_of(NpyRows::of(std::move(found->second)), spec);
 }
 
 Result<PoseTable> open_npy(const PoseFileSpec& spec) {

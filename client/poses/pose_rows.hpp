@@ -28,6 +28,7 @@ struct PoseTable {
     std::unique_ptr<NpyRows> rows;
     PoseLayout layout = PoseLayout::Matrix44;
     bool of_both_bodies = false;
+    bool from_angles = false; ///< Quaternions of our own making, whose norm need not be 1.
 };
 
 /// What the check of all rows found.

@@ -25,11 +25,23 @@ std::string_view trimmed(std::string_view text) {
                : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+/// The first separator that does not stand in quotes.
+std::size_t end_of_word(std::string_view line, std::string_view separators) {
+    bool is_quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        is_quoted = is_quoted != (line[i] == '"');
+        if (!is_quoted && separators.find(line[i]) != std::string_view::npos) {
+            return i;
+        }
+    }
+    return std::string_view::npos;
+}
+
 std::vector<std::string_view>
 split(std::string_view line, std::string_view separators, bool joins) {
     std::vector<std::string_view> words;
     while (true) {
-        const std::size_t end = line.find_first_of(separators);
+        const std::size_t end = end_of_word(line, separators);
         const std::string_view word = trimmed(line.substr(0, end));
         if (!joins || !word.empty()) {
             words.push_back(word);
@@ -62,7 +74,7 @@ PoseTable make_table(std::vector<double> numbers, PoseLayout layout, bool of_bot
     array.shape = {numbers.size() / row, row};
     const auto bytes = std::as_bytes(std::span(numbers));
     array.data.assign(bytes.begin(), bytes.end());
-    return {NpyRows::of(array), layout, of_both_bodies};
+    return {NpyRows::of(std::move(array)), layout, of_both_bodies};
 }
 
 enum class ColumnSet { Quaternion, Matrix, Euler };
@@ -132,6 +144,11 @@ Result<Columns> read_header(std::string_view line, std::uint64_t number, bool of
     if (of_both_bodies && (!has("scenario") || !has("body"))) {
         return bad(number, "poses of both bodies need the columns 'scenario' and 'body'");
     }
+    if (!of_both_bodies && has("scenario")) {
+        return bad(number,
+                   "column 'scenario' is for poses of both bodies; say of = \"both\" (--both), or "
+                   "leave it out");
+    }
     return columns;
 }
 
@@ -158,6 +175,10 @@ Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& wo
     return numbers;
 }
 
+bool is_body_b(std::string_view word) {
+    return word == "b" || word == "B" || word == "1";
+}
+
 /// Puts rows with `scenario` and `body` in their places.
 class BothBodies {
   public:
@@ -169,7 +190,7 @@ class BothBodies {
                std::uint64_t line) {
         const auto scenario = to_number(scenario_word);
         const bool is_a = body_word == "a" || body_word == "A" || body_word == "0";
-        const bool is_b = body_word == "b" || body_word == "B" || body_word == "1";
+        const bool is_b = is_body_b(body_word);
         if (!scenario || *scenario < 0 || *scenario >= rows_max || (!is_a && !is_b)) {
             return bad(line,
                        "scenario '" + std::string(scenario_word) + "', body '" +
@@ -226,6 +247,9 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
     std::optional<BothBodies> both;
     while (std::getline(in, line)) {
         ++number;
+        if (number == 1 && line.starts_with("\xEF\xBB\xBF")) {
+            line.erase(0, 3); // A byte order mark, as spreadsheets write it.
+        }
         if (is_comment(line)) {
             continue;
         }
@@ -249,6 +273,11 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
             return numbers.error();
         }
         if (!of_both_bodies) {
+            if (columns->body < words.size() && !is_body_b(words[columns->body])) {
+                return bad(number,
+                           "a pose of another body than b; poses of both need of = \"both\" "
+                           "(--both)");
+            }
             values.insert(values.end(), numbers.value().begin(), numbers.value().end());
         } else if (const Status added = both->add(
                        words[columns->scenario], words[columns->body], numbers.value(), number);
@@ -266,9 +295,12 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
         }
         values = std::move(ordered.value());
     }
-    return make_table(std::move(values),
-                      columns->set == ColumnSet::Matrix ? PoseLayout::Matrix34 : PoseLayout::Xyzw,
-                      of_both_bodies);
+    PoseTable table =
+        make_table(std::move(values),
+                   columns->set == ColumnSet::Matrix ? PoseLayout::Matrix34 : PoseLayout::Xyzw,
+                   of_both_bodies);
+    table.from_angles = columns->set == ColumnSet::Euler;
+    return table;
 }
 
 Result<PoseTable> read_tum_poses(std::istream& in) {

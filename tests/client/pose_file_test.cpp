@@ -55,11 +55,10 @@ class PoseFile : public testing::Test {
     void write_npy(const std::string& name,
                    const std::vector<std::uint64_t>& shape,
                    const std::vector<double>& values) {
-        ByteWriter out;
-        out.put_array(std::span<const std::byte>(make_npy_header(NpyType::F8, shape)));
-        out.put_array(std::span<const double>(values));
-        write_text(folder_ / name,
-                   {reinterpret_cast<const char*>(out.bytes().data()), out.bytes().size()});
+        const Bytes header = make_npy_header(NpyType::F8, shape);
+        std::string text(reinterpret_cast<const char*>(header.data()), header.size());
+        text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double));
+        write_text(folder_ / name, text);
     }
 
     TemporaryFolder folder_;
@@ -197,6 +196,46 @@ TEST_F(PoseFile, RefusesDamagedArrays) {
     EXPECT_NE(error_of_text("big.npy", hostile), "was taken");
     EXPECT_NE(error_of_text("more.npy", good + "x"), "was taken");
     EXPECT_NE(error_of_text("no.xyz", "1 2 3"), "was taken");
+}
+
+TEST_F(PoseFile, CsvAnglesOfAnySizeAreRigid) {
+    const auto scenarios = read_text_file("e.csv",
+                                          "x,y,z,roll,pitch,yaw\n0,0,0,90,180,-90\n"
+                                          "1,2,3,30,-45,60\n0,0,0,720,0,1e-3\n");
+    EXPECT_EQ(scenarios.size(), 3u);
+    EXPECT_TRUE(warnings_.empty());
+    EXPECT_THAT(error_of_text("n.csv", "x,y,z,roll,pitch,yaw\n0,0,0,nan,0,0\n"),
+                HasSubstr("row 0"));
+    EXPECT_THAT(error_of_text("r.csv", "x,y,z,roll_rad,pitch,yaw\n0,0,0,0,0,0\n"),
+                HasSubstr("roll"));
+}
+
+TEST_F(PoseFile, CsvSaysWhoseEachPoseIs) {
+    const std::string columns = "body,x,y,z,qx,qy,qz,qw\n";
+    EXPECT_EQ(read_text_file("b.csv", columns + "b,0,0,0,0,0,0,1\n").size(), 1u);
+    EXPECT_THAT(error_of_text("a.csv", columns + "a,0,0,0,0,0,0,1\n"), HasSubstr("both"));
+    EXPECT_THAT(error_of_text("s.csv", "scenario," + columns + "0,b,0,0,0,0,0,0,1\n"),
+                HasSubstr("both"));
+}
+
+TEST_F(PoseFile, CsvOfSpreadsheetsIsUnderstood) {
+    const auto scenarios = read_text_file("s.csv",
+                                          "\xEF\xBB\xBF\"X\",y,z,qx,qy,qz,qw,name\r\n"
+                                          "\"1.5\",+2,3e0,0,0,0,1,\"left, front\"\r\n");
+    ASSERT_EQ(scenarios.size(), 1u);
+    EXPECT_EQ(scenarios[0].poses.b.translation(), Vec3(1.5, 2, 3));
+}
+
+TEST_F(PoseFile, AFileThatChangesWhileItIsReadIsAnError) {
+    write_npy("p.npy", {1, 7}, {0, 0, 0, 0, 0, 0, 1});
+    PoseFileSpec s = spec("p.npy");
+    s.quat_order = "xyzw";
+    auto opened = open_pose_file(s);
+    ASSERT_TRUE(opened) << opened.error().detail;
+    write_npy("p.npy", {1, 7}, {0, 0, 0, 0, 0, 0, 0});
+    const auto read = opened.value().source->read(0, 1);
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().detail, HasSubstr("row 0"));
 }
 
 TEST_F(PoseFile, ReadsRunsOfALargeArray) {
