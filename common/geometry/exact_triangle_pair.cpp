@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -12,7 +14,8 @@ namespace cd {
 
 namespace {
 
-using Int = boost::multiprecision::cpp_int;
+/// Unlimited; up to 1024 bits stay out of the heap, which is what ordinary coordinates need.
+using Int = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<1024>>;
 
 /// mantissa * 2^exponent.
 struct Dyadic {
@@ -21,12 +24,21 @@ struct Dyadic {
 };
 
 Dyadic to_dyadic(double value) {
+    if (value == 0) {
+        return {};
+    }
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent); // In (-1, 1), 53 bits.
-    return {Int(static_cast<long long>(std::ldexp(fraction, 53))), exponent - 53};
+    const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+    // Short numbers, as on the grids of designed parts, stay short.
+    const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
+    return {Int(mantissa / (std::int64_t{1} << zeros)), exponent - 53 + zeros};
 }
 
 Dyadic operator*(const Dyadic& l, const Dyadic& r) {
+    if (l.mantissa == 0 || r.mantissa == 0) {
+        return {};
+    }
     return {l.mantissa * r.mantissa, l.exponent + r.exponent};
 }
 

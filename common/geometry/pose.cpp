@@ -2,6 +2,8 @@
 
 #include "common/core/check.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,11 +13,13 @@ namespace cd {
 namespace {
 
 constexpr double u = 0x1p-53; // Unit roundoff.
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// M(q) / q.q in doubles. Each entry is within 16 u: with q scaled by an exact power of two so that
-/// its largest component is in [0.5, 1), an entry of M is a sum of at most four products, each at
-/// most n = q.q, so it is within 5 u n; n is within 4 u of itself; the division adds u, and entries
-/// are at most 1. What underflows in the scaling is below 2^-1000.
+/// M(q) / q.q in doubles. Each entry is within 10 u, and `quaternion_entry_error` says 16: with q
+/// scaled by an exact power of two so that its largest component is in [0.5, 1), an entry of M is a
+/// sum of at most four products, each at most n = q.q, so it is within 5 u n; n is within 4 u of
+/// itself; the division adds u, and entries are at most 1. What underflows in the scaling is below
+/// 2^-1000.
 Mat3 rotation_of(const Quaternion& given) {
     const double largest =
         std::max({std::abs(given.w), std::abs(given.x), std::abs(given.y), std::abs(given.z)});
@@ -33,34 +37,71 @@ Mat3 rotation_of(const Quaternion& given) {
     return m / n;
 }
 
-/// A pose's linear part with what is known of it.
-struct LinearPart {
-    Mat3 rounded;
-    double error = 0;         ///< Of each entry of `rounded`.
-    double largest = 0;       ///< Bounds every entry of both.
-    double skew = 0;          ///< Bounds each |entry| of R'R - I, exactly computed.
-    double inverse_error = 0; ///< Of each entry of `rounded` transposed as the inverse.
+constexpr double quaternion_entry_error = 16 * u;
+
+/// A matrix in doubles, with bounds on it.
+struct BoundedMatrix {
+    Mat3 value;
+    double error = 0;   ///< Of each entry.
+    double largest = 0; ///< Bounds every entry, computed or true.
 };
 
-/// With E = R'R - I and |E| <= 3 skew in the 2-norm, R^-1 = (I + E)^-1 R', so that
-/// |R^-1 - R'| <= 3 skew / (1 - 3 skew) sqrt(1 + 3 skew). Nothing is known beyond 3 skew = 1/2.
-LinearPart linear_part(const Pose& pose) {
-    LinearPart part;
-    part.rounded = pose.rotation();
+BoundedMatrix linear_part(const Pose& pose) {
+    const Mat3 value = pose.rotation();
+    return {value, pose.rotation_error(), value.cwiseAbs().maxCoeff() + pose.rotation_error()};
+}
+
+/// Bounds every entry of L R - I, for entries of L and R of at most l and r: three products and
+/// three sums round it by less than 5 u (3 l r + 1).
+double residual(const Mat3& left, double l, const Mat3& right, double r) {
+    const Mat3 computed = left * right - Mat3::Identity();
+    return computed.cwiseAbs().maxCoeff() + 5 * u * (3 * l * r + 1);
+}
+
+/// Bounds each |entry| of R'R - I.
+double skew_of(const Pose& pose) {
     if (pose.kind() == Pose::Kind::Quaternion) {
-        part.error = 16 * u;
-        part.largest = 1 + 16 * u;
-        part.inverse_error = 16 * u;
-        return part;
+        return 0;
     }
-    part.largest = part.rounded.cwiseAbs().maxCoeff();
-    const Mat3 gram = part.rounded.transpose() * part.rounded - Mat3::Identity();
-    // Three products and three sums: the rounding is below 5 u (3 largest^2 + 1).
-    part.skew = gram.cwiseAbs().maxCoeff() + 5 * u * (3 * part.largest * part.largest + 1);
-    const double spread = 3 * part.skew;
-    part.inverse_error = spread < 0.5 ? spread / (1 - spread) * (1 + spread)
-                                      : std::numeric_limits<double>::infinity();
-    return part;
+    const BoundedMatrix part = linear_part(pose);
+    return residual(part.value.transpose(), part.largest, part.value, part.largest);
+}
+
+/// |(I + F)^-1 - I| in the spectral norm for a matrix F whose entries are at most `entry`: with
+/// |F| <= 3 entry = s, the series gives s / (1 - s). Nothing is known from s = 1/2 on.
+double inverse_spread(double entry) {
+    const double s = 3 * entry;
+    return s < 0.5 ? s / (1 - s) : infinity;
+}
+
+/// The inverse by cofactors, whatever they round to, and then what it is worth: if X R = I + F,
+/// then R^-1 = (I + F)^-1 X, which is within inverse_spread(F) |X| of X, and |X| <= 3 times its
+/// largest entry. The inverse of a quaternion's rotation is its transpose.
+BoundedMatrix inverse_of(const Pose& pose) {
+    const BoundedMatrix part = linear_part(pose);
+    if (pose.kind() == Pose::Kind::Quaternion) {
+        return {part.value.transpose(), part.error, part.largest};
+    }
+    const Vec3 x = part.value.col(0);
+    const Vec3 y = part.value.col(1);
+    const Vec3 z = part.value.col(2);
+    const double determinant = x.dot(y.cross(z));
+    Mat3 cofactors;
+    cofactors << y.cross(z).transpose(), z.cross(x).transpose(), x.cross(y).transpose();
+    BoundedMatrix inverse{cofactors / determinant, infinity, infinity};
+    if (!inverse.value.allFinite()) {
+        return inverse;
+    }
+    const double largest = inverse.value.cwiseAbs().maxCoeff();
+    inverse.error =
+        inverse_spread(residual(inverse.value, largest, part.value, part.largest)) * 3 * largest;
+    inverse.largest = largest + inverse.error;
+    return inverse;
+}
+
+/// A bound that overflowed on the way is none.
+double bound(double value) {
+    return value >= 0 ? value : infinity;
 }
 
 } // namespace
@@ -102,6 +143,10 @@ Mat3 Pose::rotation() const {
     return kind_ == Kind::Matrix ? matrix_ : rotation_of(quaternion_);
 }
 
+double Pose::rotation_error() const {
+    return kind_ == Kind::Matrix ? 0 : quaternion_entry_error;
+}
+
 Vec3 Pose::apply(const Vec3& point) const {
     return rotation() * point + translation_;
 }
@@ -123,28 +168,29 @@ bool operator==(const Pose& left, const Pose& right) {
 }
 
 RelativePose relative_pose(const PosePair& poses) {
-    const LinearPart a = linear_part(poses.a);
-    const LinearPart b = linear_part(poses.b);
+    const BoundedMatrix a = inverse_of(poses.a);
+    const BoundedMatrix b = linear_part(poses.b);
     const Vec3 offset = poses.b.translation() - poses.a.translation();
     const double reach = offset.cwiseAbs().maxCoeff();
-    // Each bound below is raised by this for the roundings of its own computation.
+    // Each bound is raised by this for the roundings of its own computation, and by what underflow
+    // can lose in products of entries below 2^20, beyond which nothing is near rigid.
     constexpr double slack = 1.01;
+    constexpr double underflow = 0x1p-1000;
 
     RelativePose relative;
-    relative.rotation = a.rounded.transpose() * b.rounded;
-    // Three products of factors with their errors, and three roundings of at most that sum each.
-    relative.rotation_error = slack * 3 *
-                              (a.inverse_error * b.largest + a.largest * b.error +
-                               a.inverse_error * b.error + 4 * u * a.largest * b.largest);
-    relative.translation = a.rounded.transpose() * offset;
-    // The difference is within u of itself, the product's roundings within 4 u. What underflows is
-    // below 2^-1000.
+    relative.rotation = a.value * b.value;
+    // Three products of factors with their errors, and three roundings of each.
+    relative.rotation_error = bound(
+        slack * 3 * (a.error * b.largest + a.largest * b.error + 4 * u * a.largest * b.largest) +
+        underflow);
+    relative.translation = a.value * offset;
+    // The difference is within u of itself, and each product goes through three roundings.
     relative.translation_error =
-        slack * 3 * reach * (a.inverse_error * (1 + u) + 5 * u * a.largest) + 0x1p-1000;
-    // R'R = B' (AA')^-1 B; AA' - I has the norm of A'A - I.
-    const double spread = 3 * a.skew;
-    relative.skew = spread < 0.5 ? slack * (b.skew + (1 + 3 * b.skew) * spread / (1 - spread))
-                                 : std::numeric_limits<double>::infinity();
+        bound(slack * 3 * reach * (a.error + 5 * u * a.largest) + underflow);
+    // R = A^-1 B, so R'R - I = (B'B - I) + B' ((AA')^-1 - I) B, where AA' - I has the singular
+    // values of A'A - I, and |B|^2 <= 1 + |B'B - I|.
+    const double skew_b = skew_of(poses.b);
+    relative.skew = bound(slack * (skew_b + (1 + 3 * skew_b) * inverse_spread(skew_of(poses.a))));
     return relative;
 }
 

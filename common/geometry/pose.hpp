@@ -32,7 +32,8 @@ class Pose {
     Pose() = default;
     [[nodiscard]] static Pose from_matrix(const Mat3& rotation, const Vec3& translation);
     /// The quaternion is not zero.
-    [[nodiscard]] static Pose from_quaternion(const Quaternion& quaternion, const Vec3& translation);
+    [[nodiscard]] static Pose from_quaternion(const Quaternion& quaternion,
+                                              const Vec3& translation);
 
     [[nodiscard]] Kind kind() const { return kind_; }
     /// The matrix as given; only of kind Matrix.
@@ -43,6 +44,8 @@ class Pose {
 
     /// The rotation in doubles: exact for a matrix, within a few roundings for a quaternion.
     [[nodiscard]] Mat3 rotation() const;
+    /// Bounds the error of each entry of `rotation`: 0 for a matrix.
+    [[nodiscard]] double rotation_error() const;
     /// R x + t, rounded: for filters, pictures and generators, never for a decision.
     [[nodiscard]] Vec3 apply(const Vec3& point) const;
 
@@ -65,11 +68,14 @@ struct PosePair {
     friend bool operator==(const PosePair&, const PosePair&) = default;
 };
 
-/// B's coordinates expressed in A's, rounded, with bounds on what the rounding and a matrix that is
-/// not quite rigid can do. A filter's value: decisions take each body's own pose.
+/// B's coordinates expressed in A's, rounded, with bounds on what the rounding can do and on how
+/// far the matrices are from rigid. A filter's value: decisions take each body's own pose.
+///
+/// The bounds are small wherever A's matrix is well-conditioned, rigid or not; infinite, never NaN,
+/// where numbers overflow or A's matrix is far from rigid.
 struct RelativePose {
-    Mat3 rotation;    ///< Approximates Ra^-1 Rb.
-    Vec3 translation; ///< Approximates Ra^-1 (tb - ta).
+    Mat3 rotation;                ///< Approximates Ra^-1 Rb.
+    Vec3 translation;             ///< Approximates Ra^-1 (tb - ta).
     double rotation_error = 0;    ///< Bounds the error of each entry of `rotation`.
     double translation_error = 0; ///< Bounds the error of each component of `translation`.
     double skew = 0; ///< Bounds each |entry| of R'R - I for the true relative rotation R.

@@ -12,6 +12,11 @@ namespace cd {
 
 namespace {
 
+constexpr std::size_t points_max = 6; ///< Corners of what two triangles can share.
+
+/// Coordinates are scaled to at most 1, so this is what some roundings can move a point.
+constexpr double rounding_reach = 0x1p-48;
+
 /// Drops points that equal the one before them, and a last that equals the first.
 std::vector<Vec3> without_repeats(const std::vector<Vec3>& points) {
     std::vector<Vec3> distinct;
@@ -24,6 +29,23 @@ std::vector<Vec3> without_repeats(const std::vector<Vec3>& points) {
         distinct.pop_back();
     }
     return distinct;
+}
+
+/// Clipping along an edge that rounding has bent can make more corners than there are; neighbours
+/// are then within rounding of each other, and one of the closest goes.
+void merge_surplus(std::vector<Vec3>& points) {
+    while (points.size() > points_max) {
+        std::size_t closest = 0;
+        double closest_distance = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const double distance = (points[(i + 1) % points.size()] - points[i]).squaredNorm();
+            if (distance < closest_distance) {
+                closest_distance = distance;
+                closest = i;
+            }
+        }
+        points.erase(points.begin() + static_cast<std::ptrdiff_t>(closest));
+    }
 }
 
 /// The point of triangle abc nearest to p: Ericson, Real-Time Collision Detection, section 5.1.5.
@@ -62,23 +84,57 @@ Vec3 nearest_on_triangle(const Vec3& p, const Corners& triangle) {
     return a + ab * (vb / sum) + ac * (vc / sum);
 }
 
-/// Where the edges of a triangle are nearest to the other one, for pairs whose shared point the
-/// constructions below do not find: of all corners, the one closest to the other triangle.
-Vec3 closest_corner(const Corners& a, const Corners& b) {
+/// The point of segment p0 p1 nearest to segment q0 q1: Ericson, section 5.1.9.
+Vec3 nearest_on_segment(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1) {
+    const Vec3 d1 = p1 - p0;
+    const Vec3 d2 = q1 - q0;
+    const Vec3 r = p0 - q0;
+    const double a = d1.squaredNorm();
+    const double e = d2.squaredNorm();
+    if (a == 0) {
+        return p0;
+    }
+    const double c = d1.dot(r);
+    const double b = d1.dot(d2);
+    const double f = d2.dot(r);
+    const double denominator = a * e - b * b;
+    double s = denominator > 0 ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0.0;
+    const double t = e > 0 ? std::clamp((b * s + f) / e, 0.0, 1.0) : 0.0;
+    s = std::clamp((b * t - c) / a, 0.0, 1.0);
+    return p0 + d1 * s;
+}
+
+/// A point of one triangle that is nearest to the other, for pairs whose shared points rounding
+/// hides from the constructions below. Two triangles are nearest at a corner of one or on an edge
+/// of each.
+Vec3 nearest_point(const Corners& a, const Corners& b) {
     Vec3 best = a[0];
     double best_distance = std::numeric_limits<double>::infinity();
-    const auto consider = [&](const Corners& corners, const Corners& other) {
-        for (const Vec3& corner : corners) {
-            const double distance = (nearest_on_triangle(corner, other) - corner).squaredNorm();
-            if (distance < best_distance) {
-                best_distance = distance;
-                best = corner;
-            }
+    const auto consider = [&](const Vec3& point, const Corners& other) {
+        const double distance = (nearest_on_triangle(point, other) - point).squaredNorm();
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = point;
         }
     };
-    consider(a, b);
-    consider(b, a);
+    for (const Vec3& corner : a) {
+        consider(corner, b);
+    }
+    for (const Vec3& corner : b) {
+        consider(corner, a);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            consider(nearest_on_segment(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]), b);
+        }
+    }
     return best;
+}
+
+/// n.(x - on), or 0 where rounding could have made it.
+double side_of(const Vec3& x, const Vec3& normal, const Vec3& on) {
+    const double side = normal.dot(x - on);
+    return std::abs(side) <= rounding_reach * normal.norm() ? 0 : side;
 }
 
 /// The part of a convex polygon on the inner side of each edge of a triangle: Sutherland and
@@ -91,8 +147,8 @@ std::vector<Vec3> clip(std::vector<Vec3> polygon, const Corners& triangle, const
         for (std::size_t k = 0; k < polygon.size(); ++k) {
             const Vec3& here = polygon[k];
             const Vec3& next = polygon[(k + 1) % polygon.size()];
-            const double side = inward.dot(here - from);
-            const double next_side = inward.dot(next - from);
+            const double side = side_of(here, inward, from);
+            const double next_side = side_of(next, inward, from);
             if (side >= 0) {
                 kept.push_back(here);
             }
@@ -110,7 +166,7 @@ std::optional<std::array<Vec3, 2>>
 cut_by_plane(const Corners& triangle, const Vec3& normal, const Vec3& on_plane, const Vec3& line) {
     std::array<double, 3> side{};
     for (std::size_t i = 0; i < 3; ++i) {
-        side[i] = normal.dot(triangle[i] - on_plane);
+        side[i] = side_of(triangle[i], normal, on_plane);
     }
     std::optional<std::array<Vec3, 2>> ends;
     const auto add = [&](const Vec3& point) {
@@ -152,18 +208,6 @@ on_common_line(const Corners& a, const Corners& b, const Vec3& na, const Vec3& n
     return {low, high};
 }
 
-/// A triangle without area against one with: the crossing of its plane, or what lies in it.
-std::vector<Vec3> of_segment(const Corners& segment, const Corners& triangle, const Vec3& normal) {
-    const auto cut = cut_by_plane(segment, normal, triangle[0], Vec3::Zero());
-    const bool lies_in_plane = std::all_of(segment.begin(), segment.end(), [&](const Vec3& corner) {
-        return normal.dot(corner - triangle[0]) == 0;
-    });
-    if (lies_in_plane) {
-        return clip({segment[0], segment[1], segment[2]}, triangle, normal);
-    }
-    return cut ? std::vector<Vec3>{(*cut)[0]} : std::vector<Vec3>{};
-}
-
 /// The longest edge of a triangle without area: all of it.
 std::array<Vec3, 2> longest_edge(const Corners& corners) {
     std::array<Vec3, 2> longest{corners[0], corners[1]};
@@ -177,21 +221,55 @@ std::array<Vec3, 2> longest_edge(const Corners& corners) {
     return longest;
 }
 
-/// Where two segments that are not parallel cross; nothing for parallel ones.
-std::vector<Vec3> of_segments(const Corners& a, const Corners& b) {
-    const auto [a0, a1] = longest_edge(a);
-    const auto [b0, b1] = longest_edge(b);
-    const Vec3 direction_b = b1 - b0;
-    const Vec3 n = (a1 - a0).cross(direction_b);
-    const double along = (b0 - a0).cross(direction_b).dot(n) / n.squaredNorm();
-    if (!std::isfinite(along)) {
-        return {};
-    }
-    return {a0 + (a1 - a0) * std::clamp(along, 0.0, 1.0)};
+/// The two ends of points on a line.
+std::vector<Vec3> ends_along(const Vec3& direction, const std::vector<Vec3>& points) {
+    const auto before = [&](const Vec3& l, const Vec3& r) {
+        return direction.dot(l) < direction.dot(r);
+    };
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(), before);
+    return points.empty() ? std::vector<Vec3>{} : std::vector<Vec3>{*low, *high};
 }
 
-bool are_nearly_parallel(const Vec3& na, const Vec3& nb) {
-    return na.cross(nb).squaredNorm() <= 1e-24 * na.squaredNorm() * nb.squaredNorm();
+/// A triangle without area against one with: the crossing of its plane, or what lies in it.
+std::vector<Vec3> of_segment(const Corners& segment, const Corners& triangle, const Vec3& normal) {
+    const auto [from, to] = longest_edge(segment);
+    const double side = side_of(from, normal, triangle[0]);
+    const double other_side = side_of(to, normal, triangle[0]);
+    if (side == 0 && other_side == 0) {
+        return ends_along(to - from, clip({from, to}, triangle, normal));
+    }
+    if ((side > 0) == (other_side > 0) && side != 0 && other_side != 0) {
+        return {};
+    }
+    return {from + (to - from) * (side / (side - other_side))};
+}
+
+/// True for a zero vector too.
+bool are_nearly_parallel(const Vec3& l, const Vec3& r) {
+    return l.cross(r).squaredNorm() <= 1e-24 * l.squaredNorm() * r.squaredNorm();
+}
+
+/// Two triangles without area: where they cross, or the two ends of what they share on one line.
+std::vector<Vec3> of_segments(const Corners& a, const Corners& b) {
+    auto [a0, a1] = longest_edge(a);
+    auto [b0, b1] = longest_edge(b);
+    if ((a1 - a0).squaredNorm() < (b1 - b0).squaredNorm()) {
+        std::swap(a0, b0);
+        std::swap(a1, b1);
+    }
+    const Vec3 u = a1 - a0;
+    const Vec3 v = b1 - b0;
+    const double length = u.squaredNorm();
+    if (length == 0) {
+        return {a0};
+    }
+    if (!are_nearly_parallel(u, v)) {
+        return {nearest_on_segment(a0, a1, b0, b1)};
+    }
+    const auto on_a = [&](const Vec3& point) {
+        return Vec3(a0 + u * std::clamp(u.dot(point - a0) / length, 0.0, 1.0));
+    };
+    return ends_along(u, {on_a(b0), on_a(b1)});
 }
 
 std::vector<Vec3> construct(const Corners& a, const Corners& b, PairClass kind) {
@@ -219,12 +297,43 @@ bool all_finite(const std::vector<Vec3>& points) {
         points.begin(), points.end(), [](const Vec3& point) { return point.allFinite(); });
 }
 
+/// In coordinates of at most 1, so that nothing overflows and little underflows.
+std::vector<Vec3> scaled_shared_points(const Corners& a, const Corners& b, PairClass kind) {
+    std::vector<Vec3> points = without_repeats(construct(a, b, kind));
+    if (points.empty() || !all_finite(points)) {
+        points = {nearest_point(a, b)};
+    }
+    merge_surplus(points);
+    return points;
+}
+
+Vec3 times_power_of_two(const Vec3& v, int exponent) {
+    return {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent), std::ldexp(v.z(), exponent)};
+}
+
 } // namespace
 
 std::vector<Vec3> approximate_shared_points(const Corners& a, const Corners& b, PairClass kind) {
-    std::vector<Vec3> points = without_repeats(construct(a, b, kind));
-    if (points.empty() || !all_finite(points)) {
-        points = {closest_corner(a, b)};
+    double largest = 0;
+    bool finite = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        largest = std::max({largest, a[i].cwiseAbs().maxCoeff(), b[i].cwiseAbs().maxCoeff()});
+        finite = finite && a[i].allFinite() && b[i].allFinite();
+    }
+    if (!finite || largest == 0) {
+        return {Vec3::Zero()};
+    }
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    Corners scaled_a;
+    Corners scaled_b;
+    for (std::size_t i = 0; i < 3; ++i) {
+        scaled_a[i] = times_power_of_two(a[i], -exponent);
+        scaled_b[i] = times_power_of_two(b[i], -exponent);
+    }
+    std::vector<Vec3> points = scaled_shared_points(scaled_a, scaled_b, kind);
+    for (Vec3& point : points) {
+        point = times_power_of_two(point, exponent);
     }
     return points;
 }

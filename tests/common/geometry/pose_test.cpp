@@ -1,0 +1,243 @@
+// Proves that the bounds of rounded rotations and relative poses hold against exact rationals, for
+// poses of both kinds, matrices that are not quite rigid and quaternions of any norm; and that the
+// bounds are small enough to be of use.
+#include "common/geometry/pose.hpp"
+
+#include "tests/support/shapes.hpp"
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace cd::tests {
+
+namespace {
+
+using Number = boost::multiprecision::cpp_rational;
+using Matrix = std::array<std::array<Number, 3>, 3>;
+
+constexpr std::array<std::size_t, 3> three{0, 1, 2};
+
+Number at(const Mat3& m, std::size_t row, std::size_t column) {
+    return Number(m(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)));
+}
+
+Number at(const Vec3& v, std::size_t row) {
+    return Number(v[static_cast<Eigen::Index>(row)]);
+}
+
+Matrix exact_rotation(const Pose& pose) {
+    Matrix r;
+    if (pose.kind() == Pose::Kind::Matrix) {
+        for (const std::size_t i : three) {
+            for (const std::size_t j : three) {
+                r[i][j] = at(pose.matrix(), i, j);
+            }
+        }
+        return r;
+    }
+    const Number w(pose.quaternion().w);
+    const Number x(pose.quaternion().x);
+    const Number y(pose.quaternion().y);
+    const Number z(pose.quaternion().z);
+    const Number s = 2 / (w * w + x * x + y * y + z * z);
+    r[0] = {1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)};
+    r[1] = {s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x)};
+    r[2] = {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)};
+    return r;
+}
+
+Matrix product(const Matrix& l, const Matrix& r) {
+    Matrix m;
+    for (const std::size_t i : three) {
+        for (const std::size_t j : three) {
+            m[i][j] = l[i][0] * r[0][j] + l[i][1] * r[1][j] + l[i][2] * r[2][j];
+        }
+    }
+    return m;
+}
+
+Matrix transpose(const Matrix& m) {
+    Matrix t;
+    for (const std::size_t i : three) {
+        for (const std::size_t j : three) {
+            t[i][j] = m[j][i];
+        }
+    }
+    return t;
+}
+
+Matrix inverse(const Matrix& m) {
+    Matrix cofactors;
+    for (const std::size_t i : three) {
+        for (const std::size_t j : three) {
+            const std::size_t i1 = (i + 1) % 3;
+            const std::size_t i2 = (i + 2) % 3;
+            const std::size_t j1 = (j + 1) % 3;
+            const std::size_t j2 = (j + 2) % 3;
+            cofactors[i][j] = m[j1][i1] * m[j2][i2] - m[j1][i2] * m[j2][i1];
+        }
+    }
+    const Number determinant =
+        m[0][0] * cofactors[0][0] + m[0][1] * cofactors[1][0] + m[0][2] * cofactors[2][0];
+    for (auto& row : cofactors) {
+        for (Number& entry : row) {
+            entry /= determinant;
+        }
+    }
+    return cofactors;
+}
+
+/// Whether the three bounds of a relative pose hold.
+void expect_bounds_hold(const PosePair& poses) {
+    const RelativePose relative = relative_pose(poses);
+    const Matrix inverse_a = inverse(exact_rotation(poses.a));
+    const Matrix rotation = product(inverse_a, exact_rotation(poses.b));
+    const Matrix gram = product(transpose(rotation), rotation);
+    for (const std::size_t i : three) {
+        Number translation = 0;
+        for (const std::size_t j : three) {
+            translation +=
+                inverse_a[i][j] * (at(poses.b.translation(), j) - at(poses.a.translation(), j));
+            EXPECT_LE(abs(Number(rotation[i][j] - at(relative.rotation, i, j))),
+                      Number(relative.rotation_error));
+            EXPECT_LE(abs(Number(gram[i][j] - (i == j ? 1 : 0))), Number(relative.skew));
+        }
+        EXPECT_LE(abs(Number(translation - at(relative.translation, i))),
+                  Number(relative.translation_error));
+    }
+}
+
+Pose bent(std::mt19937_64& random, const Pose& pose, double amount) {
+    Mat3 matrix = pose.rotation();
+    for (int i = 0; i < 9; ++i) {
+        matrix(i / 3, i % 3) += uniform(random, -amount, amount);
+    }
+    return Pose::from_matrix(matrix, pose.translation());
+}
+
+Pose with_norm(const Pose& pose, double factor) {
+    const Quaternion& q = pose.quaternion();
+    return Pose::from_quaternion({factor * q.w, factor * q.x, factor * q.y, factor * q.z},
+                                 pose.translation());
+}
+
+} // namespace
+
+TEST(Pose, AProductOfQuaternionsRotatesByTheRightOneFirst) {
+    const Quaternion about_x{1, 1, 0, 0}; // By 90 degrees.
+    const Quaternion about_z{1, 0, 0, 1};
+    const Vec3 point = Pose::from_quaternion(about_z * about_x, Vec3::Zero()).apply({0, 1, 0});
+
+    // About x to (0, 0, 1), which stays where it is about z.
+    EXPECT_LE((point - Vec3(0, 0, 1)).norm(), 1e-15);
+}
+
+TEST(Pose, RotationIsWithinItsErrorForQuaternionsOfAnyNorm) {
+    for (const double factor : {1.0, 1e-150, 1e150, 0x1p-1060, 0x1p1000}) {
+        std::mt19937_64 random(3);
+        for (int round = 0; round < 20; ++round) {
+            const Pose pose = with_norm(make_pose(random, 1), factor);
+            const Mat3 rounded = pose.rotation();
+            const Matrix exact = exact_rotation(pose);
+            for (const std::size_t i : three) {
+                for (const std::size_t j : three) {
+                    EXPECT_LE(abs(Number(exact[i][j] - at(rounded, i, j))),
+                              Number(pose.rotation_error()))
+                        << factor;
+                }
+            }
+        }
+    }
+}
+
+TEST(Pose, AMatrixStaysWhatItWasGivenAs) {
+    Mat3 matrix;
+    matrix << 1, 1e-17, 0, 0, 1, 0.1, 0, 0, 1;
+    const Pose pose = Pose::from_matrix(matrix, {1, 2, 3});
+
+    EXPECT_EQ(pose.matrix(), matrix);
+    EXPECT_EQ(pose.rotation(), matrix);
+    EXPECT_EQ(pose.rotation_error(), 0);
+    EXPECT_FALSE(pose == Pose::from_matrix(Mat3::Identity(), {1, 2, 3}));
+}
+
+TEST(Pose, KindsAreDifferentPosesEvenWhereTheyRotateAlike) {
+    EXPECT_FALSE(Pose() == Pose::from_quaternion({1, 0, 0, 0}, Vec3::Zero()));
+    EXPECT_FALSE(Pose::from_quaternion({2, 0, 0, 0}, Vec3::Zero()) ==
+                 Pose::from_quaternion({1, 0, 0, 0}, Vec3::Zero()));
+}
+
+TEST(Pose, IsNotFiniteWithOneBadNumber) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE(Pose().is_finite());
+    EXPECT_FALSE(translation_pose(0, nan, 0).is_finite());
+    EXPECT_FALSE(Pose::from_quaternion({1, 0, 0, nan}, Vec3::Zero()).is_finite());
+    EXPECT_FALSE(Pose::from_matrix(Mat3::Constant(HUGE_VAL), Vec3::Zero()).is_finite());
+}
+
+TEST(RelativePose, BoundsHoldForEveryKindOfPair) {
+    using Maker = std::function<Pose(std::mt19937_64&)>;
+    const std::vector<Maker> makers{
+        [](auto& r) { return make_pose(r, 2); },
+        [](auto& r) { return make_matrix_pose(r, 1e7); },
+        [](auto& r) { return with_norm(make_pose(r, 0.1), uniform(r, 1e-8, 1e8)); },
+        [](auto& r) { return bent(r, make_pose(r, 5), 1e-5); },
+        [](auto& r) { return bent(r, make_pose(r, 5), 1e-12); },
+        [](auto&) { return Pose(); },
+    };
+    for (std::size_t a = 0; a < makers.size(); ++a) {
+        for (std::size_t b = 0; b < makers.size(); ++b) {
+            for (std::uint64_t seed = 0; seed < 8; ++seed) {
+                SCOPED_TRACE(testing::Message() << a << " " << b << " seed " << seed);
+                std::mt19937_64 random(seed);
+                const Pose pose_a = makers[a](random);
+                expect_bounds_hold({pose_a, makers[b](random)});
+            }
+        }
+    }
+}
+
+TEST(RelativePose, InvertsAMatrixThatIsNotQuiteRigid) {
+    std::mt19937_64 random(1);
+    const Pose a = bent(random, make_pose(random, 1), 1e-5);
+    const RelativePose relative = relative_pose({a, make_pose(random, 1)});
+
+    // The bounds are those of rounding, not those of taking the transpose for the inverse.
+    EXPECT_LE(relative.rotation_error, 1e-12);
+    EXPECT_LE(relative.translation_error, 1e-12);
+    EXPECT_LE(relative.skew, 3e-4);
+    EXPECT_GE(relative.skew, 1e-6);
+}
+
+TEST(RelativePose, OfOnePoseForBothIsTheIdentityWithinItsBound) {
+    std::mt19937_64 random(2);
+    const Pose pose = make_pose(random, 100);
+    const RelativePose relative = relative_pose({pose, pose});
+
+    EXPECT_LE((relative.rotation - Mat3::Identity()).cwiseAbs().maxCoeff(),
+              relative.rotation_error);
+    EXPECT_EQ(relative.translation, Vec3(0, 0, 0));
+    EXPECT_EQ(relative.skew, 0);
+}
+
+TEST(RelativePose, PromisesNothingForWhatIsFarFromRigid) {
+    const Pose flat = Pose::from_matrix(Mat3::Zero(), Vec3::Zero());
+    const Pose huge = Pose::from_matrix(Mat3::Constant(1e200), Vec3::Zero());
+    for (const Pose& pose : {flat, huge}) {
+        const RelativePose relative = relative_pose({pose, Pose()});
+        EXPECT_EQ(relative.rotation_error, HUGE_VAL);
+        EXPECT_EQ(relative.translation_error, HUGE_VAL);
+        EXPECT_EQ(relative.skew, HUGE_VAL);
+    }
+    const double largest = std::numeric_limits<double>::max();
+    const RelativePose apart =
+        relative_pose({translation_pose(-largest, 0, 0), translation_pose(largest, 0, 0)});
+    EXPECT_EQ(apart.translation_error, HUGE_VAL);
+}
+
+} // namespace cd::tests

@@ -1,0 +1,135 @@
+// Proves that the connections of a mesh are counted as defined: closed, open, doubled, degenerate
+// and joined by coordinates rather than by index.
+#include "common/geometry/topology.hpp"
+
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace cd::tests {
+
+namespace {
+
+Mesh without_triangle(const Mesh& mesh, std::size_t triangle) {
+    std::vector<Triangle> triangles = mesh.triangles();
+    triangles.erase(triangles.begin() + static_cast<std::ptrdiff_t>(triangle));
+    return make_mesh(mesh.vertices(), std::move(triangles));
+}
+
+Mesh with_triangle(const Mesh& mesh, const Triangle& triangle) {
+    std::vector<Triangle> triangles = mesh.triangles();
+    triangles.push_back(triangle);
+    return make_mesh(mesh.vertices(), std::move(triangles));
+}
+
+/// The same mesh with corners of its own for each triangle, as in an STL file.
+Mesh unshared(const Mesh& mesh) {
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
+        const Corners corners = mesh.corners(i);
+        vertices.insert(vertices.end(), corners.begin(), corners.end());
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return make_mesh(std::move(vertices), std::move(triangles));
+}
+
+} // namespace
+
+TEST(Topology, SolidsAreClosedAndInOnePiece) {
+    for (const Mesh& mesh : {make_sphere(2),
+                             make_box({1, 2, 3}),
+                             make_gridded_box({1, 1, 1}, 3),
+                             make_torus(2, 0.5, 12, 8)}) {
+        const Topology topology = analyse_topology(mesh);
+        EXPECT_TRUE(topology.is_closed());
+        EXPECT_EQ(topology.component_triangles, std::vector<std::uint32_t>{0});
+        EXPECT_EQ(topology.degenerate, 0u);
+        EXPECT_EQ(topology.duplicate, 0u);
+    }
+}
+
+TEST(Topology, EqualCoordinatesAreOneVertex) {
+    const Topology topology = analyse_topology(unshared(make_sphere(2)));
+    EXPECT_TRUE(topology.is_closed());
+    EXPECT_EQ(topology.component_triangles.size(), 1u);
+}
+
+TEST(Topology, AMissingTriangleLeavesThreeBoundaryEdges) {
+    const Topology topology = analyse_topology(without_triangle(make_box({1, 1, 1}), 5));
+    EXPECT_EQ(topology.boundary_edges, 3u);
+    EXPECT_EQ(topology.non_manifold_edges, 0u);
+    EXPECT_FALSE(topology.is_closed());
+}
+
+TEST(Topology, ADuplicateIsCountedWhateverItsFirstCornerAndSense) {
+    const Mesh box = make_box({1, 1, 1});
+    const Triangle& t = box.triangles()[0];
+    for (const Triangle& again : {t, Triangle{t[1], t[2], t[0]}, Triangle{t[1], t[0], t[2]}}) {
+        const Topology topology = analyse_topology(with_triangle(box, again));
+        EXPECT_EQ(topology.duplicate, 1u);
+        EXPECT_EQ(topology.non_manifold_edges, 3u);
+        EXPECT_FALSE(topology.is_closed());
+    }
+}
+
+TEST(Topology, AFlippedTriangleIsInconsistentOnItsEdges) {
+    const Mesh box = make_box({1, 1, 1});
+    const Triangle t = box.triangles()[3];
+    const Mesh flipped = with_triangle(without_triangle(box, 3), {t[0], t[2], t[1]});
+    const Topology topology = analyse_topology(flipped);
+    EXPECT_EQ(topology.inconsistent_edges, 3u);
+    EXPECT_EQ(topology.boundary_edges, 0u);
+    EXPECT_FALSE(topology.is_closed());
+}
+
+TEST(Topology, DegenerateTrianglesAreCountedAndBoundNothing) {
+    const Mesh box = make_box({2, 2, 2});
+    std::vector<Vec3> vertices = box.vertices();
+    std::vector<Triangle> triangles = box.triangles();
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    vertices.insert(vertices.end(), {{5, 0, 0}, {6, 0, 0}, {7, 0, 0}, {9, 9, 9}});
+    triangles.push_back({first, first + 1, first + 2});     // Three places on a line.
+    triangles.push_back({first + 3, first + 3, first + 3}); // A point.
+    triangles.push_back({0, 1, 1});                         // On an edge of the box.
+    const Topology topology = analyse_topology(make_mesh(vertices, triangles));
+
+    EXPECT_EQ(topology.degenerate, 3u);
+    EXPECT_TRUE(topology.is_closed());
+    EXPECT_EQ(topology.component_triangles, (std::vector<std::uint32_t>{0, 12, 13}));
+}
+
+TEST(Topology, ComponentsAreNamedByTheirFirstTriangles) {
+    const Mesh near = make_box({1, 1, 1});
+    const Mesh far = translated(near, {10, 0, 0});
+    const Topology topology = analyse_topology(join({near, far, translated(near, {20, 0, 0})}));
+    EXPECT_EQ(topology.component_triangles, (std::vector<std::uint32_t>{0, 12, 24}));
+    EXPECT_TRUE(topology.is_closed());
+}
+
+TEST(Topology, BodiesThatShareOneVertexAreOneComponent) {
+    const Mesh box = make_box({1, 1, 1});
+    const Topology topology = analyse_topology(join({box, translated(box, {1, 1, 1})}));
+    EXPECT_EQ(topology.component_triangles.size(), 1u);
+    EXPECT_TRUE(topology.is_closed());
+}
+
+TEST(Topology, DoesNotDependOnTheOrderOfTriangles) {
+    std::mt19937_64 random(4);
+    for (int round = 0; round < 20; ++round) {
+        const Mesh mesh = make_degenerate_soup(random, 200);
+        std::vector<Triangle> reversed(mesh.triangles().rbegin(), mesh.triangles().rend());
+        const Topology one = analyse_topology(mesh);
+        const Topology other = analyse_topology(make_mesh(mesh.vertices(), std::move(reversed)));
+        EXPECT_EQ(one.degenerate, other.degenerate);
+        EXPECT_EQ(one.duplicate, other.duplicate);
+        EXPECT_EQ(one.boundary_edges, other.boundary_edges);
+        EXPECT_EQ(one.non_manifold_edges, other.non_manifold_edges);
+        EXPECT_EQ(one.inconsistent_edges, other.inconsistent_edges);
+        EXPECT_EQ(one.component_triangles.size(), other.component_triangles.size());
+    }
+}
+
+} // namespace cd::tests
