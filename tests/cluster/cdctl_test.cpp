@@ -1,0 +1,168 @@
+// Proves what README promises of cdctl as a user runs it: the same digest with and without a
+// cluster on real models, the exit codes, and errors of one line that name the way out.
+#include "client/npz.hpp"
+#include "tests/cluster/cluster_fixture.hpp"
+
+#include <gmock/gmock.h>
+
+#include <regex>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::HasSubstr;
+
+std::string digest_of(const Ran& ran) {
+    std::smatch found;
+    const std::regex pattern("digest +([0-9a-f]{16})");
+    return std::regex_search(ran.output, found, pattern) ? found[1].str() : "none: " + ran.errors;
+}
+
+std::string cdctl() {
+    return program("cdctl").string();
+}
+
+/// Two closed boxes of 1 m as OBJ files.
+void write_boxes(const TemporaryFolder& folder) {
+    const Mesh box = make_box({1, 1, 1});
+    std::string text;
+    for (const Vec3& v : box.vertices()) {
+        text += "v " + std::to_string(v.x()) + " " + std::to_string(v.y()) + " " +
+                std::to_string(v.z()) + "\n";
+    }
+    for (const Triangle& t : box.triangles()) {
+        text += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " +
+                std::to_string(t[2] + 1) + "\n";
+    }
+    write_text(folder / "box.obj", text);
+}
+
+} // namespace
+
+TEST_F(Cluster, CdctlFindsTheSameWithAndWithoutAMasterOnRealModels) {
+    CD_NEEDS_MODEL(sedan, "sedan.obj");
+    CD_NEEDS_MODEL(wheel, "lugged_wheel.obj");
+    write_text(folder_ / "job.toml",
+               "name = \"wheel\"\n[a]\nmesh = \"" + sedan.string() + "\"\n[b]\nmesh = \"" +
+                   wheel.string() +
+                   "\"\n[poses]\nrandom = { n = 200, seed = 3, penetration = [0.01, 0.05] }\n"
+                   "[query]\nlevel = \"contacts\"\n[output]\ndir = \"" +
+                   (folder_ / "out").string() +
+                   "\"\nformats = [\"csv\", \"npz\", \"json\", \"text\"]\n");
+    const std::string job = folder_ / "job.toml";
+    const Ran one = tests::run({cdctl(), "run", job, "--threads", "1"});
+    const Ran two = tests::run({cdctl(), "run", job, "--threads", "2"});
+    start_worker();
+    start_worker();
+    const Ran cluster = tests::run({cdctl(), "run", job, "--master", master_->address()});
+
+    EXPECT_EQ(one.exit_code, 0) << one.errors;
+    EXPECT_EQ(cluster.exit_code, 0) << cluster.errors;
+    EXPECT_EQ(digest_of(one).size(), 16u) << digest_of(one);
+    EXPECT_EQ(digest_of(two), digest_of(one));
+    EXPECT_EQ(digest_of(cluster), digest_of(one));
+    EXPECT_THAT(one.output, HasSubstr("tested 200 of 200"));
+
+    const auto arrays = read_npz(folder_ / "out" / "results.npz");
+    ASSERT_TRUE(arrays) << arrays.error().detail;
+    EXPECT_EQ(arrays.value().at("offsets").shape[0], 201u);
+    EXPECT_EQ(arrays.value().at("pairs").shape[1], 2u);
+    EXPECT_GT(std::filesystem::file_size(folder_ / "out" / "results.jsonl"), 1000u);
+}
+
+TEST_F(Cluster, SubmitWaitResultsAndGetSpeakOfTheSameJob) {
+    write_boxes(folder_);
+    write_text(folder_ / "poses.csv",
+               "x,y,z,qx,qy,qz,qw\n3,0,0,0,0,0,1\n1,0,0,0,0,0,1\n0.5,0.2,0.1,0,0,0,1\n");
+    write_text(folder_ / "job.toml",
+               "name = \"boxes\"\n[a]\nmesh = \"box.obj\"\n[b]\nmesh = \"box.obj\"\n"
+               "[poses]\nfile = \"poses.csv\"\n");
+    start_worker();
+    const std::string at = master_->address();
+    const Ran submitted = tests::run({cdctl(), "submit", folder_ / "job.toml", "--master", at});
+    ASSERT_EQ(submitted.exit_code, 0) << submitted.errors;
+    const std::string id = submitted.output.substr(0, submitted.output.find_first_of(" \n"));
+
+    const Ran waited = tests::run({cdctl(), "wait", id, "--master", at});
+    EXPECT_EQ(waited.exit_code, 0) << waited.errors;
+    const Ran watched = tests::run({cdctl(), "watch", id, "--master", at});
+    EXPECT_EQ(watched.exit_code, 0) << watched.errors;
+    const Ran results = tests::run({cdctl(), "results", id, "--master", at, "-o", "json"});
+    EXPECT_EQ(results.exit_code, 0) << results.errors;
+    EXPECT_THAT(results.output, HasSubstr("\"class\":\"separate\""));
+    EXPECT_THAT(results.output, HasSubstr("\"class\":\"touch\""));
+    EXPECT_THAT(results.output, HasSubstr("\"class\":\"cross\""));
+    for (const char* what : {"jobs", "workers", "meshes"}) {
+        for (const char* format : {"json", "wide", "csv", "name"}) {
+            const Ran got = tests::run({cdctl(), "get", what, "--master", at, "-o", format});
+            EXPECT_EQ(got.exit_code, 0) << got.errors;
+            EXPECT_FALSE(got.output.empty()) << what << format;
+        }
+    }
+    const Ran status = tests::run({cdctl(), "status", "--master", at});
+    EXPECT_EQ(status.exit_code, 0) << status.errors;
+    EXPECT_THAT(status.output, HasSubstr("bottleneck"));
+}
+
+TEST(Cdctl, ExitCodesSayHowItWent) {
+    const TemporaryFolder folder;
+    write_boxes(folder);
+    const std::string box = folder / "box.obj";
+    write_text(folder / "apart.csv", "x,y,z,qx,qy,qz,qw\n3,0,0,0,0,0,1\n");
+    write_text(folder / "touch.csv", "x,y,z,qx,qy,qz,qw\n1,0,0,0,0,0,1\n");
+    write_text(folder / "cross.csv", "x,y,z,qx,qy,qz,qw\n0.5,0.2,0.1,0,0,0,1\n");
+    const auto run_with = [&](const std::string& poses, std::vector<std::string> more) {
+        std::vector<std::string> command{
+            cdctl(), "run", "--a", box, "--b", box, "--poses", folder / poses};
+        command.insert(command.end(), more.begin(), more.end());
+        return tests::run(command);
+    };
+    EXPECT_EQ(run_with("apart.csv", {"--fail-on", "touch"}).exit_code, 0);
+    EXPECT_EQ(run_with("touch.csv", {}).exit_code, 0);
+    EXPECT_EQ(run_with("touch.csv", {"--fail-on", "touch"}).exit_code, 1);
+    EXPECT_EQ(run_with("touch.csv", {"--fail-on", "cross"}).exit_code, 0);
+    EXPECT_EQ(run_with("cross.csv", {"--fail-on", "cross"}).exit_code, 1);
+    EXPECT_EQ(run_with("cross.csv", {"--fail-on", "cross", "--level", "any"}).exit_code, 2);
+    EXPECT_EQ(run_with("cross.csv", {"--no-such-option"}).exit_code, 2);
+    EXPECT_EQ(run_with("none.csv", {}).exit_code, 2);
+    EXPECT_EQ(run_with("cross.csv", {"--master", "127.0.0.1:1"}).exit_code, 4);
+    EXPECT_EQ(run_with("cross.csv", {"--dry-run"}).exit_code, 0);
+}
+
+TEST(Cdctl, ErrorsAreOneLineThatNamesTheFileAndTheField) {
+    const TemporaryFolder folder;
+    write_boxes(folder);
+    write_text(folder / "job.toml", "[a]\nmesh = \"box.obj\"\n[b]\nmesh = \"box.obj\"\n[qeury]\n");
+    const Ran unknown = tests::run({cdctl(), "run", folder / "job.toml"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_THAT(unknown.errors,
+                testing::AllOf(HasSubstr("job.toml:5"), HasSubstr("qeury"), HasSubstr("query")));
+    EXPECT_EQ(std::count(unknown.errors.begin(), unknown.errors.end(), '\n'), 1);
+
+    const Ran missing = tests::run({cdctl(), "inspect", folder / "nothing.stl"});
+    EXPECT_EQ(missing.exit_code, 2);
+    EXPECT_THAT(missing.errors, HasSubstr("nothing.stl"));
+
+    const Ran report = tests::run({cdctl(), "inspect", folder / "box.obj"});
+    EXPECT_EQ(report.exit_code, 0) << report.errors;
+    EXPECT_THAT(report.output, testing::AllOf(HasSubstr("12"), HasSubstr("closed")));
+}
+
+TEST(Cdctl, HelpBeginsWithExamples) {
+    for (const char* name : {"cdctl", "cdmaster", "cdworker"}) {
+        const Ran help = tests::run({program(name).string(), "--help"});
+        EXPECT_EQ(help.exit_code, 0);
+        EXPECT_TRUE(help.output.starts_with("Examples")) << name << ":\n"
+                                                         << help.output.substr(0, 80);
+        EXPECT_EQ(tests::run({program(name).string(), "--version"}).exit_code, 0);
+    }
+    for (const char* verb :
+         {"run", "demo", "submit", "watch", "wait", "results", "get", "status", "inspect"}) {
+        const Ran help = tests::run({cdctl(), verb, "--help"});
+        EXPECT_EQ(help.exit_code, 0) << verb;
+        EXPECT_THAT(help.output, HasSubstr("cdctl " + std::string(verb))) << verb;
+    }
+}
+
+} // namespace cd::tests
