@@ -54,10 +54,10 @@ asio::awaitable<Addresses> resolve(const Endpoint& endpoint, error_code& error) 
     }
     asio::ip::tcp::resolver resolver(co_await asio::this_coro::executor);
     const Deadline deadline(resolver, limits::connect_timeout);
-    const auto found =
-        co_await resolver.async_resolve(endpoint.host,
-                                        std::to_string(endpoint.port),
-                                        asio::redirect_error(asio::use_awaitable, error));
+    // GCC 12 may destroy a temporary twice that stands beside a co_await: it gets a name.
+    const std::string port = std::to_string(endpoint.port);
+    const auto found = co_await resolver.async_resolve(
+        endpoint.host, port, asio::redirect_error(asio::use_awaitable, error));
     for (const auto& entry : found) {
         addresses.push_back(entry.endpoint());
     }

@@ -93,7 +93,8 @@ TEST(Channel, WaitingForTheQueueEndsWhenTheChannelCloses) {
     run_conversation([]() -> asio::awaitable<void> {
         const Ends ends = co_await connect_greeted_ends();
         ends.left->send(results_of(1, 64u << 20));
-        asio::post(co_await asio::this_coro::executor, [left = ends.left] { left->close(); });
+        const auto executor = co_await asio::this_coro::executor;
+        asio::post(executor, [left = ends.left] { left->close(); });
         co_await ends.left->wait_until_queued_below(1);
         EXPECT_FALSE(ends.left->is_open());
         ends.left->send(Heartbeat{});
@@ -117,7 +118,8 @@ TEST(Channel, ATimeoutLosesNothing) {
 TEST(Channel, CloseWakesWhoReceives) {
     run_conversation([]() -> asio::awaitable<void> {
         const Ends ends = co_await connect_greeted_ends();
-        asio::post(co_await asio::this_coro::executor, [left = ends.left] { left->close(); });
+        const auto executor = co_await asio::this_coro::executor;
+        asio::post(executor, [left = ends.left] { left->close(); });
         const Result<Message> nothing = co_await ends.left->receive(patience);
         EXPECT_EQ(nothing.error().code, ErrorCode::Disconnected);
         const Result<Message> peer = co_await ends.right->receive(patience);
@@ -237,7 +239,8 @@ asio::awaitable<void> answer_welcome(std::shared_ptr<Channel> channel) {
 TEST(Greeting, GreetReturnsTheWelcome) {
     run_conversation([]() -> asio::awaitable<void> {
         Ends ends = co_await connect_ends();
-        spawn(co_await asio::this_coro::executor, "answer", answer_welcome(std::move(ends.right)));
+        const auto executor = co_await asio::this_coro::executor;
+        spawn(executor, "answer", answer_welcome(std::move(ends.right)));
         Hello hello;
         const Result<Welcome> welcome = co_await greet(ends.left, hello);
         EXPECT_EQ(welcome.value().id, 42u);
@@ -254,7 +257,8 @@ asio::awaitable<void> refuse(std::shared_ptr<Channel> channel) {
 TEST(Greeting, WithoutACommonVersionBothSidesKnowWhy) {
     run_conversation([]() -> asio::awaitable<void> {
         Ends ends = co_await connect_ends();
-        spawn(co_await asio::this_coro::executor, "refuse", refuse(std::move(ends.right)));
+        const auto executor = co_await asio::this_coro::executor;
+        spawn(executor, "refuse", refuse(std::move(ends.right)));
         Hello hello;
         hello.version_min = 7;
         hello.version_max = 9;
