@@ -3,6 +3,7 @@
 #include "common/core/hash.hpp"
 
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -236,48 +237,37 @@ Status check_ply_lines(const std::filesystem::path& path) {
     return Done{};
 }
 
-using Position = std::array<float, 3>;
+/// The importer does not always round a decimal to the nearest float: it may be some steps off, and
+/// the unit's factor is applied to that. So positions are looked up by cells of eight floats.
+constexpr int cell_bits = 3;
+constexpr std::int32_t steps_off_max = 4;
 
-struct PositionHash {
-    std::size_t operator()(const Position& position) const {
-        return static_cast<std::size_t>(checksum(std::as_bytes(std::span(position))));
+using Cell = std::array<std::int32_t, 3>;
+
+struct CellHash {
+    std::size_t operator()(const Cell& cell) const {
+        return static_cast<std::size_t>(checksum(std::as_bytes(std::span(cell))));
     }
 };
 
-using Positions = std::unordered_set<Position, PositionHash>;
+using Cells = std::unordered_set<Cell, CellHash>;
 
-/// The importer does not always round a decimal to the nearest float: it may be some steps off, and
-/// the unit's factor is applied to that.
-constexpr int steps_off_max = 4;
+/// Numbers the floats in their order, both zeros as 0.
+std::int32_t float_number(double value) {
+    const auto bits = std::bit_cast<std::int32_t>(static_cast<float>(value));
+    return bits < 0 ? -(bits & std::numeric_limits<std::int32_t>::max()) : bits;
+}
 
-/// True when a position within some float steps of the given one is in the set.
-bool has_nearby(const Positions& positions, const Vec3& wanted) {
-    Position nearest{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        nearest[k] = static_cast<float>(wanted[static_cast<Eigen::Index>(k)]) + 0.0f;
-    }
-    if (positions.contains(nearest)) {
-        return true;
-    }
-    std::array<std::vector<float>, 3> choices;
-    for (std::size_t k = 0; k < 3; ++k) {
-        float down = nearest[k];
-        float up = nearest[k];
-        choices[k].push_back(nearest[k]);
-        for (int step = 0; step < steps_off_max; ++step) {
-            down = std::nextafter(down, -std::numeric_limits<float>::infinity());
-            up = std::nextafter(up, std::numeric_limits<float>::infinity());
-            choices[k].push_back(down + 0.0f);
-            choices[k].push_back(up + 0.0f);
+/// True when a position within some float steps of the given one is in the cells.
+bool has_nearby(const Cells& cells, const Vec3& wanted) {
+    for (int choice = 0; choice < 8; ++choice) {
+        Cell cell{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::int32_t off = (choice >> axis & 1) != 0 ? steps_off_max : -steps_off_max;
+            cell[static_cast<std::size_t>(axis)] = (float_number(wanted[axis]) + off) >> cell_bits;
         }
-    }
-    for (const float x : choices[0]) {
-        for (const float y : choices[1]) {
-            for (const float z : choices[2]) {
-                if (positions.contains({x, y, z})) {
-                    return true;
-                }
-            }
+        if (cells.contains(cell)) {
+            return true;
         }
     }
     return false;
@@ -295,14 +285,15 @@ Status check_against_text(const std::filesystem::path& path,
                        " triangles, but the importer took " +
                        std::to_string(mesh.triangles().size()));
     }
-    Positions positions;
+    Cells cells;
+    cells.reserve(mesh.vertices().size());
     for (const Vec3& vertex : mesh.vertices()) {
-        positions.insert({static_cast<float>(vertex.x()),
-                          static_cast<float>(vertex.y()),
-                          static_cast<float>(vertex.z())});
+        cells.insert({float_number(vertex.x()) >> cell_bits,
+                      float_number(vertex.y()) >> cell_bits,
+                      float_number(vertex.z()) >> cell_bits});
     }
     for (std::size_t i = 0; i < text.vertices.size(); ++i) {
-        if (text.used[i] && !has_nearby(positions, options.unit_factor * text.vertices[i])) {
+        if (text.used[i] && !has_nearby(cells, options.unit_factor * text.vertices[i])) {
             const std::uint64_t line = text.vertex_lines[i];
             return bad(path,
                        "the importer did not take vertex " + std::to_string(i) +
