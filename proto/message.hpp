@@ -95,8 +95,8 @@ struct Batch {
     std::vector<RootPair> pairs;             ///< The colliding distribution roots.
 };
 
-/// To a worker: nothing more comes, finish what is there, then close. From a worker that its own host
-/// ends: give me nothing more; what I have not begun comes back with EndOfTask.
+/// To a worker: nothing more comes, finish what is there, then close. From a worker that its own
+/// host ends: give me nothing more; what I have not begun comes back with EndOfTask.
 struct Drain {};
 
 /// End now.
