@@ -3,14 +3,18 @@
 // corners.
 #include "common/geometry/triangle_pair.hpp"
 
+#include "common/geometry/double_triangle_pair.hpp"
+#include "common/geometry/exact_triangle_pair.hpp"
+#include "tests/support/hard_pairs.hpp"
 #include "tests/support/oracle.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <string>
@@ -19,189 +23,31 @@ namespace cd::tests {
 
 namespace {
 
-struct Case {
-    Corners a;
-    Corners b;
-    PosePair poses;
-};
-
-using Maker = std::function<Case(std::mt19937_64&)>;
-
-Corners random_corners(std::mt19937_64& random, double half_width) {
-    return {random_point(random, half_width),
-            random_point(random, half_width),
-            random_point(random, half_width)};
-}
-
-Vec3 lattice_point(std::mt19937_64& random, int reach) {
-    const auto coordinate = [&] {
-        return static_cast<double>(
-            static_cast<int>(random() % (2 * static_cast<unsigned>(reach) + 1)) - reach);
-    };
-    const double x = coordinate();
-    const double y = coordinate();
-    const double z = coordinate();
-    return {x, y, z};
-}
-
-Corners lattice_corners(std::mt19937_64& random, int reach) {
-    return {
-        lattice_point(random, reach), lattice_point(random, reach), lattice_point(random, reach)};
-}
-
-/// A point of a triangle, rounded: a vertex of B put there touches A nominally.
-Vec3 point_on(std::mt19937_64& random, const Corners& t) {
-    const double s = uniform(random, 0, 1);
-    const double r = uniform(random, 0, 1 - s);
-    return t[0] + s * (t[1] - t[0]) + r * (t[2] - t[0]);
-}
-
-Vec3 nudged(std::mt19937_64& random, Vec3 p) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const double infinity = std::numeric_limits<double>::infinity();
-        if (random() % 2 == 0) {
-            p[axis] = std::nextafter(p[axis], random() % 2 == 0 ? infinity : -infinity);
-        }
+/// The distance of a point from a closed triangle, which may be a segment or a point: within its
+/// prism that from its plane, and otherwise that from an edge.
+double distance(const Vec3& p, const Corners& t) {
+    const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+    bool inside = normal.norm() > 0;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 edge = t[(i + 1) % 3] - t[i];
+        inside = inside && normal.cross(edge).dot(p - t[i]) >= 0;
+        const double length = edge.squaredNorm();
+        const double along = length > 0 ? std::clamp(edge.dot(p - t[i]) / length, 0.0, 1.0) : 0.0;
+        nearest = std::min(nearest, (t[i] + along * edge - p).norm());
     }
-    return p;
-}
-
-Corners scaled(Corners t, double factor) {
-    for (Vec3& corner : t) {
-        corner *= factor;
-    }
-    return t;
-}
-
-Corners flat(Corners t) {
-    for (Vec3& corner : t) {
-        corner.z() = 0;
-    }
-    return t;
-}
-
-PosePair both_posed(std::mt19937_64& random, double reach) {
-    return {make_pose(random, reach), make_pose(random, reach)};
-}
-
-Pose quarter_turns(std::mt19937_64& random) {
-    Mat3 rotation = Mat3::Identity();
-    for (std::uint64_t i = 0; i < 1 + random() % 3; ++i) {
-        const int axis = static_cast<int>(random() % 3);
-        Mat3 turn = Mat3::Zero();
-        turn(axis, axis) = 1;
-        turn((axis + 1) % 3, (axis + 2) % 3) = -1;
-        turn((axis + 2) % 3, (axis + 1) % 3) = 1;
-        rotation = Mat3(rotation * turn);
-    }
-    return Pose::from_matrix(rotation, lattice_point(random, 2));
-}
-
-std::map<std::string, Maker> makers() {
-    std::map<std::string, Maker> all;
-    all["random"] = [](auto& r) { return Case{random_corners(r, 1), random_corners(r, 1), {}}; };
-    all["random, both posed"] = [](auto& r) {
-        return Case{random_corners(r, 1), random_corners(r, 1), both_posed(r, 0.3)};
-    };
-    all["random, matrix poses"] = [](auto& r) {
-        return Case{random_corners(r, 1),
-                    random_corners(r, 1),
-                    {make_matrix_pose(r, 0.3), make_matrix_pose(r, 0.3)}};
-    };
-    all["lattice: ties and degenerate ones"] = [](auto& r) {
-        return Case{lattice_corners(r, 2), lattice_corners(r, 2), {}};
-    };
-    all["lattice in one plane"] = [](auto& r) {
-        return Case{flat(lattice_corners(r, 3)), flat(lattice_corners(r, 3)), {}};
-    };
-    all["lattice under quarter turns"] = [](auto& r) {
-        return Case{
-            lattice_corners(r, 2), lattice_corners(r, 2), {quarter_turns(r), quarter_turns(r)}};
-    };
-    all["one pose for both: shared vertices"] = [](auto& r) {
-        Case c{random_corners(r, 1), random_corners(r, 1), {}};
-        c.poses.a = c.poses.b = make_pose(r, 10);
-        c.b[0] = c.a[r() % 3];
-        if (r() % 2 == 0) {
-            c.b[1] = c.a[r() % 3];
-        }
-        return c;
-    };
-    all["vertex on face, one ulp off"] = [](auto& r) {
-        Case c{random_corners(r, 1), random_corners(r, 1), {}};
-        c.b[0] = nudged(r, point_on(r, c.a));
-        return c;
-    };
-    all["slivers and needles"] = [](auto& r) {
-        Case c{random_corners(r, 1), random_corners(r, 1), both_posed(r, 0.1)};
-        c.a[2] = c.a[0] + 0.5 * (c.a[1] - c.a[0]) + random_point(r, 1e-12);
-        c.b[1] = c.b[0] + random_point(r, 1e-9);
-        return c;
-    };
-    all["degenerate to segments and points"] = [](auto& r) {
-        Case c{lattice_corners(r, 2), lattice_corners(r, 2), {}};
-        c.a[1] = c.a[0];
-        if (r() % 3 == 0) {
-            c.b[2] = 2 * c.b[1] - c.b[0];
-        }
-        if (r() % 5 == 0) {
-            c.a[2] = c.a[0];
-        }
-        return c;
-    };
-    all["nearly coplanar"] = [](auto& r) {
-        Case c{flat(random_corners(r, 1)), flat(random_corners(r, 1)), {}};
-        for (Vec3& corner : c.b) {
-            corner.z() = uniform(r, -1, 1) * std::ldexp(1.0, -30 - static_cast<int>(r() % 24));
-        }
-        return c;
-    };
-    all["tiny"] = [](auto& r) {
-        return Case{scaled(lattice_corners(r, 2), 1e-20), scaled(lattice_corners(r, 2), 1e-20), {}};
-    };
-    all["denormal"] = [](auto& r) {
-        return Case{
-            scaled(lattice_corners(r, 2), 0x1p-1074), scaled(lattice_corners(r, 2), 0x1p-1074), {}};
-    };
-    all["huge"] = [](auto& r) {
-        return Case{
-            scaled(random_corners(r, 1), 0x1p400), scaled(lattice_corners(r, 1), 0x1p400), {}};
-    };
-    all["far away, small features"] = [](auto& r) {
-        Case c{scaled(lattice_corners(r, 2), 1e-3), scaled(lattice_corners(r, 2), 1e-3), {}};
-        for (Corners* t : {&c.a, &c.b}) {
-            for (Vec3& corner : *t) {
-                corner += Vec3(1e7, -2e7, 3e6);
-            }
-        }
-        return c;
-    };
-    all["far poses that cancel"] = [](auto& r) {
-        Case c{random_corners(r, 1), random_corners(r, 1), both_posed(r, 0.2)};
-        const Vec3 far(1e7, 1e7, 1e7);
-        c.poses.a = Pose::from_quaternion(c.poses.a.quaternion(), c.poses.a.translation() + far);
-        c.poses.b = Pose::from_quaternion(c.poses.b.quaternion(), c.poses.b.translation() + far);
-        return c;
-    };
-    all["quaternions of any norm"] = [](auto& r) {
-        Case c{lattice_corners(r, 2), lattice_corners(r, 2), {}};
-        const auto small = [&] { return static_cast<double>(1 + r() % 3); };
-        c.poses.a = Pose::from_quaternion({small(), 0, 0, small()}, lattice_point(r, 1));
-        c.poses.b = Pose::from_quaternion({small() * 1e-9, 0, small() * 1e-9, 0}, Vec3::Zero());
-        return c;
-    };
-    return all;
+    return inside ? std::min(nearest, std::abs(normal.dot(p - t[0])) / normal.norm()) : nearest;
 }
 
 } // namespace
 
 TEST(TrianglePair, EqualsTheOracleOnEveryKindOfPair) {
-    constexpr std::uint64_t rounds = 250;
+    constexpr std::uint64_t rounds = 150;
     std::map<PairClass, int> seen;
-    for (const auto& [name, make] : makers()) {
+    for (const auto& [name, make] : pair_makers()) {
         for (std::uint64_t seed = 0; seed < rounds; ++seed) {
             std::mt19937_64 random(seed);
-            const Case c = make(random);
+            const PosedPair c = make(random);
             const PairClass expected = oracle_class(c.a, c.b, c.poses);
             TrianglePairTest test(c.poses);
             ASSERT_EQ(test.classify(c.a, c.b), expected) << name << ", seed " << seed;
@@ -218,10 +64,10 @@ TEST(TrianglePair, EqualsTheOracleOnEveryKindOfPair) {
 }
 
 TEST(TrianglePair, DoesNotDependOnTheOrderOfBodiesAndCorners) {
-    for (const auto& [name, make] : makers()) {
+    for (const auto& [name, make] : pair_makers()) {
         for (std::uint64_t seed = 1000; seed < 1060; ++seed) {
             std::mt19937_64 random(seed);
-            const Case c = make(random);
+            const PosedPair c = make(random);
             const PairClass expected = TrianglePairTest(c.poses).classify(c.a, c.b);
             const Corners turned{c.a[1], c.a[2], c.a[0]};
             const Corners flipped{c.b[1], c.b[0], c.b[2]};
@@ -234,35 +80,81 @@ TEST(TrianglePair, DoesNotDependOnTheOrderOfBodiesAndCorners) {
     }
 }
 
-TEST(TrianglePair, SharedPointsAreFiniteAndNearBothTriangles) {
-    for (const std::string name : {"random",
-                                   "random, both posed",
-                                   "lattice: ties and degenerate ones",
-                                   "lattice in one plane",
-                                   "degenerate to segments and points"}) {
-        const Maker make = makers().at(name);
+TEST(TrianglePair, TheDoubleStageOnlyProves) {
+    // Against the exact stage, which is checked against the oracle above and fast enough for many.
+    // With its bounds a hundred times too small it is wrong here.
+    std::mt19937_64 random(11);
+    int proven = 0;
+    constexpr int rounds = 60'000;
+    for (int round = 0; round < rounds; ++round) {
+        const PosedPair c = nearly_touching(random);
+        const auto decided = DoubleTrianglePair(c.poses).classify(c.a, c.b);
+        if (decided) {
+            ASSERT_EQ(*decided, ExactTrianglePair(c.poses).classify(c.a, c.b)) << round;
+            ++proven;
+        }
+    }
+    // Most rounds are near the line between proven and not.
+    EXPECT_GT(proven, rounds / 5);
+    EXPECT_LT(proven, rounds * 4 / 5);
+}
+
+TEST(TrianglePair, NumbersOfEveryMagnitudeAreDecidedExactly) {
+    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+        std::mt19937_64 random(seed);
+        PosedPair c{lattice_corners(random, 2), lattice_corners(random, 2), {}};
+        for (Corners* t : {&c.a, &c.b}) {
+            for (Vec3& corner : *t) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    const int exponent = static_cast<int>(random() % 3) * 1040 - 1060;
+                    corner[axis] = std::ldexp(corner[axis], exponent);
+                }
+            }
+        }
+        if (seed % 8 == 0) {
+            c.poses.a = Pose::from_quaternion({0x1p1000, 0, 0x1p-1074, 0x1p1000}, Vec3::Zero());
+        }
+        const PairClass expected = oracle_class(c.a, c.b, c.poses);
+        TrianglePairTest test(c.poses);
+        ASSERT_EQ(test.classify(c.a, c.b), expected) << seed;
+        if (expected != PairClass::Separate) {
+            for (const Vec3& point : test.shared_points(c.a, c.b, expected)) {
+                EXPECT_TRUE(point.allFinite()) << seed;
+            }
+        }
+    }
+}
+
+TEST(TrianglePair, SharedPointsLieOnBothTriangles) {
+    for (const auto& [name, make] : pair_makers()) {
+        // These have points that doubles in the world's directions cannot place to 1e-9.
+        const bool is_ill_conditioned = name == "slivers and needles" ||
+                                        name == "nearly coplanar" || name == "huge" ||
+                                        name.starts_with("far") || name == "one large, one small";
         for (std::uint64_t seed = 0; seed < 300; ++seed) {
+            SCOPED_TRACE(testing::Message() << name << ", seed " << seed);
             std::mt19937_64 random(seed);
-            const Case c = make(random);
+            const PosedPair c = make(random);
             TrianglePairTest test(c.poses);
             const PairClass kind = test.classify(c.a, c.b);
             if (kind == PairClass::Separate) {
                 continue;
             }
             const std::vector<Vec3> points = test.shared_points(c.a, c.b, kind);
-            ASSERT_FALSE(points.empty()) << name << ", seed " << seed;
-            ASSERT_LE(points.size(), 6u) << name << ", seed " << seed;
-            // A point that both share is within rounding of both planes.
+            ASSERT_FALSE(points.empty());
+            ASSERT_LE(points.size(), 6u);
             const Vec3 origin = test.point_origin(c.a);
-            for (const auto& [corners, pose] :
-                 {std::pair{c.a, c.poses.a}, std::pair{c.b, c.poses.b}}) {
-                const Vec3 normal =
-                    pose.rotation() * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-                const Vec3 on_plane = pose.apply(corners[0]) - origin;
-                for (const Vec3& point : points) {
-                    ASSERT_TRUE(point.allFinite()) << name << ", seed " << seed;
-                    EXPECT_LE(std::abs(normal.dot(point - on_plane)), 1e-9 * (1 + normal.norm()))
-                        << name << ", seed " << seed;
+            Corners a;
+            Corners b;
+            for (std::size_t i = 0; i < 3; ++i) {
+                a[i] = c.poses.a.apply(c.a[i]) - origin;
+                b[i] = c.poses.b.apply(c.b[i]) - origin;
+            }
+            for (const Vec3& point : points) {
+                ASSERT_TRUE(point.allFinite());
+                if (!is_ill_conditioned) {
+                    EXPECT_LE(distance(point, a), 1e-9);
+                    EXPECT_LE(distance(point, b), 1e-9);
                 }
             }
         }
@@ -291,9 +183,34 @@ TEST(TrianglePair, CoplanarOverlapIsAPolygon) {
     EXPECT_EQ(test.shared_points(a, b, PairClass::Coplanar).size(), 3u);
 }
 
+TEST(TrianglePair, SegmentsOnOneLineShareASegment) {
+    const Corners a{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(1, 0, 0)};
+    const Corners b{Vec3(9, 0, 0), Vec3(3, 0, 0), Vec3(3, 0, 0)};
+    TrianglePairTest test(PosePair{});
+
+    ASSERT_EQ(test.classify(a, b), PairClass::Touch);
+    const auto points = test.shared_points(a, b, PairClass::Touch);
+    ASSERT_EQ(points.size(), 2u);
+    EXPECT_EQ(std::min(points[0].x(), points[1].x()), 3);
+    EXPECT_EQ(std::max(points[0].x(), points[1].x()), 4);
+}
+
+TEST(TrianglePair, AnEdgeThatLiesOnAFaceIsShared) {
+    const Corners floor{Vec3(-4, -4, 0), Vec3(8, -4, 0), Vec3(-4, 8, 0)};
+    const Corners upright{Vec3(-9, 0, 0), Vec3(9, 0, 0), Vec3(0, 0, 5)};
+    TrianglePairTest test(PosePair{});
+
+    ASSERT_EQ(test.classify(floor, upright), PairClass::Touch);
+    const auto points = test.shared_points(floor, upright, PairClass::Touch);
+    ASSERT_EQ(points.size(), 2u);
+    // Relative to the floor's first corner.
+    EXPECT_EQ(std::min(points[0].x(), points[1].x()), 0);
+    EXPECT_EQ(std::max(points[0].x(), points[1].x()), 8);
+}
+
 TEST(TrianglePair, OrdinaryPairsAreDecidedInDouble) {
     std::mt19937_64 random(7);
-    TrianglePairTest test(both_posed(random, 0.3));
+    TrianglePairTest test({make_pose(random, 0.3), make_pose(random, 0.3)});
     for (int i = 0; i < 10'000; ++i) {
         static_cast<void>(test.touches(random_corners(random, 1), random_corners(random, 1)));
     }

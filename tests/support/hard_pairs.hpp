@@ -1,0 +1,33 @@
+// Pairs of triangles that floating point gets wrong, by kind (NUMERICS, section 4).
+#pragma once
+
+#include "common/geometry/pose.hpp"
+#include "common/geometry/types.hpp"
+
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+
+namespace cd::tests {
+
+struct PosedPair {
+    Corners a;
+    Corners b;
+    PosePair poses;
+};
+
+using PairMaker = std::function<PosedPair(std::mt19937_64&)>;
+
+/// A maker for each kind, by name.
+[[nodiscard]] std::map<std::string, PairMaker> pair_makers();
+
+/// B is moved so that a point of it, often on an edge or a corner, is in the world where such a
+/// point of A is, but for some roundings.
+[[nodiscard]] PosedPair nearly_touching(std::mt19937_64& random);
+
+[[nodiscard]] Corners random_corners(std::mt19937_64& random, double half_width);
+/// Corners with whole coordinates from -reach to reach.
+[[nodiscard]] Corners lattice_corners(std::mt19937_64& random, int reach);
+
+} // namespace cd::tests
