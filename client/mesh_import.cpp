@@ -23,6 +23,10 @@ namespace cd {
 
 namespace {
 
+/// The part of a format without groups. Not the file's name: names are hashed with the mesh, and
+/// one geometry under two file names is one mesh.
+constexpr const char* nameless_part = "mesh";
+
 Error bad(const std::filesystem::path& path, const std::string& detail) {
     return {ErrorCode::BadInput, path.string() + ": " + detail};
 }
@@ -116,7 +120,7 @@ class SceneReader {
         if (!of_node.empty() && !is_root) {
             return of_node;
         }
-        return of_mesh.empty() ? path_.stem().string() : of_mesh;
+        return of_mesh.empty() ? nameless_part : of_mesh;
     }
 
     Result<ImportedMesh> finish() {
@@ -264,7 +268,7 @@ Result<ImportedMesh> import_npz(const std::filesystem::path& path, const ImportO
         arrays_out.triangles.push_back(triangle);
     }
     arrays_out.parts.push_back(
-        {path.stem().string(), 0, static_cast<std::uint32_t>(arrays_out.triangles.size())});
+        {nameless_part, 0, static_cast<std::uint32_t>(arrays_out.triangles.size())});
     auto mesh = Mesh::create(std::move(arrays_out));
     if (!mesh) {
         return bad(path, mesh.error().detail);

@@ -1,7 +1,5 @@
 #include "worker/executor.hpp"
 
-#include "common/core/limits.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -14,18 +12,6 @@ TreeView view_of(const std::vector<RootIndex>& roots,
                  RootIndex root) {
     const auto place = std::lower_bound(roots.begin(), roots.end(), root) - roots.begin();
     return subtrees[static_cast<std::size_t>(place)]->view();
-}
-
-ScenarioResult too_large(const ScenarioResult& result, std::size_t bytes) {
-    ScenarioResult failed;
-    failed.index = result.index;
-    failed.body_a = result.body_a;
-    failed.body_b = result.body_b;
-    failed.level = result.level;
-    failed.kind = ScenarioClass::Failed;
-    failed.failure = "its result takes " + std::to_string(bytes) +
-                     " bytes, over the limit; set limit_pairs or ask for count";
-    return failed;
 }
 
 } // namespace
@@ -71,9 +57,6 @@ FinishedScenario execute(const ReadyScenario& ready) {
 
     FinishedScenario finished;
     finished.record = encode_result(run.result);
-    if (finished.record.size() > limits::result_record_bytes_max) {
-        finished.record = encode_result(too_large(run.result, finished.record.size()));
-    }
     finished.box_tests = run.statistics.box_tests;
     finished.triangle_tests = run.statistics.triangle_tests;
     finished.seconds =

@@ -54,7 +54,6 @@ struct FinishedScenario {
     double seconds = 0; ///< Of one thread.
 };
 
-/// A record over `limits::result_record_bytes_max` becomes a failed scenario that says so.
 [[nodiscard]] FinishedScenario execute(const ReadyScenario& ready);
 
 } // namespace cd

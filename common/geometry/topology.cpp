@@ -31,8 +31,12 @@ std::vector<std::uint32_t> joined_vertices(const std::vector<Vec3>& vertices) {
     return joined;
 }
 
+bool repeats_a_corner(const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
 bool is_degenerate(const Mesh& mesh, std::uint32_t triangle, const Triangle& joined) {
-    if (joined[0] == joined[1] || joined[1] == joined[2] || joined[2] == joined[0]) {
+    if (repeats_a_corner(joined)) {
         return true;
     }
     const Corners c = mesh.corners(triangle);
@@ -134,8 +138,8 @@ Topology analyse_topology(const Mesh& mesh) {
         for (std::uint32_t& vertex : triangle) {
             vertex = joined[vertex];
         }
-        if (is_degenerate(mesh, i, triangle)) {
-            ++topology.degenerate;
+        topology.degenerate += is_degenerate(mesh, i, triangle) ? 1u : 0u;
+        if (repeats_a_corner(triangle)) {
             continue;
         }
         for (std::size_t k = 0; k < 3; ++k) {

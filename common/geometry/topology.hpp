@@ -13,7 +13,9 @@ struct Topology {
     std::uint64_t degenerate = 0; ///< Triangles without area: a repeated corner, or a zero cross
                                   ///< product computed in double.
     std::uint64_t duplicate = 0;  ///< Triangles with the three corners of an earlier one.
-    std::uint64_t boundary_edges = 0;     ///< Used by one triangle (degenerate ones left out).
+    /// Used by one triangle. Triangles that repeat a corner are left out; flat ones of three
+    /// corners count, as they may close a seam.
+    std::uint64_t boundary_edges = 0;
     std::uint64_t non_manifold_edges = 0; ///< Used by more than two.
     std::uint64_t inconsistent_edges = 0; ///< Used by two in the same direction.
     /// One triangle of each connected component, ascending. Those of degenerate triangles alone

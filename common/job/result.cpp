@@ -238,6 +238,28 @@ Result<ScenarioResult> decode_result(std::span<const std::byte> bytes) {
     return result;
 }
 
+ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max) {
+    // Of the record's layout, rounded up.
+    constexpr std::uint64_t fixed_bytes = 64;
+    constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
+    constexpr std::uint64_t point_bytes = 3 * sizeof(double);
+    const std::uint64_t bytes = fixed_bytes + pair_bytes * result.pairs.size() +
+                                point_bytes * (result.point_origins.size() + result.points.size()) +
+                                sizeof(std::uint32_t) * result.point_offsets.size();
+    if (bytes <= bytes_max) {
+        return result;
+    }
+    ScenarioResult failed;
+    failed.index = result.index;
+    failed.body_a = result.body_a;
+    failed.body_b = result.body_b;
+    failed.level = result.level;
+    failed.kind = ScenarioClass::Failed;
+    failed.failure = std::to_string(result.pair_count) +
+                     " pairs are too many for one result; set limit_pairs, or ask for level count";
+    return failed;
+}
+
 Sha256 digest_of(const ScenarioResult& result) {
     return sha256(encode_result(result));
 }

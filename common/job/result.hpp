@@ -64,6 +64,10 @@ struct ScenarioResult {
 /// that fit, numbers in canonical form). Errors: BadFrame.
 [[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);
 
+/// A result whose record would be larger than `bytes_max` becomes a failed one that says so.
+/// Whoever runs a scenario calls this, so that the failure is part of the answer everywhere.
+[[nodiscard]] ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max);
+
 /// SHA-256 of the canonical record.
 [[nodiscard]] Sha256 digest_of(const ScenarioResult& result);
 

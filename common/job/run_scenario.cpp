@@ -1,5 +1,6 @@
 #include "common/job/run_scenario.hpp"
 
+#include "common/core/limits.hpp"
 #include "common/tree/containment.hpp"
 
 #include <algorithm>
@@ -109,6 +110,7 @@ run_on_subtrees(std::span<const SubtreePair> pairs, const Scenario& scenario, co
         break;
     }
     run.statistics = search.statistics();
+    run.result = within_limit(std::move(run.result), limits::result_record_bytes_max);
     return run;
 }
 

@@ -27,23 +27,24 @@ struct Model {
     std::uint64_t degenerate;
     std::uint64_t duplicate;
     double size[3];
+    std::uint64_t edges[3]; ///< Boundary, non-manifold, inconsistent.
 };
 
 constexpr Model models[] = {
-    {"audi_body.obj", 41'868, 0, 18'646, {4.87779, 2.18632, 1.2802}},
-    {"curiosity_rover.stl", 149'656, 2, 7, {3.94473, 2.74499, 2.21469}},
-    {"drivaer_fastback.ply", 417'114, 0, 0, {4.61258, 2.0298, 1.41838}},
-    {"hatchback.obj", 788, 0, 0, {84.2702, 157.524, 61.7281}},
-    {"jet_fighter.obj", 36'446, 6, 4, {13.9876, 4.77665, 10.026}},
-    {"lugged_wheel.obj", 11'182, 0, 0, {0.898808, 0.326872, 0.89836}},
-    {"m113_apc.glb", 348'519, 1, 0, {5.4007, 2.686, 2.83176}},
-    {"man_kat1_8x8.glb", 53'711, 1, 9, {9.71773, 2.47294, 3.24483}},
-    {"motorbike.ply", 331'653, 0, 67'326, {2.04281, 0.682556, 1.35156}},
-    {"polaris_ranger.dae", 7'714, 0, 0, {1.49216, 1.95049, 2.72967}},
-    {"pushback_tractor.ac", 21'932, 0, 184, {9.0921, 2.2937, 3.567}},
-    {"sedan.obj", 75'314, 182, 0, {4.8895, 1.84912, 1.65882}},
-    {"stanford_bunny.ply", 69'451, 0, 0, {0.155699, 0.154334, 0.120673}},
-    {"toy_truck.glb", 989, 15, 10, {1.5, 1.55, 2.8}},
+    {"audi_body.obj", 41'868, 0, 18'646, {4.87779, 2.18632, 1.2802}, {290, 27'306, 1'336}},
+    {"curiosity_rover.stl", 149'656, 2, 7, {3.94473, 2.74499, 2.21469}, {4'571, 2'171, 193}},
+    {"drivaer_fastback.ply", 417'114, 0, 0, {4.61258, 2.0298, 1.41838}, {0, 33, 0}},
+    {"hatchback.obj", 788, 0, 0, {84.2702, 157.524, 61.7281}, {8, 0, 0}},
+    {"jet_fighter.obj", 36'446, 6, 4, {13.9876, 4.77665, 10.026}, {4'644, 259, 10}},
+    {"lugged_wheel.obj", 11'182, 0, 0, {0.898808, 0.326872, 0.89836}, {0, 0, 0}},
+    {"m113_apc.glb", 348'519, 1, 0, {5.4007, 2.686, 2.83176}, {51'848, 92, 32}},
+    {"man_kat1_8x8.glb", 53'711, 1, 9, {9.71773, 2.47294, 3.24483}, {6'901, 11, 0}},
+    {"motorbike.ply", 331'653, 0, 67'326, {2.04281, 0.682556, 1.35156}, {49, 100'089, 0}},
+    {"polaris_ranger.dae", 7'714, 0, 0, {1.49216, 1.95049, 2.72967}, {806, 6, 0}},
+    {"pushback_tractor.ac", 21'932, 0, 184, {9.0921, 2.2937, 3.567}, {5'196, 651, 99}},
+    {"sedan.obj", 75'314, 182, 0, {4.8895, 1.84912, 1.65882}, {3'147, 187, 78}},
+    {"stanford_bunny.ply", 69'451, 0, 0, {0.155699, 0.154334, 0.120673}, {223, 0, 0}},
+    {"toy_truck.glb", 989, 15, 10, {1.5, 1.55, 2.8}, {81, 9, 0}},
 };
 
 class ImportModel : public testing::TestWithParam<Model> {};
@@ -77,6 +78,9 @@ TEST_P(ImportModel, HasTheCountsAndTheSizeThatAreKnownOfIt) {
     EXPECT_EQ(report.triangles, GetParam().triangles);
     EXPECT_EQ(report.topology.duplicate, GetParam().duplicate);
     EXPECT_EQ(report.topology.degenerate, GetParam().degenerate);
+    EXPECT_EQ(report.topology.boundary_edges, GetParam().edges[0]);
+    EXPECT_EQ(report.topology.non_manifold_edges, GetParam().edges[1]);
+    EXPECT_EQ(report.topology.inconsistent_edges, GetParam().edges[2]);
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_NEAR(report.box.size()[axis], GetParam().size[axis], 2e-5 * GetParam().size[axis]);
     }

@@ -85,7 +85,7 @@ TEST(Topology, AFlippedTriangleIsInconsistentOnItsEdges) {
     EXPECT_FALSE(topology.is_closed());
 }
 
-TEST(Topology, DegenerateTrianglesAreCountedAndBoundNothing) {
+TEST(Topology, DegenerateTrianglesAreCountedAndThoseOfTwoCornersBoundNothing) {
     const Mesh box = make_box({2, 2, 2});
     std::vector<Vec3> vertices = box.vertices();
     std::vector<Triangle> triangles = box.triangles();
@@ -97,8 +97,20 @@ TEST(Topology, DegenerateTrianglesAreCountedAndBoundNothing) {
     const Topology topology = analyse_topology(make_mesh(vertices, triangles));
 
     EXPECT_EQ(topology.degenerate, 3u);
-    EXPECT_TRUE(topology.is_closed());
+    EXPECT_EQ(topology.boundary_edges, 3u); // Of the flat one.
     EXPECT_EQ(topology.component_triangles, (std::vector<std::uint32_t>{0, 12, 13}));
+}
+
+TEST(Topology, AFlatTriangleMayCloseASeam) {
+    // A tetrahedron one of whose edges has a point in its middle on one side only; a triangle
+    // without area lies in the gap.
+    const std::vector<Vec3> vertices{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 0, 0}};
+    std::vector<Triangle> triangles{{0, 2, 4}, {4, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    EXPECT_EQ(analyse_topology(make_mesh(vertices, triangles)).boundary_edges, 3u);
+    triangles.push_back({0, 4, 1});
+    const Topology topology = analyse_topology(make_mesh(vertices, triangles));
+    EXPECT_EQ(topology.degenerate, 1u);
+    EXPECT_TRUE(topology.is_closed());
 }
 
 TEST(Topology, ComponentsAreNamedByTheirFirstTriangles) {

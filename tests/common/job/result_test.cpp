@@ -192,4 +192,22 @@ TEST(Result, SurvivesDamage) {
     }
 }
 
+TEST(Result, ARecordOverTheLimitIsAFailureThatSaysSo) {
+    ScenarioResult result;
+    result.index = 7;
+    result.kind = ScenarioClass::Cross;
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+        result.pairs.push_back({i, i, PairClass::Proper});
+    }
+    result.pair_count = result.pairs.size();
+    const std::uint64_t size = encode_result(result).size();
+
+    EXPECT_EQ(within_limit(result, size + 64).kind, ScenarioClass::Cross);
+    const ScenarioResult failed = within_limit(result, size - 1);
+    EXPECT_EQ(failed.kind, ScenarioClass::Failed);
+    EXPECT_EQ(failed.index, 7u);
+    EXPECT_NE(failed.failure.find("1000 pairs"), std::string::npos);
+    EXPECT_TRUE(decode_result(encode_result(failed)));
+}
+
 } // namespace cd::tests
