@@ -3,7 +3,6 @@
 #include "common/core/check.hpp"
 
 #include <openssl/evp.h>
-
 #include <xxhash.h>
 
 #include <cstring>

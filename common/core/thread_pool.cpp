@@ -6,7 +6,8 @@
 namespace cd {
 
 ThreadPool::ThreadPool(unsigned threads) {
-    const unsigned count = threads != 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+    const unsigned count =
+        threads != 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
     threads_.reserve(count);
     for (unsigned i = 0; i < count; ++i) {
         threads_.emplace_back([this] { work(); });

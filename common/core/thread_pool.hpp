@@ -39,6 +39,8 @@ class ThreadPool {
 
 /// Calls `function(i)` once for each i in [0, count), on the pool's threads and the caller's, and
 /// returns when all calls have. Must not be called from a function that runs on the same pool.
-void parallel_for(ThreadPool& pool, std::size_t count, const std::function<void(std::size_t)>& function);
+void parallel_for(ThreadPool& pool,
+                  std::size_t count,
+                  const std::function<void(std::size_t)>& function);
 
 } // namespace cd

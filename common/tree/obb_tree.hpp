@@ -17,8 +17,8 @@ namespace cd {
 /// are orthonormal only within float rounding, and the box test allows for that.
 ///
 /// Axes and centre are finite. The half sizes are positive, and infinite where coordinates are
-/// beyond the floats. The centre is a double because small features far from the origin (maps) would
-/// lie within one step of a float.
+/// beyond the floats. The centre is a double because small features far from the origin (maps)
+/// would lie within one step of a float.
 struct ObbNode {
     std::array<double, 3> center{};
     std::array<float, 9> axes{}; ///< Row-major: three unit directions.
