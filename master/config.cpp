@@ -1,14 +1,12 @@
 #include "master/config.hpp"
 
+#include "common/core/daemon_options.hpp"
 #include "common/core/version.hpp"
 
 #include <CLI/CLI.hpp>
-#include <toml++/toml.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdlib>
 #include <sstream>
 
@@ -32,69 +30,7 @@ constexpr const char* help =
     "listen\n"
     "beyond loopback without --insecure.";
 
-/// Help that opens with what to type.
-class ExamplesFirst final : public CLI::Formatter {
-  public:
-    std::string make_description(const CLI::App* app) const override {
-        return app->get_description() + "\n\n";
-    }
-};
-
-std::string environment_name(std::string option) {
-    std::ranges::transform(option, option.begin(), [](unsigned char c) {
-        return c == '-' ? '_' : static_cast<char>(std::toupper(c));
-    });
-    return "CDMASTER_" + option;
-}
-
-std::string text_of(const std::string& key, const toml::node& value) {
-    std::ostringstream out;
-    if (const auto* text = value.as_string()) {
-        out << text->get();
-    } else if (const auto* number = value.as_integer()) {
-        out << number->get();
-    } else if (const auto* boolean = value.as_boolean()) {
-        out << (boolean->get() ? "true" : "false");
-    } else {
-        throw CLI::ConfigError("line " + std::to_string(value.source().begin.line) + ": '" + key +
-                               "' is neither text, a whole number, nor true or false");
-    }
-    return out.str();
-}
-
-/// Reads the file of --config. CLI11 would let a file go before the environment, so what stands in
-/// the environment is left out.
-class TomlConfig final : public CLI::Config {
-  public:
-    std::string to_config(const CLI::App* /*app*/,
-                          bool /*defaults*/,
-                          bool /*description*/,
-                          std::string /*prefix*/) const override {
-        return {};
-    }
-
-    std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
-        toml::table table;
-        try {
-            table = toml::parse(input);
-        } catch (const toml::parse_error& error) {
-            throw CLI::ConfigError("line " + std::to_string(error.source().begin.line) + ": " +
-                                   std::string(error.description()));
-        }
-        std::vector<CLI::ConfigItem> found;
-        for (const auto& [key, value] : table) {
-            const std::string name(key.str());
-            if (std::getenv(environment_name(name).c_str()) != nullptr) {
-                continue;
-            }
-            CLI::ConfigItem item;
-            item.name = name;
-            item.inputs = {text_of(name, value)};
-            found.push_back(std::move(item));
-        }
-        return found;
-    }
-};
+constexpr const char* environment_prefix = "CDMASTER_";
 
 std::string this_host() {
     std::array<char, 256> name{};
@@ -113,7 +49,8 @@ std::filesystem::path default_state() {
 
 void add_options(CLI::App& app, MasterConfig& config, std::string& listen, std::string& state) {
     const auto option = [](CLI::Option* added, const char* type) {
-        added->envname(environment_name(added->get_lnames().front()))->type_name(type);
+        added->envname(environment_name(environment_prefix, added->get_lnames().front()))
+            ->type_name(type);
         return added;
     };
     option(app.add_option("--listen", listen, "Where workers and clients connect"), "HOST:PORT")
@@ -133,7 +70,7 @@ void add_options(CLI::App& app, MasterConfig& config, std::string& listen, std::
     app.set_config("--config", "", "A TOML file with these options")
         ->envname("CDMASTER_CONFIG")
         ->type_name("FILE");
-    app.config_formatter(std::make_shared<TomlConfig>());
+    app.config_formatter(make_toml_config(environment_prefix));
     app.allow_config_extras(false);
 }
 
@@ -151,7 +88,7 @@ MasterCommandLine parse_master_command_line(int count, const char* const* argume
     std::string listen = "127.0.0.1:7600";
     std::string state = default_state().string();
     CLI::App app(help, "cdmaster");
-    app.formatter(std::make_shared<ExamplesFirst>());
+    app.formatter(make_examples_first());
     app.set_version_flag("--version", "cdmaster " + std::string(version));
     app.set_help_flag("-h,--help", "This text");
     add_options(app, config, listen, state);

@@ -1,15 +1,14 @@
 #include "worker/config.hpp"
 
+#include "common/core/daemon_options.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/version.hpp"
 
 #include <CLI/CLI.hpp>
-#include <toml++/toml.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <memory>
@@ -36,67 +35,7 @@ constexpr const char* help =
     "Exit codes: 0 ended as asked; 2 wrong usage; 4 no master within --connect-for; 5 refused, by\n"
     "the master, or for want of --insecure; 130 ended at once by a second signal.";
 
-/// Help that opens with what to type.
-class ExamplesFirst final : public CLI::Formatter {
-  public:
-    std::string make_description(const CLI::App* app) const override {
-        return app->get_description() + "\n\n";
-    }
-};
-
-std::string environment_name(std::string option) {
-    std::transform(option.begin(), option.end(), option.begin(), [](unsigned char c) {
-        return c == '-' ? '_' : static_cast<char>(std::toupper(c));
-    });
-    return "CDWORKER_" + option;
-}
-
-std::string text_of(std::string_view key, const toml::node& value) {
-    if (const auto* text = value.as_string()) {
-        return text->get();
-    }
-    if (const auto* number = value.as_integer()) {
-        return std::to_string(number->get());
-    }
-    if (const auto* truth = value.as_boolean()) {
-        return truth->get() ? "true" : "false";
-    }
-    throw CLI::ConfigError("line " + std::to_string(value.source().begin.line) + ": '" +
-                           std::string(key) +
-                           "' is neither text, a whole number, nor true or false");
-}
-
-/// Reads the file of --config. CLI11 would let a file go before the environment, so what stands in
-/// the environment is left out.
-class TomlConfig final : public CLI::Config {
-  public:
-    std::string to_config(const CLI::App* /*app*/,
-                          bool /*defaults*/,
-                          bool /*description*/,
-                          std::string /*prefix*/) const override {
-        return {};
-    }
-
-    std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
-        toml::table table;
-        try {
-            table = toml::parse(input);
-        } catch (const toml::parse_error& error) {
-            throw CLI::ConfigError("line " + std::to_string(error.source().begin.line) + ": " +
-                                   std::string(error.description()));
-        }
-        std::vector<CLI::ConfigItem> read;
-        for (const auto& [key, value] : table) {
-            CLI::ConfigItem item;
-            item.name = std::string(key.str());
-            item.inputs = {text_of(key.str(), value)};
-            if (std::getenv(environment_name(item.name).c_str()) == nullptr) {
-                read.push_back(std::move(item));
-            }
-        }
-        return read;
-    }
-};
+constexpr const char* environment_prefix = "CDWORKER_";
 
 std::string default_name() {
     boost::system::error_code error;
@@ -113,7 +52,8 @@ struct Texts {
 
 void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
     const auto option = [](CLI::Option* added, const char* type) {
-        added->envname(environment_name(added->get_lnames().front()))->type_name(type);
+        added->envname(environment_name(environment_prefix, added->get_lnames().front()))
+            ->type_name(type);
         return added;
     };
     option(app.add_option("--master", texts.master, "The master to work for"), "HOST:PORT")
@@ -136,7 +76,7 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
     app.set_config("--config", "", "A TOML file with these options")
         ->envname("CDWORKER_CONFIG")
         ->type_name("FILE");
-    app.config_formatter(std::make_shared<TomlConfig>());
+    app.config_formatter(make_toml_config(environment_prefix));
     app.allow_config_extras(false);
 }
 
@@ -169,7 +109,7 @@ WorkerCommandLine parse_worker_command_line(int count, const char* const* argume
     config.name = default_name();
     Texts texts;
     CLI::App app(help, "cdworker");
-    app.formatter(std::make_shared<ExamplesFirst>());
+    app.formatter(make_examples_first());
     app.set_version_flag("--version", "cdworker " + std::string(version));
     app.set_help_flag("-h,--help", "This text");
     add_options(app, config, texts);

@@ -31,8 +31,8 @@ DOORS = {
     r"assimp/": ["client/mesh_import"],
     r"zip\.h": ["client/npz"],
     r"zlib\.h": ["client"],
-    r"CLI/": ["master", "worker", "client"],
-    r"toml\+\+/": ["master", "worker", "client"],
+    r"CLI/": ["common/core/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],
+    r"toml\+\+/": ["common/core/daemon_options.cpp", "client"],
     r"nlohmann/": ["client"],
     r"fcl/": [],
 }
