@@ -93,7 +93,7 @@ TEST_F(Cluster, TheDistributionDepthDoesNotShow) {
 }
 
 TEST_F(Cluster, AWorkerThatJoinsInTheMiddleTakesItsShare) {
-    const Job job = make_job(3000);
+    const Job job = make_job(6000);
     const Query query = at_level(Level::Pairs);
     start_worker();
     const JobId id = submit(job, query, {});
@@ -111,7 +111,7 @@ TEST_F(Cluster, AWorkerThatJoinsInTheMiddleTakesItsShare) {
 }
 
 TEST_F(Cluster, AWorkerKilledInTheMiddleLosesNothing) {
-    const Job job = make_job(3000);
+    const Job job = make_job(6000);
     const Query query = at_level(Level::Pairs);
     start_worker();
     Process& victim = start_worker();
@@ -126,12 +126,12 @@ TEST_F(Cluster, AWorkerKilledInTheMiddleLosesNothing) {
     EXPECT_EQ(status.state, JobState::Done);
     EXPECT_EQ(status.digest, job.digest_in_one_process(query));
     EXPECT_GT(merged_at_death, 0u);
-    EXPECT_LT(merged_at_death, 3000u);
+    EXPECT_LT(merged_at_death, 6000u);
     EXPECT_EQ(victim.wait(), 128 + SIGKILL);
 }
 
 TEST_F(Cluster, AJobOutlivesAllItsWorkers) {
-    const Job job = make_job(2000);
+    const Job job = make_job(4000);
     const Query query = at_level(Level::Count);
     Process& first = start_worker();
     const JobId id = submit(job, query, {});
