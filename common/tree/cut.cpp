@@ -51,6 +51,9 @@ bool is_preorder(std::span<const ObbNode> nodes) {
     std::vector<std::uint32_t> rights;
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         if (!nodes[i].is_leaf()) {
+            if (nodes[i].right >= nodes.size()) {
+                return false;
+            }
             rights.push_back(nodes[i].right);
             continue;
         }
