@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,11 @@ struct Model {
     double size[3];
     std::uint64_t edges[3]; ///< Boundary, non-manifold, inconsistent.
 };
+
+/// The name that test runners show.
+void PrintTo(const Model& model, std::ostream* out) {
+    *out << model.file;
+}
 
 constexpr Model models[] = {
     {"audi_body.obj", 41'868, 0, 18'646, {4.87779, 2.18632, 1.2802}, {290, 27'306, 1'336}},
