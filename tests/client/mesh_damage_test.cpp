@@ -2,6 +2,7 @@
 // process, is refused with one line.
 #include "client/inspect.hpp"
 #include "client/mesh_import.hpp"
+#include "tests/client/import_text.hpp"
 #include "tests/support/process.hpp"
 
 #include <gmock/gmock.h>
@@ -20,23 +21,6 @@ const std::string ply_header = "ply\nformat ascii 1.0\nelement vertex 3\npropert
                                "property float y\nproperty float z\nelement face 2\n"
                                "property list uchar int vertex_indices\nend_header\n"
                                "0 0 0\n1 0 0\n0 1 0\n";
-
-Result<ImportedMesh> import_text(const std::string& name, const std::string& text) {
-    const TemporaryFolder folder;
-    write_text(folder / name, text);
-    return import_mesh(folder / name, {});
-}
-
-std::string error_of(const std::string& name, const std::string& text) {
-    const auto imported = import_text(name, text);
-    if (imported) {
-        return "was taken";
-    }
-    EXPECT_EQ(imported.error().code, ErrorCode::BadInput);
-    EXPECT_THAT(imported.error().detail, HasSubstr(name));
-    EXPECT_EQ(imported.error().detail.find('\n'), std::string::npos);
-    return imported.error().detail;
-}
 
 } // namespace
 

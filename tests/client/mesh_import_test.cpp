@@ -5,6 +5,7 @@
 
 #include "client/inspect.hpp"
 #include "client/npz.hpp"
+#include "tests/client/import_text.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -54,23 +55,6 @@ constexpr Model models[] = {
 };
 
 class ImportModel : public testing::TestWithParam<Model> {};
-
-Result<ImportedMesh> import_text(const std::string& name, const std::string& text) {
-    const TemporaryFolder folder;
-    write_text(folder / name, text);
-    return import_mesh(folder / name, {});
-}
-
-std::string error_of(const std::string& name, const std::string& text) {
-    const auto imported = import_text(name, text);
-    if (imported) {
-        return "was taken";
-    }
-    EXPECT_EQ(imported.error().code, ErrorCode::BadInput);
-    EXPECT_THAT(imported.error().detail, HasSubstr(name));
-    EXPECT_EQ(imported.error().detail.find('\n'), std::string::npos);
-    return imported.error().detail;
-}
 
 } // namespace
 
