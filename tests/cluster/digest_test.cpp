@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <csignal>
 #include <thread>
+#include <utility>
 
 namespace cd::tests {
 
@@ -154,8 +155,7 @@ TEST_F(Cluster, TwoClientsRunTwoJobsAtOnce) {
     start_worker();
     start_worker();
     const JobId first = submit(one, query, {});
-    const auto other = connect();
-    std::swap(connection_, const_cast<std::unique_ptr<Connection>&>(other));
+    const std::unique_ptr<Connection> client_of_first = std::exchange(connection_, connect());
     const JobId second = submit(two, query, {});
     const JobStatus status_of_second = finish(second, [](const JobStatus&) {});
     const JobStatus status_of_first = finish(first, [](const JobStatus&) {});
