@@ -3,6 +3,7 @@
 #include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
 
 #include <unordered_map>
 

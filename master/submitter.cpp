@@ -2,6 +2,7 @@
 
 #include "common/core/limits.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
 
 #include <algorithm>
 #include <condition_variable>

@@ -106,7 +106,8 @@ std::pair<std::uint64_t, std::uint64_t> judge(const std::set<IdPair>& left,
     std::set_difference(
         left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(difference));
     for (const auto& [ia, ib] : difference) {
-        (test.touches(a.corners(ia), b.corners(ib)) ? touching : apart) += 1;
+        (test.classify(a.corners(ia), b.corners(ib)) != PairClass::Separate ? touching : apart) +=
+            1;
     }
     return {touching, apart};
 }

@@ -4,11 +4,25 @@
 #include "common/geometry/exact_triangle_pair.hpp"
 #include "common/geometry/shared_points.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 namespace cd {
 
+std::string_view to_text(PairStage stage) {
+    constexpr std::array<std::string_view, pair_stage_count> names{
+        "float", "double", "lattice", "double-double", "wide integer", "arbitrary"};
+    return names[static_cast<std::size_t>(stage)];
+}
+
+std::uint64_t PairStatistics::total() const {
+    return std::accumulate(settled.begin(), settled.end(), std::uint64_t{0});
+}
+
 PairStatistics& PairStatistics::operator+=(const PairStatistics& other) {
-    by_double += other.by_double;
-    by_exact += other.by_exact;
+    for (std::size_t i = 0; i < pair_stage_count; ++i) {
+        settled[i] += other.settled[i];
+    }
     return *this;
 }
 
@@ -19,34 +33,54 @@ struct TrianglePairTest::State {
     Vec3 offset; ///< tb - ta, rounded once.
     DoubleTrianglePair in_double;
     ExactTrianglePair exact;
+    PairStage first;
     PairStatistics statistics;
+    std::vector<PairClass> kinds; ///< Of the last call's candidates.
 
-    explicit State(const PosePair& poses)
+    State(const PosePair& poses, PairStage first_stage)
         : rotation_a(poses.a.rotation()),
           rotation_b(poses.b.rotation()),
           translation_a(poses.a.translation()),
           offset(poses.b.translation() - poses.a.translation()),
           in_double(poses),
-          exact(poses) {}
+          exact(poses),
+          first(first_stage) {}
 };
 
-TrianglePairTest::TrianglePairTest(const PosePair& poses)
-    : state_(std::make_unique<State>(poses)) {}
+TrianglePairTest::TrianglePairTest(const PosePair& poses, PairStage first)
+    : state_(std::make_unique<State>(poses, first)) {}
 TrianglePairTest::TrianglePairTest(TrianglePairTest&&) noexcept = default;
 TrianglePairTest& TrianglePairTest::operator=(TrianglePairTest&&) noexcept = default;
 TrianglePairTest::~TrianglePairTest() = default;
 
-bool TrianglePairTest::touches(const Corners& a, const Corners& b) {
-    return classify(a, b) != PairClass::Separate;
+PairClass TrianglePairTest::classify(const Corners& a, const Corners& b) {
+    if (state_->first <= PairStage::Double) {
+        if (const auto decided = state_->in_double.classify(a, b)) {
+            ++state_->statistics[PairStage::Double];
+            return *decided;
+        }
+    }
+    ++state_->statistics[PairStage::Arbitrary];
+    return state_->exact.classify(a, b);
 }
 
-PairClass TrianglePairTest::classify(const Corners& a, const Corners& b) {
-    if (const auto decided = state_->in_double.classify(a, b)) {
-        ++state_->statistics.by_double;
-        return *decided;
+std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
+                                                      const TriangleSpan& b,
+                                                      std::span<const Candidate> candidates) {
+    std::vector<PairClass>& kinds = state_->kinds;
+    kinds.resize(candidates.size());
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        kinds[i] = classify(a.corners(candidates[i].a), b.corners(candidates[i].b));
     }
-    ++state_->statistics.by_exact;
-    return state_->exact.classify(a, b);
+    return kinds;
+}
+
+bool TrianglePairTest::any_touch(const TriangleSpan& a,
+                                 const TriangleSpan& b,
+                                 std::span<const Candidate> candidates) {
+    return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+        return classify(a.corners(candidate.a), b.corners(candidate.b)) != PairClass::Separate;
+    });
 }
 
 std::vector<Vec3>

@@ -4,8 +4,12 @@
 #include "common/geometry/pose.hpp"
 #include "common/geometry/types.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace cd {
@@ -18,12 +22,50 @@ enum class PairClass : std::uint8_t {
     Proper = 3,   ///< Not coplanar, and the relative interiors share a point.
 };
 
-/// How many pairs each stage of the decision settled.
-struct PairStatistics {
-    std::uint64_t by_double = 0;
-    std::uint64_t by_exact = 0;
+/// The stages of the decision, cheapest first (NUMERICS, section 2). Each gives proofs only.
+enum class PairStage : std::uint8_t {
+    Float = 0,        ///< Floats with an error bound, as many pairs at once as the processor takes.
+    Double = 1,       ///< Doubles with an error bound.
+    Lattice = 2,      ///< Integers: both bodies unrotated, coordinates on a common binary lattice.
+    DoubleDouble = 3, ///< Pairs of doubles with an error bound.
+    WideInteger = 4,  ///< Integers of a fixed number of words: exact.
+    Arbitrary = 5,    ///< Integers of any size: exact on every input.
+};
+inline constexpr std::size_t pair_stage_count = 6;
 
+[[nodiscard]] std::string_view to_text(PairStage stage);
+
+/// How many pairs each stage settled: a pair counts for the highest stage that it needed.
+struct PairStatistics {
+    std::array<std::uint64_t, pair_stage_count> settled{};
+
+    [[nodiscard]] std::uint64_t& operator[](PairStage stage) {
+        return settled[static_cast<std::size_t>(stage)];
+    }
+    [[nodiscard]] std::uint64_t operator[](PairStage stage) const {
+        return settled[static_cast<std::size_t>(stage)];
+    }
+    [[nodiscard]] std::uint64_t total() const;
     PairStatistics& operator+=(const PairStatistics& other);
+
+    friend bool operator==(const PairStatistics&, const PairStatistics&) = default;
+};
+
+/// The triangles of a body, or of a part of it, in its own coordinates.
+struct TriangleSpan {
+    std::span<const Vec3> vertices;
+    std::span<const Triangle> triangles;
+
+    [[nodiscard]] Corners corners(std::uint32_t place) const {
+        const Triangle& t = triangles[place];
+        return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+    }
+};
+
+/// A triangle of A and one of B, by their places in their spans, that may touch.
+struct Candidate {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
 };
 
 /// Decides triangle pairs under one pair of poses, exactly: the corners and the poses' numbers are
@@ -33,15 +75,23 @@ struct PairStatistics {
 /// Not for use by two threads at once.
 class TrianglePairTest {
   public:
-    explicit TrianglePairTest(const PosePair& poses);
+    /// Stages before `first` are passed over; the answers are the same whatever it is.
+    explicit TrianglePairTest(const PosePair& poses, PairStage first = PairStage::Float);
     TrianglePairTest(TrianglePairTest&&) noexcept;
     TrianglePairTest& operator=(TrianglePairTest&&) noexcept;
     ~TrianglePairTest();
 
-    /// True when the closed triangles share a point.
-    [[nodiscard]] bool touches(const Corners& a, const Corners& b);
-
+    /// The class of one pair, from stage Double on.
     [[nodiscard]] PairClass classify(const Corners& a, const Corners& b);
+
+    /// The class of each candidate, in their order; valid until the next call. Much faster for many
+    /// at once than one by one.
+    [[nodiscard]] std::span<const PairClass>
+    classify(const TriangleSpan& a, const TriangleSpan& b, std::span<const Candidate> candidates);
+
+    /// True when any of the candidates touch; what the cheap stages prove spares the others.
+    [[nodiscard]] bool
+    any_touch(const TriangleSpan& a, const TriangleSpan& b, std::span<const Candidate> candidates);
 
     /// The corners of the set of shared points of two triangles that `classify` found to meet, as
     /// `kind`: one point, the two ends of a segment, or a convex polygon of up to six points in

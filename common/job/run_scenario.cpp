@@ -1,7 +1,7 @@
 #include "common/job/run_scenario.hpp"
 
 #include "common/core/limits.hpp"
-#include "common/tree/containment.hpp"
+#include "common/job/settle.hpp"
 
 #include <algorithm>
 
@@ -80,10 +80,6 @@ void find_pairs(std::span<const SubtreePair> pairs,
     }
 }
 
-bool are_closed(const ObbTree& a, const ObbTree& b) {
-    return a.topology().is_closed() && b.topology().is_closed();
-}
-
 } // namespace
 
 ScenarioRun
@@ -96,7 +92,9 @@ run_on_subtrees(std::span<const SubtreePair> pairs, const Scenario& scenario, co
         }
         return run;
     }
-    ContactSearch search(scenario.poses, query.ignored, query.level == Level::Contacts);
+    SearchOptions options;
+    options.keep_corners = query.level == Level::Contacts;
+    ContactSearch search(scenario.poses, query.ignored, options);
     switch (query.level) {
     case Level::Any:
         find_any(pairs, search, run.result);
@@ -112,27 +110,6 @@ run_on_subtrees(std::span<const SubtreePair> pairs, const Scenario& scenario, co
     run.statistics = search.statistics();
     run.result = within_limit(std::move(run.result), limits::result_record_bytes_max);
     return run;
-}
-
-bool settling_is_work(const ObbTree& a, const ObbTree& b, const ScenarioResult& result) {
-    return result.level >= Level::Count && result.kind == ScenarioClass::Separate &&
-           are_closed(a, b);
-}
-
-void settle_class(const ObbTree& a,
-                  const ObbTree& b,
-                  const Scenario& scenario,
-                  const Query& query,
-                  ScenarioResult& result) {
-    result.surfaces_only = result.kind != ScenarioClass::Failed && !are_closed(a, b);
-    // An ignored part that sticks in the other body would be "inside" it in every scenario.
-    if (!settling_is_work(a, b, result) || !query.ignored.empty()) {
-        return;
-    }
-    const PosePair& poses = scenario.poses;
-    if (contains_component(a, poses.a, b, poses.b) || contains_component(b, poses.b, a, poses.a)) {
-        result.kind = ScenarioClass::Inside;
-    }
 }
 
 ScenarioRun

@@ -178,4 +178,24 @@ bool BoxTest::may_overlap(const ObbNode& a, const PosedBox& b) const {
     return true;
 }
 
+double BoxTest::distance_max(const ObbNode& a, const PosedBox& b) const {
+    // |x - y| <= |c - Rd - t| + |x - c| + |R (y - d)|. The frames are orthonormal within e and R
+    // rigid within s, so the last two exceed the boxes' radii by less than frame_error_ times them;
+    // the error of the centres is in b.error and in the term of A's centre, for each component.
+    double between = 0;
+    double radius_a = 0;
+    double radius_b = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double half_a = static_cast<double>(a.half[i]);
+        const double apart = b.center[i] - a.center[i];
+        between += apart * apart;
+        radius_a += half_a * half_a;
+        radius_b += b.half[i] * b.half[i];
+    }
+    const double radii = std::sqrt(radius_a) + std::sqrt(radius_b);
+    const double error =
+        frame_error_ * radii + 2 * (b.error + 48 * unit_roundoff * size_of(a.center));
+    return (std::sqrt(between) + radii + error) * (1 + 16 * unit_roundoff);
+}
+
 } // namespace cd

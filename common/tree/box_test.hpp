@@ -34,6 +34,10 @@ class BoxTest {
         return may_overlap(a, pose(b));
     }
 
+    /// Bounds the distance of any point of box `a` from any of box `b`, in A's body coordinates, in
+    /// exact terms.
+    [[nodiscard]] double distance_max(const ObbNode& a, const PosedBox& b) const;
+
   private:
     std::array<double, 9> rotation_{};
     std::array<double, 3> translation_{};

@@ -1,6 +1,7 @@
 #include "common/tree/traverse.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -29,10 +30,32 @@ bool are_apart(const Aabb& a, const Aabb& b) {
            a.min.y() > b.max.y() || a.max.z() < b.min.z() || a.min.z() > b.max.z();
 }
 
-Corners corners_at(const TreeView& tree, std::uint32_t place) {
-    const Triangle& t = tree.triangles[place];
-    return {tree.vertices[t[0]], tree.vertices[t[1]], tree.vertices[t[2]]};
+TriangleSpan triangles_of(const TreeView& tree) {
+    return {tree.vertices, tree.triangles};
 }
+
+/// Half the diagonal.
+double radius_of(const ObbNode& node) {
+    double sum = 0;
+    for (const float half : node.half) {
+        sum += static_cast<double>(half) * static_cast<double>(half);
+    }
+    return std::sqrt(sum);
+}
+
+/// Bounds |R| for the true linear part R: |R|^2 <= the largest sum of |entries| in a row of R'R.
+double stretch_of(const Pose& pose) {
+    const Mat3 r = pose.rotation();
+    const double reach = r.cwiseAbs().maxCoeff();
+    // An entry of R'R has three products, each with three roundings and two entries that may err.
+    const double error = 3 * (2.01 * reach * pose.rotation_error() + 4 * 0x1p-53 * reach * reach);
+    const double square = (r.transpose() * r).cwiseAbs().rowwise().sum().maxCoeff() + 3 * error;
+    return std::sqrt(square) * (1 + 0x1p-50);
+}
+
+/// Deciding many at once is faster; a search for any contact should not look at many in vain.
+constexpr std::size_t candidates_at_once = 512;
+constexpr std::size_t candidates_at_once_for_any = 16;
 
 } // namespace
 
@@ -51,8 +74,12 @@ bool is_ignored(std::span<const IgnoredRange> ignored, std::uint32_t a, std::uin
 
 ContactSearch::ContactSearch(const PosePair& poses,
                              std::span<const IgnoredRange> ignored,
-                             bool keep_corners)
-    : boxes_(relative_pose(poses)), ignored_(ignored), keep_corners_(keep_corners), test_(poses) {}
+                             const SearchOptions& options)
+    : boxes_(relative_pose(poses)),
+      ignored_(ignored),
+      options_(options),
+      stretch_(options.tolerance > 0 ? stretch_of(poses.a) : 1),
+      test_(poses, options.first_stage) {}
 
 /// Calls `on_leaves` for the pairs of leaves whose boxes, and those of all above them, may overlap,
 /// until it returns true; whether it did.
@@ -71,6 +98,9 @@ bool ContactSearch::descend(const TreeView& a, const TreeView& b, const OnLeaves
         stack_.pop_back();
         const ObbNode& node_a = a.nodes[now.a];
         const ObbNode& node_b = b.nodes[now.b];
+        if (options_.tolerance > 0 && leave_undecided(node_a, node_b)) {
+            continue;
+        }
         if (node_a.is_leaf() && node_b.is_leaf()) {
             if (on_leaves(now)) {
                 return true;
@@ -106,60 +136,81 @@ bool ContactSearch::descend(const TreeView& a, const TreeView& b, const OnLeaves
     return false;
 }
 
-/// Calls `on_pair(triangle of A, triangle of B)`, as places in the trees, for the pairs of two
-/// leaves that may touch, until it returns true; whether it did.
-template <class OnPair>
-bool ContactSearch::visit_leaves(const TreeView& a,
-                                 const TreeView& b,
-                                 const NodePair& leaves,
-                                 const OnPair& on_pair) {
+/// Whether the two overlapping boxes are small enough to be left as they are; if so, notes how far
+/// apart their contents can be.
+bool ContactSearch::leave_undecided(const ObbNode& a, const ObbNode& b) {
+    if (!(2 * (radius_of(a) + radius_of(b)) <= options_.tolerance)) {
+        return false;
+    }
+    const double distance = stretch_ * boxes_.distance_max(a, boxes_.pose(b));
+    undecided_ = std::min(undecided_.value_or(distance), distance);
+    return true;
+}
+
+/// The pairs of two leaves' triangles that may touch.
+void ContactSearch::add_candidates(const TreeView& a, const TreeView& b, const NodePair& leaves) {
     const ObbNode& node_a = a.nodes[leaves.a];
     const ObbNode& node_b = b.nodes[leaves.b];
     bounds_.clear();
     for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
-        bounds_.push_back(boxes_.bounds(corners_at(b, j)));
+        bounds_.push_back(boxes_.bounds(triangles_of(b).corners(j)));
     }
     for (std::uint32_t i = node_a.triangles_begin; i < node_a.triangles_end; ++i) {
-        const Aabb own = bounding_box(corners_at(a, i));
+        const Aabb own = bounding_box(triangles_of(a).corners(i));
         for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
-            if (are_apart(own, bounds_[j - node_b.triangles_begin]) ||
-                is_ignored(ignored_, a.triangle_ids[i], b.triangle_ids[j])) {
-                continue;
-            }
-            ++triangle_tests_;
-            if (on_pair(i, j)) {
-                return true;
+            if (!are_apart(own, bounds_[j - node_b.triangles_begin]) &&
+                !is_ignored(ignored_, a.triangle_ids[i], b.triangle_ids[j])) {
+                candidates_.push_back({i, j});
             }
         }
     }
-    return false;
+}
+
+bool ContactSearch::any_candidate_touches(const TreeView& a, const TreeView& b) {
+    triangle_tests_ += candidates_.size();
+    const bool touch = test_.any_touch(triangles_of(a), triangles_of(b), candidates_);
+    candidates_.clear();
+    return touch;
 }
 
 bool ContactSearch::any(const TreeView& a, const TreeView& b) {
-    const auto touch = [&](std::uint32_t i, std::uint32_t j) {
-        return test_.touches(corners_at(a, i), corners_at(b, j));
-    };
-    return descend(a, b, [&](const NodePair& leaves) { return visit_leaves(a, b, leaves, touch); });
+    const bool touch = descend(a, b, [&](const NodePair& leaves) {
+        add_candidates(a, b, leaves);
+        return candidates_.size() >= candidates_at_once_for_any && any_candidate_touches(a, b);
+    });
+    return touch || any_candidate_touches(a, b);
+}
+
+void ContactSearch::decide_candidates(const TreeView& a, const TreeView& b) {
+    triangle_tests_ += candidates_.size();
+    const auto kinds = test_.classify(triangles_of(a), triangles_of(b), candidates_);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (kinds[i] == PairClass::Separate) {
+            continue;
+        }
+        const Candidate& found = candidates_[i];
+        pairs_.push_back({a.triangle_ids[found.a], b.triangle_ids[found.b], kinds[i]});
+        if (options_.keep_corners) {
+            corners_.push_back(
+                {triangles_of(a).corners(found.a), triangles_of(b).corners(found.b)});
+        }
+    }
+    candidates_.clear();
 }
 
 void ContactSearch::collect(const TreeView& a, const TreeView& b) {
-    const auto add = [&](std::uint32_t i, std::uint32_t j) {
-        const Corners corners_a = corners_at(a, i);
-        const Corners corners_b = corners_at(b, j);
-        const PairClass kind = test_.classify(corners_a, corners_b);
-        if (kind != PairClass::Separate) {
-            pairs_.push_back({a.triangle_ids[i], b.triangle_ids[j], kind});
-            if (keep_corners_) {
-                corners_.push_back({corners_a, corners_b});
-            }
+    descend(a, b, [&](const NodePair& leaves) {
+        add_candidates(a, b, leaves);
+        if (candidates_.size() >= candidates_at_once) {
+            decide_candidates(a, b);
         }
         return false;
-    };
-    descend(a, b, [&](const NodePair& leaves) { return visit_leaves(a, b, leaves, add); });
+    });
+    decide_candidates(a, b);
 }
 
 void ContactSearch::sort() {
-    if (!keep_corners_) {
+    if (!options_.keep_corners) {
         std::sort(pairs_.begin(), pairs_.end());
         return;
     }

@@ -7,6 +7,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,16 @@ struct PairCorners {
     Corners b;
 };
 
+/// What a search looks for beside the contacts themselves.
+struct SearchOptions {
+    /// Keeps the corners of each found pair beside it, for shared points: the subtrees may be gone
+    /// by then.
+    bool keep_corners = false;
+    /// Above 0, two overlapping boxes whose diameters sum to no more than this are left undecided.
+    double tolerance = 0;
+    PairStage first_stage = PairStage::Float; ///< See TrianglePairTest.
+};
+
 /// One scenario's search. Subtrees of A and B are handed in pair by pair; what they hold in contact
 /// gathers in `pairs`. Keeps scratch memory between calls; one thread at a time.
 ///
@@ -56,17 +67,23 @@ struct PairCorners {
 /// not depend on how the trees were cut into subtrees.
 class ContactSearch {
   public:
-    /// `ignored` outlives the search. With `keep_corners`, the corners of each found pair are kept
-    /// beside it, for shared points: the subtrees may be gone by then.
+    /// `ignored` outlives the search.
     ContactSearch(const PosePair& poses,
                   std::span<const IgnoredRange> ignored,
-                  bool keep_corners = false);
+                  const SearchOptions& options = {});
 
-    /// True as soon as any two triangles under the two roots touch. Adds nothing to `pairs`.
+    /// True as soon as any two triangles under the two roots are known to touch. Adds nothing to
+    /// `pairs`.
     [[nodiscard]] bool any(const TreeView& a, const TreeView& b);
 
-    /// Adds every contact under the two roots to `pairs`.
+    /// Adds every contact under the two roots to `pairs`, but for those in boxes that the tolerance
+    /// leaves undecided.
     void collect(const TreeView& a, const TreeView& b);
+
+    /// Whether any boxes were left undecided so far, and then a bound on the distance of the two
+    /// bodies in the world, which is always true; infinite where the poses are far from rigid. The
+    /// same bits on every host: one sequence of operations, never fused.
+    [[nodiscard]] std::optional<double> undecided_distance() const { return undecided_; }
 
     /// Sorts the pairs, each with its corners.
     void sort();
@@ -86,20 +103,22 @@ class ContactSearch {
 
     template <class OnLeaves>
     bool descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves);
-    template <class OnPair>
-    bool visit_leaves(const TreeView& a,
-                      const TreeView& b,
-                      const NodePair& leaves,
-                      const OnPair& on_pair);
+    [[nodiscard]] bool leave_undecided(const ObbNode& a, const ObbNode& b);
+    void add_candidates(const TreeView& a, const TreeView& b, const NodePair& leaves);
+    [[nodiscard]] bool any_candidate_touches(const TreeView& a, const TreeView& b);
+    void decide_candidates(const TreeView& a, const TreeView& b);
 
     BoxTest boxes_;
     std::span<const IgnoredRange> ignored_;
-    bool keep_corners_;
+    SearchOptions options_;
+    double stretch_; ///< Bounds how many times longer A's pose can make a vector.
     TrianglePairTest test_;
     std::vector<ContactPair> pairs_;
     std::vector<PairCorners> corners_;
     std::vector<NodePair> stack_;
-    std::vector<Aabb> bounds_; ///< Of the triangles of one leaf of B, as A sees them.
+    std::vector<Aabb> bounds_;          ///< Of the triangles of one leaf of B, as A sees them.
+    std::vector<Candidate> candidates_; ///< Not yet decided; by places in the trees at hand.
+    std::optional<double> undecided_;
     std::uint64_t box_tests_ = 0;
     std::uint64_t triangle_tests_ = 0;
 };

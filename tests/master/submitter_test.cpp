@@ -6,6 +6,7 @@
 
 #include "common/core/limits.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
 #include "common/tree/build.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -142,7 +142,7 @@ TEST(Traverse, KeepsTheCornersOfEachPairBesideItIfAsked) {
     std::mt19937_64 random(8);
     const Mesh a = make_triangle_soup(random, 80);
     const Mesh b = make_triangle_soup(random, 80);
-    ContactSearch search(PosePair{}, {}, true);
+    ContactSearch search(PosePair{}, {}, {.keep_corners = true});
     search.collect(build(a).view(), build(b).view());
     search.sort();
     ASSERT_FALSE(search.pairs().empty());
