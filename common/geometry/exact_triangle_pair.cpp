@@ -1,12 +1,9 @@
 #include "common/geometry/exact_triangle_pair.hpp"
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include "common/geometry/dyadic.hpp"
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -14,85 +11,7 @@ namespace cd {
 
 namespace {
 
-/// Unlimited; up to 1024 bits stay out of the heap, which is what ordinary coordinates need.
-using Int = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<1024>>;
-
-/// mantissa * 2^exponent.
-struct Dyadic {
-    Int mantissa = 0;
-    int exponent = 0;
-};
-
-Dyadic to_dyadic(double value) {
-    if (value == 0) {
-        return {};
-    }
-    int exponent = 0;
-    const double fraction = std::frexp(value, &exponent); // In (-1, 1), 53 bits.
-    const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-    // Short numbers, as on the grids of designed parts, stay short.
-    const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
-    return {Int(mantissa / (std::int64_t{1} << zeros)), exponent - 53 + zeros};
-}
-
-Dyadic operator*(const Dyadic& l, const Dyadic& r) {
-    if (l.mantissa == 0 || r.mantissa == 0) {
-        return {};
-    }
-    return {l.mantissa * r.mantissa, l.exponent + r.exponent};
-}
-
-Dyadic operator+(const Dyadic& l, const Dyadic& r) {
-    if (l.mantissa == 0) {
-        return r;
-    }
-    if (r.mantissa == 0) {
-        return l;
-    }
-    const int exponent = std::min(l.exponent, r.exponent);
-    return {(l.mantissa << (l.exponent - exponent)) + (r.mantissa << (r.exponent - exponent)),
-            exponent};
-}
-
-Dyadic operator-(const Dyadic& l, const Dyadic& r) {
-    return l + Dyadic{-r.mantissa, r.exponent};
-}
-
-/// A body's map to the world, times its own norm: x' = (linear x + translation) / norm.
-struct ExactPose {
-    std::array<std::array<Dyadic, 3>, 3> linear;
-    std::array<Dyadic, 3> translation;
-    Dyadic norm{1, 0};
-};
-
-ExactPose to_exact(const Pose& pose) {
-    ExactPose exact;
-    for (int row = 0; row < 3; ++row) {
-        exact.translation[static_cast<std::size_t>(row)] = to_dyadic(pose.translation()[row]);
-    }
-    if (pose.kind() == Pose::Kind::Matrix) {
-        for (int row = 0; row < 3; ++row) {
-            for (int column = 0; column < 3; ++column) {
-                exact.linear[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
-                    to_dyadic(pose.matrix()(row, column));
-            }
-        }
-        return exact;
-    }
-    const Dyadic w = to_dyadic(pose.quaternion().w);
-    const Dyadic x = to_dyadic(pose.quaternion().x);
-    const Dyadic y = to_dyadic(pose.quaternion().y);
-    const Dyadic z = to_dyadic(pose.quaternion().z);
-    const Dyadic two{2, 0};
-    exact.linear[0] = {w * w + x * x - y * y - z * z, two * (x * y - w * z), two * (x * z + w * y)};
-    exact.linear[1] = {two * (x * y + w * z), w * w - x * x + y * y - z * z, two * (y * z - w * x)};
-    exact.linear[2] = {two * (x * z - w * y), two * (y * z + w * x), w * w - x * x - y * y + z * z};
-    exact.norm = w * w + x * x + y * y + z * z;
-    for (Dyadic& component : exact.translation) {
-        component = component * exact.norm;
-    }
-    return exact;
-}
+using Int = ExactInt;
 
 struct Vec {
     std::array<Int, 3> v;
