@@ -31,4 +31,10 @@ struct Aabb {
     return box;
 }
 
+/// False if the closed boxes share a point, and where a comparison with NaN leaves that open.
+[[nodiscard]] inline bool are_apart(const Aabb& a, const Aabb& b) {
+    return a.max.x() < b.min.x() || a.min.x() > b.max.x() || a.max.y() < b.min.y() ||
+           a.min.y() > b.max.y() || a.max.z() < b.min.z() || a.min.z() > b.max.z();
+}
+
 } // namespace cd

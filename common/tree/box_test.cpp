@@ -14,9 +14,8 @@
 // Bounds, all in the spectral norm (which bounds every entry), u = 2^-53, e = axes_error_max,
 // r = rotation_error, s = skew <= 2^-10:
 // (1) |F F' - I| and |G G' - I| <= 3 e, |R'R - I| <= 3 s.
-// (2) |M - N| <= eta = 3.01 (r + e) + 32 u: the entries of the rotation err by r (3 r in norm), G'
-// in
-//     place of G^-1 gives |G^-1| |G G' - I| <= 3.001 e, and the two products of three round.
+// (2) |M - N| <= eta = 3.01 (r + e) + 32 u: the entries of the rotation err by r (3 r in norm),
+//     G' in place of G^-1 gives |G^-1| |G G' - I| <= 3.001 e, and the two products of three round.
 // (3) The squares of the singular values of N lie within tau = 6.1 e + 3.01 s of 1.
 // Then, for the axes
 //     of A:   L = e_i:        L.n_k = N_ik, within eta of M_ik;
@@ -62,7 +61,8 @@ double size_of(const std::array<double, 3>& v) {
 
 } // namespace
 
-BoxTest::BoxTest(const RelativePose& b_to_a) {
+BoxTest::BoxTest(const RelativePose& b_to_a, double error_scale)
+    : rounding_(error_scale * unit_roundoff) {
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
             rotation_[3 * i + k] = b_to_a.rotation(static_cast<int>(i), static_cast<int>(k));
@@ -70,10 +70,10 @@ BoxTest::BoxTest(const RelativePose& b_to_a) {
         translation_[i] = b_to_a.translation[static_cast<int>(i)];
     }
     translation_size_ = size_of(translation_);
-    rotation_error_ = b_to_a.rotation_error;
-    translation_error_ = b_to_a.translation_error;
-    frame_error_ =
-        22 * axes_error_max + 5 * b_to_a.skew + 13 * b_to_a.rotation_error + 256 * unit_roundoff;
+    rotation_error_ = error_scale * b_to_a.rotation_error;
+    translation_error_ = error_scale * b_to_a.translation_error;
+    frame_error_ = error_scale * (22 * axes_error_max + 5 * b_to_a.skew +
+                                  13 * b_to_a.rotation_error + 256 * unit_roundoff);
     if (!(b_to_a.skew <= skew_max) || !(b_to_a.rotation_error <= skew_max)) {
         frame_error_ = infinity;
     }
@@ -96,7 +96,7 @@ PosedBox BoxTest::pose(const ObbNode& b) const {
     const double center_size = size_of(b.center);
     posed.error = frame_error_ * (posed.half[0] + posed.half[1] + posed.half[2]) +
                   4 * (rotation_error_ * center_size + translation_error_) +
-                  48 * unit_roundoff * (center_size + translation_size_);
+                  48 * rounding_ * (center_size + translation_size_);
     if (!(center_size + translation_size_ < center_max)) {
         posed.error = infinity;
     }
@@ -116,7 +116,7 @@ Aabb BoxTest::bounds(const Corners& b) const {
     }
     // As for T in the comment above, without the frame; growing by the error rounds once more.
     double error = rotation_error_ * size + translation_error_ +
-                   12 * unit_roundoff * (size + translation_size_) + underflow;
+                   12 * rounding_ * (size + translation_size_) + underflow;
     if (!(size + translation_size_ < center_max) || !(frame_error_ < infinity)) {
         error = infinity;
     }
@@ -131,8 +131,8 @@ bool BoxTest::may_overlap(const ObbNode& a, const PosedBox& b) const {
         v[i] = b.center[i] - a.center[i];
     }
     const std::array<double, 3>& hb = b.half;
-    const double margin = b.error + 48 * unit_roundoff * size_of(a.center) +
-                          8 * unit_roundoff * (ha[0] + ha[1] + ha[2]);
+    const double margin =
+        b.error + 48 * rounding_ * size_of(a.center) + 8 * rounding_ * (ha[0] + ha[1] + ha[2]);
 
     std::array<double, 3> t;
     std::array<std::array<double, 3>, 3> m;
@@ -193,9 +193,9 @@ double BoxTest::distance_max(const ObbNode& a, const PosedBox& b) const {
         radius_b += b.half[i] * b.half[i];
     }
     const double radii = std::sqrt(radius_a) + std::sqrt(radius_b);
-    const double error =
-        frame_error_ * radii + 2 * (b.error + 48 * unit_roundoff * size_of(a.center));
-    return (std::sqrt(between) + radii + error) * (1 + 16 * unit_roundoff);
+    const double error = frame_error_ * radii + 2 * (b.error + 48 * rounding_ * size_of(a.center));
+    const double distance = (std::sqrt(between) + radii + error) * (1 + 16 * rounding_);
+    return distance >= 0 ? distance : infinity; // NaN: a centre that overflowed.
 }
 
 } // namespace cd

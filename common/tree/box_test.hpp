@@ -20,11 +20,14 @@ struct PosedBox {
 /// The separating axes of two boxes under one relative pose.
 class BoxTest {
   public:
-    explicit BoxTest(const RelativePose& b_to_a);
+    /// `error_scale` multiplies every error bound. Only from 1 on is an answer a proof: less is for
+    /// tests, which show that the bounds are needed.
+    explicit BoxTest(const RelativePose& b_to_a, double error_scale = 1);
 
     [[nodiscard]] PosedBox pose(const ObbNode& b) const;
 
-    /// A box in A's body coordinates around a triangle of B, in exact terms.
+    /// A box in A's body coordinates around a triangle of B, in exact terms. All of space, or NaN
+    /// on an axis, where numbers overflow or the pose's bounds are of no use.
     [[nodiscard]] Aabb bounds(const Corners& b) const;
 
     /// False only if no point of box `a` is a point of box `b`, in exact terms, under the true
@@ -35,7 +38,7 @@ class BoxTest {
     }
 
     /// Bounds the distance of any point of box `a` from any of box `b`, in A's body coordinates, in
-    /// exact terms.
+    /// exact terms. Infinite, never NaN, where numbers overflow or the pose's bounds are of no use.
     [[nodiscard]] double distance_max(const ObbNode& a, const PosedBox& b) const;
 
   private:
@@ -45,6 +48,7 @@ class BoxTest {
     double rotation_error_ = 0;
     double translation_error_ = 0;
     double frame_error_ = 0; ///< Per half size of B: see the source.
+    double rounding_;        ///< The unit roundoff, or less: what the bounds say of roundings.
 };
 
 } // namespace cd

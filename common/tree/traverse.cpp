@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -24,12 +25,6 @@ double squared_distance(const ObbNode& a, const PosedBox& b) {
     return sum;
 }
 
-/// A comparison with NaN, which only B's box can hold, does not part them.
-bool are_apart(const Aabb& a, const Aabb& b) {
-    return a.max.x() < b.min.x() || a.min.x() > b.max.x() || a.max.y() < b.min.y() ||
-           a.min.y() > b.max.y() || a.max.z() < b.min.z() || a.min.z() > b.max.z();
-}
-
 TriangleSpan triangles_of(const TreeView& tree) {
     return {tree.vertices, tree.triangles};
 }
@@ -50,7 +45,8 @@ double stretch_of(const Pose& pose) {
     // An entry of R'R has three products, each with three roundings and two entries that may err.
     const double error = 3 * (2.01 * reach * pose.rotation_error() + 4 * 0x1p-53 * reach * reach);
     const double square = (r.transpose() * r).cwiseAbs().rowwise().sum().maxCoeff() + 3 * error;
-    return std::sqrt(square) * (1 + 0x1p-50);
+    const double stretch = std::sqrt(square) * (1 + 0x1p-50);
+    return stretch >= 0 ? stretch : std::numeric_limits<double>::infinity(); // NaN: overflow.
 }
 
 /// Deciding many at once is faster; a search for any contact should not look at many in vain.

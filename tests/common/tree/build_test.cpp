@@ -75,9 +75,6 @@ void expect_sound_frames(std::span<const ObbNode> nodes) {
 void expect_vertices_inside(const ObbTree& tree) {
     const TreeView view = tree.view();
     for (const ObbNode& node : view.nodes) {
-        if (!std::isfinite(node.half[0])) {
-            continue; // Contains everything.
-        }
         for (std::uint32_t i = node.triangles_begin; i < node.triangles_end; ++i) {
             for (const std::uint32_t vertex : view.triangles[i]) {
                 ASSERT_TRUE(contains(node, view.vertices[vertex]));
@@ -140,6 +137,48 @@ TEST(Build, HoldsWhatIsTinyHugeOrFarAway) {
     expect_sound(build(
         make_mesh({Vec3(-1.7e308, 1.7e308, 0), Vec3(1.7e308, -1.7e308, 1), Vec3(0, 0, 1.7e308)},
                   {{0, 1, 2}, {0, 0, 0}, {1, 1, 2}, {2, 2, 2}, {0, 1, 1}, {1, 2, 2}})));
+}
+
+Mesh grown(const Mesh& mesh, const Vec3& factors, const Vec3& offset) {
+    std::vector<Vec3> vertices = mesh.vertices();
+    for (Vec3& vertex : vertices) {
+        vertex = vertex.cwiseProduct(factors) + offset;
+    }
+    return make_mesh(vertices, mesh.triangles());
+}
+
+TEST(Build, HoldsHostileMeshes) {
+    std::mt19937_64 random(9);
+    const Mesh soup = make_triangle_soup(random, 40);
+    const Mesh lattice = make_degenerate_soup(random, 40);
+    const Vec3 zero = Vec3::Zero();
+    for (const BoxKind boxes : {BoxKind::Obb, BoxKind::Aabb}) {
+        const auto expect_held = [&](const Mesh& mesh) {
+            expect_sound(build(mesh, {.boxes = boxes, .leaf_triangles_max = 1}));
+        };
+        // Needles and flakes, turned by nothing and by their own spread.
+        expect_held(grown(soup, Vec3(1e12, 1, 1), zero));
+        expect_held(grown(soup, Vec3(1, 1e-12, 1e6), Vec3(5, 6, 7)));
+        // A millimetre in UTM coordinates, as doubles and as the floats that it collapses to.
+        const Vec3 utm(691'607.86, 5'334'760.38, 519.2);
+        const Mesh building = grown(soup, Vec3(1e-3, 1e-3, 1e-3), utm);
+        expect_held(building);
+        std::vector<Vec3> floats = building.vertices();
+        for (Vec3& vertex : floats) {
+            vertex = vertex.cast<float>().cast<double>();
+        }
+        expect_held(make_mesh(floats, building.triangles()));
+        // A millionth beside a million, degenerate shapes far away, and steps of the last bit.
+        expect_held(join({grown(soup, Vec3::Constant(1e-6), zero),
+                          grown(soup, Vec3::Constant(1e6), Vec3(3e6, 0, 1))}));
+        expect_held(grown(lattice, Vec3::Constant(1e-3), Vec3(-1e7, 1e7, 1e7 / 3)));
+        expect_held(grown(lattice, Vec3::Constant(0x1p-52), Vec3(1, 2, -1)));
+        // Sizes where floats end: half sizes on both sides of the least and the largest float.
+        expect_held(grown(soup, Vec3(0x1p-126, 0x1p-127, 0x1p-149), zero));
+        expect_held(grown(soup, Vec3(0x1p128, 0x1p127, 1), Vec3(0, 0, 0x1p128)));
+        expect_held(grown(soup, Vec3(0x1p999, 0x1p-1074, 0x1p-1022), zero));
+        expect_held(grown(lattice, Vec3(0x1p400, 0x1p-400, 0), zero));
+    }
 }
 
 TEST(Build, KeepsSmallFeaturesApartFarFromTheOrigin) {

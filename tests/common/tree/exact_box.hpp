@@ -7,6 +7,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace cd::tests {
@@ -51,11 +52,11 @@ inline ExactVec center_of(const ObbNode& node) {
     return {Rational(node.center[0]), Rational(node.center[1]), Rational(node.center[2])};
 }
 
-/// The contract of ObbNode. The half sizes are finite.
+/// The contract of ObbNode.
 inline bool contains(const ObbNode& node, const Vec3& point) {
     const ExactVec alpha = axes_of(node) * (exact(point) + scaled(Rational(-1), center_of(node)));
     for (std::size_t i = 0; i < 3; ++i) {
-        if (abs(alpha[i]) > Rational(node.half[i])) {
+        if (std::isfinite(node.half[i]) && abs(alpha[i]) > Rational(node.half[i])) {
             return false;
         }
     }

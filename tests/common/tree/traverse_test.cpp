@@ -7,11 +7,16 @@
 #include "common/core/thread_pool.hpp"
 #include "common/tree/brute_force.hpp"
 #include "common/tree/build.hpp"
+#include "tests/common/tree/exact_box.hpp"
+#include "tests/support/brink_boxes.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 namespace cd::tests {
 
@@ -96,6 +101,143 @@ TEST(Traverse, FindsEveryContactOfGriddedBoxesFaceToFace) {
     const PosePair turned{Pose::from_quaternion(turn, Vec3(5, 0, 0)),
                           Pose::from_quaternion(turn, Vec3(5, 0, 1))};
     EXPECT_EQ(expect_agreement(box, box, turned), aligned);
+}
+
+/// The pairs of two boxes that share a face, their grids on each other, under these poses of the
+/// lower one; the upper one stands on it.
+std::size_t expect_agreement_of_stacked_boxes(const Vec3& size, int cells, const Pose& lower) {
+    const Mesh box = make_gridded_box(size, cells);
+    const Vec3 up = lower.rotation() * Vec3(0, 0, size.z());
+    const Pose upper = lower.kind() == Pose::Kind::Matrix
+                           ? Pose::from_matrix(lower.matrix(), lower.translation() + up)
+                           : Pose::from_quaternion(lower.quaternion(), lower.translation() + up);
+    return expect_agreement(box, box, {lower, upper});
+}
+
+// FCL in float loses three of four touching pairs of two stacked boxes in its box tests alone.
+TEST(Traverse, LosesNoTouchingPairOfStackedBoxes) {
+    // Exact poses: every pair of facing triangles that meet touches.
+    const Vec3 dyadic(1, 2, 0.5);
+    const std::size_t exact = expect_agreement_of_stacked_boxes(dyadic, 4, Pose{});
+    EXPECT_GE(exact, 2u * 2u * 16u);
+    for (const Vec3& offset : {Vec3(1e6, -3e6, 12345), Vec3(1e7, 1e7, 1e7), Vec3(0.125, 0, -7)}) {
+        EXPECT_EQ(expect_agreement_of_stacked_boxes(
+                      dyadic, 4, Pose::from_matrix(Mat3::Identity(), offset)),
+                  exact);
+        // A right angle, as a quaternion that is far from norm 1.
+        EXPECT_EQ(expect_agreement_of_stacked_boxes(
+                      dyadic, 4, Pose::from_quaternion({1, 0, 0, 1}, offset)),
+                  exact);
+    }
+    // Rounded poses and decimal sizes: some of the pairs touch, by how the roundings fell.
+    std::size_t contacts = 0;
+    for (std::uint64_t seed = 0; seed < 2; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const double reach = seed % 2 == 0 ? 1.0 : 1e7;
+        contacts +=
+            expect_agreement_of_stacked_boxes(Vec3(0.1, 0.3, 0.7), 4, make_pose(random, reach));
+        contacts += expect_agreement_of_stacked_boxes(
+            Vec3(0.1, 0.3, 0.7), 4, make_matrix_pose(random, reach));
+    }
+    EXPECT_GT(contacts, 0u);
+}
+
+TEST(Traverse, AgreesWithBruteForceUnderMatricesThatAreNotQuiteRigid) {
+    std::size_t contacts = 0;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const Mesh box = make_gridded_box(Vec3(1, 1, 1), 3);
+        contacts += expect_agreement(box, box, {any_pose(random, 1e-5), any_pose(random, 1e-5)});
+        // Stretched along z by the most that poses are taken with: they are apart by 1e-6, or
+        // 1e-6 deep.
+        const double stretch = 1 + 4.9e-6;
+        const Mat3 longer = Vec3(1, 1, stretch).asDiagonal();
+        const double up = 0.5 * (1 + stretch) + (seed % 2 == 0 ? 1e-6 : -1e-6);
+        const std::size_t pairs =
+            expect_agreement(box, box, {Pose{}, Pose::from_matrix(longer, Vec3(0, 0, up))});
+        EXPECT_EQ(pairs == 0, seed % 2 == 0);
+    }
+    EXPECT_GT(contacts, 0u);
+}
+
+/// The least squared distance of two of the meshes' vertices in the world.
+Rational squared_vertex_distance(const Mesh& a, const Mesh& b, const PosePair& poses) {
+    const auto world = [](const Mesh& mesh, const Pose& pose) {
+        std::vector<ExactVec> places;
+        for (const Vec3& vertex : mesh.vertices()) {
+            places.push_back(exact_rotation(pose) * exact(vertex) + exact(pose.translation()));
+        }
+        return places;
+    };
+    const std::vector<ExactVec> of_b = world(b, poses.b);
+    std::optional<Rational> least;
+    for (const ExactVec& x : world(a, poses.a)) {
+        for (const ExactVec& y : of_b) {
+            const ExactVec between = x + scaled(Rational(-1), y);
+            const Rational square = dot(between, between);
+            least = least ? std::min(*least, square) : square;
+        }
+    }
+    return *least;
+}
+
+TEST(Traverse, TheDistanceThatATolerancePromisesIsTrueInTheWorld) {
+    std::size_t undecided = 0;
+    std::size_t decided = 0;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const double offset = seed % 2 == 0 ? 1.0 : 1e6;
+        // Two small soups whose boxes overlap or just not, far from the poses' origins.
+        const Vec3 place = random_point(random, offset);
+        const Mesh a = translated(make_triangle_soup(random, 3), place);
+        const Mesh b = translated(make_triangle_soup(random, 3), place);
+        PosePair poses{any_pose(random, offset), any_pose(random, offset)};
+        const Vec3 between = poses.a.apply(place) - poses.b.apply(place);
+        poses.b =
+            with_translation(poses.b, poses.b.translation() + between + random_point(random, 1.0));
+        for (const double tolerance : {100.0, 4.0, 1.0}) {
+            ContactSearch search(poses, {}, {.tolerance = tolerance});
+            search.collect(build(a).view(), build(b).view());
+            const auto distance = search.undecided_distance();
+            if (!distance) {
+                ++decided;
+                continue;
+            }
+            ++undecided;
+            ASSERT_TRUE(std::isfinite(*distance));
+            ASSERT_LE(squared_vertex_distance(a, b, poses),
+                      Rational(*distance) * Rational(*distance));
+        }
+    }
+    EXPECT_GT(undecided, 40u);
+    EXPECT_GT(decided, 10u);
+}
+
+TEST(Traverse, TheDistanceThatATolerancePromisesCountsHowPosesStretch) {
+    // Two points, whose boxes are as small as boxes are: what they are apart is the bound, but for
+    // the sizes of the boxes' margins. A's pose makes vectors longer.
+    const Mesh point = make_mesh({Vec3::Zero()}, {{0, 0, 0}});
+    const double stretch = 1 + 1e-4;
+    const Pose longer = Pose::from_matrix(stretch * Mat3::Identity(), Vec3::Zero());
+    for (const double apart : {1e-40, 1e-30, 1e-25}) {
+        const PosePair poses{longer, translation_pose(apart, apart, apart)};
+        ContactSearch search(poses, {}, {.tolerance = 1e-6});
+        search.collect(build(point).view(), build(point).view());
+        if (const auto distance = search.undecided_distance()) {
+            EXPECT_LE(squared_vertex_distance(point, point, poses),
+                      Rational(*distance) * Rational(*distance));
+        }
+    }
+    // Infinite, never NaN, under poses that overflow.
+    const double big = 1.7e308;
+    ContactSearch overflowing(
+        {translation_pose(big, 0, 0), translation_pose(-big, 0, 0)}, {}, {.tolerance = 1e-6});
+    overflowing.collect(build(point).view(), build(point).view());
+    ASSERT_TRUE(overflowing.undecided_distance());
+    EXPECT_EQ(*overflowing.undecided_distance(), std::numeric_limits<double>::infinity());
 }
 
 TEST(Traverse, AgreesWithBruteForceOnHugeTinyAndFarMeshes) {
