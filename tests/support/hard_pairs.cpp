@@ -10,41 +10,6 @@ namespace cd::tests {
 
 namespace {
 
-Vec3 lattice_point(std::mt19937_64& random, int reach) {
-    const auto coordinate = [&] {
-        return static_cast<double>(
-            static_cast<int>(random() % (2 * static_cast<unsigned>(reach) + 1)) - reach);
-    };
-    const double x = coordinate();
-    const double y = coordinate();
-    const double z = coordinate();
-    return {x, y, z};
-}
-
-/// A point of a triangle, rounded: a vertex of B put there touches A nominally.
-Vec3 point_on(std::mt19937_64& random, const Corners& t) {
-    const double s = uniform(random, 0, 1);
-    const double r = uniform(random, 0, 1 - s);
-    return t[0] + s * (t[1] - t[0]) + r * (t[2] - t[0]);
-}
-
-Vec3 nudged(std::mt19937_64& random, Vec3 p) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const double infinity = std::numeric_limits<double>::infinity();
-        if (random() % 2 == 0) {
-            p[axis] = std::nextafter(p[axis], random() % 2 == 0 ? infinity : -infinity);
-        }
-    }
-    return p;
-}
-
-Corners scaled(Corners t, double factor) {
-    for (Vec3& corner : t) {
-        corner *= factor;
-    }
-    return t;
-}
-
 Corners flat(Corners t) {
     for (Vec3& corner : t) {
         corner.z() = 0;
@@ -70,6 +35,40 @@ Pose quarter_turns(std::mt19937_64& random) {
 }
 
 } // namespace
+
+Vec3 lattice_point(std::mt19937_64& random, int reach) {
+    const auto coordinate = [&] {
+        return static_cast<double>(
+            static_cast<int>(random() % (2 * static_cast<unsigned>(reach) + 1)) - reach);
+    };
+    const double x = coordinate();
+    const double y = coordinate();
+    const double z = coordinate();
+    return {x, y, z};
+}
+
+Vec3 point_on(std::mt19937_64& random, const Corners& t) {
+    const double s = uniform(random, 0, 1);
+    const double r = uniform(random, 0, 1 - s);
+    return t[0] + s * (t[1] - t[0]) + r * (t[2] - t[0]);
+}
+
+Vec3 nudged(std::mt19937_64& random, Vec3 p) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double infinity = std::numeric_limits<double>::infinity();
+        if (random() % 2 == 0) {
+            p[axis] = std::nextafter(p[axis], random() % 2 == 0 ? infinity : -infinity);
+        }
+    }
+    return p;
+}
+
+Corners scaled(Corners t, double factor) {
+    for (Vec3& corner : t) {
+        corner *= factor;
+    }
+    return t;
+}
 
 Corners random_corners(std::mt19937_64& random, double half_width) {
     return {random_point(random, half_width),
@@ -106,9 +105,19 @@ PosedPair nearly_touching(std::mt19937_64& random) {
     default:
         break;
     }
-    const Vec3 target = c.poses.a.apply(some_point(c.a)) - c.poses.b.translation();
+    // Products in a fixed order: the pairs are the same with every compiler.
+    const Vec3 from = some_point(c.a);
+    const Mat3 ra = c.poses.a.rotation();
+    Vec3 target = c.poses.a.translation() - c.poses.b.translation();
+    for (int k = 0; k < 3; ++k) {
+        target[k] += (ra(k, 0) * from[0] + ra(k, 1) * from[1]) + ra(k, 2) * from[2];
+    }
     const double off = std::ldexp(1.0, -44 - static_cast<int>(random() % 12));
-    const Vec3 shift = c.poses.b.rotation().transpose() * target - some_point(c.b);
+    const Mat3 r = c.poses.b.rotation();
+    Vec3 shift = -some_point(c.b);
+    for (int k = 0; k < 3; ++k) {
+        shift[k] += (r(0, k) * target[0] + r(1, k) * target[1]) + r(2, k) * target[2];
+    }
     const Vec3 extra = random_point(random, off);
     for (Vec3& corner : c.b) {
         corner += shift + extra;
@@ -208,7 +217,8 @@ std::map<std::string, PairMaker> pair_makers() {
     all["quaternions of any norm"] = [](auto& r) {
         PosedPair c{lattice_corners(r, 2), lattice_corners(r, 2), {}};
         const auto small = [&] { return static_cast<double>(1 + r() % 3); };
-        c.poses.a = Pose::from_quaternion({small(), 0, 0, small()}, lattice_point(r, 1));
+        const Vec3 offset = lattice_point(r, 1);
+        c.poses.a = Pose::from_quaternion({small(), 0, 0, small()}, offset);
         c.poses.b = Pose::from_quaternion({small() * 1e-9, 0, small() * 1e-9, 0}, Vec3::Zero());
         return c;
     };

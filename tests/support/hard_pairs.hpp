@@ -29,5 +29,12 @@ using PairMaker = std::function<PosedPair(std::mt19937_64&)>;
 [[nodiscard]] Corners random_corners(std::mt19937_64& random, double half_width);
 /// Corners with whole coordinates from -reach to reach.
 [[nodiscard]] Corners lattice_corners(std::mt19937_64& random, int reach);
+/// Whole coordinates from -reach to reach.
+[[nodiscard]] Vec3 lattice_point(std::mt19937_64& random, int reach);
+/// A point of a triangle, rounded: a vertex of B put there touches A nominally.
+[[nodiscard]] Vec3 point_on(std::mt19937_64& random, const Corners& t);
+/// Some of the coordinates one step up or down.
+[[nodiscard]] Vec3 nudged(std::mt19937_64& random, Vec3 p);
+[[nodiscard]] Corners scaled(Corners t, double factor);
 
 } // namespace cd::tests

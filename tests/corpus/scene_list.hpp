@@ -1,0 +1,18 @@
+// How the lists of scenes are put together.
+#pragma once
+
+#include "tests/corpus/scenes.hpp"
+
+namespace cd::tests {
+
+using Scenes = std::vector<Scene>;
+
+void add_box_scenes(Scenes& scenes);
+void add_round_scenes(Scenes& scenes);
+void add_building_scenes(Scenes& scenes);
+void add_odd_scenes(Scenes& scenes);
+
+[[nodiscard]] Body solid(Mesh mesh);
+[[nodiscard]] Body surface(Mesh mesh); ///< An open one.
+
+} // namespace cd::tests

@@ -1,0 +1,174 @@
+#include "tests/support/clipping_oracle.hpp"
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace cd::tests {
+
+namespace {
+
+using Number = boost::multiprecision::cpp_rational;
+using Point = std::array<Number, 3>;
+using Polygon = std::vector<Point>;
+
+Point minus(const Point& l, const Point& r) {
+    return {l[0] - r[0], l[1] - r[1], l[2] - r[2]};
+}
+
+Number dot(const Point& l, const Point& r) {
+    return l[0] * r[0] + l[1] * r[1] + l[2] * r[2];
+}
+
+Point cross(const Point& l, const Point& r) {
+    return {l[1] * r[2] - l[2] * r[1], l[2] * r[0] - l[0] * r[2], l[0] * r[1] - l[1] * r[0]};
+}
+
+bool is_zero(const Point& p) {
+    return p[0] == 0 && p[1] == 0 && p[2] == 0;
+}
+
+/// The pose applied as the contract says: a quaternion rotates by M(q) / q.q.
+Point world(const Pose& pose, const Vec3& corner) {
+    std::array<std::array<Number, 3>, 3> r;
+    if (pose.kind() == Pose::Kind::Matrix) {
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                r[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+                    Number(pose.matrix()(i, j));
+            }
+        }
+    } else {
+        const Number w(pose.quaternion().w);
+        const Number x(pose.quaternion().x);
+        const Number y(pose.quaternion().y);
+        const Number z(pose.quaternion().z);
+        const Number s = 2 / (w * w + x * x + y * y + z * z);
+        r[0] = {1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)};
+        r[1] = {s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x)};
+        r[2] = {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)};
+    }
+    const Point from{Number(corner.x()), Number(corner.y()), Number(corner.z())};
+    Point to;
+    for (std::size_t i = 0; i < 3; ++i) {
+        to[i] = dot(r[i], from) + Number(pose.translation()[static_cast<Eigen::Index>(i)]);
+    }
+    return to;
+}
+
+/// The half-space of points x with normal.(x - on) >= 0.
+struct HalfSpace {
+    Point normal;
+    Point on;
+};
+
+void add_plane(std::vector<HalfSpace>& bounds, const Point& normal, const Point& on) {
+    bounds.push_back({normal, on});
+    bounds.push_back({{-normal[0], -normal[1], -normal[2]}, on});
+}
+
+bool has_area(const Polygon& triangle) {
+    return !is_zero(cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0])));
+}
+
+/// Half-spaces whose common part is exactly the triangle, segment or point.
+std::vector<HalfSpace> bounds_of(const Polygon& t) {
+    std::vector<HalfSpace> bounds;
+    if (has_area(t)) {
+        const Point normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
+        add_plane(bounds, normal, t[0]);
+        for (std::size_t i = 0; i < 3; ++i) {
+            bounds.push_back({cross(normal, minus(t[(i + 1) % 3], t[i])), t[i]});
+        }
+        return bounds;
+    }
+    const auto [low, high] = std::minmax_element(t.begin(), t.end());
+    const Point along = minus(*high, *low);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        Point unit{0, 0, 0};
+        unit[axis] = 1;
+        add_plane(bounds, is_zero(along) ? unit : cross(along, unit), *low);
+    }
+    bounds.push_back({along, *low});
+    bounds.push_back({minus(*low, *high), *high});
+    return bounds;
+}
+
+Polygon clip(const Polygon& polygon, const HalfSpace& bound) {
+    Polygon kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point& here = polygon[i];
+        const Point& next = polygon[(i + 1) % polygon.size()];
+        const Number from = dot(bound.normal, minus(here, bound.on));
+        const Number to = dot(bound.normal, minus(next, bound.on));
+        if (from >= 0) {
+            kept.push_back(here);
+        }
+        if ((from > 0 && to < 0) || (from < 0 && to > 0)) {
+            const Number share = from / (from - to);
+            const Point step = minus(next, here);
+            kept.push_back(
+                {here[0] + share * step[0], here[1] + share * step[1], here[2] + share * step[2]});
+        }
+    }
+    return kept;
+}
+
+/// Strictly on the inner side of all three edges, for a point of the triangle's plane.
+bool is_inner(const Point& p, const Polygon& t) {
+    const Point normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (dot(cross(normal, minus(t[(i + 1) % 3], t[i])), minus(p, t[i])) <= 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The mean of a convex set's corners lies in its relative interior.
+Point mean(const Polygon& polygon) {
+    Point sum{0, 0, 0};
+    for (const Point& p : polygon) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            sum[k] += p[k];
+        }
+    }
+    const Number count = polygon.size();
+    return {sum[0] / count, sum[1] / count, sum[2] / count};
+}
+
+} // namespace
+
+PairClass
+clipping_oracle_class(const Corners& corners_a, const Corners& corners_b, const PosePair& poses) {
+    Polygon a;
+    Polygon b;
+    for (std::size_t i = 0; i < 3; ++i) {
+        a.push_back(world(poses.a, corners_a[i]));
+        b.push_back(world(poses.b, corners_b[i]));
+    }
+    Polygon shared = a;
+    for (const HalfSpace& bound : bounds_of(b)) {
+        shared = clip(shared, bound);
+    }
+    if (shared.empty()) {
+        return PairClass::Separate;
+    }
+    if (!has_area(a) || !has_area(b)) {
+        return PairClass::Touch;
+    }
+    // Relative interiors of convex sets meet just where the relative interior of what they share
+    // lies in both.
+    const Point center = mean(shared);
+    if (!is_inner(center, a) || !is_inner(center, b)) {
+        return PairClass::Touch;
+    }
+    const Point normal = cross(minus(b[1], b[0]), minus(b[2], b[0]));
+    const bool coplanar = std::all_of(
+        a.begin(), a.end(), [&](const Point& p) { return dot(normal, minus(p, b[0])) == 0; });
+    return coplanar ? PairClass::Coplanar : PairClass::Proper;
+}
+
+} // namespace cd::tests
