@@ -2,6 +2,7 @@
 
 #include "common/geometry/double_triangle_pair.hpp"
 #include "common/geometry/exact_triangle_pair.hpp"
+#include "common/geometry/float_triangle_pair.hpp"
 #include "common/geometry/shared_points.hpp"
 
 #include <algorithm>
@@ -31,20 +32,37 @@ struct TrianglePairTest::State {
     Mat3 rotation_b;
     Vec3 translation_a;
     Vec3 offset; ///< tb - ta, rounded once.
+    FloatTrianglePair in_float;
     DoubleTrianglePair in_double;
     ExactTrianglePair exact;
     PairStage first;
     PairStatistics statistics;
-    std::vector<PairClass> kinds; ///< Of the last call's candidates.
+    std::vector<FloatVerdict> verdicts; ///< Of the last call's candidates, as are the kinds.
+    std::vector<PairClass> kinds;
 
     State(const PosePair& poses, PairStage first_stage)
         : rotation_a(poses.a.rotation()),
           rotation_b(poses.b.rotation()),
           translation_a(poses.a.translation()),
           offset(poses.b.translation() - poses.a.translation()),
+          in_float(poses),
           in_double(poses),
           exact(poses),
           first(first_stage) {}
+
+    /// What floats prove of each candidate, counted; nothing if they are to be passed over.
+    std::span<const FloatVerdict> float_verdicts(const TriangleSpan& a,
+                                                 const TriangleSpan& b,
+                                                 std::span<const Candidate> candidates) {
+        verdicts.assign(candidates.size(), FloatVerdict::Unknown);
+        if (first <= PairStage::Float) {
+            in_float.classify(a, b, candidates, verdicts);
+            const auto unknown =
+                std::count(verdicts.begin(), verdicts.end(), FloatVerdict::Unknown);
+            statistics[PairStage::Float] += verdicts.size() - static_cast<std::size_t>(unknown);
+        }
+        return verdicts;
+    }
 };
 
 TrianglePairTest::TrianglePairTest(const PosePair& poses, PairStage first)
@@ -67,10 +85,21 @@ PairClass TrianglePairTest::classify(const Corners& a, const Corners& b) {
 std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
                                                       const TriangleSpan& b,
                                                       std::span<const Candidate> candidates) {
+    const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
     std::vector<PairClass>& kinds = state_->kinds;
     kinds.resize(candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        kinds[i] = classify(a.corners(candidates[i].a), b.corners(candidates[i].b));
+        switch (verdicts[i]) {
+        case FloatVerdict::Separate:
+            kinds[i] = PairClass::Separate;
+            break;
+        case FloatVerdict::Proper:
+            kinds[i] = PairClass::Proper;
+            break;
+        case FloatVerdict::Unknown:
+            kinds[i] = classify(a.corners(candidates[i].a), b.corners(candidates[i].b));
+            break;
+        }
     }
     return kinds;
 }
@@ -78,9 +107,18 @@ std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
 bool TrianglePairTest::any_touch(const TriangleSpan& a,
                                  const TriangleSpan& b,
                                  std::span<const Candidate> candidates) {
-    return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
-        return classify(a.corners(candidate.a), b.corners(candidate.b)) != PairClass::Separate;
-    });
+    const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
+    if (std::find(verdicts.begin(), verdicts.end(), FloatVerdict::Proper) != verdicts.end()) {
+        return true;
+    }
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (verdicts[i] == FloatVerdict::Unknown &&
+            classify(a.corners(candidates[i].a), b.corners(candidates[i].b)) !=
+                PairClass::Separate) {
+            return true;
+        }
+    }
+    return false;
 }
 
 std::vector<Vec3>

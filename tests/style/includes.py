@@ -34,6 +34,7 @@ DOORS = {
     r"CLI/": ["common/core/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],
     r"toml\+\+/": ["common/core/daemon_options.cpp", "client"],
     r"nlohmann/": ["client"],
+    r"hwy/": ["common/geometry", "common/tree"],
     r"fcl/": [],
 }
 ANYWHERE = ("tests/", "bench/")  # May include everything of ours and any library.
