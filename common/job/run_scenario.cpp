@@ -116,7 +116,7 @@ ScenarioRun
 run_scenario(const ObbTree& a, const ObbTree& b, const Scenario& scenario, const Query& query) {
     const SubtreePair whole{a.view(), b.view()};
     ScenarioRun run = run_on_subtrees({&whole, 1}, scenario, query);
-    settle_class(a, b, scenario, query, run.result);
+    run.settling = settle_class(a, b, scenario, query, run.result);
     return run;
 }
 

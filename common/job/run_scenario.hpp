@@ -6,6 +6,7 @@
 #include "common/job/scenario.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
+#include "common/tree/point_in_solid.hpp"
 #include "common/tree/subtree_block.hpp"
 
 #include <memory>
@@ -19,6 +20,7 @@ namespace cd {
 struct ScenarioRun {
     ScenarioResult result;
     QueryStatistics statistics;
+    SettleStatistics settling; ///< Of `settle_class`, apart; zero after `run_on_subtrees`.
 };
 
 /// One colliding pair of distribution roots with its two subtrees.

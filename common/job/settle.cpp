@@ -17,20 +17,23 @@ bool settling_is_work(const ObbTree& a, const ObbTree& b, const ScenarioResult& 
            are_closed(a, b);
 }
 
-void settle_class(const ObbTree& a,
-                  const ObbTree& b,
-                  const Scenario& scenario,
-                  const Query& query,
-                  ScenarioResult& result) {
+SettleStatistics settle_class(const ObbTree& a,
+                              const ObbTree& b,
+                              const Scenario& scenario,
+                              const Query& query,
+                              ScenarioResult& result) {
     result.surfaces_only = result.kind != ScenarioClass::Failed && !are_closed(a, b);
     // An ignored part that sticks in the other body would be "inside" it in every scenario.
     if (!settling_is_work(a, b, result) || !query.ignored.empty()) {
-        return;
+        return {};
     }
+    SettleStatistics statistics;
     const PosePair& poses = scenario.poses;
-    if (contains_component(a, poses.a, b, poses.b) || contains_component(b, poses.b, a, poses.a)) {
+    if (contains_component(a, poses.a, b, poses.b, statistics) ||
+        contains_component(b, poses.b, a, poses.a, statistics)) {
         result.kind = ScenarioClass::Inside;
     }
+    return statistics;
 }
 
 } // namespace cd

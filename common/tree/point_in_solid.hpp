@@ -1,0 +1,75 @@
+// Where a point lies in the solid that a closed mesh bounds: exact parity.
+#pragma once
+
+#include "common/tree/exact_frame.hpp"
+#include "common/tree/obb_tree.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace cd {
+
+/// What it took to tell insides: reported apart from the search for contacts.
+struct SettleStatistics {
+    std::uint64_t points = 0;             ///< Whose place in a solid was asked.
+    std::uint64_t ray_box_tests = 0;      ///< Boxes held against a ray.
+    std::uint64_t ray_triangle_tests = 0; ///< Triangles held against a ray.
+    std::uint64_t by_exact = 0;           ///< Points for which doubles did not do.
+    std::uint64_t searches = 0; ///< Searches for contacts that a result did not hold any more.
+
+    SettleStatistics& operator+=(const SettleStatistics& other);
+
+    friend bool operator==(const SettleStatistics&, const SettleStatistics&) = default;
+};
+
+/// A point in a solid's coordinates: rounded with a bound, and exactly if need be.
+class SolidPoint {
+  public:
+    /// `error` bounds how far each component of `rounded` is from the exact one.
+    SolidPoint(const Vec3& rounded, double error, std::function<ExactPoint()> exact)
+        : rounded_(rounded), error_(error), make_exact_(std::move(exact)) {}
+
+    [[nodiscard]] const Vec3& rounded() const { return rounded_; }
+    [[nodiscard]] double error() const { return error_; }
+    [[nodiscard]] const ExactPoint& exact();
+    [[nodiscard]] bool needed_exact() const { return exact_.has_value(); }
+
+  private:
+    Vec3 rounded_;
+    double error_;
+    std::function<ExactPoint()> make_exact_;
+    std::optional<ExactPoint> exact_;
+};
+
+enum class Place : std::uint8_t { Outside, Inside, OnSurface };
+
+/// A closed body as a solid: a point is inside when a ray from it crosses the surface an odd number
+/// of times. How the triangles are wound does not matter. The tree outlives this; one thread.
+class SolidTest {
+  public:
+    explicit SolidTest(const ObbTree& solid) : solid_(solid) {}
+
+    [[nodiscard]] Place place_of(SolidPoint& point);
+
+    /// On which side of a triangle with area the solid lies, next to the triangle's centroid: 1 for
+    /// the side to which the cross product of its edges points, -1 for the other; 0 where both
+    /// sides are alike because the centroid lies on another of the body's triangles as well.
+    [[nodiscard]] int solid_side(std::uint32_t triangle);
+
+    [[nodiscard]] const SettleStatistics& statistics() const { return statistics_; }
+
+  private:
+    enum class Verdict : std::uint8_t { Even, Odd, OnSurface, Unclear };
+
+    [[nodiscard]] std::uint64_t attempts_max() const;
+    [[nodiscard]] Verdict
+    cast_ray(SolidPoint& point, const Vec3& direction, std::uint32_t passed_over);
+
+    const ObbTree& solid_;
+    std::vector<std::uint32_t> waiting_; ///< Nodes; empty between rays.
+    SettleStatistics statistics_;
+};
+
+} // namespace cd
