@@ -1,20 +1,67 @@
-// The points that two touching triangles share, in doubles.
+// The points that two touching triangles share, correctly rounded.
 #pragma once
 
-#include "common/geometry/triangle_pair.hpp"
+#include "common/geometry/double_double_points.hpp"
+#include "common/geometry/exact_points.hpp"
+#include "common/geometry/pose.hpp"
+#include "common/geometry/types.hpp"
 
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace cd {
 
-/// The corners of the set of points shared by two triangles whose class is known not to be
-/// Separate: one point, the two ends of a segment, or a convex polygon of up to six, in order. All
-/// corners are in one frame whose origin is the first corner of `a`.
+/// How many pairs' points, and how many origins, each path made.
+struct PointStatistics {
+    std::uint64_t points_fast = 0;
+    std::uint64_t points_exact = 0;
+    std::uint64_t origins_fast = 0;
+    std::uint64_t origins_exact = 0;
+};
+
+/// Makes the shared points of pairs under one pair of poses. The corners and the poses' numbers are
+/// taken as the rationals that they denote, and each result is rounded once, to the nearest finite
+/// double (to even; see `nearest_double`): the same bits on every host.
 ///
-/// Always one to six points without equal neighbours, always finite; where a difference of corners
-/// overflowed, that origin. Accurate to some roundings of the largest coordinate, less where the
-/// triangles are nearly coplanar; where rounding hides the shared set, one point of it.
-[[nodiscard]] std::vector<Vec3>
-approximate_shared_points(const Corners& a, const Corners& b, PairClass kind);
+/// First in pairs of doubles, whose error bound tells whether all numbers near enough round alike;
+/// where it does not, in integers. Not for use by two threads at once.
+class SharedPoints {
+  public:
+    enum class Path : std::uint8_t { Any, Exact }; ///< The results are the same.
+
+    /// Costs little: what the paths need is made when first asked for.
+    explicit SharedPoints(const PosePair& poses, Path path = Path::Any)
+        : poses_(poses), path_(path) {}
+
+    /// The first corner of A in the world, rounded.
+    [[nodiscard]] Vec3 origin(const Corners& a);
+
+    /// The corners of the set of points that the triangles share, each as the exact point minus the
+    /// rounded `origin(a)`, rounded: so that origin plus point is as near to the truth as can be.
+    /// Valid until the next call.
+    ///
+    /// Nothing for triangles that do not meet; one point; the two ends of a segment, the
+    /// lexicographically lesser first; or a convex polygon of up to six corners, turning left
+    /// around A's normal from the lexicographically least on. Order and number are those of the
+    /// exact points: corners that differ may round to the same.
+    [[nodiscard]] std::span<const Vec3> points(const Corners& a, const Corners& b);
+
+    [[nodiscard]] const PointStatistics& statistics() const { return statistics_; }
+
+  private:
+    [[nodiscard]] DoubleDoublePoints* fast();
+    [[nodiscard]] ExactPoints& exact();
+
+    PosePair poses_;
+    Path path_;
+    std::optional<DoubleDoublePoints> fast_;
+    std::optional<ExactPoints> exact_;
+    std::optional<Corners> last_a_; ///< Pairs of one triangle often follow each other.
+    Vec3 last_origin_;
+    std::vector<Vec3> points_;
+    PointStatistics statistics_;
+};
 
 } // namespace cd

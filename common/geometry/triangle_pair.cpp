@@ -28,27 +28,17 @@ PairStatistics& PairStatistics::operator+=(const PairStatistics& other) {
 }
 
 struct TrianglePairTest::State {
-    Mat3 rotation_a;
-    Mat3 rotation_b;
-    Vec3 translation_a;
-    Vec3 offset; ///< tb - ta, rounded once.
     FloatTrianglePair in_float;
     DoubleTrianglePair in_double;
     ExactTrianglePair exact;
+    SharedPoints points;
     PairStage first;
     PairStatistics statistics;
     std::vector<FloatVerdict> verdicts; ///< Of the last call's candidates, as are the kinds.
     std::vector<PairClass> kinds;
 
     State(const PosePair& poses, PairStage first_stage)
-        : rotation_a(poses.a.rotation()),
-          rotation_b(poses.b.rotation()),
-          translation_a(poses.a.translation()),
-          offset(poses.b.translation() - poses.a.translation()),
-          in_float(poses),
-          in_double(poses),
-          exact(poses),
-          first(first_stage) {}
+        : in_float(poses), in_double(poses), exact(poses), points(poses), first(first_stage) {}
 
     /// What floats prove of each candidate, counted; nothing if they are to be passed over.
     std::span<const FloatVerdict> float_verdicts(const TriangleSpan& a,
@@ -121,21 +111,12 @@ bool TrianglePairTest::any_touch(const TriangleSpan& a,
     return false;
 }
 
-std::vector<Vec3>
-TrianglePairTest::shared_points(const Corners& a, const Corners& b, PairClass kind) {
-    const State& s = *state_;
-    const Vec3 from_a0_to_b0 = (s.rotation_b * b[0] - s.rotation_a * a[0]) + s.offset;
-    Corners local_a;
-    Corners local_b;
-    for (std::size_t i = 0; i < 3; ++i) {
-        local_a[i] = s.rotation_a * (a[i] - a[0]);
-        local_b[i] = s.rotation_b * (b[i] - b[0]) + from_a0_to_b0;
-    }
-    return approximate_shared_points(local_a, local_b, kind);
+std::span<const Vec3> TrianglePairTest::shared_points(const Corners& a, const Corners& b) {
+    return state_->points.points(a, b);
 }
 
-Vec3 TrianglePairTest::point_origin(const Corners& a) const {
-    return state_->rotation_a * a[0] + state_->translation_a;
+Vec3 TrianglePairTest::point_origin(const Corners& a) {
+    return state_->points.origin(a);
 }
 
 const PairStatistics& TrianglePairTest::statistics() const {

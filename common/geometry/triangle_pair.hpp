@@ -10,7 +10,6 @@
 #include <memory>
 #include <span>
 #include <string_view>
-#include <vector>
 
 namespace cd {
 
@@ -93,14 +92,12 @@ class TrianglePairTest {
     [[nodiscard]] bool
     any_touch(const TriangleSpan& a, const TriangleSpan& b, std::span<const Candidate> candidates);
 
-    /// The corners of the set of shared points of two triangles that `classify` found to meet, as
-    /// `kind`: one point, the two ends of a segment, or a convex polygon of up to six points in
-    /// order. Relative to `point_origin(a)`, in doubles, by a fixed sequence of operations.
-    [[nodiscard]] std::vector<Vec3>
-    shared_points(const Corners& a, const Corners& b, PairClass kind);
+    /// The corners of the set of shared points of two triangles, correctly rounded, relative to
+    /// `point_origin(a)`: see SharedPoints. Valid until the next call.
+    [[nodiscard]] std::span<const Vec3> shared_points(const Corners& a, const Corners& b);
 
-    /// The first corner of A in the world, rounded: what shared points are relative to.
-    [[nodiscard]] Vec3 point_origin(const Corners& a) const;
+    /// The first corner of A in the world, correctly rounded: what shared points are relative to.
+    [[nodiscard]] Vec3 point_origin(const Corners& a);
 
     [[nodiscard]] const PairStatistics& statistics() const;
 

@@ -53,8 +53,7 @@ void add_shared_points(ContactSearch& search, ScenarioResult& result) {
     for (std::size_t i = 0; i < result.pairs.size(); ++i) {
         const PairCorners& corners = search.corners()[i];
         result.point_origins.push_back(search.test().point_origin(corners.a));
-        const std::vector<Vec3> points =
-            search.test().shared_points(corners.a, corners.b, result.pairs[i].kind);
+        const std::span<const Vec3> points = search.test().shared_points(corners.a, corners.b);
         result.points.insert(result.points.end(), points.begin(), points.end());
         result.point_offsets.push_back(static_cast<std::uint32_t>(result.points.size()));
     }

@@ -1,17 +1,19 @@
 #include "tests/support/clipping_oracle.hpp"
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace cd::tests {
 
 namespace {
 
-using Number = boost::multiprecision::cpp_rational;
-using Point = std::array<Number, 3>;
+using Number = Rational;
+using Point = RationalPoint;
 using Polygon = std::vector<Point>;
 
 Point minus(const Point& l, const Point& r) {
@@ -139,20 +141,54 @@ Point mean(const Polygon& polygon) {
     return {sum[0] / count, sum[1] / count, sum[2] / count};
 }
 
-} // namespace
+Polygon world(const Pose& pose, const Corners& corners) {
+    return {world(pose, corners[0]), world(pose, corners[1]), world(pose, corners[2])};
+}
 
-PairClass
-clipping_oracle_class(const Corners& corners_a, const Corners& corners_b, const PosePair& poses) {
-    Polygon a;
-    Polygon b;
-    for (std::size_t i = 0; i < 3; ++i) {
-        a.push_back(world(poses.a, corners_a[i]));
-        b.push_back(world(poses.b, corners_b[i]));
-    }
+Polygon common_part(const Polygon& a, const Polygon& b) {
     Polygon shared = a;
     for (const HalfSpace& bound : bounds_of(b)) {
         shared = clip(shared, bound);
     }
+    return shared;
+}
+
+bool is_strictly_between(const Point& p, const Point& from, const Point& to) {
+    const Point along = minus(to, from);
+    const Point offset = minus(p, from);
+    const Number place = dot(along, offset);
+    return is_zero(cross(along, offset)) && place > 0 && place < dot(along, along);
+}
+
+/// Each corner once; clipping leaves repeats, and of flat sets also points between the corners.
+Polygon corners_of(const Polygon& polygon) {
+    Polygon distinct;
+    for (const Point& p : polygon) {
+        if (std::find(distinct.begin(), distinct.end(), p) == distinct.end()) {
+            distinct.push_back(p);
+        }
+    }
+    Polygon corners;
+    for (const Point& p : distinct) {
+        const bool is_corner = std::none_of(distinct.begin(), distinct.end(), [&](const Point& l) {
+            return std::any_of(distinct.begin(), distinct.end(), [&](const Point& r) {
+                return is_strictly_between(p, l, r);
+            });
+        });
+        if (is_corner) {
+            corners.push_back(p);
+        }
+    }
+    return corners;
+}
+
+} // namespace
+
+PairClass
+clipping_oracle_class(const Corners& corners_a, const Corners& corners_b, const PosePair& poses) {
+    const Polygon a = world(poses.a, corners_a);
+    const Polygon b = world(poses.b, corners_b);
+    const Polygon shared = common_part(a, b);
     if (shared.empty()) {
         return PairClass::Separate;
     }
@@ -169,6 +205,36 @@ clipping_oracle_class(const Corners& corners_a, const Corners& corners_b, const 
     const bool coplanar = std::all_of(
         a.begin(), a.end(), [&](const Point& p) { return dot(normal, minus(p, b[0])) == 0; });
     return coplanar ? PairClass::Coplanar : PairClass::Proper;
+}
+
+std::vector<RationalPoint>
+clipping_oracle_points(const Corners& a, const Corners& b, const PosePair& poses) {
+    Polygon corners = corners_of(common_part(world(poses.a, a), world(poses.b, b)));
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
+RationalPoint clipping_oracle_world(const Pose& pose, const Vec3& corner) {
+    return world(pose, corner);
+}
+
+bool is_nearest_double(double value, const Rational& exact) {
+    if (!std::isfinite(value) || (value == 0 && std::signbit(value))) {
+        return false;
+    }
+    const Rational error = abs(Rational(value) - exact);
+    for (const double to : {-1.0, 1.0}) {
+        const double neighbour =
+            std::nextafter(value, to * std::numeric_limits<double>::infinity());
+        if (!std::isfinite(neighbour)) {
+            continue;
+        }
+        const Rational other = abs(Rational(neighbour) - exact);
+        if (other < error || (other == error && std::bit_cast<std::uint64_t>(value) % 2 == 1)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 } // namespace cd::tests

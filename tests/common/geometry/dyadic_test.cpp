@@ -2,9 +2,10 @@
 // to the nearest finite double, to even from the middle, from denormal numbers to the largest.
 #include "common/geometry/dyadic.hpp"
 
+#include "tests/support/clipping_oracle.hpp"
+
 #include <gtest/gtest.h>
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -15,10 +16,8 @@ namespace cd::tests {
 
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
 using Int = boost::multiprecision::cpp_int;
 constexpr double largest = std::numeric_limits<double>::max();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Rational power_of_two(int exponent) {
     const Int power = Int(1) << std::abs(exponent);
@@ -27,24 +26,6 @@ Rational power_of_two(int exponent) {
 
 Rational value_of(const ExactInt& n, const ExactInt& d, int exponent) {
     return Rational(Int(n)) / Rational(Int(d)) * power_of_two(exponent);
-}
-
-/// No finite double is nearer, and none that is as near is even instead.
-void expect_nearest(double rounded, const Rational& exact) {
-    ASSERT_TRUE(std::isfinite(rounded));
-    ASSERT_FALSE(rounded == 0 && std::signbit(rounded));
-    const Rational error = abs(Rational(rounded) - exact);
-    for (const double to : {-infinity, infinity}) {
-        const double neighbour = std::nextafter(rounded, to);
-        if (!std::isfinite(neighbour)) {
-            continue;
-        }
-        const Rational other = abs(Rational(neighbour) - exact);
-        ASSERT_LE(error, other) << rounded;
-        if (error == other) {
-            EXPECT_EQ(std::bit_cast<std::uint64_t>(rounded) % 2, 0u) << rounded;
-        }
-    }
 }
 
 ExactInt random_int(std::mt19937_64& random, unsigned bits_max) {
@@ -75,7 +56,7 @@ TEST(Dyadic, EveryRatioIsRoundedToTheNearest) {
         const ExactInt d = random_int(random, round % 3 == 0 ? 3 : 400);
         const int exponent = static_cast<int>(random() % 2600) - 1300;
         SCOPED_TRACE(testing::Message() << n << " / " << d << " * 2^" << exponent);
-        expect_nearest(nearest_double(n, d, exponent), value_of(n, d, exponent));
+        ASSERT_TRUE(is_nearest_double(nearest_double(n, d, exponent), value_of(n, d, exponent)));
     }
 }
 
@@ -91,7 +72,8 @@ TEST(Dyadic, TheMiddleGoesToEvenAndWhatIsBesideItDoesNot) {
         for (const int off : {-1, 0, 1}) {
             const ExactInt n = middle * d + off;
             SCOPED_TRACE(testing::Message() << mantissa << ", " << exponent << ", off " << off);
-            expect_nearest(nearest_double(n, d, exponent), value_of(n, d, exponent));
+            ASSERT_TRUE(
+                is_nearest_double(nearest_double(n, d, exponent), value_of(n, d, exponent)));
         }
     }
 }

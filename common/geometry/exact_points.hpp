@@ -1,0 +1,27 @@
+// The points that two touching triangles share, in integers: right on every finite input.
+#pragma once
+
+#include "common/geometry/dyadic.hpp"
+#include "common/geometry/types.hpp"
+
+#include <vector>
+
+namespace cd {
+
+/// What `SharedPoints` promises, with nothing rounded before the end. See there.
+class ExactPoints {
+  public:
+    explicit ExactPoints(const PosePair& poses);
+
+    [[nodiscard]] Vec3 origin(const Corners& a) const;
+    /// Relative to `origin`, any finite point; empty for triangles that share nothing.
+    [[nodiscard]] std::vector<Vec3>
+    points(const Corners& a, const Corners& b, const Vec3& origin) const;
+
+  private:
+    ExactPose a_;
+    ExactPose b_;
+    Dyadic norm_; ///< Of both: what the common lattice is scaled by.
+};
+
+} // namespace cd
