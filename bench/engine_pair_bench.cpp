@@ -1,0 +1,321 @@
+// What does deciding a candidate pair cost, and how many do floats settle? On the pairs that the
+// trees of two real bodies leave over, in the order in which a search meets them.
+//
+//   engine_pair_bench MESH_A MESH_B [--unit-a 1] [--poses FILE | --random 50] [--benchmark_...]
+//
+// FILE holds a pose of B in A's frame a line: the rotation by rows, then the translation. `float`
+// is the float stage alone on each SIMD target, its gathering of corners included; `float warm` the
+// same with one block of candidates again and again; `decision` is the whole decision. `ns` is the
+// time of one candidate. The checksum of what was decided must be the same for all targets.
+#include "client/mesh_import.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/geometry/aabb.hpp"
+#include "common/geometry/float_triangle_pair.hpp"
+#include "common/geometry/simd_target.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/tree/box_test.hpp"
+#include "common/tree/build.hpp"
+
+#include <CLI/CLI.hpp>
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+struct Options {
+    std::string a;
+    std::string b;
+    double unit_a = 1;
+    std::string poses;
+    std::uint64_t random = 50;
+};
+
+/// What one pose leaves to be decided.
+struct Work {
+    PosePair poses;
+    std::vector<Candidate> candidates;
+};
+
+struct Scene {
+    ObbTree a;
+    ObbTree b;
+    std::vector<Work> works;
+
+    [[nodiscard]] std::size_t candidates() const {
+        std::size_t sum = 0;
+        for (const Work& work : works) {
+            sum += work.candidates.size();
+        }
+        return sum;
+    }
+};
+
+constexpr std::size_t candidates_at_once = 512; // As ContactSearch does.
+
+TriangleSpan triangles_of(const ObbTree& tree) {
+    return {tree.view().vertices, tree.view().triangles};
+}
+
+void add_candidates(const Scene& scene,
+                    const BoxTest& boxes,
+                    const ObbNode& a,
+                    const ObbNode& b,
+                    std::vector<Candidate>& to) {
+    for (std::uint32_t i = a.triangles_begin; i < a.triangles_end; ++i) {
+        const Aabb own = bounding_box(triangles_of(scene.a).corners(i));
+        for (std::uint32_t j = b.triangles_begin; j < b.triangles_end; ++j) {
+            const Aabb other = boxes.bounds(triangles_of(scene.b).corners(j));
+            if ((own.min.array() <= other.max.array()).all() &&
+                (other.min.array() <= own.max.array()).all()) {
+                to.push_back({i, j});
+            }
+        }
+    }
+}
+
+/// The larger box is descended first, as in ContactSearch.
+std::vector<Candidate> candidates_of(const Scene& scene, const PosePair& poses) {
+    struct NodePair {
+        std::uint32_t a;
+        std::uint32_t b;
+    };
+    const BoxTest boxes(relative_pose(poses));
+    const auto nodes_a = scene.a.view().nodes;
+    const auto nodes_b = scene.b.view().nodes;
+    const auto surface = [](const ObbNode& node) {
+        const auto& [x, y, z] = node.half;
+        return x * y + y * z + z * x;
+    };
+    std::vector<Candidate> candidates;
+    std::vector<NodePair> stack{{0, 0}};
+    while (!stack.empty()) {
+        const NodePair now = stack.back();
+        stack.pop_back();
+        const ObbNode& a = nodes_a[now.a];
+        const ObbNode& b = nodes_b[now.b];
+        if (!boxes.may_overlap(a, boxes.pose(b))) {
+            continue;
+        }
+        if (a.is_leaf() && b.is_leaf()) {
+            add_candidates(scene, boxes, a, b, candidates);
+        } else if (b.is_leaf() || (!a.is_leaf() && surface(a) >= surface(b))) {
+            stack.push_back({now.a + 1, now.b});
+            stack.push_back({a.right, now.b});
+        } else {
+            stack.push_back({now.a, now.b + 1});
+            stack.push_back({now.a, b.right});
+        }
+    }
+    return candidates;
+}
+
+/// FNV-1a over what was decided.
+class Checksum {
+  public:
+    template <class T>
+    void add(std::span<const T> values) {
+        for (const T value : values) {
+            sum_ = (sum_ ^ static_cast<std::uint64_t>(value)) * 0x100000001b3u;
+        }
+    }
+    /// As a number that a double holds exactly.
+    [[nodiscard]] double value() const { return static_cast<double>(sum_ >> 12); }
+
+  private:
+    std::uint64_t sum_ = 0xcbf29ce484222325u;
+};
+
+void report(benchmark::State& state, std::size_t candidates, const Checksum& checksum) {
+    using benchmark::Counter;
+    const double all = static_cast<double>(candidates);
+    state.counters["ns"] = Counter(
+        1e-9 * all, Counter::kIsIterationInvariantRate | Counter::kInvert, Counter::kIs1000);
+    state.counters["candidates"] = all;
+    state.counters["checksum"] = checksum.value();
+}
+
+template <class OnBlock>
+void for_each_block(const Work& work, const OnBlock& on_block) {
+    const std::span<const Candidate> all(work.candidates);
+    for (std::size_t i = 0; i < all.size(); i += candidates_at_once) {
+        on_block(all.subspan(i, std::min(candidates_at_once, all.size() - i)));
+    }
+}
+
+void run_float(benchmark::State& state, const Scene& scene, SimdTarget target) {
+    static_cast<void>(force_simd_target(to_text(target)));
+    std::vector<FloatTrianglePair> tests;
+    for (const Work& work : scene.works) {
+        tests.emplace_back(work.poses);
+    }
+    std::vector<FloatVerdict> verdicts(candidates_at_once);
+    const auto run = [&](const auto& on_verdicts) {
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            for_each_block(scene.works[i], [&](std::span<const Candidate> block) {
+                const auto some = std::span(verdicts).first(block.size());
+                tests[i].classify(triangles_of(scene.a), triangles_of(scene.b), block, some);
+                on_verdicts(some);
+            });
+        }
+    };
+    for (auto _ : state) {
+        run([](std::span<const FloatVerdict> some) { benchmark::DoNotOptimize(some.data()); });
+    }
+    Checksum checksum;
+    std::size_t unknown = 0;
+    run([&](std::span<const FloatVerdict> some) {
+        checksum.add(some);
+        unknown +=
+            static_cast<std::size_t>(std::count(some.begin(), some.end(), FloatVerdict::Unknown));
+    });
+    report(state, scene.candidates(), checksum);
+    state.counters["unknown_ppm"] =
+        1e6 * static_cast<double>(unknown) / static_cast<double>(scene.candidates());
+    static_cast<void>(force_simd_target("auto"));
+}
+
+void run_float_warm(benchmark::State& state, const Scene& scene, SimdTarget target) {
+    static_cast<void>(force_simd_target(to_text(target)));
+    const auto largest = std::max_element(
+        scene.works.begin(), scene.works.end(), [](const Work& left, const Work& right) {
+            return left.candidates.size() < right.candidates.size();
+        });
+    const auto block = std::span(largest->candidates)
+                           .first(std::min(candidates_at_once, largest->candidates.size()));
+    const FloatTrianglePair test(largest->poses);
+    std::vector<FloatVerdict> verdicts(block.size());
+    for (auto _ : state) {
+        test.classify(triangles_of(scene.a), triangles_of(scene.b), block, verdicts);
+        benchmark::DoNotOptimize(verdicts.data());
+    }
+    Checksum checksum;
+    checksum.add(std::span<const FloatVerdict>(verdicts));
+    report(state, block.size(), checksum);
+    static_cast<void>(force_simd_target("auto"));
+}
+
+void run_decision(benchmark::State& state, const Scene& scene) {
+    std::vector<TrianglePairTest> tests;
+    for (const Work& work : scene.works) {
+        tests.emplace_back(work.poses);
+    }
+    const auto run = [&](const auto& on_kinds) {
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            for_each_block(scene.works[i], [&](std::span<const Candidate> block) {
+                on_kinds(tests[i].classify(triangles_of(scene.a), triangles_of(scene.b), block));
+            });
+        }
+    };
+    for (auto _ : state) {
+        run([](std::span<const PairClass> kinds) { benchmark::DoNotOptimize(kinds.data()); });
+    }
+    Checksum checksum;
+    run([&](std::span<const PairClass> kinds) { checksum.add(kinds); });
+    report(state, scene.candidates(), checksum);
+    PairStatistics statistics;
+    for (const TrianglePairTest& test : tests) {
+        statistics += test.statistics();
+    }
+    for (std::size_t i = 0; i < pair_stage_count; ++i) {
+        const auto stage = static_cast<PairStage>(i);
+        state.counters[std::string(to_text(stage)) + "_ppm"] =
+            1e6 * static_cast<double>(statistics[stage]) / static_cast<double>(statistics.total());
+    }
+}
+
+std::vector<PosePair> read_poses(const std::string& path) {
+    std::vector<PosePair> all;
+    std::ifstream file(path);
+    Mat3 rotation;
+    Vec3 translation;
+    const auto next = [&] {
+        for (int i = 0; i < 9; ++i) {
+            file >> rotation(i / 3, i % 3);
+        }
+        return static_cast<bool>(file >> translation[0] >> translation[1] >> translation[2]);
+    };
+    while (next()) {
+        all.push_back({Pose{}, Pose::from_matrix(rotation, translation)});
+    }
+    return all;
+}
+
+std::vector<PosePair> random_poses(const Scene& scene, std::uint64_t count, ThreadPool& pool) {
+    RandomPoses random;
+    random.count = count;
+    std::vector<PosePair> all;
+    for (const Scenario& scenario : make_random_poses(random, scene.a, scene.b, pool)) {
+        all.push_back(scenario.poses);
+    }
+    return all;
+}
+
+/// Nothing, and a line on stderr, where a file cannot be read.
+std::optional<Scene> make_scene(const Options& options) {
+    const auto a = import_mesh(options.a, {options.unit_a});
+    const auto b = import_mesh(options.b, {});
+    for (const auto* mesh : {&a, &b}) {
+        if (!*mesh) {
+            std::fprintf(stderr, "%s\n", mesh->error().detail.c_str());
+            return std::nullopt;
+        }
+    }
+    ThreadPool pool;
+    Scene scene{build_tree(a.value().mesh, {}, pool), build_tree(b.value().mesh, {}, pool), {}};
+    const auto poses = options.poses.empty() ? random_poses(scene, options.random, pool)
+                                             : read_poses(options.poses);
+    for (const PosePair& pair : poses) {
+        scene.works.push_back({pair, candidates_of(scene, pair)});
+    }
+    if (scene.candidates() == 0) {
+        std::fprintf(stderr, "no candidates under %zu poses\n", poses.size());
+        return std::nullopt;
+    }
+    return scene;
+}
+
+void register_all(const Scene& scene) {
+    for (const SimdTarget target : available_simd_targets()) {
+        const std::string name(to_text(target));
+        benchmark::RegisterBenchmark(("float/" + name).c_str(), [&scene, target](auto& state) {
+            run_float(state, scene, target);
+        })->Unit(benchmark::kMicrosecond);
+        benchmark::RegisterBenchmark(("float warm/" + name).c_str(), [&scene, target](auto& state) {
+            run_float_warm(state, scene, target);
+        })->Unit(benchmark::kMicrosecond);
+    }
+    benchmark::RegisterBenchmark("decision", [&scene](auto& state) {
+        run_decision(state, scene);
+    })->Unit(benchmark::kMicrosecond);
+}
+
+} // namespace
+
+} // namespace cd
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    cd::Options options;
+    CLI::App app("Times the decision of the candidate pairs of two bodies");
+    app.add_option("MESH_A", options.a, "A mesh file")->required();
+    app.add_option("MESH_B", options.b, "A mesh file")->required();
+    app.add_option("--unit-a", options.unit_a, "What A's coordinates are multiplied by");
+    app.add_option("--poses", options.poses, "A file of poses of B in A's frame");
+    app.add_option("--random", options.random, "How many random poses, without a file");
+    CLI11_PARSE(app, argc, argv);
+    const auto scene = cd::make_scene(options);
+    if (!scene) {
+        return 2;
+    }
+    cd::register_all(*scene);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
