@@ -10,30 +10,30 @@
 // Input: a determinant of rows in [-1, 1] is linear in each entry, so largest where all are 1 or
 // -1, and there it is at most 4. It is linear in its rows, so errors of the input change a triple
 // product by at most 4 (dx Y Z + X dy Z + X Y dz).
-// Arithmetic: a component of a cross product is at most 2YZ, and 4.001 u YZ off: two products and
-// one difference. The dot product rounds three products of at most 2XYZ, a sum of two and a sum of
-// three: 16.01 u XYZ, and takes over 3 * 4.001 u XYZ. A determinant adds up to eight triple
-// products of at most 4XYZ each, along a tree of depth three: 12.01 u XYZ for each. Together below
-// 41 u XYZ.
-// So a triple product within a determinant is within
-//     fx Y Z + X fy Z + X Y fz, fx = 4.01 dx + 13.7 u X,
-// where 4.01 and 13.7 (for 4 and 41/3) leave room for the roundings of the bound itself: fewer than
-// thirty, all of positive numbers.
+// Arithmetic: with Y = Z = 1, a component ci of a cross product is at most 2, and the three
+// together at most 4, by the same argument. It is 2.001 u + |ci| u off: two products and one
+// difference. The dot product takes over 10.01 u XYZ of these, and rounds three products that sum
+// to 4 XYZ, a sum of two that is at most that, and the result: 22.1 u XYZ. A determinant adds up to
+// eight triple products of at most 4 XYZ each, along a tree of depth three: 12.01 u XYZ for each.
+// Together below 34.2 u XYZ. So a triple product within a determinant is within
+//     fx Y Z + X fy Z + X Y fz, fx = 4.01 dx + 11.45 u X,
+// where 4.01 and 11.45 (for 4 and 11.4) leave room for the roundings of the bound itself: fewer
+// than thirty, all of positive numbers.
 //
 // Errors of the input. An edge of A is rounded to a double and then to a float: dx = 1.0001 u x. An
-// edge e of B is that, times a rotation R rounded to floats. |Rij| |ej| is off by u for each of the
-// two and by u for each of three roundings, which sum to 5.01 u (largest row sum of |R|) |e|; the
-// entries' own errors add 3 |e| of them: dx = edge_error |e|. The corner b0 is posed in doubles: of
-// three products, each goes through four roundings and has its entry's error, and the translation
-// through one with its own error; d = a0 - b0 is then rounded to a double and to a float: dx =
-// 1.0001 u x + point_error_reach |b0| + point_error.
+// edge e of B is rotated in between, in doubles: that errs by edge_error |e|, and |e| is at most
+// edge_stretch times the rotated edge. Poses for which the product is not below u / 1024 are not
+// used, so that dx = 1.002 u x for B, too, and fx = 15.5 u x for both. The corner b0 is posed in
+// doubles: each of three products goes through four roundings and has its entry's error, and the
+// translation through one with its own error; d = a0 - b0 is then rounded to a double and to a
+// float: dx = 1.0001 u x + point_error_reach |b0| + point_error.
 //
-// Underflow loses at most 2^-150 a product or conversion. Sizes are raised by 2^-120 (2^-100 for e,
-// whose weight is 2^-40 or more), and point_error by 2^-140, so that dx covers what is lost before
-// the cross products. What is lost in them is multiplied by less than 2^40, the limit on sizes:
-// below 2^-106 in all, and as little in the bounds: `underflow` covers it. Overflow to infinity in
-// a size is beyond the limit; sizes within it overflow nothing. NaN of an input reaches the fifth
-// edge determinant, which has all of them, and is looked for there: maxima may lose it.
+// Underflow loses at most 2^-150 a product or conversion. Sizes are raised by 2^-120 and
+// point_error by 2^-140, so that dx covers what is lost before the cross products. What is lost in
+// them is multiplied by less than 2^40, the limit on sizes: below 2^-106 in all, and as little in
+// the bounds: `underflow` covers it. Overflow to infinity in a size is beyond the limit; sizes
+// within it overflow nothing. NaN of an input reaches the fifth edge determinant, which has all of
+// them, and is looked for there: maxima may lose it.
 #include "common/geometry/float_pair_kernel.hpp"
 
 #include "common/geometry/highway_targets.hpp"
@@ -54,67 +54,136 @@ using Doubles = hn::ScalableTag<double>;
 using V = hn::Vec<Floats>;
 using VD = hn::Vec<Doubles>;
 
+constexpr std::size_t lanes = hn::MaxLanes(Floats());
 constexpr std::size_t block_pairs = 64; // Small enough for the first cache; any lanes divide it.
 constexpr float size_max = 0x1p38F;
 
-/// What a block of pairs needs of its triangles: rows of three and one that is not used.
+/// What a block of pairs needs of its triangles: rows of three numbers and one that is not used.
 struct Rows {
     alignas(64) float p[4 * block_pairs];
     alignas(64) float q[4 * block_pairs];
-    alignas(64) float e[4 * block_pairs]; ///< The edges of B, not yet rotated.
-    alignas(64) float f[4 * block_pairs];
+    alignas(64) double e[4 * block_pairs]; ///< The edges of B, not yet rotated.
+    alignas(64) double f[4 * block_pairs];
     alignas(64) double a0[4 * block_pairs];
     alignas(64) double b0[4 * block_pairs];
 };
 
-/// a0 - b0 in A's coordinates, and its error but for the last rounding.
-struct Distances {
+/// The x, y and z of a block of vectors.
+struct Columns {
     alignas(64) float x[block_pairs];
     alignas(64) float y[block_pairs];
     alignas(64) float z[block_pairs];
-    alignas(64) float error[block_pairs];
+};
+
+/// What becomes of B's numbers in A's coordinates.
+struct Posed {
+    Columns r;
+    Columns s;
+    Columns d;
+    alignas(64) float d_error[block_pairs]; ///< But for the last rounding.
+};
+
+/// Where the row of a block's pair is. Rows that become neighbours in a vector's columns lie apart,
+/// so that columns are made of rows within 128 bits, which costs least.
+constexpr std::size_t row_of(std::size_t pair) {
+    const std::size_t lane = pair % lanes;
+    return lanes < 4 ? pair : pair - lane + lane % 4 * (lanes / 4) + lane / 4;
+}
+
+#if HWY_MAX_BYTES >= 32
+
+/// A corner, or a difference of two. Reads no further than the corners.
+struct Corner {
+    static constexpr hn::FixedTag<double, 4> row{};
+    hn::Vec<hn::FixedTag<double, 4>> value;
+
+    explicit Corner(const double* from) : value(hn::MaskedLoad(hn::FirstN(row, 3), row, from)) {}
+    Corner(const Corner& from, const Corner& to) : value(hn::Sub(to.value, from.value)) {}
+    void store(double* to) const { hn::Store(value, row, to); }
+    void store(float* to) const {
+        const hn::Rebind<float, hn::FixedTag<double, 4>> narrow;
+        hn::Store(hn::DemoteTo(narrow, value), narrow, to);
+    }
+};
+
+#else
+
+struct Corner {
+    double value[3];
+
+    explicit Corner(const double* from) : value{from[0], from[1], from[2]} {}
+    Corner(const Corner& from, const Corner& to)
+        : value{to.value[0] - from.value[0],
+                to.value[1] - from.value[1],
+                to.value[2] - from.value[2]} {}
+    template <class T>
+    void store(T* to) const {
+        for (std::size_t i = 0; i < 3; ++i) {
+            to[i] = static_cast<T>(value[i]);
+        }
+        to[3] = 0;
+    }
+};
+
+#endif
+
+/// The first corner and the two edges from it.
+template <class T>
+HWY_INLINE void store_triangle(
+    const FloatPairBody& body, std::uint32_t place, T* first, T* second, double* corner) {
+    const std::uint32_t* t = body.triangles + 3 * std::size_t{place};
+    const Corner x0(body.vertices + 3 * std::size_t{t[0]});
+    const Corner x1(body.vertices + 3 * std::size_t{t[1]});
+    const Corner x2(body.vertices + 3 * std::size_t{t[2]});
+    Corner(x0, x1).store(first);
+    Corner(x0, x2).store(second);
+    x0.store(corner);
+}
+
+struct WideVectors {
+    VD x;
+    VD y;
+    VD z;
 };
 
 #if HWY_MAX_BYTES >= 32
 
-/// The first corner and the two edges from it. Reads no further than the corners.
-HWY_INLINE void store_triangle(
-    const FloatPairBody& body, std::uint32_t place, float* first, float* second, double* corner) {
-    const hn::FixedTag<double, 4> row;
-    const hn::Rebind<float, decltype(row)> narrow;
-    const auto three = hn::FirstN(row, 3);
-    const std::uint32_t* t = body.triangles + 3 * std::size_t{place};
-    const auto x0 = hn::MaskedLoad(three, row, body.vertices + 3 * std::size_t{t[0]});
-    const auto x1 = hn::MaskedLoad(three, row, body.vertices + 3 * std::size_t{t[1]});
-    const auto x2 = hn::MaskedLoad(three, row, body.vertices + 3 * std::size_t{t[2]});
-    hn::Store(hn::DemoteTo(narrow, hn::Sub(x1, x0)), narrow, first);
-    hn::Store(hn::DemoteTo(narrow, hn::Sub(x2, x0)), narrow, second);
-    hn::Store(x0, row, corner);
+/// The columns of some rows, which `row_of` put a quarter of the lanes apart.
+HWY_INLINE WideVectors load(const double* rows) {
+    const Doubles dd;
+    const VD v0 = hn::Load(dd, rows);
+    const VD v1 = hn::Load(dd, rows + lanes);
+    const VD v2 = hn::Load(dd, rows + 2 * lanes);
+    const VD v3 = hn::Load(dd, rows + 3 * lanes);
+    const VD xz01 = hn::InterleaveLower(dd, v0, v1);
+    const VD xz23 = hn::InterleaveLower(dd, v2, v3);
+    const VD yw01 = hn::InterleaveUpper(dd, v0, v1);
+    const VD yw23 = hn::InterleaveUpper(dd, v2, v3);
+    return {hn::OddEvenBlocks(hn::SwapAdjacentBlocks(xz23), xz01),
+            hn::OddEvenBlocks(hn::SwapAdjacentBlocks(yw23), yw01),
+            hn::OddEvenBlocks(xz23, hn::SwapAdjacentBlocks(xz01))};
 }
 
 #else
 
-HWY_INLINE void store_triangle(
-    const FloatPairBody& body, std::uint32_t place, float* first, float* second, double* corner) {
-    const std::uint32_t* t = body.triangles + 3 * std::size_t{place};
-    const double* x0 = body.vertices + 3 * std::size_t{t[0]};
-    const double* x1 = body.vertices + 3 * std::size_t{t[1]};
-    const double* x2 = body.vertices + 3 * std::size_t{t[2]};
-    for (std::size_t i = 0; i < 3; ++i) {
-        first[i] = static_cast<float>(x1[i] - x0[i]);
-        second[i] = static_cast<float>(x2[i] - x0[i]);
-        corner[i] = x0[i];
-    }
-    first[3] = second[3] = 0;
-    corner[3] = 0;
+HWY_INLINE WideVectors load(const double* rows) {
+    WideVectors v;
+    VD unused;
+    hn::LoadInterleaved4(Doubles(), rows, v.x, v.y, v.z, unused);
+    return v;
 }
 
 #endif
 
-HWY_INLINE VD row_times(const double* row, VD x, VD y, VD z) {
+HWY_INLINE VD row_times(const double* row, const WideVectors& v) {
     const Doubles dd;
-    return hn::Add(hn::Add(hn::Mul(hn::Set(dd, row[0]), x), hn::Mul(hn::Set(dd, row[1]), y)),
-                   hn::Mul(hn::Set(dd, row[2]), z));
+    return hn::Add(hn::Add(hn::Mul(hn::Set(dd, row[0]), v.x), hn::Mul(hn::Set(dd, row[1]), v.y)),
+                   hn::Mul(hn::Set(dd, row[2]), v.z));
+}
+
+HWY_INLINE WideVectors rotated(const FloatPairPose& pose, const WideVectors& v) {
+    const double* rows = pose.rotation.data();
+    return {row_times(rows, v), row_times(rows + 3, v), row_times(rows + 6, v)};
 }
 
 HWY_INLINE void store_narrow(VD v, float* to) {
@@ -122,25 +191,36 @@ HWY_INLINE void store_narrow(VD v, float* to) {
     hn::Store(hn::DemoteTo(narrow, v), narrow, to);
 }
 
+HWY_INLINE void store_narrow(const WideVectors& v, Columns& to, std::size_t first) {
+    store_narrow(v.x, to.x + first);
+    store_narrow(v.y, to.y + first);
+    store_narrow(v.z, to.z + first);
+}
+
 HWY_INLINE void
-store_distances(const FloatPairPose& pose, const Rows& rows, std::size_t count, Distances& to) {
+pose_rows(const FloatPairPose& pose, const Rows& rows, std::size_t count, Posed& to) {
     const Doubles dd;
-    for (std::size_t i = 0; i < count; i += hn::Lanes(dd)) {
-        VD ax, ay, az, bx, by, bz, unused;
-        hn::LoadInterleaved4(dd, rows.a0 + 4 * i, ax, ay, az, unused);
-        hn::LoadInterleaved4(dd, rows.b0 + 4 * i, bx, by, bz, unused);
-        const double* r = pose.rotation.data();
-        const double* t = pose.translation.data();
-        const VD x = hn::Add(row_times(r, bx, by, bz), hn::Set(dd, t[0]));
-        const VD y = hn::Add(row_times(r + 3, bx, by, bz), hn::Set(dd, t[1]));
-        const VD z = hn::Add(row_times(r + 6, bx, by, bz), hn::Set(dd, t[2]));
-        const VD reach = hn::Max(hn::Max(hn::Abs(bx), hn::Abs(by)), hn::Abs(bz));
-        store_narrow(hn::Sub(ax, x), to.x + i);
-        store_narrow(hn::Sub(ay, y), to.y + i);
-        store_narrow(hn::Sub(az, z), to.z + i);
+    constexpr std::size_t step = hn::MaxLanes(dd);
+    const VD tx = hn::Set(dd, pose.translation[0]);
+    const VD ty = hn::Set(dd, pose.translation[1]);
+    const VD tz = hn::Set(dd, pose.translation[2]);
+    for (std::size_t i = 0; i < count; i += step) {
+        // The place of the first of the rows that become these lanes.
+        const std::size_t place = 4 * row_of(i);
+        store_narrow(rotated(pose, load(rows.e + place)), to.r, i);
+        store_narrow(rotated(pose, load(rows.f + place)), to.s, i);
+        const WideVectors a0 = load(rows.a0 + place);
+        const WideVectors b0 = load(rows.b0 + place);
+        const WideVectors b = rotated(pose, b0);
+        store_narrow({hn::Sub(a0.x, hn::Add(b.x, tx)),
+                      hn::Sub(a0.y, hn::Add(b.y, ty)),
+                      hn::Sub(a0.z, hn::Add(b.z, tz))},
+                     to.d,
+                     i);
+        const VD reach = hn::Max(hn::Max(hn::Abs(b0.x), hn::Abs(b0.y)), hn::Abs(b0.z));
         store_narrow(hn::Add(hn::Mul(hn::Set(dd, pose.point_error_reach), reach),
                              hn::Set(dd, pose.point_error)),
-                     to.error + i);
+                     to.d_error + i);
     }
 }
 
@@ -164,21 +244,38 @@ HWY_INLINE V dot(const Vectors& a, const Vectors& b) {
     return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
+#if HWY_TARGET == HWY_SCALAR
+
 HWY_INLINE Vectors load(const float* rows) {
-    Vectors v;
-    V unused;
-    hn::LoadInterleaved4(Floats(), rows, v.x, v.y, v.z, unused);
-    return v;
+    const Floats df;
+    return {hn::Load(df, rows), hn::Load(df, rows + 1), hn::Load(df, rows + 2)};
 }
 
-HWY_INLINE Vectors rotated(const FloatPairPose& pose, const Vectors& v) {
-    const Floats d;
-    const auto entry = [&](std::size_t i) {
-        return hn::Set(d, static_cast<float>(pose.rotation[i]));
-    };
-    return {dot({entry(0), entry(1), entry(2)}, v),
-            dot({entry(3), entry(4), entry(5)}, v),
-            dot({entry(6), entry(7), entry(8)}, v)};
+#else
+
+HWY_INLINE Vectors load(const float* rows) {
+    const Floats df;
+    const hn::Repartition<double, Floats> pairs;
+    const V v0 = hn::Load(df, rows);
+    const V v1 = hn::Load(df, rows + lanes);
+    const V v2 = hn::Load(df, rows + 2 * lanes);
+    const V v3 = hn::Load(df, rows + 3 * lanes);
+    const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(df, v0, v1));
+    const auto xy23 = hn::BitCast(pairs, hn::InterleaveLower(df, v2, v3));
+    const auto z01 = hn::BitCast(pairs, hn::InterleaveUpper(df, v0, v1));
+    const auto z23 = hn::BitCast(pairs, hn::InterleaveUpper(df, v2, v3));
+    return {hn::BitCast(df, hn::InterleaveLower(pairs, xy01, xy23)),
+            hn::BitCast(df, hn::InterleaveUpper(pairs, xy01, xy23)),
+            hn::BitCast(df, hn::InterleaveLower(pairs, z01, z23))};
+}
+
+#endif
+
+HWY_INLINE Vectors load(const Columns& columns, std::size_t first) {
+    const Floats df;
+    return {hn::Load(df, columns.x + first),
+            hn::Load(df, columns.y + first),
+            hn::Load(df, columns.z + first)};
 }
 
 /// X and fx above.
@@ -265,35 +362,26 @@ decide(const Sign (&a_side)[3], const Sign (&b_side)[3], const Sign (&across)[9]
 }
 
 /// The verdicts of as many pairs as there are lanes, from the place of the first in its block.
-HWY_INLINE hn::Vec<hn::RebindToSigned<Floats>> classify_lanes(const FloatPairPose& pose,
-                                                              const Rows& rows,
-                                                              const Distances& distances,
-                                                              std::size_t first) {
+HWY_INLINE hn::Vec<hn::RebindToSigned<Floats>>
+classify_lanes(const FloatPairPose& pose, const Rows& rows, const Posed& posed, std::size_t first) {
     const Floats df;
     const Vectors p = load(rows.p + 4 * first);
     const Vectors q = load(rows.q + 4 * first);
-    const Vectors e = load(rows.e + 4 * first);
-    const Vectors f = load(rows.f + 4 * first);
-    const Vectors r = rotated(pose, e);
-    const Vectors s = rotated(pose, f);
-    const Vectors d{hn::Load(df, distances.x + first),
-                    hn::Load(df, distances.y + first),
-                    hn::Load(df, distances.z + first)};
+    const Vectors r = load(posed.r, first);
+    const Vectors s = load(posed.s, first);
+    const Vectors d = load(posed.d, first);
 
     const V size_weight = hn::Set(df, pose.size_weight);
-    const V error_weight = hn::Set(df, pose.error_weight);
-    const V cast_weight = hn::Set(df, pose.cast_weight);
-    const V size_a = hn::Add(hn::Max(largest_of(p), largest_of(q)), hn::Set(df, 0x1p-120F));
-    const Extent of_a{size_a, hn::Mul(cast_weight, size_a)};
-    const V size_e = hn::Add(hn::Max(largest_of(e), largest_of(f)), hn::Set(df, 0x1p-100F));
-    const V error_b = hn::Mul(hn::Set(df, pose.edge_error), size_e);
-    const V size_b = hn::Add(hn::Max(largest_of(r), largest_of(s)), error_b);
-    const Extent of_b{size_b,
-                      hn::Add(hn::Mul(size_weight, size_b), hn::Mul(error_weight, error_b))};
-    const V error_d = hn::Load(df, distances.error + first);
+    const V least = hn::Set(df, 0x1p-120F);
+    const V size_a = hn::Add(hn::Max(largest_of(p), largest_of(q)), least);
+    const V size_b = hn::Add(hn::Max(largest_of(r), largest_of(s)), least);
+    const V error_d = hn::Load(df, posed.d_error + first);
     const V size_d = hn::Add(largest_of(d), error_d);
-    const Extent of_d{size_d,
-                      hn::Add(hn::Mul(cast_weight, size_d), hn::Mul(error_weight, error_d))};
+    const Extent of_a{size_a, hn::Mul(size_weight, size_a)};
+    const Extent of_b{size_b, hn::Mul(size_weight, size_b)};
+    const Extent of_d{
+        size_d,
+        hn::Add(hn::Mul(size_weight, size_d), hn::Mul(hn::Set(df, pose.error_weight), error_d))};
 
     const V underflow = hn::Set(df, pose.underflow);
     const V abb = triple_error(of_a, of_b);
@@ -338,7 +426,7 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<Floats>> classify_lanes(const FloatPairPos
                             sign(hn::Sub(hn::Sub(qr, qs), nbq), with_nb),
                             sign(qs, abd)};
 
-    const V largest = hn::Max(hn::Max(size_a, size_e), hn::Max(size_b, size_d));
+    const V largest = hn::Max(hn::Max(size_a, size_b), size_d);
     const auto is_usable = hn::And(hn::Lt(largest, hn::Set(df, size_max)), hn::Eq(middle, middle));
     return hn::IfThenElseZero(hn::RebindMask(hn::RebindToSigned<Floats>(), is_usable),
                               decide(a_side, b_side, across));
@@ -350,22 +438,21 @@ void classify_block(const FloatPairPose& pose,
                     const std::uint32_t* candidates,
                     std::size_t count,
                     std::uint8_t* verdicts) {
-    const Floats df;
     const hn::Rebind<std::uint8_t, Floats> bytes;
-    const std::size_t lanes = hn::Lanes(df);
     const std::size_t whole = (count + lanes - 1) / lanes * lanes;
     Rows rows;
     for (std::size_t i = 0; i < whole; ++i) {
         // The last one stands in where lanes are left over.
         const std::uint32_t* candidate = candidates + 2 * (i < count ? i : count - 1);
-        store_triangle(a, candidate[0], rows.p + 4 * i, rows.q + 4 * i, rows.a0 + 4 * i);
-        store_triangle(b, candidate[1], rows.e + 4 * i, rows.f + 4 * i, rows.b0 + 4 * i);
+        const std::size_t place = 4 * row_of(i);
+        store_triangle(a, candidate[0], rows.p + place, rows.q + place, rows.a0 + place);
+        store_triangle(b, candidate[1], rows.e + place, rows.f + place, rows.b0 + place);
     }
-    Distances distances;
-    store_distances(pose, rows, whole, distances);
+    Posed posed;
+    pose_rows(pose, rows, whole, posed);
     alignas(64) std::uint8_t found[block_pairs];
     for (std::size_t i = 0; i < whole; i += lanes) {
-        hn::Store(hn::DemoteTo(bytes, classify_lanes(pose, rows, distances, i)), bytes, found + i);
+        hn::Store(hn::DemoteTo(bytes, classify_lanes(pose, rows, posed, i)), bytes, found + i);
     }
     for (std::size_t i = 0; i < count; ++i) {
         verdicts[i] = found[i];

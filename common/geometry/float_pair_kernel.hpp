@@ -16,12 +16,10 @@ struct FloatPairPose {
     /// and `point_error` more, in each component.
     double point_error_reach = 0;
     double point_error = 0;
-    float edge_error = 0; ///< An edge of B, rotated, is within this times its largest component.
 
-    // The weights of sizes and errors in the bounds; `Bounds` in the kernel.
+    // The weights of sizes and errors in the bounds; `Extent` in the kernel.
     float size_weight = 0;
     float error_weight = 0;
-    float cast_weight = 0;
     float underflow = 0;
 
     bool is_usable = false; ///< Otherwise nothing can be proven.

@@ -4,7 +4,6 @@
 #include "common/geometry/simd_target.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cd {
 
@@ -40,16 +39,18 @@ FloatPairPose make_pose(const PosePair& poses, double bound_scale) {
     const double reach = relative.translation.cwiseAbs().maxCoeff();
     pose.point_error_reach = 3.03 * (relative.rotation_error + 4.01 * u * entry);
     pose.point_error = 1.01 * (relative.translation_error + 2.01 * u * reach) + 0x1p-140;
-    const double edge_error = 5.01 * u_float * row_sum + 3.01 * relative.rotation_error + 0x1p-40;
-    pose.edge_error = static_cast<float>(edge_error);
+    // How much longer than an edge of B the rotated one can be, and how much shorter.
+    const RelativePose back = relative_pose({poses.b, poses.a});
+    const double edge_error = 5.01 * u * row_sum + 3.01 * relative.rotation_error;
+    const double edge_stretch =
+        1.01 * (back.rotation.cwiseAbs().rowwise().sum().maxCoeff() + 3 * back.rotation_error);
 
-    pose.size_weight = static_cast<float>(bound_scale * 13.7 * u_float);
+    pose.size_weight = static_cast<float>(bound_scale * (11.45 + 4.02) * u_float);
     pose.error_weight = static_cast<float>(bound_scale * 4.01);
-    pose.cast_weight = static_cast<float>(bound_scale * (13.7 + 4.02) * u_float);
     pose.underflow = 0x1p-100F;
-    // No comparison below holds of NaN. With entries that large no bound would be of any use.
-    pose.is_usable = row_sum < 0x1p20 && edge_error < 0x1p-10 && pose.point_error_reach < 0x1p-10 &&
-                     pose.point_error < 0x1p20;
+    // No comparison here holds of NaN. With entries that large no bound would be of any use.
+    pose.is_usable = row_sum < 0x1p20 && edge_error * edge_stretch < u_float / 1024 &&
+                     pose.point_error_reach < 0x1p-10 && pose.point_error < 0x1p20;
     return pose;
 }
 
