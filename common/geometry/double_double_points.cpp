@@ -182,7 +182,8 @@ struct Place {
     const Vector* from = nullptr;
     const Vector* to = nullptr;
     DoubleDouble share;
-    double error = 0; ///< Of each component.
+    double error = 0;   ///< Of each component.
+    DoubleDouble along; ///< The component by which places are compared.
 
     [[nodiscard]] DoubleDouble component(std::size_t k) const {
         return (*from)[k] + share * ((*to)[k] - (*from)[k]);
@@ -192,9 +193,9 @@ struct Place {
 /// Two places, by a component in which the first is known to be less.
 using Ends = std::array<Place, 2>;
 
-/// Whether x < y or y < x for sure: -1, 1, or else 0.
-int order(const Place& x, const Place& y, std::size_t k) {
-    const double difference = (x.component(k) - y.component(k)).high;
+/// Whether x < y or y < x for sure, in the component at hand: -1, 1, or else 0.
+int order(const Place& x, const Place& y) {
+    const double difference = (x.along - y.along).high;
     const double error = 1.01 * (x.error + y.error);
     return difference > error ? 1 : -difference > error ? -1 : 0;
 }
@@ -239,31 +240,35 @@ std::optional<Ends> crossings(
     return ends;
 }
 
-/// Both ends in order of component k; false where that is open.
+/// Compares by component k from now on, and puts both ends in order; false where that is open.
 bool sort(Ends& ends, std::size_t k) {
-    const int found = order(ends[0], ends[1], k);
+    for (Place& place : ends) {
+        place.along = place.component(k);
+    }
+    const int found = order(ends[0], ends[1]);
     if (found > 0) {
         std::swap(ends[0], ends[1]);
     }
     return found != 0;
 }
 
-/// What is common to two intervals of a line that is not at right angles to axis k.
-std::optional<Ends> common_part(const Ends& a, const Ends& b, std::size_t k) {
-    const int low = order(a[0], b[0], k);
-    const int high = order(a[1], b[1], k);
+/// What is common to two intervals of a line, sorted by one component.
+std::optional<Ends> common_part(const Ends& a, const Ends& b) {
+    const int low = order(a[0], b[0]);
+    const int high = order(a[1], b[1]);
     if (low == 0 || high == 0) {
         return std::nullopt;
     }
     const Ends common{low > 0 ? a[0] : b[0], high < 0 ? a[1] : b[1]};
-    return order(common[0], common[1], k) < 0 ? std::optional(common) : std::nullopt;
+    return order(common[0], common[1]) < 0 ? std::optional(common) : std::nullopt;
 }
 
+/// Of ends that are sorted by their first component.
 std::optional<std::array<Vec3, 2>> rounded(const Ends& ends) {
     std::array<Vec3, 2> points;
     for (std::size_t i = 0; i < 2; ++i) {
         const Place& p = ends[i];
-        const auto point = rounded(Vector{p.component(0), p.component(1), p.component(2)}, p.error);
+        const auto point = rounded(Vector{p.along, p.component(1), p.component(2)}, p.error);
         if (!point) {
             return std::nullopt;
         }
@@ -323,7 +328,7 @@ DoubleDoublePoints::points(const Corners& a, const Corners& b, const Vec3& origi
     if (!sort(*on_a, axis) || !sort(*on_b, axis)) {
         return std::nullopt;
     }
-    auto common = common_part(*on_a, *on_b, axis);
+    auto common = common_part(*on_a, *on_b);
     // Last, the first component that differs decides the order in which they are given.
     if (!common || (axis != 0 && !sort(*common, 0))) {
         return std::nullopt;
