@@ -77,9 +77,11 @@ void add_gears(Scenes& scenes) {
     add("gears, stacked", {Pose{}, translation_pose(0, 0, 0.25)});
     add("gears, stacked by half a tooth",
         {Pose{}, Pose::from_quaternion(half_tooth, Vec3(0, 0, 0.25))});
+    // The rational turn takes the axis x to (1, 2, 2) / 3.
     add("gears, meshing, both posed",
         {Pose::from_quaternion(rational, Vec3(0.1, 0.2, 0.3)),
-         Pose::from_quaternion(rational * half_tooth, Vec3(0.1, 0.2, 0.3) + Vec3(0.2, 0.4, 0))});
+         Pose::from_quaternion(rational * half_tooth,
+                               Vec3(0.1 + 2.0 / 3, 0.2 + 4.0 / 3, 0.3 + 4.0 / 3))});
     add("gears, one on itself, posed",
         {Pose::from_quaternion(rational, Vec3(0.1, 0.2, 0.3)),
          Pose::from_quaternion(rational, Vec3(0.1, 0.2, 0.3))});

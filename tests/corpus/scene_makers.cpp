@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,20 +53,14 @@ std::vector<Box> boxes_of(const Mesh& mesh, const Pose& pose) {
     return boxes;
 }
 
-/// Pairs of triangles near each other in the scenes of a category.
+/// Pairs of triangles near each other in the scenes of a category, listed when first drawn from.
 class ScenePairs {
   public:
-    explicit ScenePairs(const std::string& category) {
-        for (const Scene& scene : corpus_scenes()) {
-            if (scene.category == category) {
-                add(scene);
-            }
-        }
-        CD_CHECK(!pairs_.empty());
-    }
+    explicit ScenePairs(std::string category) : category_(std::move(category)) {}
 
-    [[nodiscard]] PosedPair draw(std::mt19937_64& random) const {
-        const Place& place = pairs_[random() % pairs_.size()];
+    [[nodiscard]] PosedPair draw(std::mt19937_64& random) {
+        std::call_once(listed_, [&] { list(); });
+        const Place& place = places_[random() % places_.size()];
         const Scene& scene = *place.scene;
         return shuffled(
             random, {scene.a.mesh->corners(place.a), scene.b.mesh->corners(place.b), scene.poses});
@@ -77,19 +73,30 @@ class ScenePairs {
         std::uint32_t b;
     };
 
+    void list() {
+        for (const Scene& scene : corpus_scenes()) {
+            if (scene.category == category_) {
+                add(scene);
+            }
+        }
+        CD_CHECK(!places_.empty());
+    }
+
     void add(const Scene& scene) {
         const std::vector<Box> a = boxes_of(*scene.a.mesh, scene.poses.a);
         const std::vector<Box> b = boxes_of(*scene.b.mesh, scene.poses.b);
         for (std::uint32_t i = 0; i < a.size(); ++i) {
             for (std::uint32_t j = 0; j < b.size(); ++j) {
                 if (overlap(a[i], b[j])) {
-                    pairs_.push_back({&scene, i, j});
+                    places_.push_back({&scene, i, j});
                 }
             }
         }
     }
 
-    std::vector<Place> pairs_;
+    std::string category_;
+    std::once_flag listed_;
+    std::vector<Place> places_;
 };
 
 } // namespace
@@ -106,7 +113,9 @@ void add_scene_makers(PairMakers& makers) {
                                  "thin walls",
                                  "UTM buildings"}) {
         makers[std::string("of scenes: ") + category] =
-            [pairs = ScenePairs(category)](std::mt19937_64& random) { return pairs.draw(random); };
+            [pairs = std::make_shared<ScenePairs>(category)](std::mt19937_64& random) {
+                return pairs->draw(random);
+            };
     }
 }
 

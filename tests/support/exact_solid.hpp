@@ -1,0 +1,48 @@
+// Points against a closed surface, in whole numbers: the parity of a ray's crossings.
+#pragma once
+
+#include "tests/support/exact_world.hpp"
+#include "tests/support/oracle.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace cd::tests {
+
+enum class PointPlace { Outside, Inside, OnSurface };
+
+/// What a closed surface bounds. Triangles without area bound nothing.
+class ExactSolid {
+  public:
+    explicit ExactSolid(const std::vector<ExactTriangle>& surface) : surface_(surface) {}
+
+    [[nodiscard]] PointPlace place(const WeightedPoint& point);
+
+    /// Whether the solid is on the side of `direction` at a point, of the surface or not; nothing
+    /// if the ray from there meets an edge or lies in a face. Directions are counted from 0.
+    [[nodiscard]] std::optional<bool> is_solid_towards(const WeightedPoint& point,
+                                                       std::size_t direction);
+
+  private:
+    /// A triangle as a ray of one direction sees it: all values are linear in the ray's origin.
+    struct Target {
+        ExactPoint normal;
+        Integer offset;
+        int along = 0; ///< Sign of normal.direction.
+        std::array<ExactPoint, 3> edge_normals;
+        std::array<Integer, 3> edge_offsets;
+    };
+    struct Count {
+        bool on_surface = false;
+        bool is_odd = false;
+    };
+
+    [[nodiscard]] std::optional<Count> count(const WeightedPoint& point, std::size_t direction);
+    [[nodiscard]] const std::vector<Target>& targets(std::size_t direction);
+
+    std::vector<ExactTriangle> surface_;
+    std::vector<std::vector<Target>> targets_; ///< By direction, made when first used.
+};
+
+} // namespace cd::tests

@@ -1,0 +1,36 @@
+// The truth about two posed meshes, by brute force in whole numbers.
+#pragma once
+
+#include "common/geometry/mesh.hpp"
+#include "common/job/result.hpp"
+#include "common/tree/traverse.hpp"
+#include "tests/support/exact_world.hpp"
+
+#include <vector>
+
+namespace cd::tests {
+
+/// Shares no code with the engine. For meshes of up to some thousand triangles.
+class SceneOracle {
+  public:
+    SceneOracle(const Mesh& a, const Mesh& b, const PosePair& poses);
+
+    /// Every pair that shares a point, with its class, sorted.
+    [[nodiscard]] const std::vector<ContactPair>& contact_pairs() const { return pairs_; }
+
+    /// By the definition (NUMERICS, section 1). `closed`: both surfaces are closed, each without
+    /// crossing itself.
+    [[nodiscard]] ScenarioClass scenario_class(bool closed) const;
+
+  private:
+    [[nodiscard]] bool interiors_overlap() const;
+
+    std::vector<ExactTriangle> a_;
+    std::vector<ExactTriangle> b_;
+    /// Of each body, one triangle of each set that is connected by vertex numbers.
+    std::vector<std::uint32_t> pieces_a_;
+    std::vector<std::uint32_t> pieces_b_;
+    std::vector<ContactPair> pairs_;
+};
+
+} // namespace cd::tests
