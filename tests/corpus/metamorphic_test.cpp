@@ -1,7 +1,8 @@
 // Proves that results do not depend on what cannot matter: which body is A, the order of vertices
-// and corners, the unit of length by powers of two, the axes of the world, and the stage at which
-// decisions begin. Not one bit differs, on every hard scene.
+// and corners, the unit of length by powers of two, the axes of the world, the instructions of the
+// processor, and the stage at which decisions begin. Not one bit differs, on every hard scene.
 #include "common/core/thread_pool.hpp"
+#include "common/geometry/simd_target.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build.hpp"
 #include "tests/corpus/categories.hpp"
@@ -173,6 +174,19 @@ TEST_P(Metamorphic, TheFirstStageChangesNothing) {
             search.sort();
             EXPECT_EQ(search.pairs(), expected) << "first stage " << stage;
         }
+    }
+}
+
+TEST_P(Metamorphic, TheSimdTargetChangesNothing) {
+    for (const Scene* scene : scenes_of(GetParam())) {
+        SCOPED_TRACE(scene->name);
+        const Sha256 expected = digest_of(result_of(*scene, Level::Contacts));
+        for (const SimdTarget target : available_simd_targets()) {
+            SCOPED_TRACE(to_text(target));
+            ASSERT_TRUE(force_simd_target(to_text(target)).has_value());
+            EXPECT_EQ(digest_of(result_of(*scene, Level::Contacts)), expected);
+        }
+        ASSERT_TRUE(force_simd_target("auto").has_value());
     }
 }
 

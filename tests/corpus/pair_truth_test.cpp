@@ -1,5 +1,7 @@
 // Proves that no answer about a pair of the corpus is wrong: 200,000 pairs over three ranges of
-// seeds, by each way to ask, whatever the first stage and the order of bodies and corners.
+// seeds, by each way to ask, whatever the instructions of the processor, the first stage and the
+// order of bodies and corners.
+#include "common/geometry/simd_target.hpp"
 #include "common/geometry/triangle_pair.hpp"
 #include "tests/corpus/categories.hpp"
 #include "tests/support/oracle.hpp"
@@ -123,6 +125,19 @@ TEST_P(PairTruth, WhateverTheFirstStage) {
             expect_batches_right(group, static_cast<PairStage>(stage));
         }
     }
+}
+
+TEST_P(PairTruth, WithEverySimdTarget) {
+    const std::vector<KnownPair> known = known_pairs(GetParam(), ranges[2]);
+    const std::vector<KnownPair> some(known.begin(), known.begin() + 400);
+    for (const SimdTarget target : available_simd_targets()) {
+        SCOPED_TRACE(to_text(target));
+        ASSERT_TRUE(force_simd_target(to_text(target)).has_value());
+        for (const auto& group : by_poses(some)) {
+            expect_batches_right(group, PairStage::Float);
+        }
+    }
+    ASSERT_TRUE(force_simd_target("auto").has_value());
 }
 
 TEST_P(PairTruth, AnyTouchIsTrueJustWhereOneTouches) {
