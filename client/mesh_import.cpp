@@ -1,8 +1,10 @@
 #include "client/mesh_import.hpp"
 
 #include "client/mesh_builder.hpp"
+#include "client/mesh_number_check.hpp"
 #include "client/mesh_text_check.hpp"
 #include "client/npz.hpp"
+#include "client/words.hpp"
 #include "common/geometry/aabb.hpp"
 
 #include <Eigen/Core>
@@ -290,14 +292,13 @@ void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& impo
         farthest = std::max(farthest, vertex.cwiseAbs().maxCoeff());
         box.add(vertex);
     }
-    const auto corner = static_cast<float>(farthest);
-    const double step = static_cast<double>(
-        std::nextafter(corner, std::numeric_limits<float>::infinity()) - corner);
+    const auto corner = std::max(static_cast<float>(farthest), std::numeric_limits<float>::min());
+    const double step = std::ldexp(1.0, std::ilogb(corner) - 23);
     if (step > 1e-6 * box.diagonal()) {
         imported.warnings.push_back(
             path.string() + ": floats are coarse here: their step at the box's far corner is " +
-            std::to_string(step / box.diagonal()) +
-            " of the diagonal; move the model to its origin, or use .npz, which keeps doubles");
+            exact_text(step) + ", the diagonal " + exact_text(box.diagonal()) +
+            "; move the model to its origin, or use .npz, which keeps doubles (float64)");
     }
 }
 
@@ -318,6 +319,9 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Import
     const std::string extension = lower_extension(path);
     if (extension == ".npz") {
         return import_npz(path, options);
+    }
+    if (const Status numbers = check_numbers(path, extension); !numbers) {
+        return numbers.error();
     }
     const auto text = read_text_mesh(path, extension);
     if (!text) {

@@ -86,8 +86,8 @@ std::string header_text(const BodyLine& a,
 }
 
 std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b) {
-    const double size_a = a.size.maxCoeff();
-    const double size_b = b.size.maxCoeff();
+    const double size_a = a.size.stableNorm();
+    const double size_b = b.size.stableNorm();
     if (!(size_a > 0) || !(size_b > 0)) {
         return std::nullopt;
     }

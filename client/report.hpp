@@ -35,7 +35,7 @@ describe_body(const std::string& name, const std::string& unit, const Mesh& mesh
                                       const std::string& poses);
 
 /// A warning where the bodies' sizes differ by 25.4 or 1000 within 2 %: then one is likely to be in
-/// another unit. Sizes are the longest edges of the boxes.
+/// another unit. Sizes are the diagonals of the boxes.
 [[nodiscard]] std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b);
 
 /// In how many scenarios each part was touched. Fed with results of level pairs and above.

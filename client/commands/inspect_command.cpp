@@ -1,9 +1,12 @@
 #include "client/commands/commands.hpp"
 #include "client/exit_code.hpp"
 #include "client/inspect.hpp"
+#include "client/report.hpp"
 #include "client/units.hpp"
 
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace cd {
 
@@ -27,6 +30,7 @@ int execute(const InspectCommand& command) {
     if (!factor) {
         return fail(factor.error());
     }
+    std::vector<BodyLine> bodies;
     for (const std::string& file : command.meshes) {
         const auto imported = import_mesh(file, {factor.value()});
         if (!imported) {
@@ -35,6 +39,13 @@ int execute(const InspectCommand& command) {
         const MeshReport report = inspect_mesh(file, imported.value());
         const std::string text = command.output == "json" ? to_json(report) : to_text(report);
         std::fputs(text.c_str(), stdout);
+        const BodyLine body = describe_body(file, "", *imported.value().mesh);
+        for (const BodyLine& earlier : bodies) {
+            if (const auto warning = unit_warning(earlier, body)) {
+                std::fputs((*warning + "\n").c_str(), stderr);
+            }
+        }
+        bodies.push_back(body);
     }
     return exit_done;
 }

@@ -83,6 +83,47 @@ TEST(MeshDamage, ObjNumbersThatAreNotFiniteAreNamedByLine) {
                 HasSubstr("not finite"));
 }
 
+TEST(MeshDamage, NumbersThatTheImporterReadsHalfwayAreNamedByLine) {
+    const auto stl = [](const std::string& number) {
+        return "solid a vertex x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+               "vertex 0 " +
+               number + " 0\nendloop\nendfacet\nendsolid a\n";
+    };
+    const std::string cut = ply_header.substr(0, ply_header.rfind("0 1 0\n"));
+    EXPECT_TRUE(import_text("good.stl", stl("+1.5e-3")));
+    for (const std::string number : {"1.#QNAN", "-1.#IND00", "1d5", "1,5", "0x10"}) {
+        SCOPED_TRACE(number);
+        EXPECT_THAT(error_of("half.stl", stl(number)), HasSubstr("half.stl:6"));
+        EXPECT_THAT(error_of("half.ply", cut + "0 1 " + number + "\n3 0 1 2\n3 0 1 2\n"),
+                    HasSubstr("half.ply:12"));
+    }
+    EXPECT_THAT(error_of("old.off", "OFF\n3 1 0\n0 0 0\n1 0 1.#INF\n0 1 0\n3 0 1 2\n"),
+                HasSubstr("old.off:4"));
+    // What is read as no number, or overflows, is named by its face.
+    EXPECT_THAT(error_of("infinite.stl", stl("-inf")), HasSubstr("face 0"));
+    EXPECT_THAT(error_of("infinite.ply", cut + "0 1 nan\n3 0 1 2\n3 0 1 2\n"), HasSubstr("face 0"));
+    EXPECT_THAT(error_of("large.stl", stl("1e39")), HasSubstr("face 0"));
+}
+
+TEST(MeshDamage, TransformsOfGltfThatAreNoNumbersAreNamedByNode) {
+    const auto gltf = [](const std::string& number) {
+        // One triangle: nine floats and three indices.
+        return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,)"
+               R"("translation":[0,0,)" +
+               number +
+               R"(]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+               R"("buffers":[{"byteLength":42,"uri":"data:application/octet-stream;base64,)"
+               R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIA"}],)"
+               R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},)"
+               R"({"buffer":0,"byteOffset":36,"byteLength":6}],"accessors":[)"
+               R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},)"
+               R"({"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}]})";
+    };
+    EXPECT_TRUE(import_text("good.gltf", gltf("1.5")));
+    EXPECT_THAT(error_of("null.gltf", gltf("null")), HasSubstr("node 0"));
+    EXPECT_THAT(error_of("large.gltf", gltf("1e39")), HasSubstr("face 0"));
+}
+
 TEST(MeshDamage, FilesCutShort) {
     EXPECT_NE(error_of("cut.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"),
               "was taken");

@@ -82,11 +82,13 @@ TEST(Report, TheHeaderGivesSizes) {
 
 TEST(Report, ASizeRatioOfAUnitIsWarnedAbout) {
     const BodyLine meters = body("a.obj", {4.0, 1, 1});
-    EXPECT_THAT(unit_warning(meters, body("b.stl", {4010, 1, 1})).value_or(""),
-                HasSubstr("b.stl is 1002.5 times as large as a.obj"));
-    EXPECT_TRUE(unit_warning(body("b", {4.0 * 25.5, 1, 1}), meters));
-    EXPECT_FALSE(unit_warning(meters, body("b", {4.0 * 26, 1, 1})));
+    EXPECT_THAT(unit_warning(meters, body("b.stl", {4010, 1000, 1000})).value_or(""),
+                HasSubstr("b.stl is 1002.2 times as large as a.obj"));
+    EXPECT_TRUE(unit_warning(body("b", {4.0 * 25.5, 25.4, 25.4}), meters));
+    EXPECT_FALSE(unit_warning(meters, body("b", {4.0 * 26, 26, 26})));
     EXPECT_FALSE(unit_warning(meters, body("b", {3, 1, 1})));
+    // The same body, turned: its longest edge differs, its diagonal does not.
+    EXPECT_TRUE(unit_warning(body("a", {3, 4, 0}), body("b", {5000, 0, 0})));
     EXPECT_FALSE(unit_warning(meters, body("point", {0, 0, 0})));
 }
 
