@@ -106,6 +106,28 @@ Vector posed(const Map& map, const Vec3& x, const Vec3& origin) {
     return result;
 }
 
+/// Whether component k of what `posed` computes is 0 for sure: it is t - origin and one product,
+/// both exact doubles.
+bool is_exactly_zero(const Map& map, const Vec3& x, const Vec3& origin, std::size_t k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const DoubleDouble shift = exact_sum(map.translation[axis], -origin[axis]);
+    DoubleDouble product;
+    int products = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+        const DoubleDouble& entry = map.rows[k][j];
+        const double factor = x[static_cast<Eigen::Index>(j)];
+        if (entry.low != 0 || (entry.high != 0 && std::abs(entry.high) < length_least) ||
+            (factor != 0 && std::abs(factor) < length_least)) {
+            return false; // Not exact, or it may underflow.
+        }
+        if (entry.high != 0 && factor != 0) {
+            product = exact_product(entry.high, factor);
+            ++products;
+        }
+    }
+    return products <= 1 && shift.low == 0 && product.low == 0 && shift.high == -product.high;
+}
+
 /// The nearest double of a number that is within `error` of `value`, if that is the same for all
 /// of these (Ziv's test). The second term of the margin covers the rounding of the two inner sums,
 /// u (u |high| + margin) at most. Where the answer is not 0 it is never -0.
@@ -114,13 +136,6 @@ std::optional<double> rounded(const DoubleDouble& value, double error) {
     const double least = value.high + (value.low - margin);
     const double greatest = value.high + (value.low + margin);
     return least == greatest ? std::optional(least) : std::nullopt;
-}
-
-std::optional<Vec3> rounded(const Vector& point, double error) {
-    const auto x = rounded(point[0], error);
-    const auto y = rounded(point[1], error);
-    const auto z = rounded(point[2], error);
-    return x && y && z ? std::optional(Vec3(*x, *y, *z)) : std::nullopt;
 }
 
 Local local_of(const Map& map, const Corners& corners, const Vec3& origin) {
@@ -133,6 +148,11 @@ Local local_of(const Map& map, const Corners& corners, const Vec3& origin) {
         const Vec3 high(c[0].high, c[1].high, c[2].high);
         local.least = i == 0 ? high : Vec3(local.least.cwiseMin(high));
         local.greatest = i == 0 ? high : Vec3(local.greatest.cwiseMax(high));
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        local.is_zero[k] = std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
+            return is_exactly_zero(map, corner, origin, k);
+        });
     }
     local.normal = cross(local.corners[1] - local.corners[0], local.corners[2] - local.corners[0]);
     return local;
@@ -263,16 +283,17 @@ std::optional<Ends> common_part(const Ends& a, const Ends& b) {
     return order(common[0], common[1]) < 0 ? std::optional(common) : std::nullopt;
 }
 
-/// Of ends that are sorted by their first component.
-std::optional<std::array<Vec3, 2>> rounded(const Ends& ends) {
+std::optional<std::array<Vec3, 2>> rounded(const Ends& ends, const std::array<bool, 3>& is_zero) {
     std::array<Vec3, 2> points;
     for (std::size_t i = 0; i < 2; ++i) {
-        const Place& p = ends[i];
-        const auto point = rounded(Vector{p.along, p.component(1), p.component(2)}, p.error);
-        if (!point) {
-            return std::nullopt;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto value =
+                is_zero[k] ? std::optional(0.0) : rounded(ends[i].component(k), ends[i].error);
+            if (!value) {
+                return std::nullopt;
+            }
+            points[i][static_cast<Eigen::Index>(k)] = *value;
         }
-        points[i] = *point;
     }
     return points;
 }
@@ -299,7 +320,18 @@ std::optional<Vec3> DoubleDoublePoints::origin(const Corners& a) const {
     if (!(magnitude >= length_least && magnitude <= length_most)) {
         return std::nullopt;
     }
-    return rounded(posed(a_, a[0], Vec3::Zero()), point_error(magnitude));
+    const Vector nearby = posed(a_, a[0], Vec3::Zero());
+    Vec3 origin;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto value = is_exactly_zero(a_, a[0], Vec3::Zero(), k)
+                               ? std::optional(0.0)
+                               : rounded(nearby[k], point_error(magnitude));
+        if (!value) {
+            return std::nullopt;
+        }
+        origin[static_cast<Eigen::Index>(k)] = *value;
+    }
+    return origin;
 }
 
 std::optional<std::array<Vec3, 2>>
@@ -329,11 +361,20 @@ DoubleDoublePoints::points(const Corners& a, const Corners& b, const Vec3& origi
         return std::nullopt;
     }
     auto common = common_part(*on_a, *on_b);
+    // A point of both triangles has the zeros of both.
+    std::array<bool, 3> is_zero{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        is_zero[k] = local_a.is_zero[k] || local_b.is_zero[k];
+    }
     // Last, the first component that differs decides the order in which they are given.
-    if (!common || (axis != 0 && !sort(*common, 0))) {
+    std::size_t first = 0;
+    while (first < axis && is_zero[first]) {
+        ++first;
+    }
+    if (!common || (axis != first && !sort(*common, first))) {
         return std::nullopt;
     }
-    return rounded(*common);
+    return rounded(*common, is_zero);
 }
 
 } // namespace cd

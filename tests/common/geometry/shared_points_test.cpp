@@ -181,6 +181,32 @@ TEST(SharedPoints, OrdinaryPairsTakeTheFastPath) {
     EXPECT_EQ(shared.statistics().origins_exact, 0u);
 }
 
+TEST(SharedPoints, FacesAtRightAnglesToAnAxisTakeTheFastPathToo) {
+    // As of an unrotated vehicle: what is shared has a component that is exactly 0.
+    std::mt19937_64 random(7);
+    PointStatistics total;
+    std::uint64_t meeting = 0;
+    for (int i = 0; i < 3'000; ++i) {
+        PosedPair c{random_corners(random, 1), random_corners(random, 1), {}};
+        const int axis = i % 3;
+        for (Vec3& corner : c.a) {
+            corner[axis] = 0.3;
+        }
+        c.poses.b = make_pose(random, 0.1);
+        if (i % 2 == 0) {
+            c.poses.a = translation_pose(0.1, -2, 3);
+        }
+        SharedPoints any(c.poses);
+        SharedPoints exact(c.poses, SharedPoints::Path::Exact);
+        ASSERT_EQ(bits_of(any, c), bits_of(exact, c)) << i;
+        meeting += any.points(c.a, c.b).empty() ? 0 : 1;
+        // Asked twice.
+        total.points_fast += any.statistics().points_fast / 2;
+    }
+    EXPECT_GT(meeting, 300u);
+    EXPECT_GT(total.points_fast, meeting * 4 / 5);
+}
+
 TEST(SharedPoints, AnOriginAtWholeNumbersOrZeroIsItself) {
     SharedPoints shared(PosePair{});
     const Corners a{Vec3(0, -3, 0.5), Vec3(1, 0, 0), Vec3(0, 1, 0)};
