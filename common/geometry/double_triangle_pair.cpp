@@ -1,33 +1,27 @@
-// With the edges p, q of A at a0, the edges r, s of B at b0, d = a0 - b0, NA = p x q and NB = r x
-// s, all fifteen determinants of a pair are sums of ten triple products: three sides of A's corners
-// against B's plane, three of B's against A's, and nine of A's edges against B's (the Pluecker
-// sides). Each is proven positive, proven negative, or neither; only proofs decide.
+// Bounds, with u = 2^-53. A computed vector x has sizes X with |x_k| <= X_k and errors of at most
+// 2.01 u X_k: a difference of two doubles is rounded once, so that X_k = |x_k| does (and X_k = 0
+// says that the true component is 0); an error of up to e makes it X_k = |x_k| + e / 2u.
 //
-// Bounds, with u = 2^-53. A computed vector has components of at most x, and errs by at most dx in
-// each; X = x + dx bounds the true ones too.
+// A determinant of x, y, z is a sum of six products x_i y_j z_k; its permanent P is the same sum of
+// X_i Y_j Z_k. Errors of the input change it by at most ((1 + 2.01 u)^3 - 1) P <= 6.1 u P, where
+// the true components are bounded by (1 + 2.01 u) X_k too. Arithmetic: each term goes through one
+// rounding in its cross product's products, one in the difference, one in the product with the
+// third vector and two in the sum of three: 5.1 u P. The computed permanent may be 6 u of itself
+// too small. So 12 u P bounds the error; likewise 8 u P for determinants of two rows: 4.1 u from
+// the input and two roundings.
 //
-// Input: a triple product has six terms of three factors, so errors of the input change it by at
-// most 6 (XYZ - xyz) <= 6 (dx Y Z + X dy Z + X Y dz).
-// Arithmetic: a component of a cross product is at most 2YZ, and 4.01 u YZ off: two products and
-// one difference. The dot product has three terms of at most 2XYZ with three roundings each, 18.1 u
-// XYZ, and takes over 3 * 4.01 u XYZ: below 31 u XYZ together. A determinant is a sum of up to
-// eight triple products of at most 6XYZ, each going through at most six roundings of partial sums:
-// 37 u XYZ more for each.
-// Together a triple product within a determinant is within
-//     6 (dx Y Z + X dy Z + X Y dz) + 68 u XYZ <= fx Y Z + X fy Z + X Y fz, fx = 6.5 dx + 31 u X,
-// where 6.5 and 31 (for 6 and 22.7) leave room for the roundings of the bound itself.
+// Underflow: a product loses at most 2^-1075. In a cross product's component that is 2^-1074, which
+// is then multiplied with a component of z; products and sums lose little more, and the permanent
+// no more than that. 2^-1000 (1 + |z_1| + |z_2| + |z_3|) covers it all, with sizes for components.
+// Overflow makes infinities or NaN, of which no comparison proves anything: a value that is
+// infinite comes with a permanent that is.
 //
-// Underflow loses at most 2^-1074 a product. What is multiplied with it later is below 2^600 by the
-// limit on sizes, so that `underflow` covers all of it, in the bounds as well. NaN and infinity
-// come only from sizes beyond that limit or from input near the end of the doubles' range; they
-// reach either the sizes, or every determinant that they belong to, and no comparison proves
-// anything of NaN.
+// Zeros: a permanent that is 0 has a true factor 0 in each term, unless something underflowed,
+// which sizes of 0 or of 2^-300 and more rule out. Then the determinant is 0, and that is proven.
+// On designed parts, whose faces follow the axes, most ties are seen like this.
 #include "common/geometry/double_triangle_pair.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace cd {
@@ -35,8 +29,9 @@ namespace cd {
 namespace {
 
 constexpr double u = 0x1p-53; // Unit roundoff.
-constexpr double size_max = 0x1p300;
-constexpr double underflow = 0x1p-400;
+constexpr double underflow = 0x1p-1000;
+constexpr double volume_bound = 12 * u;
+constexpr double area_bound = 8 * u;
 
 double largest_of(const Vec3& v) {
     return std::max(std::max(std::abs(v.x()), std::abs(v.y())), std::abs(v.z()));
@@ -48,110 +43,56 @@ Vec3 times(const Mat3& m, const Vec3& x) {
             m(2, 0) * x.x() + m(2, 1) * x.y() + m(2, 2) * x.z()};
 }
 
-struct Rotated {
-    Vec3 value;
-    double error = 0; ///< Bounds the error of each component.
-};
-
-/// R x for components within `relative` of themselves. Each of three products is off by that and by
-/// the entry's error, and goes through three roundings.
-Rotated rotated(const RoundedRotation& rotation, const Vec3& x, double relative) {
-    const double reach = largest_of(x);
-    if (rotation.is_identity) {
-        return {x, relative * reach};
-    }
-    const double error =
-        3.01 * reach * (rotation.entry_error + rotation.entry_largest * (relative + 4 * u));
-    return {times(rotation.matrix, x), error + 0x1p-1000};
+Vec3 sizes_of(const Vec3& v) {
+    return {std::abs(v.x()), std::abs(v.y()), std::abs(v.z())};
 }
 
-/// What the bounds need to know of the vectors of one kind: X and fx above.
-struct Extent {
-    double size = 0;
-    double fuzz = 0;
-
-    Extent(double computed_size, double error)
-        : size(computed_size + error), fuzz(6.5 * error + 31 * u * size) {}
-};
-
-/// A triangle's two edges from its first corner, in the world's directions.
-struct Edges {
-    Rotated first;
-    Rotated second;
-    Extent extent;
-
-    // A difference of corners is rounded once.
-    Edges(const RoundedRotation& rotation, const Corners& corners)
-        : first(rotated(rotation, corners[1] - corners[0], u)),
-          second(rotated(rotation, corners[2] - corners[0], u)),
-          extent(std::max(largest_of(first.value), largest_of(second.value)),
-                 std::max(first.error, second.error)) {}
-};
-
-/// The error of one triple product of vectors of these kinds, with its share in a determinant.
-double triple_error(const Extent& x, const Extent& y, const Extent& z) {
-    return x.fuzz * y.size * z.size + x.size * (y.fuzz * z.size + y.size * z.fuzz);
+/// The cross product, and for sizes the sums of the sizes of its terms.
+RoundedVec cross(const RoundedVec& l, const RoundedVec& r) {
+    const Vec3& x = l.value;
+    const Vec3& y = r.value;
+    const Vec3& s = l.size;
+    const Vec3& t = r.size;
+    return {{x.y() * y.z() - x.z() * y.y(),
+             x.z() * y.x() - x.x() * y.z(),
+             x.x() * y.y() - x.y() * y.x()},
+            {s.y() * t.z() + s.z() * t.y(),
+             s.z() * t.x() + s.x() * t.z(),
+             s.x() * t.y() + s.y() * t.x()}};
 }
 
-/// Proven signs of several values, one bit each.
-struct Signs {
-    unsigned positive = 0;
-    unsigned negative = 0;
-
-    void add(unsigned place, double value, double error) {
-        positive |= static_cast<unsigned>(value > error) << place;
-        negative |= static_cast<unsigned>(value < -error) << place;
-    }
-    [[nodiscard]] bool all_three_agree() const { return positive == 7 || negative == 7; }
-    [[nodiscard]] bool is_any_proven() const { return (positive | negative) != 0; }
-};
-
-/// Sides of a triangle's corners x_0, x_0 + e, x_0 + f, from the triple products of each.
-Signs sides(double of_corner, double of_first, double of_second, double error, double edge_error) {
-    Signs signs;
-    signs.add(0, of_corner, error);
-    signs.add(1, of_corner + of_first, error + edge_error);
-    signs.add(2, of_corner + of_second, error + edge_error);
-    return signs;
+double dot(const Vec3& l, const Vec3& r) {
+    return l.x() * r.x() + l.y() * r.y() + l.z() * r.z();
 }
 
-/// What is proven of one edge against the other triangle.
-struct EdgeVerdict {
-    bool misses = false;
-    bool pierces = false; ///< Its inside crosses the other's inside.
-};
-
-/// `ends` are the two bits of the edge's ends in the sides of its triangle; `across` its sides
-/// against the other's three edges, at the bits of `mask`. An edge with both ends on one side of
-/// the other's plane misses it, and so does one whose line passes the other's edges on different
-/// sides. Where the plane or the line means nothing, the other being degenerate or the edge in its
-/// plane, the determinants are zero and nothing is proven.
-EdgeVerdict judge_edge(const Signs& side, unsigned ends, const Signs& across, unsigned mask) {
-    const bool one_sided = (side.positive & ends) == ends || (side.negative & ends) == ends;
-    const bool crosses = (side.positive & ends) != 0 && (side.negative & ends) != 0;
-    const bool passes_positive = (across.positive & mask) != 0;
-    const bool passes_negative = (across.negative & mask) != 0;
-    const bool encircled = (across.positive & mask) == mask || (across.negative & mask) == mask;
-    return {one_sided || (passes_positive && passes_negative), crosses && encircled};
+bool cannot_underflow(double size) {
+    return size == 0 || size >= 0x1p-300;
 }
 
-/// Two triangles meet exactly when an edge of one meets the other. An edge that pierces the other
-/// makes the pair proper if its own triangle has area, which any proven side against that
-/// triangle's plane shows.
-std::optional<PairClass> decide(const Signs& a_side, const Signs& b_side, const Signs& across) {
-    constexpr std::array<unsigned, 3> ends{0b011, 0b110, 0b101};
-    bool all_miss = true;
-    bool any_pierces = false;
-    for (unsigned i = 0; i < 3; ++i) {
-        const EdgeVerdict of_a = judge_edge(a_side, ends[i], across, 0b000'000'111u << (3 * i));
-        const EdgeVerdict of_b = judge_edge(b_side, ends[i], across, 0b001'001'001u << i);
-        all_miss = all_miss && of_a.misses && of_b.misses;
-        any_pierces = any_pierces || of_a.pierces || of_b.pierces;
-    }
-    if (any_pierces && a_side.is_any_proven() && b_side.is_any_proven()) {
-        return PairClass::Proper;
-    }
-    return all_miss ? std::optional(PairClass::Separate) : std::nullopt;
+bool cannot_underflow(const RoundedVec& v) {
+    return cannot_underflow(v.size.x()) && cannot_underflow(v.size.y()) &&
+           cannot_underflow(v.size.z());
+}
+
+/// x . z for a cross product x, without the proof that it is 0.
+int volume_sign(const RoundedVec& x, const RoundedVec& z, double scale, double& permanent) {
+    const double value = dot(x.value, z.value);
+    permanent = dot(x.size, z.size);
+    const double bound =
+        scale * volume_bound * permanent + underflow * (1 + z.size.x() + z.size.y() + z.size.z());
+    return value > bound ? 1 : value < -bound ? -1 : unknown_sign;
+}
+
+struct Sum {
+    double high; ///< The sum, rounded.
+    double low;  ///< What the rounding lost, exactly.
+};
+
+/// Knuth's two-sum: high + low = l + r.
+Sum two_sum(double l, double r) {
+    const double high = l + r;
+    const double r_part = high - l;
+    return {high, (l - (high - r_part)) + (r - r_part)};
 }
 
 } // namespace
@@ -162,66 +103,183 @@ RoundedRotation::RoundedRotation(const Pose& pose)
       entry_largest(matrix.cwiseAbs().maxCoeff() + entry_error),
       is_identity(entry_error == 0 && matrix == Mat3::Identity()) {}
 
-DoubleTrianglePair::DoubleTrianglePair(const PosePair& poses)
-    : a_(poses.a), b_(poses.b), offset_(poses.a.translation() - poses.b.translation()) {}
+RoundedPoses::RoundedPoses(const PosePair& poses)
+    : a(poses.a),
+      b(poses.b),
+      translation_a(poses.a.translation()),
+      translation_b(poses.b.translation()),
+      offset(translation_a - translation_b),
+      are_unrotated(a.is_identity && b.is_identity),
+      are_identity(are_unrotated && translation_a == translation_b) {}
 
-std::optional<PairClass> DoubleTrianglePair::classify(const Corners& ca, const Corners& cb) const {
-    const Rotated a0 = rotated(a_, ca[0], 0);
-    const Rotated b0 = rotated(b_, cb[0], 0);
-    const Vec3 d = (a0.value - b0.value) + offset_;
+DoubleSigns::DoubleSigns(const RoundedPoses& poses,
+                         const Corners& a,
+                         const Corners& b,
+                         double bound_scale)
+    : poses_(poses), a_(a), b_(b), scale_(bound_scale) {
+    if (!poses_.are_unrotated) {
+        rotate();
+    }
+}
+
+/// R x for components within `relative` of themselves. Each of three products is off by that and by
+/// the entry's error, and goes through three roundings.
+DoubleSigns::Rotated
+DoubleSigns::rotated(const RoundedRotation& rotation, const Vec3& x, double relative) {
+    const double reach = largest_of(x);
+    if (rotation.is_identity) {
+        return {x, relative * reach};
+    }
+    const double error =
+        3.01 * reach * (rotation.entry_error + rotation.entry_largest * (relative + 4 * u));
+    return {times(rotation.matrix, x), error + underflow};
+}
+
+void DoubleSigns::rotate() {
+    const Rotated a0 = rotated(poses_.a, a_[0], 0);
+    const Rotated b0 = rotated(poses_.b, b_[0], 0);
+    apart_.value = (b0.value - a0.value) - poses_.offset;
     // The offset's rounding, and one for each of the two sums.
-    const double d_error =
-        a0.error + b0.error +
-        2.01 * u *
-            (largest_of(a0.value) + largest_of(b0.value) + largest_of(offset_) + largest_of(d));
-    const Extent extent_d(largest_of(d), d_error);
-    const Edges a(a_, ca);
-    const Edges b(b_, cb);
-    // Each on its own: a maximum may lose NaN.
-    if (!(extent_d.size < size_max && a.extent.size < size_max && b.extent.size < size_max)) {
-        return std::nullopt;
+    apart_.error = a0.error + b0.error +
+                   2.01 * u *
+                       (largest_of(a0.value) + largest_of(b0.value) + largest_of(poses_.offset) +
+                        largest_of(apart_.value));
+    from_first_[0] = from_first_[3] = {Vec3::Zero(), 0};
+    for (std::size_t i = 1; i < 3; ++i) {
+        // A difference of corners is rounded once.
+        from_first_[i] = rotated(poses_.a, a_[i] - a_[0], u);
+        from_first_[3 + i] = rotated(poses_.b, b_[i] - b_[0], u);
     }
-    const Vec3& p = a.first.value;
-    const Vec3& q = a.second.value;
-    const Vec3& r = b.first.value;
-    const Vec3& s = b.second.value;
+}
 
-    const Vec3 nb = r.cross(s);
-    const double nbp = nb.dot(p);
-    const double nbq = nb.dot(q);
-    const double abb = triple_error(a.extent, b.extent, b.extent);
-    const double bbd = triple_error(b.extent, b.extent, extent_d) + underflow;
-    const Signs a_side = sides(nb.dot(d), nbp, nbq, bbd, abb);
-    if (a_side.all_three_agree()) {
-        return PairClass::Separate;
+RoundedVec DoubleSigns::between(std::size_t from, std::size_t to) const {
+    if (!poses_.are_unrotated) {
+        return between_posed(from, to);
     }
-
-    const Vec3 na = p.cross(q);
-    const double nar = na.dot(r);
-    const double nas = na.dot(s);
-    const double aab = triple_error(a.extent, a.extent, b.extent);
-    const double aad = triple_error(a.extent, a.extent, extent_d) + underflow;
-    const Signs b_side = sides(-na.dot(d), nar, nas, aad, aab);
-    if (b_side.all_three_agree()) {
-        return PairClass::Separate;
+    if (!poses_.are_identity && (from < 3) != (to < 3)) {
+        return between_moved(from, to);
     }
+    const Vec3 value = corner(to) - corner(from);
+    return {value, sizes_of(value)};
+}
 
-    const double pr = p.cross(r).dot(d);
-    const double ps = p.cross(s).dot(d);
-    const double qr = q.cross(r).dot(d);
-    const double qs = q.cross(s).dot(d);
-    const double abd = triple_error(a.extent, b.extent, extent_d) + underflow;
-    Signs across;
-    across.add(0, pr, abd);
-    across.add(1, ps - pr + nbp, 2 * abd + abb);
-    across.add(2, -ps, abd);
-    across.add(3, qr - pr + nar, 2 * abd + aab);
-    across.add(4, qs - qr - ps + pr + (nas - nar) + (nbq - nbp), 4 * abd + 2 * (aab + abb));
-    across.add(5, -(qs - ps + nas), 2 * abd + aab);
-    across.add(6, -qr, abd);
-    across.add(7, qr - qs - nbq, 2 * abd + abb);
-    across.add(8, qs, abd);
-    return decide(a_side, b_side, across);
+RoundedVec DoubleSigns::between_posed(std::size_t from, std::size_t to) const {
+    const Rotated& start = from_first_[from];
+    const Rotated& end = from_first_[to];
+    Vec3 value = end.value - start.value;
+    double error = start.error + end.error;
+    if (from < 3 && to >= 3) {
+        error += apart_.error + u * largest_of(value);
+        value += apart_.value;
+    } else if (from >= 3 && to < 3) {
+        error += apart_.error + u * largest_of(value);
+        value -= apart_.value;
+    }
+    // The last sum is rounded as any difference is.
+    const double added = 1.01 * error / (2 * u);
+    return {value, sizes_of(value) + Vec3(added, added, added)};
+}
+
+/// Between bodies that are moved without rotation: x + t is held exactly in two doubles, and so is
+/// the difference of the high ones, h + e. With l the difference of the low ones, rounded once, and
+/// e + l rounded once when neither is 0, the result is off by at most u (|l| + |e + l|) and its own
+/// rounding. Corners that are nominally on one height have h = e = l = 0 there.
+RoundedVec DoubleSigns::between_moved(std::size_t from, std::size_t to) const {
+    const Vec3& from_offset = from < 3 ? poses_.translation_a : poses_.translation_b;
+    const Vec3& to_offset = to < 3 ? poses_.translation_a : poses_.translation_b;
+    RoundedVec between;
+    for (int k = 0; k < 3; ++k) {
+        const Sum start = two_sum(corner(from)[k], from_offset[k]);
+        const Sum end = two_sum(corner(to)[k], to_offset[k]);
+        const Sum high = two_sum(end.high, -start.high);
+        const double low = end.low - start.low;
+        const double value = high.high + (high.low + low);
+        between.value[k] = value;
+        between.size[k] = std::abs(value) + std::abs(low) + (low == 0 ? 0 : std::abs(high.low));
+    }
+    return between;
+}
+
+PlaneSides DoubleSigns::sides_of_a() const {
+    const RoundedVec r = between(3, 4);
+    const RoundedVec s = between(3, 5);
+    const RoundedVec normal = cross(r, s);
+    PlaneSides sides{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const RoundedVec to_corner = between(3, i);
+        double permanent = 0;
+        sides[i] = volume_sign(normal, to_corner, scale_, permanent);
+        if (permanent == 0 && cannot_underflow(r) && cannot_underflow(s) &&
+            cannot_underflow(to_corner)) {
+            sides[i] = 0;
+        }
+    }
+    return sides;
+}
+
+PlaneSides DoubleSigns::sides_of_b() const {
+    const RoundedVec p = between(0, 1);
+    const RoundedVec q = between(0, 2);
+    const RoundedVec normal = cross(p, q);
+    PlaneSides sides{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const RoundedVec to_corner = between(0, 3 + i);
+        double permanent = 0;
+        sides[i] = volume_sign(normal, to_corner, scale_, permanent);
+        if (permanent == 0 && cannot_underflow(p) && cannot_underflow(q) &&
+            cannot_underflow(to_corner)) {
+            sides[i] = 0;
+        }
+    }
+    return sides;
+}
+
+int DoubleSigns::edge_side(std::size_t i, std::size_t i_to, std::size_t j, std::size_t j_to) const {
+    // det(i' - i, j - i, j' - i) = det(i' - i, j - i, j' - j).
+    const RoundedVec along_a = between(i, i_to);
+    const RoundedVec across = between(i, j);
+    const RoundedVec along_b = between(j, j_to);
+    double permanent = 0;
+    const int sign = volume_sign(cross(along_a, across), along_b, scale_, permanent);
+    const bool is_zero = permanent == 0 && cannot_underflow(along_a) && cannot_underflow(across) &&
+                         cannot_underflow(along_b);
+    return is_zero ? 0 : sign;
+}
+
+int DoubleSigns::turn(std::size_t i, std::size_t j, std::size_t k, std::size_t axis) const {
+    const RoundedVec along = between(i, j);
+    const RoundedVec aside = between(i, k);
+    const int x = static_cast<int>((axis + 1) % 3);
+    const int y = static_cast<int>((axis + 2) % 3);
+    const double value = along.value[x] * aside.value[y] - along.value[y] * aside.value[x];
+    const double permanent = along.size[x] * aside.size[y] + along.size[y] * aside.size[x];
+    const double bound = scale_ * area_bound * permanent + underflow;
+    if (permanent == 0 && cannot_underflow(along) && cannot_underflow(aside)) {
+        return 0;
+    }
+    return value > bound ? 1 : value < -bound ? -1 : unknown_sign;
+}
+
+int DoubleSigns::difference(std::size_t i, std::size_t j, std::size_t axis) const {
+    const RoundedVec apart = between(j, i);
+    const double value = apart.value[static_cast<int>(axis)];
+    const double size = apart.size[static_cast<int>(axis)];
+    const double bound = scale_ * 2.01 * u * size;
+    return size == 0 ? 0 : value > bound ? 1 : value < -bound ? -1 : unknown_sign;
+}
+
+DoubleTrianglePair::DoubleTrianglePair(const PosePair& poses, double bound_scale)
+    : poses_(poses), bound_scale_(bound_scale) {}
+
+DoubleSigns DoubleTrianglePair::signs(const Corners& a, const Corners& b) const {
+    return {poses_, a, b, bound_scale_};
+}
+
+std::optional<PairClass> DoubleTrianglePair::classify(const Corners& a, const Corners& b) const {
+    const DoubleSigns in_double = signs(a, b);
+    ProvenSigns proven(in_double);
+    const PairClass kind = decide_pair(proven);
+    return proven.are_enough() ? std::optional(kind) : std::nullopt;
 }
 
 } // namespace cd

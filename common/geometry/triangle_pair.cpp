@@ -3,6 +3,7 @@
 #include "common/geometry/double_triangle_pair.hpp"
 #include "common/geometry/exact_triangle_pair.hpp"
 #include "common/geometry/float_triangle_pair.hpp"
+#include "common/geometry/integer_triangle_pair.hpp"
 #include "common/geometry/shared_points.hpp"
 
 #include <algorithm>
@@ -28,17 +29,24 @@ PairStatistics& PairStatistics::operator+=(const PairStatistics& other) {
 }
 
 struct TrianglePairTest::State {
+    PosePair poses;
     FloatTrianglePair in_float;
     DoubleTrianglePair in_double;
-    ExactTrianglePair exact;
+    IntegerTrianglePair in_integers;
+    std::unique_ptr<const ExactTrianglePair> exact; ///< Made when it is first needed.
     SharedPoints points;
     PairStage first;
     PairStatistics statistics;
     std::vector<FloatVerdict> verdicts; ///< Of the last call's candidates, as are the kinds.
     std::vector<PairClass> kinds;
 
-    State(const PosePair& poses, PairStage first_stage)
-        : in_float(poses), in_double(poses), exact(poses), points(poses), first(first_stage) {}
+    State(const PosePair& given, PairStage first_stage)
+        : poses(given),
+          in_float(given),
+          in_double(given),
+          in_integers(given),
+          points(given),
+          first(first_stage) {}
 
     /// What floats prove of each candidate, counted; nothing if they are to be passed over.
     std::span<const FloatVerdict> float_verdicts(const TriangleSpan& a,
@@ -62,14 +70,28 @@ TrianglePairTest& TrianglePairTest::operator=(TrianglePairTest&&) noexcept = def
 TrianglePairTest::~TrianglePairTest() = default;
 
 PairClass TrianglePairTest::classify(const Corners& a, const Corners& b) {
-    if (state_->first <= PairStage::Double) {
-        if (const auto decided = state_->in_double.classify(a, b)) {
-            ++state_->statistics[PairStage::Double];
-            return *decided;
+    State& s = *state_;
+    const DoubleSigns in_double = s.in_double.signs(a, b);
+    ProvenSigns proven(in_double);
+    if (s.first <= PairStage::Double) {
+        const PairClass kind = decide_pair(proven);
+        if (proven.are_enough()) {
+            ++s.statistics[PairStage::Double];
+            return kind;
         }
     }
-    ++state_->statistics[PairStage::Arbitrary];
-    return state_->exact.classify(a, b);
+    if (s.first <= PairStage::WideInteger) {
+        const auto decided = s.in_integers.classify(a, b, proven.known_of_a(), proven.known_of_b());
+        if (decided) {
+            ++s.statistics[decided->stage];
+            return decided->kind;
+        }
+    }
+    ++s.statistics[PairStage::Arbitrary];
+    if (!s.exact) {
+        s.exact = std::make_unique<ExactTrianglePair>(s.poses);
+    }
+    return s.exact->classify(a, b);
 }
 
 std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,

@@ -1,0 +1,122 @@
+// Integers of a fixed number of words, on the stack, and the products that determinants are made
+// of.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace cd {
+
+/// sum of word[i] * 2^(60 i), words signed. `Canonical` when all words but the last are in
+/// [0, 2^60); sums and differences of canonical numbers are taken word by word, without carries.
+///
+/// Words of 60 bits leave room for signs and for sums: a column of a product adds up in 128 bits
+/// without a carry, whole 2 x 2 determinants and dot products too, so that there is one pass of
+/// carries for each of those. (With full words and carries everywhere, GCC 12 takes four times as
+/// long.) What fits is said once, in `bits_max`.
+template <std::size_t words>
+struct WideInt {
+    std::array<std::int64_t, words> word{};
+
+    friend constexpr bool operator==(const WideInt&, const WideInt&) = default;
+};
+
+template <std::size_t words>
+using WideVec = std::array<WideInt<words>, 3>;
+
+namespace wide_int {
+
+inline constexpr int word_bits = 60;
+inline constexpr std::int64_t word_mask = (std::int64_t{1} << word_bits) - 1;
+
+/// Canonical coordinates below 2^bits_max(words) in magnitude may go through `difference`, `cross`
+/// and `dot` below. Then a last word is at most 2^58, and all words of a difference are within
+/// 2^60; a column of a cross product adds 2 * words products of at most 2^120, which is below 2^127
+/// for up to 63 words; its value is at most 2 * 2^(2 bits + 2), so the last of its 2 * words words
+/// is within 2^59; a column of a dot product adds 3 * words such products. The last word of a dot
+/// product takes what is left, below 2^62.
+constexpr int bits_max(std::size_t words) {
+    return word_bits * static_cast<int>(words) - 2;
+}
+
+__extension__ typedef __int128 Column;
+
+/// The column `place` of l * r.
+template <std::size_t n, std::size_t m>
+constexpr Column column(const WideInt<n>& l, const WideInt<m>& r, std::size_t place) {
+    Column sum = 0;
+    const std::size_t first = place < m ? 0 : place - m + 1;
+    const std::size_t last = place < n ? place : n - 1;
+#pragma GCC unroll 16
+    for (std::size_t i = first; i <= last; ++i) {
+        sum += Column{l.word[i]} * r.word[place - i];
+    }
+    return sum;
+}
+
+/// The canonical number of these columns, `column_of(place)` for all words but the last; `last` is
+/// added to what those carry into it.
+template <std::size_t words, class ColumnOf>
+constexpr WideInt<words> carried(Column last, const ColumnOf& column_of) {
+    WideInt<words> value;
+    Column carry = 0;
+#pragma GCC unroll 32
+    for (std::size_t i = 0; i + 1 < words; ++i) {
+        carry += column_of(i);
+        value.word[i] = static_cast<std::int64_t>(carry) & word_mask;
+        carry >>= word_bits; // Rounds down, which C++20 promises.
+    }
+    value.word[words - 1] = static_cast<std::int64_t>(carry + last);
+    return value;
+}
+
+/// -1, 0 or 1.
+template <std::size_t words>
+constexpr int sign(const WideInt<words>& canonical) {
+    std::int64_t any = 0;
+    for (const std::int64_t word : canonical.word) {
+        any |= word;
+    }
+    return canonical.word[words - 1] < 0 ? -1 : static_cast<int>(any != 0);
+}
+
+template <std::size_t n>
+constexpr WideInt<n> difference(const WideInt<n>& l, const WideInt<n>& r) {
+    WideInt<n> d;
+    for (std::size_t i = 0; i < n; ++i) {
+        d.word[i] = l.word[i] - r.word[i];
+    }
+    return d;
+}
+
+template <std::size_t n>
+constexpr WideVec<n> difference(const WideVec<n>& l, const WideVec<n>& r) {
+    return {difference(l[0], r[0]), difference(l[1], r[1]), difference(l[2], r[2])};
+}
+
+/// a d - b c.
+template <std::size_t n>
+constexpr WideInt<2 * n>
+determinant(const WideInt<n>& a, const WideInt<n>& b, const WideInt<n>& c, const WideInt<n>& d) {
+    return carried<2 * n>(
+        0, [&](std::size_t place) { return column(a, d, place) - column(b, c, place); });
+}
+
+template <std::size_t n>
+constexpr WideVec<2 * n> cross(const WideVec<n>& l, const WideVec<n>& r) {
+    return {determinant(l[1], l[2], r[1], r[2]),
+            determinant(l[2], l[0], r[2], r[0]),
+            determinant(l[0], l[1], r[0], r[1])};
+}
+
+template <std::size_t n, std::size_t m>
+constexpr WideInt<n + m> dot(const WideVec<n>& l, const WideVec<m>& r) {
+    return carried<n + m>(0, [&](std::size_t place) {
+        return column(l[0], r[0], place) + column(l[1], r[1], place) + column(l[2], r[2], place);
+    });
+}
+
+} // namespace wide_int
+
+} // namespace cd
