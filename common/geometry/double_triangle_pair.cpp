@@ -21,6 +21,9 @@
 // On designed parts, whose faces follow the axes, most ties are seen like this.
 #include "common/geometry/double_triangle_pair.hpp"
 
+#include "common/geometry/double_double.hpp"
+#include "common/geometry/plain_poses.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -83,18 +86,6 @@ int volume_sign(const RoundedVec& x, const RoundedVec& z, double scale, double& 
     return value > bound ? 1 : value < -bound ? -1 : unknown_sign;
 }
 
-struct Sum {
-    double high; ///< The sum, rounded.
-    double low;  ///< What the rounding lost, exactly.
-};
-
-/// Knuth's two-sum: high + low = l + r.
-Sum two_sum(double l, double r) {
-    const double high = l + r;
-    const double r_part = high - l;
-    return {high, (l - (high - r_part)) + (r - r_part)};
-}
-
 } // namespace
 
 RoundedRotation::RoundedRotation(const Pose& pose)
@@ -109,8 +100,8 @@ RoundedPoses::RoundedPoses(const PosePair& poses)
       translation_a(poses.a.translation()),
       translation_b(poses.b.translation()),
       offset(translation_a - translation_b),
-      are_unrotated(a.is_identity && b.is_identity),
-      are_identity(are_unrotated && translation_a == translation_b) {}
+      are_unrotated(a.is_identity && permutes_axes(poses.b)),
+      are_unmoved(are_unrotated && translation_a == translation_b) {}
 
 DoubleSigns::DoubleSigns(const RoundedPoses& poses,
                          const Corners& a,
@@ -119,6 +110,10 @@ DoubleSigns::DoubleSigns(const RoundedPoses& poses,
     : poses_(poses), a_(a), b_(b), scale_(bound_scale) {
     if (!poses_.are_unrotated) {
         rotate();
+    } else if (!poses_.b.is_identity) {
+        for (Vec3& corner : b_) {
+            corner = times(poses_.b.matrix, corner);
+        }
     }
 }
 
@@ -156,7 +151,7 @@ RoundedVec DoubleSigns::between(std::size_t from, std::size_t to) const {
     if (!poses_.are_unrotated) {
         return between_posed(from, to);
     }
-    if (!poses_.are_identity && (from < 3) != (to < 3)) {
+    if (!poses_.are_unmoved && (from < 3) != (to < 3)) {
         return between_moved(from, to);
     }
     const Vec3 value = corner(to) - corner(from);
@@ -189,9 +184,9 @@ RoundedVec DoubleSigns::between_moved(std::size_t from, std::size_t to) const {
     const Vec3& to_offset = to < 3 ? poses_.translation_a : poses_.translation_b;
     RoundedVec between;
     for (int k = 0; k < 3; ++k) {
-        const Sum start = two_sum(corner(from)[k], from_offset[k]);
-        const Sum end = two_sum(corner(to)[k], to_offset[k]);
-        const Sum high = two_sum(end.high, -start.high);
+        const DoubleDouble start = exact_sum(corner(from)[k], from_offset[k]);
+        const DoubleDouble end = exact_sum(corner(to)[k], to_offset[k]);
+        const DoubleDouble high = exact_sum(end.high, -start.high);
         const double low = end.low - start.low;
         const double value = high.high + (high.low + low);
         between.value[k] = value;
@@ -269,7 +264,7 @@ int DoubleSigns::difference(std::size_t i, std::size_t j, std::size_t axis) cons
 }
 
 DoubleTrianglePair::DoubleTrianglePair(const PosePair& poses, double bound_scale)
-    : poses_(poses), bound_scale_(bound_scale) {}
+    : poses_(plain_poses(poses)), bound_scale_(bound_scale) {}
 
 DoubleSigns DoubleTrianglePair::signs(const Corners& a, const Corners& b) const {
     return {poses_, a, b, bound_scale_};

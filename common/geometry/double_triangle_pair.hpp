@@ -26,9 +26,9 @@ struct RoundedPoses {
     RoundedRotation b;
     Vec3 translation_a;
     Vec3 translation_b;
-    Vec3 offset; ///< ta - tb, rounded once.
-    bool are_unrotated = false;
-    bool are_identity = false;
+    Vec3 offset;                ///< ta - tb, rounded once.
+    bool are_unrotated = false; ///< A not at all, and B but for its axes' order and directions.
+    bool are_unmoved = false;   ///< Nor moved against each other.
 
     explicit RoundedPoses(const PosePair& poses);
 };
@@ -39,7 +39,7 @@ struct RoundedVec {
     Vec3 size;
 };
 
-/// The signs of one pair that doubles prove; `unknown_sign` for the others. Keeps references to its
+/// The signs of one pair that doubles prove; `unknown_sign` for the others. Refers to its
 /// arguments.
 class DoubleSigns {
   public:
@@ -69,7 +69,7 @@ class DoubleSigns {
 
     const RoundedPoses& poses_;
     const Corners& a_;
-    const Corners& b_;
+    Corners b_; ///< With their axes as A's if the bodies are unrotated.
     double scale_;
     std::array<Rotated, 6>
         from_first_; ///< Of rotated bodies: each corner from its triangle's first.

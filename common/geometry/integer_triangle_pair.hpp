@@ -3,6 +3,7 @@
 
 #include "common/geometry/pair_decision.hpp"
 #include "common/geometry/pair_lattice.hpp"
+#include "common/geometry/short_lattice.hpp"
 #include "common/geometry/triangle_pair.hpp"
 
 #include <memory>
@@ -10,23 +11,28 @@
 
 namespace cd {
 
+/// Not for use by two threads at once.
 class IntegerTrianglePair {
   public:
-    explicit IntegerTrianglePair(const PosePair& poses) : poses_(poses) {}
+    /// From stage Lattice on, or from WideInteger.
+    explicit IntegerTrianglePair(const PosePair& poses, PairStage first = PairStage::Lattice);
 
-    struct Decision {
-        PairClass kind;
-        PairStage stage; ///< Lattice for unrotated bodies and one word, else WideInteger.
-    };
+    /// Lattice for bodies that are not rotated against each other, unless that is passed over; else
+    /// WideInteger.
+    [[nodiscard]] PairStage stage() const {
+        return short_lattice_ ? PairStage::Lattice : PairStage::WideInteger;
+    }
+
     /// Nothing where the numbers are further apart than sixteen words reach. Sides that are given
-    /// are taken as proven. Allocates at its first call only.
-    [[nodiscard]] std::optional<Decision> classify(const Corners& a,
-                                                   const Corners& b,
-                                                   const PlaneSides& of_a = unknown_sides,
-                                                   const PlaneSides& of_b = unknown_sides);
+    /// are taken as proven. Allocates at its first call at most.
+    [[nodiscard]] std::optional<PairClass> classify(const Corners& a,
+                                                    const Corners& b,
+                                                    const PlaneSides& of_a = unknown_sides,
+                                                    const PlaneSides& of_b = unknown_sides);
 
   private:
     PosePair poses_;
+    std::optional<ShortLattice> short_lattice_;
     std::unique_ptr<const PoseLattice> lattice_; ///< Made when it is first needed.
 };
 

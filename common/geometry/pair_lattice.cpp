@@ -34,16 +34,6 @@ int bits_of(std::int64_t value) {
     return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::abs(value))));
 }
 
-bool permutes_axes(const Pose& pose) {
-    if (pose.kind() != Pose::Kind::Matrix) {
-        return false;
-    }
-    const Mat3 sizes = pose.matrix().cwiseAbs();
-    const bool is_of_zeros_and_ones = ((sizes.array() == 0) || (sizes.array() == 1)).all();
-    return is_of_zeros_and_ones && (sizes.rowwise().sum().array() == 1).all() &&
-           (sizes.colwise().sum().array() == 1).all();
-}
-
 template <std::size_t n>
 using Columns = std::array<Column, n>;
 
@@ -124,7 +114,6 @@ PoseLattice::PoseLattice(const PosePair& poses) {
     const ExactPose a = to_exact(poses.a);
     const ExactPose b = to_exact(poses.b);
     fits_ = assign(bodies_[0], a, b.norm) && assign(bodies_[1], b, a.norm);
-    is_unrotated_ = permutes_axes(poses.a) && permutes_axes(poses.b);
 }
 
 void PoseLattice::add(Range& range, const Body& body, const Corners& corners) {
@@ -200,6 +189,8 @@ PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
 template LatticeCorners<3>
 PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
 template LatticeCorners<4>
+PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
+template LatticeCorners<5>
 PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
 template LatticeCorners<6>
 PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;

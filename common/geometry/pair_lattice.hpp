@@ -23,9 +23,6 @@ class PoseLattice {
     /// may be called.
     [[nodiscard]] bool fits() const { return fits_; }
 
-    /// True when both linear parts are signed permutations of the axes.
-    [[nodiscard]] bool is_unrotated() const { return is_unrotated_; }
-
     /// Where the lattice of a pair lies: its unit is 2^lowest, and the coordinates of all corners
     /// are below 2^bits units.
     struct Extent {
@@ -71,7 +68,6 @@ class PoseLattice {
 
     std::array<Body, 2> bodies_;
     bool fits_ = false;
-    bool is_unrotated_ = false;
 };
 
 } // namespace cd

@@ -44,7 +44,7 @@ struct TrianglePairTest::State {
         : poses(given),
           in_float(given),
           in_double(given),
-          in_integers(given),
+          in_integers(given, first_stage),
           points(given),
           first(first_stage) {}
 
@@ -83,8 +83,8 @@ PairClass TrianglePairTest::classify(const Corners& a, const Corners& b) {
     if (s.first <= PairStage::WideInteger) {
         const auto decided = s.in_integers.classify(a, b, proven.known_of_a(), proven.known_of_b());
         if (decided) {
-            ++s.statistics[decided->stage];
-            return decided->kind;
+            ++s.statistics[s.in_integers.stage()];
+            return *decided;
         }
     }
     ++s.statistics[PairStage::Arbitrary];

@@ -1,0 +1,18 @@
+// Simpler poses under which pairs of triangles meet as under the given ones.
+#pragma once
+
+#include "common/geometry/pose.hpp"
+
+namespace cd {
+
+/// True when the linear part, exactly, only permutes and mirrors axes; so for a quarter turn given
+/// as a quaternion of two equal components.
+[[nodiscard]] bool permutes_axes(const Pose& pose);
+
+/// Poses under which every two triangles have the class that they have under `poses`, exactly:
+/// one pose for both bodies is none, whole translations are taken together where their difference
+/// is a double, and if A only has its axes permuted then B bears that as well, where it is no more
+/// than that for B either.
+[[nodiscard]] PosePair plain_poses(const PosePair& poses);
+
+} // namespace cd
