@@ -142,17 +142,15 @@ Local local_of(const Map& map, const Corners& corners, const Vec3& origin) {
     Local local;
     for (std::size_t i = 0; i < 3; ++i) {
         local.corners[i] = posed(map, corners[i], origin);
+        for (std::size_t k = 0; k < 3; ++k) {
+            local.is_zero[i][k] = is_exactly_zero(map, corners[i], origin, k);
+        }
         local.magnitude = std::max(local.magnitude,
                                    magnitude_of(map, corners[i], Vec3(map.translation - origin)));
         const Vector& c = local.corners[i];
         const Vec3 high(c[0].high, c[1].high, c[2].high);
         local.least = i == 0 ? high : Vec3(local.least.cwiseMin(high));
         local.greatest = i == 0 ? high : Vec3(local.greatest.cwiseMax(high));
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-        local.is_zero[k] = std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
-            return is_exactly_zero(map, corner, origin, k);
-        });
     }
     local.normal = cross(local.corners[1] - local.corners[0], local.corners[2] - local.corners[0]);
     return local;
@@ -202,8 +200,9 @@ struct Place {
     const Vector* from = nullptr;
     const Vector* to = nullptr;
     DoubleDouble share;
-    double error = 0;   ///< Of each component.
-    DoubleDouble along; ///< The component by which places are compared.
+    double error = 0;              ///< Of each component.
+    DoubleDouble along;            ///< The component by which places are compared.
+    std::array<bool, 3> is_zero{}; ///< The components that are 0 for sure.
 
     [[nodiscard]] DoubleDouble component(std::size_t k) const {
         return (*from)[k] + share * ((*to)[k] - (*from)[k]);
@@ -253,6 +252,11 @@ std::optional<Ends> crossings(
         const DoubleDouble divisor = sides[lone] - sides[other];
         ends[i].from = &of.corners[lone];
         ends[i].to = &of.corners[other];
+        for (std::size_t k = 0; k < 3; ++k) {
+            // Of the edge, or of the whole of the other triangle.
+            ends[i].is_zero[k] = (of.is_zero[lone][k] && of.is_zero[other][k]) ||
+                                 (with.is_zero[0][k] && with.is_zero[1][k] && with.is_zero[2][k]);
+        }
         ends[i].share = sides[lone] / divisor;
         ends[i].error =
             4 * corner_error + length * (1.2 * side_error / std::abs(divisor.high) + 8 * e);
@@ -283,12 +287,12 @@ std::optional<Ends> common_part(const Ends& a, const Ends& b) {
     return order(common[0], common[1]) < 0 ? std::optional(common) : std::nullopt;
 }
 
-std::optional<std::array<Vec3, 2>> rounded(const Ends& ends, const std::array<bool, 3>& is_zero) {
+std::optional<std::array<Vec3, 2>> rounded(const Ends& ends) {
     std::array<Vec3, 2> points;
     for (std::size_t i = 0; i < 2; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto value =
-                is_zero[k] ? std::optional(0.0) : rounded(ends[i].component(k), ends[i].error);
+            const auto value = ends[i].is_zero[k] ? std::optional(0.0)
+                                                  : rounded(ends[i].component(k), ends[i].error);
             if (!value) {
                 return std::nullopt;
             }
@@ -361,20 +365,15 @@ DoubleDoublePoints::points(const Corners& a, const Corners& b, const Vec3& origi
         return std::nullopt;
     }
     auto common = common_part(*on_a, *on_b);
-    // A point of both triangles has the zeros of both.
-    std::array<bool, 3> is_zero{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        is_zero[k] = local_a.is_zero[k] || local_b.is_zero[k];
-    }
     // Last, the first component that differs decides the order in which they are given.
     std::size_t first = 0;
-    while (first < axis && is_zero[first]) {
+    while (common && first < axis && (*common)[0].is_zero[first] && (*common)[1].is_zero[first]) {
         ++first;
     }
     if (!common || (axis != first && !sort(*common, first))) {
         return std::nullopt;
     }
-    return rounded(*common, is_zero);
+    return rounded(*common);
 }
 
 } // namespace cd

@@ -38,9 +38,9 @@ class DoubleDoublePoints {
         double magnitude = 0; ///< Bounds the terms that the coordinates were summed from.
         Vec3 least;           ///< Of the corners' high parts.
         Vec3 greatest;
-        /// The components that are known to be 0 exactly in every corner, and so in every point of
-        /// the triangle: an unrotated face at right angles to an axis has one.
-        std::array<bool, 3> is_zero{};
+        /// Of each corner, the components that are known to be 0 exactly. Edges and faces at right
+        /// angles to an axis of an unrotated body often have them.
+        std::array<std::array<bool, 3>, 3> is_zero{};
     };
 
   private:
