@@ -41,15 +41,22 @@ IntegerTrianglePair::IntegerTrianglePair(const PosePair& poses, PairStage first)
     }
 }
 
+std::optional<PairClass> IntegerTrianglePair::classify_short(const Corners& a,
+                                                             const Corners& b) const {
+    if (short_lattice_) {
+        if (const auto corners = short_lattice_->corners<1>(a, b)) {
+            return decide(*corners, {a, b, unknown_sides, unknown_sides});
+        }
+    }
+    return std::nullopt;
+}
+
 std::optional<PairClass> IntegerTrianglePair::classify(const Corners& a,
                                                        const Corners& b,
                                                        const PlaneSides& of_a,
                                                        const PlaneSides& of_b) {
     const Task task{a, b, of_a, of_b};
     if (short_lattice_) {
-        if (const auto corners = short_lattice_->corners<1>(a, b)) {
-            return decide(*corners, task);
-        }
         if (const auto corners = short_lattice_->corners<2>(a, b)) {
             return decide(*corners, task);
         }
@@ -61,9 +68,6 @@ std::optional<PairClass> IntegerTrianglePair::classify(const Corners& a,
         return std::nullopt;
     }
     const PoseLattice::Extent extent = lattice_->extent_of(a, b);
-    if (short_lattice_ && extent.bits <= wide_int::bits_max(2)) {
-        short_lattice_->set_unit(extent.lowest);
-    }
     return decide<1, 2, 3, 4, 5, 6, 8, 16>(*lattice_, extent, task);
 }
 

@@ -23,6 +23,10 @@ class IntegerTrianglePair {
         return short_lattice_ ? PairStage::Lattice : PairStage::WideInteger;
     }
 
+    /// The answer for bodies that are not rotated against each other, where one word is enough: the
+    /// cheapest, before all other stages. Never allocates.
+    [[nodiscard]] std::optional<PairClass> classify_short(const Corners& a, const Corners& b) const;
+
     /// Nothing where the numbers are further apart than sixteen words reach. Sides that are given
     /// are taken as proven. Allocates at its first call at most.
     [[nodiscard]] std::optional<PairClass> classify(const Corners& a,

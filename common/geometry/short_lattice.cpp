@@ -1,5 +1,7 @@
 #include "common/geometry/short_lattice.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace cd {
@@ -9,81 +11,114 @@ namespace {
 using wide_int::word_bits;
 using wide_int::word_mask;
 
-/// x is whole, if the result says so, and below 2^(bits_max(n) - 1): a sum of two is in reach.
+/// Numbers in units go below this power of two: a sum of two is within the words' reach.
 template <std::size_t n>
-bool convert(double x, WideInt<n>& whole) {
-    // Doubles near the limit are whole; NaN fails here.
-    constexpr double limit = n == 1 ? 0x1p57 : 0x1p117;
-    if (!(std::abs(x) < limit)) {
-        return false;
-    }
-    if constexpr (n == 1) {
-        whole.word[0] = static_cast<std::int64_t>(x);
-        return static_cast<double>(whole.word[0]) == x;
-    } else {
-        // Cut off, so that the rest has the digits that are left of x, and its sign.
-        const auto high = static_cast<std::int64_t>(x * 0x1p-60);
-        const double rest = x - static_cast<double>(high) * 0x1p60;
-        const auto low = static_cast<std::int64_t>(rest);
-        whole.word[0] = low & word_mask;
-        whole.word[1] = high + (low >> word_bits);
-        return static_cast<double>(low) == rest;
-    }
+constexpr int bits_of_number = wide_int::bits_max(n) - 1;
+
+double largest_of(const Vec3& v) {
+    return std::max(std::max(std::abs(v.x()), std::abs(v.y())), std::abs(v.z()));
 }
+
+double power_of_two(int exponent) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
+/// A lattice for numbers up to `largest`, and whether all that was converted lies on it.
+template <std::size_t n>
+class Converter {
+  public:
+    explicit Converter(double largest) {
+        const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52);
+        // |x| < 2^(biased - 1022), also for denormal numbers. The powers stay in reach of doubles;
+        // among the least numbers this makes the lattice coarser than it could be.
+        exponent_ = std::max(biased - 1022 - bits_of_number<n>, -1000);
+        units_ = power_of_two(-exponent_);
+        unit_ = power_of_two(exponent_);
+    }
+
+    /// Of a number of at most the largest, so that the casts are defined: in whole units, if the
+    /// conversion back says so. (The product is exact, but where it would be denormal; then too.)
+    WideInt<n> operator()(double x) {
+        const double scaled = x * units_;
+        WideInt<n> whole;
+        if constexpr (n == 1) {
+            whole.word[0] = static_cast<std::int64_t>(scaled);
+            is_exact_ &= static_cast<double>(whole.word[0]) * unit_ == x;
+        } else {
+            // Cut off, so that the rest has the digits that are left of x, and its sign.
+            const auto high = static_cast<std::int64_t>(scaled * 0x1p-60);
+            const double rest = scaled - static_cast<double>(high) * 0x1p60;
+            const auto low = static_cast<std::int64_t>(rest);
+            whole.word[0] = low & word_mask;
+            whole.word[1] = high + (low >> word_bits);
+            is_exact_ &= static_cast<double>(low) == rest && scaled * unit_ == x;
+        }
+        return whole;
+    }
+
+    [[nodiscard]] bool is_exact() const { return is_exact_; }
+
+  private:
+    int exponent_ = 0;
+    double units_ = 1; ///< In 1.
+    double unit_ = 1;
+    bool is_exact_ = true;
+};
 
 template <std::size_t n>
 WideInt<n> sum(const WideInt<n>& l, const WideInt<n>& r) {
-    return wide_int::carried<n>(
-        wide_int::Column{l.word[n - 1]} + r.word[n - 1],
-        [&](std::size_t i) { return wide_int::Column{l.word[i]} + r.word[i]; });
+    if constexpr (n == 1) {
+        return {{l.word[0] + r.word[0]}};
+    } else {
+        const std::int64_t low = l.word[0] + r.word[0];
+        return {{low & word_mask, l.word[1] + r.word[1] + (low >> word_bits)}};
+    }
 }
 
 } // namespace
 
 ShortLattice::ShortLattice(const PosePair& poses)
-    : translation_a_(poses.a.translation()), translation_b_(poses.b.translation()) {
-    for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double entry = poses.b.matrix()(static_cast<int>(row), static_cast<int>(k));
+    : translation_a_(poses.a.translation()),
+      translation_b_(poses.b.translation()),
+      largest_translation_(std::max(largest_of(translation_a_), largest_of(translation_b_))) {
+    for (int row = 0; row < 3; ++row) {
+        for (int k = 0; k < 3; ++k) {
+            const double entry = poses.b.matrix()(row, k);
             if (entry != 0) {
-                source_[row] = k;
-                direction_[static_cast<int>(row)] = entry;
+                source_[static_cast<std::size_t>(row)] = k;
+                direction_[row] = entry;
             }
         }
     }
 }
 
-void ShortLattice::set_unit(int lowest) {
-    // Within these, a multiplication neither overflows nor rounds, but for numbers so small that
-    // they are no multiples of the unit: those become other fractions, or 0, and must not.
-    if (lowest >= -960 && lowest <= 960) {
-        units_ = std::ldexp(1.0, -lowest);
-    }
-}
-
 template <std::size_t n>
 std::optional<LatticeCorners<n>> ShortLattice::corners(const Corners& a, const Corners& b) const {
+    static_assert(n == 1 || n == 2);
+    double largest = largest_translation_;
+    for (std::size_t i = 0; i < 3; ++i) {
+        largest = std::max(largest, std::max(largest_of(a[i]), largest_of(b[i])));
+    }
+    Converter<n> in_units(largest);
     LatticeCorners<n> placed;
-    bool fits = true;
-    const auto convert_in_units = [&](double x, WideInt<n>& whole) {
-        const double scaled = x * units_;
-        fits = fits && convert<n>(scaled, whole) && (scaled != 0 || x == 0);
-    };
-    for (int k = 0; k < 3 && fits; ++k) {
-        const auto axis = static_cast<std::size_t>(k);
-        WideInt<n> of_a;
-        WideInt<n> of_b;
-        convert_in_units(translation_a_[k], of_a);
-        convert_in_units(translation_b_[k], of_b);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int k = static_cast<int>(axis);
         for (std::size_t i = 0; i < 3; ++i) {
-            convert_in_units(a[i][k], placed[i][axis]);
-            convert_in_units(b[i][static_cast<int>(source_[axis])] * direction_[k],
-                             placed[3 + i][axis]);
-            placed[i][axis] = sum(placed[i][axis], of_a);
-            placed[3 + i][axis] = sum(placed[3 + i][axis], of_b);
+            placed[i][axis] = in_units(a[i][k]);
+            placed[3 + i][axis] = in_units(b[i][source_[axis]] * direction_[k]);
         }
     }
-    return fits ? std::optional(placed) : std::nullopt;
+    if (largest_translation_ != 0) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const WideInt<n> of_a = in_units(translation_a_[static_cast<int>(axis)]);
+            const WideInt<n> of_b = in_units(translation_b_[static_cast<int>(axis)]);
+            for (std::size_t i = 0; i < 3; ++i) {
+                placed[i][axis] = sum(placed[i][axis], of_a);
+                placed[3 + i][axis] = sum(placed[3 + i][axis], of_b);
+            }
+        }
+    }
+    return in_units.is_exact() ? std::optional(placed) : std::nullopt;
 }
 
 template std::optional<LatticeCorners<1>> ShortLattice::corners(const Corners&,

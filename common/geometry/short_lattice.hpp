@@ -9,18 +9,14 @@
 
 namespace cd {
 
-/// Converts with one multiplication by a power of two, on a lattice that is tried, and replaced
-/// where a pair does not lie on it: neighbours in a mesh mostly share one. What it converts is
-/// exact, whatever was tried before.
+/// Converts with one multiplication by a power of two, to the finest lattice on which the largest
+/// number of a pair fits.
 class ShortLattice {
   public:
     /// `poses` are plain: A is not rotated and B but for its axes' order and directions.
     explicit ShortLattice(const PosePair& poses);
 
-    /// The unit becomes 2^lowest, if that is in reach of doubles.
-    void set_unit(int lowest);
-
-    /// The corners in the present unit, if all are multiples of it and below 2^bits_max(n) units.
+    /// The corners in units of that lattice, if all numbers lie on it.
     template <std::size_t n>
     [[nodiscard]] std::optional<LatticeCorners<n>> corners(const Corners& a,
                                                            const Corners& b) const;
@@ -28,9 +24,9 @@ class ShortLattice {
   private:
     Vec3 translation_a_;
     Vec3 translation_b_;
-    std::array<std::size_t, 3> source_; ///< The axis of B that becomes each of A's.
-    Vec3 direction_;                    ///< 1 or -1.
-    double units_ = 1;                  ///< In 1.
+    double largest_translation_ = 0;
+    std::array<int, 3> source_{}; ///< The axis of B that becomes each of A's.
+    Vec3 direction_;              ///< 1 or -1.
 };
 
 } // namespace cd

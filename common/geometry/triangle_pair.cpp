@@ -71,6 +71,12 @@ TrianglePairTest::~TrianglePairTest() = default;
 
 PairClass TrianglePairTest::classify(const Corners& a, const Corners& b) {
     State& s = *state_;
+    if (s.first <= PairStage::Lattice) {
+        if (const auto decided = s.in_integers.classify_short(a, b)) {
+            ++s.statistics[PairStage::Lattice];
+            return *decided;
+        }
+    }
     const DoubleSigns in_double = s.in_double.signs(a, b);
     ProvenSigns proven(in_double);
     if (s.first <= PairStage::Double) {
