@@ -1,0 +1,155 @@
+// Speed against error: our settings and other engines on hard pairs, whole meshes and vehicles,
+// each answer held against an exact oracle. See README.md.
+#include "bench/accuracy/coarse_suite.hpp"
+#include "bench/accuracy/engines.hpp"
+#include "bench/accuracy/machine.hpp"
+#include "bench/accuracy/pair_suite.hpp"
+#include "bench/accuracy/scene_suite.hpp"
+#include "bench/accuracy/sources.hpp"
+#include "bench/accuracy/stage_suite.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <thread>
+
+namespace cd::bench {
+
+namespace {
+
+struct Options {
+    std::filesystem::path out = "accuracy";
+    std::filesystem::path models = CD_MESHES;
+    std::uint64_t pairs = 200000;
+    std::uint64_t chunk = 20000;
+    std::uint64_t scenarios = 20;
+    std::size_t rounds = 5;
+    std::size_t timed = 2000;
+    unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+    unsigned limit_seconds = 120;
+};
+
+void say(const std::string& what) {
+    std::printf("%s\n", what.c_str());
+    std::fflush(stdout);
+}
+
+PairSuiteOptions pair_options(const Options& options) {
+    return {options.threads,
+            options.rounds,
+            options.timed,
+            std::chrono::seconds(options.limit_seconds)};
+}
+
+void run_corpus(const Options& options,
+                std::span<const Engine> engines,
+                CsvFile& pairs_csv,
+                CsvFile& stages_csv) {
+    const std::vector<std::string> categories = corpus_categories();
+    const std::uint64_t each = std::max<std::uint64_t>(1, options.pairs / categories.size());
+    for (const std::string& category : categories) {
+        say("pairs: " + category);
+        std::uint64_t made = 0;
+        const auto next_chunk = [&] {
+            const std::uint64_t count = std::min(options.chunk, each - made);
+            const std::uint64_t first = made;
+            made += count;
+            return corpus_batch(category, first, count);
+        };
+        run_category("corpus", category, next_chunk, engines, pair_options(options), pairs_csv);
+        const std::uint64_t timed = std::min<std::uint64_t>(each, options.timed);
+        run_stages(
+            "corpus", category, corpus_batch(category, 0, timed), options.rounds, stages_csv);
+    }
+}
+
+struct SceneFiles {
+    CsvFile queries;
+    CsvFile coarse;
+};
+
+/// The engines that take pairs, on the pairs that a scene's boxes leave; then those that take whole
+/// meshes.
+void run_one_scene(const Scene& scene,
+                   const Options& options,
+                   std::span<const Engine> pair_engines,
+                   std::span<const Engine> mesh_engines,
+                   CsvFile& pairs_csv,
+                   CsvFile& stages_csv,
+                   SceneFiles& files) {
+    say(scene.suite + ": " + scene.name);
+    const SceneCandidates candidates(scene);
+    bool given = false;
+    const auto next_chunk = [&] {
+        PairBatch batch = given ? PairBatch(std::vector<PairGroup>{}) : candidates.batch();
+        given = true;
+        return batch;
+    };
+    run_category(
+        scene.suite, scene.name, next_chunk, pair_engines, pair_options(options), pairs_csv);
+    run_stages(scene.suite, scene.name, candidates.batch(), options.rounds, stages_csv);
+
+    const std::vector<TrueContacts> truth = true_contacts(scene, options.threads);
+    SceneSuiteOptions scene_options;
+    scene_options.rounds = options.rounds;
+    scene_options.limit = std::chrono::seconds(options.limit_seconds);
+    run_scene(scene, truth, mesh_engines, scene_options, files.queries);
+    CoarseOptions coarse;
+    coarse.rounds = options.rounds;
+    run_coarse(scene, truth, coarse, files.coarse);
+}
+
+void run(const Options& options) {
+    std::filesystem::create_directories(options.out);
+    const Engines engines = all_engines();
+    write_machine(options.out, engines.missing);
+    for (const std::string& name : engines.missing) {
+        std::fprintf(
+            stderr, "MISSING: %s was not installed at build time: no rows\n", name.c_str());
+    }
+    std::vector<Engine> pair_engines = engines.all;
+    std::erase_if(pair_engines, [](const Engine& engine) { return !engine.make_pairs; });
+    std::vector<Engine> mesh_engines = engines.all;
+    std::erase_if(mesh_engines, [](const Engine& engine) { return !engine.make_meshes; });
+
+    CsvFile pairs_csv = open_pairs_csv(options.out);
+    CsvFile stages_csv = open_stages_csv(options.out);
+    run_corpus(options, pair_engines, pairs_csv, stages_csv);
+    SceneFiles files{open_queries_csv(options.out), open_coarse_csv(options.out)};
+    std::vector<Scene> scenes = tie_scenes();
+    for (Scene& scene : vehicle_scenes(options.models, options.scenarios)) {
+        scenes.push_back(std::move(scene));
+    }
+    for (const Scene& scene : scenes) {
+        run_one_scene(scene, options, pair_engines, mesh_engines, pairs_csv, stages_csv, files);
+    }
+}
+
+} // namespace
+
+} // namespace cd::bench
+
+int main(int argc, char** argv) {
+    cd::bench::Options options;
+    CLI::App app("Measures speed against error of our settings and of other engines");
+    app.add_option("--out", options.out, "Folder for the CSV files");
+    app.add_option("--models", options.models, "Folder of the vehicles");
+    app.add_option("--pairs", options.pairs, "Hard pairs in all, spread over their categories");
+    app.add_option("--chunk", options.chunk, "Hard pairs in memory at a time");
+    app.add_option("--scenarios", options.scenarios, "Poses of each two vehicles");
+    app.add_option("--rounds", options.rounds, "Rounds of timing, in which all engines take turns");
+    app.add_option("--timed", options.timed, "Pairs of each category that are timed");
+    app.add_option("--threads", options.threads, "Threads of the oracle");
+    app.add_option("--limit", options.limit_seconds, "Seconds for an engine on a chunk or scene");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        cd::bench::run(options);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
+    return 0;
+}

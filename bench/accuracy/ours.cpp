@@ -1,0 +1,139 @@
+#include "bench/accuracy/ours.hpp"
+
+#include "common/core/thread_pool.hpp"
+#include "common/geometry/double_triangle_pair.hpp"
+#include "common/job/run_scenario.hpp"
+#include "common/tree/build.hpp"
+
+#include <optional>
+
+namespace cd::bench {
+
+namespace {
+
+/// Doubles with their error bounds; what they leave open counts as contact.
+class DoubleFilter final : public PairEngine {
+  public:
+    void prepare(std::span<const PairGroup> groups) override {
+        groups_ = groups;
+        tests_.clear();
+        for (const PairGroup& group : groups) {
+            tests_.emplace_back(group.poses);
+        }
+    }
+
+    void decide(std::span<std::uint8_t> answers) override {
+        std::size_t next = 0;
+        for (std::size_t g = 0; g < groups_.size(); ++g) {
+            const PairGroup& group = groups_[g];
+            for (const Candidate& c : group.candidates) {
+                const auto known = tests_[g].classify(group.a.corners(c.a), group.b.corners(c.b));
+                answers[next++] = known == PairClass::Separate ? 0 : 1;
+            }
+        }
+    }
+
+  private:
+    std::span<const PairGroup> groups_;
+    std::vector<DoubleTrianglePair> tests_;
+};
+
+/// The decision as the product makes it.
+class Certified final : public PairEngine {
+  public:
+    void prepare(std::span<const PairGroup> groups) override {
+        groups_ = groups;
+        tests_.clear();
+        for (const PairGroup& group : groups) {
+            tests_.emplace_back(group.poses);
+        }
+    }
+
+    void decide(std::span<std::uint8_t> answers) override {
+        std::size_t next = 0;
+        for (std::size_t g = 0; g < groups_.size(); ++g) {
+            const PairGroup& group = groups_[g];
+            for (const PairClass kind : tests_[g].classify(group.a, group.b, group.candidates)) {
+                answers[next++] = static_cast<std::uint8_t>(kind);
+            }
+        }
+    }
+
+    [[nodiscard]] bool tells_class() const override { return true; }
+    [[nodiscard]] bool gives_points() const override { return true; }
+
+    [[nodiscard]] SharedPoints shared_points(const PairGroup& group, const Candidate& c) override {
+        TrianglePairTest test(group.poses);
+        const Corners a = group.a.corners(c.a);
+        const Corners b = group.b.corners(c.b);
+        const PairClass kind = test.classify(a, b);
+        if (kind == PairClass::Separate) {
+            return {};
+        }
+        return {test.point_origin(a), test.shared_points(a, b, kind)};
+    }
+
+  private:
+    std::span<const PairGroup> groups_;
+    std::vector<TrianglePairTest> tests_;
+};
+
+/// What a query reads: a node for each box test, and two triangles with their corners for each
+/// candidate, wherever they lie in the caches.
+std::uint64_t bytes_read(const QueryStatistics& statistics) {
+    return statistics.box_tests * sizeof(ObbNode) +
+           statistics.triangle_tests * 2 * (sizeof(Triangle) + sizeof(Corners));
+}
+
+/// A whole scenario as a worker runs it.
+class CertifiedMeshes final : public MeshEngine {
+  public:
+    void load(const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b) override {
+        ThreadPool pool(1);
+        a_.emplace(build_tree(a, {}, pool));
+        b_.emplace(build_tree(b, {}, pool));
+    }
+
+    MeshAnswer ask(const PosePair& poses, Level level) override {
+        Scenario scenario;
+        scenario.poses = poses;
+        Query query;
+        query.level = level;
+        const ScenarioRun run = run_scenario(*a_, *b_, scenario, query);
+        MeshAnswer answer;
+        answer.touches = run.result.kind == ScenarioClass::Touch ||
+                         run.result.kind == ScenarioClass::Cross ||
+                         run.result.kind == ScenarioClass::Contact;
+        answer.pair_count = run.result.pair_count;
+        for (const ContactPair& pair : run.result.pairs) {
+            answer.pairs.emplace_back(pair.a, pair.b);
+        }
+        answer.record_bytes = encode_result(run.result).size();
+        answer.read_bytes = bytes_read(run.statistics);
+        return answer;
+    }
+
+  private:
+    std::optional<ObbTree> a_;
+    std::optional<ObbTree> b_;
+};
+
+} // namespace
+
+std::vector<Engine> our_engines() {
+    std::vector<Engine> engines;
+    const auto add = [&](const char* name) -> Engine& {
+        Engine& engine = engines.emplace_back();
+        engine.name = name;
+        engine.is_ours = true;
+        return engine;
+    };
+    add("cdcluster, double filter").make_pairs = [] { return std::make_unique<DoubleFilter>(); };
+    Engine& exact = add(certified);
+    exact.make_pairs = [] { return std::make_unique<Certified>(); };
+    exact.make_meshes = [] { return std::make_unique<CertifiedMeshes>(); };
+    exact.levels = {Level::Any, Level::Count, Level::Pairs, Level::Contacts};
+    return engines;
+}
+
+} // namespace cd::bench

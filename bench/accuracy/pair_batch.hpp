@@ -1,0 +1,52 @@
+// Pairs of triangles with the truth about each, in the form in which engines take them.
+#pragma once
+
+#include "bench/peers/engine.hpp"
+#include "tests/support/hard_pairs.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cd::bench {
+
+/// Groups with what they refer to. Neighbours under equal poses share a group, as candidates of one
+/// scenario do.
+class PairBatch {
+  public:
+    /// Pairs that stand alone.
+    explicit PairBatch(std::span<const tests::PosedPair> pairs);
+    /// Groups whose triangles others keep.
+    explicit PairBatch(std::vector<PairGroup> groups);
+    PairBatch(const PairBatch&) = delete;
+    PairBatch& operator=(const PairBatch&) = delete;
+    PairBatch(PairBatch&&) = default;
+    PairBatch& operator=(PairBatch&&) = default;
+    ~PairBatch() = default;
+
+    [[nodiscard]] std::span<const PairGroup> groups() const { return groups_; }
+    [[nodiscard]] std::size_t size() const { return size_; }
+
+    /// The same pairs with A and B swapped.
+    [[nodiscard]] PairBatch swapped() const;
+    /// The same pairs with the corners of A turned by one and those of B mirrored.
+    [[nodiscard]] PairBatch reordered() const;
+
+    /// The oracle's class of each pair, by `threads` threads, which have ended on return.
+    [[nodiscard]] std::vector<PairClass> truth(unsigned threads) const;
+
+  private:
+    PairBatch() = default;
+    void count();
+
+    // Vectors in a deque stay where they are when the batch moves and when others are added.
+    std::deque<std::vector<Vec3>> vertices_;
+    std::deque<std::vector<Triangle>> triangles_;
+    std::deque<std::vector<Candidate>> candidates_;
+    std::vector<PairGroup> groups_;
+    std::size_t size_ = 0;
+};
+
+} // namespace cd::bench

@@ -1,0 +1,99 @@
+#include "bench/accuracy/stage_suite.hpp"
+
+#include "bench/accuracy/timing.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace cd::bench {
+
+namespace {
+
+constexpr std::size_t stages = pair_stage_count;
+
+std::size_t highest_stage(const PairStatistics& before, const PairStatistics& after) {
+    std::size_t highest = 0;
+    for (std::size_t i = 0; i < stages; ++i) {
+        highest = after.settled[i] > before.settled[i] ? i : highest;
+    }
+    return highest;
+}
+
+/// The candidates of each group that a stage settles, by stage.
+using Split = std::array<std::vector<std::vector<Candidate>>, stages>;
+
+Split split_by_stage(const PairBatch& batch) {
+    Split split;
+    for (const PairGroup& group : batch.groups()) {
+        for (auto& each : split) {
+            each.emplace_back();
+        }
+        TrianglePairTest test(group.poses);
+        for (const Candidate& candidate : group.candidates) {
+            const PairStatistics before = test.statistics();
+            static_cast<void>(test.classify(group.a, group.b, {&candidate, 1}));
+            split[highest_stage(before, test.statistics())].back().push_back(candidate);
+        }
+    }
+    return split;
+}
+
+/// Groups with the tests that decide them.
+struct Timed {
+    std::string name;
+    std::size_t pairs = 0;
+    std::vector<std::pair<PairGroup, TrianglePairTest>> groups;
+
+    void add(PairGroup group, std::span<const Candidate> candidates) {
+        if (!candidates.empty()) {
+            group.candidates = candidates;
+            pairs += candidates.size();
+            groups.emplace_back(group, TrianglePairTest(group.poses));
+        }
+    }
+
+    void run() {
+        for (auto& [group, test] : groups) {
+            static_cast<void>(test.classify(group.a, group.b, group.candidates));
+        }
+    }
+};
+
+} // namespace
+
+void run_stages(const std::string& suite,
+                const std::string& category,
+                const PairBatch& batch,
+                std::size_t rounds,
+                CsvFile& csv) {
+    const Split split = split_by_stage(batch);
+    std::vector<Timed> timed(1);
+    timed[0].name = "all";
+    for (const PairGroup& group : batch.groups()) {
+        timed[0].add(group, group.candidates);
+    }
+    for (std::size_t stage = 0; stage < stages; ++stage) {
+        Timed& now = timed.emplace_back();
+        now.name = to_text(static_cast<PairStage>(stage));
+        for (std::size_t g = 0; g < batch.groups().size(); ++g) {
+            now.add(batch.groups()[g], split[stage][g]);
+        }
+    }
+    std::erase_if(timed, [](const Timed& each) { return each.pairs == 0; });
+    const auto medians =
+        interleaved_medians(rounds, timed.size(), [&](std::size_t i) { timed[i].run(); });
+    for (std::size_t i = 0; i < timed.size(); ++i) {
+        csv.row({suite,
+                 category,
+                 timed[i].name,
+                 cell(std::uint64_t{timed[i].pairs}),
+                 cell(1e9 * medians[i] / static_cast<double>(timed[i].pairs))});
+    }
+}
+
+CsvFile open_stages_csv(const std::filesystem::path& folder) {
+    return {folder / "stages.csv", {"suite", "category", "stage", "pairs", "ns_pair"}};
+}
+
+} // namespace cd::bench

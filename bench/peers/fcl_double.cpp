@@ -1,0 +1,10 @@
+#include "bench/peers/fcl_engine.hpp"
+#include "bench/peers/peers.hpp"
+
+namespace cd::bench {
+
+void add_fcl_double(std::vector<Engine>& engines) {
+    engines.push_back(fcl_engine<double>("FCL double"));
+}
+
+} // namespace cd::bench

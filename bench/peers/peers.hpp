@@ -1,0 +1,18 @@
+// The engines of others. Each function stands in a file of its own, which is built where its
+// library is installed.
+#pragma once
+
+#include "bench/peers/engine.hpp"
+
+#include <vector>
+
+namespace cd::bench {
+
+void add_fcl_double(std::vector<Engine>& engines);
+void add_fcl_float(std::vector<Engine>& engines);
+void add_bullet(std::vector<Engine>& engines);
+void add_ode(std::vector<Engine>& engines);
+void add_ccd(std::vector<Engine>& engines);
+void add_cgal(std::vector<Engine>& engines);
+
+} // namespace cd::bench
