@@ -7,6 +7,7 @@
 #include "bench/accuracy/scene_suite.hpp"
 #include "bench/accuracy/sources.hpp"
 #include "bench/accuracy/stage_suite.hpp"
+#include "tests/corpus/pairs.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -26,6 +27,8 @@ struct Options {
     std::uint64_t pairs = 200000;
     std::uint64_t chunk = 20000;
     std::uint64_t scenarios = 20;
+    std::size_t scenes = 1000;
+    std::size_t couples = 100;
     std::size_t rounds = 5;
     std::size_t timed = 2000;
     unsigned threads = std::max(1u, std::thread::hardware_concurrency());
@@ -48,7 +51,7 @@ void run_corpus(const Options& options,
                 std::span<const Engine> engines,
                 CsvFile& pairs_csv,
                 CsvFile& stages_csv) {
-    const std::vector<std::string> categories = corpus_categories();
+    const std::vector<std::string>& categories = tests::pair_categories();
     const std::uint64_t each = std::max<std::uint64_t>(1, options.pairs / categories.size());
     for (const std::string& category : categories) {
         say("pairs: " + category);
@@ -97,9 +100,11 @@ void run_one_scene(const Scene& scene,
     scene_options.rounds = options.rounds;
     scene_options.limit = std::chrono::seconds(options.limit_seconds);
     run_scene(scene, truth, mesh_engines, scene_options, files.queries);
-    CoarseOptions coarse;
-    coarse.rounds = options.rounds;
-    run_coarse(scene, truth, coarse, files.coarse);
+    if (scene.poses.size() > 1) {
+        CoarseOptions coarse;
+        coarse.rounds = options.rounds;
+        run_coarse(scene, truth, coarse, files.coarse);
+    }
 }
 
 void run(const Options& options) {
@@ -119,8 +124,9 @@ void run(const Options& options) {
     CsvFile stages_csv = open_stages_csv(options.out);
     run_corpus(options, pair_engines, pairs_csv, stages_csv);
     SceneFiles files{open_queries_csv(options.out), open_coarse_csv(options.out)};
-    std::vector<Scene> scenes = tie_scenes();
-    for (Scene& scene : vehicle_scenes(options.models, options.scenarios)) {
+    std::vector<Scene> scenes = hard_scenes(options.scenes);
+    scenes.push_back(torus_scene(2 * options.scenarios));
+    for (Scene& scene : vehicle_scenes(options.models, options.couples, options.scenarios)) {
         scenes.push_back(std::move(scene));
     }
     for (const Scene& scene : scenes) {
@@ -140,6 +146,8 @@ int main(int argc, char** argv) {
     app.add_option("--pairs", options.pairs, "Hard pairs in all, spread over their categories");
     app.add_option("--chunk", options.chunk, "Hard pairs in memory at a time");
     app.add_option("--scenarios", options.scenarios, "Poses of each two vehicles");
+    app.add_option("--scenes", options.scenes, "Hard scenes of whole meshes, at most");
+    app.add_option("--couples", options.couples, "Couples of vehicles, at most");
     app.add_option("--rounds", options.rounds, "Rounds of timing, in which all engines take turns");
     app.add_option("--timed", options.timed, "Pairs of each category that are timed");
     app.add_option("--threads", options.threads, "Threads of the oracle");

@@ -11,7 +11,7 @@
 namespace cd::bench {
 
 struct Scene {
-    std::string suite; ///< "scenes" or "vehicles".
+    std::string suite; ///< "scenes", "motion" or "vehicles".
     std::string name;
     std::shared_ptr<const Mesh> a;
     std::shared_ptr<const Mesh> b;

@@ -2,11 +2,14 @@
 
 #include "client/mesh_import.hpp"
 #include "common/core/thread_pool.hpp"
+#include "common/geometry/aabb.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/tree/build.hpp"
-#include "tests/support/hard_pairs.hpp"
+#include "tests/corpus/pairs.hpp"
+#include "tests/corpus/scenes.hpp"
 #include "tests/support/shapes.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <random>
 
@@ -41,55 +44,48 @@ std::shared_ptr<const Mesh> load(const std::filesystem::path& folder, const Mode
     return imported.value().mesh;
 }
 
-} // namespace
-
-std::vector<std::string> corpus_categories() {
-    std::vector<std::string> names;
-    for (const auto& [name, make] : tests::pair_makers()) {
-        names.push_back(name);
-    }
-    return names;
+/// B moved straight away from the middle of A by a share of A's diagonal.
+PosePair moved_off(const PosePair& poses, const Aabb& a, double share) {
+    const Vec3 away = poses.b.translation() - a.center();
+    const double length = away.norm();
+    const Vec3 shift = length > 0 ? Vec3(share * a.diagonal() / length * away) : Vec3(Vec3::Zero());
+    return {poses.a, Pose::from_quaternion(poses.b.quaternion(), poses.b.translation() + shift)};
 }
 
+} // namespace
+
 PairBatch corpus_batch(const std::string& category, std::uint64_t first, std::uint64_t count) {
-    const tests::PairMaker make = tests::pair_makers().at(category);
     std::vector<tests::PosedPair> pairs;
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
-        std::mt19937_64 random(seed);
-        pairs.push_back(make(random));
+        pairs.push_back(tests::corpus_pair(category, seed));
     }
     return PairBatch(pairs);
 }
 
-std::vector<Scene> tie_scenes() {
-    using tests::share;
-    using tests::translation_pose;
+std::vector<Scene> hard_scenes(std::size_t scenes_max) {
+    const std::vector<tests::Scene>& all = tests::corpus_scenes();
+    const std::size_t count = std::min(scenes_max, all.size());
     std::vector<Scene> scenes;
-    const auto box = share(tests::make_gridded_box({1, 1, 1}, 12));
-    scenes.push_back({"scenes",
-                      "stacked boxes",
-                      box,
-                      box,
-                      {{Pose{}, translation_pose(0, 0, 1)},
-                       {Pose{}, translation_pose(0.5, 0.25, 1)},
-                       {translation_pose(0.1, 0.2, 0.3), translation_pose(0.1, 0.2, 1.3)}}});
-    const auto torus = share(tests::make_torus(1, 0.4, 48, 24));
-    std::mt19937_64 random(1);
-    Scene tori{"scenes", "tori", torus, torus, {}};
-    for (int i = 0; i < 20; ++i) {
-        tori.poses.push_back({Pose{}, tests::make_pose(random, 1.5)});
+    for (std::size_t i = 0; i < count; ++i) {
+        const tests::Scene& from = all[i * all.size() / count];
+        scenes.push_back({"scenes", from.name, from.a.mesh, from.b.mesh, {from.poses}});
     }
-    scenes.push_back(tori);
-    const auto sphere = share(tests::make_sphere(4));
-    scenes.push_back({"scenes",
-                      "sphere on itself, and tangent",
-                      sphere,
-                      sphere,
-                      {{Pose{}, Pose{}}, {Pose{}, translation_pose(2, 0, 0)}}});
     return scenes;
 }
 
-std::vector<Scene> vehicle_scenes(const std::filesystem::path& models, std::uint64_t scenarios) {
+Scene torus_scene(std::uint64_t poses) {
+    const auto torus = tests::share(tests::make_torus(1, 0.4, 96, 48));
+    Scene scene{"motion", "tori in random poses", torus, torus, {}};
+    std::mt19937_64 random(1);
+    for (std::uint64_t i = 0; i < poses; ++i) {
+        scene.poses.push_back({Pose{}, tests::make_pose(random, 3)});
+    }
+    return scene;
+}
+
+std::vector<Scene> vehicle_scenes(const std::filesystem::path& models,
+                                  std::size_t couples_max,
+                                  std::uint64_t scenarios) {
     constexpr double inch = 0.0254;
     const std::vector<std::pair<Model, Model>> couples{
         {{"hatchback.obj", inch}, {"toy_truck.glb"}},
@@ -98,7 +94,8 @@ std::vector<Scene> vehicle_scenes(const std::filesystem::path& models, std::uint
         {{"lugged_wheel.obj"}, {"lugged_wheel.obj"}},
     };
     std::vector<Scene> scenes;
-    for (const auto& [first, second] : couples) {
+    for (const auto& [first, second] :
+         std::span(couples).first(std::min(couples_max, couples.size()))) {
         const auto a = load(models, first);
         const auto b = load(models, second);
         if (!a || !b) {
@@ -108,8 +105,11 @@ std::vector<Scene> vehicle_scenes(const std::filesystem::path& models, std::uint
         RandomPoses random;
         random.count = scenarios;
         ThreadPool pool(1);
+        const Aabb box = bounding_box(a->vertices());
+        std::mt19937_64 draw(1);
         for (const Scenario& s : make_random_poses(random, tree_of(a), tree_of(b), pool)) {
             scene.poses.push_back(s.poses);
+            scene.poses.push_back(moved_off(s.poses, box, tests::uniform(draw, 0, 0.2)));
         }
         scenes.push_back(std::move(scene));
     }

@@ -11,18 +11,21 @@
 
 namespace cd::bench {
 
-[[nodiscard]] std::vector<std::string> corpus_categories();
-
 /// The pairs `first` to `first + count - 1` of a category.
 [[nodiscard]] PairBatch
 corpus_batch(const std::string& category, std::uint64_t first, std::uint64_t count);
 
-/// Scenes where touching is the normal case: solids laid against each other.
-[[nodiscard]] std::vector<Scene> tie_scenes();
+/// Up to `scenes_max` of the corpus's whole-mesh scenes, evenly spread.
+[[nodiscard]] std::vector<Scene> hard_scenes(std::size_t scenes_max);
 
-/// Real models against each other in `scenarios` random poses, from clear to 5 % deep. A model that
-/// is not in the folder is said on stderr, and its scenes are left out.
+/// Two tori of 9,216 triangles in random poses, about half of them clear of each other.
+[[nodiscard]] Scene torus_scene(std::uint64_t poses);
+
+/// Real models against each other: `scenarios` random poses in contact, up to 5 % deep, each also
+/// with B moved off by up to a fifth of A's diagonal. A model that is not in the folder is said on
+/// stderr, and its scenes are left out.
 [[nodiscard]] std::vector<Scene> vehicle_scenes(const std::filesystem::path& models,
+                                                std::size_t couples_max,
                                                 std::uint64_t scenarios);
 
 /// The candidates of every pose of a scene, with the trees that they refer to.
