@@ -1,46 +1,73 @@
 #include "bench/accuracy/ours.hpp"
 
+#include "common/core/check.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/geometry/double_triangle_pair.hpp"
+#include "common/geometry/float_triangle_pair.hpp"
+#include "common/geometry/simd_target.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <string>
 
 namespace cd::bench {
 
 namespace {
 
-/// Doubles with their error bounds; what they leave open counts as contact.
-class DoubleFilter final : public PairEngine {
+/// Floats with error bounds, or without: then a plain float evaluation, whose zeros count as
+/// contact. What is left open goes to doubles with error bounds, or counts as contact.
+class Filters final : public PairEngine {
   public:
+    Filters(double bound_scale, bool doubles_next)
+        : bound_scale_(bound_scale), doubles_next_(doubles_next) {}
+
     void prepare(std::span<const PairGroup> groups) override {
         groups_ = groups;
-        tests_.clear();
+        floats_.clear();
+        doubles_.clear();
+        std::size_t largest = 0;
         for (const PairGroup& group : groups) {
-            tests_.emplace_back(group.poses);
+            floats_.emplace_back(group.poses, bound_scale_);
+            doubles_.emplace_back(group.poses);
+            largest = std::max(largest, group.candidates.size());
         }
+        verdicts_.resize(largest);
     }
 
     void decide(std::span<std::uint8_t> answers) override {
         std::size_t next = 0;
         for (std::size_t g = 0; g < groups_.size(); ++g) {
             const PairGroup& group = groups_[g];
-            for (const Candidate& c : group.candidates) {
-                const auto known = tests_[g].classify(group.a.corners(c.a), group.b.corners(c.b));
-                answers[next++] = known == PairClass::Separate ? 0 : 1;
+            const auto verdicts = std::span(verdicts_).first(group.candidates.size());
+            floats_[g].classify(group.a, group.b, group.candidates, verdicts);
+            for (std::size_t i = 0; i < verdicts.size(); ++i) {
+                bool touches = verdicts[i] != FloatVerdict::Separate;
+                if (doubles_next_ && verdicts[i] == FloatVerdict::Unknown) {
+                    const Candidate& c = group.candidates[i];
+                    touches = doubles_[g].classify(group.a.corners(c.a), group.b.corners(c.b)) !=
+                              PairClass::Separate;
+                }
+                answers[next++] = touches ? 1 : 0;
             }
         }
     }
 
   private:
+    double bound_scale_;
+    bool doubles_next_;
     std::span<const PairGroup> groups_;
-    std::vector<DoubleTrianglePair> tests_;
+    std::vector<FloatTrianglePair> floats_;
+    std::vector<DoubleTrianglePair> doubles_;
+    std::vector<FloatVerdict> verdicts_;
 };
 
-/// The decision as the product makes it.
+/// The decision as the product makes it, on one SIMD target.
 class Certified final : public PairEngine {
   public:
+    explicit Certified(SimdTarget target) : target_(target) {}
+
     void prepare(std::span<const PairGroup> groups) override {
         groups_ = groups;
         tests_.clear();
@@ -50,6 +77,8 @@ class Certified final : public PairEngine {
     }
 
     void decide(std::span<std::uint8_t> answers) override {
+        const SimdTarget before = simd_target();
+        CD_CHECK(force_simd_target(to_text(target_)).has_value());
         std::size_t next = 0;
         for (std::size_t g = 0; g < groups_.size(); ++g) {
             const PairGroup& group = groups_[g];
@@ -57,6 +86,7 @@ class Certified final : public PairEngine {
                 answers[next++] = static_cast<std::uint8_t>(kind);
             }
         }
+        CD_CHECK(force_simd_target(to_text(before)).has_value());
     }
 
     [[nodiscard]] bool tells_class() const override { return true; }
@@ -74,6 +104,7 @@ class Certified final : public PairEngine {
     }
 
   private:
+    SimdTarget target_;
     std::span<const PairGroup> groups_;
     std::vector<TrianglePairTest> tests_;
 };
@@ -122,15 +153,25 @@ class CertifiedMeshes final : public MeshEngine {
 
 std::vector<Engine> our_engines() {
     std::vector<Engine> engines;
-    const auto add = [&](const char* name) -> Engine& {
+    const auto add = [&](const std::string& name) -> Engine& {
         Engine& engine = engines.emplace_back();
         engine.name = name;
         engine.is_ours = true;
         return engine;
     };
-    add("cdcluster, double filter").make_pairs = [] { return std::make_unique<DoubleFilter>(); };
+    add("cdcluster, plain floats").make_pairs = [] { return std::make_unique<Filters>(0, false); };
+    add("cdcluster, float filter").make_pairs = [] { return std::make_unique<Filters>(1, false); };
+    add("cdcluster, float and double filters").make_pairs = [] {
+        return std::make_unique<Filters>(1, true);
+    };
+    for (const SimdTarget target : available_simd_targets()) {
+        if (target != simd_target()) {
+            add(std::string(certified) + " (" + std::string(to_text(target)) + ")").make_pairs =
+                [target] { return std::make_unique<Certified>(target); };
+        }
+    }
     Engine& exact = add(certified);
-    exact.make_pairs = [] { return std::make_unique<Certified>(); };
+    exact.make_pairs = [] { return std::make_unique<Certified>(simd_target()); };
     exact.make_meshes = [] { return std::make_unique<CertifiedMeshes>(); };
     exact.levels = {Level::Any, Level::Count, Level::Pairs, Level::Contacts};
     return engines;

@@ -7,7 +7,8 @@
 
 namespace cd::bench {
 
-/// The settings from the cheapest to the exact one, which stands last.
+/// The settings from the cheapest to the exact one, which stands last; before it the exact one on
+/// the SIMD targets that are not in use.
 [[nodiscard]] std::vector<Engine> our_engines();
 
 /// The name of the exact setting.
