@@ -4,6 +4,7 @@
 #include "bench/accuracy/engines.hpp"
 #include "bench/accuracy/machine.hpp"
 #include "bench/accuracy/pair_suite.hpp"
+#include "bench/accuracy/point_suite.hpp"
 #include "bench/accuracy/scene_suite.hpp"
 #include "bench/accuracy/sources.hpp"
 #include "bench/accuracy/stage_suite.hpp"
@@ -31,6 +32,7 @@ struct Options {
     std::size_t couples = 100;
     std::size_t rounds = 5;
     std::size_t timed = 2000;
+    std::size_t points = 200;
     unsigned threads = std::max(1u, std::thread::hardware_concurrency());
     unsigned limit_seconds = 120;
 };
@@ -51,6 +53,7 @@ void run_corpus(const Options& options,
                 std::span<const Engine> engines,
                 CsvFile& pairs_csv,
                 CsvFile& stages_csv) {
+    CsvFile points_csv = open_points_csv(options.out);
     const std::vector<std::string>& categories = tests::pair_categories();
     const std::uint64_t each = std::max<std::uint64_t>(1, options.pairs / categories.size());
     for (const std::string& category : categories) {
@@ -64,8 +67,14 @@ void run_corpus(const Options& options,
         };
         run_category("corpus", category, next_chunk, engines, pair_options(options), pairs_csv);
         const std::uint64_t timed = std::min<std::uint64_t>(each, options.timed);
-        run_stages(
-            "corpus", category, corpus_batch(category, 0, timed), options.rounds, stages_csv);
+        const PairBatch first = corpus_batch(category, 0, timed);
+        run_stages("corpus", category, first, options.rounds, stages_csv);
+        run_points(category,
+                   first,
+                   options.points,
+                   engines,
+                   std::chrono::seconds(options.limit_seconds),
+                   points_csv);
     }
 }
 
@@ -126,8 +135,10 @@ void run(const Options& options) {
     SceneFiles files{open_queries_csv(options.out), open_coarse_csv(options.out)};
     std::vector<Scene> scenes = hard_scenes(options.scenes);
     scenes.push_back(torus_scene(2 * options.scenarios));
-    for (Scene& scene : vehicle_scenes(options.models, options.couples, options.scenarios)) {
-        scenes.push_back(std::move(scene));
+    for (std::size_t i = 0; i < std::min(options.couples, vehicle_scene_count()); ++i) {
+        if (auto scene = vehicle_scene(options.models, i, options.scenarios)) {
+            scenes.push_back(std::move(*scene));
+        }
     }
     for (const Scene& scene : scenes) {
         run_one_scene(scene, options, pair_engines, mesh_engines, pairs_csv, stages_csv, files);
@@ -150,6 +161,7 @@ int main(int argc, char** argv) {
     app.add_option("--couples", options.couples, "Couples of vehicles, at most");
     app.add_option("--rounds", options.rounds, "Rounds of timing, in which all engines take turns");
     app.add_option("--timed", options.timed, "Pairs of each category that are timed");
+    app.add_option("--points", options.points, "Pairs of each category whose points are compared");
     app.add_option("--threads", options.threads, "Threads of the oracle");
     app.add_option("--limit", options.limit_seconds, "Seconds for an engine on a chunk or scene");
     CLI11_PARSE(app, argc, argv);

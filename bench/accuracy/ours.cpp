@@ -96,11 +96,11 @@ class Certified final : public PairEngine {
         TrianglePairTest test(group.poses);
         const Corners a = group.a.corners(c.a);
         const Corners b = group.b.corners(c.b);
-        const PairClass kind = test.classify(a, b);
-        if (kind == PairClass::Separate) {
+        if (test.classify(a, b) == PairClass::Separate) {
             return {};
         }
-        return {test.point_origin(a), test.shared_points(a, b, kind)};
+        const auto points = test.shared_points(a, b);
+        return {test.point_origin(a), {points.begin(), points.end()}};
     }
 
   private:

@@ -30,7 +30,7 @@ def save(figure, folder, name):
 
 
 def draw_pairs(axes, rows, title):
-    ours, theirs = [], []
+    ours, theirs, names = [], [], {}
     for engine in report.in_order(rows, "engine"):
         mine = report.select(rows, engine=engine)
         ns = report.mean_ns(mine)
@@ -39,7 +39,7 @@ def draw_pairs(axes, rows, title):
             continue
         is_ours = mine[0]["ours"] == "yes"
         (ours if is_ours else theirs).append((wrong, ns))
-        axes.annotate(engine, (wrong, ns), textcoords="offset points", xytext=(5, 4), fontsize=6)
+        names[(wrong, ns)] = engine.removeprefix("cdcluster, ")
     for points, marker, label in ((ours, "o", "ours"), (theirs, "s", "others")):
         axes.scatter([p[0] for p in points], [p[1] for p in points], marker=marker, label=label)
     front = not_dominated(ours + theirs)
@@ -47,13 +47,27 @@ def draw_pairs(axes, rows, title):
               label="not dominated")
     # Linear up to one wrong answer in a million, so that zero is on the paper.
     axes.set_xscale("symlog", linthresh=1)
-    axes.set_xlim(-0.5, 1e6)
+    axes.set_xlim(-0.5, 2e6)
     axes.set_yscale("log")
     axes.set_xlabel("wrong answers per million")
     axes.set_ylabel("ns a pair")
     axes.set_title(title, fontsize=9)
     axes.grid(True, which="major", linewidth=0.3)
-    axes.legend(fontsize=6)
+    axes.legend(fontsize=6, loc="upper center")
+    write_names(axes, names)
+
+
+def write_names(axes, names):
+    """Names beside their points, on the side with room, pushed upwards where they would overlap."""
+    last = {}
+    for (wrong, ns), name in sorted(names.items(), key=lambda item: item[0][1]):
+        is_right = wrong > 1e3
+        _, y = axes.transData.transform((wrong, ns)) * 72 / axes.figure.dpi
+        y_text = max(y - 2, last.get(is_right, -1e9) + 7)
+        last[is_right] = y_text
+        axes.annotate(name, (wrong, ns), textcoords="offset points", fontsize=6,
+                      xytext=(-7 if is_right else 7, y_text - y),
+                      ha="right" if is_right else "left")
 
 
 def draw_speed_error(folder, pairs):

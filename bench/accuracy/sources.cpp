@@ -1,6 +1,7 @@
 #include "bench/accuracy/sources.hpp"
 
 #include "client/mesh_import.hpp"
+#include "common/core/check.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/job/pose_source.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <random>
 
 namespace cd::bench {
@@ -25,6 +27,14 @@ ObbTree tree_of(const std::shared_ptr<const Mesh>& mesh) {
 struct Model {
     const char* file;
     double unit = 1;
+};
+
+constexpr double inch = 0.0254;
+constexpr std::pair<Model, Model> vehicle_couples[] = {
+    {{"hatchback.obj", inch}, {"toy_truck.glb"}},
+    {{"sedan.obj"}, {"polaris_ranger.dae"}},
+    {{"man_kat1_8x8.glb"}, {"pushback_tractor.ac"}},
+    {{"lugged_wheel.obj"}, {"lugged_wheel.obj"}},
 };
 
 /// Null, and said, where the model is not there.
@@ -83,37 +93,33 @@ Scene torus_scene(std::uint64_t poses) {
     return scene;
 }
 
-std::vector<Scene> vehicle_scenes(const std::filesystem::path& models,
-                                  std::size_t couples_max,
-                                  std::uint64_t scenarios) {
-    constexpr double inch = 0.0254;
-    const std::vector<std::pair<Model, Model>> couples{
-        {{"hatchback.obj", inch}, {"toy_truck.glb"}},
-        {{"sedan.obj"}, {"polaris_ranger.dae"}},
-        {{"man_kat1_8x8.glb"}, {"pushback_tractor.ac"}},
-        {{"lugged_wheel.obj"}, {"lugged_wheel.obj"}},
-    };
-    std::vector<Scene> scenes;
-    for (const auto& [first, second] :
-         std::span(couples).first(std::min(couples_max, couples.size()))) {
-        const auto a = load(models, first);
-        const auto b = load(models, second);
-        if (!a || !b) {
-            continue;
-        }
-        Scene scene{"vehicles", std::string(first.file) + " x " + second.file, a, b, {}};
-        RandomPoses random;
-        random.count = scenarios;
-        ThreadPool pool(1);
-        const Aabb box = bounding_box(a->vertices());
-        std::mt19937_64 draw(1);
-        for (const Scenario& s : make_random_poses(random, tree_of(a), tree_of(b), pool)) {
-            scene.poses.push_back(s.poses);
-            scene.poses.push_back(moved_off(s.poses, box, tests::uniform(draw, 0, 0.2)));
-        }
-        scenes.push_back(std::move(scene));
+std::size_t vehicle_scene_count() {
+    return std::size(vehicle_couples);
+}
+
+std::optional<Scene>
+vehicle_scene(const std::filesystem::path& models, std::size_t couple, std::uint64_t scenarios) {
+    CD_CHECK(couple < vehicle_scene_count());
+    const auto& [first, second] = vehicle_couples[couple];
+    const auto a = load(models, first);
+    const auto b = load(models, second);
+    if (!a || !b) {
+        return std::nullopt;
     }
-    return scenes;
+    Scene scene{"vehicles", std::string(first.file) + " x " + second.file, a, b, {}};
+    if (scenarios == 0) {
+        return scene;
+    }
+    RandomPoses random;
+    random.count = scenarios;
+    const Aabb box = bounding_box(a->vertices());
+    std::mt19937_64 draw(1);
+    ThreadPool pool(1);
+    for (const Scenario& s : make_random_poses(random, tree_of(a), tree_of(b), pool)) {
+        scene.poses.push_back(s.poses);
+        scene.poses.push_back(moved_off(s.poses, box, tests::uniform(draw, 0, 0.2)));
+    }
+    return scene;
 }
 
 SceneCandidates::SceneCandidates(const Scene& scene)

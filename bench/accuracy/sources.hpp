@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,12 +22,14 @@ corpus_batch(const std::string& category, std::uint64_t first, std::uint64_t cou
 /// Two tori of 9,216 triangles in random poses, about half of them clear of each other.
 [[nodiscard]] Scene torus_scene(std::uint64_t poses);
 
+/// How many couples of vehicles there are.
+[[nodiscard]] std::size_t vehicle_scene_count();
+
 /// Real models against each other: `scenarios` random poses in contact, up to 5 % deep, each also
-/// with B moved off by up to a fifth of A's diagonal. A model that is not in the folder is said on
-/// stderr, and its scenes are left out.
-[[nodiscard]] std::vector<Scene> vehicle_scenes(const std::filesystem::path& models,
-                                                std::size_t couples_max,
-                                                std::uint64_t scenarios);
+/// with B moved off by up to a fifth of A's diagonal. Nothing, and said on stderr, where a model is
+/// not in the folder.
+[[nodiscard]] std::optional<Scene>
+vehicle_scene(const std::filesystem::path& models, std::size_t couple, std::uint64_t scenarios);
 
 /// The candidates of every pose of a scene, with the trees that they refer to.
 class SceneCandidates {
