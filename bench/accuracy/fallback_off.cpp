@@ -1,29 +1,101 @@
-// Takes the place of the stages after the floats in query_cost_float_only: they answer at once, and
-// wrongly, and cost nothing. The linker finds these before it looks in the library, so no switch
-// for it stands in the product.
-#include "common/geometry/double_triangle_pair.hpp"
-#include "common/geometry/exact_triangle_pair.hpp"
+// Takes the place of TrianglePairTest in query_cost_float_only: triangle_pair.cpp without any stage
+// after the floats, so that what they leave open is answered at once, and wrongly. The linker finds
+// this before it looks in the library, and no switch for it stands in the product.
+#include "common/geometry/float_triangle_pair.hpp"
+#include "common/geometry/shared_points.hpp"
+#include "common/geometry/triangle_pair.hpp"
+
+#include <algorithm>
+#include <numeric>
 
 namespace cd {
 
-RoundedRotation::RoundedRotation(const Pose&) : matrix(Mat3::Identity()) {}
+std::string_view to_text(PairStage) {
+    return "float";
+}
 
-DoubleTrianglePair::DoubleTrianglePair(const PosePair& poses)
-    : a_(poses.a), b_(poses.b), offset_(Vec3::Zero()) {}
+std::uint64_t PairStatistics::total() const {
+    return std::accumulate(settled.begin(), settled.end(), std::uint64_t{0});
+}
 
-std::optional<PairClass> DoubleTrianglePair::classify(const Corners&, const Corners&) const {
+PairStatistics& PairStatistics::operator+=(const PairStatistics& other) {
+    for (std::size_t i = 0; i < pair_stage_count; ++i) {
+        settled[i] += other.settled[i];
+    }
+    return *this;
+}
+
+struct TrianglePairTest::State {
+    FloatTrianglePair in_float;
+    SharedPoints points;
+    PairStatistics statistics;
+    std::vector<FloatVerdict> verdicts;
+    std::vector<PairClass> kinds;
+
+    explicit State(const PosePair& poses) : in_float(poses), points(poses) {}
+
+    std::span<const FloatVerdict> float_verdicts(const TriangleSpan& a,
+                                                 const TriangleSpan& b,
+                                                 std::span<const Candidate> candidates) {
+        verdicts.assign(candidates.size(), FloatVerdict::Unknown);
+        in_float.classify(a, b, candidates, verdicts);
+        const auto unknown = std::count(verdicts.begin(), verdicts.end(), FloatVerdict::Unknown);
+        statistics[PairStage::Float] += verdicts.size() - static_cast<std::size_t>(unknown);
+        return verdicts;
+    }
+};
+
+TrianglePairTest::TrianglePairTest(const PosePair& poses, PairStage)
+    : state_(std::make_unique<State>(poses)) {}
+TrianglePairTest::TrianglePairTest(TrianglePairTest&&) noexcept = default;
+TrianglePairTest& TrianglePairTest::operator=(TrianglePairTest&&) noexcept = default;
+TrianglePairTest::~TrianglePairTest() = default;
+
+PairClass TrianglePairTest::classify(const Corners&, const Corners&) {
     return PairClass::Touch;
 }
 
-struct ExactTrianglePair::State {};
+std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
+                                                      const TriangleSpan& b,
+                                                      std::span<const Candidate> candidates) {
+    const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
+    std::vector<PairClass>& kinds = state_->kinds;
+    kinds.resize(candidates.size());
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        switch (verdicts[i]) {
+        case FloatVerdict::Separate:
+            kinds[i] = PairClass::Separate;
+            break;
+        case FloatVerdict::Proper:
+            kinds[i] = PairClass::Proper;
+            break;
+        case FloatVerdict::Unknown:
+            kinds[i] = PairClass::Touch;
+            break;
+        }
+    }
+    return kinds;
+}
 
-ExactTrianglePair::ExactTrianglePair(const PosePair&) {}
-ExactTrianglePair::ExactTrianglePair(ExactTrianglePair&&) noexcept = default;
-ExactTrianglePair& ExactTrianglePair::operator=(ExactTrianglePair&&) noexcept = default;
-ExactTrianglePair::~ExactTrianglePair() = default;
+bool TrianglePairTest::any_touch(const TriangleSpan& a,
+                                 const TriangleSpan& b,
+                                 std::span<const Candidate> candidates) {
+    const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
+    return std::any_of(verdicts.begin(), verdicts.end(), [](FloatVerdict verdict) {
+        return verdict != FloatVerdict::Separate;
+    });
+}
 
-PairClass ExactTrianglePair::classify(const Corners&, const Corners&) const {
-    return PairClass::Touch;
+std::span<const Vec3> TrianglePairTest::shared_points(const Corners& a, const Corners& b) {
+    return state_->points.points(a, b);
+}
+
+Vec3 TrianglePairTest::point_origin(const Corners& a) {
+    return state_->points.origin(a);
+}
+
+const PairStatistics& TrianglePairTest::statistics() const {
+    return state_->statistics;
 }
 
 } // namespace cd
