@@ -5,6 +5,7 @@
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace cd {
@@ -12,6 +13,14 @@ namespace cd {
 namespace {
 
 using ByIndex = std::unordered_map<std::uint64_t, const Analysis*>;
+
+bool are_triangles_of(const JobMaterial& material, std::span<const ContactPair> pairs) {
+    const std::size_t count_a = material.a->mesh().triangles().size();
+    const std::size_t count_b = material.b->mesh().triangles().size();
+    return std::all_of(pairs.begin(), pairs.end(), [&](const ContactPair& pair) {
+        return pair.a < count_a && pair.b < count_b;
+    });
+}
 
 Result<ScenarioResult> check_record(const JobMaterial& material,
                                     const ByIndex& scenarios,
@@ -33,6 +42,11 @@ Result<ScenarioResult> check_record(const JobMaterial& material,
         return Error{ErrorCode::BadFrame,
                      "the result of scenario " + std::to_string(result.index) +
                          " is not of the level or bodies asked for"};
+    }
+    if (!are_triangles_of(material, result.pairs)) {
+        return Error{ErrorCode::BadFrame,
+                     "the result of scenario " + std::to_string(result.index) +
+                         " has pairs of triangles that the bodies do not have"};
     }
     settle_class(*material.a, *material.b, scenario, material.query, result);
     return decoded;

@@ -34,9 +34,8 @@ struct SubtreePair {
 /// on the order of the pairs.
 ///
 /// Level any: contact or separate; the search ends at the first contact. Else cross if any pair is
-/// proper, touch if there are pairs and none is proper, separate without pairs. Two closed bodies
-/// that penetrate each other without a proper pair (boxes that cross along their grid lines, a body
-/// on itself) thus count as touch: the parity rule of NUMERICS section 1 for them is not applied.
+/// proper, touch if there are pairs and none is proper, separate without pairs: what more there is
+/// to say, `settle_class` finds in the whole bodies.
 [[nodiscard]] ScenarioRun
 run_on_subtrees(std::span<const SubtreePair> pairs, const Scenario& scenario, const Query& query);
 

@@ -9,10 +9,19 @@
 
 namespace cd {
 
-/// What only the whole bodies can tell, for a result of `run_on_subtrees`: `surfaces_only` where a
-/// body is open, and, from level count on, `inside` where nothing touches and some component of one
-/// closed body lies in the other. With ignored pairs `inside` is not decided: parts that may stick
-/// in each other say nothing about the rest. Called once by whoever merges. Returns what it took.
+/// What only the whole bodies can tell (NUMERICS, section 1), for a result of `run_on_subtrees`
+/// whose pairs are triangles of these bodies. Called once by whoever merges; returns what it took.
+///
+/// Of an open body only `surfaces_only` is said. Of two closed ones, from level count on:
+///
+/// - `inside` where nothing touches and some component of one lies in the other. Not with ignored
+///   pairs: parts that may stick in each other say nothing about the rest.
+/// - `cross` instead of `touch` where they penetrate without a proper pair (`penetrates`, which
+///   says what ignored pairs mean for it).
+///
+/// Neither depends on which body is A, on the level, nor on `limit_pairs`: where the result does
+/// not hold all its pairs they are searched again, in the whole trees, with the memory that level
+/// pairs takes. Other classes stay: no pair can overrule a proper one, and undecided is an answer.
 SettleStatistics settle_class(const ObbTree& a,
                               const ObbTree& b,
                               const Scenario& scenario,

@@ -207,6 +207,14 @@ Mesh join(const std::vector<Mesh>& meshes) {
     return make_mesh(std::move(vertices), std::move(triangles));
 }
 
+Mesh reversed(const Mesh& mesh) {
+    std::vector<Triangle> triangles = mesh.triangles();
+    for (Triangle& triangle : triangles) {
+        std::swap(triangle[1], triangle[2]);
+    }
+    return make_mesh(mesh.vertices(), std::move(triangles));
+}
+
 Mesh translated(const Mesh& mesh, const Vec3& offset) {
     std::vector<Vec3> vertices = mesh.vertices();
     for (Vec3& vertex : vertices) {

@@ -36,6 +36,8 @@ make_triangle_soup(std::mt19937_64& random, std::uint32_t count, double size = 0
 [[nodiscard]] Mesh make_degenerate_soup(std::mt19937_64& random, std::uint32_t count);
 /// One mesh with the triangles of all, in order.
 [[nodiscard]] Mesh join(const std::vector<Mesh>& meshes);
+/// The mesh with every triangle wound the other way.
+[[nodiscard]] Mesh reversed(const Mesh& mesh);
 /// The mesh with every vertex moved by `offset` (rounded).
 [[nodiscard]] Mesh translated(const Mesh& mesh, const Vec3& offset);
 

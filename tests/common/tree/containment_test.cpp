@@ -37,14 +37,6 @@ bool contains(const ObbTree& outer, const ObbTree& inner, const Pose& inner_pose
     return contains(outer, Pose{}, inner, inner_pose);
 }
 
-Mesh reversed(const Mesh& mesh) {
-    std::vector<Triangle> triangles = mesh.triangles();
-    for (Triangle& triangle : triangles) {
-        std::swap(triangle[1], triangle[2]);
-    }
-    return make_mesh(mesh.vertices(), std::move(triangles));
-}
-
 Mesh scaled(const Mesh& mesh, double factor) {
     std::vector<Vec3> vertices = mesh.vertices();
     for (Vec3& vertex : vertices) {

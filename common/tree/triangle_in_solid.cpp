@@ -1,0 +1,275 @@
+#include "common/tree/triangle_in_solid.hpp"
+
+#include "common/tree/triangle_cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cd {
+
+namespace {
+
+/// A point in the outer body's coordinates, given in those of the frame.
+SolidPoint to_solid_point(const std::array<Rational, 3>& in_frame, const ExactFrame& frame) {
+    const Rational scale = to_rational(frame.scale());
+    Vec3 rounded;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Rational coordinate = in_frame[i] / scale;
+        rounded[static_cast<Eigen::Index>(i)] = coordinate.convert_to<double>();
+    }
+    // A quotient of integers to the nearest double, or nearly.
+    const double error = 0x1p-50 * rounded.cwiseAbs().maxCoeff() + 0x1p-1000;
+    return {rounded, error, [in_frame, &frame] {
+                const ExactInt x(denominator(in_frame[0]));
+                const ExactInt y(denominator(in_frame[1]));
+                const ExactInt z(denominator(in_frame[2]));
+                const ExactInt product = x * y * z;
+                return ExactPoint{{Dyadic{ExactInt(numerator(in_frame[0])) * y * z, 0},
+                                   Dyadic{ExactInt(numerator(in_frame[1])) * z * x, 0},
+                                   Dyadic{ExactInt(numerator(in_frame[2])) * x * y, 0}},
+                                  Dyadic{product, 0} * frame.scale()};
+            }};
+}
+
+std::array<Rational, 3> to_rational(const DyadicVec& v) {
+    return {to_rational(v[0]), to_rational(v[1]), to_rational(v[2])};
+}
+
+std::array<double, 3> key(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+/// True when doubles show that the segment passes by the triangle on one side.
+bool surely_passes_by(const PosedTriangle& triangle, const Vec3& from, const Vec3& to) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (triangle.proven_edge_side(k, from).value_or(1) < 0 &&
+            triangle.proven_edge_side(k, to).value_or(1) < 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// True when no point of the segment, in the triangle's plane, can lie in its interior.
+bool passes_by(PosedTriangle& triangle, const Vec3& from, const Vec3& to) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (triangle.edge_side(k, from) <= 0 && triangle.edge_side(k, to) <= 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The plane of a triangle without the axis `drop`.
+class Projection {
+  public:
+    explicit Projection(PosedTriangle& triangle) : drop_(triangle.drop()) {
+        const auto& c = triangle.exact_corners();
+        normal_ = to_rational(cross(c[1] - c[0], c[2] - c[0]));
+        for (std::size_t i = 0; i < 3; ++i) {
+            height_ += normal_[i] * to_rational(c[0][i]);
+        }
+    }
+
+    [[nodiscard]] PlanePoint down(const DyadicVec& point) const {
+        return {to_rational(point[first()]), to_rational(point[second()])};
+    }
+
+    [[nodiscard]] std::array<Rational, 3> up(const PlanePoint& point) const {
+        std::array<Rational, 3> result;
+        result[first()] = point[0];
+        result[second()] = point[1];
+        result[drop_] =
+            (height_ - normal_[first()] * point[0] - normal_[second()] * point[1]) / normal_[drop_];
+        return result;
+    }
+
+  private:
+    [[nodiscard]] std::size_t first() const { return (drop_ + 1) % 3; }
+    [[nodiscard]] std::size_t second() const { return (drop_ + 2) % 3; }
+
+    std::size_t drop_;
+    std::array<Rational, 3> normal_;
+    Rational height_; ///< normal . x of each point x of the plane.
+};
+
+/// The two ends of a flat triangle, of which the third corner lies between.
+std::array<DyadicVec, 2> ends_of(const std::array<DyadicVec, 3>& corners) {
+    std::array<DyadicVec, 3> sorted = corners;
+    std::sort(sorted.begin(), sorted.end(), [](const DyadicVec& l, const DyadicVec& r) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (const int sign = sign_of(l[i] - r[i]); sign != 0) {
+                return sign < 0;
+            }
+        }
+        return false;
+    });
+    return {sorted[0], sorted[2]};
+}
+
+/// Adds where, from 0 to 1 along the segment, f changes its sign, for f linear with these values at
+/// the ends.
+void add_change(const Dyadic& from, const Dyadic& to, std::vector<Rational>& places) {
+    if (sign_of(from) * sign_of(to) < 0) {
+        places.push_back(to_rational(from) / to_rational(from - to));
+    }
+}
+
+/// Adds where the segment passes through the triangle's plane, or in it over the edges' lines.
+void add_crossings(const std::array<DyadicVec, 2>& ends,
+                   const std::array<DyadicVec, 3>& triangle,
+                   std::vector<Rational>& places) {
+    const DyadicVec normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    const Dyadic from = dot(normal, ends[0] - triangle[0]);
+    const Dyadic to = dot(normal, ends[1] - triangle[0]);
+    add_change(from, to, places);
+    if (sign_of(from) != 0 || sign_of(to) != 0) {
+        return;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const DyadicVec across = cross(triangle[(k + 1) % 3] - triangle[k], normal);
+        add_change(dot(across, ends[0] - triangle[k]), dot(across, ends[1] - triangle[k]), places);
+    }
+}
+
+} // namespace
+
+TriangleInSolid::TriangleInSolid(const ObbTree& outer,
+                                 const Pose& outer_pose,
+                                 const ObbTree& inner,
+                                 const Pose& inner_pose)
+    : outer_(outer),
+      inner_(inner),
+      frame_(outer_pose, inner_pose),
+      inner_to_outer_(relative_pose({outer_pose, inner_pose})),
+      solid_(outer) {}
+
+bool TriangleInSolid::reaches_inside(std::uint32_t triangle,
+                                     std::span<const OuterContact> contacts) {
+    if (!frame_.has_inverse()) {
+        return false;
+    }
+    PosedTriangle inner(frame_, inner_to_outer_, inner_.mesh().corners(triangle));
+    if (inner.is_flat()) {
+        return any_piece_inside(inner, contacts);
+    }
+    find_edges(inner, contacts);
+    if (!edges_.empty()) {
+        return any_cell_inside(inner);
+    }
+    const bool is_covered =
+        std::any_of(contacts.begin(), contacts.end(), [](const OuterContact& contact) {
+            return contact.kind == PairClass::Coplanar;
+        });
+    if (is_covered) {
+        return false; // The coplanar triangles leave nothing out, or an edge would be in it.
+    }
+    SolidPoint centroid = inner.centroid();
+    return solid_.place_of(centroid) == Place::Inside;
+}
+
+void TriangleInSolid::add_edge(const Vec3& from, const Vec3& to, int winding) {
+    const bool is_forward = key(from) <= key(to);
+    edges_.push_back({is_forward ? from : to, is_forward ? to : from, winding});
+}
+
+void TriangleInSolid::add_touching(PosedTriangle& inner, const Corners& outer) {
+    const auto is_in_plane = [&](std::size_t k) { return inner.plane_side(outer[k]) == 0; };
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        if (!surely_passes_by(inner, outer[k], outer[next]) && is_in_plane(k) &&
+            is_in_plane(next)) {
+            add_edge(outer[k], outer[next], 0);
+        }
+        if (!surely_passes_by(inner, outer[k], outer[k]) && is_in_plane(k)) {
+            add_edge(outer[k], outer[k], 0);
+        }
+    }
+}
+
+void TriangleInSolid::find_edges(PosedTriangle& inner, std::span<const OuterContact> contacts) {
+    edges_.clear();
+    for (const OuterContact& contact : contacts) {
+        const Corners corners = outer_.mesh().corners(contact.triangle);
+        if (contact.kind != PairClass::Coplanar) {
+            add_touching(inner, corners);
+            continue;
+        }
+        const int winding = inner.winding(corners);
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!surely_passes_by(inner, corners[k], corners[(k + 1) % 3])) {
+                add_edge(corners[k], corners[(k + 1) % 3], winding);
+            }
+        }
+    }
+    keep_boundary_edges();
+    std::erase_if(edges_, [&](const Edge& edge) { return passes_by(inner, edge.from, edge.to); });
+    // Corners last: most of them are ends of edges, and then divide no cell.
+    std::stable_partition(
+        edges_.begin(), edges_.end(), [](const Edge& edge) { return edge.from != edge.to; });
+}
+
+void TriangleInSolid::keep_boundary_edges() {
+    const auto ends = [](const Edge& edge) { return std::pair(key(edge.from), key(edge.to)); };
+    std::sort(edges_.begin(), edges_.end(), [&](const Edge& l, const Edge& r) {
+        return ends(l) != ends(r) ? ends(l) < ends(r) : l.winding < r.winding;
+    });
+    std::size_t kept = 0;
+    for (std::size_t begin = 0; begin < edges_.size();) {
+        std::size_t end = begin + 1;
+        while (end < edges_.size() && ends(edges_[end]) == ends(edges_[begin])) {
+            ++end;
+        }
+        // Two coplanar triangles of one winding lie on both sides of their edge, which so divides
+        // nothing but surface.
+        const bool is_within = end - begin == 2 && edges_[begin].winding != 0 &&
+                               edges_[begin].winding == edges_[begin + 1].winding;
+        if (!is_within) {
+            edges_[kept] = edges_[begin];
+            ++kept;
+        }
+        begin = end;
+    }
+    edges_.resize(kept);
+}
+
+bool TriangleInSolid::any_cell_inside(PosedTriangle& inner) {
+    const Projection projection(inner);
+    const auto& corners = inner.exact_corners();
+    std::vector<PlaneCut> cuts;
+    cuts.reserve(edges_.size());
+    for (const Edge& edge : edges_) {
+        cuts.push_back({projection.down(frame_.of_outer(edge.from)),
+                        projection.down(frame_.of_outer(edge.to))});
+    }
+    const std::array<PlanePoint, 3> triangle{
+        projection.down(corners[0]), projection.down(corners[1]), projection.down(corners[2])};
+    return any_cell_centre(triangle, cuts, [&](const PlanePoint& centre) {
+        SolidPoint point = to_solid_point(projection.up(centre), frame_);
+        return solid_.place_of(point) == Place::Inside;
+    });
+}
+
+bool TriangleInSolid::any_piece_inside(PosedTriangle& inner,
+                                       std::span<const OuterContact> contacts) {
+    const std::array<DyadicVec, 2> ends = ends_of(inner.exact_corners());
+    std::vector<Rational> places;
+    for (const OuterContact& contact : contacts) {
+        const Corners corners = outer_.mesh().corners(contact.triangle);
+        add_crossings(
+            ends,
+            {frame_.of_outer(corners[0]), frame_.of_outer(corners[1]), frame_.of_outer(corners[2])},
+            places);
+    }
+    const std::array<Rational, 3> from = to_rational(ends[0]);
+    const std::array<Rational, 3> along = to_rational(ends[1] - ends[0]);
+    return any_piece_centre(std::move(places), [&](const Rational& place) {
+        SolidPoint point = to_solid_point(
+            {from[0] + place * along[0], from[1] + place * along[1], from[2] + place * along[2]},
+            frame_);
+        return solid_.place_of(point) == Place::Inside;
+    });
+}
+
+} // namespace cd
