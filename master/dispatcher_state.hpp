@@ -67,7 +67,7 @@ struct Dispatcher::State {
     bool input_is_paused = true;
     std::uint64_t unsent = 0;
     std::uint64_t task_last = 0;
-    std::vector<Candidate> candidates; ///< Scratch.
+    std::vector<WorkerCandidate> candidates; ///< Scratch.
 
     [[nodiscard]] DispatchJob* find_job(JobId job);
 

@@ -36,7 +36,7 @@ double worth(Strategy strategy, std::uint64_t score, double load) {
 Matchmaker::Matchmaker(Strategy strategy, std::uint64_t seed)
     : strategy_(strategy), random_(seed) {}
 
-std::uint64_t Matchmaker::score(const ScenarioRoots& scenario, const Candidate& candidate) {
+std::uint64_t Matchmaker::score(const ScenarioRoots& scenario, const WorkerCandidate& candidate) {
     CD_CHECK(candidate.held_a != nullptr);
     CD_CHECK(candidate.held_b != nullptr);
     return held_triangles(scenario.a, *candidate.held_a) +
@@ -44,7 +44,7 @@ std::uint64_t Matchmaker::score(const ScenarioRoots& scenario, const Candidate& 
 }
 
 std::optional<WorkerId> Matchmaker::choose(const ScenarioRoots& scenario,
-                                           std::span<const Candidate> candidates) {
+                                           std::span<const WorkerCandidate> candidates) {
     if (candidates.empty()) {
         return std::nullopt;
     }
@@ -52,9 +52,9 @@ std::optional<WorkerId> Matchmaker::choose(const ScenarioRoots& scenario,
         // The bias of the remainder is below workers / 2^64.
         return candidates[random_() % candidates.size()].worker;
     }
-    const Candidate* best = nullptr;
+    const WorkerCandidate* best = nullptr;
     double best_worth = 0;
-    for (const Candidate& candidate : candidates) {
+    for (const WorkerCandidate& candidate : candidates) {
         const double value = worth(strategy_, score(scenario, candidate), candidate.load);
         const bool is_tie = best != nullptr && value == best_worth;
         if (best == nullptr || value > best_worth ||

@@ -23,7 +23,7 @@ struct ScenarioRoots {
 };
 
 /// A worker that may get the scenario: what it holds of both trees, and its load.
-struct Candidate {
+struct WorkerCandidate {
     WorkerId worker;
     const RootIndicator* held_a = nullptr;
     const RootIndicator* held_b = nullptr;
@@ -42,11 +42,11 @@ class Matchmaker {
     /// The sum over both trees of scenario indicator x (held ? 1 : 0): the triangles that the
     /// worker has already.
     [[nodiscard]] static std::uint64_t score(const ScenarioRoots& scenario,
-                                             const Candidate& candidate);
+                                             const WorkerCandidate& candidate);
 
     /// Nothing when there is no candidate. Candidates come in ascending order of id.
     [[nodiscard]] std::optional<WorkerId> choose(const ScenarioRoots& scenario,
-                                                 std::span<const Candidate> candidates);
+                                                 std::span<const WorkerCandidate> candidates);
 
   private:
     Strategy strategy_;

@@ -1,5 +1,6 @@
 #include "common/tree/posed_triangle.hpp"
 
+#include "common/tree/exact_double.hpp"
 #include "common/tree/posed_point.hpp"
 
 #include <Eigen/Geometry>
@@ -12,8 +13,8 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-/// A vector in the plane that is left when axis `drop` is: so that the cross product of two is the
-/// component `drop` of that in space.
+/// A vector in the plane that is left when axis `drop` is: so that the cross
+/// product of two is the component `drop` of that in space.
 struct Planar {
     double x;
     double y;
@@ -35,9 +36,24 @@ Dyadic cross(const DyadicVec& l, const DyadicVec& r, std::size_t drop) {
     return l[i] * r[j] - l[j] * r[i];
 }
 
-/// Bounds what `cross` of two rounded differences errs by, if the terms of the differences err by
-/// `error`. The differences, the products and the last difference round: 4 u of two products to
-/// first order, each at most l r; the terms move a product by 2 error (l + r + 2 error).
+using ExactDoubles = std::array<ExactDouble, 3>;
+
+ExactDoubles difference(const Vec3& l, const Vec3& r) {
+    return {ExactDouble{l.x()} - ExactDouble{r.x()},
+            ExactDouble{l.y()} - ExactDouble{r.y()},
+            ExactDouble{l.z()} - ExactDouble{r.z()}};
+}
+
+ExactDouble cross(const ExactDoubles& l, const ExactDoubles& r, std::size_t drop) {
+    const std::size_t i = (drop + 1) % 3;
+    const std::size_t j = (drop + 2) % 3;
+    return l[i] * r[j] - l[j] * r[i];
+}
+
+/// Bounds what `cross` of two rounded differences errs by, if the terms of the
+/// differences err by `error`. The differences, the products and the last
+/// difference round: 4 u of two products to first order, each at most l r; the
+/// terms move a product by 2 error (l + r + 2 error).
 double cross_error(double l, double r, double error) {
     return 16 * unit_roundoff * l * r + 5 * error * (l + r + 2 * error) + 0x1p-1000;
 }
@@ -95,10 +111,33 @@ DyadicVec PosedTriangle::exact_normal() {
     return *exact_normal_;
 }
 
+bool PosedTriangle::is_rounding_exact() {
+    if (!is_rounding_exact_) {
+        const auto& exact = exact_corners();
+        is_rounding_exact_ = true;
+        for (std::size_t i = 0; i < 3; ++i) {
+            is_rounding_exact_ = *is_rounding_exact_ && rounded_[i].allFinite() &&
+                                 is_zero(frame_.of_outer(rounded_[i]) - exact[i]);
+        }
+    }
+    return *is_rounding_exact_;
+}
+
 int PosedTriangle::plane_side(const Vec3& point) {
     const std::array<Vec3, 3> seen{rounded_[0] - point, rounded_[1] - point, rounded_[2] - point};
     if (const auto sign = proven_volume_sign(seen, error_)) {
         return *sign;
+    }
+    if (is_rounding_exact()) {
+        const ExactDoubles from = difference(rounded_[0], point);
+        const ExactDoubles edge_1 = difference(rounded_[1], rounded_[0]);
+        const ExactDoubles edge_2 = difference(rounded_[2], rounded_[0]);
+        const ExactDouble volume = from[0] * cross(edge_1, edge_2, 0) +
+                                   from[1] * cross(edge_1, edge_2, 1) +
+                                   from[2] * cross(edge_1, edge_2, 2);
+        if (const auto sign = volume.sign()) {
+            return *sign;
+        }
     }
     return sign_of(dot(exact_normal(), exact_corners()[0] - frame_.of_outer(point)));
 }
@@ -114,6 +153,15 @@ std::optional<int> PosedTriangle::proven_edge_side(std::size_t k, const Vec3& po
 int PosedTriangle::edge_side(std::size_t k, const Vec3& point) {
     if (const auto sign = proven_edge_side(k, point)) {
         return *sign;
+    }
+    if (is_rounding_exact()) {
+        const auto sign = cross(difference(rounded_[(k + 1) % 3], rounded_[k]),
+                                difference(point, rounded_[k]),
+                                drop_)
+                              .sign();
+        if (sign) {
+            return orientation_ * *sign;
+        }
     }
     const auto& c = exact_corners();
     const DyadicVec to_point = frame_.of_outer(point) - c[k];

@@ -1,4 +1,5 @@
-// A triangle of one body as another body sees it: rounded with bounds, and exactly if need be.
+// A triangle of one body as another body sees it: rounded with bounds, and
+// exactly if need be.
 #pragma once
 
 #include "common/geometry/types.hpp"
@@ -11,8 +12,8 @@
 
 namespace cd {
 
-/// A triangle of the inner body in coordinates of the outer one. All answers are exact. The frame
-/// outlives it and has an inverse.
+/// A triangle of the inner body in coordinates of the outer one. All answers
+/// are exact. The frame outlives it and has an inverse.
 class PosedTriangle {
   public:
     PosedTriangle(const ExactFrame& frame,
@@ -21,20 +22,23 @@ class PosedTriangle {
     PosedTriangle(const PosedTriangle&) = delete; // Its centroid refers to it.
     PosedTriangle& operator=(const PosedTriangle&) = delete;
 
-    /// True when the corners lie on one line. What follows but for the centroid is only for
-    /// triangles with area.
+    /// True when the corners lie on one line. What follows but for the centroid
+    /// is only for triangles with area.
     [[nodiscard]] bool is_flat() const { return drop_ == 3; }
 
-    /// The sign of the side of this triangle's plane on which a point of the outer body lies.
+    /// The sign of the side of this triangle's plane on which a point of the
+    /// outer body lies.
     [[nodiscard]] int plane_side(const Vec3& point);
 
-    /// Which side of the edge from corner k a point of the outer body in this triangle's plane lies
-    /// on: 1 on the triangle's, 0 on its line, -1 beyond. Of another point, that of a projection.
+    /// Which side of the edge from corner k a point of the outer body in this
+    /// triangle's plane lies on: 1 on the triangle's, 0 on its line, -1 beyond.
+    /// Of another point, that of a projection.
     [[nodiscard]] int edge_side(std::size_t k, const Vec3& point);
     /// The same where doubles tell.
     [[nodiscard]] std::optional<int> proven_edge_side(std::size_t k, const Vec3& point) const;
 
-    /// 1 if a triangle of the outer body in the same plane is wound the same way, -1 if not.
+    /// 1 if a triangle of the outer body in the same plane is wound the same way,
+    /// -1 if not.
     [[nodiscard]] int winding(const Corners& coplanar) const;
 
     [[nodiscard]] SolidPoint centroid();
@@ -47,6 +51,9 @@ class PosedTriangle {
   private:
     [[nodiscard]] DyadicVec exact_normal();
     void choose_projection();
+    /// Whether the corners are doubles, so that doubles may decide what filters
+    /// leave open.
+    [[nodiscard]] bool is_rounding_exact();
 
     const ExactFrame& frame_;
     Corners inner_;
@@ -56,6 +63,7 @@ class PosedTriangle {
     int orientation_ = 0; ///< The sign of that component of the normal.
     std::optional<std::array<DyadicVec, 3>> exact_;
     std::optional<DyadicVec> exact_normal_;
+    std::optional<bool> is_rounding_exact_;
 };
 
 } // namespace cd

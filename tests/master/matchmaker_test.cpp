@@ -40,7 +40,7 @@ struct Holder {
             }
         }
     }
-    [[nodiscard]] Candidate
+    [[nodiscard]] WorkerCandidate
     as_candidate(std::uint64_t id, double load = 0, std::uint64_t has = 0) const {
         return {WorkerId{id}, &a, &b, load, has};
     }
@@ -50,7 +50,7 @@ struct Holder {
 };
 
 std::optional<WorkerId>
-pick(Strategy strategy, int scenario, const std::vector<Candidate>& candidates) {
+pick(Strategy strategy, int scenario, const std::vector<WorkerCandidate>& candidates) {
     Matchmaker matchmaker(strategy, 1);
     return matchmaker.choose(table_1(scenario), candidates);
 }
@@ -131,7 +131,7 @@ TEST(Matchmaker, WithoutCandidatesThereIsNoWorker) {
 TEST(Matchmaker, RandomIsAFunctionOfTheSeedAndReachesEveryWorkerEvenly) {
     const Holder first({1});
     const Holder none({});
-    const std::vector<Candidate> candidates = {
+    const std::vector<WorkerCandidate> candidates = {
         first.as_candidate(1), none.as_candidate(2), none.as_candidate(3)};
     Matchmaker one(Strategy::Random, 7);
     Matchmaker same(Strategy::Random, 7);
@@ -141,7 +141,7 @@ TEST(Matchmaker, RandomIsAFunctionOfTheSeedAndReachesEveryWorkerEvenly) {
         ASSERT_EQ(worker, same.choose(table_1(1), candidates));
         ++counts[worker.value()];
     }
-    for (const Candidate& candidate : candidates) {
+    for (const WorkerCandidate& candidate : candidates) {
         EXPECT_NEAR(counts[candidate.worker], 1000, 150);
     }
 }

@@ -60,15 +60,15 @@ bool has_proper_pair(const ScenarioResult& result) {
 TEST(Settle, TheClassIsThatOfTheBodiesAlone) {
     int refined = 0;
     int inside = 0;
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         std::mt19937_64 random(seed);
-        const CubeSolid solid_a = random_cubes(random, 1 + static_cast<int>(random() % 3), 4);
+        const CubeSolid solid_a = random_cubes(random, 1 + static_cast<int>(random() % 3), 6);
         const CubeSolid solid_b = random_cubes(random, 1 + static_cast<int>(random() % 3), 2);
         const ObbTree a = make_tree(solid_a.mesh);
         const ObbTree b = make_tree(solid_b.mesh);
-        const LatticeMotion motion_a = random_motion(random, 2, false);
-        const LatticeMotion motion_b = random_motion(random, 3, false);
+        const LatticeMotion motion_a = random_motion(random, 1, false);
+        const LatticeMotion motion_b = random_motion(random, 4, false);
         const PosePair poses{motion_a.pose(), motion_b.pose()};
         const ScenarioResult result = run(a, b, poses).result;
         const bool meets = interiors_meet(solid_a, motion_a, solid_b, motion_b);
