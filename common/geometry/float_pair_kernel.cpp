@@ -206,10 +206,13 @@ HWY_INLINE WideVectors load(const double* rows) {
 #else
 
 HWY_INLINE WideVectors load(const double* rows) {
-    WideVectors v;
+    // Not the members of a struct: its default constructor would not be compiled for the target.
+    VD x;
+    VD y;
+    VD z;
     VD unused;
-    hn::LoadInterleaved4(Doubles(), rows, v.x, v.y, v.z, unused);
-    return v;
+    hn::LoadInterleaved4(Doubles(), rows, x, y, z, unused);
+    return {x, y, z};
 }
 
 #endif
