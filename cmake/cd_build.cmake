@@ -27,6 +27,10 @@ endif()
 add_library(cd_flags INTERFACE)
 # No fused multiply-add and no reassociation: results are the same bits on every host.
 target_compile_options(cd_flags INTERFACE -ffp-contract=off)
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
+    # Eigen's own NEON code would fuse, whatever the option above says.
+    target_compile_options(cd_flags INTERFACE -U__ARM_FEATURE_FMA)
+endif()
 # GCC 12.2's basic-block vectoriser drops the rounding of double(float(x)) on two neighbours, which
 # the canonical form of meshes and boxes depends on (tests/common/core/rounding_test.cpp).
 target_compile_options(cd_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
