@@ -168,6 +168,23 @@ int PosedTriangle::edge_side(std::size_t k, const Vec3& point) {
     return orientation_ * sign_of(cross(c[(k + 1) % 3] - c[k], to_point, drop_));
 }
 
+int PosedTriangle::line_side(const Vec3& from, const Vec3& to, std::size_t k) {
+    const Planar line(to - from, drop_);
+    const Planar to_corner(rounded_[k] - from, drop_);
+    const double error = cross_error(line.size(), to_corner.size(), error_);
+    if (const auto sign = proven_sign(cross(line, to_corner), error)) {
+        return *sign;
+    }
+    if (is_rounding_exact()) {
+        const auto sign = cross(difference(to, from), difference(rounded_[k], from), drop_).sign();
+        if (sign) {
+            return *sign;
+        }
+    }
+    const DyadicVec origin = frame_.of_outer(from);
+    return sign_of(cross(frame_.of_outer(to) - origin, exact_corners()[k] - origin, drop_));
+}
+
 int PosedTriangle::winding(const Corners& coplanar) const {
     // Parallel normals: one component, which is not zero, tells.
     const Planar edge_1(coplanar[1] - coplanar[0], drop_);

@@ -37,6 +37,10 @@ class PosedTriangle {
     /// The same where doubles tell.
     [[nodiscard]] std::optional<int> proven_edge_side(std::size_t k, const Vec3& point) const;
 
+    /// Which side of the line from one point of the outer body in this triangle's plane to another
+    /// corner k lies on: the sign changes with the direction, and is 0 on the line.
+    [[nodiscard]] int line_side(const Vec3& from, const Vec3& to, std::size_t k);
+
     /// 1 if a triangle of the outer body in the same plane is wound the same way,
     /// -1 if not.
     [[nodiscard]] int winding(const Corners& coplanar) const;

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
+#include <utility>
 
 namespace cd {
 
@@ -40,25 +41,48 @@ std::array<double, 3> key(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-/// True when doubles show that the segment passes by the triangle on one side.
-bool surely_passes_by(const PosedTriangle& triangle, const Vec3& from, const Vec3& to) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (triangle.proven_edge_side(k, from).value_or(1) < 0 &&
-            triangle.proven_edge_side(k, to).value_or(1) < 0) {
-            return true;
+/// What doubles tell of where the corners of an outer triangle lie in the plane of an inner one.
+class CornerSides {
+  public:
+    CornerSides(const PosedTriangle& inner, const Corners& outer) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                is_beyond_[i][k] = inner.proven_edge_side(k, outer[i]).value_or(1) < 0;
+            }
         }
     }
-    return false;
-}
 
-/// True when no point of the segment, in the triangle's plane, can lie in its interior.
+    /// True when the segment from corner i to corner j surely passes by on one side of the inner
+    /// triangle; with i = j, when the corner lies outside.
+    [[nodiscard]] bool pass_by(std::size_t i, std::size_t j) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (is_beyond_[i][k] && is_beyond_[j][k]) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    std::array<std::array<bool, 3>, 3> is_beyond_{}; ///< Corner i, beyond edge k.
+};
+
+/// True when no point of the segment, in the triangle's plane, lies in its interior: they are
+/// apart on the line of an edge, or on that of the segment.
 bool passes_by(PosedTriangle& triangle, const Vec3& from, const Vec3& to) {
     for (std::size_t k = 0; k < 3; ++k) {
         if (triangle.edge_side(k, from) <= 0 && triangle.edge_side(k, to) <= 0) {
             return true;
         }
     }
-    return false;
+    if (from == to) {
+        return false;
+    }
+    const std::array<int, 3> sides{triangle.line_side(from, to, 0),
+                                   triangle.line_side(from, to, 1),
+                                   triangle.line_side(from, to, 2)};
+    const auto [least, greatest] = std::minmax_element(sides.begin(), sides.end());
+    return *least >= 0 || *greatest <= 0;
 }
 
 /// The plane of a triangle without the axis `drop`.
@@ -175,15 +199,21 @@ void TriangleInSolid::add_edge(const Vec3& from, const Vec3& to, int winding) {
 }
 
 void TriangleInSolid::add_touching(PosedTriangle& inner, const Corners& outer) {
-    const auto is_in_plane = [&](std::size_t k) { return inner.plane_side(outer[k]) == 0; };
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t next = (k + 1) % 3;
-        if (!surely_passes_by(inner, outer[k], outer[next]) && is_in_plane(k) &&
-            is_in_plane(next)) {
-            add_edge(outer[k], outer[next], 0);
+    const CornerSides sides(inner, outer);
+    std::array<std::optional<bool>, 3> in_plane;
+    const auto is_in_plane = [&](std::size_t i) {
+        if (!in_plane[i]) {
+            in_plane[i] = inner.plane_side(outer[i]) == 0;
         }
-        if (!surely_passes_by(inner, outer[k], outer[k]) && is_in_plane(k)) {
-            add_edge(outer[k], outer[k], 0);
+        return *in_plane[i];
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t next = (i + 1) % 3;
+        if (!sides.pass_by(i, next) && is_in_plane(i) && is_in_plane(next)) {
+            add_edge(outer[i], outer[next], 0);
+        }
+        if (!sides.pass_by(i, i) && is_in_plane(i)) {
+            add_edge(outer[i], outer[i], 0);
         }
     }
 }
@@ -197,9 +227,11 @@ void TriangleInSolid::find_edges(PosedTriangle& inner, std::span<const OuterCont
             continue;
         }
         const int winding = inner.winding(corners);
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (!surely_passes_by(inner, corners[k], corners[(k + 1) % 3])) {
-                add_edge(corners[k], corners[(k + 1) % 3], winding);
+        const CornerSides sides(inner, corners);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t next = (i + 1) % 3;
+            if (!sides.pass_by(i, next)) {
+                add_edge(corners[i], corners[next], winding);
             }
         }
     }
