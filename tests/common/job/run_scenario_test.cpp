@@ -2,8 +2,8 @@
 // that each level says as much as it promises, and that classes are those that are documented.
 
 #include "common/job/run_scenario.hpp"
-#include "common/job/settle.hpp"
 
+#include "common/job/settle.hpp"
 #include "common/tree/brute_force.hpp"
 #include "common/tree/build.hpp"
 #include "tests/support/shapes.hpp"
