@@ -1,6 +1,6 @@
 // What does a tie cost? Times the decision of hard pairs by category, each pair with its own poses,
 // and of the candidates of stacked boxes, where ties are the normal case: each from stage Double
-// on, from Lattice, from WideInteger and from Arbitrary.
+// on, from Lattice, from DoubleDouble, from WideInteger and from Arbitrary.
 //
 //   engine_exact_bench [--pairs 300] [--cells 6] [--rounds 5]
 //
@@ -32,8 +32,11 @@ struct Options {
     int rounds = 5;
 };
 
-constexpr std::array stages{
-    PairStage::Double, PairStage::Lattice, PairStage::WideInteger, PairStage::Arbitrary};
+constexpr std::array stages{PairStage::Double,
+                            PairStage::Lattice,
+                            PairStage::DoubleDouble,
+                            PairStage::WideInteger,
+                            PairStage::Arbitrary};
 
 /// The pairs of one set; those under one pair of poses stand together.
 struct Group {
@@ -168,9 +171,10 @@ void print_boxes(const Options& options) {
 }
 
 int run(const Options& options) {
-    std::puts("| set | pairs | from double, ns | lattice | wide integer | arbitrary "
-              "| in double | lattice | wide integer | arbitrary | sums |\n"
-              "|---|---|---|---|---|---|---|---|---|---|---|");
+    std::puts(
+        "| set | pairs | from double, ns | lattice | double-double | wide integer | arbitrary "
+        "| in double | lattice | double-double | wide integer | arbitrary | sums |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     double sum = 0;
     for (const std::string& category : tests::pair_categories()) {
         std::vector<Group> groups;

@@ -95,9 +95,10 @@ class DoubleTrianglePair {
 
 /// Models CornerSigns from what `signs` has proven, until an unproven sign is asked for: then the
 /// answers mean nothing any more, and lead to a quick end.
+template <class Signs>
 class ProvenSigns {
   public:
-    explicit ProvenSigns(const DoubleSigns& signs) : signs_(signs) {}
+    explicit ProvenSigns(const Signs& signs) : signs_(signs) {}
 
     [[nodiscard]] bool are_enough() const { return enough_; }
     /// As far as they have been asked for and are proven.
@@ -126,7 +127,7 @@ class ProvenSigns {
         return enough_ ? sides : PlaneSides{1, 1, 1};
     }
 
-    const DoubleSigns& signs_;
+    const Signs& signs_;
     bool enough_ = true;
     PlaneSides of_a_ = unknown_sides;
     PlaneSides of_b_ = unknown_sides;

@@ -1,5 +1,6 @@
 #include "common/geometry/triangle_pair.hpp"
 
+#include "common/geometry/double_double_triangle_pair.hpp"
 #include "common/geometry/double_triangle_pair.hpp"
 #include "common/geometry/exact_triangle_pair.hpp"
 #include "common/geometry/float_triangle_pair.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 namespace cd {
 
@@ -33,7 +35,8 @@ struct TrianglePairTest::State {
     FloatTrianglePair in_float;
     DoubleTrianglePair in_double;
     IntegerTrianglePair in_integers;
-    std::unique_ptr<const ExactTrianglePair> exact; ///< Made when it is first needed.
+    std::optional<DoubleDoubleTrianglePair> in_double_double; ///< Made when it is first needed.
+    std::unique_ptr<const ExactTrianglePair> exact;           ///< Likewise.
     SharedPoints points;
     PairStage first;
     PairStatistics statistics;
@@ -61,6 +64,9 @@ struct TrianglePairTest::State {
         }
         return verdicts;
     }
+
+    [[nodiscard]] PairClass
+    classify_past_double(const Corners& a, const Corners& b, const KnownSigns& known);
 };
 
 TrianglePairTest::TrianglePairTest(const PosePair& poses, PairStage first)
@@ -77,27 +83,43 @@ PairClass TrianglePairTest::classify(const Corners& a, const Corners& b) {
             return *decided;
         }
     }
-    const DoubleSigns in_double = s.in_double.signs(a, b);
-    ProvenSigns proven(in_double);
     if (s.first <= PairStage::Double) {
+        const DoubleSigns in_double = s.in_double.signs(a, b);
+        ProvenSigns proven(in_double);
         const PairClass kind = decide_pair(proven);
         if (proven.are_enough()) {
             ++s.statistics[PairStage::Double];
             return kind;
         }
+        return s.classify_past_double(a, b, {&in_double, proven.known_of_a(), proven.known_of_b()});
     }
-    if (s.first <= PairStage::WideInteger) {
-        const auto decided = s.in_integers.classify(a, b, proven.known_of_a(), proven.known_of_b());
-        if (decided) {
-            ++s.statistics[s.in_integers.stage()];
+    return s.classify_past_double(a, b, {});
+}
+
+PairClass TrianglePairTest::State::classify_past_double(const Corners& a,
+                                                        const Corners& b,
+                                                        const KnownSigns& known) {
+    // Bodies that are not rotated against each other are cheap for integers.
+    if (first <= PairStage::DoubleDouble && in_integers.stage() == PairStage::WideInteger) {
+        if (!in_double_double) {
+            in_double_double.emplace(poses);
+        }
+        if (const auto decided = in_double_double->classify(a, b, known)) {
+            ++statistics[PairStage::DoubleDouble];
             return *decided;
         }
     }
-    ++s.statistics[PairStage::Arbitrary];
-    if (!s.exact) {
-        s.exact = std::make_unique<ExactTrianglePair>(s.poses);
+    if (first <= PairStage::WideInteger) {
+        if (const auto decided = in_integers.classify(a, b, known.of_a, known.of_b)) {
+            ++statistics[in_integers.stage()];
+            return *decided;
+        }
     }
-    return s.exact->classify(a, b);
+    ++statistics[PairStage::Arbitrary];
+    if (!exact) {
+        exact = std::make_unique<ExactTrianglePair>(poses);
+    }
+    return exact->classify(a, b);
 }
 
 std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,

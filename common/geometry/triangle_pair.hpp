@@ -26,8 +26,8 @@ enum class PairStage : std::uint8_t {
     Float = 0,   ///< Floats with an error bound, as many pairs at once as the processor takes.
     Double = 1,  ///< Doubles with an error bound.
     Lattice = 2, ///< Integers of a fixed number of words: neither body rotated against the other.
-    DoubleDouble = 3, ///< Pairs of doubles with an error bound.
-    WideInteger = 4,  ///< The same under any poses.
+    DoubleDouble = 3, ///< Pairs of doubles with an error bound: rotated bodies.
+    WideInteger = 4,  ///< Integers of a fixed number of words, whatever the poses.
     Arbitrary = 5,    ///< Integers of any size: exact on every input.
 };
 inline constexpr std::size_t pair_stage_count = 6;

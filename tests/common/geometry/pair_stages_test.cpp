@@ -1,6 +1,7 @@
 // Proves that each stage of the decision gives only what is true: on every kind of hard pair, from
-// whichever stage on, the answer is the oracle's; the double stage's bounds are needed; and pairs
-// settle where they should.
+// whichever stage on, the answer is the oracle's; the bounds of the stages in double and in
+// double-double are needed; and pairs settle where they should.
+#include "common/geometry/double_double_triangle_pair.hpp"
 #include "common/geometry/double_triangle_pair.hpp"
 #include "common/geometry/exact_triangle_pair.hpp"
 #include "common/geometry/integer_triangle_pair.hpp"
@@ -20,8 +21,11 @@ namespace cd::tests {
 
 namespace {
 
-constexpr std::array later_stages{
-    PairStage::Double, PairStage::Lattice, PairStage::WideInteger, PairStage::Arbitrary};
+constexpr std::array later_stages{PairStage::Double,
+                                  PairStage::Lattice,
+                                  PairStage::DoubleDouble,
+                                  PairStage::WideInteger,
+                                  PairStage::Arbitrary};
 
 PairClass from_stage(PairStage first, const PosedPair& c) {
     return TrianglePairTest(c.poses, first).classify(c.a, c.b);
@@ -40,6 +44,48 @@ int wrong_proofs(double bound_scale) {
     return wrong;
 }
 
+/// One rotation written in two ways, so that double-double rounds it in two ways, of triangles that
+/// share a corner or an edge or lie in one plane; and B moved by far less than doubles tell.
+PosedPair tie_that_is_moved_a_little(std::mt19937_64& random) {
+    const auto digit = [&] { return static_cast<double>(random() % 2001) - 1000; };
+    const Quaternion q{digit(), digit(), digit(), 1 + digit() * digit()};
+    const double factor = 3 + 2 * static_cast<double>(random() % 5);
+    const auto shift = [&] {
+        return random() % 2 == 0
+                   ? 0
+                   : std::ldexp(digit() / 1000, -95 - static_cast<int>(random() % 20));
+    };
+    PosedPair c;
+    c.a = random() % 2 == 0 ? random_corners(random, 1) : lattice_corners(random, 3);
+    c.b = random() % 2 == 0 ? random_corners(random, 1) : lattice_corners(random, 3);
+    for (std::size_t shared = random() % 3; shared-- > 0;) {
+        c.b[random() % 3] = c.a[shared];
+    }
+    c.poses.a = Pose::from_quaternion(q, Vec3::Zero());
+    c.poses.b = Pose::from_quaternion({factor * q.w, factor * q.x, factor * q.y, factor * q.z},
+                                      Vec3(shift(), shift(), shift()));
+    return c;
+}
+
+struct Proofs {
+    int right = 0;
+    int wrong = 0;
+};
+
+Proofs double_double_proofs(double bound_scale) {
+    Proofs proofs;
+    for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
+        std::mt19937_64 random(seed);
+        const PosedPair c = tie_that_is_moved_a_little(random);
+        if (const auto decided =
+                DoubleDoubleTrianglePair(c.poses, bound_scale).classify(c.a, c.b)) {
+            const bool is_right = *decided == ExactTrianglePair(c.poses).classify(c.a, c.b);
+            ++(is_right ? proofs.right : proofs.wrong);
+        }
+    }
+    return proofs;
+}
+
 } // namespace
 
 TEST(PairStages, AllGiveTheOraclesAnswerOnEveryKindOfPair) {
@@ -54,6 +100,8 @@ TEST(PairStages, AllGiveTheOraclesAnswerOnEveryKindOfPair) {
             }
             const auto in_double = DoubleTrianglePair(c.poses).classify(c.a, c.b);
             ASSERT_EQ(in_double.value_or(expected), expected);
+            const auto in_double_double = DoubleDoubleTrianglePair(c.poses).classify(c.a, c.b);
+            ASSERT_EQ(in_double_double.value_or(expected), expected);
         }
     }
 }
@@ -61,6 +109,15 @@ TEST(PairStages, AllGiveTheOraclesAnswerOnEveryKindOfPair) {
 TEST(PairStages, TheBoundsOfDoubleAreNeeded) {
     EXPECT_EQ(wrong_proofs(1), 0);
     EXPECT_GT(wrong_proofs(0.03), 10);
+}
+
+TEST(PairStages, TheBoundsOfDoubleDoubleAreNeeded) {
+    const Proofs proofs = double_double_proofs(1);
+    EXPECT_EQ(proofs.wrong, 0);
+    EXPECT_GT(proofs.right, 5'000);
+    // Bounds by largest components are some thousands of times what is seen, which costs nothing:
+    // nominal touches are further still from a tie.
+    EXPECT_GT(double_double_proofs(0x1p-15).wrong, 10);
 }
 
 TEST(PairStages, IntegersDecideAsUnlimitedOnesWhereverTheyReach) {
@@ -160,6 +217,14 @@ TEST(PairStages, EachPairCountsForTheHighestStageThatItNeeded) {
 
     EXPECT_TRUE(settles_in(
         PairStage::Double, {turned, Pose{}}, a, {Vec3(28, 0, 0), Vec3(29, 0, 0), Vec3(28, 1, 1)}));
+    // A corner on the other's face, but for roundings.
+    const Pose other = make_pose(random, 1);
+    const Vec3 inside = other.rotation().transpose() *
+                        (turned.apply(Vec3((a[0] + a[1] + a[2]) / 3)) - other.translation());
+    EXPECT_TRUE(settles_in(PairStage::DoubleDouble,
+                           {turned, other},
+                           a,
+                           {inside, inside + Vec3(1, 0, 0), inside + Vec3(0, 1, 0.1)}));
     // A tie of four corners that no three axes show.
     EXPECT_TRUE(settles_in(PairStage::Lattice, {}, a, {a[0] + a[1] - a[2], a[2], a[1]}));
     EXPECT_TRUE(settles_in(PairStage::Lattice, {turned, turned}, a, {a[1], a[0], a[2]}));
@@ -172,6 +237,22 @@ TEST(PairStages, EachPairCountsForTheHighestStageThatItNeeded) {
     spread[1].x() = 0x1p1000;
     spread[2].x() = 0x1p-1074;
     EXPECT_TRUE(settles_in(PairStage::Arbitrary, {turned, longer}, spread, spread));
+}
+
+TEST(PairStages, StagesThatArePassedOverSettleNothing) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const PosedPair c = nearly_touching(random);
+        for (const PairStage first : later_stages) {
+            TrianglePairTest test(c.poses, first);
+            static_cast<void>(test.classify(c.a, c.b));
+            ASSERT_EQ(test.statistics().total(), 1u);
+            for (std::size_t stage = 0; stage < static_cast<std::size_t>(first); ++stage) {
+                ASSERT_EQ(test.statistics().settled[stage], 0u) << to_text(first);
+            }
+        }
+    }
 }
 
 TEST(PairStages, PlainPosesKeepEveryAnswer) {
