@@ -95,6 +95,10 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->check(CLI::IsMember(levels))
         ->type_name("LEVEL")
         ->group(query);
+    verb.add_option("--tolerance", job.tolerance, "Leave boxes this small undecided; 0 is exact")
+        ->check(CLI::NonNegativeNumber)
+        ->type_name("LENGTH")
+        ->group(query);
     verb.add_option("--limit-pairs", job.limit_pairs, "Keep so many pairs a scenario; 0 keeps all")
         ->type_name("N")
         ->group(query);
@@ -160,6 +164,22 @@ void add_fail_on(CLI::App& verb, FailOn& fail_on) {
         ->type_name("touch|cross");
 }
 
+/// The stages by the names that the statistics give them.
+void add_first_stage(CLI::App& verb, std::optional<PairStage>& first_stage) {
+    std::map<std::string, PairStage> words;
+    for (std::size_t i = 0; i < pair_stage_count; ++i) {
+        std::string word(to_text(static_cast<PairStage>(i)));
+        std::replace(word.begin(), word.end(), ' ', '-');
+        words.emplace(std::move(word), static_cast<PairStage>(i));
+    }
+    verb.add_option("--first-stage",
+                    first_stage,
+                    "Skip the cheaper stages of the triangle decision: float (default), double, "
+                    "lattice, double-double, wide-integer, arbitrary; same answers, more slowly")
+        ->transform(CLI::CheckedTransformer(words).description(""))
+        ->type_name("STAGE");
+}
+
 /// Owns the values that the options of the verbs are written into.
 struct Verbs {
     RunCommand run;
@@ -190,6 +210,12 @@ void add_local_verbs(CLI::App& app, Verbs& verbs) {
         ->check(CLI::Range(0u, 4096u))
         ->type_name("N")
         ->capture_default_str();
+    run->add_option("--simd",
+                    verbs.run.simd,
+                    "Instructions used here: avx512, avx2, sse4, neon, "
+                    "scalar, auto (default); same answers. Also CD_SIMD")
+        ->type_name("TARGET");
+    add_first_stage(*run, verbs.run.first_stage);
     add_fail_on(*run, verbs.run.fail_on);
     run->add_flag("--dry-run", verbs.run.dry_run, "Read and check all inputs, then stop");
     add_quiet(*run, verbs.run.quiet);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/job_options.hpp"
+#include "common/geometry/triangle_pair.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -24,6 +25,8 @@ struct RunCommand {
     JobOptions job;
     MasterOptions master; ///< No address: on this machine alone.
     unsigned threads = 0; ///< 0: one for each core.
+    std::string simd;     ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
+    std::optional<PairStage> first_stage; ///< On this machine alone.
     FailOn fail_on = FailOn::Never;
     bool dry_run = false;
     bool quiet = false;

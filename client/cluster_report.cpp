@@ -44,6 +44,11 @@ std::uint64_t contacts_of(const Summary& summary) {
     return summary.touch + summary.cross + summary.inside + summary.contact;
 }
 
+/// Candidates that a later stage than the first settled.
+std::uint64_t past_float(const PairStatistics& decisions) {
+    return decisions.total() - decisions[PairStage::Float];
+}
+
 template <class Member>
 std::uint64_t sum_over_workers(const ClusterStatus& status, Member member) {
     std::uint64_t sum = 0;
@@ -86,7 +91,10 @@ Table jobs_table(const ClusterStatus& status) {
                      {"answered_by_master", "BY MASTER", CellKind::Count, true},
                      {"box_tests", "BOX TESTS", CellKind::Count, true},
                      {"triangle_tests", "TRIANGLE TESTS", CellKind::Count, true},
+                     {"past_float", "PAST FLOAT", CellKind::Count, true},
                      {"compute_seconds", "COMPUTE", CellKind::Seconds, true},
+                     {"inside_scenarios", "INSIDE?", CellKind::Count, true},
+                     {"inside_seconds", "FOR INSIDE", CellKind::Seconds, true},
                      {"failure", "FAILURE", CellKind::Text, true}};
     const std::vector<JobId> ids = job_ids(status);
     for (const JobStatus& job : status.jobs) {
@@ -102,9 +110,12 @@ Table jobs_table(const ClusterStatus& status) {
                               job.scenarios_per_second,
                               job.digest ? to_short_hex(*job.digest) : std::string(),
                               job.answered_by_master,
-                              job.box_tests,
-                              job.triangle_tests,
+                              job.statistics.search.box_tests,
+                              job.statistics.search.triangle_tests,
+                              past_float(job.statistics.search.decisions),
                               job.compute_seconds,
+                              job.statistics.inside.scenarios,
+                              job.statistics.inside.seconds,
                               job.failure});
     }
     return table;

@@ -4,6 +4,7 @@
 #include "client/units.hpp"
 #include "client/words.hpp"
 #include "common/core/limits.hpp"
+#include "common/job/tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -182,13 +183,9 @@ void read_query(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
     if (const auto level = fields.word("level", level_names)) {
         spec.level = level_from_text(*level).value_or(spec.level);
     }
-    const double tolerance = fields.number("tolerance").value_or(0);
-    if (tolerance < 0) {
-        fields.report("tolerance", "tolerance is negative");
-    } else if (tolerance > 0) {
-        fields.report("tolerance",
-                      "a tolerance above 0 is not available in this version; leave it out, and the "
-                      "answer is exact");
+    spec.tolerance = fields.number("tolerance").value_or(spec.tolerance);
+    if (const Status allowed = check_tolerance(spec.tolerance); !allowed) {
+        fields.report("tolerance", allowed.error().detail);
     }
     spec.limit_pairs = fields.integer("limit_pairs", 0, std::numeric_limits<std::uint32_t>::max())
                            .value_or(spec.limit_pairs);
@@ -220,11 +217,16 @@ void read_output(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
     }
 }
 
-void read_depth(const TomlFields& cluster, TomlProblem& problem, ClusterOptions& options) {
+void read_depth(const TomlFields& cluster, TomlProblem& problem, JobSpec& spec) {
     const toml::table* table = cluster.table("depth");
     if (table == nullptr) {
         return;
     }
+    spec.gives_depth = true;
+    if (const Status allowed = check_depths(spec); !allowed) {
+        cluster.report("depth", allowed.error().detail);
+    }
+    ClusterOptions& options = spec.cluster;
     const TomlFields fields(*table, "[cluster] depth", problem, {"a", "b"});
     const auto depth = [&](std::string_view key, std::uint32_t otherwise) {
         return static_cast<std::uint32_t>(
@@ -234,17 +236,18 @@ void read_depth(const TomlFields& cluster, TomlProblem& problem, ClusterOptions&
     options.depth_b = depth("b", options.depth_b);
 }
 
-void read_cluster(const TomlFields& job, TomlProblem& problem, ClusterOptions& options) {
+void read_cluster(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
     const toml::table* table = job.table("cluster");
     if (table == nullptr) {
         return;
     }
     const TomlFields fields(
         *table, "[cluster]", problem, {"strategy", "depth", "q", "v_kb", "claim", "seed"});
+    ClusterOptions& options = spec.cluster;
     if (const auto strategy = fields.word("strategy", strategy_names)) {
         options.strategy = strategy_from_text(*strategy).value_or(options.strategy);
     }
-    read_depth(fields, problem, options);
+    read_depth(fields, problem, spec);
     options.q =
         static_cast<std::uint32_t>(fields.integer("q", 1, limits::q_max).value_or(options.q));
     options.v_kb = static_cast<std::uint32_t>(
@@ -267,10 +270,20 @@ void read_job(const toml::table& table, TomlProblem& problem, JobSpec& spec) {
     read_poses(job, problem, spec);
     read_query(job, problem, spec);
     read_output(job, problem, spec);
-    read_cluster(job, problem, spec.cluster);
+    read_cluster(job, problem, spec);
 }
 
 } // namespace
+
+Status check_depths(const JobSpec& spec) {
+    if (spec.tolerance > 0 && spec.gives_depth) {
+        return Error{ErrorCode::BadInput,
+                     "a tolerance above 0 goes without a distribution depth: what stays undecided "
+                     "depends on where trees are cut, so the meshes alone decide it; leave out "
+                     "depth"};
+    }
+    return Done{};
+}
 
 Status check_format(std::string_view format) {
     if (std::find(format_names.begin(), format_names.end(), format) != format_names.end()) {

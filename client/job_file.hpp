@@ -52,10 +52,12 @@ struct JobSpec {
     std::array<BodySpec, 2> bodies;
     PosesSpec poses = RandomPoses{};
     Level level = Level::Pairs;
+    double tolerance = 0; ///< In the job's unit.
     std::uint64_t limit_pairs = 0;
     std::vector<IgnoreRule> ignore;
     OutputSpec output;
     ClusterOptions cluster;
+    bool gives_depth = false;   ///< The depths in `cluster` were asked for, and are not the usual.
     std::filesystem::path file; ///< The job file; empty where there is none.
 };
 
@@ -66,6 +68,10 @@ struct JobSpec {
 
 /// The same on text; `path` is for messages and for relative paths.
 [[nodiscard]] Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path);
+
+/// A tolerance above 0 fixes the distribution depths, so none may be given beside it. Errors:
+/// BadInput.
+[[nodiscard]] Status check_depths(const JobSpec& spec);
 
 /// Errors: BadInput naming the formats that exist.
 [[nodiscard]] Status check_format(std::string_view format);

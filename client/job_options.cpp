@@ -1,6 +1,7 @@
 #include "client/job_options.hpp"
 
 #include "client/units.hpp"
+#include "common/job/tolerance.hpp"
 
 #include <algorithm>
 
@@ -82,6 +83,10 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         }
         spec.level = *level;
     }
+    replace(spec.tolerance, options.tolerance);
+    if (Status allowed = check_tolerance(spec.tolerance); !allowed) {
+        return allowed;
+    }
     replace(spec.limit_pairs, options.limit_pairs);
     spec.output.dir = options.out.empty() ? spec.output.dir : std::filesystem::path(options.out);
     if (!options.formats.empty()) {
@@ -102,6 +107,10 @@ Status apply(const JobOptions& options, JobSpec& spec) {
     }
     replace(spec.cluster.depth_a, options.depth_a);
     replace(spec.cluster.depth_b, options.depth_b);
+    spec.gives_depth = spec.gives_depth || options.depth_a || options.depth_b;
+    if (Status allowed = check_depths(spec); !allowed) {
+        return allowed;
+    }
     replace(spec.cluster.q, options.q);
     replace(spec.cluster.v_kb, options.v_kb);
     spec.cluster.claim = spec.cluster.claim || options.claim;

@@ -32,8 +32,8 @@ std::uint64_t bytes_of(const ScenarioResult& result) {
 /// Scenarios go in, in order; pool threads run them; results come out in the same order.
 class OrderedRun {
   public:
-    OrderedRun(const ObbTree& a, const ObbTree& b, const Query& query, ThreadPool& pool)
-        : a_(a), b_(b), query_(query), threads_(pool.size()) {
+    OrderedRun(const ScenarioRunner& runner, ThreadPool& pool)
+        : runner_(runner), threads_(pool.size()) {
         for (unsigned i = 0; i < threads_; ++i) {
             pool.post([this] { work(); });
         }
@@ -81,6 +81,12 @@ class OrderedRun {
         return std::move(node.mapped());
     }
 
+    /// Of all scenarios run so far.
+    [[nodiscard]] JobStatistics statistics() {
+        const std::lock_guard lock(mutex_);
+        return statistics_;
+    }
+
   private:
     [[nodiscard]] bool has_room() const {
         return waiting_.size() < block_scenarios * threads_ && bytes_ahead_ < bytes_ahead_max &&
@@ -97,11 +103,12 @@ class OrderedRun {
             const Scenario scenario = std::move(waiting_.front());
             waiting_.pop_front();
             lock.unlock();
-            ScenarioResult result = run_scenario(a_, b_, scenario, query_).result;
+            ScenarioRun run = runner_.run(scenario);
             lock.lock();
-            bytes_ahead_ += bytes_of(result);
+            statistics_ += {run.statistics, run.inside};
+            bytes_ahead_ += bytes_of(run.result);
             const bool wakes = scenario.index == taken_ || has_room();
-            done_.emplace(scenario.index, std::move(result));
+            done_.emplace(scenario.index, std::move(run.result));
             if (wakes) {
                 state_changed_.notify_all();
             }
@@ -110,9 +117,7 @@ class OrderedRun {
         state_changed_.notify_all();
     }
 
-    const ObbTree& a_;
-    const ObbTree& b_;
-    const Query& query_;
+    const ScenarioRunner& runner_;
 
     std::mutex mutex_;
     std::condition_variable work_came_;
@@ -122,6 +127,7 @@ class OrderedRun {
     std::uint64_t added_ = 0;
     std::uint64_t taken_ = 0; ///< Also the index that is taken next.
     std::uint64_t bytes_ahead_ = 0;
+    JobStatistics statistics_;
     unsigned threads_; ///< That have not left.
     bool stopping_ = false;
 };
@@ -150,11 +156,13 @@ Result<RunOutcome> run_locally(const ObbTree& a,
                                PoseSource& poses,
                                const Query& query,
                                ThreadPool& pool,
-                               const RunObserver& observer) {
+                               const RunObserver& observer,
+                               PairStage first_stage) {
     const auto start = Clock::now();
     auto progress_due = start;
     ResultMerger merger(poses.count());
-    OrderedRun run(a, b, query, pool);
+    const ScenarioRunner runner(a, b, query, first_stage);
+    OrderedRun run(runner, pool);
     std::uint64_t fed = 0;
     while (!merger.summary().is_complete()) {
         if (observer.stopped()) {
@@ -177,7 +185,7 @@ Result<RunOutcome> run_locally(const ObbTree& a,
         const auto outcome = merger.add(*result);
         CD_CHECK(outcome == ResultMerger::Outcome::Added);
     }
-    return RunOutcome{merger.summary(), merger.digest(), seconds_since(start)};
+    return RunOutcome{merger.summary(), merger.digest(), seconds_since(start), run.statistics()};
 }
 
 } // namespace cd

@@ -8,6 +8,7 @@
 #include "common/job/pose_source.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
+#include "common/job/statistics.hpp"
 #include "common/tree/obb_tree.hpp"
 
 #include <functional>
@@ -29,16 +30,18 @@ struct RunOutcome {
     Summary summary;
     std::optional<Sha256> digest;
     double seconds = 0; ///< Without import and building of trees.
+    JobStatistics statistics;
 };
 
-/// Every scenario of `poses` on the threads of the pool. The same results and digest for any number
-/// of threads. Results that wait for an earlier one are bounded in number and in bytes.
-/// Errors: those of `poses` and of the observer; Interrupted.
+/// Every scenario of `poses` on the threads of the pool, by a `ScenarioRunner`. The same results
+/// and digest for any number of threads. Results that wait for an earlier one are bounded in number
+/// and in bytes. Errors: those of `poses` and of the observer; Interrupted.
 [[nodiscard]] Result<RunOutcome> run_locally(const ObbTree& a,
                                              const ObbTree& b,
                                              PoseSource& poses,
                                              const Query& query,
                                              ThreadPool& pool,
-                                             const RunObserver& observer);
+                                             const RunObserver& observer,
+                                             PairStage first_stage = PairStage::Float);
 
 } // namespace cd

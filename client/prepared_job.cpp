@@ -135,7 +135,8 @@ Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, ThreadPool& pool) {
     if (!ignored) {
         return ignored.error();
     }
-    job.query = {job.spec.level, job.spec.limit_pairs, std::move(ignored.value())};
+    job.query = {
+        job.spec.level, job.spec.tolerance, job.spec.limit_pairs, std::move(ignored.value())};
     if (trees == Trees::Always || std::holds_alternative<RandomPoses>(job.spec.poses)) {
         build_trees(job, pool);
     }
@@ -147,7 +148,8 @@ Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, ThreadPool& pool) {
 }
 
 ExportContext export_context(const PreparedJob& job) {
-    return {job.spec.name, job.spec.unit, job.query.level, job.names, job.meshes};
+    return {
+        job.spec.name, job.spec.unit, job.query.level, job.names, job.meshes, job.query.tolerance};
 }
 
 } // namespace cd

@@ -187,6 +187,43 @@ std::string classes_text(const Summary& summary, Level level, bool colours) {
            "\n";
 }
 
+/// "99.97 %", never 0 of what is there, nor all where some is missing.
+std::string share_text(std::uint64_t part, std::uint64_t whole) {
+    const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+    if (part != 0 && share < 0.005) {
+        return "< 0.01 %";
+    }
+    return part != whole && share >= 99.995 ? "> 99.99 %" : fixed_text(share, 2) + " %";
+}
+
+std::string settled_text(const PairStatistics& decisions) {
+    std::string text;
+    for (std::size_t i = 0; i < pair_stage_count; ++i) {
+        const auto stage = static_cast<PairStage>(i);
+        if (decisions[stage] != 0) {
+            text += (text.empty() ? "; settled in " : ", ") + std::string(to_text(stage)) + " " +
+                    share_text(decisions[stage], decisions.total());
+        }
+    }
+    return text;
+}
+
+std::string statistics_text(const JobStatistics& statistics, const Summary& summary) {
+    std::string text;
+    const QueryStatistics& search = statistics.search;
+    const std::uint64_t scenarios = std::max<std::uint64_t>(1, summary.merged());
+    if (search.box_tests != 0) {
+        text += "  visited       " + counted(search.box_tests / scenarios, "box pair") + ", " +
+                counted(search.triangle_tests / scenarios, "candidate") + " a scenario" +
+                settled_text(search.decisions) + "\n";
+    }
+    if (statistics.inside.scenarios != 0) {
+        text += "  inside        looked at in " + counted(statistics.inside.scenarios, "scenario") +
+                ", " + fixed_text(statistics.inside.seconds, 3) + " s of one thread\n";
+    }
+    return text;
+}
+
 } // namespace
 
 std::string summary_text(const RunReport& report, bool colours) {
@@ -208,6 +245,10 @@ std::string summary_text(const RunReport& report, bool colours) {
         text += "  cut lists  in " + counted(summary.cut, "scenario") +
                 ": limit_pairs was reached; the counts are true\n";
     }
+    if (summary.undecided != 0) {
+        text += "  undecided     in " + counted(summary.undecided, "scenario") +
+                ": boxes as small as the tolerance were left; pairs are those proven, not all\n";
+    }
     if (!report.most_touched.empty()) {
         text += "  most touched  ";
         for (std::size_t i = 0; i < report.most_touched.size(); ++i) {
@@ -217,6 +258,7 @@ std::string summary_text(const RunReport& report, bool colours) {
         }
         text += "\n";
     }
+    text += statistics_text(report.statistics, summary);
     if (report.digest) {
         text += "  digest        " + to_short_hex(*report.digest) + "\n";
     }

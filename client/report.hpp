@@ -5,6 +5,7 @@
 #include "common/geometry/topology.hpp"
 #include "common/job/merge.hpp"
 #include "common/job/result.hpp"
+#include "common/job/statistics.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -72,6 +73,7 @@ struct RunReport {
     Level level = Level::Pairs;
     std::optional<Sha256> digest; ///< Nothing while scenarios are missing.
     double seconds = 0;
+    JobStatistics statistics;
     std::string where; ///< "2 threads", "2 workers"; may be empty.
     std::vector<PartTally::Touched> most_touched;
 };

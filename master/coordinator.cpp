@@ -91,7 +91,7 @@ void Coordinator::give_up(const GiveUp& action) {
     result.failure = "scenario " + std::to_string(scenario.index) + ": lost with " +
                      std::to_string(limits::scenario_losses_max) + " workers, one after the other";
     spdlog::error("scenario given up: job={} scenario={}", job->id.value, scenario.index);
-    merge(*job, take_result(std::move(result)), WorkerId{});
+    merge(*job, take_result(std::move(result), {}), WorkerId{});
 }
 
 ClusterStatus Coordinator::cluster_status() {

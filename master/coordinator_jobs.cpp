@@ -2,6 +2,7 @@
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
+#include "common/job/tolerance.hpp"
 #include "master/coordinator.hpp"
 #include "master/run_on.hpp"
 
@@ -13,6 +14,8 @@ namespace cd {
 struct Coordinator::Preparation {
     std::shared_ptr<const ObbTree> tree_a;
     std::shared_ptr<const ObbTree> tree_b;
+    std::uint32_t depth_a = 0; ///< Of the cuts.
+    std::uint32_t depth_b = 0;
     std::shared_ptr<const CutGeometry> cut_a;
     std::shared_ptr<const CutGeometry> cut_b;
 
@@ -20,19 +23,23 @@ struct Coordinator::Preparation {
     [[nodiscard]] static Result<Preparation> make(GeometryStore& store, const Submit& submit) {
         const auto tree_a = store.tree(submit.bodies[0]);
         const auto tree_b = store.tree(submit.bodies[1]);
-        const auto cut_a = store.cut(submit.bodies[0], submit.cluster.depth_a);
-        const auto cut_b = store.cut(submit.bodies[1], submit.cluster.depth_b);
         for (const auto* tree : {&tree_a, &tree_b}) {
             if (!*tree) {
                 return tree->error();
             }
         }
+        const bool is_exact = submit.query.tolerance == 0;
+        const auto depth_a = is_exact ? submit.cluster.depth_a : tolerance_depth(*tree_a.value());
+        const auto depth_b = is_exact ? submit.cluster.depth_b : tolerance_depth(*tree_b.value());
+        const auto cut_a = store.cut(submit.bodies[0], depth_a);
+        const auto cut_b = store.cut(submit.bodies[1], depth_b);
         for (const auto* cut : {&cut_a, &cut_b}) {
             if (!*cut) {
                 return cut->error();
             }
         }
-        return Preparation{tree_a.value(), tree_b.value(), cut_a.value(), cut_b.value()};
+        return Preparation{
+            tree_a.value(), tree_b.value(), depth_a, depth_b, cut_a.value(), cut_b.value()};
     }
 };
 
@@ -99,8 +106,8 @@ void Coordinator::start_job(MasterJob& job,
     const Submit& submit = job.submit;
     job.material =
         std::make_shared<const JobMaterial>(JobMaterial{made.tree_a, made.tree_b, submit.query});
-    job.tree_a = trees_.acquire(submit.bodies[0], submit.cluster.depth_a, made.cut_a);
-    job.tree_b = trees_.acquire(submit.bodies[1], submit.cluster.depth_b, made.cut_b);
+    job.tree_a = trees_.acquire(submit.bodies[0], made.depth_a, made.cut_a);
+    job.tree_b = trees_.acquire(submit.bodies[1], made.depth_b, made.cut_b);
     AnalysisInput input{made.tree_a,
                         made.tree_b,
                         top_of(made.cut_a),
@@ -112,7 +119,7 @@ void Coordinator::start_job(MasterJob& job,
         auto finished = std::make_shared<std::vector<TakenResult>>();
         for (Analysis& analysis : came.scenarios) {
             if (analysis.finished) {
-                finished->push_back(take_result(std::move(*analysis.finished)));
+                finished->push_back(take_result(std::move(*analysis.finished), analysis.inside));
             }
         }
         auto block = std::make_shared<AnalysedBlock>(std::move(came));
@@ -156,6 +163,7 @@ void Coordinator::block_came(JobId id,
     }
     for (const TakenResult& taken : finished) {
         ++job->answered_by_master;
+        job->statistics.inside += taken.inside;
         merge(*job, taken, WorkerId{});
         if (!job->is_running()) {
             break;

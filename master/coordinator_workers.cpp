@@ -91,10 +91,10 @@ void Coordinator::results_taken(WorkerId worker,
         return;
     }
     if (MasterJob* job = jobs_.find_running(content.job)) {
-        job->box_tests += results.box_tests;
-        job->triangle_tests += results.triangle_tests;
+        job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;
         for (const TakenResult& one : taken.value()) {
+            job->statistics.inside += one.inside;
             act(dispatcher_.scenario_answered(worker, job->id, one.result.index));
             merge(*job, one, worker);
             if (!job->is_running()) {

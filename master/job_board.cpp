@@ -25,8 +25,7 @@ JobStatus MasterJob::status(Clock::time_point now) const {
                 std::min<std::size_t>(2, submit.bodies.size()),
                 status.bodies.begin());
     status.answered_by_master = answered_by_master;
-    status.box_tests = box_tests;
-    status.triangle_tests = triangle_tests;
+    status.statistics = statistics;
     status.compute_seconds = compute_seconds;
     return status;
 }

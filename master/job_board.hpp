@@ -56,8 +56,7 @@ struct MasterJob {
     std::optional<Sha256> digest;
 
     std::uint64_t answered_by_master = 0;
-    std::uint64_t box_tests = 0;
-    std::uint64_t triangle_tests = 0;
+    JobStatistics statistics;
     double compute_seconds = 0;
 
     [[nodiscard]] bool is_running() const { return state == JobState::Running; }

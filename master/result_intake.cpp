@@ -2,8 +2,6 @@
 
 #include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
-#include "common/job/run_scenario.hpp"
-#include "common/job/settle.hpp"
 
 #include <algorithm>
 #include <unordered_map>
@@ -22,12 +20,12 @@ bool are_triangles_of(const JobMaterial& material, std::span<const ContactPair> 
     });
 }
 
-Result<ScenarioResult> check_record(const JobMaterial& material,
-                                    const ByIndex& scenarios,
-                                    std::span<const std::byte> bytes) {
+Result<TakenResult> take_record(const JobMaterial& material,
+                                const ByIndex& scenarios,
+                                std::span<const std::byte> bytes) {
     Result<ScenarioResult> decoded = decode_result(bytes);
     if (!decoded) {
-        return decoded;
+        return decoded.error();
     }
     ScenarioResult& result = decoded.value();
     const auto found = scenarios.find(result.index);
@@ -48,16 +46,22 @@ Result<ScenarioResult> check_record(const JobMaterial& material,
                      "the result of scenario " + std::to_string(result.index) +
                          " has pairs of triangles that the bodies do not have"};
     }
-    settle_class(*material.a, *material.b, scenario, material.query, result);
-    return decoded;
+    if (result.kind == ScenarioClass::Undecided && !(material.query.tolerance > 0)) {
+        return Error{ErrorCode::BadFrame,
+                     "the result of scenario " + std::to_string(result.index) +
+                         " is undecided, and no tolerance was asked for"};
+    }
+    const InsideStatistics inside =
+        settle_with_cost(*material.a, *material.b, scenario, material.query, result);
+    return take_result(std::move(result), inside);
 }
 
 } // namespace
 
-TakenResult take_result(ScenarioResult result) {
+TakenResult take_result(ScenarioResult result, const InsideStatistics& inside) {
     Bytes record = encode_result(result);
     const Sha256 digest = sha256(record);
-    return {std::move(result), std::move(record), digest};
+    return {std::move(result), std::move(record), digest, inside};
 }
 
 Result<std::vector<TakenResult>> take_results(const TaskContent& task, const Results& results) {
@@ -76,12 +80,12 @@ Result<std::vector<TakenResult>> take_results(const TaskContent& task, const Res
         if (reader.failed()) {
             break;
         }
-        Result<ScenarioResult> result =
-            check_record(*task.material, scenarios, std::as_bytes(std::span(record)));
+        Result<TakenResult> result =
+            take_record(*task.material, scenarios, std::as_bytes(std::span(record)));
         if (!result) {
             return result.error();
         }
-        taken.push_back(take_result(std::move(result.value())));
+        taken.push_back(std::move(result.value()));
     }
     if (!reader.complete()) {
         return Error{ErrorCode::BadFrame, "results that are not as many as announced"};

@@ -5,6 +5,7 @@
 #include "common/core/result.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
+#include "common/job/statistics.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "master/submitter.hpp"
 #include "proto/message.hpp"
@@ -33,9 +34,10 @@ struct TakenResult {
     ScenarioResult result;
     Bytes record;
     Sha256 digest;
+    InsideStatistics inside; ///< What settling the result cost here.
 };
 
-[[nodiscard]] TakenResult take_result(ScenarioResult result);
+[[nodiscard]] TakenResult take_result(ScenarioResult result, const InsideStatistics& inside);
 
 /// The results of a message, each settled. The bytes may be hostile. Errors: BadFrame, TooLarge;
 /// for a record that is none, of another level or bodies than asked, or of a scenario that is not

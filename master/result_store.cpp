@@ -20,13 +20,13 @@ static_assert(limits::result_record_bytes_max <= std::numeric_limits<std::uint32
 constexpr std::uint64_t header_bytes = 2 * sizeof(std::uint64_t); // Length and checksum.
 
 /// Where a record stands; a length of 0 is no record.
-struct Place {
+struct RecordPlace {
     std::uint64_t offset = 0;
     std::uint64_t length = 0;
 };
 
 constexpr std::uint64_t places_together = 256;
-using Places = std::array<Place, places_together>;
+using Places = std::array<RecordPlace, places_together>;
 
 } // namespace
 
@@ -42,18 +42,18 @@ struct ResultStore::State {
     /// In pieces, made when first needed: the number of scenarios is a client's word.
     std::unordered_map<std::uint64_t, std::unique_ptr<Places>> places;
 
-    [[nodiscard]] Place find(std::uint64_t scenario) const;
-    [[nodiscard]] Place& find_or_add(std::uint64_t scenario);
+    [[nodiscard]] RecordPlace find(std::uint64_t scenario) const;
+    [[nodiscard]] RecordPlace& find_or_add(std::uint64_t scenario);
     [[nodiscard]] Status flush();
-    [[nodiscard]] Result<Bytes> read(std::uint64_t scenario, const Place& place) const;
+    [[nodiscard]] Result<Bytes> read(std::uint64_t scenario, const RecordPlace& place) const;
 };
 
-Place ResultStore::State::find(std::uint64_t scenario) const {
+RecordPlace ResultStore::State::find(std::uint64_t scenario) const {
     const auto found = places.find(scenario / places_together);
-    return found == places.end() ? Place{} : (*found->second)[scenario % places_together];
+    return found == places.end() ? RecordPlace{} : (*found->second)[scenario % places_together];
 }
 
-Place& ResultStore::State::find_or_add(std::uint64_t scenario) {
+RecordPlace& ResultStore::State::find_or_add(std::uint64_t scenario) {
     std::unique_ptr<Places>& piece = places[scenario / places_together];
     if (piece == nullptr) {
         piece = std::make_unique<Places>();
@@ -70,7 +70,7 @@ Status ResultStore::State::flush() {
     return Done{};
 }
 
-Result<Bytes> ResultStore::State::read(std::uint64_t scenario, const Place& place) const {
+Result<Bytes> ResultStore::State::read(std::uint64_t scenario, const RecordPlace& place) const {
     Result<Bytes> bytes = file.read_at(place.offset, header_bytes + place.length);
     if (!bytes) {
         return bytes;
@@ -114,7 +114,7 @@ Status ResultStore::add(std::uint64_t scenario, std::span<const std::byte> recor
                          "limit_pairs"};
     }
     const std::lock_guard lock(state_->mutex);
-    Place& place = state_->find_or_add(scenario);
+    RecordPlace& place = state_->find_or_add(scenario);
     CD_CHECK(place.length == 0);
     if (state_->buffer.size() >= limits::result_buffer_bytes_max) {
         if (Status status = state_->flush(); !status) {
@@ -151,7 +151,7 @@ ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_
     ResultsPart part;
     part.first = first;
     for (std::uint64_t scenario = begin; scenario < end; ++scenario) {
-        const Place place = state_->find(scenario);
+        const RecordPlace place = state_->find(scenario);
         const bool fits =
             part.count == 0 || (records.size() + place.length <= bytes_max &&
                                 part.count < std::numeric_limits<std::uint32_t>::max());

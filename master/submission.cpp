@@ -1,6 +1,7 @@
 #include "master/submission.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/job/tolerance.hpp"
 
 #include <algorithm>
 #include <array>
@@ -66,6 +67,7 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
              check_range("the distribution depth of B", cluster.depth_b, 0, depth_max),
              check_range("q", cluster.q, 1, limits::q_max),
              check_range("v_kb", cluster.v_kb, 1, limits::v_kb_max),
+             check_tolerance(submit.query.tolerance),
              check_ignored(submit.query, triangles[0], triangles[1]),
          }) {
         if (!status) {

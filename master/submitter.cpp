@@ -2,7 +2,6 @@
 
 #include "common/core/limits.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/job/settle.hpp"
 
 #include <algorithm>
 #include <condition_variable>
@@ -13,18 +12,6 @@ namespace cd {
 
 namespace {
 
-ScenarioResult
-failed_result(const AnalysisInput& input, const Scenario& scenario, const Error& why) {
-    ScenarioResult result;
-    result.index = scenario.index;
-    result.body_a = scenario.body_a;
-    result.body_b = scenario.body_b;
-    result.level = input.query.level;
-    result.kind = ScenarioClass::Failed;
-    result.failure = "scenario " + std::to_string(scenario.index) + ": " + why.detail;
-    return result;
-}
-
 /// The paper's step for one scenario, where the poses' bytes are not yet counted.
 Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario) {
     Analysis analysis;
@@ -33,10 +20,11 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     Result<std::vector<RootPair>> pairs =
         colliding_roots(*input.top_a, *input.top_b, scenario.poses);
     if (!pairs) {
-        analysis.finished = failed_result(input, scenario, pairs.error());
+        analysis.finished = failed_result(scenario, input.query, pairs.error());
     } else if (pairs.value().empty()) {
         analysis.finished = run_on_subtrees({}, scenario, input.query).result;
-        settle_class(*input.a, *input.b, scenario, input.query, *analysis.finished);
+        analysis.inside =
+            settle_with_cost(*input.a, *input.b, scenario, input.query, *analysis.finished);
     } else {
         analysis.pairs = std::move(pairs.value());
         analysis.roots_a = roots_of_a(analysis.pairs);

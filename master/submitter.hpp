@@ -6,6 +6,7 @@
 #include "common/job/pose_source.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
+#include "common/job/statistics.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
 
@@ -38,6 +39,7 @@ struct Analysis {
     /// Where no roots collide: separate, or inside; or failed, where they are too many. `pairs` is
     /// then empty.
     std::optional<ScenarioResult> finished;
+    InsideStatistics inside; ///< What settling `finished` cost.
 };
 
 /// The analysis of one scenario. Pure. A failure of it is a `finished` result that names it.

@@ -37,6 +37,9 @@ Problem problem_of(const Hello& hello) {
 }
 
 Problem problem_of(const Batch& batch) {
+    if (batch.query.tolerance < 0) {
+        return "a negative tolerance";
+    }
     const auto& offsets = batch.pair_offsets;
     if (offsets.empty() || offsets.front() != 0 || offsets.back() != batch.pairs.size()) {
         return "offsets of pairs that do not span the pairs";

@@ -8,6 +8,7 @@
 #include "common/job/merge.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
+#include "common/job/statistics.hpp"
 #include "common/tree/cut.hpp"
 
 #include <cstdint>
@@ -18,8 +19,8 @@
 
 namespace cd {
 
-inline constexpr std::uint16_t protocol_version_min = 1;
-inline constexpr std::uint16_t protocol_version_max = 1;
+inline constexpr std::uint16_t protocol_version_min = 2;
+inline constexpr std::uint16_t protocol_version_max = 2;
 
 /// A tree cut at a depth, as the master numbers them while it runs.
 using TreeId = Id<struct TreeTag>;
@@ -118,9 +119,8 @@ struct Results {
     JobId job;
     std::uint32_t count = 0;
     Bytes records;
-    std::uint64_t box_tests = 0;      ///< N_b
-    std::uint64_t triangle_tests = 0; ///< N_p
-    double compute_seconds = 0;       ///< Summed over the worker's threads.
+    QueryStatistics statistics;
+    double compute_seconds = 0; ///< Summed over the worker's threads.
 };
 
 /// All results of the task have been sent.
@@ -162,7 +162,8 @@ enum class Strategy : std::uint8_t { BestMatch = 0, BestMatchLoad = 1, Random = 
 [[nodiscard]] std::string_view to_text(Strategy strategy);
 [[nodiscard]] std::optional<Strategy> strategy_from_text(std::string_view text);
 
-/// The [cluster] table of a job.
+/// The [cluster] table of a job. Under a tolerance the depths are `tolerance_depth` of the trees,
+/// and those given here are not looked at.
 struct ClusterOptions {
     Strategy strategy = Strategy::BestMatch;
     std::uint32_t depth_a = 12; ///< Distribution depth (paper: 12 or 10 for the fixed body,
@@ -209,8 +210,7 @@ struct JobStatus {
     std::string failure;
     std::array<Sha256, 2> bodies;
     std::uint64_t answered_by_master = 0; ///< No pair of distribution roots: no worker was asked.
-    std::uint64_t box_tests = 0;
-    std::uint64_t triangle_tests = 0;
+    JobStatistics statistics; ///< Of the scenarios whose results came, also those that came twice.
     double compute_seconds = 0;
 };
 

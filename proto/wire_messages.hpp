@@ -14,7 +14,17 @@ void serialize(Archive& archive, Id<Tag>& id) {
 template <class Archive>
 void serialize(Archive& archive, Query& query) {
     enumeration(archive, query.level, Level::Any, Level::Contacts);
-    archive(query.limit_pairs, query.ignored);
+    archive(query.tolerance, query.limit_pairs, query.ignored);
+}
+
+template <class Archive>
+void serialize(Archive& archive, QueryStatistics& s) {
+    archive(s.box_tests, s.triangle_tests, s.decisions.settled);
+}
+
+template <class Archive>
+void serialize(Archive& archive, JobStatistics& s) {
+    archive(s.search, s.inside.scenarios, s.inside.seconds);
 }
 
 template <class Archive>
@@ -89,7 +99,7 @@ void serialize(Archive& archive, WantSubtrees& m) {
 
 template <class Archive>
 void serialize(Archive& archive, Results& m) {
-    archive(m.task, m.job, m.count, m.records, m.box_tests, m.triangle_tests, m.compute_seconds);
+    archive(m.task, m.job, m.count, m.records, m.statistics, m.compute_seconds);
 }
 
 template <class Archive>
@@ -148,7 +158,7 @@ void serialize(Archive& archive, JobStatus& m) {
     archive(m.job, m.name);
     enumeration(archive, m.state, JobState::Running, JobState::Failed);
     archive(m.summary, m.digest, m.seconds, m.scenarios_per_second, m.failure, m.bodies);
-    archive(m.answered_by_master, m.box_tests, m.triangle_tests, m.compute_seconds);
+    archive(m.answered_by_master, m.statistics, m.compute_seconds);
 }
 
 template <class Archive>

@@ -65,6 +65,11 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
         ->capture_default_str();
     option(app.add_option("--name", config.name, "For people; by default host and process"),
            "TEXT");
+    option(
+        app.add_option("--simd",
+                       config.simd,
+                       "Instructions used: avx512, avx2, sse4, neon, scalar, auto; same answers"),
+        "TARGET");
     option(app.add_flag("--insecure", config.insecure, "Allow a master beyond loopback"), "");
     option(app.add_option("--log-level", config.log_level, "How much is logged"), "LEVEL")
         ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))

@@ -16,6 +16,7 @@ struct WorkerConfig {
     unsigned threads = 0; ///< 0: one for each core that this process may use.
     std::uint64_t cache_bytes = 4ull << 30;
     std::string name; ///< For people.
+    std::string simd; ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
     bool insecure = false;
     std::string log_level = "info";
     std::chrono::seconds connect_for{30}; ///< How long the first connection is tried.

@@ -57,8 +57,7 @@ FinishedScenario execute(const ReadyScenario& ready) {
 
     FinishedScenario finished;
     finished.record = encode_result(run.result);
-    finished.box_tests = run.statistics.box_tests;
-    finished.triangle_tests = run.statistics.triangle_tests;
+    finished.statistics = run.statistics;
     finished.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return finished;

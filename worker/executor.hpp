@@ -49,8 +49,7 @@ struct ReadyScenario {
 
 struct FinishedScenario {
     Bytes record; ///< `encode_result`.
-    std::uint64_t box_tests = 0;
-    std::uint64_t triangle_tests = 0;
+    QueryStatistics statistics;
     double seconds = 0; ///< Of one thread.
 };
 

@@ -3,6 +3,7 @@
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
 #include "common/core/version.hpp"
+#include "common/geometry/simd_target.hpp"
 #include "proto/signals.hpp"
 #include "worker/session.hpp"
 
@@ -14,6 +15,7 @@ namespace cd {
 namespace {
 
 constexpr int exit_done = 0;
+constexpr int exit_usage = 2;
 constexpr int exit_unreachable = 4;
 constexpr int exit_refused = 5;
 constexpr int exit_at_once = 130;
@@ -136,6 +138,13 @@ int run_worker(const WorkerConfig& config) {
         spdlog::error("refused: {}", allowed.error().detail);
         return exit_refused;
     }
+    const Status simd =
+        config.simd.empty() ? check_simd_environment() : force_simd_target(config.simd);
+    if (!simd) {
+        spdlog::error("wrong usage: {}", simd.error().detail);
+        return exit_usage;
+    }
+    spdlog::info("instructions chosen: simd={}", to_text(simd_target()));
     asio::io_context context(1);
     Daemon daemon(config, context);
     spawn(context.get_executor(), "worker", daemon.run());

@@ -94,8 +94,7 @@ void Task::add(const FinishedScenario& finished) {
     records_.insert(records_.end(), size_bytes.begin(), size_bytes.end());
     records_.insert(records_.end(), finished.record.begin(), finished.record.end());
     ++results_.count;
-    results_.box_tests += finished.box_tests;
-    results_.triangle_tests += finished.triangle_tests;
+    results_.statistics += finished.statistics;
     results_.compute_seconds += finished.seconds;
     --unanswered_;
 }

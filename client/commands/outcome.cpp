@@ -16,7 +16,11 @@ int exit_code_of(const Summary& summary, FailOn fail_on) {
     const std::uint64_t any = worst + summary.touch + summary.contact;
     const std::uint64_t asked =
         fail_on == FailOn::Never ? 0 : (fail_on == FailOn::Cross ? worst : any);
-    return asked != 0 ? exit_contacts : exit_done;
+    if (asked != 0) {
+        return exit_contacts;
+    }
+    // Whether there are contacts was asked, and is not known.
+    return fail_on != FailOn::Never && summary.undecided != 0 ? exit_incomplete : exit_done;
 }
 
 Status check_fail_on(FailOn fail_on, Level level) {

@@ -139,6 +139,7 @@ RunReport report_of(const JobStatus& job, Level level) {
     report.level = level;
     report.digest = job.digest;
     report.seconds = job.seconds;
+    report.statistics = job.statistics;
     return report;
 }
 

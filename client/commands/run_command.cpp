@@ -6,6 +6,7 @@
 #include "client/interrupt.hpp"
 #include "client/local_run.hpp"
 #include "client/words.hpp"
+#include "common/geometry/simd_target.hpp"
 
 #include <cstdio>
 
@@ -27,8 +28,13 @@ int run_here(const RunCommand& command, PreparedJob& job, ThreadPool& pool) {
             progress.update({job.spec.name, summary, seconds});
         },
         [] { return InterruptGuard::signal() != 0; }};
-    const auto outcome =
-        run_locally(*job.trees[0], *job.trees[1], *job.poses, job.query, pool, observer);
+    const auto outcome = run_locally(*job.trees[0],
+                                     *job.trees[1],
+                                     *job.poses,
+                                     job.query,
+                                     pool,
+                                     observer,
+                                     command.first_stage.value_or(PairStage::Float));
     if (!outcome) {
         return fail(outcome.error());
     }
@@ -38,6 +44,7 @@ int run_here(const RunCommand& command, PreparedJob& job, ThreadPool& pool) {
     report.level = job.query.level;
     report.digest = outcome.value().digest;
     report.seconds = outcome.value().seconds;
+    report.statistics = outcome.value().statistics;
     report.where = counted(pool.size(), "thread");
     report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
     if (Status finished = sink.value().finish(report, command.quiet); !finished) {
@@ -119,8 +126,16 @@ int run_job(const RunCommand& command) {
     if (Status answerable = check_fail_on(command.fail_on, spec.value().level); !answerable) {
         return fail(answerable.error());
     }
-    ThreadPool pool(command.threads);
     const bool here = command.master.address.empty();
+    if (command.first_stage && !here) {
+        return fail({ErrorCode::BadInput, "--first-stage is for a run on this machine alone"});
+    }
+    const Status simd =
+        command.simd.empty() ? check_simd_environment() : force_simd_target(command.simd);
+    if (!simd) {
+        return fail(simd.error());
+    }
+    ThreadPool pool(command.threads);
     auto job =
         prepare_job(std::move(spec.value()), here ? Trees::Always : Trees::ForPosesOnly, pool);
     if (!job) {

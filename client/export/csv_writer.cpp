@@ -30,11 +30,13 @@ class ScenariosCsvWriter final : public ResultWriter {
 
     Status add(const ScenarioResult& result) override {
         const bool counted_pairs = result.level != Level::Any;
+        const bool is_undecided = result.kind == ScenarioClass::Undecided;
         return file_.write(
             header_once() + std::to_string(result.index) + "," + std::string(to_text(result.kind)) +
             "," + (counted_pairs ? std::to_string(result.pair_count) : "") + "," +
-            (result.is_cut() ? "1" : "0") + "," + (result.surfaces_only ? "1" : "0") + "," +
-            csv_field(result.failure) + "\n");
+            (result.is_cut() ? "1" : "0") + "," +
+            (is_undecided ? exact_text(result.distance_bound) : "") + "," +
+            (result.surfaces_only ? "1" : "0") + "," + csv_field(result.failure) + "\n");
     }
 
     Status finish() override {
@@ -48,7 +50,7 @@ class ScenariosCsvWriter final : public ResultWriter {
     [[nodiscard]] std::string header_once() {
         const bool first = !has_header_;
         has_header_ = true;
-        return first ? "scenario,class,count,cut,surfaces_only,failure\n" : "";
+        return first ? "scenario,class,count,cut,distance_bound,surfaces_only,failure\n" : "";
     }
 
     OutputFile file_;

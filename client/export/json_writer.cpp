@@ -33,6 +33,10 @@ class JsonWriter final : public ResultWriter {
             line["count"] = result.pair_count;
             line["surfaces_only"] = result.surfaces_only;
         }
+        if (result.kind == ScenarioClass::Undecided) {
+            // JSON has no infinity: null says that nothing is known of the distance.
+            line["distance_bound"] = result.distance_bound;
+        }
         if (!result.failure.empty()) {
             line["failure"] = result.failure;
         }
@@ -62,6 +66,19 @@ class JsonWriter final : public ResultWriter {
 
     OutputFile file_;
 };
+
+Json statistics_json(const JobStatistics& statistics) {
+    Json settled;
+    for (std::size_t i = 0; i < pair_stage_count; ++i) {
+        const auto stage = static_cast<PairStage>(i);
+        settled[std::string(to_text(stage))] = statistics.search.decisions[stage];
+    }
+    return {{"box_tests", statistics.search.box_tests},
+            {"candidates", statistics.search.triangle_tests},
+            {"settled", std::move(settled)},
+            {"inside_scenarios", statistics.inside.scenarios},
+            {"inside_seconds", statistics.inside.seconds}};
+}
 
 Json body_json(const std::string& name, const Mesh* mesh) {
     if (mesh == nullptr) {
@@ -103,6 +120,10 @@ std::string summary_json(const ExportContext& context, const RunReport& report) 
               {"cut", summary.cut},
               {"seconds", report.seconds},
               {"where", report.where}};
+    if (context.tolerance) {
+        json["tolerance"] = *context.tolerance;
+    }
+    json["statistics"] = statistics_json(report.statistics);
     json["digest"] = report.digest ? Json(to_hex(*report.digest)) : Json();
     Json touched = Json::array();
     for (const auto& part : report.most_touched) {

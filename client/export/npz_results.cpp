@@ -13,6 +13,7 @@ class NpzResults final : public ResultWriter {
         index_ = file_.add_array("index", NpyType::U8);
         class_ = file_.add_array("class", NpyType::U1);
         count_ = file_.add_array("count", NpyType::U8);
+        distance_bound_ = file_.add_array("distance_bound", NpyType::F8);
         surfaces_only_ = file_.add_array("surfaces_only", NpyType::U1);
         if (level_ >= Level::Pairs) {
             offsets_ = file_.add_array("offsets", NpyType::U8);
@@ -32,6 +33,7 @@ class NpzResults final : public ResultWriter {
         append(index_, result.index);
         append(class_, static_cast<std::uint8_t>(result.kind));
         append(count_, result.pair_count);
+        append(distance_bound_, result.distance_bound);
         append(surfaces_only_, static_cast<std::uint8_t>(result.surfaces_only ? 1 : 0));
         if (level_ >= Level::Pairs) {
             add_pairs(result);
@@ -83,6 +85,7 @@ class NpzResults final : public ResultWriter {
     std::size_t index_ = 0;
     std::size_t class_ = 0;
     std::size_t count_ = 0;
+    std::size_t distance_bound_ = 0;
     std::size_t surfaces_only_ = 0;
     std::size_t offsets_ = 0;
     std::size_t pairs_ = 0;

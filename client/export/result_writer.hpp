@@ -10,6 +10,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@ struct ExportContext {
     std::array<std::string, 2> bodies;
     /// Nothing where results are fetched without the meshes: parts are then not named.
     std::array<std::shared_ptr<const Mesh>, 2> meshes;
+    std::optional<double> tolerance; ///< Where it is known.
 };
 
 /// A seam: one implementation for each format. Holds no more than a bounded buffer of results.
@@ -47,16 +49,17 @@ class ResultWriter {
 /// results.jsonl: one JSON object a line for each scenario.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_json_writer(const ExportContext& context,
                                                              OutputFile file);
-/// scenarios.csv alone.
+/// scenarios.csv alone. distance_bound is empty but where the class is undecided.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(OutputFile file);
 /// scenarios.csv, from level pairs on pairs.csv, and at level contacts points.csv.
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_csv_writer(const ExportContext& context, const std::filesystem::path& dir);
 /// results.npz with the arrays index[N], class[N] (the numbers of `ScenarioClass`), count[N],
-/// surfaces_only[N]; from level pairs on offsets[N+1], pairs[M,2], pair_class[M] (`PairClass`); at
-/// level contacts point_origins[M,3], point_offsets[M+1], points[K,3]. The pairs of scenario i are
-/// [offsets[i], offsets[i+1]), the points of pair j [point_offsets[j], point_offsets[j+1]), and a
-/// point in the world is point_origins[j] + points[k].
+/// distance_bound[N] (0 but where the class is undecided), surfaces_only[N]; from level pairs on
+/// offsets[N+1], pairs[M,2], pair_class[M] (`PairClass`); at level contacts point_origins[M,3],
+/// point_offsets[M+1], points[K,3]. The pairs of scenario i are [offsets[i], offsets[i+1]), the
+/// points of pair j [point_offsets[j], point_offsets[j+1]), and a point in the world is
+/// point_origins[j] + points[k].
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_npz_writer(const ExportContext& context, const std::filesystem::path& dir);
 

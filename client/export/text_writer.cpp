@@ -22,9 +22,13 @@ class TextWriter final : public ResultWriter {
     Status add(const ScenarioResult& result) override {
         std::string text = std::to_string(result.index) + "  " + std::string(to_text(result.kind));
         if (result.level != Level::Any && result.kind != ScenarioClass::Failed) {
-            text += "  " + counted(result.pair_count, "pair");
+            text += result.kind == ScenarioClass::Undecided ? "  at least " : "  ";
+            text += counted(result.pair_count, "pair");
         }
         text += std::string(result.is_cut() ? ", the first " + grouped(result.pairs.size()) : "") +
+                (result.kind == ScenarioClass::Undecided
+                     ? "  at most " + exact_text(result.distance_bound) + " apart"
+                     : "") +
                 (result.surfaces_only ? "  surfaces only" : "") +
                 (result.failure.empty() ? "" : "  " + result.failure) + "\n";
         for (std::size_t i = 0; i < result.pairs.size(); ++i) {

@@ -23,6 +23,9 @@ enum class Level : std::uint8_t {
 
 struct Query {
     Level level = Level::Pairs;
+    /// Above 0: boxes whose diameters sum to no more are left undecided, in the job's units. No
+    /// contact is missed: a scenario is separate only where that is proven.
+    double tolerance = 0;
     std::uint64_t limit_pairs = 0; ///< Of a scenario, the first so many are kept; 0 keeps all.
     std::vector<IgnoredRange> ignored;
 };

@@ -12,7 +12,7 @@ namespace cd {
 
 namespace {
 
-constexpr std::uint8_t version = 1;
+constexpr std::uint8_t version = 2;
 constexpr std::uint8_t flag_surfaces_only = 1;
 /// Two triangles share at most a hexagon.
 constexpr std::uint32_t points_of_pair_max = 6;
@@ -92,6 +92,12 @@ Status get_head(ByteReader& in, ScenarioResult& result) {
     result.level = static_cast<Level>(level);
     result.kind = static_cast<ScenarioClass>(kind);
     result.surfaces_only = (flags & flag_surfaces_only) != 0;
+    if (result.kind == ScenarioClass::Undecided) {
+        result.distance_bound = in.get<double>();
+        if (in.failed() || !(result.distance_bound >= 0) || !is_canonical(result.distance_bound)) {
+            return bad("a bound that is no distance");
+        }
+    }
     return Done{};
 }
 
@@ -167,6 +173,9 @@ Status check_sense(const ScenarioResult& result) {
         (result.pair_count == 0 && in_contact) || result.pairs.size() > result.pair_count) {
         return bad("a number of pairs that does not fit the class");
     }
+    if (result.pair_count > 0 && result.distance_bound > 0) {
+        return bad("a distance between bodies in contact");
+    }
     const bool is_proper = std::any_of(result.pairs.begin(), result.pairs.end(), [](const auto& p) {
         return p.kind == PairClass::Proper;
     });
@@ -194,6 +203,9 @@ Bytes encode_result(const ScenarioResult& result) {
     out.put(static_cast<std::uint8_t>(result.kind));
     out.put(result.surfaces_only ? flag_surfaces_only : std::uint8_t{0});
     out.put(result.pair_count);
+    if (result.kind == ScenarioClass::Undecided) {
+        out.put(canonical(result.distance_bound));
+    }
     if (result.kind == ScenarioClass::Failed) {
         out.put_text(result.failure);
         return out.take();

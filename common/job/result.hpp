@@ -32,8 +32,13 @@ struct ScenarioResult {
     std::uint32_t body_b = 1;
     Level level = Level::Pairs;
     ScenarioClass kind = ScenarioClass::Separate;
-    bool surfaces_only = false;   ///< A body is open: nothing is said of insides.
-    std::uint64_t pair_count = 0; ///< The true number, even where the list is cut; 0 at level any.
+    bool surfaces_only = false; ///< A body is open: nothing is said of insides.
+    /// The true number, even where the list is cut; 0 at level any. Where the class is undecided,
+    /// of the pairs proven so far, which need not be all.
+    std::uint64_t pair_count = 0;
+    /// Undecided only, else 0: the two bodies are at most this far apart in the world, in the job's
+    /// units; 0 where a contact was proven although other boxes stayed undecided. May be infinite.
+    double distance_bound = 0;
     std::vector<ContactPair> pairs; ///< Sorted; the first `limit_pairs` where a limit was set.
 
     /// Of each listed pair, at level contacts: its origin in the world, and the run of its shared
@@ -49,8 +54,9 @@ struct ScenarioResult {
 
 /// The canonical record, little-endian. Statistics, times and hosts never enter.
 ///
-///     u8 version = 1    u64 index    u32 body_a    u32 body_b    u8 level    u8 class
+///     u8 version = 2    u64 index    u32 body_a    u32 body_b    u8 level    u8 class
 ///     u8 flags (bit 0: surfaces only)    u64 pair_count
+///     class undecided:  f64 distance_bound
 ///     class failed:     u32 length, characters of the reason; the record ends here
 ///     level >= pairs:   u32 n; n x u32 triangles of A; n x u32 triangles of B; n x u8 class
 ///     level contacts:   n x u8 points of the pair (at most 6); n x 3 f64 origins; points x 3 f64

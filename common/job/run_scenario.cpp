@@ -1,9 +1,11 @@
 #include "common/job/run_scenario.hpp"
 
 #include "common/core/limits.hpp"
-#include "common/job/settle.hpp"
+#include "common/job/tolerance.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
 namespace cd {
 
@@ -18,34 +20,39 @@ ScenarioResult empty_result(const Scenario& scenario, const Query& query) {
     return result;
 }
 
-/// Touch or cross, as far as pairs alone can tell.
-ScenarioClass class_of(std::span<const ContactPair> pairs) {
-    if (pairs.empty()) {
-        return ScenarioClass::Separate;
+/// What was found, also of pairs that are not kept; the class as far as pairs alone can tell.
+void note_found(const ContactSearch& search, ScenarioResult& result) {
+    result.pair_count = search.pair_count();
+    if (result.pair_count > 0) {
+        result.kind = search.has_proper() ? ScenarioClass::Cross : ScenarioClass::Touch;
     }
-    const bool is_proper = std::any_of(pairs.begin(), pairs.end(), [](const ContactPair& pair) {
-        return pair.kind == PairClass::Proper;
-    });
-    return is_proper ? ScenarioClass::Cross : ScenarioClass::Touch;
+}
+
+/// Boxes that were left take the class over, but not what was proven.
+void note_undecided(const ContactSearch& search, ScenarioResult& result) {
+    if (const std::optional<double> distance = search.undecided_distance()) {
+        result.kind = ScenarioClass::Undecided;
+        result.distance_bound = result.pair_count > 0 ? 0 : *distance;
+    }
 }
 
 void find_any(std::span<const SubtreePair> pairs, ContactSearch& search, ScenarioResult& result) {
     const bool touches = std::any_of(pairs.begin(), pairs.end(), [&](const SubtreePair& pair) {
         return search.any(pair.a, pair.b);
     });
-    result.kind = touches ? ScenarioClass::Contact : ScenarioClass::Separate;
+    if (touches) {
+        result.kind = ScenarioClass::Contact;
+    } else {
+        note_undecided(search, result);
+    }
 }
 
-/// Keeps no pairs: memory is that of one pair of subtrees.
 void find_count(std::span<const SubtreePair> pairs, ContactSearch& search, ScenarioResult& result) {
     for (const SubtreePair& pair : pairs) {
         search.collect(pair.a, pair.b);
-        result.pair_count += search.pairs().size();
-        if (result.kind != ScenarioClass::Cross && !search.pairs().empty()) {
-            result.kind = class_of(search.pairs());
-        }
-        search.pairs().clear();
     }
+    note_found(search, result);
+    note_undecided(search, result);
 }
 
 void add_shared_points(ContactSearch& search, ScenarioResult& result) {
@@ -68,9 +75,8 @@ void find_pairs(std::span<const SubtreePair> pairs,
     }
     search.sort();
     result.pairs = std::move(search.pairs());
-    result.pair_count = result.pairs.size();
-    // The class is that of all pairs, also of those that the limit cuts.
-    result.kind = class_of(result.pairs);
+    note_found(search, result);
+    note_undecided(search, result);
     if (query.limit_pairs != 0 && result.pairs.size() > query.limit_pairs) {
         result.pairs.resize(query.limit_pairs);
     }
@@ -81,8 +87,17 @@ void find_pairs(std::span<const SubtreePair> pairs,
 
 } // namespace
 
-ScenarioRun
-run_on_subtrees(std::span<const SubtreePair> pairs, const Scenario& scenario, const Query& query) {
+ScenarioResult failed_result(const Scenario& scenario, const Query& query, const Error& why) {
+    ScenarioResult result = empty_result(scenario, query);
+    result.kind = ScenarioClass::Failed;
+    result.failure = "scenario " + std::to_string(scenario.index) + ": " + why.detail;
+    return result;
+}
+
+ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
+                            const Scenario& scenario,
+                            const Query& query,
+                            PairStage first_stage) {
     ScenarioRun run;
     run.result = empty_result(scenario, query);
     if (pairs.empty()) {
@@ -92,7 +107,10 @@ run_on_subtrees(std::span<const SubtreePair> pairs, const Scenario& scenario, co
         return run;
     }
     SearchOptions options;
+    options.keep_pairs = query.level >= Level::Pairs;
     options.keep_corners = query.level == Level::Contacts;
+    options.tolerance = query.tolerance;
+    options.first_stage = first_stage;
     ContactSearch search(scenario.poses, query.ignored, options);
     switch (query.level) {
     case Level::Any:
@@ -111,12 +129,51 @@ run_on_subtrees(std::span<const SubtreePair> pairs, const Scenario& scenario, co
     return run;
 }
 
+ScenarioRunner::ScenarioRunner(const ObbTree& a,
+                               const ObbTree& b,
+                               const Query& query,
+                               PairStage first_stage)
+    : a_(a), b_(b), query_(query), first_stage_(first_stage) {
+    if (query.tolerance > 0) {
+        cut_a_ = cut(a);
+        cut_b_ = &a == &b ? cut_a_ : cut(b);
+    }
+}
+
+std::shared_ptr<const ScenarioRunner::CutTree> ScenarioRunner::cut(const ObbTree& tree) {
+    const std::uint32_t depth = tolerance_depth(tree);
+    CutTree cut{cut_tree(tree, depth), {}};
+    for (const std::uint32_t node : cut_nodes(tree, depth)) {
+        cut.subtrees.push_back(extract_subtree(tree, node));
+    }
+    return std::make_shared<const CutTree>(std::move(cut));
+}
+
+ScenarioRun ScenarioRunner::run_on_cuts(const Scenario& scenario) const {
+    const Result<std::vector<RootPair>> roots =
+        colliding_roots(cut_a_->top, cut_b_->top, scenario.poses);
+    if (!roots) {
+        return {failed_result(scenario, query_, roots.error()), {}, {}};
+    }
+    std::vector<SubtreePair> pairs;
+    pairs.reserve(roots.value().size());
+    for (const RootPair& pair : roots.value()) {
+        pairs.push_back({cut_a_->subtrees[pair.a].view(), cut_b_->subtrees[pair.b].view()});
+    }
+    return run_on_subtrees(pairs, scenario, query_, first_stage_);
+}
+
+ScenarioRun ScenarioRunner::run(const Scenario& scenario) const {
+    const SubtreePair whole{a_.view(), b_.view()};
+    ScenarioRun run = cut_a_ ? run_on_cuts(scenario)
+                             : run_on_subtrees({&whole, 1}, scenario, query_, first_stage_);
+    run.inside = settle_with_cost(a_, b_, scenario, query_, run.result);
+    return run;
+}
+
 ScenarioRun
 run_scenario(const ObbTree& a, const ObbTree& b, const Scenario& scenario, const Query& query) {
-    const SubtreePair whole{a.view(), b.view()};
-    ScenarioRun run = run_on_subtrees({&whole, 1}, scenario, query);
-    run.settling = settle_class(a, b, scenario, query, run.result);
-    return run;
+    return ScenarioRunner(a, b, query).run(scenario);
 }
 
 } // namespace cd

@@ -4,9 +4,9 @@
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
 #include "common/job/scenario.hpp"
+#include "common/job/statistics.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
-#include "common/tree/point_in_solid.hpp"
 #include "common/tree/subtree_block.hpp"
 
 #include <memory>
@@ -20,7 +20,7 @@ namespace cd {
 struct ScenarioRun {
     ScenarioResult result;
     QueryStatistics statistics;
-    SettleStatistics settling; ///< Of `settle_class`, apart; zero after `run_on_subtrees`.
+    InsideStatistics inside; ///< Of who settled the class; nothing from `run_on_subtrees`.
 };
 
 /// One colliding pair of distribution roots with its two subtrees.
@@ -30,16 +30,57 @@ struct SubtreePair {
 };
 
 /// The contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). No pairs: separate.
-/// The caller keeps the subtrees alive. The result does not depend on how the trees were cut, nor
-/// on the order of the pairs.
+/// The caller keeps the subtrees alive. The result does not depend on the order of the pairs, nor,
+/// without a tolerance, on how the trees were cut.
 ///
-/// Level any: contact or separate; the search ends at the first contact. Else cross if any pair is
-/// proper, touch if there are pairs and none is proper, separate without pairs: what more there is
-/// to say, `settle_class` finds in the whole bodies.
-[[nodiscard]] ScenarioRun
-run_on_subtrees(std::span<const SubtreePair> pairs, const Scenario& scenario, const Query& query);
+/// Level any: contact or separate; the search ends at the first contact, also under a tolerance;
+/// without one it is undecided if any boxes were left. Other levels: undecided if any boxes were
+/// left, with what was proven so far. (Pairs to be ignored are known by their triangles, so boxes
+/// of such pairs may be left undecided as well.) Else cross if any pair is proper, touch if there
+/// are pairs and none is proper, separate without pairs: what more there is to say, `settle_class`
+/// finds in the whole bodies.
+///
+/// Stages of the pairs' decision before `first_stage` are passed over, which changes no answer.
+[[nodiscard]] ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
+                                          const Scenario& scenario,
+                                          const Query& query,
+                                          PairStage first_stage = PairStage::Float);
 
-/// `run_on_subtrees` and `settle_class` (settle.hpp) in one, on whole trees.
+/// The failed result of a scenario, naming it.
+[[nodiscard]] ScenarioResult
+failed_result(const Scenario& scenario, const Query& query, const Error& why);
+
+/// Answers scenarios of two whole trees as the cluster does: `run_on_subtrees` and `settle_class`
+/// (settle.hpp) in one. Under a tolerance the trees are cut at `tolerance_depth` (tolerance.hpp),
+/// and this holds a copy of their subtrees.
+class ScenarioRunner {
+  public:
+    /// The trees and the query outlive the runner.
+    ScenarioRunner(const ObbTree& a,
+                   const ObbTree& b,
+                   const Query& query,
+                   PairStage first_stage = PairStage::Float);
+
+    /// For any number of threads at once.
+    [[nodiscard]] ScenarioRun run(const Scenario& scenario) const;
+
+  private:
+    struct CutTree {
+        TreeTop top;
+        std::vector<Subtree> subtrees; ///< One for each root.
+    };
+    [[nodiscard]] static std::shared_ptr<const CutTree> cut(const ObbTree& tree);
+    [[nodiscard]] ScenarioRun run_on_cuts(const Scenario& scenario) const;
+
+    const ObbTree& a_;
+    const ObbTree& b_;
+    const Query& query_;
+    PairStage first_stage_;
+    std::shared_ptr<const CutTree> cut_a_; ///< Null without a tolerance.
+    std::shared_ptr<const CutTree> cut_b_;
+};
+
+/// One scenario of a `ScenarioRunner`.
 [[nodiscard]] ScenarioRun
 run_scenario(const ObbTree& a, const ObbTree& b, const Scenario& scenario, const Query& query);
 

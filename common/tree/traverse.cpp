@@ -138,7 +138,10 @@ bool ContactSearch::leave_undecided(const ObbNode& a, const ObbNode& b) {
     if (!(2 * (radius_of(a) + radius_of(b)) <= options_.tolerance)) {
         return false;
     }
-    const double distance = stretch_ * boxes_.distance_max(a, boxes_.pose(b));
+    double distance = stretch_ * boxes_.distance_max(a, boxes_.pose(b));
+    if (std::isnan(distance)) { // The poses leave the range of double.
+        distance = std::numeric_limits<double>::infinity();
+    }
     undecided_ = std::min(undecided_.value_or(distance), distance);
     return true;
 }
@@ -182,6 +185,11 @@ void ContactSearch::decide_candidates(const TreeView& a, const TreeView& b) {
     const auto kinds = test_.classify(triangles_of(a), triangles_of(b), candidates_);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (kinds[i] == PairClass::Separate) {
+            continue;
+        }
+        ++pair_count_;
+        has_proper_ = has_proper_ || kinds[i] == PairClass::Proper;
+        if (!options_.keep_pairs) {
             continue;
         }
         const Candidate& found = candidates_[i];

@@ -52,6 +52,7 @@ struct PairCorners {
 
 /// What a search looks for beside the contacts themselves.
 struct SearchOptions {
+    bool keep_pairs = true; ///< False: what is found is only counted.
     /// Keeps the corners of each found pair beside it, for shared points: the subtrees may be gone
     /// by then.
     bool keep_corners = false;
@@ -61,7 +62,7 @@ struct SearchOptions {
 };
 
 /// One scenario's search. Subtrees of A and B are handed in pair by pair; what they hold in contact
-/// gathers in `pairs`. Keeps scratch memory between calls; one thread at a time.
+/// gathers in `pairs`, or is counted. Keeps scratch memory between calls; one thread at a time.
 ///
 /// The decision of a pair is exact and boxes never reject a touching pair, so what is found does
 /// not depend on how the trees were cut into subtrees.
@@ -84,6 +85,10 @@ class ContactSearch {
     /// bodies in the world, which is always true; infinite where the poses are far from rigid. The
     /// same bits on every host: one sequence of operations, never fused.
     [[nodiscard]] std::optional<double> undecided_distance() const { return undecided_; }
+
+    /// How many pairs `collect` has found, and whether any of them is proper.
+    [[nodiscard]] std::uint64_t pair_count() const { return pair_count_; }
+    [[nodiscard]] bool has_proper() const { return has_proper_; }
 
     /// Sorts the pairs, each with its corners.
     void sort();
@@ -119,6 +124,8 @@ class ContactSearch {
     std::vector<Aabb> bounds_;          ///< Of the triangles of one leaf of B, as A sees them.
     std::vector<Candidate> candidates_; ///< Not yet decided; by places in the trees at hand.
     std::optional<double> undecided_;
+    std::uint64_t pair_count_ = 0;
+    bool has_proper_ = false;
     std::uint64_t box_tests_ = 0;
     std::uint64_t triangle_tests_ = 0;
 };

@@ -42,6 +42,8 @@ TEST(CommandLine, WrongUsageIsTwo) {
                                                       {"run", "--level", "most"},
                                                       {"run", "job.toml", "--fail-on", "love"},
                                                       {"run", "--random", "-3"},
+                                                      {"run", "j.toml", "--tolerance", "-1"},
+                                                      {"run", "j.toml", "--first-stage", "half"},
                                                       {"demo", "--a", "a.obj"},
                                                       {"get", "tea"},
                                                       {"watch"}};
@@ -72,6 +74,18 @@ TEST(CommandLine, RunTakesMeshesInsteadOfAFile) {
     EXPECT_EQ(run.output, "json");
     EXPECT_TRUE(run.quiet);
     EXPECT_TRUE(run.master.address.empty());
+}
+
+TEST(CommandLine, AToleranceAndAFirstStageAreRead) {
+    const CommandLine line = parse_command_line(
+        {"run", "job.toml", "--tolerance", "0.05", "--first-stage", "wide-integer"});
+    ASSERT_TRUE(line.command) << line.text;
+    const auto& run = std::get<RunCommand>(*line.command);
+    EXPECT_EQ(run.job.tolerance, 0.05);
+    EXPECT_EQ(run.first_stage, PairStage::WideInteger);
+    const CommandLine submit = parse_command_line({"submit", "job.toml", "--tolerance", "1e-3"});
+    ASSERT_TRUE(submit.command) << submit.text;
+    EXPECT_EQ(std::get<SubmitCommand>(*submit.command).job.tolerance, 1e-3);
 }
 
 TEST(CommandLine, RemoteVerbsHaveAMasterOnLoopback) {

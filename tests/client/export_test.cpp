@@ -51,6 +51,10 @@ class Export : public testing::Test {
         ASSERT_TRUE(files) << files.error().detail;
         RunReport report;
         report.summary.total = 3;
+        report.statistics.search.box_tests = 5;
+        report.statistics.search.triangle_tests = 6;
+        report.statistics.search.decisions[PairStage::Lattice] = 6;
+        report.statistics.inside = {7, 0.5, {}};
         for (ScenarioResult result : results()) {
             result.level = level;
             ASSERT_TRUE(files.value().add(result));
@@ -58,7 +62,7 @@ class Export : public testing::Test {
         ASSERT_TRUE(files.value().finish(report));
     }
 
-    /// Separate; two pairs of which one has points, and a third that was cut; failed.
+    /// Separate; two pairs of which one has points, and a third that was cut; failed; undecided.
     static std::vector<ScenarioResult> results() {
         ScenarioResult contact;
         contact.index = 1;
@@ -72,7 +76,12 @@ class Export : public testing::Test {
         failed.index = 2;
         failed.kind = ScenarioClass::Failed;
         failed.failure = "too, large";
-        return {ScenarioResult{}, contact, failed};
+        ScenarioResult undecided;
+        undecided.index = 3;
+        undecided.kind = ScenarioClass::Undecided;
+        undecided.distance_bound = 0.125;
+        undecided.point_offsets = {0};
+        return {ScenarioResult{}, contact, failed, undecided};
     }
 
     fs::path dir_;
@@ -84,10 +93,11 @@ class Export : public testing::Test {
 TEST_F(Export, CsvHasARowForEachScenarioPairAndPoint) {
     write({"csv"}, Level::Contacts);
     EXPECT_EQ(text_of("scenarios.csv"),
-              "scenario,class,count,cut,surfaces_only,failure\n"
-              "0,separate,0,0,0,\n"
-              "1,cross,3,1,0,\n"
-              "2,failed,0,0,0,\"too, large\"\n");
+              "scenario,class,count,cut,distance_bound,surfaces_only,failure\n"
+              "0,separate,0,0,,0,\n"
+              "1,cross,3,1,,0,\n"
+              "2,failed,0,0,,0,\"too, large\"\n"
+              "3,undecided,0,0,0.125,0,\n");
     EXPECT_EQ(text_of("pairs.csv"),
               "scenario,triangle_a,triangle_b,class,part_a,part_b\n"
               "1,0,5,proper,\"left, \"\"old\"\"\",\n"
@@ -112,13 +122,15 @@ TEST_F(Export, JsonHasAnObjectOnEachLine) {
     for (std::string line; std::getline(lines, line);) {
         parsed.push_back(nlohmann::json::parse(line));
     }
-    ASSERT_EQ(parsed.size(), 3u);
+    ASSERT_EQ(parsed.size(), 4u);
     EXPECT_EQ(parsed[0]["class"], "separate");
     EXPECT_EQ(parsed[1]["count"], 3);
     EXPECT_EQ(parsed[1]["cut"], true);
     EXPECT_EQ(parsed[1]["pairs"], nlohmann::json::parse(R"([[0,5,"proper"],[7,2,"coplanar"]])"));
     EXPECT_EQ(parsed[1]["points"], nlohmann::json::parse("[[[10.5,1.0,0.0],[10.25,0.0,-3.0]],[]]"));
     EXPECT_EQ(parsed[2]["failure"], "too, large");
+    EXPECT_EQ(parsed[3]["distance_bound"], 0.125);
+    EXPECT_FALSE(parsed[1].contains("distance_bound"));
 }
 
 TEST_F(Export, TextNamesPartsAndPoints) {
@@ -128,7 +140,8 @@ TEST_F(Export, TextNamesPartsAndPoints) {
               "1  cross  3 pairs, the first 2\n"
               "    A 0 (left, \"old\" 0)  B 5  proper  10.5 1 0  10.25 0 -3\n"
               "    A 7 (right 1)  B 2  coplanar\n"
-              "2  failed  too, large\n");
+              "2  failed  too, large\n"
+              "3  undecided  at least 0 pairs  at most 0.125 apart\n");
 }
 
 TEST_F(Export, NpzHoldsCompressedRows) {
@@ -138,10 +151,11 @@ TEST_F(Export, NpzHoldsCompressedRows) {
     const auto& arrays = read.value();
     const auto integers = [&](const char* name) { return arrays.at(name).to_integers().value(); };
     using Integers = std::vector<std::int64_t>;
-    EXPECT_EQ(integers("index"), (Integers{0, 1, 2}));
-    EXPECT_EQ(integers("class"), (Integers{0, 2, 6}));
-    EXPECT_EQ(integers("count"), (Integers{0, 3, 0}));
-    EXPECT_EQ(integers("offsets"), (Integers{0, 0, 2, 2}));
+    EXPECT_EQ(integers("index"), (Integers{0, 1, 2, 3}));
+    EXPECT_EQ(integers("class"), (Integers{0, 2, 6, 5}));
+    EXPECT_EQ(integers("count"), (Integers{0, 3, 0, 0}));
+    EXPECT_EQ(arrays.at("distance_bound").to_doubles(), (std::vector<double>{0, 0, 0, 0.125}));
+    EXPECT_EQ(integers("offsets"), (Integers{0, 0, 2, 2, 2}));
     EXPECT_EQ(integers("pairs"), (Integers{0, 5, 7, 2}));
     EXPECT_EQ(arrays.at("pairs").shape, (std::vector<std::uint64_t>{2, 2}));
     EXPECT_EQ(integers("pair_class"), (Integers{3, 2}));
@@ -168,6 +182,10 @@ TEST_F(Export, TheSummaryIsADocument) {
     EXPECT_EQ(summary["a"]["sha256"], to_hex(context_.meshes[0]->hash()));
     EXPECT_EQ(summary["not_tested"], 3);
     EXPECT_TRUE(summary["digest"].is_null());
+    EXPECT_EQ(summary["statistics"],
+              nlohmann::json::parse(R"({"box_tests": 5, "candidates": 6, "settled": {"float": 0,
+                  "double": 0, "lattice": 6, "double-double": 0, "wide integer": 0,
+                  "arbitrary": 0}, "inside_scenarios": 7, "inside_seconds": 0.5})"));
 }
 
 TEST_F(Export, WithoutTheMeshesPartsAreNotNamed) {

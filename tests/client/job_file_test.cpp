@@ -153,9 +153,16 @@ TEST(JobFile, UnknownWordsNameThoseThatExist) {
                 HasSubstr("did you mean \"in\"?"));
 }
 
-TEST(JobFile, ATolerancePositiveIsRefusedForNow) {
-    EXPECT_THAT(problem_with(random_poses + "[query]\ntolerance = 0.1\n"),
-                HasSubstr(":8: [query]: a tolerance above 0 is not available in this version"));
+TEST(JobFile, AToleranceIsALengthAndFixesTheDepths) {
+    const auto spec = parse(minimal + random_poses + "[query]\ntolerance = 0.1\n");
+    ASSERT_TRUE(spec) << spec.error().detail;
+    EXPECT_EQ(spec.value().tolerance, 0.1);
+    EXPECT_THAT(problem_with(random_poses + "[query]\ntolerance = -0.1\n"),
+                HasSubstr(":8: [query]: the tolerance is -0.1"));
+    EXPECT_THAT(problem_with(random_poses + "[query]\ntolerance = inf\n"), HasSubstr("finite"));
+    EXPECT_THAT(problem_with(random_poses + "[query]\ntolerance = 0.1\n[cluster]\n" +
+                             "depth = { a = 9 }\n"),
+                HasSubstr(":10: [cluster]: a tolerance above 0 goes without"));
 }
 
 TEST(JobFile, ExactlyOneSourceOfPosesIsNeeded) {

@@ -132,6 +132,30 @@ TEST(Report, LevelAnyKnowsContactAlone) {
     EXPECT_THAT(summary_text(report), HasSubstr("separate  1    contact 2    failed 0"));
 }
 
+TEST(Report, StatisticsSayWhatWasVisitedAndAtWhatPrecision) {
+    RunReport report;
+    report.summary.total = 10;
+    report.summary.separate = 10;
+    report.statistics.search.box_tests = 135'170;
+    report.statistics.search.triangle_tests = 100'000;
+    report.statistics.search.decisions[PairStage::Float] = 99'999;
+    report.statistics.search.decisions[PairStage::WideInteger] = 1;
+    report.statistics.inside = {4, 0.25, {}};
+    const std::string text = summary_text(report);
+    EXPECT_THAT(text,
+                HasSubstr("  visited       13 517 box pairs, 10 000 candidates a scenario; settled "
+                          "in float > 99.99 %, wide integer < 0.01 %\n"));
+    EXPECT_THAT(text, HasSubstr("  inside        looked at in 4 scenarios, 0.250 s of one thread"));
+}
+
+TEST(Report, WhatIsUndecidedIsSaid) {
+    RunReport report;
+    report.summary.total = 3;
+    report.summary.undecided = 3;
+    EXPECT_THAT(summary_text(report), HasSubstr("undecided 3"));
+    EXPECT_THAT(summary_text(report), HasSubstr("in 3 scenarios: boxes as small as the tolerance"));
+}
+
 TEST(Report, ColoursComeOnlyWhenAskedFor) {
     RunReport report;
     report.summary = example_summary();

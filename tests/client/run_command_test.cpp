@@ -3,6 +3,7 @@
 #include "client/commands/commands.hpp"
 #include "client/exit_code.hpp"
 #include "client/prepared_job.hpp"
+#include "common/geometry/simd_target.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gmock/gmock.h>
@@ -127,6 +128,67 @@ TEST_F(Run, FailOnOfLevelAnyIsWrongUsage) {
     command_.fail_on = FailOn::Touch;
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_, HasSubstr("--fail-on needs level count"));
+}
+
+TEST_F(Run, UnderAToleranceTheRestIsUndecided) {
+    command_.job.tolerance = 100;
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("separate  1    touch 0    cross 0    inside 0    undecided 3"));
+    EXPECT_THAT(stdout_, HasSubstr("boxes as small as the tolerance"));
+    EXPECT_THAT(read("out/scenarios.csv"), HasSubstr("\n1,undecided,0,0,"));
+    EXPECT_EQ(nlohmann::json::parse(read("out/summary.json"))["tolerance"], 100);
+    command_.fail_on = FailOn::Touch;
+    EXPECT_EQ(run(), exit_incomplete) << "whether there is a contact is not known";
+}
+
+TEST_F(Run, AToleranceGoesWithoutDepths) {
+    command_.job.tolerance = 0.1;
+    command_.job.depth_b = 4;
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("goes without a distribution depth"));
+    command_.job.tolerance = 0;
+    EXPECT_EQ(run(), exit_done);
+}
+
+TEST_F(Run, EveryFirstStageHasTheSameDigest) {
+    command_.job.level = "contacts";
+    ASSERT_EQ(run(), exit_done);
+    const auto usual = nlohmann::json::parse(read("out/summary.json"));
+    command_.first_stage = PairStage::WideInteger;
+    ASSERT_EQ(run(), exit_done);
+    const auto exact = nlohmann::json::parse(read("out/summary.json"));
+    EXPECT_EQ(exact["digest"], usual["digest"]);
+    EXPECT_GT(usual["statistics"]["settled"]["float"], 0);
+    EXPECT_EQ(exact["statistics"]["settled"]["float"], 0);
+    EXPECT_EQ(exact["statistics"]["settled"]["double"], 0);
+    EXPECT_EQ(exact["statistics"]["candidates"], usual["statistics"]["candidates"]);
+}
+
+TEST_F(Run, EverySimdTargetHasTheSameDigest) {
+    command_.job.level = "contacts";
+    ASSERT_EQ(run(), exit_done);
+    const auto usual = nlohmann::json::parse(read("out/summary.json"));
+    for (const SimdTarget target : available_simd_targets()) {
+        command_.simd = to_text(target);
+        ASSERT_EQ(run(), exit_done) << stderr_;
+        EXPECT_EQ(simd_target(), target);
+        const auto forced = nlohmann::json::parse(read("out/summary.json"));
+        EXPECT_EQ(forced["digest"], usual["digest"]) << to_text(target);
+    }
+    ASSERT_TRUE(force_simd_target("auto"));
+}
+
+TEST_F(Run, ASimdTargetThatIsNotHereIsWrongUsage) {
+    command_.simd = "abacus";
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("no SIMD target \"abacus\" on this host; there are auto"));
+}
+
+TEST_F(Run, AFirstStageIsForThisMachineAlone) {
+    command_.first_stage = PairStage::Double;
+    command_.master.address = "127.0.0.1:1";
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("--first-stage"));
 }
 
 TEST_F(Run, IgnoredPartsAreNotInTheAnswer) {

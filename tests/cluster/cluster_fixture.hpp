@@ -26,9 +26,9 @@ struct Job {
 
     [[nodiscard]] Sha256 digest_in_one_process(const Query& query) const {
         ResultMerger merger(scenarios.size());
+        const ScenarioRunner runner(*a, *b, query);
         for (const Scenario& scenario : scenarios) {
-            EXPECT_EQ(merger.add(run_scenario(*a, *b, scenario, query).result),
-                      ResultMerger::Outcome::Added);
+            EXPECT_EQ(merger.add(runner.run(scenario).result), ResultMerger::Outcome::Added);
         }
         return merger.digest().value();
     }

@@ -47,6 +47,53 @@ TEST_F(Cluster, EveryLevelHasTheDigestOfOneProcess) {
     EXPECT_EQ(run(job, cut).digest, job.digest_in_one_process(cut));
 }
 
+TEST_F(Cluster, UnderAToleranceTheDigestIsThatOfOneProcess) {
+    const Job job = make_job(300);
+    start_worker(1);
+    start_worker(2);
+    for (const double tolerance : {0.3, 0.8}) {
+        for (const Level level : {Level::Any, Level::Count, Level::Contacts}) {
+            Query query = at_level(level);
+            query.tolerance = tolerance;
+            ClusterOptions options; // The depths are not looked at.
+            options.depth_a = level == Level::Any ? 3 : 9;
+            const JobStatus status = run(job, query, options);
+            EXPECT_EQ(status.digest, job.digest_in_one_process(query))
+                << to_text(level) << ", tolerance " << tolerance;
+            EXPECT_GT(status.summary.undecided, level == Level::Any ? 0u : 20u);
+            EXPECT_LT(status.summary.undecided, 300u);
+        }
+    }
+}
+
+TEST_F(Cluster, ALimitKeepsTheFirstPairsAndTheirPoints) {
+    const Job job = make_job(100);
+    start_worker(2);
+    Query query = at_level(Level::Contacts);
+    const JobStatus whole = run(job, query);
+    query.limit_pairs = 7;
+    const JobStatus cut = run(job, query);
+    EXPECT_EQ(cut.digest, job.digest_in_one_process(query));
+    EXPECT_EQ(cut.summary.pairs, whole.summary.pairs);
+    EXPECT_EQ(cut.summary.cross, whole.summary.cross);
+    EXPECT_GT(cut.summary.cut, 10u);
+    EXPECT_EQ(whole.summary.cut, 0u);
+}
+
+TEST_F(Cluster, StatisticsAreThoseOfTheWorkersTogether) {
+    const Job job = make_job(200);
+    start_worker(1);
+    start_worker(1);
+    const JobStatus status = run(job, at_level(Level::Count));
+    const QueryStatistics& search = status.statistics.search;
+    EXPECT_GT(search.box_tests, 0u);
+    // Every candidate was settled by some stage, nearly all by the first.
+    EXPECT_EQ(search.decisions.total(), search.triangle_tests);
+    EXPECT_GT(search.decisions[PairStage::Float], search.triangle_tests * 9 / 10);
+    // Both bodies are closed, so `inside` was looked at wherever nothing touches.
+    EXPECT_GE(status.statistics.inside.scenarios, status.summary.separate + status.summary.inside);
+}
+
 TEST_F(Cluster, TheNumberOfWorkersDoesNotShow) {
     const Job job = make_job(400);
     const Query query = at_level(Level::Pairs);
@@ -226,6 +273,18 @@ TEST_F(Cluster, SigtermEndsEveryProgramCleanly) {
     }
     master.signal(SIGINT);
     EXPECT_EQ(master.wait(), 0) << master.errors();
+}
+
+TEST_F(Cluster, AWorkerWithAWrongSimdTargetSaysWhichThereAre) {
+    for (const bool by_environment : {false, true}) {
+        std::vector<std::string> command{program("cdworker").string(), "--simd", "abacus"};
+        if (by_environment) {
+            command = {"/usr/bin/env", "CD_SIMD=abacus", program("cdworker").string()};
+        }
+        const Ran ran = tests::run(command);
+        EXPECT_EQ(ran.exit_code, 2);
+        EXPECT_NE(ran.errors.find("there are auto"), std::string::npos) << ran.errors;
+    }
 }
 
 TEST_F(Cluster, AWorkerWithoutAMasterSaysSoAndLeaves) {

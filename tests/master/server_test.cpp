@@ -190,7 +190,7 @@ class FakeWorker {
             records.put(static_cast<std::uint32_t>(record.size()));
             records.put_array(
                 std::span(reinterpret_cast<const char*>(record.data()), record.size()));
-            results.box_tests += run.statistics.box_tests;
+            results.statistics += run.statistics;
             ++results.count;
         }
         results.records = compress(records.bytes(), compression_level_fast);
@@ -382,7 +382,7 @@ TEST(Server, AJobHasTheDigestOfTheSameScenariosWithoutACluster) {
         expect_right(client);
         EXPECT_EQ(client.meshes_sent, 2u);
         EXPECT_GT(client.statuses.back().answered_by_master, 0u);
-        EXPECT_GT(client.statuses.back().box_tests, 0u);
+        EXPECT_GT(client.statuses.back().statistics.search.box_tests, 0u);
         // Nothing uses the trees any more.
         master.run_until([&] { return one.trees_removed + two.trees_removed >= 2; });
     }
@@ -514,6 +514,7 @@ TEST(Server, WhatIsSubmittedWrongIsRefusedWithAReason) {
     expect_failure(with([](Submit& s) { s.cluster.v_kb = 0; }), "v_kb");
     expect_failure(with([](Submit& s) { s.scenarios = ~0ull; }), "number of scenarios");
     expect_failure(with([](Submit& s) { s.query.ignored = {{0, 1u << 30, 0, 1}}; }), "outside");
+    expect_failure(with([](Submit& s) { s.query.tolerance = -0.5; }), "tolerance");
     expect_failure(with([](Submit& s) { s.grid = Bytes(3); }), "");
     // Fewer poses than announced; then more.
     const std::span<const Scenario> all(reference().scenarios);

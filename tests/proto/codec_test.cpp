@@ -18,7 +18,7 @@
 namespace cd::tests {
 namespace {
 
-// What version 1 writes for `sample_messages`. A change here is a new protocol version.
+// What version 2 writes for `sample_messages`. A change here is a new protocol version.
 struct Golden {
     std::string_view name;
     std::size_t bytes;
@@ -28,16 +28,16 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"hello", 44, "a565476d90992f54"},         {"welcome", 23, "48920e75d73c590d"},
     {"failure", 17, "b9807aeea9fe9795"},       {"heartbeat", 24, "e2e2033ae7e19d68"},
     {"add tree", 184, "3ed3ff00d66a2555"},     {"remove tree", 8, "f13ee6ed54ea2aae"},
-    {"subtrees", 144, "da0189eff0ecbd68"},     {"batch", 195, "90d3401f47a4c80c"},
+    {"subtrees", 144, "da0189eff0ecbd68"},     {"batch", 203, "33d3bc33cd60c38d"},
     {"drain", 0, "e3b0c44298fc1c14"},          {"terminate", 28, "d6d079848cb90ca3"},
-    {"want subtrees", 28, "22f2d0e6837120f2"}, {"results", 82, "7b6f9f42b2a564ef"},
+    {"want subtrees", 28, "22f2d0e6837120f2"}, {"results", 130, "d6d00bfb29df28a0"},
     {"end of task", 8, "aae89fc0f03e2959"},    {"evicted", 24, "21c53776fb477163"},
     {"meshes query", 72, "e1381bfba176d2ec"},  {"meshes missing", 40, "6a083ddafa5d3162"},
     {"mesh part", 133, "2325c9eac764b872"},    {"mesh stored", 32, "ae216c2ef5247a37"},
-    {"submit", 184, "662306ea4efdcd14"},       {"poses part", 72, "94b987f225392806"},
+    {"submit", 192, "1940a1b046a9c421"},       {"poses part", 72, "94b987f225392806"},
     {"poses end", 0, "e3b0c44298fc1c14"},      {"accepted", 8, "35be322d094f9d15"},
-    {"watch", 8, "f0a0278e4372459c"},          {"job status", 275, "eeab7f286c14ca64"},
-    {"status query", 0, "e3b0c44298fc1c14"},   {"cluster status", 517, "4f675b32891aefca"},
+    {"watch", 8, "f0a0278e4372459c"},          {"job status", 339, "9998236255781535"},
+    {"status query", 0, "e3b0c44298fc1c14"},   {"cluster status", 581, "f6472d96d43bd68d"},
     {"results query", 24, "e2e2033ae7e19d68"}, {"results part", 58, "d09bdf69823ebbe1"},
     {"cancel", 8, "6cc16abd70eefb90"},
 }};
@@ -107,7 +107,7 @@ TEST(Codec, MembersComeBackInTheirPlaces) {
     EXPECT_EQ(batch.scenarios, some_batch().scenarios);
 }
 
-TEST(Codec, TheBytesOfEachMessageAreThoseOfVersionOne) {
+TEST(Codec, TheBytesOfEachMessageAreThoseOfVersionTwo) {
     const auto samples = sample_messages();
     ASSERT_EQ(samples.size(), golden.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -197,7 +197,7 @@ TEST(Codec, ValuesOutOfRangeAreRefused) {
     hello[4] = std::byte{3}; // The role, behind the two versions.
     EXPECT_FALSE(decode_message(message_type(Hello{}), hello));
 
-    Bytes results = encode_message(Results{TaskId{1}, JobId{1}, 0, {}, 0, 0, 1.0});
+    Bytes results = encode_message(Results{TaskId{1}, JobId{1}, 0, {}, {}, 1.0});
     results[results.size() - 1] = std::byte{0x7f}; // 1.0 becomes a NaN.
     results[results.size() - 2] = std::byte{0xff};
     EXPECT_FALSE(decode_message(message_type(Results{}), results));
@@ -236,6 +236,16 @@ TEST(Codec, ABatchWhoseOffsetsDoNotFitItsPairsIsRefused) {
     repeated.set(repeated.pairs, 1);
     repeated.set(repeated.pairs + 4, 0);
     EXPECT_THAT(repeated.refusal(), testing::HasSubstr("ascend"));
+}
+
+TEST(Codec, AToleranceIsANumberOfAtLeastZero) {
+    BatchBytes batch;
+    const std::size_t sign = 4 * 8 + 1 + 7; // Behind four ids and the level; the highest byte.
+    batch.bytes[sign] |= std::byte{0x80};
+    EXPECT_THAT(batch.refusal(), testing::HasSubstr("negative tolerance"));
+    batch.bytes[sign] = std::byte{0x7f};
+    batch.bytes[sign - 1] = std::byte{0xf0};
+    EXPECT_THAT(batch.refusal(), testing::HasSubstr("finite"));
 }
 
 TEST(Codec, RootsThatDoNotAscendAreRefused) {

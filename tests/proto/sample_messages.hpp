@@ -37,9 +37,18 @@ inline ObbNode some_node(std::uint32_t seed) {
 inline Query some_query() {
     Query query;
     query.level = Level::Contacts;
+    query.tolerance = 0.125;
     query.limit_pairs = 77;
     query.ignored = {{1, 2, 3, 4}, {5, 6, 7, 8}};
     return query;
+}
+
+inline QueryStatistics some_statistics() {
+    QueryStatistics statistics;
+    statistics.box_tests = 13;
+    statistics.triangle_tests = 14;
+    statistics.decisions.settled = {15, 16, 17, 18, 19, 20};
+    return statistics;
 }
 
 inline JobStatus some_job_status() {
@@ -54,8 +63,7 @@ inline JobStatus some_job_status() {
     status.failure = "none";
     status.bodies = {some_hash(4), some_hash(5)};
     status.answered_by_master = 12;
-    status.box_tests = 13;
-    status.triangle_tests = 14;
+    status.statistics = {some_statistics(), {21, 4.5, {}}};
     status.compute_seconds = 3.5;
     return status;
 }
@@ -118,7 +126,7 @@ inline std::vector<Message> sample_messages() {
         Drain{},
         Terminate{"the operator said so"},
         WantSubtrees{TreeId{2}, {1, 5, 9}},
-        Results{TaskId{1}, JobId{2}, 3, some_bytes(30), 4, 5, 0.25},
+        Results{TaskId{1}, JobId{2}, 3, some_bytes(30), some_statistics(), 0.25},
         EndOfTask{TaskId{7}},
         Evicted{TreeId{2}, {0, 8}},
         MeshesQuery{{some_hash(1), some_hash(2)}},

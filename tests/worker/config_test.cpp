@@ -72,6 +72,8 @@ TEST(WorkerConfig, OptionsAreRead) {
                                           "512MiB",
                                           "--name",
                                           "n",
+                                          "--simd",
+                                          "avx2",
                                           "--insecure",
                                           "--log-level",
                                           "debug",
@@ -82,6 +84,7 @@ TEST(WorkerConfig, OptionsAreRead) {
     EXPECT_EQ(line.config->threads, 3u);
     EXPECT_EQ(line.config->cache_bytes, std::uint64_t{512} << 20);
     EXPECT_EQ(line.config->name, "n");
+    EXPECT_EQ(line.config->simd, "avx2");
     EXPECT_TRUE(line.config->insecure);
     EXPECT_EQ(line.config->log_level, "debug");
     EXPECT_EQ(line.config->connect_for, std::chrono::seconds(7));

@@ -48,6 +48,15 @@ ScenarioResult make_failed_result() {
     return result;
 }
 
+ScenarioResult make_undecided_result() {
+    ScenarioResult result;
+    result.index = 8;
+    result.level = Level::Count;
+    result.kind = ScenarioClass::Undecided;
+    result.distance_bound = 0.375;
+    return result;
+}
+
 std::vector<ScenarioResult> examples() {
     ScenarioResult separate;
     separate.level = Level::Any;
@@ -56,7 +65,12 @@ std::vector<ScenarioResult> examples() {
     inside.kind = ScenarioClass::Inside;
     inside.body_a = 3;
     inside.body_b = 9;
-    return {separate, inside, make_pairs_result(), make_contacts_result(), make_failed_result()};
+    return {separate,
+            inside,
+            make_pairs_result(),
+            make_contacts_result(),
+            make_failed_result(),
+            make_undecided_result()};
 }
 
 /// The record of `result` with one byte replaced.
@@ -89,17 +103,19 @@ TEST(Result, RecordsComeBackToTheSameBytes) {
         EXPECT_EQ(decoded.value().surfaces_only, result.surfaces_only);
         EXPECT_EQ(decoded.value().is_cut(), result.is_cut());
         EXPECT_EQ(decoded.value().failure, result.failure);
+        EXPECT_EQ(decoded.value().distance_bound, result.distance_bound);
         EXPECT_EQ(digest_of(result), sha256(bytes));
     }
 }
 
 TEST(Result, DigestsAreTheGoldenOnes) {
     // These stand for all results ever stored: another value is another version of the record.
-    EXPECT_EQ(to_short_hex(digest_of(examples()[0])), "f42800725d33cfdf");
-    EXPECT_EQ(to_short_hex(digest_of(examples()[1])), "0f440895bbdaf54e");
-    EXPECT_EQ(to_short_hex(digest_of(make_pairs_result())), "ad21e6ed668e92b3");
-    EXPECT_EQ(to_short_hex(digest_of(make_contacts_result())), "d2753b41441b86a2");
-    EXPECT_EQ(to_short_hex(digest_of(make_failed_result())), "7e0bb645d4be261e");
+    EXPECT_EQ(to_short_hex(digest_of(examples()[0])), "0f2316e6f22830f9");
+    EXPECT_EQ(to_short_hex(digest_of(examples()[1])), "8570a3e61b9358d9");
+    EXPECT_EQ(to_short_hex(digest_of(make_pairs_result())), "855e617e4e16bd3d");
+    EXPECT_EQ(to_short_hex(digest_of(make_contacts_result())), "1933a741a3e0eaec");
+    EXPECT_EQ(to_short_hex(digest_of(make_failed_result())), "be359f83769d1593");
+    EXPECT_EQ(to_short_hex(digest_of(make_undecided_result())), "b8b4ab3e613ccfac");
 }
 
 TEST(Result, ZeroAndNanHaveOnePattern) {
@@ -138,7 +154,7 @@ TEST(Result, RefusesEveryTruncation) {
 
 TEST(Result, RefusesFieldsOutOfRange) {
     const ScenarioResult result = make_pairs_result();
-    EXPECT_FALSE(decode_result(patched(result, 0, 2)));
+    EXPECT_FALSE(decode_result(patched(result, 0, 1)));
     EXPECT_FALSE(decode_result(patched(result, level_place, 4)));
     EXPECT_FALSE(decode_result(patched(result, class_place, 7)));
     EXPECT_FALSE(decode_result(patched(result, flags_place, 2)));
@@ -156,7 +172,6 @@ TEST(Result, RefusesFieldsThatContradictEachOther) {
     EXPECT_FALSE(decode_result(with_class(ScenarioClass::Inside)));
     EXPECT_FALSE(decode_result(with_class(ScenarioClass::Contact)));
     EXPECT_FALSE(decode_result(with_class(ScenarioClass::Touch))) << "a pair is proper";
-    EXPECT_TRUE(decode_result(with_class(ScenarioClass::Undecided)));
     EXPECT_FALSE(decode_result(patched(result, count_place, 2))) << "fewer than are listed";
 
     ScenarioResult any;
@@ -168,6 +183,28 @@ TEST(Result, RefusesFieldsThatContradictEachOther) {
     any.kind = ScenarioClass::Contact;
     any.pair_count = 1;
     EXPECT_FALSE(decode_result(encode_result(any)));
+}
+
+TEST(Result, ABoundIsADistanceOfBodiesNotInContact) {
+    ScenarioResult result = make_undecided_result();
+    const auto with_bound = [&](double bound) {
+        result.distance_bound = bound;
+        return decode_result(encode_result(result));
+    };
+    EXPECT_TRUE(with_bound(0));
+    EXPECT_TRUE(with_bound(std::numeric_limits<double>::infinity()));
+    EXPECT_FALSE(with_bound(-0.5));
+    EXPECT_FALSE(with_bound(std::nan("")));
+    EXPECT_EQ(encode_result(with_bound(-0.0).value()), encode_result(with_bound(0.0).value()));
+    Bytes bytes = encode_result(result);
+    bytes.back() = std::byte{0x80}; // Minus zero.
+    EXPECT_FALSE(decode_result(bytes));
+
+    // Pairs may be proven beside boxes that were left.
+    result = make_pairs_result();
+    result.kind = ScenarioClass::Undecided;
+    EXPECT_TRUE(with_bound(0));
+    EXPECT_FALSE(with_bound(0.5));
 }
 
 TEST(Result, RefusesPairsOutOfOrder) {

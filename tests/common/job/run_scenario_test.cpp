@@ -146,6 +146,41 @@ TEST(RunScenario, AnyStopsAtTheFirstContact) {
     EXPECT_LT(10 * any.triangle_tests, pairs.triangle_tests);
 }
 
+TEST(RunScenario, TheFirstStageDoesNotShow) {
+    std::mt19937_64 random(9);
+    const ObbTree box = make_tree(make_gridded_box(Vec3(1, 1, 1), 3));
+    const ObbTree sphere = make_tree(make_sphere(2));
+    for (int round = 0; round < 12; ++round) {
+        SCOPED_TRACE(testing::Message() << "round " << round);
+        // Every third one slides a box along a box, where ties are the rule.
+        const bool ties = round % 3 == 0;
+        const ObbTree& b = ties ? box : sphere;
+        const Pose pose = ties ? translation_pose(1, 0.25 * round, 0) : make_pose(random, 0.8);
+        const Scenario scenario = make_scenario(Pose{}, pose);
+        const Query query = query_of(Level::Contacts);
+        const ScenarioRun first = ScenarioRunner(box, b, query).run(scenario);
+        for (std::size_t i = 1; i < pair_stage_count; ++i) {
+            const auto stage = static_cast<PairStage>(i);
+            const ScenarioRun run = ScenarioRunner(box, b, query, stage).run(scenario);
+            EXPECT_EQ(digest_of(run.result), digest_of(first.result)) << to_text(stage);
+            EXPECT_EQ(run.statistics.decisions.total(), first.statistics.decisions.total());
+            for (std::size_t before = 0; before < i; ++before) {
+                EXPECT_EQ(run.statistics.decisions.settled[before], 0u) << to_text(stage);
+            }
+        }
+    }
+}
+
+TEST(RunScenario, TheCostOfInsideIsToldApart) {
+    const ObbTree box = make_tree(make_box(Vec3(2, 2, 2)));
+    const ObbTree small = make_tree(make_box(Vec3(0.5, 0.5, 0.5)));
+    const Scenario inside = make_scenario(Pose{}, Pose{});
+    const Scenario across = make_scenario(Pose{}, translation_pose(1, 0.1, 0.1));
+    EXPECT_EQ(run_scenario(box, small, inside, query_of(Level::Count)).inside.scenarios, 1u);
+    EXPECT_EQ(run_scenario(box, small, inside, query_of(Level::Any)).inside.scenarios, 0u);
+    EXPECT_EQ(run_scenario(box, small, across, query_of(Level::Count)).inside.scenarios, 0u);
+}
+
 TEST(RunScenario, ALimitKeepsTheFirstPairsAndTheTrueCount) {
     const ObbTree sphere = make_tree(make_sphere(2));
     const Scenario scenario = make_scenario(Pose{}, translation_pose(0.9, 0.1, 0.2));

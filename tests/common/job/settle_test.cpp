@@ -92,18 +92,18 @@ TEST(Settle, TheClassIsThatOfTheBodiesAlone) {
 TEST(Settle, OrdinaryScenariosPayNothing) {
     const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 4));
     const SettleStatistics nothing;
-    EXPECT_EQ(run(box, box, {Pose{}, translation_pose(9, 0, 0)}).settling, nothing) << "apart";
-    EXPECT_EQ(run(box, box, {Pose{}, translation_pose(0.3, 0.2, 0.1)}).settling, nothing)
+    EXPECT_EQ(run(box, box, {Pose{}, translation_pose(9, 0, 0)}).inside.work, nothing) << "apart";
+    EXPECT_EQ(run(box, box, {Pose{}, translation_pose(0.3, 0.2, 0.1)}).inside.work, nothing)
         << "cross";
     const PosePair stacked{Pose{}, translation_pose(0, 0, 2)};
-    EXPECT_EQ(run(box, box, stacked, query_of(Level::Any)).settling, nothing) << "any";
-    const SettleStatistics touching = run(box, box, stacked).settling;
+    EXPECT_EQ(run(box, box, stacked, query_of(Level::Any)).inside.work, nothing) << "any";
+    const SettleStatistics touching = run(box, box, stacked).inside.work;
     EXPECT_GT(touching.points, 0u);
     EXPECT_GT(touching.ray_box_tests, touching.points);
     EXPECT_GT(touching.ray_triangle_tests, touching.points);
     EXPECT_EQ(touching.searches, 0u);
-    EXPECT_EQ(run(box, box, stacked, query_of(Level::Count)).settling.searches, 1u);
-    EXPECT_EQ(run(box, box, stacked, query_of(Level::Pairs, 3)).settling.searches, 1u);
+    EXPECT_EQ(run(box, box, stacked, query_of(Level::Count)).inside.work.searches, 1u);
+    EXPECT_EQ(run(box, box, stacked, query_of(Level::Pairs, 3)).inside.work.searches, 1u);
 }
 
 TEST(Settle, OpenBodiesAreSurfacesOnlyAndNotRefined) {

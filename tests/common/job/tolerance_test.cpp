@@ -1,0 +1,229 @@
+// Proves that an answer under a tolerance is always true: no contact is missed, what is said to be
+// separate is, the bound on the distance holds against exact distances, what is decided is decided
+// as without a tolerance, and the answer does not depend on how the cluster works.
+
+#include "common/job/tolerance.hpp"
+
+#include "common/job/run_scenario.hpp"
+#include "common/tree/build.hpp"
+#include "tests/support/exact_distance.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace cd::tests {
+
+namespace {
+
+constexpr std::array<Level, 4> levels{Level::Any, Level::Count, Level::Pairs, Level::Contacts};
+
+ObbTree make_tree(Mesh mesh) {
+    ThreadPool pool(1);
+    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
+}
+
+Query query_of(Level level, double tolerance) {
+    Query query;
+    query.level = level;
+    query.tolerance = tolerance;
+    return query;
+}
+
+Scenario scenario_of(std::mt19937_64& random, double reach) {
+    Scenario scenario;
+    scenario.poses = {make_pose(random, 0.3), make_pose(random, reach)};
+    if (random() % 3 == 0) {
+        scenario.poses.b = make_matrix_pose(random, reach);
+    }
+    return scenario;
+}
+
+std::vector<ObbTree> small_trees(std::mt19937_64& random) {
+    std::vector<ObbTree> trees;
+    trees.push_back(make_tree(make_sphere(2)));
+    trees.push_back(make_tree(make_gridded_box(Vec3(1.2, 0.8, 1), 3)));
+    trees.push_back(make_tree(make_triangle_soup(random, 60, 0.3)));
+    trees.push_back(make_tree(make_degenerate_soup(random, 40)));
+    return trees;
+}
+
+/// What may be said under a tolerance of a scenario whose exact answer is known.
+void expect_true(const ScenarioResult& answer, const ScenarioResult& exact) {
+    if (answer.kind == ScenarioClass::Undecided) {
+        EXPECT_TRUE(std::includes(
+            exact.pairs.begin(), exact.pairs.end(), answer.pairs.begin(), answer.pairs.end()));
+        EXPECT_LE(answer.pair_count, exact.pair_count);
+        return;
+    }
+    EXPECT_EQ(encode_result(answer), encode_result(exact));
+}
+
+} // namespace
+
+TEST(Tolerance, WhatIsDecidedIsDecidedAsWithoutOne) {
+    std::mt19937_64 random(3);
+    const std::vector<ObbTree> trees = small_trees(random);
+    int undecided = 0;
+    int decided_contacts = 0;
+    int separate = 0;
+    for (int round = 0; round < 240; ++round) {
+        SCOPED_TRACE(testing::Message() << "round " << round);
+        const ObbTree& a = trees[random() % trees.size()];
+        const ObbTree& b = trees[random() % trees.size()];
+        const Scenario scenario = scenario_of(random, 2.5);
+        const double tolerance = std::exp2(uniform(random, -2, 3));
+        for (const Level level : levels) {
+            const auto exact = run_scenario(a, b, scenario, query_of(level, 0)).result;
+            const auto answer = run_scenario(a, b, scenario, query_of(level, tolerance)).result;
+            expect_true(answer, exact);
+            EXPECT_NE(exact.kind, ScenarioClass::Undecided);
+            undecided += answer.kind == ScenarioClass::Undecided ? 1 : 0;
+            separate += answer.kind == ScenarioClass::Separate ? 1 : 0;
+            decided_contacts += answer.kind == ScenarioClass::Contact ? 1 : 0;
+        }
+    }
+    EXPECT_GT(undecided, 100);
+    EXPECT_GT(separate, 100);
+    EXPECT_GT(decided_contacts, 5);
+}
+
+TEST(Tolerance, TheBoundIsNeverLessThanTheDistance) {
+    std::mt19937_64 random(7);
+    const std::vector<ObbTree> trees = small_trees(random);
+    int apart = 0;
+    for (int round = 0; round < 600; ++round) {
+        SCOPED_TRACE(testing::Message() << "round " << round);
+        const ObbTree& a = trees[random() % trees.size()];
+        const ObbTree& b = trees[random() % trees.size()];
+        const Scenario scenario = scenario_of(random, 1.7);
+        const double tolerance = std::exp2(uniform(random, -2, 2));
+        const Query query = query_of(Level::Pairs, tolerance);
+        const auto answer = run_scenario(a, b, scenario, query).result;
+        if (answer.kind != ScenarioClass::Undecided) {
+            EXPECT_EQ(answer.distance_bound, 0);
+            continue;
+        }
+        if (run_scenario(a, b, scenario, query_of(Level::Count, 0)).result.pair_count > 0) {
+            EXPECT_GE(answer.distance_bound, 0);
+            EXPECT_TRUE(answer.pair_count == 0 || answer.distance_bound == 0);
+            continue;
+        }
+        ++apart;
+        ASSERT_TRUE(std::isfinite(answer.distance_bound));
+        // Boxes that overlap hold points that are no farther apart than their diameters' sum,
+        // enlarged by what the overlap test and the bound itself grant to rounding.
+        EXPECT_LE(answer.distance_bound, 1.001 * tolerance + 1e-5);
+        EXPECT_TRUE(distance_is_at_most(a.mesh(), b.mesh(), scenario.poses, answer.distance_bound));
+    }
+    EXPECT_GT(apart, 20);
+}
+
+TEST(Tolerance, TheDistanceOfTheTestItselfIsExact) {
+    const Mesh box = make_box(Vec3(2, 2, 2));
+    const auto is_within = [&](const Pose& pose, double bound) {
+        return distance_is_at_most(box, box, {Pose{}, pose}, bound);
+    };
+    // Face to face, edge to edge, corner to corner.
+    EXPECT_TRUE(is_within(translation_pose(2.5, 0.1, 0.2), 0.5));
+    EXPECT_FALSE(is_within(translation_pose(2.5, 0.1, 0.2), std::nextafter(0.5, 0)));
+    EXPECT_TRUE(is_within(translation_pose(2.375, 2.5, 0.2), 0.625));
+    EXPECT_FALSE(is_within(translation_pose(2.375, 2.5, 0.2), std::nextafter(0.625, 0)));
+    EXPECT_TRUE(is_within(translation_pose(3, 4, 4), 3));
+    EXPECT_FALSE(is_within(translation_pose(3, 4, 4), std::nextafter(3, 0)));
+}
+
+TEST(Tolerance, ACoarseAnswerCostsLittle) {
+    const ObbTree torus = make_tree(make_torus(1, 0.4, 100, 40));
+    Scenario scenario;
+    scenario.poses.b = translation_pose(0.2, 0.1, 0.3);
+    const auto exact = run_scenario(torus, torus, scenario, query_of(Level::Pairs, 0));
+    const auto coarse = run_scenario(torus, torus, scenario, query_of(Level::Pairs, 3));
+    EXPECT_EQ(coarse.result.kind, ScenarioClass::Undecided);
+    EXPECT_GT(coarse.result.distance_bound, 0);
+    EXPECT_EQ(coarse.statistics.triangle_tests, 0u);
+    EXPECT_LT(20 * coarse.statistics.box_tests, exact.statistics.box_tests);
+}
+
+TEST(Tolerance, AnyIsAContactAsSoonAsOneIsProven) {
+    // Two boxes of different sizes: large triangles are decided, small ones are left.
+    const ObbTree a = make_tree(
+        join({make_box(Vec3(2, 2, 2)), translated(make_box(Vec3(0.1, 0.1, 0.1)), {5, 0, 0})}));
+    Scenario scenario;
+    scenario.poses.b = translation_pose(0.3, 0.4, 0.2);
+    const auto any = run_scenario(a, a, scenario, query_of(Level::Any, 0.5)).result;
+    EXPECT_EQ(any.kind, ScenarioClass::Contact);
+    EXPECT_EQ(any.distance_bound, 0);
+    scenario.poses.b = translation_pose(0.03, 0.04, 0.02);
+    const auto count = run_scenario(a, a, scenario, query_of(Level::Count, 0.5)).result;
+    EXPECT_EQ(count.kind, ScenarioClass::Undecided);
+    EXPECT_GT(count.pair_count, 0u);
+    EXPECT_EQ(count.distance_bound, 0) << "a contact is proven";
+}
+
+TEST(Tolerance, PartsGiveTheRecordOfTheWholeInAnyOrder) {
+    std::vector<ObbTree> trees;
+    trees.push_back(make_tree(make_torus(1, 0.4, 80, 40)));
+    trees.push_back(make_tree(make_sphere(4)));
+    for (const ObbTree& tree : trees) {
+        ASSERT_GT(tolerance_depth(tree), 0u);
+    }
+    int undecided = 0;
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+        std::mt19937_64 random(seed);
+        for (int round = 0; round < 8; ++round) {
+            SCOPED_TRACE(testing::Message() << "seed " << seed << " round " << round);
+            const ObbTree& a = trees[random() % 2];
+            const ObbTree& b = trees[random() % 2];
+            const Scenario scenario = scenario_of(random, 1.5);
+            const Query query = query_of(levels[random() % 4], std::exp2(uniform(random, -4, 0)));
+            const auto parts_of = [](const ObbTree& tree) {
+                std::vector<Subtree> parts;
+                for (const std::uint32_t node : cut_nodes(tree, tolerance_depth(tree))) {
+                    parts.push_back(decode_subtree(encode_subtree(extract_subtree(tree, node),
+                                                                  tree.mesh().precision()))
+                                        .value());
+                }
+                return parts;
+            };
+            const auto parts_a = parts_of(a);
+            const auto parts_b = parts_of(b);
+            auto roots = colliding_roots(cut_tree(a, tolerance_depth(a)),
+                                         cut_tree(b, tolerance_depth(b)),
+                                         scenario.poses)
+                             .value();
+            std::shuffle(roots.begin(), roots.end(), random);
+            std::vector<SubtreePair> pairs;
+            for (const RootPair& pair : roots) {
+                pairs.push_back({parts_a[pair.a].view(), parts_b[pair.b].view()});
+            }
+            ScenarioResult parts = run_on_subtrees(pairs, scenario, query).result;
+            (void)settle_with_cost(a, b, scenario, query, parts);
+            const ScenarioResult whole = run_scenario(a, b, scenario, query).result;
+            EXPECT_EQ(encode_result(parts), encode_result(whole));
+            undecided += whole.kind == ScenarioClass::Undecided ? 1 : 0;
+        }
+    }
+    EXPECT_GT(undecided, 5);
+    EXPECT_LT(undecided, 24);
+}
+
+TEST(Tolerance, TheDepthIsAFunctionOfTheTree) {
+    EXPECT_EQ(tolerance_depth(make_tree(make_sphere(3))), 0u);              // 512 triangles
+    EXPECT_EQ(tolerance_depth(make_tree(make_sphere(4))), 1u);              // 2,048
+    EXPECT_EQ(tolerance_depth(make_tree(make_torus(1, 0.4, 100, 40))), 3u); // 8,000
+}
+
+TEST(Tolerance, IsAFiniteLength) {
+    EXPECT_TRUE(check_tolerance(0));
+    EXPECT_TRUE(check_tolerance(5e-324));
+    EXPECT_FALSE(check_tolerance(-5e-324));
+    EXPECT_FALSE(check_tolerance(std::numeric_limits<double>::infinity()));
+    EXPECT_FALSE(check_tolerance(std::nan("")));
+}
+
+} // namespace cd::tests
