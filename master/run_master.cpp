@@ -55,17 +55,18 @@ Status run_master(const MasterConfig& config) {
         return server.error();
     }
     const std::uint16_t port = server.value()->port();
-    if (!config.port_file.empty()) {
-        if (Status written = write_port(config.port_file, port); !written) {
-            return written;
-        }
-    }
     bool stopping = false;
     StopSignals signals(context.get_executor(), [&](unsigned) {
         stopping = true;
         server.value()->close();
         signals.cancel();
     });
+    // Who waits for the file may send a signal as soon as it is there.
+    if (!config.port_file.empty()) {
+        if (Status written = write_port(config.port_file, port); !written) {
+            return written;
+        }
+    }
     server.value()->start();
     spdlog::info(
         "listening: host={} port={} state={}", config.listen.host, port, config.state.string());
