@@ -66,6 +66,17 @@ void add_shared_points(ContactSearch& search, ScenarioResult& result) {
     }
 }
 
+/// How many pairs a result can have: with one more, `within_limit` makes a failure of it.
+std::uint64_t pairs_worth_keeping(const Query& query) {
+    if (query.limit_pairs != 0) {
+        return query.limit_pairs;
+    }
+    constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
+    constexpr std::uint64_t points_bytes = 2 * 3 * sizeof(double); // An origin and one point.
+    const std::uint64_t bytes = pair_bytes + (query.level == Level::Contacts ? points_bytes : 0);
+    return limits::result_record_bytes_max / bytes + 1;
+}
+
 void find_pairs(std::span<const SubtreePair> pairs,
                 const Query& query,
                 ContactSearch& search,
@@ -77,9 +88,6 @@ void find_pairs(std::span<const SubtreePair> pairs,
     result.pairs = std::move(search.pairs());
     note_found(search, result);
     note_undecided(search, result);
-    if (query.limit_pairs != 0 && result.pairs.size() > query.limit_pairs) {
-        result.pairs.resize(query.limit_pairs);
-    }
     if (query.level == Level::Contacts) {
         add_shared_points(search, result);
     }
@@ -109,6 +117,7 @@ ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
     SearchOptions options;
     options.keep_pairs = query.level >= Level::Pairs;
     options.keep_corners = query.level == Level::Contacts;
+    options.pairs_max = pairs_worth_keeping(query);
     options.tolerance = query.tolerance;
     options.first_stage = first_stage;
     ContactSearch search(scenario.poses, query.ignored, options);

@@ -52,6 +52,8 @@ double stretch_of(const Pose& pose) {
 /// Deciding many at once is faster; a search for any contact should not look at many in vain.
 constexpr std::size_t candidates_at_once = 512;
 constexpr std::size_t candidates_at_once_for_any = 16;
+/// Below this, pairs beyond the limit are not worth a sort on the way.
+constexpr std::size_t kept_at_least = 1u << 16;
 
 } // namespace
 
@@ -200,6 +202,10 @@ void ContactSearch::decide_candidates(const TreeView& a, const TreeView& b) {
         }
     }
     candidates_.clear();
+    // Seldom enough that sorting costs little beside finding.
+    if (pairs_.size() / 2 > options_.pairs_max && pairs_.size() > kept_at_least) {
+        sort();
+    }
 }
 
 void ContactSearch::collect(const TreeView& a, const TreeView& b) {
@@ -214,8 +220,11 @@ void ContactSearch::collect(const TreeView& a, const TreeView& b) {
 }
 
 void ContactSearch::sort() {
+    const std::size_t kept =
+        static_cast<std::size_t>(std::min<std::uint64_t>(pairs_.size(), options_.pairs_max));
     if (!options_.keep_corners) {
         std::sort(pairs_.begin(), pairs_.end());
+        pairs_.resize(kept);
         return;
     }
     std::vector<std::size_t> order(pairs_.size());
@@ -223,6 +232,7 @@ void ContactSearch::sort() {
     std::sort(order.begin(), order.end(), [this](std::size_t i, std::size_t j) {
         return pairs_[i] < pairs_[j];
     });
+    order.resize(kept);
     std::vector<ContactPair> pairs;
     std::vector<PairCorners> corners;
     pairs.reserve(order.size());

@@ -7,6 +7,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -53,6 +54,9 @@ struct PairCorners {
 /// What a search looks for beside the contacts themselves.
 struct SearchOptions {
     bool keep_pairs = true; ///< False: what is found is only counted.
+    /// Keeps no more than about twice so many pairs at a time, and the first so many in the end;
+    /// all are counted.
+    std::uint64_t pairs_max = std::numeric_limits<std::uint64_t>::max();
     /// Keeps the corners of each found pair beside it, for shared points: the subtrees may be gone
     /// by then.
     bool keep_corners = false;
@@ -90,7 +94,7 @@ class ContactSearch {
     [[nodiscard]] std::uint64_t pair_count() const { return pair_count_; }
     [[nodiscard]] bool has_proper() const { return has_proper_; }
 
-    /// Sorts the pairs, each with its corners.
+    /// Sorts the pairs, each with its corners, and keeps the first `pairs_max`.
     void sort();
 
     /// As found, until sorted.

@@ -296,6 +296,25 @@ TEST(Traverse, KeepsTheCornersOfEachPairBesideItIfAsked) {
     }
 }
 
+TEST(Traverse, KeepsTheFirstPairsOfManyAndCountsAll) {
+    constexpr std::uint32_t triangles = 400; // All in one point: each touches each.
+    MeshArrays arrays;
+    arrays.vertices = {Vec3(1, 2, 3)};
+    arrays.triangles.assign(triangles, {0, 0, 0});
+    const ObbTree tree = build(Mesh::create(std::move(arrays)).value());
+
+    ContactSearch search(PosePair{}, {}, {.pairs_max = 450});
+    search.collect(tree.view(), tree.view());
+    EXPECT_EQ(search.pair_count(), std::uint64_t{triangles} * triangles);
+    EXPECT_LT(search.pairs().size(), 70'000u); // Of 160,000.
+    search.sort();
+
+    ASSERT_EQ(search.pairs().size(), 450u);
+    for (std::uint32_t i = 0; i < 450; ++i) {
+        EXPECT_EQ(search.pairs()[i], (ContactPair{i / triangles, i % triangles, PairClass::Touch}));
+    }
+}
+
 TEST(Traverse, GathersOverSeveralCallsAndCounts) {
     const Mesh sphere = make_sphere(1);
     const ObbTree tree = build(sphere);
