@@ -38,8 +38,6 @@
 
 #include "common/geometry/highway_targets.hpp"
 
-#include <cstring>
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/geometry/float_pair_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -60,59 +58,33 @@ constexpr std::size_t lanes = hn::MaxLanes(Floats());
 constexpr std::size_t block_pairs = 64; // Small enough for the first cache; any lanes divide it.
 constexpr float size_max = 0x1p38F;
 
-/// The distinct triangles of B in a block, each once: a search meets many of A with one of B.
-struct Distinct {
-    static constexpr std::size_t look_back = 4; ///< Further back they are taken for new ones.
-
-    std::uint32_t place[look_back + block_pairs + 1];
-    std::uint8_t of_pair[block_pairs];
-    std::size_t count = 0;
-
-    Distinct(const std::uint32_t* candidates, std::size_t pairs) {
-        for (std::size_t i = 0; i < look_back; ++i) {
-            place[i] = UINT32_MAX; // Never a place: meshes are smaller.
-        }
-        for (std::size_t i = 0; i < pairs; ++i) {
-            // Without branches: which it is follows no pattern.
-            const std::uint32_t now = candidates[2 * i + 1];
-            std::size_t found = count;
-            for (std::size_t back = 0; back < look_back; ++back) {
-                found = place[count + back] == now ? count + back - look_back : found;
-            }
-            place[look_back + count] = now;
-            of_pair[i] = static_cast<std::uint8_t>(found);
-            count += static_cast<std::size_t>(found == count);
-        }
-    }
-    [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return place[look_back + i]; }
-};
-
-/// Triangles of B as they are: rows of three numbers and a zero.
+/// What a block of pairs needs of its triangles: rows of three numbers and one that is not used.
 struct Rows {
-    alignas(64) double e[4 * block_pairs]; ///< The two edges from the first corner.
-    alignas(64) double f[4 * block_pairs];
-    alignas(64) double b0[4 * block_pairs];
-};
-
-/// The same in A's coordinates. Behind the corner stands minus its error.
-struct PosedRows {
-    alignas(64) float r[4 * block_pairs];
-    alignas(64) float s[4 * block_pairs];
-    alignas(64) double b0[4 * block_pairs];
-};
-
-/// What the determinants of a block's pairs are made of. Behind d stands its error, but for the
-/// last rounding.
-struct PairRows {
     alignas(64) float p[4 * block_pairs];
     alignas(64) float q[4 * block_pairs];
-    alignas(64) float r[4 * block_pairs];
-    alignas(64) float s[4 * block_pairs];
-    alignas(64) float d[4 * block_pairs];
+    alignas(64) double e[4 * block_pairs]; ///< The edges of B, not yet rotated.
+    alignas(64) double f[4 * block_pairs];
+    alignas(64) double a0[4 * block_pairs];
+    alignas(64) double b0[4 * block_pairs];
 };
 
-/// Where the row of a pair, or of a triangle, is in its block. Rows that become neighbours in a
-/// vector's columns lie apart, so that columns are made of rows within 128 bits, which costs least.
+/// The x, y and z of a block of vectors.
+struct Columns {
+    alignas(64) float x[block_pairs];
+    alignas(64) float y[block_pairs];
+    alignas(64) float z[block_pairs];
+};
+
+/// What becomes of B's numbers in A's coordinates.
+struct Posed {
+    Columns r;
+    Columns s;
+    Columns d;
+    alignas(64) float d_error[block_pairs]; ///< But for the last rounding.
+};
+
+/// Where the row of a block's pair is. Rows that become neighbours in a vector's columns lie apart,
+/// so that columns are made of rows within 128 bits, which costs least.
 constexpr std::size_t row_of(std::size_t pair) {
     const std::size_t lane = pair % lanes;
     return lanes < 4 ? pair : pair - lane + lane % 4 * (lanes / 4) + lane / 4;
@@ -127,8 +99,6 @@ struct Corner {
 
     explicit Corner(const double* from) : value(hn::MaskedLoad(hn::FirstN(row, 3), row, from)) {}
     Corner(const Corner& from, const Corner& to) : value(hn::Sub(to.value, from.value)) {}
-    /// From what stands in a row, with its fourth number.
-    void subtract_row(const double* from) { value = hn::Sub(value, hn::Load(row, from)); }
     void store(double* to) const { hn::Store(value, row, to); }
     void store(float* to) const {
         const hn::Rebind<float, hn::FixedTag<double, 4>> narrow;
@@ -139,45 +109,36 @@ struct Corner {
 #else
 
 struct Corner {
-    double value[4];
+    double value[3];
 
-    explicit Corner(const double* from) : value{from[0], from[1], from[2], 0} {}
+    explicit Corner(const double* from) : value{from[0], from[1], from[2]} {}
     Corner(const Corner& from, const Corner& to)
         : value{to.value[0] - from.value[0],
                 to.value[1] - from.value[1],
-                to.value[2] - from.value[2],
-                0} {}
-    /// From what stands in a row, with its fourth number.
-    void subtract_row(const double* from) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            value[i] -= from[i];
-        }
-    }
+                to.value[2] - from.value[2]} {}
     template <class T>
     void store(T* to) const {
-        for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t i = 0; i < 3; ++i) {
             to[i] = static_cast<T>(value[i]);
         }
+        to[3] = 0;
     }
 };
 
 #endif
 
-/// A triangle's first corner and the two edges from it.
-struct CornerAndEdges {
-    Corner corner;
-    Corner first;
-    Corner second;
-
-    CornerAndEdges(const FloatPairBody& body, std::uint32_t place)
-        : CornerAndEdges(body, body.triangles + 3 * std::size_t{place}) {}
-
-  private:
-    CornerAndEdges(const FloatPairBody& body, const std::uint32_t* t)
-        : corner(body.vertices + 3 * std::size_t{t[0]}),
-          first(corner, Corner(body.vertices + 3 * std::size_t{t[1]})),
-          second(corner, Corner(body.vertices + 3 * std::size_t{t[2]})) {}
-};
+/// The first corner and the two edges from it.
+template <class T>
+HWY_INLINE void store_triangle(
+    const FloatPairBody& body, std::uint32_t place, T* first, T* second, double* corner) {
+    const std::uint32_t* t = body.triangles + 3 * std::size_t{place};
+    const Corner x0(body.vertices + 3 * std::size_t{t[0]});
+    const Corner x1(body.vertices + 3 * std::size_t{t[1]});
+    const Corner x2(body.vertices + 3 * std::size_t{t[2]});
+    Corner(x0, x1).store(first);
+    Corner(x0, x2).store(second);
+    x0.store(corner);
+}
 
 struct WideVectors {
     VD x;
@@ -228,74 +189,41 @@ HWY_INLINE WideVectors rotated(const FloatPairPose& pose, const WideVectors& v) 
     return {row_times(rows, v), row_times(rows + 3, v), row_times(rows + 6, v)};
 }
 
-HWY_INLINE void store_rows(const WideVectors& v, float* rows) {
+HWY_INLINE void store_narrow(VD v, float* to) {
     const hn::Rebind<float, Doubles> narrow;
-    hn::StoreInterleaved4(hn::DemoteTo(narrow, v.x),
-                          hn::DemoteTo(narrow, v.y),
-                          hn::DemoteTo(narrow, v.z),
-                          hn::Zero(narrow),
-                          narrow,
-                          rows);
+    hn::Store(hn::DemoteTo(narrow, v), narrow, to);
 }
 
-void pose_triangles(const FloatPairPose& pose,
-                    const FloatPairBody& b,
-                    const Distinct& triangles,
-                    PosedRows& to) {
+HWY_INLINE void store_narrow(const WideVectors& v, Columns& to, std::size_t first) {
+    store_narrow(v.x, to.x + first);
+    store_narrow(v.y, to.y + first);
+    store_narrow(v.z, to.z + first);
+}
+
+HWY_INLINE void
+pose_rows(const FloatPairPose& pose, const Rows& rows, std::size_t count, Posed& to) {
     const Doubles dd;
     constexpr std::size_t step = hn::MaxLanes(dd);
-    Rows rows;
-    for (std::size_t i = 0; i < (triangles.count + step - 1) / step * step; ++i) {
-        // The last one stands in where lanes are left over.
-        const CornerAndEdges t(b, triangles[i < triangles.count ? i : triangles.count - 1]);
-        const std::size_t place = 4 * row_of(i);
-        t.first.store(rows.e + place);
-        t.second.store(rows.f + place);
-        t.corner.store(rows.b0 + place);
-    }
     const VD tx = hn::Set(dd, pose.translation[0]);
     const VD ty = hn::Set(dd, pose.translation[1]);
     const VD tz = hn::Set(dd, pose.translation[2]);
-    for (std::size_t i = 0; i < triangles.count; i += step) {
+    for (std::size_t i = 0; i < count; i += step) {
         // The place of the first of the rows that become these lanes.
         const std::size_t place = 4 * row_of(i);
-        store_rows(rotated(pose, load(rows.e + place)), to.r + 4 * i);
-        store_rows(rotated(pose, load(rows.f + place)), to.s + 4 * i);
+        store_narrow(rotated(pose, load(rows.e + place)), to.r, i);
+        store_narrow(rotated(pose, load(rows.f + place)), to.s, i);
+        const WideVectors a0 = load(rows.a0 + place);
         const WideVectors b0 = load(rows.b0 + place);
-        const WideVectors posed = rotated(pose, b0);
+        const WideVectors b = rotated(pose, b0);
+        store_narrow({hn::Sub(a0.x, hn::Add(b.x, tx)),
+                      hn::Sub(a0.y, hn::Add(b.y, ty)),
+                      hn::Sub(a0.z, hn::Add(b.z, tz))},
+                     to.d,
+                     i);
         const VD reach = hn::Max(hn::Max(hn::Abs(b0.x), hn::Abs(b0.y)), hn::Abs(b0.z));
-        const VD error = hn::Add(hn::Mul(hn::Set(dd, pose.point_error_reach), reach),
-                                 hn::Set(dd, pose.point_error));
-        hn::StoreInterleaved4(hn::Add(posed.x, tx),
-                              hn::Add(posed.y, ty),
-                              hn::Add(posed.z, tz),
-                              hn::Neg(error),
-                              dd,
-                              to.b0 + 4 * i);
-    }
-}
-
-HWY_INLINE void copy_row(const float* from, float* to) {
-    std::memcpy(to, from, 4 * sizeof(float)); // One load and one store.
-}
-
-void gather_pairs(const FloatPairBody& a,
-                  const std::uint32_t* candidates,
-                  std::size_t count,
-                  const Distinct& triangles_b,
-                  const PosedRows& b,
-                  PairRows& to) {
-    for (std::size_t i = 0; i < (count + lanes - 1) / lanes * lanes; ++i) {
-        const std::size_t pair = i < count ? i : count - 1;
-        CornerAndEdges t(a, candidates[2 * pair]);
-        const std::size_t from = 4 * std::size_t{triangles_b.of_pair[pair]};
-        const std::size_t place = 4 * row_of(i);
-        t.first.store(to.p + place);
-        t.second.store(to.q + place);
-        copy_row(b.r + from, to.r + place);
-        copy_row(b.s + from, to.s + place);
-        t.corner.subtract_row(b.b0 + from);
-        t.corner.store(to.d + place);
+        store_narrow(hn::Add(hn::Mul(hn::Set(dd, pose.point_error_reach), reach),
+                             hn::Set(dd, pose.point_error)),
+                     to.d_error + i);
     }
 }
 
@@ -303,12 +231,6 @@ struct Vectors {
     V x;
     V y;
     V z;
-};
-
-/// Columns of rows: the three, and what stands behind them.
-struct RowColumns {
-    Vectors xyz;
-    V fourth;
 };
 
 HWY_INLINE V largest_of(const Vectors& v) {
@@ -327,15 +249,14 @@ HWY_INLINE V dot(const Vectors& a, const Vectors& b) {
 
 #if HWY_TARGET == HWY_SCALAR
 
-HWY_INLINE RowColumns load(const float* rows) {
+HWY_INLINE Vectors load(const float* rows) {
     const Floats df;
-    return {
-        hn::Load(df, rows), hn::Load(df, rows + 1), hn::Load(df, rows + 2), hn::Load(df, rows + 3)};
+    return {hn::Load(df, rows), hn::Load(df, rows + 1), hn::Load(df, rows + 2)};
 }
 
 #else
 
-HWY_INLINE RowColumns load(const float* rows) {
+HWY_INLINE Vectors load(const float* rows) {
     const Floats df;
     const hn::Repartition<double, Floats> pairs;
     const V v0 = hn::Load(df, rows);
@@ -344,15 +265,21 @@ HWY_INLINE RowColumns load(const float* rows) {
     const V v3 = hn::Load(df, rows + 3 * lanes);
     const auto xy01 = hn::BitCast(pairs, hn::InterleaveLower(df, v0, v1));
     const auto xy23 = hn::BitCast(pairs, hn::InterleaveLower(df, v2, v3));
-    const auto zw01 = hn::BitCast(pairs, hn::InterleaveUpper(df, v0, v1));
-    const auto zw23 = hn::BitCast(pairs, hn::InterleaveUpper(df, v2, v3));
-    return {{hn::BitCast(df, hn::InterleaveLower(pairs, xy01, xy23)),
-             hn::BitCast(df, hn::InterleaveUpper(pairs, xy01, xy23)),
-             hn::BitCast(df, hn::InterleaveLower(pairs, zw01, zw23))},
-            hn::BitCast(df, hn::InterleaveUpper(pairs, zw01, zw23))};
+    const auto z01 = hn::BitCast(pairs, hn::InterleaveUpper(df, v0, v1));
+    const auto z23 = hn::BitCast(pairs, hn::InterleaveUpper(df, v2, v3));
+    return {hn::BitCast(df, hn::InterleaveLower(pairs, xy01, xy23)),
+            hn::BitCast(df, hn::InterleaveUpper(pairs, xy01, xy23)),
+            hn::BitCast(df, hn::InterleaveLower(pairs, z01, z23))};
 }
 
 #endif
+
+HWY_INLINE Vectors load(const Columns& columns, std::size_t first) {
+    const Floats df;
+    return {hn::Load(df, columns.x + first),
+            hn::Load(df, columns.y + first),
+            hn::Load(df, columns.z + first)};
+}
 
 /// X and fx above.
 struct Extent {
@@ -439,20 +366,19 @@ decide(const Sign (&a_side)[3], const Sign (&b_side)[3], const Sign (&across)[9]
 
 /// The verdicts of as many pairs as there are lanes, from the place of the first in its block.
 HWY_INLINE hn::Vec<hn::RebindToSigned<Floats>>
-classify_lanes(const FloatPairPose& pose, const PairRows& rows, std::size_t first) {
+classify_lanes(const FloatPairPose& pose, const Rows& rows, const Posed& posed, std::size_t first) {
     const Floats df;
-    const Vectors p = load(rows.p + 4 * first).xyz;
-    const Vectors q = load(rows.q + 4 * first).xyz;
-    const Vectors r = load(rows.r + 4 * first).xyz;
-    const Vectors s = load(rows.s + 4 * first).xyz;
-    const RowColumns of_pair = load(rows.d + 4 * first);
-    const Vectors& d = of_pair.xyz;
+    const Vectors p = load(rows.p + 4 * first);
+    const Vectors q = load(rows.q + 4 * first);
+    const Vectors r = load(posed.r, first);
+    const Vectors s = load(posed.s, first);
+    const Vectors d = load(posed.d, first);
 
     const V size_weight = hn::Set(df, pose.size_weight);
     const V least = hn::Set(df, 0x1p-120F);
     const V size_a = hn::Add(hn::Max(largest_of(p), largest_of(q)), least);
     const V size_b = hn::Add(hn::Max(largest_of(r), largest_of(s)), least);
-    const V& error_d = of_pair.fourth;
+    const V error_d = hn::Load(df, posed.d_error + first);
     const V size_d = hn::Add(largest_of(d), error_d);
     const Extent of_a{size_a, hn::Mul(size_weight, size_a)};
     const Extent of_b{size_b, hn::Mul(size_weight, size_b)};
@@ -516,14 +442,20 @@ void classify_block(const FloatPairPose& pose,
                     std::size_t count,
                     std::uint8_t* verdicts) {
     const hn::Rebind<std::uint8_t, Floats> bytes;
-    const Distinct triangles_b(candidates, count);
-    PosedRows posed;
-    pose_triangles(pose, b, triangles_b, posed);
-    PairRows rows;
-    gather_pairs(a, candidates, count, triangles_b, posed, rows);
+    const std::size_t whole = (count + lanes - 1) / lanes * lanes;
+    Rows rows;
+    for (std::size_t i = 0; i < whole; ++i) {
+        // The last one stands in where lanes are left over.
+        const std::uint32_t* candidate = candidates + 2 * (i < count ? i : count - 1);
+        const std::size_t place = 4 * row_of(i);
+        store_triangle(a, candidate[0], rows.p + place, rows.q + place, rows.a0 + place);
+        store_triangle(b, candidate[1], rows.e + place, rows.f + place, rows.b0 + place);
+    }
+    Posed posed;
+    pose_rows(pose, rows, whole, posed);
     alignas(64) std::uint8_t found[block_pairs];
-    for (std::size_t i = 0; i < count; i += lanes) {
-        hn::Store(hn::DemoteTo(bytes, classify_lanes(pose, rows, i)), bytes, found + i);
+    for (std::size_t i = 0; i < whole; i += lanes) {
+        hn::Store(hn::DemoteTo(bytes, classify_lanes(pose, rows, posed, i)), bytes, found + i);
     }
     for (std::size_t i = 0; i < count; ++i) {
         verdicts[i] = found[i];
