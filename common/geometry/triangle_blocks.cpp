@@ -1,0 +1,110 @@
+#include "common/geometry/triangle_blocks.hpp"
+
+#include "common/core/check.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+namespace {
+
+template <class T>
+Vec3 vertex_at(std::span<const T> coordinates, std::size_t vertex) {
+    const T* from = &coordinates[3 * vertex];
+    return {
+        static_cast<double>(from[0]), static_cast<double>(from[1]), static_cast<double>(from[2])};
+}
+
+template <class T>
+std::uint64_t bytes_of(const std::vector<T>& values) {
+    return values.capacity() * sizeof(T);
+}
+
+} // namespace
+
+Corners TriangleBlocks::corners_at(std::uint32_t place) const {
+    const std::size_t first = vertex_begin[place / block_size];
+    const BlockCorners& c = corners[place];
+    if (!doubles.empty()) {
+        return {vertex_at(doubles, first + c[0]),
+                vertex_at(doubles, first + c[1]),
+                vertex_at(doubles, first + c[2])};
+    }
+    return {vertex_at(floats, first + c[0]),
+            vertex_at(floats, first + c[1]),
+            vertex_at(floats, first + c[2])};
+}
+
+TriangleBlockArrays::TriangleBlockArrays(Precision precision) : precision_(precision) {
+    precision_ == Precision::Float ? floats_.push_back(0) : doubles_.push_back(0);
+}
+
+void TriangleBlockArrays::add_vertex(const Vec3& vertex) {
+    // In place of the unused number, which follows anew.
+    if (precision_ == Precision::Float) {
+        floats_.back() = static_cast<float>(vertex.x());
+        floats_.insert(floats_.end(),
+                       {static_cast<float>(vertex.y()), static_cast<float>(vertex.z()), 0});
+    } else {
+        doubles_.back() = vertex.x();
+        doubles_.insert(doubles_.end(), {vertex.y(), vertex.z(), 0});
+    }
+    reach_ = std::max(reach_, vertex.cwiseAbs().maxCoeff());
+}
+
+std::uint32_t TriangleBlockArrays::add(std::span<const Triangle> triangles,
+                                       std::span<const std::uint32_t> ids,
+                                       std::span<const Vec3> vertices) {
+    CD_CHECK(!triangles.empty() && triangles.size() <= block_size);
+    CD_CHECK(ids.size() == triangles.size());
+    const auto block = static_cast<std::uint32_t>(vertex_begin_.size());
+    const std::size_t first = (floats_.size() + doubles_.size() - 1) / 3;
+    vertex_begin_.push_back(static_cast<std::uint32_t>(first));
+    std::array<std::uint32_t, 3 * block_size> known;
+    std::uint8_t known_count = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        BlockCorners places{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = triangles[i][k];
+            auto* const end = known.begin() + known_count;
+            auto* const found = std::find(known.begin(), end, vertex);
+            places[k] = static_cast<std::uint8_t>(found - known.begin());
+            if (found == end) {
+                known[known_count++] = vertex;
+                add_vertex(vertices[vertex]);
+            }
+        }
+        corners_.push_back(places);
+        ids_.push_back(ids[i]);
+    }
+    corners_.resize(std::size_t{block_size} * (block + 1), BlockCorners{});
+    ids_.resize(corners_.size(), 0);
+    return block;
+}
+
+TriangleBlocks TriangleBlockArrays::view() const {
+    // The number that is not used is no vertex, but the views end with it.
+    return {precision_ == Precision::Float ? std::span<const float>(floats_)
+                                           : std::span<const float>(),
+            precision_ == Precision::Double ? std::span<const double>(doubles_)
+                                            : std::span<const double>(),
+            vertex_begin_,
+            corners_,
+            ids_,
+            reach_};
+}
+
+std::uint64_t TriangleBlockArrays::memory_bytes() const {
+    return bytes_of(floats_) + bytes_of(doubles_) + bytes_of(vertex_begin_) + bytes_of(corners_) +
+           bytes_of(ids_);
+}
+
+void TriangleBlockArrays::shrink() {
+    floats_.shrink_to_fit();
+    doubles_.shrink_to_fit();
+    vertex_begin_.shrink_to_fit();
+    corners_.shrink_to_fit();
+    ids_.shrink_to_fit();
+}
+
+} // namespace cd
