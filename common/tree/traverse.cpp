@@ -52,6 +52,8 @@ double stretch_of(const Pose& pose) {
 /// Deciding many at once is faster; a search for any contact should not look at many in vain.
 constexpr std::size_t candidates_at_once = 512;
 constexpr std::size_t candidates_at_once_for_any = 16;
+/// A fraction of a second of work, even where every pair needs exact arithmetic.
+constexpr std::uint32_t steps_between_stop_checks = 1024;
 /// Below this, pairs beyond the limit are not worth a sort on the way.
 constexpr std::size_t kept_at_least = 1u << 16;
 
@@ -79,8 +81,17 @@ ContactSearch::ContactSearch(const PosePair& poses,
       stretch_(options.tolerance > 0 ? stretch_of(poses.a) : 1),
       test_(poses, options.first_stage) {}
 
+/// Whether to end the descent; asks only now and then.
+bool ContactSearch::must_stop() {
+    if (options_.stop && ++steps_unchecked_ >= steps_between_stop_checks) {
+        steps_unchecked_ = 0;
+        is_stopped_ = options_.stop();
+    }
+    return is_stopped_;
+}
+
 /// Calls `on_leaves` for the pairs of leaves whose boxes, and those of all above them, may overlap,
-/// until it returns true; whether it did.
+/// until it returns true; whether it did. Ends early when it must stop.
 template <class OnLeaves>
 bool ContactSearch::descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves) {
     // The box of B that was posed last: going down A, one of B meets many of A in a row.
@@ -91,7 +102,7 @@ bool ContactSearch::descend(const TreeView& a, const TreeView& b, const OnLeaves
     if (boxes_.may_overlap(a.nodes[0], posed)) {
         stack_.push_back({0, 0});
     }
-    while (!stack_.empty()) {
+    while (!stack_.empty() && !must_stop()) {
         const NodePair now = stack_.back();
         stack_.pop_back();
         const ObbNode& node_a = a.nodes[now.a];

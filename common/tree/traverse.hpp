@@ -1,6 +1,7 @@
 // Finds the contacts of two trees: simultaneous descent, then the exact decision.
 #pragma once
 
+#include "common/core/stop_check.hpp"
 #include "common/geometry/triangle_pair.hpp"
 #include "common/tree/box_test.hpp"
 #include "common/tree/obb_tree.hpp"
@@ -63,6 +64,7 @@ struct SearchOptions {
     /// Above 0, two overlapping boxes whose diameters sum to no more than this are left undecided.
     double tolerance = 0;
     PairStage first_stage = PairStage::Float; ///< See TrianglePairTest.
+    StopCheck stop = {};                      ///< Asked every so many steps of the descent.
 };
 
 /// One scenario's search. Subtrees of A and B are handed in pair by pair; what they hold in contact
@@ -90,6 +92,9 @@ class ContactSearch {
     /// same bits on every host: one sequence of operations, never fused.
     [[nodiscard]] std::optional<double> undecided_distance() const { return undecided_; }
 
+    /// True when the search was told to stop: what was found by then is not the answer.
+    [[nodiscard]] bool is_stopped() const { return is_stopped_; }
+
     /// How many pairs `collect` has found, and whether any of them is proper.
     [[nodiscard]] std::uint64_t pair_count() const { return pair_count_; }
     [[nodiscard]] bool has_proper() const { return has_proper_; }
@@ -112,6 +117,7 @@ class ContactSearch {
 
     template <class OnLeaves>
     bool descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves);
+    [[nodiscard]] bool must_stop();
     [[nodiscard]] bool leave_undecided(const ObbNode& a, const ObbNode& b);
     void add_candidates(const TreeView& a, const TreeView& b, const NodePair& leaves);
     [[nodiscard]] bool any_candidate_touches(const TreeView& a, const TreeView& b);
@@ -130,6 +136,8 @@ class ContactSearch {
     std::optional<double> undecided_;
     std::uint64_t pair_count_ = 0;
     bool has_proper_ = false;
+    bool is_stopped_ = false;
+    std::uint32_t steps_unchecked_ = 0; ///< Since `stop` was last asked.
     std::uint64_t box_tests_ = 0;
     std::uint64_t triangle_tests_ = 0;
 };

@@ -329,6 +329,42 @@ TEST(Traverse, GathersOverSeveralCallsAndCounts) {
     EXPECT_GE(first.triangle_tests, once);
 }
 
+TEST(Traverse, EndsSoonAfterItIsToldToStop) {
+    const ObbTree sphere = build(make_sphere(4));
+    const auto search_until = [&](std::uint64_t checks_max) {
+        std::uint64_t checks = 0;
+        SearchOptions options;
+        options.stop = [&] { return ++checks > checks_max; };
+        ContactSearch search(PosePair{}, {}, options);
+        search.collect(sphere.view(), sphere.view());
+        search.collect(sphere.view(), sphere.view()); // Adds nothing more once it is stopped.
+        EXPECT_EQ(search.is_stopped(), checks > checks_max);
+        return search.statistics();
+    };
+    const QueryStatistics whole = search_until(std::numeric_limits<std::uint64_t>::max());
+    const QueryStatistics at_once = search_until(0);
+    const QueryStatistics later = search_until(5);
+    EXPECT_GT(at_once.box_tests, 0u);
+    EXPECT_LT(at_once.box_tests, 3000u);
+    EXPECT_GT(later.box_tests, 4 * at_once.box_tests);
+    EXPECT_GT(whole.box_tests, 10 * at_once.box_tests);
+    EXPECT_GT(whole.triangle_tests, later.triangle_tests);
+    EXPECT_GT(later.triangle_tests, at_once.triangle_tests);
+}
+
+TEST(Traverse, ASearchForAnyContactStopsToo) {
+    // Of two shells, one in the other, that come near each other everywhere.
+    const ObbTree outer = build(make_sphere(4));
+    const PosePair poses{Pose::from_matrix(1.001 * Mat3::Identity(), Vec3::Zero()), Pose{}};
+    std::uint64_t checks = 0;
+    SearchOptions options;
+    options.stop = [&] { return ++checks == 2; };
+    ContactSearch search(poses, {}, options);
+    EXPECT_FALSE(search.any(outer.view(), outer.view()));
+    EXPECT_TRUE(search.is_stopped());
+    EXPECT_EQ(checks, 2u);
+}
+
 TEST(Traverse, SeparateBodiesCostOneBoxTest) {
     const ObbTree tree = build(make_sphere(3));
     ContactSearch search({Pose{}, translation_pose(10, 0, 0)}, {});

@@ -1,0 +1,11 @@
+// How long work learns that nobody waits for its answer any more.
+#pragma once
+
+#include <functional>
+
+namespace cd {
+
+/// Asked now and then, on the thread that works; cheap. Once it is true, it stays so. Empty: never.
+using StopCheck = std::function<bool()>;
+
+} // namespace cd
