@@ -3,6 +3,7 @@
 // this before it looks in the library, and no switch for it stands in the product.
 #include "common/geometry/float_triangle_pair.hpp"
 #include "common/geometry/shared_points.hpp"
+#include "common/geometry/triangle_blocks.hpp"
 #include "common/geometry/triangle_pair.hpp"
 
 #include <algorithm>
@@ -34,9 +35,9 @@ struct TrianglePairTest::State {
 
     explicit State(const PosePair& poses) : in_float(poses), points(poses) {}
 
-    std::span<const FloatVerdict> float_verdicts(const TriangleSpan& a,
-                                                 const TriangleSpan& b,
-                                                 std::span<const Candidate> candidates) {
+    template <class Triangles>
+    std::span<const FloatVerdict>
+    float_verdicts(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {
         verdicts.assign(candidates.size(), FloatVerdict::Unknown);
         in_float.classify(a, b, candidates, verdicts);
         const auto unknown = std::count(verdicts.begin(), verdicts.end(), FloatVerdict::Unknown);
@@ -55,9 +56,10 @@ PairClass TrianglePairTest::classify(const Corners&, const Corners&) {
     return PairClass::Touch;
 }
 
-std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
-                                                      const TriangleSpan& b,
-                                                      std::span<const Candidate> candidates) {
+template <class Triangles>
+std::span<const PairClass> TrianglePairTest::classify_all(const Triangles& a,
+                                                          const Triangles& b,
+                                                          std::span<const Candidate> candidates) {
     const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
     std::vector<PairClass>& kinds = state_->kinds;
     kinds.resize(candidates.size());
@@ -77,13 +79,38 @@ std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
     return kinds;
 }
 
-bool TrianglePairTest::any_touch(const TriangleSpan& a,
-                                 const TriangleSpan& b,
-                                 std::span<const Candidate> candidates) {
+template <class Triangles>
+bool TrianglePairTest::any_of_touch(const Triangles& a,
+                                    const Triangles& b,
+                                    std::span<const Candidate> candidates) {
     const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
     return std::any_of(verdicts.begin(), verdicts.end(), [](FloatVerdict verdict) {
         return verdict != FloatVerdict::Separate;
     });
+}
+
+std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
+                                                      const TriangleSpan& b,
+                                                      std::span<const Candidate> candidates) {
+    return classify_all(a, b, candidates);
+}
+
+std::span<const PairClass> TrianglePairTest::classify(const TriangleBlocks& a,
+                                                      const TriangleBlocks& b,
+                                                      std::span<const Candidate> candidates) {
+    return classify_all(a, b, candidates);
+}
+
+bool TrianglePairTest::any_touch(const TriangleSpan& a,
+                                 const TriangleSpan& b,
+                                 std::span<const Candidate> candidates) {
+    return any_of_touch(a, b, candidates);
+}
+
+bool TrianglePairTest::any_touch(const TriangleBlocks& a,
+                                 const TriangleBlocks& b,
+                                 std::span<const Candidate> candidates) {
+    return any_of_touch(a, b, candidates);
 }
 
 std::span<const Vec3> TrianglePairTest::shared_points(const Corners& a, const Corners& b) {

@@ -79,4 +79,31 @@ void FloatTrianglePair::classify(const TriangleSpan& a,
                        reinterpret_cast<std::uint8_t*>(verdicts.data()));
 }
 
+void FloatTrianglePair::classify(const TriangleBlocks& a,
+                                 const TriangleBlocks& b,
+                                 std::span<const Candidate> candidates,
+                                 std::span<FloatVerdict> verdicts) const {
+    CD_CHECK(candidates.size() == verdicts.size());
+    constexpr std::size_t at_once = 64;
+    std::array<Vec3, 3 * at_once> vertices_a;
+    std::array<Vec3, 3 * at_once> vertices_b;
+    std::array<Triangle, at_once> triangles;
+    std::array<Candidate, at_once> own;
+    for (std::uint32_t i = 0; i < at_once; ++i) {
+        triangles[i] = {3 * i, 3 * i + 1, 3 * i + 2};
+        own[i] = {i, i};
+    }
+    for (std::size_t first = 0; first < candidates.size(); first += at_once) {
+        const auto some = candidates.subspan(first, std::min(at_once, candidates.size() - first));
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            std::ranges::copy(a.corners_at(some[i].a), &vertices_a[3 * i]);
+            std::ranges::copy(b.corners_at(some[i].b), &vertices_b[3 * i]);
+        }
+        classify(TriangleSpan{vertices_a, triangles},
+                 TriangleSpan{vertices_b, triangles},
+                 std::span(own).first(some.size()),
+                 verdicts.subspan(first, some.size()));
+    }
+}
+
 } // namespace cd

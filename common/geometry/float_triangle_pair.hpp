@@ -3,6 +3,7 @@
 
 #include "common/geometry/float_pair_kernel.hpp"
 #include "common/geometry/pose.hpp"
+#include "common/geometry/triangle_blocks.hpp"
 #include "common/geometry/triangle_pair.hpp"
 
 #include <span>
@@ -28,6 +29,10 @@ class FloatTrianglePair {
     /// One verdict for each candidate. Never allocates.
     void classify(const TriangleSpan& a,
                   const TriangleSpan& b,
+                  std::span<const Candidate> candidates,
+                  std::span<FloatVerdict> verdicts) const;
+    void classify(const TriangleBlocks& a,
+                  const TriangleBlocks& b,
                   std::span<const Candidate> candidates,
                   std::span<FloatVerdict> verdicts) const;
 

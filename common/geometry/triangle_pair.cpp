@@ -6,12 +6,25 @@
 #include "common/geometry/float_triangle_pair.hpp"
 #include "common/geometry/integer_triangle_pair.hpp"
 #include "common/geometry/shared_points.hpp"
+#include "common/geometry/triangle_blocks.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <optional>
 
 namespace cd {
+
+namespace {
+
+Corners corners_of(const TriangleSpan& triangles, std::uint32_t place) {
+    return triangles.corners(place);
+}
+
+Corners corners_of(const TriangleBlocks& triangles, std::uint32_t place) {
+    return triangles.corners_at(place);
+}
+
+} // namespace
 
 std::string_view to_text(PairStage stage) {
     constexpr std::array<std::string_view, pair_stage_count> names{
@@ -52,9 +65,9 @@ struct TrianglePairTest::State {
           first(first_stage) {}
 
     /// What floats prove of each candidate, counted; nothing if they are to be passed over.
-    std::span<const FloatVerdict> float_verdicts(const TriangleSpan& a,
-                                                 const TriangleSpan& b,
-                                                 std::span<const Candidate> candidates) {
+    template <class Triangles>
+    std::span<const FloatVerdict>
+    float_verdicts(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {
         verdicts.assign(candidates.size(), FloatVerdict::Unknown);
         if (first <= PairStage::Float) {
             in_float.classify(a, b, candidates, verdicts);
@@ -122,9 +135,10 @@ PairClass TrianglePairTest::State::classify_past_double(const Corners& a,
     return exact->classify(a, b);
 }
 
-std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
-                                                      const TriangleSpan& b,
-                                                      std::span<const Candidate> candidates) {
+template <class Triangles>
+std::span<const PairClass> TrianglePairTest::classify_all(const Triangles& a,
+                                                          const Triangles& b,
+                                                          std::span<const Candidate> candidates) {
     const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
     std::vector<PairClass>& kinds = state_->kinds;
     kinds.resize(candidates.size());
@@ -137,28 +151,53 @@ std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
             kinds[i] = PairClass::Proper;
             break;
         case FloatVerdict::Unknown:
-            kinds[i] = classify(a.corners(candidates[i].a), b.corners(candidates[i].b));
+            kinds[i] = classify(corners_of(a, candidates[i].a), corners_of(b, candidates[i].b));
             break;
         }
     }
     return kinds;
 }
 
-bool TrianglePairTest::any_touch(const TriangleSpan& a,
-                                 const TriangleSpan& b,
-                                 std::span<const Candidate> candidates) {
+template <class Triangles>
+bool TrianglePairTest::any_of_touch(const Triangles& a,
+                                    const Triangles& b,
+                                    std::span<const Candidate> candidates) {
     const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
     if (std::find(verdicts.begin(), verdicts.end(), FloatVerdict::Proper) != verdicts.end()) {
         return true;
     }
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (verdicts[i] == FloatVerdict::Unknown &&
-            classify(a.corners(candidates[i].a), b.corners(candidates[i].b)) !=
+            classify(corners_of(a, candidates[i].a), corners_of(b, candidates[i].b)) !=
                 PairClass::Separate) {
             return true;
         }
     }
     return false;
+}
+
+std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
+                                                      const TriangleSpan& b,
+                                                      std::span<const Candidate> candidates) {
+    return classify_all(a, b, candidates);
+}
+
+std::span<const PairClass> TrianglePairTest::classify(const TriangleBlocks& a,
+                                                      const TriangleBlocks& b,
+                                                      std::span<const Candidate> candidates) {
+    return classify_all(a, b, candidates);
+}
+
+bool TrianglePairTest::any_touch(const TriangleSpan& a,
+                                 const TriangleSpan& b,
+                                 std::span<const Candidate> candidates) {
+    return any_of_touch(a, b, candidates);
+}
+
+bool TrianglePairTest::any_touch(const TriangleBlocks& a,
+                                 const TriangleBlocks& b,
+                                 std::span<const Candidate> candidates) {
+    return any_of_touch(a, b, candidates);
 }
 
 std::span<const Vec3> TrianglePairTest::shared_points(const Corners& a, const Corners& b) {

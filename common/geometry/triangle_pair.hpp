@@ -13,6 +13,8 @@
 
 namespace cd {
 
+struct TriangleBlocks;
+
 /// How two closed triangles meet (NUMERICS, section 1).
 enum class PairClass : std::uint8_t {
     Separate = 0, ///< No shared point.
@@ -61,7 +63,7 @@ struct TriangleSpan {
     }
 };
 
-/// A triangle of A and one of B, by their places in their spans, that may touch.
+/// A triangle of A and one of B, by their places in their spans or blocks, that may touch.
 struct Candidate {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
@@ -87,10 +89,16 @@ class TrianglePairTest {
     /// at once than one by one.
     [[nodiscard]] std::span<const PairClass>
     classify(const TriangleSpan& a, const TriangleSpan& b, std::span<const Candidate> candidates);
+    [[nodiscard]] std::span<const PairClass> classify(const TriangleBlocks& a,
+                                                      const TriangleBlocks& b,
+                                                      std::span<const Candidate> candidates);
 
     /// True when any of the candidates touch; what the cheap stages prove spares the others.
     [[nodiscard]] bool
     any_touch(const TriangleSpan& a, const TriangleSpan& b, std::span<const Candidate> candidates);
+    [[nodiscard]] bool any_touch(const TriangleBlocks& a,
+                                 const TriangleBlocks& b,
+                                 std::span<const Candidate> candidates);
 
     /// The corners of the set of shared points of two triangles, correctly rounded, relative to
     /// `point_origin(a)`: see SharedPoints. Valid until the next call.
@@ -103,6 +111,13 @@ class TrianglePairTest {
 
   private:
     struct State;
+    template <class Triangles>
+    std::span<const PairClass>
+    classify_all(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
+    template <class Triangles>
+    bool
+    any_of_touch(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
+
     std::unique_ptr<State> state_;
 };
 

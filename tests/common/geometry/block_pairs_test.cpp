@@ -1,0 +1,169 @@
+// Proves that pairs read from blocks are decided as pairs read from meshes are, whichever the
+// precision of each body: the classes are the same, and what floats say of them is true.
+#include "common/geometry/exact_triangle_pair.hpp"
+#include "common/geometry/float_triangle_pair.hpp"
+#include "common/geometry/triangle_blocks.hpp"
+#include "common/geometry/triangle_pair.hpp"
+#include "tests/support/hard_pairs.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace cd::tests {
+
+namespace {
+
+/// Triangles in blocks of 1 to 16, of doubles or rounded to floats, and the place of each.
+class Blocks {
+  public:
+    explicit Blocks(Precision precision) : precision_(precision), arrays_(precision) {}
+
+    void add(std::mt19937_64& random, std::span<const Corners> triangles) {
+        while (!triangles.empty()) {
+            const std::size_t size = std::min<std::size_t>(1 + random() % 16, triangles.size());
+            add_block(triangles.first(size));
+            triangles = triangles.subspan(size);
+        }
+    }
+    [[nodiscard]] TriangleBlocks view() const { return arrays_.view(); }
+    [[nodiscard]] std::uint32_t place(std::size_t triangle) const { return places_[triangle]; }
+
+  private:
+    void add_block(std::span<const Corners> some) {
+        std::vector<Vec3> vertices;
+        std::vector<Triangle> triangles;
+        for (const Corners& corners : some) {
+            const auto first = static_cast<std::uint32_t>(vertices.size());
+            triangles.push_back({first, first + 1, first + 2});
+            for (const Vec3& corner : corners) {
+                vertices.push_back(precision_ == Precision::Double
+                                       ? corner
+                                       : Vec3(corner.cast<float>().cast<double>()));
+            }
+        }
+        const std::vector<std::uint32_t> ids(some.size());
+        const std::uint32_t block = arrays_.add(triangles, ids, vertices);
+        for (std::uint32_t i = 0; i < some.size(); ++i) {
+            places_.push_back(block * block_size + i);
+        }
+    }
+
+    Precision precision_;
+    TriangleBlockArrays arrays_;
+    std::vector<std::uint32_t> places_;
+};
+
+/// Whether A's and B's coordinates are floats.
+struct Kinds {
+    Precision a;
+    Precision b;
+};
+
+std::string to_text(Precision precision) {
+    return precision == Precision::Float ? "Float" : "Double";
+}
+
+/// One pose, and candidates that meet under it.
+struct BlockPairs {
+    Blocks a;
+    Blocks b;
+    std::vector<Candidate> candidates;
+
+    BlockPairs(std::mt19937_64& random, const Kinds& kinds, const std::vector<PosedPair>& pairs)
+        : a(kinds.a), b(kinds.b) {
+        std::vector<Corners> of_a;
+        std::vector<Corners> of_b;
+        for (const PosedPair& pair : pairs) {
+            of_a.push_back(pair.a);
+            of_b.push_back(pair.b);
+        }
+        a.add(random, of_a);
+        b.add(random, of_b);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            candidates.push_back({a.place(i), b.place(i)});
+        }
+    }
+    [[nodiscard]] Corners corners_a(std::size_t i) const {
+        return a.view().corners_at(candidates[i].a);
+    }
+    [[nodiscard]] Corners corners_b(std::size_t i) const {
+        return b.view().corners_at(candidates[i].b);
+    }
+};
+
+/// Pairs of one kind; only the first one's pose is meant for them.
+std::vector<PosedPair> some_pairs(std::mt19937_64& random, const PairMaker& make) {
+    std::vector<PosedPair> pairs;
+    for (int i = 0; i < 40; ++i) {
+        pairs.push_back(make(random));
+    }
+    return pairs;
+}
+
+} // namespace
+
+class BlockPairsTest : public testing::TestWithParam<Kinds> {};
+
+INSTANTIATE_TEST_SUITE_P(Precisions,
+                         BlockPairsTest,
+                         testing::Values(Kinds{Precision::Float, Precision::Float},
+                                         Kinds{Precision::Float, Precision::Double},
+                                         Kinds{Precision::Double, Precision::Float},
+                                         Kinds{Precision::Double, Precision::Double}),
+                         [](const auto& one) {
+                             return to_text(one.param.a) + to_text(one.param.b);
+                         });
+
+TEST_P(BlockPairsTest, ClassesAreThoseOfTheTrianglesAlone) {
+    std::mt19937_64 random(21);
+    for (const auto& [name, make] : pair_makers()) {
+        SCOPED_TRACE(name);
+        for (int round = 0; round < 10; ++round) {
+            const auto pairs = some_pairs(random, make);
+            const BlockPairs blocks(random, GetParam(), pairs);
+            TrianglePairTest test(pairs.front().poses);
+            const auto found = test.classify(blocks.a.view(), blocks.b.view(), blocks.candidates);
+            const std::vector<PairClass> kinds(found.begin(), found.end());
+            bool any = false;
+            for (std::size_t i = 0; i < pairs.size(); ++i) {
+                ASSERT_EQ(kinds[i], test.classify(blocks.corners_a(i), blocks.corners_b(i)));
+                any = any || kinds[i] != PairClass::Separate;
+            }
+            EXPECT_EQ(test.any_touch(blocks.a.view(), blocks.b.view(), blocks.candidates), any);
+        }
+    }
+}
+
+TEST_P(BlockPairsTest, WhatFloatsSayIsTrue) {
+    std::mt19937_64 random(22);
+    std::size_t decided = 0;
+    std::size_t all = 0;
+    for (const auto& [name, make] : pair_makers()) {
+        SCOPED_TRACE(name);
+        for (int round = 0; round < 5; ++round) {
+            const auto pairs = some_pairs(random, make);
+            const BlockPairs blocks(random, GetParam(), pairs);
+            std::vector<FloatVerdict> verdicts(pairs.size());
+            FloatTrianglePair(pairs.front().poses)
+                .classify(blocks.a.view(), blocks.b.view(), blocks.candidates, verdicts);
+            const ExactTrianglePair exact(pairs.front().poses);
+            for (std::size_t i = 0; i < pairs.size(); ++i) {
+                ++all;
+                if (verdicts[i] == FloatVerdict::Unknown) {
+                    continue;
+                }
+                ++decided;
+                ASSERT_EQ(exact.classify(blocks.corners_a(i), blocks.corners_b(i)),
+                          verdicts[i] == FloatVerdict::Separate ? PairClass::Separate
+                                                                : PairClass::Proper);
+            }
+        }
+    }
+    // Hard pairs, but under the pose of another they are ordinary.
+    EXPECT_GT(decided, all / 4);
+}
+
+} // namespace cd::tests
