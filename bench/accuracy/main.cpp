@@ -35,6 +35,7 @@ struct Options {
     std::size_t points = 200;
     unsigned threads = std::max(1u, std::thread::hardware_concurrency());
     unsigned limit_seconds = 120;
+    bool answers_only = false;
 };
 
 void say(const std::string& what) {
@@ -44,9 +45,31 @@ void say(const std::string& what) {
 
 PairSuiteOptions pair_options(const Options& options) {
     return {options.threads,
-            options.rounds,
+            options.answers_only ? 0 : options.rounds,
             options.timed,
             std::chrono::seconds(options.limit_seconds)};
+}
+
+/// At least the pairs that were asked for.
+std::uint64_t pairs_of_category(const Options& options) {
+    const std::uint64_t categories = tests::pair_categories().size();
+    return std::max<std::uint64_t>(1, (options.pairs + categories - 1) / categories);
+}
+
+void ask_category(const std::string& category,
+                  const Options& options,
+                  std::span<const Engine> engines,
+                  CsvFile& pairs_csv) {
+    say("pairs: " + category);
+    const std::uint64_t each = pairs_of_category(options);
+    std::uint64_t made = 0;
+    const auto next_chunk = [&] {
+        const std::uint64_t count = std::min(options.chunk, each - made);
+        const std::uint64_t first = made;
+        made += count;
+        return corpus_batch(category, first, count);
+    };
+    run_category("corpus", category, next_chunk, engines, pair_options(options), pairs_csv);
 }
 
 void run_corpus(const Options& options,
@@ -54,18 +77,9 @@ void run_corpus(const Options& options,
                 CsvFile& pairs_csv,
                 CsvFile& stages_csv) {
     CsvFile points_csv = open_points_csv(options.out);
-    const std::vector<std::string>& categories = tests::pair_categories();
-    const std::uint64_t each = std::max<std::uint64_t>(1, options.pairs / categories.size());
-    for (const std::string& category : categories) {
-        say("pairs: " + category);
-        std::uint64_t made = 0;
-        const auto next_chunk = [&] {
-            const std::uint64_t count = std::min(options.chunk, each - made);
-            const std::uint64_t first = made;
-            made += count;
-            return corpus_batch(category, first, count);
-        };
-        run_category("corpus", category, next_chunk, engines, pair_options(options), pairs_csv);
+    const std::uint64_t each = pairs_of_category(options);
+    for (const std::string& category : tests::pair_categories()) {
+        ask_category(category, options, engines, pairs_csv);
         const std::uint64_t timed = std::min<std::uint64_t>(each, options.timed);
         const PairBatch first = corpus_batch(category, 0, timed);
         run_stages("corpus", category, first, options.rounds, stages_csv);
@@ -130,6 +144,12 @@ void run(const Options& options) {
     std::erase_if(mesh_engines, [](const Engine& engine) { return !engine.make_meshes; });
 
     CsvFile pairs_csv = open_pairs_csv(options.out);
+    if (options.answers_only) {
+        for (const std::string& category : tests::pair_categories()) {
+            ask_category(category, options, pair_engines, pairs_csv);
+        }
+        return;
+    }
     CsvFile stages_csv = open_stages_csv(options.out);
     run_corpus(options, pair_engines, pairs_csv, stages_csv);
     SceneFiles files{open_queries_csv(options.out), open_coarse_csv(options.out)};
@@ -155,6 +175,7 @@ int main(int argc, char** argv) {
     app.add_option("--out", options.out, "Folder for the CSV files");
     app.add_option("--models", options.models, "Folder of the vehicles");
     app.add_option("--pairs", options.pairs, "Hard pairs in all, spread over their categories");
+    app.add_flag("--answers", options.answers_only, "Hard pairs alone, and no times");
     app.add_option("--chunk", options.chunk, "Hard pairs in memory at a time");
     app.add_option("--scenarios", options.scenarios, "Poses of each two vehicles");
     app.add_option("--scenes", options.scenes, "Hard scenes of whole meshes, at most");

@@ -168,7 +168,7 @@ std::vector<PairTotals> run_category(const std::string& suite,
                 totals[i].add(ask(engines[i], batch, truth, options));
             }
         }
-        if (is_first) {
+        if (is_first && options.rounds > 0) {
             time_engines(engines, batch, options, totals);
         }
         is_first = false;

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Turns the CSV files of accuracy_report into one page of Markdown tables.
 
-    report.py FOLDER          prints the page
+    report.py FOLDER            prints the page
+    report.py --answers FOLDER  prints that of a run of hard pairs alone, without times
 """
 import csv
 import os
@@ -69,7 +70,7 @@ def wrong_per_million(rows):
     return 1e6 * wrong / answered if answered else None
 
 
-def pair_row(engine, rows):
+def pair_row(engine, rows, timed=True):
     pairs = total(rows, *KINDS, "separate")
 
     def per_million(column, among):
@@ -87,16 +88,17 @@ def pair_row(engine, rows):
         show(total(rows, "order_differs")),
         show(len(select(bad, ending="crashed"))),
         show(len(select(bad, ending="timed out"))),
-        show(mean_ns(rows)),
+        *([show(mean_ns(rows))] if timed else []),
     ]
 
 
-def pairs_section(pairs, suite, title, note):
+def pairs_section(pairs, suite, title, note, timed=True):
     rows = select(pairs, suite=suite)
     header = ["engine", "pairs", "wrong per million", "invented", "missed touch",
               "missed coplanar", "missed proper", "swap differs", "order differs", "crashes",
-              "hangs", "ns a pair"]
-    body = [pair_row(engine, select(rows, engine=engine)) for engine in in_order(rows, "engine")]
+              "hangs"] + (["ns a pair"] if timed else [])
+    body = [pair_row(engine, select(rows, engine=engine), timed)
+            for engine in in_order(rows, "engine")]
     return f"## {title}\n\n{note}\n\n" + table(header, body)
 
 
@@ -249,7 +251,39 @@ def figures_section(data):
     return "## Figures\n\n" + table(["figure", "target", "measured", "met"], rows)
 
 
+def answers_page(folder):
+    """Of a run that took no times: what was answered, and by which sources."""
+    pairs = read(folder, "pairs")
+    machine = read(folder, "machine")
+    print("# Hard pairs against the oracle\n")
+    print("Made by `bench/accuracy/run --answers`; README.md beside it says what the columns mean.\n")
+    print(table(["machine", ""], [[row["what"], row["value"]] for row in machine]))
+    categories = len(in_order(pairs, "category"))
+    body = []
+    for engine in in_order(pairs, "engine"):
+        rows = select(pairs, engine=engine)
+        if engine.startswith(CERTIFIED):
+            body.append([engine, show(total(rows, "separate", *KINDS)),
+                         *(show(total(rows, kind)) for kind in ("separate", *KINDS)),
+                         show(total(rows, "invented", *("missed_" + kind for kind in KINDS))),
+                         *(show(total(rows, c)) for c in ("wrong_class", "swap_differs",
+                                                          "order_differs", "unanswered"))])
+    print("## Our answers\n")
+    print(f"{categories} categories, equally many pairs of each, every pair asked three times: as it "
+          "is, with the bodies swapped, and with the corners in another order. The truth is the "
+          "exact oracle's.\n")
+    print(table(["setting", "pairs", "apart", *KINDS, "wrong", "wrong class", "swap differs",
+                 "order differs", "unanswered"], body))
+    print(pairs_section(pairs, "corpus", "All engines",
+                        "Missed and invented are per million of the pairs of that class; crashes "
+                        "and hangs count categories, and end the engine's part in them.",
+                        timed=False))
+
+
 def main():
+    if sys.argv[1] == "--answers":
+        answers_page(sys.argv[2])
+        return
     folder = sys.argv[1]
     names = ("machine", "pairs", "queries", "coarse", "stages", "points", "certification")
     data = {name: read(folder, name) for name in names}
