@@ -61,6 +61,8 @@ struct MeshAnswer {
     std::vector<IdPair> pairs;      ///< At level pairs and above; in any order, perhaps repeated.
     std::uint64_t record_bytes = 0; ///< What is sent back; 0 where the engine sends nothing.
     std::uint64_t read_bytes = 0;   ///< Boxes and triangles read; 0 where the engine does not say.
+    std::uint64_t box_tests = 0;    ///< The paper's N_b,
+    std::uint64_t triangle_tests = 0; ///< and its N_p; 0 where the engine does not say.
 };
 
 /// Decides whole meshes.
@@ -75,6 +77,11 @@ class MeshEngine {
     virtual void load(const std::shared_ptr<const Mesh>& a,
                       const std::shared_ptr<const Mesh>& b) = 0;
     [[nodiscard]] virtual MeshAnswer ask(const PosePair& poses, Level level) = 0;
+
+    /// Everything loaded that a query may read; 0 where the engine does not say.
+    [[nodiscard]] virtual std::uint64_t resident_bytes() const { return 0; }
+    /// An engine for one more thread, on what this one has loaded; null where there is none.
+    [[nodiscard]] virtual std::unique_ptr<MeshEngine> for_another_thread() const { return nullptr; }
 };
 
 /// An engine under one setting. What it cannot do is empty.

@@ -4,7 +4,7 @@
 namespace cd::bench {
 
 void add_fcl_double(std::vector<Engine>& engines) {
-    engines.push_back(fcl_engine<double>("FCL double"));
+    engines.push_back(fcl_engine<double>("FCL OBB double"));
 }
 
 } // namespace cd::bench

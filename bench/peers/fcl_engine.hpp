@@ -1,4 +1,4 @@
-// FCL for one type of numbers: its test of two triangles, and its meshes under trees of OBBs.
+// FCL for one type of numbers: its test of two triangles, and its meshes under its trees of boxes.
 #pragma once
 
 #include "bench/peers/engine.hpp"
@@ -50,9 +50,10 @@ struct FclPairTest {
     }
 };
 
-template <class Number>
+template <class Box>
 class FclMeshEngine final : public MeshEngine {
-    using Model = fcl::BVHModel<fcl::OBB<Number>>;
+    using Number = typename Box::S;
+    using Model = fcl::BVHModel<Box>;
     using Vector = fcl::Vector3<Number>;
 
   public:
@@ -108,13 +109,21 @@ class FclMeshEngine final : public MeshEngine {
     std::shared_ptr<Model> b_;
 };
 
-template <class Number>
-Engine fcl_engine(const char* name) {
+/// Meshes under trees of `Box`.
+template <class Box>
+Engine fcl_mesh_engine(const char* name) {
     Engine engine;
     engine.name = name;
-    engine.make_pairs = [] { return std::make_unique<WorldPairEngine<FclPairTest<Number>>>(); };
-    engine.make_meshes = [] { return std::make_unique<FclMeshEngine<Number>>(); };
+    engine.make_meshes = [] { return std::make_unique<FclMeshEngine<Box>>(); };
     engine.levels = {Level::Any, Level::Count, Level::Pairs, Level::Contacts};
+    return engine;
+}
+
+/// Pairs of triangles, and meshes under trees of OBBs.
+template <class Number>
+Engine fcl_engine(const char* name) {
+    Engine engine = fcl_mesh_engine<fcl::OBB<Number>>(name);
+    engine.make_pairs = [] { return std::make_unique<WorldPairEngine<FclPairTest<Number>>>(); };
     return engine;
 }
 

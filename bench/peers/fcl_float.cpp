@@ -4,7 +4,7 @@
 namespace cd::bench {
 
 void add_fcl_float(std::vector<Engine>& engines) {
-    engines.push_back(fcl_engine<float>("FCL float"));
+    engines.push_back(fcl_engine<float>("FCL OBB float"));
 }
 
 } // namespace cd::bench

@@ -15,4 +15,9 @@ void add_ode(std::vector<Engine>& engines);
 void add_ccd(std::vector<Engine>& engines);
 void add_cgal(std::vector<Engine>& engines);
 
+// Of whole meshes only.
+void add_fcl_obbrss(std::vector<Engine>& engines);
+void add_cgal_meshes(std::vector<Engine>& engines);
+void add_embree(std::vector<Engine>& engines);
+
 } // namespace cd::bench
