@@ -1,6 +1,8 @@
 #include "client/mesh_number_check.hpp"
 
-#include <nlohmann/json.hpp>
+#include "client/collada_check.hpp"
+#include "client/gltf_check.hpp"
+#include "client/mesh_words.hpp"
 
 #include <array>
 #include <charconv>
@@ -21,13 +23,7 @@ Error bad(const std::filesystem::path& path, std::uint64_t line, const std::stri
 
 /// What is not finite passes: the importer knows it, and its face is named then.
 bool is_number(std::string_view word) {
-    if (word.starts_with('+')) {
-        word.remove_prefix(1);
-    }
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return !word.empty() && end == word.data() + word.size() &&
-           error != std::errc::invalid_argument;
+    return to_number(word).has_value();
 }
 
 Error no_number(const std::filesystem::path& path, std::uint64_t line, const std::string& word) {
@@ -143,56 +139,6 @@ Status check_ply(const std::filesystem::path& path) {
     return Done{};
 }
 
-/// The JSON of a glTF file: the file itself, or the first chunk of a GLB.
-std::string gltf_json(const std::filesystem::path& path, bool is_glb) {
-    std::ifstream in(path, std::ios::binary);
-    if (is_glb) {
-        constexpr std::size_t header = 20; // Of the file, and of the first chunk.
-        std::array<char, header> begin{};
-        if (!in.read(begin.data(), begin.size())) {
-            return {};
-        }
-        std::uint64_t size = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            size |= std::uint64_t{static_cast<unsigned char>(begin[12 + i])} << (8 * i);
-        }
-        std::error_code error;
-        // Checked before the allocation: the file chooses this number.
-        if (size > std::filesystem::file_size(path, error) || error) {
-            return {};
-        }
-        std::string text(size, '\0');
-        in.read(text.data(), static_cast<std::streamsize>(size));
-        return text;
-    }
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
-Status check_gltf(const std::filesystem::path& path, bool is_glb) {
-    const auto json = nlohmann::json::parse(gltf_json(path, is_glb), nullptr, false);
-    if (!json.is_object() || !json.contains("nodes") || !json["nodes"].is_array()) {
-        return Done{}; // The importer says what is wrong with it, if anything is.
-    }
-    const auto& nodes = json["nodes"];
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        for (const char* key : {"matrix", "translation", "rotation", "scale"}) {
-            if (!nodes[i].is_object() || !nodes[i].contains(key)) {
-                continue;
-            }
-            for (const auto& entry : nodes[i][key]) {
-                if (!entry.is_number()) {
-                    return Error{ErrorCode::BadInput,
-                                 path.string() + ": node " + std::to_string(i) + ": its " + key +
-                                     " holds what is not a number"};
-                }
-            }
-        }
-    }
-    return Done{};
-}
-
 /// Text as some programs print what is no number: 1.#QNAN, -1.#IND00, 1.#INF.
 Status check_printed_nan(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
@@ -212,11 +158,29 @@ Status check_printed_nan(const std::filesystem::path& path) {
     return Done{};
 }
 
+/// By which importers tell formats apart where a file's name does not.
+std::string first_bytes(const std::filesystem::path& path) {
+    std::array<char, 64> begin{};
+    std::ifstream in(path, std::ios::binary);
+    in.read(begin.data(), begin.size());
+    return {begin.data(), static_cast<std::size_t>(in.gcount())};
+}
+
+Status check_markup(const std::filesystem::path& path) {
+    const std::string text = read_text(path);
+    return is_collada(text) ? check_collada(path, text) : Status(Done{});
+}
+
 } // namespace
 
 Status check_numbers(const std::filesystem::path& path, const std::string& lower_extension) {
-    if (lower_extension == ".glb" || lower_extension == ".gltf") {
-        return check_gltf(path, lower_extension == ".glb");
+    const std::string begin = first_bytes(path);
+    if (begin.starts_with("glTF") || lower_extension == ".glb" || lower_extension == ".gltf") {
+        return check_gltf(path, lower_extension != ".gltf");
+    }
+    // Some importers look into any archive for files that they know.
+    if (begin.starts_with("PK\x03\x04") && lower_extension != ".3mf") {
+        return Error{ErrorCode::BadInput, path.string() + ": is an archive; unpack it"};
     }
     const bool is_binary = lower_extension == ".stl" && is_binary_stl(path);
     if (is_binary) {
@@ -228,7 +192,11 @@ Status check_numbers(const std::filesystem::path& path, const std::string& lower
     if (lower_extension == ".stl") {
         return check_stl(path);
     }
-    return lower_extension == ".ply" ? check_ply(path) : Status(Done{});
+    if (lower_extension == ".ply") {
+        return check_ply(path);
+    }
+    const bool is_markup = Words(without_utf8_mark(begin)).next().starts_with('<');
+    return is_markup ? check_markup(path) : Status(Done{});
 }
 
 } // namespace cd

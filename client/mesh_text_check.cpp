@@ -1,5 +1,7 @@
 #include "client/mesh_text_check.hpp"
 
+#include "client/ac3d_text.hpp"
+#include "client/mesh_words.hpp"
 #include "common/core/hash.hpp"
 
 #include <array>
@@ -20,38 +22,6 @@ namespace {
 
 Error bad(const std::filesystem::path& path, const std::string& detail) {
     return {ErrorCode::BadInput, path.string() + ": " + detail};
-}
-
-/// Words of a line, separated by blanks.
-class Words {
-  public:
-    explicit Words(std::string_view line) : rest_(line) {}
-
-    /// Empty at the end.
-    std::string_view next() {
-        const std::size_t begin = rest_.find_first_not_of(" \t\r");
-        if (begin == std::string_view::npos) {
-            rest_ = {};
-            return {};
-        }
-        rest_.remove_prefix(begin);
-        const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\r"));
-        rest_.remove_prefix(word.size());
-        return word;
-    }
-
-  private:
-    std::string_view rest_;
-};
-
-std::optional<double> to_number(std::string_view word) {
-    if (word.starts_with('+')) {
-        word.remove_prefix(1);
-    }
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool whole = end == word.data() + word.size() && !word.empty();
-    return whole && error != std::errc::invalid_argument ? std::optional(value) : std::nullopt;
 }
 
 std::optional<std::int64_t> to_index(std::string_view word) {
@@ -310,10 +280,12 @@ Result<std::optional<TextMesh>> read_text_mesh(const std::filesystem::path& path
         const Status whole = check_ply_lines(path);
         return whole ? Result(std::optional<TextMesh>()) : whole.error();
     }
-    if (lower_extension != ".obj" && lower_extension != ".off") {
+    const bool is_obj = lower_extension == ".obj";
+    const bool is_off = lower_extension == ".off";
+    if (!is_obj && !is_off && !is_ac3d(path, lower_extension)) {
         return std::optional<TextMesh>();
     }
-    auto text = lower_extension == ".obj" ? read_obj(path) : read_off(path);
+    auto text = is_obj ? read_obj(path) : is_off ? read_off(path) : read_ac3d(path);
     if (!text) {
         return text.error();
     }

@@ -1,4 +1,4 @@
-// Holds what the importer made of an OBJ, OFF or PLY file against the file itself.
+// Holds what the importer made of an OBJ, OFF, PLY or AC3D file against the file itself.
 #pragma once
 
 #include "client/mesh_import.hpp"
@@ -15,8 +15,8 @@ struct TextMesh {
     std::uint64_t triangles = 0; ///< Of all its polygons.
 };
 
-/// Reads an OBJ or OFF file by itself; of a PLY file in text only whether it is there whole, since
-/// the importer repeats its last face where lines are missing. Nothing for other formats.
+/// Reads an OBJ, OFF or AC3D file by itself; of a PLY file in text only whether it is there whole,
+/// since the importer repeats its last face where lines are missing. Nothing for other formats.
 ///
 /// Errors: BadInput naming the file and the line or face: an index that names no vertex, a number
 /// that is none or not finite, more or fewer lines than the file's own counts.

@@ -105,25 +105,6 @@ TEST(MeshDamage, NumbersThatTheImporterReadsHalfwayAreNamedByLine) {
     EXPECT_THAT(error_of("large.stl", stl("1e39")), HasSubstr("face 0"));
 }
 
-TEST(MeshDamage, TransformsOfGltfThatAreNoNumbersAreNamedByNode) {
-    const auto gltf = [](const std::string& number) {
-        // One triangle: nine floats and three indices.
-        return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,)"
-               R"("translation":[0,0,)" +
-               number +
-               R"(]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
-               R"("buffers":[{"byteLength":42,"uri":"data:application/octet-stream;base64,)"
-               R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIA"}],)"
-               R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},)"
-               R"({"buffer":0,"byteOffset":36,"byteLength":6}],"accessors":[)"
-               R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},)"
-               R"({"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}]})";
-    };
-    EXPECT_TRUE(import_text("good.gltf", gltf("1.5")));
-    EXPECT_THAT(error_of("null.gltf", gltf("null")), HasSubstr("node 0"));
-    EXPECT_THAT(error_of("large.gltf", gltf("1e39")), HasSubstr("face 0"));
-}
-
 TEST(MeshDamage, FilesCutShort) {
     EXPECT_NE(error_of("cut.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"),
               "was taken");

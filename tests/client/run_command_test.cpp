@@ -240,6 +240,15 @@ TEST_F(Run, AUnitIsAppliedToItsMesh) {
     EXPECT_THAT(stderr_, HasSubstr("0.001 x 0.001 x 0.001 m"));
 }
 
+TEST_F(Run, MeshesWhoseSizesDifferAsUnitsDoAreWarnedAbout) {
+    // A's box has a diagonal of sqrt(38).
+    write("b.obj", "v 0 0 0\nv 6164 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_THAT(stderr_, HasSubstr("times as large as"));
+    EXPECT_THAT(stderr_, HasSubstr("mm or m"));
+    EXPECT_EQ(std::count(stderr_.begin(), stderr_.end(), '\n'), 1) << stderr_;
+}
+
 TEST_F(Run, WrongInputsAreOneLineThatNamesTheFile) {
     command_.job.a = (dir_ / "missing.obj").string();
     EXPECT_EQ(run(), exit_usage);

@@ -1,0 +1,22 @@
+// Finds what an importer would misread, or fall over, in a COLLADA file.
+#pragma once
+
+#include "common/core/result.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace cd {
+
+/// True where the importer would find a COLLADA document, whatever the file's name.
+[[nodiscard]] bool is_collada(const std::string& text);
+
+/// The importer takes half of a number like 1d5 and vertex 0 for a negative index, reads on without
+/// end where an index is none, takes only the first piece of an element's text, and goes as deep as
+/// elements are nested.
+///
+/// Errors: BadInput naming the file and the line, for each of these in what shapes the mesh:
+/// coordinates, indices, transforms, the unit, counts, offsets and strides.
+[[nodiscard]] Status check_collada(const std::filesystem::path& path, const std::string& text);
+
+} // namespace cd
