@@ -146,7 +146,7 @@ class Ac3dReader {
                 return bad("a vertex that begins with '" + std::string(first) +
                            "', which the importer takes for its end; write 0.25 for .25");
             }
-            if (const Status status = read_numbers(numbers, 3); !status) {
+            if (Status status = read_numbers(numbers, 3); !status) {
                 return status;
             }
         }
@@ -155,7 +155,7 @@ class Ac3dReader {
     }
 
     Status begin_surface(Words& words) {
-        if (const Status ended = end_surface(); !ended) {
+        if (Status ended = end_surface(); !ended) {
             return ended;
         }
         const std::string_view word = words.next();

@@ -144,8 +144,7 @@ class ColladaCheck {
     Status run() {
         XmlPieces pieces(text_);
         for (auto piece = pieces.next(); piece; piece = pieces.next()) {
-            const Status status = check(*piece);
-            if (!status) {
+            if (Status status = check(*piece); !status) {
                 return status;
             }
         }

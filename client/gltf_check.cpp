@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -45,16 +46,16 @@ std::string gltf_json(const std::filesystem::path& path, bool is_glb) {
     return read_text(path);
 }
 
+bool holds_numbers(const Json& list) {
+    return std::all_of(list.begin(), list.end(), [](const Json& e) { return e.is_number(); });
+}
+
 Status check_transforms(const std::filesystem::path& path, const Json& nodes) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         for (const char* key : {"matrix", "translation", "rotation", "scale"}) {
-            if (!nodes[i].is_object() || !nodes[i].contains(key)) {
-                continue;
-            }
-            for (const auto& entry : nodes[i][key]) {
-                if (!entry.is_number()) {
-                    return bad(path, i, "its " + std::string(key) + " holds what is not a number");
-                }
+            const bool has_key = nodes[i].is_object() && nodes[i].contains(key);
+            if (has_key && !holds_numbers(nodes[i][key])) {
+                return bad(path, i, "its " + std::string(key) + " holds what is not a number");
             }
         }
     }
@@ -124,7 +125,7 @@ Status check_gltf(const std::filesystem::path& path, bool is_glb) {
     if (!json.is_object() || !json.contains("nodes") || !json["nodes"].is_array()) {
         return Done{}; // The importer says what is wrong with it, if anything is.
     }
-    const Status transforms = check_transforms(path, json["nodes"]);
+    Status transforms = check_transforms(path, json["nodes"]);
     return transforms ? check_nesting(path, json) : transforms;
 }
 

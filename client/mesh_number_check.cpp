@@ -5,7 +5,6 @@
 #include "client/mesh_words.hpp"
 
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <fstream>
 #include <optional>
@@ -47,27 +46,36 @@ bool is_binary_stl(const std::filesystem::path& path) {
     return std::filesystem::file_size(path, error) == begin.size() + bytes_per_triangle * count;
 }
 
+/// The first coordinate of a line that is not a number. `wanted` are the coordinates of the last
+/// "vertex" that are still to come.
+std::optional<std::string> stl_fault(const std::string& line, int& wanted) {
+    std::istringstream words(line);
+    std::string word;
+    while (words >> word) {
+        if (wanted > 0) {
+            --wanted;
+            if (!is_number(word)) {
+                return word;
+            }
+        } else if (word == "solid" || word == "endsolid") {
+            break; // A name follows.
+        } else if (word == "vertex") {
+            wanted = 3;
+        }
+    }
+    return std::nullopt;
+}
+
 Status check_stl(const std::filesystem::path& path) {
     if (is_binary_stl(path)) {
         return Done{};
     }
     std::ifstream in(path, std::ios::binary);
     std::string line;
-    std::string word;
-    int wanted = 0; // Coordinates of the last "vertex" that are still to come.
+    int wanted = 0;
     for (std::uint64_t number = 1; std::getline(in, line); ++number) {
-        std::istringstream words(line);
-        while (words >> word) {
-            if (wanted > 0) {
-                --wanted;
-                if (!is_number(word)) {
-                    return no_number(path, number, word);
-                }
-            } else if (word == "solid" || word == "endsolid") {
-                break; // A name follows.
-            } else if (word == "vertex") {
-                wanted = 3;
-            }
+        if (const auto word = stl_fault(line, wanted)) {
+            return no_number(path, number, *word);
         }
     }
     return Done{};
@@ -98,9 +106,9 @@ std::optional<PlyVertices> read_ply_header(std::istream& in, std::uint64_t& numb
         } else if (keyword == "element") {
             const bool before = vertices.is_coordinate.empty() && !of_vertex;
             of_vertex = second == "vertex";
-            std::uint64_t count = 0;
-            std::from_chars(third.data(), third.data() + third.size(), count);
-            (of_vertex ? vertices.count : vertices.lines_before) += of_vertex || before ? count : 0;
+            if (of_vertex || before) {
+                (of_vertex ? vertices.count : vertices.lines_before) += to_whole(third).value_or(0);
+            }
         } else if (keyword == "property" && of_vertex) {
             if (second == "list") {
                 return std::nullopt;
@@ -140,19 +148,24 @@ Status check_ply(const std::filesystem::path& path) {
 }
 
 /// Text as some programs print what is no number: 1.#QNAN, -1.#IND00, 1.#INF.
+std::optional<std::string_view> printed_nan(std::string_view line) {
+    constexpr std::string_view begin = "1.#";
+    for (std::size_t at = line.find(begin); at != line.npos; at = line.find(begin, at + 1)) {
+        for (const std::string_view word : {"QNAN", "SNAN", "INF", "IND"}) {
+            if (line.substr(at + begin.size()).starts_with(word)) {
+                return line.substr(at, begin.size() + word.size());
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 Status check_printed_nan(const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
     std::string line;
     for (std::uint64_t number = 1; std::getline(in, line); ++number) {
-        for (std::size_t at = line.find("1.#"); at != std::string::npos;
-             at = line.find("1.#", at + 1)) {
-            const std::string_view rest = std::string_view(line).substr(at + 3);
-            for (const std::string_view word : {"QNAN", "SNAN", "INF", "IND"}) {
-                if (rest.starts_with(word)) {
-                    return bad(
-                        path, number, "a number that is not finite: 1.#" + std::string(word));
-                }
-            }
+        if (const auto word = printed_nan(line)) {
+            return bad(path, number, "a number that is not finite: " + std::string(*word));
         }
     }
     return Done{};
@@ -186,7 +199,7 @@ Status check_numbers(const std::filesystem::path& path, const std::string& lower
     if (is_binary) {
         return Done{};
     }
-    if (const Status printed = check_printed_nan(path); !printed) {
+    if (Status printed = check_printed_nan(path); !printed) {
         return printed;
     }
     if (lower_extension == ".stl") {
