@@ -21,7 +21,7 @@ if(CD_MOLD)
 endif()
 if(CD_TIDY)
     find_program(CD_CLANG_TIDY NAMES clang-tidy-16 clang-tidy REQUIRED)
-    set(CMAKE_CXX_CLANG_TIDY "${CD_CLANG_TIDY};--quiet;--extra-arg=-DBOOST_ASIO_HAS_CO_AWAIT=1;--extra-arg=-DBOOST_ASIO_HAS_STD_COROUTINE=1")
+    set(CMAKE_CXX_CLANG_TIDY "${CD_CLANG_TIDY};--quiet;--extra-arg=-DBOOST_ASIO_HAS_CO_AWAIT=1;--extra-arg=-DBOOST_ASIO_HAS_STD_COROUTINE=1;--extra-arg=-Wno-unknown-warning-option")
 endif()
 
 add_library(cd_flags INTERFACE)
