@@ -30,7 +30,7 @@ struct PairTotals {
 };
 
 struct PairSuiteOptions {
-    unsigned threads = 1; ///< Of the oracle.
+    unsigned threads = 1;   ///< Of the oracle.
     std::size_t rounds = 5; ///< Of timing; 0 for none.
     std::size_t pairs_timed = 2000;
     std::chrono::seconds limit{60}; ///< For one engine on one chunk.
