@@ -24,11 +24,6 @@ ObbTree tree_of(const std::shared_ptr<const Mesh>& mesh) {
     return build_tree(mesh, {}, pool);
 }
 
-struct Model {
-    const char* file;
-    double unit = 1;
-};
-
 constexpr double inch = 0.0254;
 constexpr std::pair<Model, Model> vehicle_couples[] = {
     {{"hatchback.obj", inch}, {"toy_truck.glb"}},
@@ -37,8 +32,17 @@ constexpr std::pair<Model, Model> vehicle_couples[] = {
     {{"lugged_wheel.obj"}, {"lugged_wheel.obj"}},
 };
 
-/// Null, and said, where the model is not there.
-std::shared_ptr<const Mesh> load(const std::filesystem::path& folder, const Model& model) {
+/// B moved straight away from the middle of A by a share of A's diagonal.
+PosePair moved_off(const PosePair& poses, const Aabb& a, double share) {
+    const Vec3 away = poses.b.translation() - a.center();
+    const double length = away.norm();
+    const Vec3 shift = length > 0 ? Vec3(share * a.diagonal() / length * away) : Vec3(Vec3::Zero());
+    return {poses.a, Pose::from_quaternion(poses.b.quaternion(), poses.b.translation() + shift)};
+}
+
+} // namespace
+
+std::shared_ptr<const Mesh> load_model(const std::filesystem::path& folder, const Model& model) {
     const std::filesystem::path path = folder / model.file;
     if (!std::filesystem::exists(path)) {
         std::fprintf(stderr, "MISSING: %s; its scenes are left out\n", path.c_str());
@@ -53,16 +57,6 @@ std::shared_ptr<const Mesh> load(const std::filesystem::path& folder, const Mode
     }
     return imported.value().mesh;
 }
-
-/// B moved straight away from the middle of A by a share of A's diagonal.
-PosePair moved_off(const PosePair& poses, const Aabb& a, double share) {
-    const Vec3 away = poses.b.translation() - a.center();
-    const double length = away.norm();
-    const Vec3 shift = length > 0 ? Vec3(share * a.diagonal() / length * away) : Vec3(Vec3::Zero());
-    return {poses.a, Pose::from_quaternion(poses.b.quaternion(), poses.b.translation() + shift)};
-}
-
-} // namespace
 
 PairBatch corpus_batch(const std::string& category, std::uint64_t first, std::uint64_t count) {
     std::vector<tests::PosedPair> pairs;
@@ -101,8 +95,8 @@ std::optional<Scene>
 vehicle_scene(const std::filesystem::path& models, std::size_t couple, std::uint64_t scenarios) {
     CD_CHECK(couple < vehicle_scene_count());
     const auto& [first, second] = vehicle_couples[couple];
-    const auto a = load(models, first);
-    const auto b = load(models, second);
+    const auto a = load_model(models, first);
+    const auto b = load_model(models, second);
     if (!a || !b) {
         return std::nullopt;
     }

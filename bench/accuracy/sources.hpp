@@ -22,6 +22,16 @@ corpus_batch(const std::string& category, std::uint64_t first, std::uint64_t cou
 /// Two tori of 9,216 triangles in random poses, about half of them clear of each other.
 [[nodiscard]] Scene torus_scene(std::uint64_t poses);
 
+/// A file of a mesh, with the metres in a unit of it.
+struct Model {
+    const char* file;
+    double unit = 1;
+};
+
+/// Null, and said on stderr, where the file is not in the folder or cannot be read.
+[[nodiscard]] std::shared_ptr<const Mesh> load_model(const std::filesystem::path& folder,
+                                                     const Model& model);
+
 /// How many couples of vehicles there are.
 [[nodiscard]] std::size_t vehicle_scene_count();
 

@@ -8,6 +8,10 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/box_intersection_d.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+
 namespace cd::bench {
 
 namespace {
@@ -20,20 +24,31 @@ Point point(const Vec3& p) {
     return {p.x(), p.y(), p.z()};
 }
 
-/// A body's triangles in the world, with their boxes.
+/// A body's triangles in the world, with their boxes and the box of all.
 struct WorldTriangles {
     std::vector<Kernel::Triangle_3> triangles;
     std::vector<Box> boxes;
+    CGAL::Bbox_3 all;
 
     void place(const Mesh& mesh, const Pose& pose) {
         const WorldFrame to_world(pose);
         triangles.clear();
         boxes.clear();
+        all = CGAL::Bbox_3();
         for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
             const Corners t = to_world(mesh.corners(i));
             triangles.emplace_back(point(t[0]), point(t[1]), point(t[2]));
             boxes.emplace_back(triangles.back().bbox(), i);
+            all += boxes.back().bbox();
         }
+    }
+
+    /// Into `near`, which the intersection of boxes reorders.
+    void find_near(const CGAL::Bbox_3& other, std::vector<Box>& near) const {
+        near.clear();
+        std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(near), [&](const Box& box) {
+            return CGAL::do_overlap(box.bbox(), other);
+        });
     }
 };
 
@@ -46,22 +61,21 @@ class CgalBoxes final : public MeshEngine {
     }
 
     MeshAnswer ask(const PosePair& poses, Level /*level*/) override {
-        if (poses.a != pose_a_) {
+        if (!(poses.a == pose_a_)) {
             pose_a_ = poses.a;
             a_.place(*mesh_a_, pose_a_);
         }
         b_.place(*mesh_b_, poses.b);
+        a_.find_near(b_.all, near_a_);
+        b_.find_near(a_.all, near_b_);
         MeshAnswer answer;
+        const auto decide = [&](const Box& a, const Box& b) {
+            if (CGAL::do_intersect(a_.triangles[a.info()], b_.triangles[b.info()])) {
+                answer.pairs.emplace_back(a.info(), b.info());
+            }
+        };
         CGAL::box_intersection_d(
-            a_.boxes.begin(),
-            a_.boxes.end(),
-            b_.boxes.begin(),
-            b_.boxes.end(),
-            [&](const Box& a, const Box& b) {
-                if (CGAL::do_intersect(a_.triangles[a.info()], b_.triangles[b.info()])) {
-                    answer.pairs.emplace_back(a.info(), b.info());
-                }
-            });
+            near_a_.begin(), near_a_.end(), near_b_.begin(), near_b_.end(), decide);
         answer.pair_count = answer.pairs.size();
         answer.touches = answer.pair_count > 0;
         return answer;
@@ -73,6 +87,8 @@ class CgalBoxes final : public MeshEngine {
     Pose pose_a_;
     WorldTriangles a_;
     WorldTriangles b_;
+    std::vector<Box> near_a_;
+    std::vector<Box> near_b_;
 };
 
 class CgalDetector final : public MeshEngine {
@@ -81,8 +97,9 @@ class CgalDetector final : public MeshEngine {
   public:
     void load(const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b) override {
         namespace parameters = CGAL::parameters;
-        for (const auto& mesh : {a, b}) {
-            detector_.add_mesh(soup(*mesh), parameters::apply_per_connected_component(false));
+        surfaces_ = {soup(*a), soup(*b)};
+        for (const Surface& surface : surfaces_) {
+            detector_.add_mesh(surface, parameters::apply_per_connected_component(false));
         }
     }
 
@@ -127,6 +144,7 @@ class CgalDetector final : public MeshEngine {
                 t.z()};
     }
 
+    std::array<Surface, 2> surfaces_; ///< The detector refers to them.
     CGAL::Rigid_triangle_mesh_collision_detection<Surface> detector_;
 };
 

@@ -1,0 +1,103 @@
+#include "bench/peers/ours.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/geometry/simd_target.hpp"
+#include "common/tree/build.hpp"
+#include "common/tree/traverse.hpp"
+
+#include <string>
+#include <utility>
+
+namespace cd::bench {
+
+namespace {
+
+std::shared_ptr<const ObbTree> tree_of(const std::shared_ptr<const Mesh>& mesh, unsigned threads) {
+    ThreadPool pool(threads);
+    return std::make_shared<const ObbTree>(build_tree(mesh, {}, pool));
+}
+
+std::uint64_t bytes_of(const TreeView& view) {
+    return view.nodes.size_bytes() + view.vertices.size_bytes() + view.triangles.size_bytes() +
+           view.triangle_ids.size_bytes();
+}
+
+/// The search for contacts without what a job makes of them: no sorting, no record, and no look
+/// for a body inside the other, which no peer takes.
+class OurMeshes final : public MeshEngine {
+  public:
+    OurMeshes() = default;
+    OurMeshes(std::shared_ptr<const ObbTree> a, std::shared_ptr<const ObbTree> b)
+        : a_(std::move(a)), b_(std::move(b)) {}
+
+    void load(const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b) override {
+        a_ = tree_of(a, 1);
+        b_ = tree_of(b, 1);
+    }
+
+    MeshAnswer ask(const PosePair& poses, Level level) override {
+        SearchOptions options;
+        options.keep_pairs = level >= Level::Pairs;
+        ContactSearch search(poses, {}, options);
+        MeshAnswer answer;
+        if (level == Level::Any) {
+            answer.touches = search.any(a_->view(), b_->view());
+            answer.pair_count = answer.touches ? 1 : 0;
+        } else {
+            search.collect(a_->view(), b_->view());
+            answer.pair_count = search.pair_count();
+            answer.touches = answer.pair_count > 0;
+            answer.pairs.reserve(search.pairs().size());
+            for (const ContactPair& pair : search.pairs()) {
+                answer.pairs.emplace_back(pair.a, pair.b);
+            }
+        }
+        const QueryStatistics statistics = search.statistics();
+        answer.box_tests = statistics.box_tests;
+        answer.triangle_tests = statistics.triangle_tests;
+        return answer;
+    }
+
+    [[nodiscard]] std::uint64_t resident_bytes() const override {
+        return bytes_of(a_->view()) + bytes_of(b_->view());
+    }
+
+    [[nodiscard]] std::unique_ptr<MeshEngine> for_another_thread() const override {
+        return std::make_unique<OurMeshes>(a_, b_);
+    }
+
+  private:
+    std::shared_ptr<const ObbTree> a_;
+    std::shared_ptr<const ObbTree> b_;
+};
+
+} // namespace
+
+std::vector<Engine> our_mesh_engines() {
+    std::vector<Engine> engines;
+    const auto add = [&](std::string name, SimdTarget target) {
+        Engine engine;
+        engine.name = std::move(name);
+        engine.is_ours = true;
+        engine.make_meshes = [target] {
+            CD_CHECK(force_simd_target(to_text(target)).has_value());
+            return std::make_unique<OurMeshes>();
+        };
+        engine.levels = {Level::Any, Level::Count, Level::Pairs};
+        engines.push_back(std::move(engine));
+    };
+    add("cdcluster", simd_target());
+    for (const SimdTarget target : available_simd_targets()) {
+        if (target != simd_target() && target == SimdTarget::Avx2) {
+            add("cdcluster (avx2)", target);
+        }
+    }
+    return engines;
+}
+
+void build_ours(const std::shared_ptr<const Mesh>& mesh, unsigned threads) {
+    static_cast<void>(tree_of(mesh, threads));
+}
+
+} // namespace cd::bench

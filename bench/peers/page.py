@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""Turns the CSV files of peers_report into one page of Markdown tables.
+
+    page.py FOLDER          prints the page
+"""
+import os
+import statistics
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "accuracy"))
+from report import in_order, number, read, select, show, table  # noqa: E402
+
+OURS = "cdcluster"
+FCL_FLOAT = "FCL OBB float"
+FCL_DOUBLE = "FCL OBB double"
+
+
+def cell(row, column, digits=3, unit=1.0):
+    return show(unit * float(row[column]), digits) if row[column] else ""
+
+
+def find(rows, scene, engine):
+    """The row of an engine on a scene, if it took part."""
+    return next(iter(select(rows, scene=scene, engine=engine)), None)
+
+
+def figure(what, target, value, unit, is_met):
+    """A row of the table of figures; nothing measured is nothing met."""
+    if value is None:
+        return [what, target, "", ""]
+    return [what, target, f"{show(value)} {unit}".strip(), "yes" if is_met(value) else "**no**"]
+
+
+def value_of(row, column):
+    return float(row[column]) if row and row[column] else None
+
+
+def figures_section(data):
+    engines = select(data["engines"], suite="scenes")
+    rows = []
+
+    def ratio(what, scene, peer, column, least):
+        value = value_of(find(engines, scene, peer), column)
+        rows.append(figure(f"{what}, {scene}, against {peer}", f">= {least}x", value, "x",
+                           lambda v: v >= least))
+
+    for scene, double, single in (("drivaer x sedan", 23, 14), ("sedan x sedan", 25, 15),
+                                  ("truck x car", 30, 18)):
+        ratio("all pairs", scene, FCL_DOUBLE, "ratio", double)
+        ratio("all pairs", scene, FCL_FLOAT, "ratio", single)
+    for scene in ("drivaer x sedan", "sedan x sedan", "truck x car"):
+        ratio("any contact", scene, FCL_DOUBLE, "any_best_ratio", 20)
+    ratio("all pairs, near miss", "drivaer near sedan", FCL_FLOAT, "ratio", 10)
+    ours = find(engines, "drivaer x sedan", OURS)
+    rows.append(figure("all pairs, drivaer x sedan, mean", "<= 72 us", value_of(ours, "mean_us"),
+                       "us", lambda v: v <= 72))
+    rows.append(figure("drivaer x sedan, resident bytes a triangle", "<= 64",
+                       value_of(ours, "resident_bytes_triangle"), "", lambda v: v <= 64))
+    builds = [float(row["seconds_2"]) for row in data["builds"]]
+    rows.append(figure("build of the motorbike, 2 threads, median", "<= 0.25 s",
+                       statistics.median(builds) if builds else None, "s", lambda v: v <= 0.25))
+    rows.append(figure("AVX2 against the widest, drivaer x sedan", "<= 1.8x",
+                       value_of(find(engines, "drivaer x sedan", "cdcluster (avx2)"), "ratio"),
+                       "x", lambda v: v <= 1.8))
+    for scene in in_order(data["threads"], "scene"):
+        best = max(float(row["ratio"]) for row in select(data["threads"], scene=scene))
+        rows.append(figure(f"2 threads against 1, {scene}, best pair", ">= 1.9x", best, "x",
+                           lambda v: v >= 1.9))
+    wrong = sum(number(row, "ours_wrong") for row in data["engines"])
+    rows.append(figure("disagreements in which ours is wrong", "0", wrong, "", lambda v: v == 0))
+    return "## Figures\n\n" + table(["figure", "target", "measured", "met"], rows)
+
+
+def engine_row(row):
+    return [
+        row["engine"],
+        *(cell(row, c) for c in ("median_us", "p95_us", "mean_us", "ratio")),
+        *(cell(row, c) for c in ("any_best_us", "any_median_us", "any_p95_us", "any_best_ratio",
+                                 "any_ratio")),
+        *(cell(row, c) for c in ("build_ms", "bytes_triangle")),
+        *(cell(row, c) for c in ("pairs_found", "missing", "extra", "any_wrong")),
+        ", ".join(f"{what} {row[c]}" for what, c in (("all", "ending"), ("any", "any_ending"))
+                  if row[c] not in ("", "done")),
+    ]
+
+
+ENGINE_HEADER = ["engine", "all: median us", "p95", "mean", "x ours", "any: best us", "median",
+                 "p95", "x ours, best", "x ours", "build ms", "bytes a triangle", "pairs", "missing",
+                 "extra", "any wrong", "failed"]
+
+
+def scenes_section(data):
+    parts = []
+    for scene in select(data["scenes"], suite="scenes"):
+        rows = select(data["engines"], suite="scenes", scene=scene["scene"])
+        parts.append(f"### {scene['scene']}\n")
+        parts.append(f"{cell(scene, 'triangles_a')} and {cell(scene, 'triangles_b')} triangles; "
+                     f"{cell(scene, 'poses')} poses, {cell(scene, 'poses_touching')} in contact; "
+                     f"{cell(scene, 'pairs')} pairs.\n")
+        parts.append(table(ENGINE_HEADER, [engine_row(row) for row in rows]))
+    return "## Scenes\n\n" + "\n".join(parts)
+
+
+def disagreements_section(data):
+    rows = []
+    for engine in in_order(data["engines"], "engine"):
+        mine = [r for r in select(data["engines"], engine=engine) if r["pairs_found"]]
+        if mine:
+            rows.append([engine] + [show(sum(number(r, c) for r in mine)) for c in (
+                "pairs_found", "missing", "extra", "judged", "ours_wrong")])
+    note = ("Over all scenes in which the engine took part: pairs that ours has and it has not, "
+            "pairs that only it has; the exact oracle looked at so many of both and found ours "
+            "wrong in the last column's.")
+    return f"## Who is wrong\n\n{note}\n\n" + table(
+        ["engine", "pairs", "missing", "extra", "judged", "ours wrong"], rows)
+
+
+def work_section(data):
+    rows = []
+    for row in select(data["engines"], engine=OURS):
+        scene = next(iter(select(data["scenes"], suite=row["suite"], scene=row["scene"])))
+        contacts = number(scene, "pairs") / number(scene, "poses")
+        rows.append([row["scene"], show(contacts), cell(row, "box_tests"),
+                     cell(row, "triangle_tests"), cell(row, "mean_us"),
+                     cell(row, "resident_bytes_triangle"), cell(row, "bytes_triangle")])
+    return "## Our work\n\nMeans over the poses, for all pairs.\n\n" + table(
+        ["scene", "contacts", "N_b", "N_p", "mean us", "resident bytes a triangle",
+         "memory bytes a triangle"], rows)
+
+
+def scaling_section(data, suite, title, name):
+    sources = select(data["scenes"], suite=suite)
+    engines = in_order(select(data["engines"], suite=suite), "engine")
+    header = [name, "contacts"]
+    for engine in engines:
+        header += [f"{engine}: all us", "any us", "build ms", "bytes a triangle"]
+    rows = []
+    for scene in sources:
+        contacts = number(scene, "pairs") / number(scene, "poses")
+        if suite == "size":
+            x = show(number(scene, "triangles_a") + number(scene, "triangles_b"))
+        else:
+            x = show(100 * number(scene, "x"))
+        line = [x, show(contacts)]
+        for engine in engines:
+            row = find(select(data["engines"], suite=suite), scene["scene"], engine)
+            line += [cell(row, c) if row else "" for c in (
+                "mean_us", "any_best_us", "build_ms", "bytes_triangle")]
+        rows.append(line)
+    return f"## {title}\n\nMeans over the poses.\n\n" + table(header, rows)
+
+
+def threads_section(data):
+    rows = []
+    for name, column in (("threads", "scene"), ("builds", "mesh")):
+        for what in in_order(data[name], column):
+            mine = select(data[name], **{column: what})
+            ratios = [float(row["ratio"]) for row in mine]
+            rows.append([what, "queries" if name == "threads" else "build",
+                         *(show(statistics.median(float(row[c]) for row in mine))
+                           for c in ("seconds_1", "seconds_2")),
+                         show(statistics.median(ratios)), show(max(ratios))])
+    return "## Two threads\n\n" + table(
+        ["what", "", "seconds, 1 thread", "2 threads", "ratio, median", "best of the pairs"], rows)
+
+
+def main():
+    folder = sys.argv[1]
+    names = ("machine", "scenes", "engines", "threads", "builds")
+    data = {name: read(folder, name) for name in names}
+    print("# Ours and the peers\n")
+    print("Made by `bench/peers/run`; README.md beside it says what the columns mean.\n")
+    print(table(["machine", ""], [[row["what"], row["value"]] for row in data["machine"]]))
+    print(figures_section(data))
+    print(scenes_section(data))
+    print(disagreements_section(data))
+    print(work_section(data))
+    print(scaling_section(data, "size", "Time against triangles", "triangles"))
+    print(scaling_section(data, "depth", "Time against depth", "depth, % of B's diagonal"))
+    print(threads_section(data))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,213 @@
+#include "bench/peers/scenes.hpp"
+
+#include "bench/accuracy/sources.hpp"
+#include "bench/scenarios/sheet.hpp"
+#include "bench/scenarios/vehicle.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/geometry/aabb.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/tree/build.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace cd::bench {
+
+namespace {
+
+using MeshPointer = std::shared_ptr<const Mesh>;
+
+/// A line a pose of B in A's frame: nine numbers of the matrix, row by row, then the translation.
+std::vector<PosePair> read_poses(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::vector<PosePair> poses;
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream stream(line);
+        const std::vector<double> n(std::istream_iterator<double>(stream), {});
+        if (n.size() != 12) {
+            throw std::runtime_error(path.string() + ": not 12 numbers a line");
+        }
+        Mat3 rotation;
+        rotation << n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8];
+        poses.push_back({Pose{}, Pose::from_matrix(rotation, {n[9], n[10], n[11]})});
+    }
+    return poses;
+}
+
+std::vector<PosePair> spread(const std::vector<PosePair>& all, std::size_t count) {
+    const std::size_t kept = std::min(count, all.size());
+    std::vector<PosePair> poses;
+    for (std::size_t i = 0; i < kept; ++i) {
+        poses.push_back(all[i * all.size() / kept]);
+    }
+    return poses;
+}
+
+struct Depths {
+    double min = 0.005;
+    double max = 0.05;
+};
+
+std::vector<PosePair>
+penetrating(const MeshPointer& a, const MeshPointer& b, std::size_t count, const Depths& depths) {
+    ThreadPool pool;
+    RandomPoses random;
+    random.count = count;
+    random.penetration_min = depths.min;
+    random.penetration_max = depths.max;
+    const ObbTree tree_a = build_tree(a, {}, pool);
+    const ObbTree tree_b = build_tree(b, {}, pool);
+    std::vector<PosePair> poses;
+    for (const Scenario& scenario : make_random_poses(random, tree_a, tree_b, pool)) {
+        poses.push_back(scenario.poses);
+    }
+    return poses;
+}
+
+/// A wheel with its axle along y in its own place, but turned about the axle, tilted a little and
+/// moved a little: its lugs lie in its own grooves, and surface lies along surface.
+std::vector<PosePair> nested(const Mesh& wheel, std::size_t count) {
+    const Aabb box = bounding_box(wheel.vertices());
+    std::mt19937_64 draw(1);
+    std::vector<PosePair> poses;
+    for (std::size_t i = 0; i < count; ++i) {
+        // The quaternion of a turn holds half the angle.
+        const auto [c, s] = circle_point(0.5 * tests::uniform(draw, 0, 1));
+        const double tilt_x = tests::uniform(draw, -0.01, 0.01);
+        const double tilt_z = tests::uniform(draw, -0.01, 0.01);
+        const Quaternion turn = Quaternion{1, tilt_x, 0, tilt_z} * Quaternion{c, 0, s, 0};
+        const Vec3 moved = tests::random_point(draw, 0.005 * box.diagonal());
+        const Vec3 turned = Pose::from_quaternion(turn, Vec3::Zero()).apply(box.center());
+        poses.push_back({Pose{}, Pose::from_quaternion(turn, box.center() - turned + moved)});
+    }
+    return poses;
+}
+
+struct Couple {
+    const char* name;
+    Model a;
+    Model b;
+    const char* poses = nullptr; ///< A file; generated without one.
+};
+
+constexpr double inch = 0.0254;
+constexpr std::array couples{
+    Couple{"drivaer x sedan", {"drivaer_fastback.ply"}, {"sedan.obj"}, "drivaer_sedan.scen"},
+    Couple{"sedan x sedan", {"sedan.obj"}, {"sedan.obj"}, "sedan_sedan.scen"},
+    Couple{
+        "drivaer near sedan", {"drivaer_fastback.ply"}, {"sedan.obj"}, "drivaer_sedan_near.scen"},
+    Couple{"m113 x sedan", {"m113_apc.glb"}, {"sedan.obj"}},
+    Couple{"motorbike x motorbike", {"motorbike.ply"}, {"motorbike.ply"}},
+    Couple{"bunny x bunny", {"stanford_bunny.ply"}, {"stanford_bunny.ply"}},
+    Couple{"hatchback x toy truck", {"hatchback.obj", inch}, {"toy_truck.glb"}},
+};
+
+std::optional<Scene> load_couple(const Couple& couple, const SceneOptions& options) {
+    const auto a = load_model(options.models, couple.a);
+    const auto b = load_model(options.models, couple.b);
+    if (!a || !b) {
+        return std::nullopt;
+    }
+    Scene scene{"scenes", couple.name, a, b, {}};
+    if (couple.poses == nullptr) {
+        scene.poses = penetrating(a, b, options.poses, {});
+    } else {
+        const std::filesystem::path path = options.scenarios / couple.poses;
+        scene.poses = spread(read_poses(path), options.poses);
+        if (scene.poses.empty()) {
+            std::fprintf(stderr, "MISSING: %s; its scene is left out\n", path.c_str());
+            return std::nullopt;
+        }
+    }
+    return scene;
+}
+
+std::optional<Scene> load_wheel(const SceneOptions& options) {
+    const auto wheel = load_model(options.models, {"lugged_wheel.obj"});
+    if (!wheel) {
+        return std::nullopt;
+    }
+    return Scene{"scenes", "wheel in its grooves", wheel, wheel, nested(*wheel, options.poses)};
+}
+
+struct Generated {
+    MeshPointer truck;
+    MeshPointer car;
+};
+
+Generated generate(std::uint64_t triangles) {
+    return {make_vehicle(VehicleKind::Truck, triangles),
+            make_vehicle(VehicleKind::Car, triangles * 3 / 10)};
+}
+
+/// Of one size, so that every size is tested in the same poses.
+constexpr std::uint64_t posing_triangles = 30000;
+
+Scene generated_scene(std::string suite,
+                      std::string name,
+                      std::uint64_t triangles,
+                      std::size_t poses,
+                      const Depths& depths) {
+    const Generated posed = generate(posing_triangles);
+    Scene scene{std::move(suite), std::move(name), nullptr, nullptr, {}};
+    scene.poses = penetrating(posed.truck, posed.car, poses, depths);
+    const Generated vehicles = generate(triangles);
+    scene.a = vehicles.truck;
+    scene.b = vehicles.car;
+    return scene;
+}
+
+void add_sizes(const SceneOptions& options, std::vector<SceneSource>& sources) {
+    for (std::uint64_t decade = 1000; decade <= options.size_max; decade *= 10) {
+        for (const std::uint64_t triangles : {decade, 3 * decade}) {
+            if (triangles > options.size_max) {
+                break;
+            }
+            const std::string name = "truck of " + std::to_string(triangles);
+            sources.push_back({"size", name, 1.3 * static_cast<double>(triangles), [=] {
+                                   return generated_scene(
+                                       "size", name, triangles, options.scaling_poses, {});
+                               }});
+        }
+    }
+}
+
+void add_depths(const SceneOptions& options, std::vector<SceneSource>& sources) {
+    const std::uint64_t triangles = std::min<std::uint64_t>(100000, options.vehicle_triangles);
+    for (const double depth : {0.001, 0.003, 0.01, 0.03, 0.1, 0.3}) {
+        std::ostringstream name;
+        name << "truck x car, depth " << depth;
+        sources.push_back({"depth", name.str(), depth, [=, name = name.str()] {
+                               return generated_scene(
+                                   "depth", name, triangles, options.scaling_poses, {depth, depth});
+                           }});
+    }
+}
+
+} // namespace
+
+std::vector<SceneSource> scene_sources(const SceneOptions& options) {
+    std::vector<SceneSource> sources;
+    for (const Couple& couple : couples) {
+        sources.push_back({"scenes", couple.name, 0, [=] { return load_couple(couple, options); }});
+    }
+    sources.push_back({"scenes", "wheel in its grooves", 0, [=] { return load_wheel(options); }});
+    sources.push_back(
+        {"scenes", "truck x car", 0, [=] {
+             return generated_scene(
+                 "scenes", "truck x car", options.vehicle_triangles, options.poses, {});
+         }});
+    add_sizes(options, sources);
+    add_depths(options, sources);
+    return sources;
+}
+
+} // namespace cd::bench

@@ -1,0 +1,208 @@
+#include "bench/peers/tables.hpp"
+
+#include "bench/accuracy/timing.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+namespace cd::bench {
+
+namespace {
+
+/// Nothing for what there is not.
+std::string known(double value, bool is_known) {
+    return is_known ? cell(value) : std::string();
+}
+
+std::string micros(const std::vector<double>& seconds, double (*of)(std::vector<double>)) {
+    return seconds.empty() ? std::string() : cell(1e6 * of(seconds));
+}
+
+double mean(std::vector<double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// The smallest value that at least 95 of 100 do not exceed.
+double p95(std::vector<double> values) {
+    const std::size_t place = (95 * values.size() + 99) / 100 - 1;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(place);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+/// The median over the poses of how many times as long one takes as the other.
+std::string median_ratio(const Heat& heat, const Heat& ours) {
+    if (heat.pose_seconds.empty() || ours.pose_seconds.empty()) {
+        return {};
+    }
+    std::vector<double> ratios;
+    for (std::size_t p = 0; p < heat.pose_seconds.size(); ++p) {
+        ratios.push_back(heat.pose_seconds[p] / ours.pose_seconds[p]);
+    }
+    return cell(median(ratios));
+}
+
+std::string ending_of(const Heat& heat) {
+    return heat.took_part ? std::string(to_text(heat.ending)) : std::string();
+}
+
+std::vector<std::string> cells_of_pairs(const Outcome& outcome, const Outcome& ours) {
+    const Heat& heat = outcome.pairs;
+    const auto count = [&](std::uint64_t n) { return heat.took_part ? cell(n) : std::string(); };
+    return {ending_of(heat),
+            count(outcome.pairs_found),
+            count(outcome.missing),
+            count(outcome.extra),
+            count(outcome.judged),
+            count(outcome.ours_wrong),
+            cell(std::uint64_t{heat.rounds}),
+            micros(heat.pose_seconds, median),
+            micros(heat.pose_seconds, p95),
+            micros(heat.pose_seconds, mean),
+            median_ratio(heat, ours.pairs)};
+}
+
+std::vector<std::string>
+cells_of_any(const Outcome& outcome, const Outcome& ours, std::size_t poses) {
+    const Heat& heat = outcome.any;
+    const bool has_best = heat.passes > 0;
+    return {ending_of(heat),
+            heat.rounds > 0 ? cell(outcome.wrong_any) : std::string(),
+            cell(std::uint64_t{heat.passes}),
+            known(1e6 * heat.pass_seconds / static_cast<double>(poses), has_best),
+            known(heat.pass_seconds / ours.any.pass_seconds, has_best && ours.any.passes > 0),
+            micros(heat.pose_seconds, median),
+            micros(heat.pose_seconds, p95),
+            micros(heat.pose_seconds, mean),
+            median_ratio(heat, ours.any)};
+}
+
+std::vector<std::string> cells_of_load(const Outcome& outcome, const Scene& scene) {
+    const auto triangles =
+        static_cast<double>(scene.a->triangles().size() + scene.b->triangles().size());
+    const auto each = [&](std::uint64_t bytes) {
+        return known(static_cast<double>(bytes) / triangles, bytes > 0);
+    };
+    const auto pose_mean = [&](std::uint64_t sum) {
+        return known(static_cast<double>(sum) / static_cast<double>(scene.poses.size()), sum > 0);
+    };
+    return {known(1e3 * outcome.build_seconds, outcome.build_seconds > 0),
+            each(outcome.memory_bytes),
+            each(outcome.resident_bytes),
+            pose_mean(outcome.box_tests),
+            pose_mean(outcome.triangle_tests)};
+}
+
+void add_scene(CsvFile& csv,
+               const SceneSource& source,
+               const Scene& scene,
+               const Reference& reference) {
+    std::vector<double> counts;
+    std::uint64_t touching = 0;
+    std::uint64_t pairs = 0;
+    for (std::size_t p = 0; p < reference.pose_count(); ++p) {
+        const std::uint64_t count = reference.pair_count(p);
+        counts.push_back(static_cast<double>(count));
+        pairs += count;
+        touching += count > 0 ? 1u : 0u;
+    }
+    csv.row({source.suite,
+             source.name,
+             cell(source.x),
+             cell(std::uint64_t{scene.a->triangles().size()}),
+             cell(std::uint64_t{scene.b->triangles().size()}),
+             cell(std::uint64_t{scene.poses.size()}),
+             cell(touching),
+             cell(pairs),
+             cell(median(counts))});
+}
+
+void add_poses(CsvFile& csv,
+               const SceneSource& source,
+               const Reference& reference,
+               const Outcome& outcome) {
+    for (std::size_t p = 0; p < reference.pose_count(); ++p) {
+        const auto time = [&](const Heat& heat) {
+            return heat.pose_seconds.empty() ? std::string() : cell(1e6 * heat.pose_seconds[p]);
+        };
+        csv.row({source.suite,
+                 source.name,
+                 outcome.engine->name,
+                 cell(std::uint64_t{p}),
+                 cell(reference.pair_count(p)),
+                 time(outcome.pairs),
+                 time(outcome.any)});
+    }
+}
+
+} // namespace
+
+Tables::Tables(const std::filesystem::path& folder)
+    : scenes(folder / "scenes.csv",
+             {"suite",
+              "scene",
+              "x",
+              "triangles_a",
+              "triangles_b",
+              "poses",
+              "poses_touching",
+              "pairs",
+              "pairs_median"}),
+      engines(folder / "engines.csv",
+              {"suite",
+               "scene",
+               "x",
+               "engine",
+               "ours",
+               "build_ms",
+               "bytes_triangle",
+               "resident_bytes_triangle",
+               "box_tests",
+               "triangle_tests",
+               "ending",
+               "pairs_found",
+               "missing",
+               "extra",
+               "judged",
+               "ours_wrong",
+               "rounds",
+               "median_us",
+               "p95_us",
+               "mean_us",
+               "ratio",
+               "any_ending",
+               "any_wrong",
+               "any_passes",
+               "any_best_us",
+               "any_best_ratio",
+               "any_median_us",
+               "any_p95_us",
+               "any_mean_us",
+               "any_ratio"}),
+      poses(folder / "poses.csv",
+            {"suite", "scene", "engine", "pose", "pairs", "all_us", "any_us"}) {}
+
+void Tables::add(const SceneSource& source,
+                 const Scene& scene,
+                 const Reference& reference,
+                 std::span<const Outcome> outcomes) {
+    add_scene(scenes, source, scene, reference);
+    for (const Outcome& outcome : outcomes) {
+        std::vector<std::string> row{source.suite,
+                                     source.name,
+                                     cell(source.x),
+                                     outcome.engine->name,
+                                     outcome.engine->is_ours ? "yes" : "no"};
+        const Outcome& ours = outcomes.front();
+        for (const auto& cells : {cells_of_load(outcome, scene),
+                                  cells_of_pairs(outcome, ours),
+                                  cells_of_any(outcome, ours, scene.poses.size())}) {
+            row.insert(row.end(), cells.begin(), cells.end());
+        }
+        engines.row(row);
+        add_poses(poses, source, reference, outcome);
+    }
+}
+
+} // namespace cd::bench
