@@ -86,13 +86,23 @@ struct PlyVertices {
     std::uint64_t lines_before = 0;
     std::uint64_t count = 0;
     std::vector<bool> is_coordinate; ///< Of each word of a vertex' line.
+    bool are_described = false;      ///< By the properties that follow in the header.
+
+    void begin_element(const std::string& name, std::uint64_t lines) {
+        const bool is_before = is_coordinate.empty() && !are_described;
+        are_described = name == "vertex";
+        if (are_described) {
+            count += lines;
+        } else if (is_before) {
+            lines_before += lines;
+        }
+    }
 };
 
 /// Nothing for a binary file, or one whose vertices hold lists. Leaves the header behind.
 std::optional<PlyVertices> read_ply_header(std::istream& in, std::uint64_t& number) {
     PlyVertices vertices;
     bool is_text = false;
-    bool of_vertex = false;
     std::string line;
     while (std::getline(in, line)) {
         ++number;
@@ -104,12 +114,8 @@ std::optional<PlyVertices> read_ply_header(std::istream& in, std::uint64_t& numb
         if (keyword == "format") {
             is_text = second == "ascii";
         } else if (keyword == "element") {
-            const bool before = vertices.is_coordinate.empty() && !of_vertex;
-            of_vertex = second == "vertex";
-            if (of_vertex || before) {
-                (of_vertex ? vertices.count : vertices.lines_before) += to_whole(third).value_or(0);
-            }
-        } else if (keyword == "property" && of_vertex) {
+            vertices.begin_element(second, to_whole(third).value_or(0));
+        } else if (keyword == "property" && vertices.are_described) {
             if (second == "list") {
                 return std::nullopt;
             }
