@@ -162,8 +162,11 @@ class OdeMeshEngine final : public MeshEngine {
         if (level >= Level::Pairs) {
             for (int i = 0; i < count; ++i) {
                 const dContactGeom& contact = contacts_[static_cast<std::size_t>(i)];
-                answer.pairs.emplace_back(static_cast<std::uint32_t>(contact.side1),
-                                          static_cast<std::uint32_t>(contact.side2));
+                // Contacts that it has merged name no triangles.
+                if (contact.side1 >= 0 && contact.side2 >= 0) {
+                    answer.pairs.emplace_back(static_cast<std::uint32_t>(contact.side1),
+                                              static_cast<std::uint32_t>(contact.side2));
+                }
             }
         }
         return answer;

@@ -150,6 +150,22 @@ def scaling_section(data, suite, title, name):
     return f"## {title}\n\nMeans over the poses.\n\n" + table(header, rows)
 
 
+def contacts_section(data):
+    """All poses of all scenes in which an engine was timed, by their numbers of contacts."""
+    bins = [("0", 0, 1)] + [(f"{show(10**k)} to {show(10**(k + 1) - 1)}", 10**k, 10**(k + 1))
+                            for k in range(6)]
+    rows = []
+    for name, low, high in bins:
+        times = [[number(row, "all_us") for row in select(data["poses"], engine=engine)
+                  if row["all_us"] and low <= number(row, "pairs") < high]
+                 for engine in (OURS, FCL_FLOAT, FCL_DOUBLE)]
+        if times[0]:
+            rows.append([name, show(len(times[0])),
+                         *(show(statistics.median(each)) if each else "" for each in times)])
+    return "## Time against contacts\n\nMedians over the poses of all scenes, us for all pairs.\n\n" \
+        + table(["contacts", "poses", OURS, FCL_FLOAT, FCL_DOUBLE], rows)
+
+
 def threads_section(data):
     rows = []
     for name, column in (("threads", "scene"), ("builds", "mesh")):
@@ -166,7 +182,7 @@ def threads_section(data):
 
 def main():
     folder = sys.argv[1]
-    names = ("machine", "scenes", "engines", "threads", "builds")
+    names = ("machine", "scenes", "engines", "poses", "threads", "builds")
     data = {name: read(folder, name) for name in names}
     print("# Ours and the peers\n")
     print("Made by `bench/peers/run`; README.md beside it says what the columns mean.\n")
@@ -176,6 +192,7 @@ def main():
     print(disagreements_section(data))
     print(work_section(data))
     print(scaling_section(data, "size", "Time against triangles", "triangles"))
+    print(contacts_section(data))
     print(scaling_section(data, "depth", "Time against depth", "depth, % of B's diagonal"))
     print(threads_section(data))
 

@@ -36,7 +36,8 @@ def draw_bars(axes, engines, column, title):
     axes.set_ylabel("us a pose")
     axes.set_title(title, fontsize=9)
     axes.grid(True, axis="y", which="major", linewidth=0.3)
-    axes.legend(fontsize=6, ncol=3)
+    axes.set_ylim(top=10 * axes.get_ylim()[1])  # Room for the names.
+    axes.legend(fontsize=6, ncol=5, loc="upper center")
 
 
 def draw_peers(folder, engines):
@@ -75,12 +76,14 @@ def draw_contacts(axes, poses):
     axes.legend(fontsize=6)
 
 
-def draw_scaling(folder, engines, poses):
+def draw_scaling(folder, scenes, engines, poses):
     size = select(engines, suite="size")
     depth = select(engines, suite="depth")
+    counts = {row["scene"]: number(row, "triangles_a") + number(row, "triangles_b")
+              for row in select(scenes, suite="size")}
 
     def triangles(row):
-        return number(row, "x")
+        return counts[row["scene"]]
 
     figure, axes = plt.subplots(2, 3, figsize=(15, 8.5))
     count = "triangles of both bodies"
@@ -99,7 +102,7 @@ def main():
     folder = sys.argv[1]
     engines = read(folder, "engines")
     draw_peers(folder, engines)
-    draw_scaling(folder, engines, read(folder, "poses"))
+    draw_scaling(folder, read(folder, "scenes"), engines, read(folder, "poses"))
 
 
 if __name__ == "__main__":
