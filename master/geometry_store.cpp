@@ -135,7 +135,9 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::build(std::shared_p
                                                                    double& seconds) {
     const auto start = std::chrono::steady_clock::now();
     const Sha256 hash = mesh->hash();
-    auto tree = std::make_shared<const ObbTree>(build_tree(std::move(mesh), BuildOptions{}, pool));
+    BuildOptions options;
+    options.prepare_search = false; // The workers do.
+    auto tree = std::make_shared<const ObbTree>(build_tree(std::move(mesh), options, pool));
     seconds = seconds_since(start);
     spdlog::info("tree built: mesh={} triangles={} seconds={:.3f}",
                  to_short_hex(hash),

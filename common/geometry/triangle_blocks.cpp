@@ -36,19 +36,17 @@ Corners TriangleBlocks::corners_at(std::uint32_t place) const {
 }
 
 TriangleBlockArrays::TriangleBlockArrays(Precision precision) : precision_(precision) {
-    precision_ == Precision::Float ? floats_.push_back(0) : doubles_.push_back(0);
+    precision_ == Precision::Float ? floats_.resize(spare, 0) : doubles_.resize(spare, 0);
 }
 
 void TriangleBlockArrays::add_vertex(const Vec3& vertex) {
-    // In place of the unused number, which follows anew.
-    if (precision_ == Precision::Float) {
-        floats_.back() = static_cast<float>(vertex.x());
-        floats_.insert(floats_.end(),
-                       {static_cast<float>(vertex.y()), static_cast<float>(vertex.z()), 0});
-    } else {
-        doubles_.back() = vertex.x();
-        doubles_.insert(doubles_.end(), {vertex.y(), vertex.z(), 0});
-    }
+    const auto put = [&](auto& to) {
+        using T = typename std::decay_t<decltype(to)>::value_type;
+        to.insert(
+            to.end() - spare,
+            {static_cast<T>(vertex.x()), static_cast<T>(vertex.y()), static_cast<T>(vertex.z())});
+    };
+    precision_ == Precision::Float ? put(floats_) : put(doubles_);
     reach_ = std::max(reach_, vertex.cwiseAbs().maxCoeff());
 }
 
@@ -57,9 +55,7 @@ std::uint32_t TriangleBlockArrays::add(std::span<const Triangle> triangles,
                                        std::span<const Vec3> vertices) {
     CD_CHECK(!triangles.empty() && triangles.size() <= block_size);
     CD_CHECK(ids.size() == triangles.size());
-    const auto block = static_cast<std::uint32_t>(vertex_begin_.size());
-    const std::size_t first = (floats_.size() + doubles_.size() - 1) / 3;
-    vertex_begin_.push_back(static_cast<std::uint32_t>(first));
+    const auto block = static_cast<std::uint32_t>(vertex_begin_.size() - 1);
     std::array<std::uint32_t, 3 * block_size> known;
     std::uint8_t known_count = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -77,13 +73,13 @@ std::uint32_t TriangleBlockArrays::add(std::span<const Triangle> triangles,
         corners_.push_back(places);
         ids_.push_back(ids[i]);
     }
+    vertex_begin_.push_back(vertex_begin_.back() + known_count);
     corners_.resize(std::size_t{block_size} * (block + 1), BlockCorners{});
     ids_.resize(corners_.size(), 0);
     return block;
 }
 
 TriangleBlocks TriangleBlockArrays::view() const {
-    // The number that is not used is no vertex, but the views end with it.
     return {precision_ == Precision::Float ? std::span<const float>(floats_)
                                            : std::span<const float>(),
             precision_ == Precision::Double ? std::span<const double>(doubles_)

@@ -6,6 +6,7 @@
 #include "common/geometry/types.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,11 +23,12 @@ using BlockCorners = std::array<std::uint8_t, 4>;
 /// Blocks of a body's triangles in its own coordinates, wherever the arrays live. A triangle is
 /// named by its place.
 struct TriangleBlocks {
-    /// Three coordinates a vertex, in one of these, as the mesh's precision says. One number that
-    /// is not used follows the last, so that four may be read at once.
+    /// Three coordinates a vertex, in one of these, as the mesh's precision says. After the last
+    /// come some numbers that mean nothing: as many as a block can have may be read from any vertex
+    /// on.
     std::span<const float> floats;
     std::span<const double> doubles;
-    std::span<const std::uint32_t> vertex_begin; ///< The first vertex of each block.
+    std::span<const std::uint32_t> vertex_begin; ///< The first vertex of each block, and the end.
     std::span<const BlockCorners> corners;       ///< Of each place.
     std::span<const std::uint32_t> ids; ///< Of each place: the triangle's place in its mesh.
     double reach = 0;                   ///< No coordinate is larger.
@@ -53,10 +55,12 @@ class TriangleBlockArrays {
   private:
     void add_vertex(const Vec3& vertex);
 
+    static constexpr std::ptrdiff_t spare = 3 * 3 * block_size; ///< Numbers after the last vertex.
+
     Precision precision_;
     std::vector<float> floats_;
     std::vector<double> doubles_;
-    std::vector<std::uint32_t> vertex_begin_;
+    std::vector<std::uint32_t> vertex_begin_ = {0};
     std::vector<BlockCorners> corners_;
     std::vector<std::uint32_t> ids_;
     double reach_ = 0;

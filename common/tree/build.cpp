@@ -236,7 +236,11 @@ build_tree(std::shared_ptr<const Mesh> mesh, const BuildOptions& options, Thread
     Builder builder(*mesh, options, pool);
     builder.build();
     analysed.wait();
-    return {std::move(mesh), builder.assemble(), builder.triangle_ids(), std::move(topology)};
+    ObbTree tree(std::move(mesh), builder.assemble(), builder.triangle_ids(), std::move(topology));
+    if (options.prepare_search) {
+        tree.prepare_search();
+    }
+    return tree;
 }
 
 } // namespace cd

@@ -24,6 +24,7 @@ struct BuildOptions {
     SplitRule rule = SplitRule::Quarter;
     /// Two measured fastest on vehicles; one costs half as much memory again for the same time.
     std::uint32_t leaf_triangles_max = 2;
+    bool prepare_search = true; ///< ObbTree::prepare_search. False: for who cuts and sends it only.
 };
 
 /// The same tree for any number of threads. Near n log n with the quarter rule; needs no stack

@@ -1,6 +1,7 @@
 #include "common/tree/obb_tree.hpp"
 
 #include "common/core/check.hpp"
+#include "common/tree/wide_tree.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -24,7 +25,12 @@ ObbTree::ObbTree(std::shared_ptr<const Mesh> mesh,
 }
 
 TreeView ObbTree::view() const {
-    return {nodes_, mesh_->vertices(), triangles_, triangle_ids_};
+    return {
+        nodes_, mesh_->vertices(), triangles_, triangle_ids_, wide_ ? wide_->view() : WideView()};
+}
+
+void ObbTree::prepare_search() {
+    wide_ = std::make_shared<const WideTree>(view());
 }
 
 std::uint32_t ObbTree::depth() const {
@@ -44,7 +50,7 @@ std::uint32_t ObbTree::depth() const {
 std::uint64_t ObbTree::memory_bytes() const {
     return nodes_.capacity() * sizeof(ObbNode) + triangle_ids_.capacity() * sizeof(std::uint32_t) +
            triangles_.capacity() * sizeof(Triangle) + mesh_->vertices().size() * sizeof(Vec3) +
-           mesh_->triangles().size() * sizeof(Triangle);
+           mesh_->triangles().size() * sizeof(Triangle) + (wide_ ? wide_->memory_bytes() : 0);
 }
 
 } // namespace cd

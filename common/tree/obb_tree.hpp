@@ -3,6 +3,7 @@
 
 #include "common/geometry/mesh.hpp"
 #include "common/geometry/topology.hpp"
+#include "common/tree/wide_node.hpp"
 
 #include <array>
 #include <cstdint>
@@ -41,7 +42,10 @@ struct TreeView {
     std::span<const Vec3> vertices;
     std::span<const Triangle> triangles;
     std::span<const std::uint32_t> triangle_ids; ///< Places in the mesh.
+    WideView wide = {};                          ///< Of the same triangles; empty if not made.
 };
+
+class WideTree;
 
 /// An immutable tree with its triangles, shared freely between threads.
 class ObbTree {
@@ -58,6 +62,9 @@ class ObbTree {
     [[nodiscard]] std::span<const std::uint32_t> triangle_ids() const { return triangle_ids_; }
     [[nodiscard]] TreeView view() const;
 
+    /// Makes the wide tree, which searches need to be fast. Not while others use the tree.
+    void prepare_search();
+
     [[nodiscard]] std::uint32_t depth() const; ///< Edges on the longest way down.
     [[nodiscard]] std::uint64_t memory_bytes() const;
 
@@ -67,6 +74,7 @@ class ObbTree {
     std::vector<std::uint32_t> triangle_ids_;
     std::vector<Triangle> triangles_; ///< In tree order.
     Topology topology_;
+    std::shared_ptr<const WideTree> wide_; ///< Null until searches were prepared.
 };
 
 } // namespace cd

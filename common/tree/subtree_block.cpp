@@ -3,6 +3,7 @@
 #include "common/core/check.hpp"
 #include "common/core/varint.hpp"
 #include "common/tree/node_check.hpp"
+#include "common/tree/wide_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -361,13 +362,17 @@ Subtree::Subtree(std::vector<ObbNode> nodes,
 }
 
 TreeView Subtree::view() const {
-    return {nodes_, vertices_, triangles_, triangle_ids_};
+    return {nodes_, vertices_, triangles_, triangle_ids_, wide_ ? wide_->view() : WideView()};
+}
+
+void Subtree::prepare_search() {
+    wide_ = std::make_shared<const WideTree>(view());
 }
 
 std::uint64_t Subtree::memory_bytes() const {
     return sizeof(Subtree) + nodes_.capacity() * sizeof(ObbNode) +
            vertices_.capacity() * sizeof(Vec3) + triangles_.capacity() * sizeof(Triangle) +
-           triangle_ids_.capacity() * sizeof(std::uint32_t);
+           triangle_ids_.capacity() * sizeof(std::uint32_t) + (wide_ ? wide_->memory_bytes() : 0);
 }
 
 Subtree extract_subtree(const ObbTree& tree, std::uint32_t node) {

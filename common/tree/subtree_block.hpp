@@ -22,6 +22,8 @@ class Subtree {
             std::vector<std::uint32_t> triangle_ids);
 
     [[nodiscard]] TreeView view() const;
+    /// Makes the wide tree, which searches need to be fast. Not while others use the subtree.
+    void prepare_search();
     [[nodiscard]] std::uint64_t memory_bytes() const;
 
   private:
@@ -29,6 +31,7 @@ class Subtree {
     std::vector<Vec3> vertices_;
     std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> triangle_ids_;
+    std::shared_ptr<const WideTree> wide_; ///< Null until searches were prepared.
 };
 
 /// The part of the tree under `node`, with each vertex that it uses once, numbered in the order of

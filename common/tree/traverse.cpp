@@ -29,6 +29,13 @@ TriangleSpan triangles_of(const TreeView& tree) {
     return {tree.vertices, tree.triangles};
 }
 
+Corners corners_of(const TriangleSpan& triangles, std::uint32_t place) {
+    return triangles.corners(place);
+}
+Corners corners_of(const TriangleBlocks& triangles, std::uint32_t place) {
+    return triangles.corners_at(place);
+}
+
 /// Half the diagonal.
 double radius_of(const ObbNode& node) {
     double sum = 0;
@@ -76,14 +83,16 @@ ContactSearch::ContactSearch(const PosePair& poses,
                              std::span<const IgnoredRange> ignored,
                              const SearchOptions& options)
     : boxes_(relative_pose(poses)),
+      descent_(relative_pose(poses)),
       ignored_(ignored),
       options_(options),
       stretch_(options.tolerance > 0 ? stretch_of(poses.a) : 1),
       test_(poses, options.first_stage) {}
 
 /// Whether to end the descent; asks only now and then.
-bool ContactSearch::must_stop() {
-    if (options_.stop && ++steps_unchecked_ >= steps_between_stop_checks) {
+bool ContactSearch::must_stop(std::uint32_t steps) {
+    steps_unchecked_ += steps;
+    if (options_.stop && steps_unchecked_ >= steps_between_stop_checks) {
         steps_unchecked_ = 0;
         is_stopped_ = options_.stop();
     }
@@ -102,7 +111,7 @@ bool ContactSearch::descend(const TreeView& a, const TreeView& b, const OnLeaves
     if (boxes_.may_overlap(a.nodes[0], posed)) {
         stack_.push_back({0, 0});
     }
-    while (!stack_.empty() && !must_stop()) {
+    while (!stack_.empty() && !must_stop(1)) {
         const NodePair now = stack_.back();
         stack_.pop_back();
         const ObbNode& node_a = a.nodes[now.a];
@@ -178,7 +187,35 @@ void ContactSearch::add_candidates(const TreeView& a, const TreeView& b, const N
     }
 }
 
-bool ContactSearch::any_candidate_touches(const TreeView& a, const TreeView& b) {
+bool ContactSearch::uses_wide(const TreeView& a, const TreeView& b) const {
+    return !a.wide.nodes.empty() && !b.wide.nodes.empty() && !(options_.tolerance > 0);
+}
+
+std::span<const Candidate>
+ContactSearch::next_candidates(const WideView& a, const WideView& b, std::size_t wanted) {
+    std::span<Candidate> found = descent_.next(wanted);
+    if (!ignored_.empty()) {
+        const auto rest = std::ranges::remove_if(found, [&](const Candidate& pair) {
+            return is_ignored(ignored_, a.triangles.ids[pair.a], b.triangles.ids[pair.b]);
+        });
+        found = found.first(found.size() - rest.size());
+    }
+    triangle_tests_ += found.size();
+    return found;
+}
+
+bool ContactSearch::any_in_wide(const WideView& a, const WideView& b) {
+    for (descent_.start(a, b); !descent_.is_done() && !is_stopped_;) {
+        const auto found = next_candidates(a, b, candidates_at_once_for_any);
+        if (test_.any_touch(a.triangles, b.triangles, found)) {
+            return true;
+        }
+        static_cast<void>(must_stop(steps_between_stop_checks));
+    }
+    return false;
+}
+
+bool ContactSearch::decide_any(const TreeView& a, const TreeView& b) {
     triangle_tests_ += candidates_.size();
     const bool touch = test_.any_touch(triangles_of(a), triangles_of(b), candidates_);
     candidates_.clear();
@@ -186,16 +223,23 @@ bool ContactSearch::any_candidate_touches(const TreeView& a, const TreeView& b) 
 }
 
 bool ContactSearch::any(const TreeView& a, const TreeView& b) {
+    if (uses_wide(a, b)) {
+        return any_in_wide(a.wide, b.wide);
+    }
     const bool touch = descend(a, b, [&](const NodePair& leaves) {
         add_candidates(a, b, leaves);
-        return candidates_.size() >= candidates_at_once_for_any && any_candidate_touches(a, b);
+        return candidates_.size() >= candidates_at_once_for_any && decide_any(a, b);
     });
-    return touch || any_candidate_touches(a, b);
+    return touch || decide_any(a, b);
 }
 
-void ContactSearch::decide_candidates(const TreeView& a, const TreeView& b) {
-    triangle_tests_ += candidates_.size();
-    const auto kinds = test_.classify(triangles_of(a), triangles_of(b), candidates_);
+template <class Triangles>
+void ContactSearch::add_contacts(const Triangles& a,
+                                 std::span<const std::uint32_t> ids_a,
+                                 const Triangles& b,
+                                 std::span<const std::uint32_t> ids_b,
+                                 std::span<const Candidate> candidates) {
+    const auto kinds = test_.classify(a, b, candidates);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (kinds[i] == PairClass::Separate) {
             continue;
@@ -205,21 +249,37 @@ void ContactSearch::decide_candidates(const TreeView& a, const TreeView& b) {
         if (!options_.keep_pairs) {
             continue;
         }
-        const Candidate& found = candidates_[i];
-        pairs_.push_back({a.triangle_ids[found.a], b.triangle_ids[found.b], kinds[i]});
+        const Candidate& found = candidates[i];
+        pairs_.push_back({ids_a[found.a], ids_b[found.b], kinds[i]});
         if (options_.keep_corners) {
-            corners_.push_back(
-                {triangles_of(a).corners(found.a), triangles_of(b).corners(found.b)});
+            corners_.push_back({corners_of(a, found.a), corners_of(b, found.b)});
         }
     }
-    candidates_.clear();
     // Seldom enough that sorting costs little beside finding.
     if (pairs_.size() / 2 > options_.pairs_max && pairs_.size() > kept_at_least) {
         sort();
     }
 }
 
+void ContactSearch::decide_candidates(const TreeView& a, const TreeView& b) {
+    triangle_tests_ += candidates_.size();
+    add_contacts(triangles_of(a), a.triangle_ids, triangles_of(b), b.triangle_ids, candidates_);
+    candidates_.clear();
+}
+
+void ContactSearch::collect_in_wide(const WideView& a, const WideView& b) {
+    for (descent_.start(a, b); !descent_.is_done() && !is_stopped_;) {
+        const auto found = next_candidates(a, b, candidates_at_once);
+        add_contacts(a.triangles, a.triangles.ids, b.triangles, b.triangles.ids, found);
+        static_cast<void>(must_stop(steps_between_stop_checks));
+    }
+}
+
 void ContactSearch::collect(const TreeView& a, const TreeView& b) {
+    if (uses_wide(a, b)) {
+        collect_in_wide(a.wide, b.wide);
+        return;
+    }
     descend(a, b, [&](const NodePair& leaves) {
         add_candidates(a, b, leaves);
         if (candidates_.size() >= candidates_at_once) {
@@ -257,7 +317,7 @@ void ContactSearch::sort() {
 }
 
 QueryStatistics ContactSearch::statistics() const {
-    return {box_tests_, triangle_tests_, test_.statistics()};
+    return {box_tests_ + descent_.box_tests(), triangle_tests_, test_.statistics()};
 }
 
 std::vector<ContactPair> contact_pairs(const ObbTree& a, const ObbTree& b, const PosePair& poses) {

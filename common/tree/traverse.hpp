@@ -5,6 +5,7 @@
 #include "common/geometry/triangle_pair.hpp"
 #include "common/tree/box_test.hpp"
 #include "common/tree/obb_tree.hpp"
+#include "common/tree/wide_descent.hpp"
 
 #include <compare>
 #include <cstdint>
@@ -71,7 +72,8 @@ struct SearchOptions {
 /// gathers in `pairs`, or is counted. Keeps scratch memory between calls; one thread at a time.
 ///
 /// The decision of a pair is exact and boxes never reject a touching pair, so what is found does
-/// not depend on how the trees were cut into subtrees.
+/// not depend on how the trees were cut into subtrees, nor on which trees are walked: the wide ones
+/// where both views have them and there is no tolerance, else the binary ones.
 class ContactSearch {
   public:
     /// `ignored` outlives the search.
@@ -117,13 +119,28 @@ class ContactSearch {
 
     template <class OnLeaves>
     bool descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves);
-    [[nodiscard]] bool must_stop();
+    [[nodiscard]] bool must_stop(std::uint32_t steps);
     [[nodiscard]] bool leave_undecided(const ObbNode& a, const ObbNode& b);
     void add_candidates(const TreeView& a, const TreeView& b, const NodePair& leaves);
-    [[nodiscard]] bool any_candidate_touches(const TreeView& a, const TreeView& b);
+    [[nodiscard]] bool decide_any(const TreeView& a, const TreeView& b);
     void decide_candidates(const TreeView& a, const TreeView& b);
+    [[nodiscard]] bool any_in_wide(const WideView& a, const WideView& b);
+    void collect_in_wide(const WideView& a, const WideView& b);
+    /// Whether both have wide trees, and these will do.
+    [[nodiscard]] bool uses_wide(const TreeView& a, const TreeView& b) const;
+    /// The next candidates of the wide trees, without those to be ignored.
+    [[nodiscard]] std::span<const Candidate>
+    next_candidates(const WideView& a, const WideView& b, std::size_t wanted);
+    /// Decides the candidates, whose triangles are a TriangleSpan's or TriangleBlocks.
+    template <class Triangles>
+    void add_contacts(const Triangles& a,
+                      std::span<const std::uint32_t> ids_a,
+                      const Triangles& b,
+                      std::span<const std::uint32_t> ids_b,
+                      std::span<const Candidate> candidates);
 
     BoxTest boxes_;
+    WideDescent descent_;
     std::span<const IgnoredRange> ignored_;
     SearchOptions options_;
     double stretch_; ///< Bounds how many times longer A's pose can make a vector.

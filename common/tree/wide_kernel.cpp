@@ -1,0 +1,488 @@
+// With o, p the origins of the nodes of A and B, F and G their frames (rows, floats, exact
+// numbers), R, t the true relative pose: x = R y + t holds of every point that both share. With
+// alpha = F (x - o) and beta = G (y - p),
+//     alpha = T + N beta,  beta = N^-1 (alpha - T),  N = F R G^-1,  T = F (R p + t - o).
+// A child's box bounds one of alpha and beta; what it makes of the other is an interval on each
+// axis. Children whose intervals are apart on any axis of either frame share no point.
+//
+// Bounds, with u = 2^-24, e = axes_error_max = 2 u, r = rotation_error, s = skew, w = R p + t - o,
+// |.| the sum of sizes, E the largest coordinates, 255 steps on each axis, of a node.
+// (1) w is formed in doubles: within abs = r |p| + translation_error + 2^-49 (|p| + |t| + |o|) in
+//     each component; as a float within u |w| more.
+// (2) T: three products with entries of at most 1.001, two sums: 5 u |w| + 1.8 abs.
+// (3) M for N: |G^-1 - G'| and so on as in box_test.cpp: 3.01 (r + e). R as floats, R G' and F (R
+// G')
+//     in floats: u, 3 u and 3 u, each times at most 3.03. Below 28 u + 3.01 r.
+// (4) M' for N^-1: the squares of N's singular values are within 6.1 e + 3.01 s of 1, so
+//     |N^-1 - M'| < 41 u + 3.1 (r + s). T' = -M' T then errs by 1.74 (41 u + 3.1 (r + s)) |w|,
+//     by 5.3 u for its own roundings, and by that of T: below 90 u |w| + 5.4 (r + s) |w| + 3.2 abs.
+// (5) An interval T + M (c +- h), divided by the steps: entries three roundings, c and h are whole,
+//     sums of four: within 12 u (1.74 |w| + 2 E).
+// (6) Together below 128 u (|w| + E_a + E_b) + 6 (r + s) (|w| + E_a + E_b) + 4 abs, on either side.
+// `margin` is that with its own few roundings covered. Relative errors that underflow break are
+// below a step's 2^-40 and so below the margin, which is at least 255 * 2^-17 steps.
+//
+// Overflow: coordinates of a wide tree are below 2^50, steps within [2^-80, 2^50]; t may be larger.
+// An infinite T with finite boxes is far away indeed; all else that overflows becomes NaN before it
+// is compared, since an infinite interval has an infinite centre and size. Comparisons with NaN do
+// not part.
+#include "common/tree/wide_kernel.hpp"
+
+#include "common/geometry/highway_targets.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "common/tree/wide_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cd {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// No more lanes than a node has children.
+using Floats = hn::CappedTag<float, wide_children_max>;
+using V = hn::Vec<Floats>;
+using M = hn::Mask<Floats>;
+using Row = hn::CappedTag<float, 4>;
+
+constexpr std::size_t lanes = hn::MaxLanes(Floats());
+constexpr std::size_t children = wide_children_max;
+constexpr float whole_steps = 255;
+
+/// The children of a node, or the node itself as the only one.
+struct Side {
+    const WideNode* node;
+    bool is_whole;
+    std::uint32_t first;
+    std::uint32_t count;
+};
+
+/// Intervals of a side's children on the three axes of a frame.
+struct Intervals {
+    alignas(64) float low[3][children];
+    alignas(64) float high[3][children];
+};
+
+/// How steps in one frame become steps in another: columns. Entries count half a step, for sums and
+/// differences of two bounds.
+struct Change {
+    alignas(16) float entries[3][4];
+    alignas(16) float sizes[3][4]; ///< Of the entries.
+    alignas(16) float offset[4];
+    alignas(16) float margin[4];
+};
+
+/// How lengths in a body's coordinates become steps in the other's frame: columns.
+struct Turn {
+    alignas(16) float entries[3][4];
+};
+
+HWY_INLINE V from_bytes(const WideNode::Bytes& bytes, std::size_t first) {
+    const hn::Rebind<std::uint8_t, Floats> d8;
+    const hn::RebindToSigned<Floats> di;
+    return hn::ConvertTo(Floats(), hn::PromoteTo(di, hn::LoadU(d8, bytes.data() + first)));
+}
+
+/// The bounds of a lane's children on axis `k` of their own frame, in steps.
+HWY_INLINE V low_of(const Side& side, std::size_t k, std::size_t lane) {
+    return side.is_whole ? hn::Zero(Floats()) : from_bytes(side.node->low[k], lane);
+}
+HWY_INLINE V high_of(const Side& side, std::size_t k, std::size_t lane) {
+    return side.is_whole ? hn::Set(Floats(), whole_steps) : from_bytes(side.node->high[k], lane);
+}
+
+HWY_INLINE std::uint32_t bits_of(M mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(Floats(), mask, bytes);
+    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+
+/// Where the other node sees the children; which of them may reach into its whole box.
+HWY_INLINE std::uint32_t see(const Side& side, const Change& change, Intervals& seen) {
+    const Floats d;
+    const V end = hn::Set(d, whole_steps);
+    std::uint32_t found = 0;
+    for (std::size_t lane = 0; lane < side.count; lane += lanes) {
+        const V low[3] = {low_of(side, 0, lane), low_of(side, 1, lane), low_of(side, 2, lane)};
+        const V high[3] = {high_of(side, 0, lane), high_of(side, 1, lane), high_of(side, 2, lane)};
+        const V middle[3] = {
+            hn::Add(low[0], high[0]), hn::Add(low[1], high[1]), hn::Add(low[2], high[2])};
+        const V size[3] = {
+            hn::Sub(high[0], low[0]), hn::Sub(high[1], low[1]), hn::Sub(high[2], low[2])};
+        M apart = hn::FirstN(d, 0);
+        for (std::size_t k = 0; k < 3; ++k) {
+            V at = hn::Set(d, change.offset[k]);
+            V reach = hn::Set(d, change.margin[k]);
+            for (std::size_t c = 0; c < 3; ++c) {
+                at = hn::MulAdd(hn::Set(d, change.entries[c][k]), middle[c], at);
+                reach = hn::MulAdd(hn::Set(d, change.sizes[c][k]), size[c], reach);
+            }
+            const V from = hn::Sub(at, reach);
+            const V to = hn::Add(at, reach);
+            hn::Store(from, d, seen.low[k] + lane);
+            hn::Store(to, d, seen.high[k] + lane);
+            apart = hn::Or(apart, hn::Or(hn::Gt(from, end), hn::Lt(to, hn::Zero(d))));
+        }
+        found |= bits_of(hn::Not(apart)) << lane;
+    }
+    return found & ((1u << side.count) - 1);
+}
+
+#if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 32
+
+/// Too few lanes to look corners up in registers.
+constexpr std::uint32_t vertices_max = 0;
+
+HWY_INLINE std::uint32_t see_triangles(
+    const WideBody&, const Side& side, const Turn&, const Change& change, Intervals& seen) {
+    return see(side, change, seen);
+}
+
+#else
+
+/// The most vertices of a block whose triangles are seen corner by corner: two vectors of sixteen
+/// lanes hold as many of one coordinate, or two of eight half as many.
+constexpr std::uint32_t vertices_max = 2 * lanes;
+
+/// From a table of `vertices_max` numbers.
+HWY_INLINE V look_up(V first, V second, hn::Vec<hn::RebindToSigned<Floats>> index) {
+    const Floats d;
+    const hn::RebindToSigned<Floats> di;
+    const auto lane = hn::IndicesFromVec(d, hn::And(index, hn::Set(di, int{lanes} - 1)));
+    const auto is_first = hn::RebindMask(d, hn::Lt(index, hn::Set(di, int{lanes})));
+    return hn::IfThenElse(
+        is_first, hn::TableLookupLanes(first, lane), hn::TableLookupLanes(second, lane));
+}
+
+/// As `see`, with intervals around the triangles themselves instead of around their boxes.
+HWY_INLINE std::uint32_t see_triangles(const WideBody& body,
+                                       const Side& side,
+                                       const Turn& turn,
+                                       const Change& change,
+                                       Intervals& seen) {
+    const Floats d;
+    const hn::RebindToSigned<Floats> di;
+    const std::uint32_t* begin = body.vertex_begin + side.node->first;
+    const std::uint32_t vertices = begin[1] - begin[0];
+    if (body.vertices == nullptr || vertices > vertices_max) {
+        return see(side, change, seen);
+    }
+    // The vertices' coordinates in the other's frame.
+    V at[3][2];
+    for (std::size_t half = 0; half < 2; ++half) {
+        if (half == 1 && vertices <= lanes) {
+            at[0][1] = at[1][1] = at[2][1] = hn::Zero(d);
+            break;
+        }
+        V x;
+        V y;
+        V z;
+        hn::LoadInterleaved3(
+            d, body.vertices + 3 * (std::size_t{begin[0]} + half * lanes), x, y, z);
+        const auto& origin = side.node->origin;
+        x = hn::Sub(x, hn::Set(d, static_cast<float>(origin[0])));
+        y = hn::Sub(y, hn::Set(d, static_cast<float>(origin[1])));
+        z = hn::Sub(z, hn::Set(d, static_cast<float>(origin[2])));
+        for (std::size_t k = 0; k < 3; ++k) {
+            V sum = hn::MulAdd(hn::Set(d, turn.entries[0][k]), x, hn::Set(d, change.offset[k]));
+            sum = hn::MulAdd(hn::Set(d, turn.entries[1][k]), y, sum);
+            at[k][half] = hn::MulAdd(hn::Set(d, turn.entries[2][k]), z, sum);
+        }
+    }
+    const V end = hn::Set(d, whole_steps);
+    const auto byte = hn::Set(di, 0xff);
+    std::uint32_t found = 0;
+    for (std::size_t lane = 0; lane < side.count; lane += lanes) {
+        const auto corners = hn::LoadU(
+            di, reinterpret_cast<const std::int32_t*>(body.corners + (side.first + lane)));
+        const auto i0 = hn::And(corners, byte);
+        const auto i1 = hn::And(hn::ShiftRight<8>(corners), byte);
+        const auto i2 = hn::And(hn::ShiftRight<16>(corners), byte);
+        M apart = hn::FirstN(d, 0);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const V c0 = look_up(at[k][0], at[k][1], i0);
+            const V c1 = look_up(at[k][0], at[k][1], i1);
+            const V c2 = look_up(at[k][0], at[k][1], i2);
+            const V margin = hn::Set(d, change.margin[k]);
+            const V from = hn::Sub(hn::Min(hn::Min(c0, c1), c2), margin);
+            const V to = hn::Add(hn::Max(hn::Max(c0, c1), c2), margin);
+            hn::Store(from, d, seen.low[k] + lane);
+            hn::Store(to, d, seen.high[k] + lane);
+            apart = hn::Or(apart, hn::Or(hn::Gt(from, end), hn::Lt(to, hn::Zero(d))));
+        }
+        found |= bits_of(hn::Not(apart)) << lane;
+    }
+    return found & ((1u << side.count) - 1);
+}
+
+#endif
+
+/// Writes the pairs of a row's child of one side with those of the other that may overlap it; how
+/// many.
+template <bool kRowsOfA>
+HWY_INLINE std::size_t pair_up(const Side& one,
+                               const Intervals& one_seen,
+                               std::uint32_t rows,
+                               const Side& others,
+                               const Intervals& others_seen,
+                               std::uint32_t* to) {
+    const Floats d;
+    const hn::RebindToUnsigned<Floats> du;
+    Intervals own;
+    for (std::size_t lane = 0; lane < one.count; lane += lanes) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            hn::Store(low_of(one, k, lane), d, own.low[k] + lane);
+            hn::Store(high_of(one, k, lane), d, own.high[k] + lane);
+        }
+    }
+    std::size_t count = 0;
+    for (std::size_t lane = 0; lane < others.count; lane += lanes) {
+        const V low[3] = {
+            low_of(others, 0, lane), low_of(others, 1, lane), low_of(others, 2, lane)};
+        const V high[3] = {
+            high_of(others, 0, lane), high_of(others, 1, lane), high_of(others, 2, lane)};
+        const auto left = static_cast<std::uint32_t>(others.count - lane);
+        const M used = hn::FirstN(d, left < lanes ? left : lanes);
+        const auto places = hn::Iota(du, others.first + static_cast<std::uint32_t>(lane));
+        for (std::uint32_t rest = rows; rest != 0; rest &= rest - 1) {
+            const auto i = static_cast<std::uint32_t>(__builtin_ctz(rest));
+            const auto apart_on = [&](std::size_t k) HWY_ATTR {
+                const M in_one = hn::Or(
+                    hn::Gt(hn::Load(d, others_seen.low[k] + lane), hn::Set(d, own.high[k][i])),
+                    hn::Lt(hn::Load(d, others_seen.high[k] + lane), hn::Set(d, own.low[k][i])));
+                const M in_others = hn::Or(hn::Lt(high[k], hn::Set(d, one_seen.low[k][i])),
+                                           hn::Gt(low[k], hn::Set(d, one_seen.high[k][i])));
+                return hn::Or(in_one, in_others);
+            };
+            const M apart = hn::Or(hn::Or(apart_on(0), apart_on(1)), apart_on(2));
+            const M found = hn::AndNot(apart, used);
+            const auto theirs = hn::Compress(places, hn::RebindMask(du, found));
+            const auto row = hn::Set(du, one.first + i);
+            if constexpr (kRowsOfA) {
+                hn::StoreInterleaved2(row, theirs, du, to + 2 * count);
+            } else {
+                hn::StoreInterleaved2(theirs, row, du, to + 2 * count);
+            }
+            count += hn::CountTrue(d, found);
+        }
+    }
+    return count;
+}
+
+using VRow = hn::Vec<Row>;
+constexpr std::size_t row_lanes = hn::MaxLanes(Row());
+
+/// The sum of three columns, each times its weight: the lanes from `i` on.
+HWY_INLINE VRow combined(const float* columns, const float* weights, std::size_t i) {
+    const Row d;
+    VRow sum = hn::Mul(hn::Load(d, columns + i), hn::Set(d, weights[0]));
+    sum = hn::MulAdd(hn::Load(d, columns + 4 + i), hn::Set(d, weights[1]), sum);
+    return hn::MulAdd(hn::Load(d, columns + 8 + i), hn::Set(d, weights[2]), sum);
+}
+
+HWY_INLINE float absolute(float value) {
+    return value < 0 ? -value : value;
+}
+
+/// What one node makes of coordinates in the other, whose steps count `per_step` (4 floats).
+HWY_INLINE void finish_change(const float* columns,
+                              const float* offset,
+                              float margin,
+                              const std::array<float, 4>& steps,
+                              const float* per_step,
+                              Change& change) {
+    const Row d;
+    for (std::size_t i = 0; i < 4; i += row_lanes) {
+        const VRow scale = hn::Load(d, per_step + i);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const VRow entry = hn::Mul(hn::Mul(hn::Load(d, columns + 4 * c + i), scale),
+                                       hn::Set(d, 0.5F * steps[c]));
+            hn::Store(entry, d, change.entries[c] + i);
+            hn::Store(hn::Abs(entry), d, change.sizes[c] + i);
+        }
+        hn::Store(hn::Mul(hn::Load(d, offset + i), scale), d, change.offset + i);
+        hn::Store(hn::Mul(hn::Set(d, margin), scale), d, change.margin + i);
+    }
+}
+
+/// A pair of nodes with all that both sides' changes share.
+struct Meeting {
+    alignas(16) float columns[3][4]; ///< M: of B's coordinates in A's.
+    alignas(16) float rows[3][4];
+    alignas(16) float offset_a[4];
+    alignas(16) float offset_b[4];
+    alignas(16) float per_step_a[4];
+    alignas(16) float per_step_b[4];
+    float margin;
+};
+
+HWY_INLINE void meet(const WidePose& pose, const WideNode& a, const WideNode& b, Meeting& to) {
+    const Row d;
+    float w[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double* row = &pose.rotation[3 * i];
+        w[i] = static_cast<float>((row[0] * b.origin[0] + row[1] * b.origin[1]) +
+                                  (row[2] * b.origin[2] + (pose.translation[i] - a.origin[i])));
+    }
+    const float back[3] = {-w[0], -w[1], -w[2]};
+    const float* frame_a = a.columns[0].data();
+    alignas(16) float turned_back[4];
+    for (std::size_t i = 0; i < 4; i += row_lanes) {
+        hn::Store(combined(pose.rows[0].data(), back, i), d, turned_back + i);
+        hn::Store(combined(frame_a, w, i), d, to.offset_b + i);
+        hn::Store(hn::Div(hn::Set(d, 1), hn::LoadU(d, a.steps.data() + i)), d, to.per_step_a + i);
+        hn::Store(hn::Div(hn::Set(d, 1), hn::LoadU(d, b.steps.data() + i)), d, to.per_step_b + i);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float row[3] = {b.columns[0][k], b.columns[1][k], b.columns[2][k]};
+        alignas(16) float turned[4];
+        for (std::size_t i = 0; i < 4; i += row_lanes) {
+            hn::Store(combined(pose.columns[0].data(), row, i), d, turned + i);
+        }
+        for (std::size_t i = 0; i < 4; i += row_lanes) {
+            hn::Store(combined(frame_a, turned, i), d, to.columns[k] + i);
+        }
+    }
+    for (std::size_t i = 0; i < 4; i += row_lanes) {
+        hn::Store(combined(b.columns[0].data(), turned_back, i), d, to.offset_a + i);
+    }
+    const float steps =
+        (a.steps[0] + a.steps[1] + a.steps[2]) + (b.steps[0] + b.steps[1] + b.steps[2]);
+    const float apart = absolute(w[0]) + absolute(w[1]) + absolute(w[2]);
+    to.margin = pose.relative_margin * (apart + whole_steps * steps) + pose.absolute_margin;
+}
+
+HWY_INLINE Side side_of(const WideNode& node, std::uint32_t index, bool is_whole) {
+    if (is_whole) {
+        return {&node, true, index, 1};
+    }
+    return {&node, false, node.is_leaf ? node.first * block_size : node.first, node.count};
+}
+
+/// From a body's coordinates to the frame whose columns are given, in its steps.
+HWY_INLINE void
+make_turn(const float* frame, const float* rotation, const float* per_step, Turn& to) {
+    const Row d;
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t i = 0; i < 4; i += row_lanes) {
+            const VRow column = combined(frame, rotation + 4 * c, i);
+            hn::Store(hn::Mul(column, hn::Load(d, per_step + i)), d, to.entries[c] + i);
+        }
+    }
+}
+
+HWY_INLINE std::uint32_t see_b(const WidePose& pose,
+                               const WideBody& body,
+                               const WideNode& a,
+                               const Side& side_b,
+                               bool both_leaves,
+                               const Meeting& meeting,
+                               Intervals& seen) {
+    Change change;
+    finish_change(meeting.columns[0],
+                  meeting.offset_b,
+                  meeting.margin,
+                  side_b.node->steps,
+                  meeting.per_step_a,
+                  change);
+    if (!both_leaves) {
+        return see(side_b, change, seen);
+    }
+    Turn turn;
+    make_turn(a.columns[0].data(), pose.columns[0].data(), meeting.per_step_a, turn);
+    return see_triangles(body, side_b, turn, change, seen);
+}
+
+HWY_INLINE std::uint32_t see_a(const WidePose& pose,
+                               const WideBody& body,
+                               const WideNode& b,
+                               const Side& side_a,
+                               bool both_leaves,
+                               const Meeting& meeting,
+                               Intervals& seen) {
+    alignas(16) float rows[3][4];
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            rows[i][k] = meeting.columns[k][i];
+        }
+        rows[i][3] = 0;
+    }
+    Change change;
+    finish_change(
+        rows[0], meeting.offset_a, meeting.margin, side_a.node->steps, meeting.per_step_b, change);
+    if (!both_leaves) {
+        return see(side_a, change, seen);
+    }
+    Turn turn;
+    make_turn(b.columns[0].data(), pose.rows[0].data(), meeting.per_step_b, turn);
+    return see_triangles(body, side_a, turn, change, seen);
+}
+
+/// Writes what is left of a pair of nodes; how many pairs.
+HWY_INLINE std::size_t
+visit(const WidePose& pose, WideWalk& walk, WidePair now, std::uint32_t* to) {
+    const WideNode& a = walk.a.nodes[now.a];
+    const WideNode& b = walk.b.nodes[now.b];
+    const bool both_leaves = a.is_leaf && b.is_leaf;
+    // A leaf waits until the other is one.
+    const Side side_a = side_of(a, now.a, a.is_leaf && !b.is_leaf);
+    const Side side_b = side_of(b, now.b, b.is_leaf && !a.is_leaf);
+    Meeting meeting;
+    meet(pose, a, b, meeting);
+    Intervals seen_b;
+    walk.box_tests += side_b.count;
+    const std::uint32_t in_a = see_b(pose, walk.b, a, side_b, both_leaves, meeting, seen_b);
+    if (in_a == 0) {
+        return 0;
+    }
+    Intervals seen_a;
+    walk.box_tests += side_a.count;
+    const std::uint32_t in_b = see_a(pose, walk.a, b, side_a, both_leaves, meeting, seen_a);
+    if (in_b == 0) {
+        return 0;
+    }
+    const auto rows_a = static_cast<std::size_t>(__builtin_popcount(in_b));
+    const auto rows_b = static_cast<std::size_t>(__builtin_popcount(in_a));
+    if (rows_a <= rows_b) {
+        walk.box_tests += rows_a * side_b.count;
+        return pair_up<true>(side_a, seen_a, in_b, side_b, seen_b, to);
+    }
+    walk.box_tests += rows_b * side_a.count;
+    return pair_up<false>(side_b, seen_b, in_a, side_a, seen_a, to);
+}
+
+void walk_all(const WidePose& pose, WideWalk& walk) {
+    for (; walk.waiting_count > 0 && walk.visits_left > 0 &&
+           walk.candidate_count < walk.candidates_wanted &&
+           walk.waiting_count + wide_pairs_slack <= walk.waiting_room;
+         --walk.visits_left) {
+        const WidePair now = walk.waiting[--walk.waiting_count];
+        if (walk.a.nodes[now.a].is_leaf && walk.b.nodes[now.b].is_leaf) {
+            auto* to = reinterpret_cast<std::uint32_t*>(walk.candidates + walk.candidate_count);
+            walk.candidate_count += visit(pose, walk, now, to);
+        } else {
+            auto* to = reinterpret_cast<std::uint32_t*>(walk.waiting + walk.waiting_count);
+            walk.waiting_count += visit(pose, walk, now, to);
+        }
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace cd
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace cd {
+
+HWY_EXPORT(walk_all);
+
+void walk_wide(const WidePose& pose, WideWalk& walk) {
+    HWY_DYNAMIC_DISPATCH(walk_all)(pose, walk);
+}
+
+} // namespace cd
+
+#endif

@@ -1,0 +1,62 @@
+// The SIMD code of the search in wide trees, compiled once for every target: plain values in and
+// out.
+#pragma once
+
+#include "common/geometry/triangle_pair.hpp"
+#include "common/tree/wide_tree.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace cd {
+
+/// B's pose in A's coordinates, with what its use costs in exactness: wide_kernel.cpp derives both
+/// margins.
+struct WidePose {
+    std::array<double, 9> rotation{}; ///< By rows.
+    std::array<double, 3> translation{};
+    alignas(16)
+        std::array<std::array<float, 4>, 3> columns{}; ///< Of the rotation. The fourth entry is 0.
+    alignas(16) std::array<std::array<float, 4>, 3> rows{}; ///< Of the same.
+    float relative_margin = 0; ///< Times the sizes and distance of two nodes.
+    float absolute_margin = 0;
+};
+
+/// A node of A and one of B, by their indices.
+struct WidePair {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+};
+
+/// The most pairs that one pair of nodes can leave behind, and what is written beyond them.
+inline constexpr std::size_t wide_pairs_max = wide_children_max * wide_children_max;
+inline constexpr std::size_t wide_pairs_slack = wide_pairs_max + wide_children_max;
+
+/// A tree as the descent reads it. Without vertices it knows triangles by their boxes alone.
+struct WideBody {
+    const WideNode* nodes = nullptr;
+    const float* vertices = nullptr; ///< As in TriangleBlocks, as are the next two.
+    const std::uint32_t* vertex_begin = nullptr;
+    const BlockCorners* corners = nullptr;
+};
+
+/// A descent on its way.
+struct WideWalk {
+    WideBody a;
+    WideBody b;
+    WidePair* waiting = nullptr; ///< Pairs whose boxes may overlap; the last one is next.
+    std::size_t waiting_count = 0;
+    std::size_t waiting_room = 0;
+    Candidate* candidates = nullptr; ///< With room for `wide_pairs_slack` beyond those wanted.
+    std::size_t candidate_count = 0;
+    std::size_t candidates_wanted = 0;
+    std::uint32_t visits_left = 0; ///< Pairs of nodes to look at before the walk pauses.
+    std::uint64_t box_tests = 0;
+};
+
+/// Goes on until nothing waits, enough candidates are found, no visits are left, or what waits
+/// lacks room for `wide_pairs_slack` more.
+void walk_wide(const WidePose& pose, WideWalk& walk);
+
+} // namespace cd
