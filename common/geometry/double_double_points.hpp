@@ -1,54 +1,65 @@
 // The points that two triangles share, where pairs of doubles can prove how they are rounded.
 #pragma once
 
-#include "common/geometry/double_double.hpp"
+#include "common/geometry/double_double_places.hpp"
+#include "common/geometry/pair_decision.hpp"
 #include "common/geometry/pose.hpp"
+#include "common/geometry/shared_corners.hpp"
 #include "common/geometry/types.hpp"
 
 #include <array>
+#include <functional>
 #include <optional>
+#include <span>
 
 namespace cd {
 
-/// What `SharedPoints` promises, or nothing: for pairs that do not clearly cross, and where a
-/// component is so near the middle between two doubles, or near 0, that its rounding is open.
+/// What `SharedPoints` promises, or nothing: where a component is so near the middle between two
+/// doubles, or near 0, that its rounding is open, or two points are too near each other.
 class DoubleDoublePoints {
   public:
-    explicit DoubleDoublePoints(const PosePair& poses);
+    /// All error bounds are multiplied by `bound_scale`. Only from 1 on is an answer right: less is
+    /// for tests, which show that the bounds are needed.
+    explicit DoubleDoublePoints(const PosePair& poses, double bound_scale = 1);
+    DoubleDoublePoints(const DoubleDoublePoints&) = delete;
+    DoubleDoublePoints& operator=(const DoubleDoublePoints&) = delete;
 
     [[nodiscard]] std::optional<Vec3> origin(const Corners& a) const;
-    /// The two ends of what triangles that properly cross share. Pairs with the same `a` one after
-    /// the other share work.
-    [[nodiscard]] std::optional<std::array<Vec3, 2>>
-    points(const Corners& a, const Corners& b, const Vec3& origin);
 
-    using Vector = std::array<DoubleDouble, 3>;
+    /// Takes up a pair: what follows is about it. Pairs with the same `a` and origin one after the
+    /// other share work. False when its numbers are out of range for all that follows.
+    [[nodiscard]] bool take(const Corners& a, const Corners& b, const Vec3& origin);
 
-    /// A body's pose, and bounds on it.
-    struct Map {
-        std::array<Vector, 3> rows;
-        Vec3 translation;
-        double largest = 0; ///< Bounds each |entry| of the rows.
-    };
+    /// The two ends of what the pair shares, if it clearly crosses. Valid until the next call.
+    [[nodiscard]] std::optional<std::span<const Vec3>> ends();
 
-    /// A triangle relative to an origin, with what is computed from it alone.
-    struct Local {
-        std::array<Vector, 3> corners;
-        Vector normal;
-        double magnitude = 0; ///< Bounds the terms that the coordinates were summed from.
-        Vec3 least;           ///< Of the corners' high parts.
-        Vec3 greatest;
-        /// Of each corner, the components that are known to be 0 exactly. Edges and faces at right
-        /// angles to an axis of an unrotated body often have them.
-        std::array<std::array<bool, 3>, 3> is_zero{};
-    };
+    /// The signs of a triangle's corners against the other's plane, as far as they are proven.
+    [[nodiscard]] const PlaneSides& sides_of_a() const { return half_a_.proven; }
+    [[nodiscard]] const PlaneSides& sides_of_b() const { return half_b_.proven; }
+
+    /// The points that these corners are, in order, if they are what the pair shares. `offset`
+    /// gives the exact first corner of A minus the origin, rounded; it is asked only if that is one
+    /// of them. Valid until the next call.
+    [[nodiscard]] std::optional<std::span<const Vec3>> at(const SharedCorners& corners,
+                                                          const std::function<Vec3()>& offset);
 
   private:
-    Map a_;
-    Map b_;
+    /// Of a corner of the pair at hand, relative to the origin, where nothing else rounds it.
+    [[nodiscard]] std::optional<double> nearest_of_corner(
+        const DoubleDoubleVec* corner, std::size_t k, const std::function<Vec3()>& offset) const;
+
+    LocalMap a_;
+    LocalMap b_;
+    double scale_;
     Corners last_a_;
-    Vec3 last_origin_;
-    std::optional<Local> local_a_; ///< Of last_a_ relative to last_origin_.
+    Corners last_b_;
+    Vec3 origin_;
+    std::optional<LocalTriangle> local_a_; ///< Of last_a_ relative to origin_.
+    std::optional<LocalTriangle> local_b_;
+    LocalBounds bounds_;
+    LocalHalf half_a_;
+    LocalHalf half_b_;
+    std::array<Vec3, 6> points_; ///< What was last found.
 };
 
 } // namespace cd

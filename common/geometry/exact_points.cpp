@@ -286,11 +286,17 @@ ExactPoints::ExactPoints(const PosePair& poses)
     : a_(to_exact(poses.a)), b_(to_exact(poses.b)), norm_(a_.norm * b_.norm) {}
 
 Vec3 ExactPoints::origin(const Corners& a) const {
+    return offset(a, Vec3::Zero());
+}
+
+Vec3 ExactPoints::offset(const Corners& a, const Vec3& origin) const {
     const std::array<Dyadic, 3> exact = world(a_, a[0]);
     Vec3 rounded;
     for (std::size_t k = 0; k < 3; ++k) {
-        rounded[static_cast<Eigen::Index>(k)] = nearest_double(
-            exact[k].mantissa, a_.norm.mantissa, exact[k].exponent - a_.norm.exponent);
+        const auto axis = static_cast<Eigen::Index>(k);
+        const Dyadic difference = exact[k] - to_dyadic(origin[axis]) * a_.norm;
+        rounded[axis] = nearest_double(
+            difference.mantissa, a_.norm.mantissa, difference.exponent - a_.norm.exponent);
     }
     return rounded;
 }

@@ -14,7 +14,9 @@ class ExactPoints {
     explicit ExactPoints(const PosePair& poses);
 
     [[nodiscard]] Vec3 origin(const Corners& a) const;
-    /// Relative to `origin`, any finite point; empty for triangles that share nothing.
+    /// The first corner of A minus `origin`, any finite point.
+    [[nodiscard]] Vec3 offset(const Corners& a, const Vec3& origin) const;
+    /// Relative to `origin`, likewise; empty for triangles that share nothing.
     [[nodiscard]] std::vector<Vec3>
     points(const Corners& a, const Corners& b, const Vec3& origin) const;
 

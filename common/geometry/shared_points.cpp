@@ -24,6 +24,7 @@ Vec3 SharedPoints::origin(const Corners& a) {
         return last_origin_;
     }
     last_a_ = a;
+    last_offset_.reset();
     if (const DoubleDoublePoints* const fast_path = fast()) {
         if (const auto origin = fast_path->origin(a)) {
             ++statistics_.origins_fast;
@@ -34,14 +35,34 @@ Vec3 SharedPoints::origin(const Corners& a) {
     return last_origin_ = exact().origin(a);
 }
 
+Vec3 SharedPoints::offset() {
+    if (!last_offset_) {
+        last_offset_ = exact().offset(*last_a_, last_origin_);
+    }
+    return *last_offset_;
+}
+
+std::optional<std::span<const Vec3>>
+SharedPoints::fast_points(const Corners& a, const Corners& b, const Vec3& origin) {
+    DoubleDoublePoints* const fast_path = fast();
+    if (fast_path == nullptr || !fast_path->take(a, b, origin)) {
+        return std::nullopt;
+    }
+    if (const auto ends = fast_path->ends()) {
+        return ends;
+    }
+    if (!finder_) {
+        finder_.emplace(poses_);
+    }
+    const auto corners = finder_->find(a, b, fast_path->sides_of_a(), fast_path->sides_of_b());
+    return corners ? fast_path->at(*corners, [this] { return offset(); }) : std::nullopt;
+}
+
 std::span<const Vec3> SharedPoints::points(const Corners& a, const Corners& b) {
     const Vec3 from = origin(a);
-    if (DoubleDoublePoints* const fast_path = fast()) {
-        if (const auto ends = fast_path->points(a, b, from)) {
-            ++statistics_.points_fast;
-            points_.assign(ends->begin(), ends->end());
-            return points_;
-        }
+    if (const auto found = fast_points(a, b, from)) {
+        ++statistics_.points_fast;
+        return *found;
     }
     ++statistics_.points_exact;
     points_ = exact().points(a, b, from);

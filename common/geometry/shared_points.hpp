@@ -4,6 +4,7 @@
 #include "common/geometry/double_double_points.hpp"
 #include "common/geometry/exact_points.hpp"
 #include "common/geometry/pose.hpp"
+#include "common/geometry/shared_corners.hpp"
 #include "common/geometry/types.hpp"
 
 #include <cstdint>
@@ -26,7 +27,8 @@ struct PointStatistics {
 /// double (to even; see `nearest_double`): the same bits on every host.
 ///
 /// First in pairs of doubles, whose error bound tells whether all numbers near enough round alike;
-/// where it does not, in integers. Not for use by two threads at once.
+/// which corners a touching or coplanar pair shares, integers of few words tell them. Where that is
+/// not enough, all is done in integers. Not for use by two threads at once.
 class SharedPoints {
   public:
     enum class Path : std::uint8_t { Any, Exact }; ///< The results are the same.
@@ -53,13 +55,18 @@ class SharedPoints {
   private:
     [[nodiscard]] DoubleDoublePoints* fast();
     [[nodiscard]] ExactPoints& exact();
+    [[nodiscard]] std::optional<std::span<const Vec3>>
+    fast_points(const Corners& a, const Corners& b, const Vec3& origin);
+    [[nodiscard]] Vec3 offset();
 
     PosePair poses_;
     Path path_;
     std::optional<DoubleDoublePoints> fast_;
+    std::optional<SharedCornerFinder> finder_;
     std::optional<ExactPoints> exact_;
     std::optional<Corners> last_a_; ///< Pairs of one triangle often follow each other.
     Vec3 last_origin_;
+    std::optional<Vec3> last_offset_; ///< Of last_a_'s first corner from that.
     std::vector<Vec3> points_;
     PointStatistics statistics_;
 };

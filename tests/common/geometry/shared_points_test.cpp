@@ -171,13 +171,10 @@ TEST(SharedPoints, OrdinaryPairsTakeTheFastPath) {
     for (int i = 0; i < 5'000; ++i) {
         const Corners a = random_corners(random, 1);
         const Corners b = random_corners(random, 1);
-        const std::uint64_t before = shared.statistics().points_exact;
-        const bool meet = !shared.points(a, b).empty();
-        meeting += meet ? 1 : 0;
-        EXPECT_TRUE(!meet || shared.statistics().points_exact == before) << i;
+        meeting += shared.points(a, b).empty() ? 0 : 1;
     }
     EXPECT_GT(meeting, 500u);
-    EXPECT_EQ(shared.statistics().points_fast, meeting);
+    EXPECT_EQ(shared.statistics().points_exact, 0u);
     EXPECT_EQ(shared.statistics().origins_exact, 0u);
 }
 
@@ -206,6 +203,51 @@ TEST(SharedPoints, FacesAtRightAnglesToAnAxisTakeTheFastPathToo) {
     }
     EXPECT_GT(meeting, 300u);
     EXPECT_GT(total.points_fast, meeting * 4 / 5);
+}
+
+TEST(SharedPoints, PairsThatTouchTakeTheFastPathToo) {
+    // Corners on faces, edges and corners, and overlaps in one plane: as of bodies in contact,
+    // posed alike or not rotated at all.
+    std::mt19937_64 random(8);
+    std::uint64_t fast = 0;
+    std::uint64_t meeting = 0;
+    for (int i = 0; i < 2'000; ++i) {
+        PosedPair c{lattice_corners(random, 4), lattice_corners(random, 4), {}};
+        for (std::size_t k = 0; k < 3; ++k) {
+            c.a[k].z() = 1;
+            c.b[k].z() = k == 0 || i % 2 == 0 ? 1 : 3;
+        }
+        if (i % 4 < 2) {
+            c.poses.a = c.poses.b = i % 3 == 0 ? make_matrix_pose(random, 2) : make_pose(random, 2);
+        } else if (i % 3 != 0) {
+            c.poses.a = translation_pose(0.1, -2, 3);
+            c.poses.b = c.poses.a;
+        }
+        SharedPoints any(c.poses);
+        SharedPoints exact(c.poses, SharedPoints::Path::Exact);
+        ASSERT_EQ(bits_of(any, c), bits_of(exact, c)) << i;
+        if (exact.points(c.a, c.b).empty()) {
+            continue;
+        }
+        ++meeting;
+        fast += any.statistics().points_fast;
+    }
+    EXPECT_GT(meeting, 500u);
+    EXPECT_GT(fast, meeting * 8 / 10); // Some are degenerate.
+}
+
+TEST(SharedPoints, WhatOnlyRoundsToARightAngleIsNone) {
+    // A quarter turn about z, but for a part about x whose square is lost in pairs of doubles: the
+    // x of the corner is some 1e-40 in truth.
+    const double half = std::sqrt(0.5);
+    const Pose pose = Pose::from_quaternion({half, 1e-20, 0, half}, Vec3::Zero());
+    const PosedPair c{{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)},
+                      {Vec3(1, 0, 0), Vec3(2, 1, 0), Vec3(2, 0, 1)},
+                      {pose, pose}};
+    SharedPoints any(c.poses);
+    SharedPoints exact(c.poses, SharedPoints::Path::Exact);
+    EXPECT_GT(exact.origin(c.a).x(), 0);
+    EXPECT_EQ(bits_of(any, c), bits_of(exact, c));
 }
 
 TEST(SharedPoints, AnOriginAtWholeNumbersOrZeroIsItself) {
