@@ -12,7 +12,6 @@ namespace cd {
 namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
-constexpr std::uint32_t no_triangle = std::numeric_limits<std::uint32_t>::max();
 
 /// The direction of the i-th attempt, on the curve (1, t, t^2), of which a plane holds two
 /// directions at most. Exact in double; t runs over distinct multiples of 2^-16 in [0, 1), then in
@@ -233,8 +232,9 @@ const ExactPoint& SolidPoint::exact() {
     return *exact_;
 }
 
-SolidTest::Verdict
-SolidTest::cast_ray(SolidPoint& point, const Vec3& direction, std::uint32_t passed_over) {
+SolidTest::Verdict SolidTest::cast_ray(SolidPoint& point,
+                                       const Vec3& direction,
+                                       std::span<const std::uint32_t> passed_over) {
     const TreeView view = solid_.view();
     const BoxesOnRay boxes(point, direction, view.nodes[0]);
     if (!boxes.may_start_in(view.nodes[0])) {
@@ -256,7 +256,7 @@ SolidTest::cast_ray(SolidPoint& point, const Vec3& direction, std::uint32_t pass
             continue;
         }
         for (std::uint32_t i = node.triangles_begin; i < node.triangles_end; ++i) {
-            if (view.triangle_ids[i] == passed_over) {
+            if (std::binary_search(passed_over.begin(), passed_over.end(), view.triangle_ids[i])) {
                 continue;
             }
             const Triangle& triangle = view.triangles[i];
@@ -278,9 +278,17 @@ SolidTest::cast_ray(SolidPoint& point, const Vec3& direction, std::uint32_t pass
 
 /// Of a triangle that the point is not on, its plane and the planes through the point and an edge
 /// hold the unclear directions: 4 planes, 8 directions. (Where the point lies on an edge's line
-/// there is no such plane, but then any direction off the triangle's plane is clear.)
+/// there is no such plane, but then any direction off the triangle's plane is clear.) And two lie
+/// in a plane beside which the solid is looked for.
 std::uint64_t SolidTest::attempts_max() const {
-    return 8 * std::uint64_t{solid_.mesh().triangles().size()} + 1;
+    return 8 * std::uint64_t{solid_.mesh().triangles().size()} + 3;
+}
+
+/// The direction or its opposite, whichever sooner leaves the solid, as far as its box tells.
+Vec3 SolidTest::outwards(const SolidPoint& point, const Vec3& direction) const {
+    const auto& center = solid_.view().nodes[0].center;
+    const Vec3 from_center = point.rounded() - Vec3(center[0], center[1], center[2]);
+    return direction.dot(from_center) < 0 ? Vec3(-direction) : direction;
 }
 
 Place SolidTest::place_of(SolidPoint& point) {
@@ -288,7 +296,7 @@ Place SolidTest::place_of(SolidPoint& point) {
     Verdict verdict = Verdict::Unclear;
     for (std::uint64_t i = 0; verdict == Verdict::Unclear; ++i) {
         CD_CHECK(i < attempts_max());
-        verdict = cast_ray(point, ray_direction(i), no_triangle);
+        verdict = cast_ray(point, outwards(point, ray_direction(i)), {});
     }
     statistics_.by_exact += point.needed_exact() ? 1u : 0u;
     return verdict == Verdict::OnSurface ? Place::OnSurface
@@ -296,24 +304,41 @@ Place SolidTest::place_of(SolidPoint& point) {
                                          : Place::Outside;
 }
 
+bool SolidTest::is_inside_beside(SolidPoint& point,
+                                 const std::function<int(const Vec3& direction)>& side_of,
+                                 int side,
+                                 std::span<const std::uint32_t> passed_over) {
+    ++statistics_.points;
+    Verdict verdict = Verdict::Unclear;
+    for (std::uint64_t i = 0; verdict == Verdict::Unclear; ++i) {
+        CD_CHECK(i < attempts_max());
+        const Vec3 direction = ray_direction(i);
+        const int leads_to = side_of(direction);
+        if (leads_to != 0) {
+            verdict = cast_ray(point, leads_to == side ? direction : Vec3(-direction), passed_over);
+        }
+    }
+    statistics_.by_exact += point.needed_exact() ? 1u : 0u;
+    return verdict != Verdict::Even;
+}
+
 int SolidTest::solid_side(std::uint32_t triangle) {
     ++statistics_.points;
     const Corners corners = solid_.mesh().corners(triangle);
     SolidPoint point = centroid_point(corners);
     Verdict verdict = Verdict::Unclear;
-    int forward = 0;
     for (std::uint64_t i = 0; verdict == Verdict::Unclear; ++i) {
         CD_CHECK(i < attempts_max());
         const Vec3 direction = ray_direction(i);
-        forward = forward_of(corners, direction);
-        if (forward != 0) {
-            verdict = cast_ray(point, direction, triangle);
+        // Along the normal: most triangles are wound so that this leaves the solid.
+        if (const int forward = forward_of(corners, direction); forward != 0) {
+            verdict = cast_ray(point, forward * direction, {&triangle, 1});
         }
     }
     statistics_.by_exact += point.needed_exact() ? 1u : 0u;
     // The start lies on the triangle, which was passed over: an odd rest leads out of the solid, an
     // even one out of what is no solid, and then that on the other side is.
-    return verdict == Verdict::OnSurface ? 0 : verdict == Verdict::Odd ? forward : -forward;
+    return verdict == Verdict::OnSurface ? 0 : verdict == Verdict::Odd ? 1 : -1;
 }
 
 } // namespace cd

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace cd {
@@ -53,6 +54,15 @@ class SolidTest {
 
     [[nodiscard]] Place place_of(SolidPoint& point);
 
+    /// Whether the solid lies right beside a point, on one side of a plane through it.
+    /// `passed_over` are triangles of the solid, ascending, with nothing on that side, and all that
+    /// hold the point. `side_of` tells on which side, 1 or -1, a direction leads from the plane, or
+    /// 0.
+    [[nodiscard]] bool is_inside_beside(SolidPoint& point,
+                                        const std::function<int(const Vec3& direction)>& side_of,
+                                        int side,
+                                        std::span<const std::uint32_t> passed_over);
+
     /// On which side of a triangle with area the solid lies, next to the triangle's centroid: 1 for
     /// the side to which the cross product of its edges points, -1 for the other; 0 where both
     /// sides are alike because the centroid lies on another of the body's triangles as well.
@@ -64,8 +74,9 @@ class SolidTest {
     enum class Verdict : std::uint8_t { Even, Odd, OnSurface, Unclear };
 
     [[nodiscard]] std::uint64_t attempts_max() const;
+    [[nodiscard]] Vec3 outwards(const SolidPoint& point, const Vec3& direction) const;
     [[nodiscard]] Verdict
-    cast_ray(SolidPoint& point, const Vec3& direction, std::uint32_t passed_over);
+    cast_ray(SolidPoint& point, const Vec3& direction, std::span<const std::uint32_t> passed_over);
 
     const ObbTree& solid_;
     std::vector<std::uint32_t> waiting_; ///< Nodes; empty between rays.

@@ -123,9 +123,28 @@ bool PosedTriangle::is_rounding_exact() {
     return *is_rounding_exact_;
 }
 
+std::optional<int> PosedTriangle::proven_plane_side(const Vec3& point) const {
+    return proven_volume_sign({rounded_[0] - point, rounded_[1] - point, rounded_[2] - point},
+                              error_);
+}
+
+int PosedTriangle::forward(const Vec3& direction) {
+    const Vec3 edge_1 = rounded_[1] - rounded_[0];
+    const Vec3 edge_2 = rounded_[2] - rounded_[0];
+    // Each component of the normal errs by this; the dot product rounds by some u more of them.
+    const double largest = edge_1.cwiseAbs().maxCoeff() * edge_2.cwiseAbs().maxCoeff();
+    const double error =
+        cross_error(edge_1.cwiseAbs().maxCoeff(), edge_2.cwiseAbs().maxCoeff(), error_) +
+        16 * unit_roundoff * largest;
+    if (const auto sign = proven_sign(direction.dot(edge_1.cross(edge_2)),
+                                      1.01 * direction.cwiseAbs().sum() * error)) {
+        return *sign;
+    }
+    return sign_of(dot(to_dyadic(direction), exact_normal()));
+}
+
 int PosedTriangle::plane_side(const Vec3& point) {
-    const std::array<Vec3, 3> seen{rounded_[0] - point, rounded_[1] - point, rounded_[2] - point};
-    if (const auto sign = proven_volume_sign(seen, error_)) {
+    if (const auto sign = proven_plane_side(point)) {
         return *sign;
     }
     if (is_rounding_exact()) {

@@ -45,6 +45,12 @@ class PosedTriangle {
     /// -1 if not.
     [[nodiscard]] int winding(const Corners& coplanar) const;
 
+    /// The sign of the product of a direction in the outer body's coordinates with the normal,
+    /// towards which `plane_side` is below 0.
+    [[nodiscard]] int forward(const Vec3& direction);
+    /// `plane_side` where doubles tell.
+    [[nodiscard]] std::optional<int> proven_plane_side(const Vec3& point) const;
+
     [[nodiscard]] SolidPoint centroid();
 
     /// The corners in the exact frame.

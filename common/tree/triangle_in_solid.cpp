@@ -178,6 +178,15 @@ bool TriangleInSolid::reaches_inside(std::uint32_t triangle,
     if (inner.is_flat()) {
         return any_piece_inside(inner, contacts);
     }
+    if (const auto side = open_side(inner, contacts)) {
+        // The triangle, moved a little to that side, is clear of the outer surface, and so is the
+        // way back to each of its points that is not on it: one place tells for all of these.
+        SolidPoint centroid = inner.centroid();
+        const auto side_of = [&](const Vec3& direction) { return -inner.forward(direction); };
+        if (!solid_.is_inside_beside(centroid, side_of, *side, ids_of(contacts))) {
+            return false;
+        }
+    }
     find_edges(inner, contacts);
     if (!edges_.empty()) {
         return any_cell_inside(inner);
@@ -193,19 +202,66 @@ bool TriangleInSolid::reaches_inside(std::uint32_t triangle,
     return solid_.place_of(centroid) == Place::Inside;
 }
 
+std::span<const std::uint32_t> TriangleInSolid::ids_of(std::span<const OuterContact> contacts) {
+    ids_.clear();
+    for (const OuterContact& contact : contacts) {
+        ids_.push_back(contact.triangle);
+    }
+    return ids_;
+}
+
+int TriangleInSolid::plane_side(PosedTriangle& inner, std::uint32_t outer_vertex) {
+    const Vec3& vertex = outer_.mesh().vertices()[outer_vertex];
+    if (const auto sign = inner.proven_plane_side(vertex)) {
+        return *sign;
+    }
+    const auto [place, is_new] = plane_sides_.try_emplace(outer_vertex, 0);
+    if (is_new) {
+        place->second = inner.plane_side(vertex);
+    }
+    return place->second;
+}
+
+/// A side of the triangle's plane, as `plane_side` tells it, on which no contact has any points;
+/// nothing where there are some on both.
+std::optional<int> TriangleInSolid::open_side(PosedTriangle& inner,
+                                              std::span<const OuterContact> contacts) {
+    plane_sides_.clear();
+    for (const OuterContact& contact : contacts) {
+        if (contact.kind == PairClass::Coplanar) {
+            for (const std::uint32_t vertex : outer_.mesh().triangles()[contact.triangle]) {
+                plane_sides_.emplace(vertex, 0);
+            }
+        }
+    }
+    bool is_any_below = false;
+    bool is_any_above = false;
+    for (const OuterContact& contact : contacts) {
+        if (contact.kind == PairClass::Coplanar) {
+            continue;
+        }
+        for (const std::uint32_t vertex : outer_.mesh().triangles()[contact.triangle]) {
+            const int side = plane_side(inner, vertex);
+            is_any_below = is_any_below || side < 0;
+            is_any_above = is_any_above || side > 0;
+        }
+        if (is_any_below && is_any_above) {
+            return std::nullopt;
+        }
+    }
+    return is_any_below ? 1 : -1;
+}
+
 void TriangleInSolid::add_edge(const Vec3& from, const Vec3& to, int winding) {
     const bool is_forward = key(from) <= key(to);
     edges_.push_back({is_forward ? from : to, is_forward ? to : from, winding});
 }
 
-void TriangleInSolid::add_touching(PosedTriangle& inner, const Corners& outer) {
+void TriangleInSolid::add_touching(PosedTriangle& inner, std::uint32_t outer_triangle) {
+    const Corners outer = outer_.mesh().corners(outer_triangle);
     const CornerSides sides(inner, outer);
-    std::array<std::optional<bool>, 3> in_plane;
     const auto is_in_plane = [&](std::size_t i) {
-        if (!in_plane[i]) {
-            in_plane[i] = inner.plane_side(outer[i]) == 0;
-        }
-        return *in_plane[i];
+        return plane_side(inner, outer_.mesh().triangles()[outer_triangle][i]) == 0;
     };
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t next = (i + 1) % 3;
@@ -221,11 +277,11 @@ void TriangleInSolid::add_touching(PosedTriangle& inner, const Corners& outer) {
 void TriangleInSolid::find_edges(PosedTriangle& inner, std::span<const OuterContact> contacts) {
     edges_.clear();
     for (const OuterContact& contact : contacts) {
-        const Corners corners = outer_.mesh().corners(contact.triangle);
         if (contact.kind != PairClass::Coplanar) {
-            add_touching(inner, corners);
+            add_touching(inner, contact.triangle);
             continue;
         }
+        const Corners corners = outer_.mesh().corners(contact.triangle);
         const int winding = inner.winding(corners);
         const CornerSides sides(inner, corners);
         for (std::size_t i = 0; i < 3; ++i) {

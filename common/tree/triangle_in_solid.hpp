@@ -7,7 +7,9 @@
 #include "common/tree/posed_triangle.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace cd {
@@ -27,7 +29,8 @@ class TriangleInSolid {
                     const ObbTree& inner,
                     const Pose& inner_pose);
 
-    /// True when a point in the interior of the triangle lies strictly inside the outer solid.
+    /// True when a point in the interior of the triangle lies strictly inside the outer solid. The
+    /// contacts are sorted by their triangles.
     [[nodiscard]] bool reaches_inside(std::uint32_t triangle,
                                       std::span<const OuterContact> contacts);
 
@@ -41,8 +44,12 @@ class TriangleInSolid {
         int winding = 0; ///< Of a coplanar triangle that it bounds; else 0.
     };
 
+    [[nodiscard]] std::span<const std::uint32_t> ids_of(std::span<const OuterContact> contacts);
+    [[nodiscard]] std::optional<int> open_side(PosedTriangle& inner,
+                                               std::span<const OuterContact> contacts);
+    [[nodiscard]] int plane_side(PosedTriangle& inner, std::uint32_t outer_vertex);
     void add_edge(const Vec3& from, const Vec3& to, int winding);
-    void add_touching(PosedTriangle& inner, const Corners& outer);
+    void add_touching(PosedTriangle& inner, std::uint32_t outer_triangle);
     void find_edges(PosedTriangle& inner, std::span<const OuterContact> contacts);
     void keep_boundary_edges();
     [[nodiscard]] bool any_cell_inside(PosedTriangle& inner);
@@ -54,7 +61,10 @@ class TriangleInSolid {
     ExactFrame frame_;
     RelativePose inner_to_outer_;
     SolidTest solid_;
-    std::vector<Edge> edges_; ///< That may enter the triangle at hand.
+    /// Of outer vertices, where doubles do not tell: triangles in contact often share them.
+    std::unordered_map<std::uint32_t, int> plane_sides_;
+    std::vector<std::uint32_t> ids_; ///< Of the contacts at hand.
+    std::vector<Edge> edges_;        ///< That may enter the triangle at hand.
 };
 
 } // namespace cd
