@@ -4,6 +4,7 @@
 #include "common/job/run_scenario.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -32,8 +33,9 @@ std::uint64_t bytes_of(const ScenarioResult& result) {
 /// Scenarios go in, in order; pool threads run them; results come out in the same order.
 class OrderedRun {
   public:
-    OrderedRun(const ScenarioRunner& runner, ThreadPool& pool)
-        : runner_(runner), threads_(pool.size()) {
+    /// `ended` is what the runner's check for an end looks at.
+    OrderedRun(const ScenarioRunner& runner, std::atomic<bool>& ended, ThreadPool& pool)
+        : runner_(runner), ended_(ended), threads_(pool.size()) {
         for (unsigned i = 0; i < threads_; ++i) {
             pool.post([this] { work(); });
         }
@@ -43,6 +45,7 @@ class OrderedRun {
 
     /// Returns when no thread of the pool is in here any more; what waits is dropped.
     ~OrderedRun() {
+        ended_ = true;
         std::unique_lock lock(mutex_);
         stopping_ = true;
         work_came_.notify_all();
@@ -105,6 +108,9 @@ class OrderedRun {
             lock.unlock();
             ScenarioRun run = runner_.run(scenario);
             lock.lock();
+            if (run.is_stopped) {
+                continue; // Nobody waits for it.
+            }
             statistics_ += {run.statistics, run.inside};
             bytes_ahead_ += bytes_of(run.result);
             const bool wakes = scenario.index == taken_ || has_room();
@@ -118,6 +124,7 @@ class OrderedRun {
     }
 
     const ScenarioRunner& runner_;
+    std::atomic<bool>& ended_;
 
     std::mutex mutex_;
     std::condition_variable work_came_;
@@ -161,8 +168,10 @@ Result<RunOutcome> run_locally(const ObbTree& a,
     const auto start = Clock::now();
     auto progress_due = start;
     ResultMerger merger(poses.count());
-    const ScenarioRunner runner(a, b, query, first_stage);
-    OrderedRun run(runner, pool);
+    std::atomic<bool> ended = false;
+    const ScenarioRunner runner(
+        a, b, query, first_stage, [&ended] { return ended.load(std::memory_order_relaxed); });
+    OrderedRun run(runner, ended, pool);
     std::uint64_t fed = 0;
     while (!merger.summary().is_complete()) {
         if (observer.stopped()) {

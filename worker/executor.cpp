@@ -45,7 +45,7 @@ void Executor::hand_over() {
     }
 }
 
-FinishedScenario execute(const ReadyScenario& ready) {
+FinishedScenario execute(const ReadyScenario& ready, const StopCheck& stop) {
     const auto begin = std::chrono::steady_clock::now();
     std::vector<SubtreePair> pairs;
     pairs.reserve(ready.pairs.size());
@@ -53,9 +53,12 @@ FinishedScenario execute(const ReadyScenario& ready) {
         pairs.push_back({view_of(ready.roots_a, ready.subtrees_a, pair.a),
                          view_of(ready.roots_b, ready.subtrees_b, pair.b)});
     }
-    const ScenarioRun run = run_on_subtrees(pairs, ready.scenario, *ready.query);
+    RunOptions options;
+    options.stop = stop;
+    const ScenarioRun run = run_on_subtrees(pairs, ready.scenario, *ready.query, options);
 
     FinishedScenario finished;
+    finished.is_stopped = run.is_stopped;
     finished.record = encode_result(run.result);
     finished.statistics = run.statistics;
     finished.seconds =

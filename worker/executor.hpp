@@ -50,9 +50,10 @@ struct ReadyScenario {
 struct FinishedScenario {
     Bytes record; ///< `encode_result`.
     QueryStatistics statistics;
-    double seconds = 0; ///< Of one thread.
+    double seconds = 0;      ///< Of one thread.
+    bool is_stopped = false; ///< There is no answer.
 };
 
-[[nodiscard]] FinishedScenario execute(const ReadyScenario& ready);
+[[nodiscard]] FinishedScenario execute(const ReadyScenario& ready, const StopCheck& stop);
 
 } // namespace cd

@@ -89,6 +89,11 @@ Status Session::handle(AddTree& add) {
 Status Session::handle(RemoveTree& remove) {
     const TreeId tree = remove.tree;
     drop_unstarted([tree](const Task& task) { return task.uses(tree); });
+    for (auto& [id, task] : tasks_) {
+        if (task.uses(tree)) {
+            task.abandon(); // What runs ends soon, without an answer.
+        }
+    }
     fetcher_.forget_requests(tree);
     cache_.remove_tree(tree);
     spdlog::info("tree removed: tree={} cached_bytes={}", tree.value, cache_.bytes());
@@ -204,6 +209,10 @@ void Session::scenario_ran(Token token, const FinishedScenario& finished) {
     Task& task = tasks_.at(place->second.task);
     places_.erase(place);
     fetcher_.finished(token);
+    if (finished.is_stopped) {
+        task.drop();
+        return settle_soon();
+    }
     task.add(finished);
     if (task.result_bytes() >= limits::results_flush_bytes) {
         flush(task);
@@ -302,12 +311,14 @@ void Session::start(Token token) {
     executor_.submit(
         [weak = weak_from_this(),
          abandoned = abandoned_,
+         task_abandoned = task.abandoned(),
          token,
          ready = std::make_shared<const ReadyScenario>(task.ready(place.scenario, cache_))]() {
             if (abandoned->load()) {
                 return Executor::Continuation([] {});
             }
-            return Executor::Continuation([weak, token, finished = execute(*ready)] {
+            const auto stop = [&] { return abandoned->load() || task_abandoned->load(); };
+            return Executor::Continuation([weak, token, finished = execute(*ready, stop)] {
                 if (const auto session = weak.lock()) {
                     session->scenario_ran(token, finished);
                 }

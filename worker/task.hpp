@@ -5,6 +5,7 @@
 #include "worker/executor.hpp"
 #include "worker/subtree_cache.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -31,6 +32,10 @@ class Task {
     [[nodiscard]] ReadyScenario ready(std::size_t scenario, const SubtreeCache& cache) const;
 
     void add(const FinishedScenario& finished);
+    /// Nobody waits for it any more. Threads that run its scenarios look at the flag.
+    void abandon() { abandoned_->store(true); }
+    [[nodiscard]] std::shared_ptr<const std::atomic<bool>> abandoned() const { return abandoned_; }
+
     /// A scenario of it ends without a result.
     void drop() { --unanswered_; }
 
@@ -48,6 +53,7 @@ class Task {
     std::shared_ptr<const Query> query_;
     std::vector<Scenario> scenarios_;
     std::uint64_t unanswered_ = 0;
+    std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false);
     Bytes records_;   ///< Each behind its length as u32.
     Results results_; ///< Counts of what is in `records_`.
 };

@@ -47,23 +47,33 @@ void find_any(std::span<const SubtreePair> pairs, ContactSearch& search, Scenari
     }
 }
 
-void find_count(std::span<const SubtreePair> pairs, ContactSearch& search, ScenarioResult& result) {
+void find_count(std::span<const SubtreePair> pairs, ContactSearch& search, ScenarioRun& run) {
     for (const SubtreePair& pair : pairs) {
         search.collect(pair.a, pair.b);
     }
-    note_found(search, result);
-    note_undecided(search, result);
+    note_found(search, run.result);
+    note_undecided(search, run.result);
+    if (search.pairs().size() == search.pair_count()) {
+        search.sort();
+        run.touches = std::move(search.pairs());
+    }
 }
 
-void add_shared_points(ContactSearch& search, ScenarioResult& result) {
+/// False if it was told to stop.
+bool add_shared_points(ContactSearch& search, const StopCheck& stop, ScenarioResult& result) {
+    constexpr std::size_t pairs_between_stop_checks = 1024;
     result.point_offsets.push_back(0);
     for (std::size_t i = 0; i < result.pairs.size(); ++i) {
+        if (stop && i % pairs_between_stop_checks == 0 && stop()) {
+            return false;
+        }
         const PairCorners& corners = search.corners()[i];
         result.point_origins.push_back(search.test().point_origin(corners.a));
         const std::span<const Vec3> points = search.test().shared_points(corners.a, corners.b);
         result.points.insert(result.points.end(), points.begin(), points.end());
         result.point_offsets.push_back(static_cast<std::uint32_t>(result.points.size()));
     }
+    return true;
 }
 
 /// How many pairs a result can have: with one more, `within_limit` makes a failure of it.
@@ -77,8 +87,10 @@ std::uint64_t pairs_worth_keeping(const Query& query) {
     return limits::result_record_bytes_max / bytes + 1;
 }
 
-void find_pairs(std::span<const SubtreePair> pairs,
+/// False if it was told to stop while it made points.
+bool find_pairs(std::span<const SubtreePair> pairs,
                 const Query& query,
+                const StopCheck& stop,
                 ContactSearch& search,
                 ScenarioResult& result) {
     for (const SubtreePair& pair : pairs) {
@@ -88,9 +100,26 @@ void find_pairs(std::span<const SubtreePair> pairs,
     result.pairs = std::move(search.pairs());
     note_found(search, result);
     note_undecided(search, result);
-    if (query.level == Level::Contacts) {
-        add_shared_points(search, result);
-    }
+    return query.level != Level::Contacts || add_shared_points(search, stop, result);
+}
+
+SearchOptions search_options(const Query& query, const RunOptions& options) {
+    SearchOptions search;
+    search.only_touches = query.level == Level::Count && options.keep_touches;
+    search.keep_pairs = query.level >= Level::Pairs || search.only_touches;
+    search.keep_corners = query.level == Level::Contacts;
+    search.pairs_max = pairs_worth_keeping(query);
+    search.tolerance = query.tolerance;
+    search.first_stage = options.first_stage;
+    search.stop = options.stop;
+    return search;
+}
+
+ScenarioRun stopped_run(const Scenario& scenario, const Query& query) {
+    ScenarioRun run;
+    run.result = failed_result(scenario, query, {ErrorCode::Interrupted, "stopped"});
+    run.is_stopped = true;
+    return run;
 }
 
 } // namespace
@@ -105,7 +134,7 @@ ScenarioResult failed_result(const Scenario& scenario, const Query& query, const
 ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
                             const Scenario& scenario,
                             const Query& query,
-                            PairStage first_stage) {
+                            const RunOptions& options) {
     ScenarioRun run;
     run.result = empty_result(scenario, query);
     if (pairs.empty()) {
@@ -114,35 +143,34 @@ ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
         }
         return run;
     }
-    SearchOptions options;
-    options.keep_pairs = query.level >= Level::Pairs;
-    options.keep_corners = query.level == Level::Contacts;
-    options.pairs_max = pairs_worth_keeping(query);
-    options.tolerance = query.tolerance;
-    options.first_stage = first_stage;
-    ContactSearch search(scenario.poses, query.ignored, options);
+    ContactSearch search(scenario.poses, query.ignored, search_options(query, options));
+    bool is_whole = true;
     switch (query.level) {
     case Level::Any:
         find_any(pairs, search, run.result);
         break;
     case Level::Count:
-        find_count(pairs, search, run.result);
+        find_count(pairs, search, run);
         break;
     case Level::Pairs:
     case Level::Contacts:
-        find_pairs(pairs, query, search, run.result);
+        is_whole = find_pairs(pairs, query, options.stop, search, run.result);
         break;
+    }
+    if (search.is_stopped() || !is_whole) {
+        return stopped_run(scenario, query);
     }
     run.statistics = search.statistics();
     run.result = within_limit(std::move(run.result), limits::result_record_bytes_max);
     return run;
 }
 
-ScenarioRunner::ScenarioRunner(const ObbTree& a,
-                               const ObbTree& b,
-                               const Query& query,
-                               PairStage first_stage)
-    : a_(a), b_(b), query_(query), first_stage_(first_stage) {
+ScenarioRunner::ScenarioRunner(
+    const ObbTree& a, const ObbTree& b, const Query& query, PairStage first_stage, StopCheck stop)
+    : a_(a),
+      b_(b),
+      query_(query),
+      options_{first_stage, std::move(stop), a.topology().is_closed() && b.topology().is_closed()} {
     if (query.tolerance > 0) {
         cut_a_ = cut(a);
         cut_b_ = &a == &b ? cut_a_ : cut(b);
@@ -159,25 +187,33 @@ std::shared_ptr<const ScenarioRunner::CutTree> ScenarioRunner::cut(const ObbTree
 }
 
 ScenarioRun ScenarioRunner::run_on_cuts(const Scenario& scenario) const {
-    const Result<std::vector<RootPair>> roots =
-        colliding_roots(cut_a_->top, cut_b_->top, scenario.poses);
+    const Result<CollidingRoots> roots =
+        counted_colliding_roots(cut_a_->top, cut_b_->top, scenario.poses);
     if (!roots) {
-        return {failed_result(scenario, query_, roots.error()), {}, {}};
+        ScenarioRun failed;
+        failed.result = failed_result(scenario, query_, roots.error());
+        return failed;
     }
     std::vector<SubtreePair> pairs;
-    pairs.reserve(roots.value().size());
-    for (const RootPair& pair : roots.value()) {
+    pairs.reserve(roots.value().pairs.size());
+    for (const RootPair& pair : roots.value().pairs) {
         pairs.push_back({cut_a_->subtrees[pair.a].view(), cut_b_->subtrees[pair.b].view()});
     }
-    return run_on_subtrees(pairs, scenario, query_, first_stage_);
+    ScenarioRun run = run_on_subtrees(pairs, scenario, query_, options_);
+    run.statistics.box_tests += roots.value().box_tests;
+    return run;
 }
 
 ScenarioRun ScenarioRunner::run(const Scenario& scenario) const {
     const SubtreePair whole{a_.view(), b_.view()};
-    ScenarioRun run = cut_a_ ? run_on_cuts(scenario)
-                             : run_on_subtrees({&whole, 1}, scenario, query_, first_stage_);
-    run.inside = settle_with_cost(a_, b_, scenario, query_, run.result);
-    return run;
+    ScenarioRun run =
+        cut_a_ ? run_on_cuts(scenario) : run_on_subtrees({&whole, 1}, scenario, query_, options_);
+    if (!run.is_stopped) {
+        run.inside =
+            settle_with_cost(a_, b_, scenario, query_, run.result, {run.touches, options_.stop});
+    }
+    // What a stopped settling says is no answer.
+    return is_stopped() ? stopped_run(scenario, query_) : run;
 }
 
 ScenarioRun

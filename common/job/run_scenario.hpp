@@ -1,6 +1,7 @@
 // One scenario, from poses to result. The worker, the one-process run and the tests all call this.
 #pragma once
 
+#include "common/core/stop_check.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
 #include "common/job/scenario.hpp"
@@ -21,12 +22,23 @@ struct ScenarioRun {
     ScenarioResult result;
     QueryStatistics statistics;
     InsideStatistics inside; ///< Of who settled the class; nothing from `run_on_subtrees`.
+    /// At level count, where none is proper and they were to be kept: all pairs, sorted, if they
+    /// are not too many.
+    std::vector<ContactPair> touches;
+    bool is_stopped = false; ///< It was told to stop. The result only says so, as a failed one.
 };
 
 /// One colliding pair of distribution roots with its two subtrees.
 struct SubtreePair {
     TreeView a;
     TreeView b;
+};
+
+struct RunOptions {
+    /// Stages of the pairs' decision before this one are passed over, which changes no answer.
+    PairStage first_stage = PairStage::Float;
+    StopCheck stop = {};       ///< Asked all along.
+    bool keep_touches = false; ///< For `settle_class` at level count.
 };
 
 /// The contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). No pairs: separate.
@@ -39,12 +51,10 @@ struct SubtreePair {
 /// of such pairs may be left undecided as well.) Else cross if any pair is proper, touch if there
 /// are pairs and none is proper, separate without pairs: what more there is to say, `settle_class`
 /// finds in the whole bodies.
-///
-/// Stages of the pairs' decision before `first_stage` are passed over, which changes no answer.
 [[nodiscard]] ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
                                           const Query& query,
-                                          PairStage first_stage = PairStage::Float);
+                                          const RunOptions& options = {});
 
 /// The failed result of a scenario, naming it.
 [[nodiscard]] ScenarioResult
@@ -59,7 +69,8 @@ class ScenarioRunner {
     ScenarioRunner(const ObbTree& a,
                    const ObbTree& b,
                    const Query& query,
-                   PairStage first_stage = PairStage::Float);
+                   PairStage first_stage = PairStage::Float,
+                   StopCheck stop = {});
 
     /// For any number of threads at once.
     [[nodiscard]] ScenarioRun run(const Scenario& scenario) const;
@@ -71,11 +82,12 @@ class ScenarioRunner {
     };
     [[nodiscard]] static std::shared_ptr<const CutTree> cut(const ObbTree& tree);
     [[nodiscard]] ScenarioRun run_on_cuts(const Scenario& scenario) const;
+    [[nodiscard]] bool is_stopped() const { return options_.stop && options_.stop(); }
 
     const ObbTree& a_;
     const ObbTree& b_;
     const Query& query_;
-    PairStage first_stage_;
+    RunOptions options_;
     std::shared_ptr<const CutTree> cut_a_; ///< Null without a tolerance.
     std::shared_ptr<const CutTree> cut_b_;
 };

@@ -25,9 +25,12 @@ std::vector<ContactPair> search_again(const ObbTree& a,
                                       const ObbTree& b,
                                       const PosePair& poses,
                                       const Query& query,
+                                      const StopCheck& stop,
                                       SettleStatistics& statistics) {
     ++statistics.searches;
-    ContactSearch search(poses, query.ignored);
+    SearchOptions options;
+    options.stop = stop;
+    ContactSearch search(poses, query.ignored, options);
     search.collect(a.view(), b.view());
     search.sort();
     return std::move(search.pairs());
@@ -38,11 +41,18 @@ bool is_cross(const ObbTree& a,
               const PosePair& poses,
               const Query& query,
               const ScenarioResult& result,
+              const SettleOptions& options,
               SettleStatistics& statistics) {
-    const bool holds_all = result.pairs.size() == result.pair_count;
-    const std::vector<ContactPair> found =
-        holds_all ? std::vector<ContactPair>{} : search_again(a, b, poses, query, statistics);
-    return penetrates(a, b, poses, holds_all ? result.pairs : found, query.ignored, statistics);
+    std::vector<ContactPair> found;
+    std::span<const ContactPair> all = result.pairs;
+    if (all.size() != result.pair_count) {
+        all = options.touches;
+    }
+    if (all.size() != result.pair_count) {
+        found = search_again(a, b, poses, query, options.stop, statistics);
+        all = found;
+    }
+    return penetrates(a, b, poses, all, query.ignored, statistics, options.stop);
 }
 
 } // namespace
@@ -57,14 +67,15 @@ SettleStatistics settle_class(const ObbTree& a,
                               const ObbTree& b,
                               const Scenario& scenario,
                               const Query& query,
-                              ScenarioResult& result) {
+                              ScenarioResult& result,
+                              const SettleOptions& options) {
     result.surfaces_only = result.kind != ScenarioClass::Failed && !are_closed(a, b);
     SettleStatistics statistics;
     if (!settling_is_work(a, b, result)) {
         return statistics;
     }
     if (result.kind == ScenarioClass::Touch) {
-        if (is_cross(a, b, scenario.poses, query, result, statistics)) {
+        if (is_cross(a, b, scenario.poses, query, result, options, statistics)) {
             result.kind = ScenarioClass::Cross;
         }
     } else if (query.ignored.empty() && is_inside(a, b, scenario.poses, statistics)) {

@@ -1,13 +1,24 @@
 // The class of a scenario, as far as only the whole bodies can tell it.
 #pragma once
 
+#include "common/core/stop_check.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
 #include "common/job/scenario.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/point_in_solid.hpp"
+#include "common/tree/traverse.hpp"
+
+#include <span>
 
 namespace cd {
+
+/// What spares work, or ends it early.
+struct SettleOptions {
+    /// All pairs of a result that does not hold them, sorted; or none.
+    std::span<const ContactPair> touches = {};
+    StopCheck stop = {}; ///< Once it says so, the class is of no use.
+};
 
 /// What only the whole bodies can tell (NUMERICS, section 1), for a result of `run_on_subtrees`
 /// whose pairs are triangles of these bodies. Called once by whoever merges; returns what it took.
@@ -20,13 +31,15 @@ namespace cd {
 ///   says what ignored pairs mean for it).
 ///
 /// Neither depends on which body is A, on the level, nor on `limit_pairs`: where the result does
-/// not hold all its pairs they are searched again, in the whole trees, with the memory that level
-/// pairs takes. Other classes stay: no pair can overrule a proper one, and undecided is an answer.
+/// not hold all its pairs, and they are not given, they are searched again, in the whole trees,
+/// with the memory that level pairs takes. Other classes stay: no pair can overrule a proper one,
+/// and undecided is an answer.
 SettleStatistics settle_class(const ObbTree& a,
                               const ObbTree& b,
                               const Scenario& scenario,
                               const Query& query,
-                              ScenarioResult& result);
+                              ScenarioResult& result,
+                              const SettleOptions& options = {});
 
 /// True when `settle_class` may have more to do than set a flag: it then deserves a thread. (It is
 /// cheap while the bodies' boxes are apart.)

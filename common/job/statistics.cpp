@@ -1,7 +1,5 @@
 #include "common/job/statistics.hpp"
 
-#include "common/job/settle.hpp"
-
 #include <chrono>
 
 namespace cd {
@@ -23,11 +21,12 @@ InsideStatistics settle_with_cost(const ObbTree& a,
                                   const ObbTree& b,
                                   const Scenario& scenario,
                                   const Query& query,
-                                  ScenarioResult& result) {
+                                  ScenarioResult& result,
+                                  const SettleOptions& options) {
     using Clock = std::chrono::steady_clock;
     const bool is_work = settling_is_work(a, b, result);
     const Clock::time_point start = is_work ? Clock::now() : Clock::time_point();
-    const SettleStatistics work = settle_class(a, b, scenario, query, result);
+    const SettleStatistics work = settle_class(a, b, scenario, query, result, options);
     if (!is_work) {
         return {0, 0, work};
     }

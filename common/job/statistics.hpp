@@ -4,6 +4,7 @@
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
 #include "common/job/scenario.hpp"
+#include "common/job/settle.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/point_in_solid.hpp"
 
@@ -34,6 +35,7 @@ struct JobStatistics {
                                                 const ObbTree& b,
                                                 const Scenario& scenario,
                                                 const Query& query,
-                                                ScenarioResult& result);
+                                                ScenarioResult& result,
+                                                const SettleOptions& options = {});
 
 } // namespace cd

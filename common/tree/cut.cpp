@@ -147,12 +147,15 @@ class TopDescent {
         return found;
     }
 
+    [[nodiscard]] std::uint64_t box_tests() const { return box_tests_; }
+
   private:
     void push_if_overlapping(const RootPair& nodes) {
         if (nodes.b != posed_place_) {
             posed_ = boxes_.pose(b_.nodes[nodes.b]);
             posed_place_ = nodes.b;
         }
+        ++box_tests_;
         if (boxes_.may_overlap(a_.nodes[nodes.a], posed_)) {
             waiting_.push_back(nodes);
         }
@@ -164,6 +167,7 @@ class TopDescent {
     PosedBox posed_; ///< The box of B at `posed_place_`: going down A, one of B meets many.
     std::uint32_t posed_place_ = 0;
     std::vector<RootPair> waiting_;
+    std::uint64_t box_tests_ = 0;
 };
 
 /// The number of the root at a node of the top.
@@ -227,17 +231,27 @@ Result<TreeTop> make_tree_top(std::vector<ObbNode> nodes) {
     return top;
 }
 
-Result<std::vector<RootPair>>
-colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses) {
-    Result<std::vector<RootPair>> pairs = TopDescent(a, b, poses).leaf_pairs();
+Result<CollidingRoots>
+counted_colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses) {
+    TopDescent descent(a, b, poses);
+    Result<std::vector<RootPair>> pairs = descent.leaf_pairs();
     if (!pairs) {
-        return pairs;
+        return pairs.error();
     }
     for (RootPair& pair : pairs.value()) {
         pair = {root_at(a, pair.a), root_at(b, pair.b)};
     }
     std::sort(pairs.value().begin(), pairs.value().end());
-    return pairs;
+    return CollidingRoots{std::move(pairs.value()), descent.box_tests()};
+}
+
+Result<std::vector<RootPair>>
+colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses) {
+    Result<CollidingRoots> roots = counted_colliding_roots(a, b, poses);
+    if (!roots) {
+        return roots.error();
+    }
+    return std::move(roots.value().pairs);
 }
 
 RootIndicator RootIndicator::of(const TreeTop& top, std::span<const RootIndex> roots) {

@@ -55,6 +55,14 @@ struct TreeTop {
 [[nodiscard]] Result<std::vector<RootPair>>
 colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses);
 
+/// The same, and how many pairs of boxes were tested for it.
+struct CollidingRoots {
+    std::vector<RootPair> pairs;
+    std::uint64_t box_tests = 0;
+};
+[[nodiscard]] Result<CollidingRoots>
+counted_colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses);
+
 /// The paper's "OBB tree distributed nodes indicator" of one scenario or one worker: for each
 /// distribution root of one tree 0, or the number of triangles under it.
 class RootIndicator {

@@ -10,6 +10,22 @@ namespace cd {
 
 namespace {
 
+constexpr std::uint64_t steps_between_stop_checks = 64;
+
+/// Asks only now and then.
+class StopChecks {
+  public:
+    explicit StopChecks(const StopCheck& stop) : stop_(stop) {}
+
+    [[nodiscard]] bool must_stop() {
+        return stop_ && ++steps_ % steps_between_stop_checks == 0 && stop_();
+    }
+
+  private:
+    const StopCheck& stop_;
+    std::uint64_t steps_ = 0;
+};
+
 /// The side of the solid for each triangle that was asked, kept.
 class SolidSides {
   public:
@@ -34,7 +50,8 @@ bool any_faces_the_same_way(const ObbTree& a,
                             const ObbTree& b,
                             const PosePair& poses,
                             std::span<const ContactPair> contacts,
-                            SettleStatistics& statistics) {
+                            SettleStatistics& statistics,
+                            StopChecks& stop) {
     const ExactFrame frame(poses.b, poses.a);
     if (frame.orientation() == 0) {
         return false;
@@ -46,6 +63,9 @@ bool any_faces_the_same_way(const ObbTree& a,
         std::any_of(contacts.begin(), contacts.end(), [&](const ContactPair& contact) {
             if (contact.kind != PairClass::Coplanar) {
                 return false;
+            }
+            if (stop.must_stop()) {
+                return true;
             }
             const PosedTriangle posed(frame, a_to_b, a.mesh().corners(contact.a));
             const int winding = posed.winding(b.mesh().corners(contact.b));
@@ -98,7 +118,8 @@ bool any_reaches_inside(const ObbTree& outer,
                         const ObbTree& inner,
                         const Pose& inner_pose,
                         std::span<const InnerContact> contacts,
-                        SettleStatistics& statistics) {
+                        SettleStatistics& statistics,
+                        StopChecks& stop) {
     TriangleInSolid test(outer, outer_pose, inner, inner_pose);
     std::vector<OuterContact> of_one;
     bool found = false;
@@ -108,7 +129,7 @@ bool any_reaches_inside(const ObbTree& outer,
         for (; i < contacts.size() && contacts[i].inner == triangle; ++i) {
             of_one.push_back(contacts[i].outer);
         }
-        found = test.reaches_inside(triangle, of_one);
+        found = stop.must_stop() || test.reaches_inside(triangle, of_one);
     }
     statistics += test.statistics();
     return found;
@@ -121,12 +142,14 @@ bool penetrates(const ObbTree& a,
                 const PosePair& poses,
                 std::span<const ContactPair> contacts,
                 std::span<const IgnoredRange> ignored,
-                SettleStatistics& statistics) {
-    return any_faces_the_same_way(a, b, poses, contacts, statistics) ||
+                SettleStatistics& statistics,
+                const StopCheck& stop) {
+    StopChecks checks(stop);
+    return any_faces_the_same_way(a, b, poses, contacts, statistics, checks) ||
            any_reaches_inside(
-               b, poses.b, a, poses.a, contacts_of(contacts, ignored, true), statistics) ||
+               b, poses.b, a, poses.a, contacts_of(contacts, ignored, true), statistics, checks) ||
            any_reaches_inside(
-               a, poses.a, b, poses.b, contacts_of(contacts, ignored, false), statistics);
+               a, poses.a, b, poses.b, contacts_of(contacts, ignored, false), statistics, checks);
 }
 
 } // namespace cd

@@ -25,12 +25,15 @@ namespace cd {
 /// is for triangles that no ignored range names: all that the other body does to them is among the
 /// contacts, and ignored parts that stick in each other are not asked.
 ///
+/// `stop` is asked all along; what is said after a yes is of no use.
+///
 /// Exact. A matrix that flattens a body leaves it no solid: nothing is inside it or faces a way.
 [[nodiscard]] bool penetrates(const ObbTree& a,
                               const ObbTree& b,
                               const PosePair& poses,
                               std::span<const ContactPair> contacts,
                               std::span<const IgnoredRange> ignored,
-                              SettleStatistics& statistics);
+                              SettleStatistics& statistics,
+                              const StopCheck& stop = {});
 
 } // namespace cd

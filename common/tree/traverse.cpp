@@ -246,6 +246,10 @@ void ContactSearch::add_contacts(const Triangles& a,
         }
         ++pair_count_;
         has_proper_ = has_proper_ || kinds[i] == PairClass::Proper;
+        if (has_proper_ && options_.only_touches) {
+            pairs_.clear();
+            continue;
+        }
         if (!options_.keep_pairs) {
             continue;
         }

@@ -55,7 +55,8 @@ struct PairCorners {
 
 /// What a search looks for beside the contacts themselves.
 struct SearchOptions {
-    bool keep_pairs = true; ///< False: what is found is only counted.
+    bool keep_pairs = true;    ///< False: what is found is only counted.
+    bool only_touches = false; ///< Once a pair is proper, none are kept any more.
     /// Keeps no more than about twice so many pairs at a time, and the first so many in the end;
     /// all are counted.
     std::uint64_t pairs_max = std::numeric_limits<std::uint64_t>::max();

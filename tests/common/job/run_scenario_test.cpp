@@ -11,7 +11,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
+#include <utility>
 
 namespace cd::tests {
 
@@ -179,6 +181,40 @@ TEST(RunScenario, TheCostOfInsideIsToldApart) {
     EXPECT_EQ(run_scenario(box, small, inside, query_of(Level::Count)).inside.scenarios, 1u);
     EXPECT_EQ(run_scenario(box, small, inside, query_of(Level::Any)).inside.scenarios, 0u);
     EXPECT_EQ(run_scenario(box, small, across, query_of(Level::Count)).inside.scenarios, 0u);
+}
+
+TEST(RunScenario, OneThatIsToldToStopHasNoAnswer) {
+    const ObbTree sphere = make_tree(make_sphere(4));
+    const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 12));
+    const Scenario in_place = make_scenario(Pose{}, Pose{});
+    const Scenario stacked = make_scenario(Pose{}, translation_pose(0, 0, 2));
+    for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+        SCOPED_TRACE(to_text(level));
+        const Query query = query_of(level);
+        for (const auto& [tree, scenario] :
+             {std::pair(&sphere, &in_place), std::pair(&box, &stacked)}) {
+            std::uint64_t checks = 0;
+            std::uint64_t checks_max = std::numeric_limits<std::uint64_t>::max();
+            const ScenarioRunner runner(
+                *tree, *tree, query, PairStage::Float, [&] { return ++checks > checks_max; });
+            const ScenarioRun whole = runner.run(*scenario);
+            EXPECT_FALSE(whole.is_stopped);
+            EXPECT_EQ(digest_of(whole.result),
+                      digest_of(run_scenario(*tree, *tree, *scenario, query).result));
+            const std::uint64_t checks_of_all = checks;
+            EXPECT_GE(checks_of_all, level == Level::Any ? 1u : 10u);
+            for (const std::uint64_t last :
+                 {std::uint64_t{0}, checks_of_all / 2, checks_of_all - 1}) {
+                checks = 0;
+                checks_max = last;
+                const ScenarioRun stopped = runner.run(*scenario);
+                EXPECT_TRUE(stopped.is_stopped) << last;
+                EXPECT_EQ(stopped.result.kind, ScenarioClass::Failed);
+                EXPECT_TRUE(stopped.result.pairs.empty());
+                EXPECT_LE(checks, last + 12) << "it went on";
+            }
+        }
+    }
 }
 
 TEST(RunScenario, ALimitKeepsTheFirstPairsAndTheTrueCount) {

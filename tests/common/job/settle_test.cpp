@@ -102,7 +102,8 @@ TEST(Settle, OrdinaryScenariosPayNothing) {
     EXPECT_GT(touching.ray_box_tests, touching.points);
     EXPECT_GT(touching.ray_triangle_tests, touching.points);
     EXPECT_EQ(touching.searches, 0u);
-    EXPECT_EQ(run(box, box, stacked, query_of(Level::Count)).inside.work.searches, 1u);
+    // Nothing is searched twice, but for pairs that a limit has cut.
+    EXPECT_EQ(run(box, box, stacked, query_of(Level::Count)).inside.work.searches, 0u);
     EXPECT_EQ(run(box, box, stacked, query_of(Level::Pairs, 3)).inside.work.searches, 1u);
 }
 
