@@ -119,7 +119,7 @@ void Coordinator::start_job(MasterJob& job,
         auto finished = std::make_shared<std::vector<TakenResult>>();
         for (Analysis& analysis : came.scenarios) {
             if (analysis.finished) {
-                finished->push_back(take_result(std::move(*analysis.finished), analysis.inside));
+                finished->push_back(take_result(std::move(*analysis.finished), analysis.cost));
             }
         }
         auto block = std::make_shared<AnalysedBlock>(std::move(came));
@@ -163,7 +163,7 @@ void Coordinator::block_came(JobId id,
     }
     for (const TakenResult& taken : finished) {
         ++job->answered_by_master;
-        job->statistics.inside += taken.inside;
+        job->statistics += taken.cost;
         merge(*job, taken, WorkerId{});
         if (!job->is_running()) {
             break;

@@ -94,7 +94,7 @@ void Coordinator::results_taken(WorkerId worker,
         job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;
         for (const TakenResult& one : taken.value()) {
-            job->statistics.inside += one.inside;
+            job->statistics += one.cost;
             act(dispatcher_.scenario_answered(worker, job->id, one.result.index));
             merge(*job, one, worker);
             if (!job->is_running()) {

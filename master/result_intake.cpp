@@ -51,17 +51,17 @@ Result<TakenResult> take_record(const JobMaterial& material,
                      "the result of scenario " + std::to_string(result.index) +
                          " is undecided, and no tolerance was asked for"};
     }
-    const InsideStatistics inside =
-        settle_with_cost(*material.a, *material.b, scenario, material.query, result);
-    return take_result(std::move(result), inside);
+    JobStatistics cost = found->second->cost;
+    cost.inside += settle_with_cost(*material.a, *material.b, scenario, material.query, result);
+    return take_result(std::move(result), cost);
 }
 
 } // namespace
 
-TakenResult take_result(ScenarioResult result, const InsideStatistics& inside) {
+TakenResult take_result(ScenarioResult result, const JobStatistics& cost) {
     Bytes record = encode_result(result);
     const Sha256 digest = sha256(record);
-    return {std::move(result), std::move(record), digest, inside};
+    return {std::move(result), std::move(record), digest, cost};
 }
 
 Result<std::vector<TakenResult>> take_results(const TaskContent& task, const Results& results) {

@@ -34,10 +34,10 @@ struct TakenResult {
     ScenarioResult result;
     Bytes record;
     Sha256 digest;
-    InsideStatistics inside; ///< What settling the result cost here.
+    JobStatistics cost; ///< What the scenario cost here: its analysis, and settling the result.
 };
 
-[[nodiscard]] TakenResult take_result(ScenarioResult result, const InsideStatistics& inside);
+[[nodiscard]] TakenResult take_result(ScenarioResult result, const JobStatistics& cost);
 
 /// The results of a message, each settled. The bytes may be hostile. Errors: BadFrame, TooLarge;
 /// for a record that is none, of another level or bodies than asked, or of a scenario that is not

@@ -17,16 +17,19 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     Analysis analysis;
     analysis.scenario = scenario;
     // The two roots of the tops are the bodies' own boxes, so this is the broad phase as well.
-    Result<std::vector<RootPair>> pairs =
-        colliding_roots(*input.top_a, *input.top_b, scenario.poses);
-    if (!pairs) {
-        analysis.finished = failed_result(scenario, input.query, pairs.error());
-    } else if (pairs.value().empty()) {
+    Result<CollidingRoots> roots =
+        counted_colliding_roots(*input.top_a, *input.top_b, scenario.poses);
+    if (!roots) {
+        analysis.finished = failed_result(scenario, input.query, roots.error());
+        return analysis;
+    }
+    analysis.cost.search.box_tests = roots.value().box_tests;
+    if (roots.value().pairs.empty()) {
         analysis.finished = run_on_subtrees({}, scenario, input.query).result;
-        analysis.inside =
+        analysis.cost.inside =
             settle_with_cost(*input.a, *input.b, scenario, input.query, *analysis.finished);
     } else {
-        analysis.pairs = std::move(pairs.value());
+        analysis.pairs = std::move(roots.value().pairs);
         analysis.roots_a = roots_of_a(analysis.pairs);
         analysis.roots_b = roots_of_b(analysis.pairs);
     }

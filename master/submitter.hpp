@@ -39,7 +39,7 @@ struct Analysis {
     /// Where no roots collide: separate, or inside; or failed, where they are too many. `pairs` is
     /// then empty.
     std::optional<ScenarioResult> finished;
-    InsideStatistics inside; ///< What settling `finished` cost.
+    JobStatistics cost; ///< Of the analysis, and of settling `finished`.
 };
 
 /// The analysis of one scenario. Pure. A failure of it is a `finished` result that names it.
