@@ -18,7 +18,15 @@ std::shared_ptr<const ObbTree> tree_of(const std::shared_ptr<const Mesh>& mesh, 
     return std::make_shared<const ObbTree>(build_tree(mesh, {}, pool));
 }
 
+/// Of what a search walks: the wide tree with its triangles where there is one, else the binary
+/// tree with the mesh's.
 std::uint64_t bytes_of(const TreeView& view) {
+    const TriangleBlocks& blocks = view.wide.triangles;
+    if (!view.wide.nodes.empty()) {
+        return view.wide.nodes.size_bytes() + blocks.floats.size_bytes() +
+               blocks.doubles.size_bytes() + blocks.vertex_begin.size_bytes() +
+               blocks.corners.size_bytes() + blocks.ids.size_bytes();
+    }
     return view.nodes.size_bytes() + view.vertices.size_bytes() + view.triangles.size_bytes() +
            view.triangle_ids.size_bytes();
 }
