@@ -4,15 +4,17 @@
 //   engine_pair_bench MESH_A MESH_B [--unit-a 1] [--poses FILE | --random 50] [--benchmark_...]
 //
 // FILE holds a pose of B in A's frame a line: the rotation by rows, then the translation. `float`
-// is the float stage alone on each SIMD target, its gathering of corners included; a search has
-// just had the corners of its candidates in hand for their boxes, and so has this before the clock
-// starts. `float cold` leaves that out. `decision` is the whole decision. `each` is the time of one
-// candidate. The checksum of what was decided must be the same for all targets.
+// is the float stage alone on each SIMD target, its gathering of corners included, from blocks of
+// 16 triangles that follow each other in the tree; `mesh` reads the mesh's arrays instead. The
+// corners have been read before the clock starts; in the rows called cold they have not. `decision`
+// is the whole decision. `each` is the time of one candidate. The checksum of what was decided must
+// be the same for all targets.
 #include "client/mesh_import.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/geometry/float_triangle_pair.hpp"
 #include "common/geometry/simd_target.hpp"
+#include "common/geometry/triangle_blocks.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/tree/box_test.hpp"
 #include "common/tree/build.hpp"
@@ -21,6 +23,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
@@ -49,6 +52,8 @@ struct Work {
 struct Scene {
     ObbTree a;
     ObbTree b;
+    TriangleBlockArrays blocks_a;
+    TriangleBlockArrays blocks_b;
     std::vector<Work> works;
 
     [[nodiscard]] std::size_t candidates() const {
@@ -64,6 +69,18 @@ constexpr std::size_t candidates_at_once = 512; // As ContactSearch does.
 
 TriangleSpan triangles_of(const ObbTree& tree) {
     return {tree.view().vertices, tree.view().triangles};
+}
+
+/// Blocks of triangles that follow each other in the tree: each keeps its place.
+TriangleBlockArrays blocks_of(const ObbTree& tree, Precision precision) {
+    TriangleBlockArrays blocks(precision);
+    const TriangleSpan all = triangles_of(tree);
+    for (std::size_t i = 0; i < all.triangles.size(); i += block_size) {
+        const std::size_t size = std::min<std::size_t>(block_size, all.triangles.size() - i);
+        const std::array<std::uint32_t, block_size> ids{};
+        blocks.add(all.triangles.subspan(i, size), std::span(ids).first(size), all.vertices);
+    }
+    return blocks;
 }
 
 void add_candidates(const Scene& scene,
@@ -151,14 +168,34 @@ void for_each_block(const Work& work, const OnBlock& on_block) {
     }
 }
 
-/// Reads what the boxes of the candidates are made of.
-void touch(const Scene& scene, std::span<const Candidate> block) {
+/// What candidates are read from.
+struct MeshSource {
+    TriangleSpan a;
+    TriangleSpan b;
+
+    explicit MeshSource(const Scene& scene) : a(triangles_of(scene.a)), b(triangles_of(scene.b)) {}
+    [[nodiscard]] Corners corners_a(std::uint32_t place) const { return a.corners(place); }
+    [[nodiscard]] Corners corners_b(std::uint32_t place) const { return b.corners(place); }
+};
+
+struct BlockSource {
+    TriangleBlocks a;
+    TriangleBlocks b;
+
+    explicit BlockSource(const Scene& scene) : a(scene.blocks_a.view()), b(scene.blocks_b.view()) {}
+    [[nodiscard]] Corners corners_a(std::uint32_t place) const { return a.corners_at(place); }
+    [[nodiscard]] Corners corners_b(std::uint32_t place) const { return b.corners_at(place); }
+};
+
+/// Reads the corners of the candidates.
+template <class Source>
+void touch(const Source& source, std::span<const Candidate> block) {
     double sum = 0;
     for (const Candidate& candidate : block) {
-        for (const Vec3& corner : triangles_of(scene.a).corners(candidate.a)) {
+        for (const Vec3& corner : source.corners_a(candidate.a)) {
             sum += corner.x();
         }
-        for (const Vec3& corner : triangles_of(scene.b).corners(candidate.b)) {
+        for (const Vec3& corner : source.corners_b(candidate.b)) {
             sum += corner.x();
         }
     }
@@ -174,23 +211,25 @@ double processor_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+template <class Source>
 void run_float(benchmark::State& state, const Scene& scene, SimdTarget target, Memory memory) {
     static_cast<void>(force_simd_target(to_text(target)));
     std::vector<FloatTrianglePair> tests;
     for (const Work& work : scene.works) {
         tests.emplace_back(work.poses);
     }
+    const Source source(scene);
     std::vector<FloatVerdict> verdicts(candidates_at_once);
     double spent = 0;
     const auto run = [&](const auto& on_verdicts) {
         for (std::size_t i = 0; i < tests.size(); ++i) {
             if (memory == Memory::Touched) {
-                touch(scene, scene.works[i].candidates);
+                touch(source, scene.works[i].candidates);
             }
             const double start = processor_seconds();
             for_each_block(scene.works[i], [&](std::span<const Candidate> block) {
                 const auto some = std::span(verdicts).first(block.size());
-                tests[i].classify(triangles_of(scene.a), triangles_of(scene.b), block, some);
+                tests[i].classify(source.a, source.b, block, some);
                 on_verdicts(some);
             });
             spent += processor_seconds() - start;
@@ -215,6 +254,7 @@ void run_float(benchmark::State& state, const Scene& scene, SimdTarget target, M
 }
 
 void run_decision(benchmark::State& state, const Scene& scene) {
+    const BlockSource source(scene);
     std::vector<TrianglePairTest> tests;
     for (const Work& work : scene.works) {
         tests.emplace_back(work.poses);
@@ -222,7 +262,7 @@ void run_decision(benchmark::State& state, const Scene& scene) {
     const auto run = [&](const auto& on_kinds) {
         for (std::size_t i = 0; i < tests.size(); ++i) {
             for_each_block(scene.works[i], [&](std::span<const Candidate> block) {
-                on_kinds(tests[i].classify(triangles_of(scene.a), triangles_of(scene.b), block));
+                on_kinds(tests[i].classify(source.a, source.b, block));
             });
         }
     };
@@ -281,7 +321,11 @@ std::optional<Scene> make_scene(const Options& options) {
         }
     }
     ThreadPool pool;
-    Scene scene{build_tree(a.value().mesh, {}, pool), build_tree(b.value().mesh, {}, pool), {}};
+    ObbTree tree_a = build_tree(a.value().mesh, {}, pool);
+    ObbTree tree_b = build_tree(b.value().mesh, {}, pool);
+    TriangleBlockArrays blocks_a = blocks_of(tree_a, a.value().mesh->precision());
+    TriangleBlockArrays blocks_b = blocks_of(tree_b, b.value().mesh->precision());
+    Scene scene{std::move(tree_a), std::move(tree_b), std::move(blocks_a), std::move(blocks_b), {}};
     const auto poses = options.poses.empty() ? random_poses(scene, options.random, pool)
                                              : read_poses(options.poses);
     for (const PosePair& pair : poses) {
@@ -294,16 +338,21 @@ std::optional<Scene> make_scene(const Options& options) {
     return scene;
 }
 
+template <class Source>
+void register_float(const Scene& scene, const std::string& name, SimdTarget target, Memory memory) {
+    benchmark::RegisterBenchmark(
+        (name + std::string(to_text(target))).c_str(),
+        [&scene, target, memory](auto& state) { run_float<Source>(state, scene, target, memory); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMicrosecond);
+}
+
 void register_all(const Scene& scene) {
     for (const SimdTarget target : available_simd_targets()) {
-        for (const Memory memory : {Memory::Touched, Memory::Cold}) {
-            const std::string name = memory == Memory::Touched ? "float/" : "float cold/";
-            benchmark::RegisterBenchmark(
-                (name + std::string(to_text(target))).c_str(),
-                [&scene, target, memory](auto& state) { run_float(state, scene, target, memory); })
-                ->UseManualTime()
-                ->Unit(benchmark::kMicrosecond);
-        }
+        register_float<BlockSource>(scene, "float/", target, Memory::Touched);
+        register_float<BlockSource>(scene, "float cold/", target, Memory::Cold);
+        register_float<MeshSource>(scene, "mesh/", target, Memory::Touched);
+        register_float<MeshSource>(scene, "mesh cold/", target, Memory::Cold);
     }
     benchmark::RegisterBenchmark("decision", [&scene](auto& state) {
         run_decision(state, scene);

@@ -20,7 +20,8 @@ enum class FloatVerdict : std::uint8_t {
 /// Decides most pairs of ordinary scenes under one pair of poses. It works in A's coordinates: what
 /// parts or joins two triangles there does so in the world, A's pose being an invertible map.
 ///
-/// The verdicts are the same bits on every SIMD target, and of a pair whatever stands beside it.
+/// The verdicts are the same bits on every SIMD target, and of a pair whatever stands beside it;
+/// but what is known of a pair from blocks may depend on their `reach`.
 class FloatTrianglePair {
   public:
     /// `bound_scale` is for tests, which show that smaller bounds prove what is not true.

@@ -7,6 +7,7 @@
 #include "common/core/hash.hpp"
 #include "common/geometry/float_triangle_pair.hpp"
 #include "common/geometry/simd_target.hpp"
+#include "common/geometry/triangle_blocks.hpp"
 #include "common/geometry/triangle_pair.hpp"
 #include "tests/corpus/fingerprint.hpp"
 #include "tests/corpus/pairs.hpp"
@@ -74,9 +75,40 @@ Batch turned(const PosedPair& pair) {
     return batch;
 }
 
+/// Blocks of one triangle, so that the candidates' places are those of the batch, times the size of
+/// a block. Floats are rounded from the batch's numbers.
+TriangleBlockArrays blocks_of(const TriangleSpan& span, Precision precision) {
+    std::vector<Vec3> vertices(span.vertices.begin(), span.vertices.end());
+    if (precision == Precision::Float) {
+        for (Vec3& vertex : vertices) {
+            vertex = Vec3(vertex.cast<float>().cast<double>());
+        }
+    }
+    TriangleBlockArrays blocks(precision);
+    for (const Triangle& triangle : span.triangles) {
+        blocks.add(std::span(&triangle, 1), std::array<std::uint32_t, 1>{}, vertices);
+    }
+    return blocks;
+}
+
+/// Of each candidate in the batch's arrays, then in blocks of floats, of doubles, and of both.
 std::vector<FloatVerdict> verdicts_of(const PosePair& poses, const Batch& batch, Counts& counts) {
-    std::vector<FloatVerdict> verdicts(batch.candidates.size());
-    FloatTrianglePair(poses).classify(batch.a(), batch.b(), batch.candidates, verdicts);
+    const std::size_t count = batch.candidates.size();
+    std::vector<FloatVerdict> verdicts(4 * count);
+    const auto part = [&](std::size_t i) { return std::span(verdicts).subspan(i * count, count); };
+    const FloatTrianglePair test(poses);
+    test.classify(batch.a(), batch.b(), batch.candidates, part(0));
+    std::vector<Candidate> candidates = batch.candidates;
+    for (Candidate& candidate : candidates) {
+        candidate = {candidate.a * block_size, candidate.b * block_size};
+    }
+    const auto floats_a = blocks_of(batch.a(), Precision::Float);
+    const auto floats_b = blocks_of(batch.b(), Precision::Float);
+    const auto doubles_a = blocks_of(batch.a(), Precision::Double);
+    const auto doubles_b = blocks_of(batch.b(), Precision::Double);
+    test.classify(floats_a.view(), floats_b.view(), candidates, part(1));
+    test.classify(doubles_a.view(), doubles_b.view(), candidates, part(2));
+    test.classify(floats_a.view(), doubles_b.view(), candidates, part(3));
     for (const FloatVerdict verdict : verdicts) {
         ++counts.verdicts[static_cast<std::size_t>(verdict)];
     }
@@ -170,7 +202,10 @@ void print_vehicles(std::uint64_t seed, Counts& counts) {
     for (std::uint32_t i = 0; i < kinds.size(); ++i) {
         const PosedPair pair{batch.a().corners(i), batch.b().corners(i), poses};
         const std::string name = "vehicle " + std::to_string(seed) + " " + std::to_string(i);
-        print(name, pair, std::span(verdicts).subspan(i, 1), kinds[i], test, counts);
+        const std::size_t count = kinds.size();
+        const std::array of_pair{
+            verdicts[i], verdicts[count + i], verdicts[2 * count + i], verdicts[3 * count + i]};
+        print(name, pair, of_pair, kinds[i], test, counts);
     }
 }
 
