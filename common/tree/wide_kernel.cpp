@@ -219,6 +219,33 @@ HWY_INLINE std::uint32_t see_triangles(const WideBody& body,
 
 #endif
 
+/// Writes the pairs of one child with those of the other node's from `their_first` on that the mask
+/// names; how many.
+template <bool kRowsOfA>
+HWY_INLINE std::size_t
+append(std::uint32_t own, std::uint32_t their_first, M found, std::uint32_t* to) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    const hn::RebindToUnsigned<Floats> du;
+    const auto theirs = hn::Compress(hn::Iota(du, their_first), hn::RebindMask(du, found));
+    if constexpr (kRowsOfA) {
+        hn::StoreInterleaved2(hn::Set(du, own), theirs, du, to);
+    } else {
+        hn::StoreInterleaved2(theirs, hn::Set(du, own), du, to);
+    }
+    return hn::CountTrue(Floats(), found);
+#else
+    // Few are found, and other targets have no such instruction.
+    std::size_t count = 0;
+    for (std::uint32_t bits = bits_of(found); bits != 0; bits &= bits - 1) {
+        const std::uint32_t their = their_first + static_cast<std::uint32_t>(__builtin_ctz(bits));
+        to[2 * count] = kRowsOfA ? own : their;
+        to[2 * count + 1] = kRowsOfA ? their : own;
+        ++count;
+    }
+    return count;
+#endif
+}
+
 /// Writes the pairs of a row's child of one side with those of the other that may overlap it; how
 /// many.
 template <bool kRowsOfA>
@@ -229,7 +256,6 @@ HWY_INLINE std::size_t pair_up(const Side& one,
                                const Intervals& others_seen,
                                std::uint32_t* to) {
     const Floats d;
-    const hn::RebindToUnsigned<Floats> du;
     Intervals own;
     for (std::size_t lane = 0; lane < one.count; lane += lanes) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -245,7 +271,6 @@ HWY_INLINE std::size_t pair_up(const Side& one,
             high_of(others, 0, lane), high_of(others, 1, lane), high_of(others, 2, lane)};
         const auto left = static_cast<std::uint32_t>(others.count - lane);
         const M used = hn::FirstN(d, left < lanes ? left : lanes);
-        const auto places = hn::Iota(du, others.first + static_cast<std::uint32_t>(lane));
         for (std::uint32_t rest = rows; rest != 0; rest &= rest - 1) {
             const auto i = static_cast<std::uint32_t>(__builtin_ctz(rest));
             const auto apart_on = [&](std::size_t k) HWY_ATTR {
@@ -258,14 +283,8 @@ HWY_INLINE std::size_t pair_up(const Side& one,
             };
             const M apart = hn::Or(hn::Or(apart_on(0), apart_on(1)), apart_on(2));
             const M found = hn::AndNot(apart, used);
-            const auto theirs = hn::Compress(places, hn::RebindMask(du, found));
-            const auto row = hn::Set(du, one.first + i);
-            if constexpr (kRowsOfA) {
-                hn::StoreInterleaved2(row, theirs, du, to + 2 * count);
-            } else {
-                hn::StoreInterleaved2(theirs, row, du, to + 2 * count);
-            }
-            count += hn::CountTrue(d, found);
+            const std::uint32_t their_first = others.first + static_cast<std::uint32_t>(lane);
+            count += append<kRowsOfA>(one.first + i, their_first, found, to + 2 * count);
         }
     }
     return count;
