@@ -1,205 +1,202 @@
 // What does a tie cost? Times the decision of hard pairs by category, each pair with its own poses,
-// and of the candidates of stacked boxes, where ties are the normal case: each from stage Double
-// on, from Lattice, from DoubleDouble, from WideInteger and from Arbitrary.
+// and of the candidates of scenes in which ties are the normal case: boxes stacked on lattices, as
+// they are, moved by decimals and turned by 3-4-5, and gears.
 //
-//   engine_exact_bench [--pairs 300] [--cells 6] [--rounds 5]
+//   engine_exact_bench [--pairs 300] [--rounds 9] [--stages] [--only gears]
 //
-// A Markdown row a set: pairs, nanoseconds a pair from each of those stages (the least of the
-// rounds, without making the poses' tests), the pairs that each stage settled when all stages may,
-// and the sum of the classes, which must be one in all columns.
-#include "common/geometry/aabb.hpp"
+// A Markdown row a set: pairs; nanoseconds a pair as a query decides them, the poses' tests made
+// anew in each round; the same with those tests made before; with --stages then from stage Double
+// on, from Lattice, from DoubleDouble, from WideInteger and from Arbitrary, with the tests made
+// before; the pairs that each stage settled when all may, and the sums of the classes, which must
+// be one in all columns. All times are the medians of the rounds.
+#include "bench/accuracy/sources.hpp"
+#include "bench/accuracy/timing.hpp"
 #include "common/geometry/triangle_pair.hpp"
 #include "tests/corpus/pairs.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/corpus/scenes.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
-#include <limits>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace cd {
+namespace cd::bench {
 
 namespace {
 
 struct Options {
     std::uint64_t pairs = 300;
-    int cells = 6;
-    int rounds = 5;
-};
+    std::size_t rounds = 9;
+    std::size_t scenes_max = 1000;
+    bool stages = false;
+    std::string only;
 
-constexpr std::array stages{PairStage::Double,
-                            PairStage::Lattice,
-                            PairStage::DoubleDouble,
-                            PairStage::WideInteger,
-                            PairStage::Arbitrary};
-
-/// The pairs of one set; those under one pair of poses stand together.
-struct Group {
-    PosePair poses;
-    std::vector<std::pair<Corners, Corners>> pairs;
-};
-
-struct Timing {
-    double nanoseconds = std::numeric_limits<double>::infinity();
-    std::uint64_t class_sum = 0;
-    PairStatistics statistics;
-};
-
-Timing measure(const std::vector<Group>& groups, PairStage first, int rounds) {
-    std::vector<TrianglePairTest> tests;
-    std::size_t count = 0;
-    for (const Group& group : groups) {
-        tests.emplace_back(group.poses, first);
-        count += group.pairs.size();
+    [[nodiscard]] bool wants(const std::string& name) const {
+        return name.find(only) != std::string::npos;
     }
-    Timing timing;
-    for (int round = 0; round <= rounds; ++round) { // The first makes what is made once.
-        const auto start = std::chrono::steady_clock::now();
-        timing.class_sum = 0;
+};
+
+/// Time and pairs of several sets.
+struct Sum {
+    double nanoseconds = 0;
+    double pairs = 0;
+
+    [[nodiscard]] double mean() const { return pairs == 0 ? 0 : nanoseconds / pairs; }
+};
+
+constexpr std::array later_stages{PairStage::Double,
+                                  PairStage::Lattice,
+                                  PairStage::DoubleDouble,
+                                  PairStage::WideInteger,
+                                  PairStage::Arbitrary};
+
+std::uint64_t sum_of(std::span<const PairClass> kinds) {
+    std::uint64_t sum = 0;
+    for (const PairClass kind : kinds) {
+        sum += static_cast<std::uint64_t>(kind);
+    }
+    return sum;
+}
+
+/// One way to decide a batch.
+class Contestant {
+  public:
+    Contestant(const PairBatch& batch, PairStage first, bool makes_tests)
+        : batch_(&batch), first_(first), makes_tests_(makes_tests) {}
+
+    void run() {
+        class_sum_ = 0;
+        const std::span<const PairGroup> groups = batch_->groups();
         for (std::size_t i = 0; i < groups.size(); ++i) {
-            for (const auto& [a, b] : groups[i].pairs) {
-                timing.class_sum += static_cast<std::uint64_t>(tests[i].classify(a, b));
+            if (makes_tests_) {
+                TrianglePairTest test(groups[i].poses, first_);
+                decide(groups[i], test);
+                continue;
             }
-        }
-        const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        if (round == 0) {
-            for (const TrianglePairTest& test : tests) {
-                timing.statistics += test.statistics();
+            if (tests_.size() <= i) {
+                tests_.emplace_back(groups[i].poses, first_);
             }
-        } else {
-            timing.nanoseconds =
-                std::min(timing.nanoseconds, 1e9 * seconds / static_cast<double>(count));
+            decide(groups[i], tests_[i]);
         }
     }
-    return timing;
-}
 
-/// Prints one row; returns the time from stage Double on.
-double print_row(const std::string& name, const std::vector<Group>& groups, int rounds) {
-    std::size_t count = 0;
-    for (const Group& group : groups) {
-        count += group.pairs.size();
+    [[nodiscard]] std::uint64_t class_sum() const { return class_sum_; }
+
+  private:
+    void decide(const PairGroup& group, TrianglePairTest& test) {
+        class_sum_ += sum_of(test.classify(group.a, group.b, group.candidates));
     }
-    std::printf("| %s | %zu |", name.c_str(), count);
-    double from_double = 0;
+
+    const PairBatch* batch_;
+    PairStage first_;
+    bool makes_tests_;
+    std::vector<TrianglePairTest> tests_;
+    std::uint64_t class_sum_ = 0;
+};
+
+PairStatistics statistics_of(const PairBatch& batch) {
     PairStatistics statistics;
-    std::string sums;
-    for (const PairStage first : stages) {
-        // Arbitrary precision takes long, and once is enough to see that.
-        const Timing timing = measure(groups, first, first == PairStage::Arbitrary ? 1 : rounds);
-        std::printf(" %.0f |", timing.nanoseconds);
-        sums += (sums.empty() ? "" : " ") + std::to_string(timing.class_sum);
-        if (first == PairStage::Double) {
-            from_double = timing.nanoseconds;
-            statistics = timing.statistics;
-        }
+    for (const PairGroup& group : batch.groups()) {
+        TrianglePairTest test(group.poses);
+        static_cast<void>(test.classify(group.a, group.b, group.candidates));
+        statistics += test.statistics();
     }
-    for (const PairStage stage : stages) {
-        std::printf(" %llu |", static_cast<unsigned long long>(statistics[stage]));
-    }
-    std::printf(" %s |\n", sums.c_str());
-    return from_double;
+    return statistics;
 }
 
-Mesh scaled(const Mesh& mesh, double factor, bool to_float) {
-    std::vector<Vec3> vertices(mesh.vertices().begin(), mesh.vertices().end());
-    for (Vec3& vertex : vertices) {
-        vertex *= factor;
-        if (to_float) {
-            vertex = Vec3(vertex.cast<float>().cast<double>());
+/// Prints one row; returns its time as a query takes it.
+Sum print_row(const std::string& name, const PairBatch& batch, const Options& options) {
+    std::vector<Contestant> contestants;
+    contestants.emplace_back(batch, PairStage::Float, true);
+    contestants.emplace_back(batch, PairStage::Float, false);
+    if (options.stages) {
+        for (const PairStage first : later_stages) {
+            contestants.emplace_back(batch, first, false);
         }
     }
-    return tests::make_mesh(std::move(vertices),
-                            {mesh.triangles().begin(), mesh.triangles().end()});
+    const std::vector<double> medians = interleaved_medians(
+        options.rounds, contestants.size(), [&](std::size_t i) { contestants[i].run(); });
+    std::printf("| %s | %zu |", name.c_str(), batch.size());
+    const auto pairs = static_cast<double>(batch.size());
+    std::set<std::uint64_t> sums;
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+        std::printf(" %.0f |", 1e9 * medians[i] / pairs);
+        sums.insert(contestants[i].class_sum());
+    }
+    const PairStatistics statistics = statistics_of(batch);
+    for (const std::uint64_t settled : statistics.settled) {
+        std::printf(" %llu |", static_cast<unsigned long long>(settled));
+    }
+    for (const std::uint64_t sum : sums) {
+        std::printf(" %llu", static_cast<unsigned long long>(sum));
+    }
+    std::puts(" |");
+    return {1e9 * medians[0], pairs};
 }
 
-/// The pairs of triangles whose boxes overlap in the world, or nearly.
-Group candidates(const Mesh& a, const Mesh& b, const PosePair& poses) {
-    const auto box_of = [](const Mesh& mesh, const Triangle& triangle, const Pose& pose) {
-        Aabb box;
-        for (const std::uint32_t vertex : triangle) {
-            box.add(pose.apply(mesh.vertices()[vertex]));
-        }
-        return box;
+void print_head(const Options& options) {
+    std::string head = "| set | pairs | whole, ns | poses made before |";
+    std::string rule = "|---|---|---|---|";
+    const auto add = [&](const std::string& cell) {
+        head += " " + cell + " |";
+        rule += "---|";
     };
-    Group group{poses, {}};
-    for (const Triangle& s : a.triangles()) {
-        Aabb box = box_of(a, s, poses.a);
-        box.min -= Vec3::Constant(1e-9);
-        box.max += Vec3::Constant(1e-9);
-        for (const Triangle& t : b.triangles()) {
-            if (!are_apart(box, box_of(b, t, poses.b))) {
-                group.pairs.push_back(
-                    {{a.vertices()[s[0]], a.vertices()[s[1]], a.vertices()[s[2]]},
-                     {b.vertices()[t[0]], b.vertices()[t[1]], b.vertices()[t[2]]}});
-            }
+    if (options.stages) {
+        for (const PairStage stage : later_stages) {
+            add("from " + std::string(to_text(stage)));
         }
     }
-    return group;
-}
-
-/// Two boxes of grids of cells, one on the other and shifted by a cell.
-void print_boxes(const Options& options) {
-    const auto cells = static_cast<double>(options.cells);
-    const Mesh whole = tests::make_gridded_box(Vec3(cells, cells, cells), options.cells);
-    Mat3 turn = Mat3::Zero();
-    turn(0, 1) = -1;
-    turn(1, 0) = turn(2, 2) = 1;
-    for (const bool to_float : {false, true}) {
-        for (const bool is_dyadic : {true, false}) {
-            const double cell = is_dyadic ? 0.125 : 0.1;
-            const std::string name =
-                std::string(is_dyadic ? "dyadic" : "decimal") + (to_float ? ", float" : ", double");
-            const Mesh box = scaled(whole, cell, to_float);
-            const Vec3 up(cell, 0, cell * cells);
-            const Mesh placed = scaled(tests::translated(whole, Vec3(1, 0, cells)), cell, to_float);
-            print_row("boxes, " + name + ", placed", {candidates(box, placed, {})}, options.rounds);
-            print_row("boxes, " + name + ", moved",
-                      {candidates(box, box, {Pose{}, Pose::from_matrix(Mat3::Identity(), up)})},
-                      options.rounds);
-            print_row("boxes, " + name + ", turned by a quarter",
-                      {candidates(box, box, {Pose{}, Pose::from_matrix(turn, up)})},
-                      options.rounds);
-        }
+    for (std::size_t i = 0; i < pair_stage_count; ++i) {
+        add("in " + std::string(to_text(static_cast<PairStage>(i))));
     }
+    add("sums");
+    std::printf("%s\n%s\n", head.c_str(), rule.c_str());
 }
 
 int run(const Options& options) {
-    std::puts(
-        "| set | pairs | from double, ns | lattice | double-double | wide integer | arbitrary "
-        "| in double | lattice | double-double | wide integer | arbitrary | sums |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|---|---|");
-    double sum = 0;
+    print_head(options);
+    Sum corpus;
     for (const std::string& category : tests::pair_categories()) {
-        std::vector<Group> groups;
-        for (std::uint64_t seed = 0; seed < options.pairs; ++seed) {
-            const tests::PosedPair pair = tests::corpus_pair(category, seed);
-            groups.push_back({pair.poses, {{pair.a, pair.b}}});
+        if (!options.wants(category)) {
+            continue;
         }
-        sum += print_row(category, groups, options.rounds);
+        const Sum row = print_row(category, corpus_batch(category, 0, options.pairs), options);
+        corpus.nanoseconds += row.mean();
+        corpus.pairs += 1;
     }
-    print_boxes(options);
-    std::printf("\nmean of all categories from stage Double on: %.0f ns\n",
-                sum / static_cast<double>(tests::pair_categories().size()));
+    Sum scenes;
+    for (const Scene& scene : hard_scenes(options.scenes_max)) {
+        const bool has_ties =
+            scene.name.starts_with("stacked boxes") || scene.name.starts_with("gears");
+        if (!has_ties || !options.wants(scene.name)) {
+            continue;
+        }
+        const SceneCandidates candidates(scene);
+        const Sum row = print_row(scene.name, candidates.batch(), options);
+        scenes.nanoseconds += row.nanoseconds;
+        scenes.pairs += row.pairs;
+    }
+    std::printf("\nmean of all categories, the poses' tests made anew: %.0f ns\n", corpus.mean());
+    std::printf("mean of a candidate of stacked boxes and gears: %.0f ns\n", scenes.mean());
     return 0;
 }
 
 } // namespace
 
-} // namespace cd
+} // namespace cd::bench
 
 int main(int argc, char** argv) {
-    cd::Options options;
+    cd::bench::Options options;
     CLI::App app{"What a tie between two triangles costs"};
     app.add_option("--pairs", options.pairs, "of each category");
-    app.add_option("--cells", options.cells, "along an edge of the boxes");
-    app.add_option("--rounds", options.rounds, "the least of which counts");
+    app.add_option("--rounds", options.rounds, "the median of which counts");
+    app.add_option("--scenes", options.scenes_max, "looked at, at most");
+    app.add_option("--only", options.only, "what has this in its name");
+    app.add_flag("--stages", options.stages, "also from each later stage on");
     CLI11_PARSE(app, argc, argv);
-    return cd::run(options);
+    return cd::bench::run(options);
 }
