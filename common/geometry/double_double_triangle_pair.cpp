@@ -31,6 +31,7 @@
 // comparison with it proves anything.
 #include "common/geometry/double_double_triangle_pair.hpp"
 
+#include "common/geometry/double_triangle_pair.hpp"
 #include "common/geometry/plain_poses.hpp"
 
 #include <algorithm>
@@ -43,19 +44,6 @@ namespace {
 
 constexpr double magnitude_least = 0x1p-200;
 constexpr double magnitude_most = 0x1p200;
-
-struct BothSums {
-    BothBodies high;
-    BothBodies low;
-};
-
-/// `exact_sum` of both.
-BothSums exact_sums(BothBodies left, BothBodies right) {
-    const BothBodies sum = left + right;
-    const BothBodies right_part = sum - left;
-    const BothBodies left_part = sum - right_part;
-    return {sum, (left - left_part) + (right - right_part)};
-}
 
 /// Veltkamp's splitting: the high half of the digits.
 BothBodies head_of(BothBodies x) {
@@ -132,9 +120,8 @@ DoubleDoublePoses::DoubleDoublePoses(const PosePair& poses)
 DoubleDoubleSigns::DoubleDoubleSigns(const DoubleDoublePoses& poses,
                                      const Corners& a,
                                      const Corners& b,
-                                     const KnownSigns& known,
                                      double bound_scale)
-    : known_(known), scale_(bound_scale) {
+    : scale_(bound_scale) {
     double reach_a = 0;
     double reach_b = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -174,7 +161,7 @@ void DoubleDoubleSigns::place(const DoubleDoublePoses& poses,
                 entry.tail * tails[j] - //
                 (((product - entry.head * heads[j]) - entry.tail * heads[j]) -
                  entry.head * tails[j]);
-            const BothSums sum = exact_sums(high, product);
+            const two_doubles::Sums sum = two_doubles::exact_sums(high, product);
             high = sum.high;
             low += (sum.low + left_over) + entry.low * x[j];
         }
@@ -225,12 +212,6 @@ int DoubleDoubleSigns::edge_side(std::size_t i,
                                  std::size_t i_to,
                                  std::size_t j,
                                  std::size_t j_to) const {
-    if (known_.in_double != nullptr) {
-        if (const int known = known_.in_double->edge_side(i, i_to, j, j_to);
-            known != unknown_sign) {
-            return known;
-        }
-    }
     // det(i' - i, j - i, j' - i) = det(i' - i, j - i, j' - j).
     const Sized x = between(i, i_to);
     const Sized y = between(i, j);
@@ -239,11 +220,6 @@ int DoubleDoubleSigns::edge_side(std::size_t i,
 }
 
 int DoubleDoubleSigns::turn(std::size_t i, std::size_t j, std::size_t k, std::size_t axis) const {
-    if (known_.in_double != nullptr) {
-        if (const int known = known_.in_double->turn(i, j, k, axis); known != unknown_sign) {
-            return known;
-        }
-    }
     const Sized x = between(i, j);
     const Sized y = between(i, k);
     const std::size_t first = (axis + 1) % 3;
@@ -254,11 +230,6 @@ int DoubleDoubleSigns::turn(std::size_t i, std::size_t j, std::size_t k, std::si
 }
 
 int DoubleDoubleSigns::difference(std::size_t i, std::size_t j, std::size_t axis) const {
-    if (known_.in_double != nullptr) {
-        if (const int known = known_.in_double->difference(i, j, axis); known != unknown_sign) {
-            return known;
-        }
-    }
     return proven_sign(between(j, i).value[axis].high, scale_ * 1.01 * error_);
 }
 
@@ -266,9 +237,8 @@ DoubleDoubleTrianglePair::DoubleDoubleTrianglePair(const PosePair& poses, double
     : poses_(plain_poses(poses)), bound_scale_(bound_scale) {}
 
 std::optional<PairClass> DoubleDoubleTrianglePair::classify(const Corners& a,
-                                                            const Corners& b,
-                                                            const KnownSigns& known) const {
-    const DoubleDoubleSigns signs(poses_, a, b, known, bound_scale_);
+                                                            const Corners& b) const {
+    const DoubleDoubleSigns signs(poses_, a, b, bound_scale_);
     ProvenSigns proven(signs);
     const PairClass kind = decide_pair(proven);
     return proven.are_enough() ? std::optional(kind) : std::nullopt;

@@ -3,17 +3,14 @@
 #pragma once
 
 #include "common/geometry/double_double_rotation.hpp"
-#include "common/geometry/double_triangle_pair.hpp"
 #include "common/geometry/pair_decision.hpp"
+#include "common/geometry/two_doubles.hpp"
 
 #include <array>
 #include <cstddef>
 #include <optional>
 
 namespace cd {
-
-/// Two numbers that go through the same operations at once: A's and B's.
-__extension__ typedef double BothBodies __attribute__((vector_size(16)));
 
 /// Two poses in double-double. The world's origin is moved to where B's translation is none.
 struct DoubleDoublePoses {
@@ -34,25 +31,19 @@ struct DoubleDoublePoses {
     explicit DoubleDoublePoses(const PosePair& poses);
 };
 
-/// What an earlier stage has proven of a pair; nothing by default.
-struct KnownSigns {
-    const DoubleSigns* in_double = nullptr; ///< Asked before anything is computed.
-    PlaneSides of_a = unknown_sides;
-    PlaneSides of_b = unknown_sides;
-};
-
-/// The signs of one pair that are known or that double-double proves; `unknown_sign` for the
-/// others. Refers to `known`.
+/// The signs of one pair that double-double proves; `unknown_sign` for the others.
 class DoubleDoubleSigns {
   public:
     DoubleDoubleSigns(const DoubleDoublePoses& poses,
                       const Corners& a,
                       const Corners& b,
-                      const KnownSigns& known,
-                      double bound_scale);
+                      double bound_scale = 1);
 
-    [[nodiscard]] PlaneSides sides_of_a() const { return sides(known_.of_a, 3, 0); }
-    [[nodiscard]] PlaneSides sides_of_b() const { return sides(known_.of_b, 0, 3); }
+    [[nodiscard]] PlaneSides sides_of_a() const { return sides(unknown_sides, 3, 0); }
+    [[nodiscard]] PlaneSides sides_of_b() const { return sides(unknown_sides, 0, 3); }
+    /// The sides of the corners from `corners` on against the plane of those from `plane` on. What
+    /// is known is taken as proven.
+    [[nodiscard]] PlaneSides sides(PlaneSides known, std::size_t plane, std::size_t corners) const;
     [[nodiscard]] int
     edge_side(std::size_t i, std::size_t i_to, std::size_t j, std::size_t j_to) const;
     [[nodiscard]] int turn(std::size_t i, std::size_t j, std::size_t k, std::size_t axis) const;
@@ -69,9 +60,7 @@ class DoubleDoubleSigns {
     /// x_to - x_from.
     [[nodiscard]] Sized between(std::size_t from, std::size_t to) const;
     [[nodiscard]] double volume_bound(const Sized& x, const Sized& y, const Sized& z) const;
-    [[nodiscard]] PlaneSides sides(PlaneSides known, std::size_t plane, std::size_t corners) const;
 
-    const KnownSigns& known_;
     std::array<DoubleDoubleVec, 6> corners_; ///< In the world; the low parts are not normalised.
     double error_ = 0;                       ///< Bounds that of each component of a difference.
     double scale_ = 1;
@@ -83,9 +72,8 @@ class DoubleDoubleTrianglePair {
     explicit DoubleDoubleTrianglePair(const PosePair& poses, double bound_scale = 1);
 
     /// What is proven of the pair under the exact poses; nothing where rounding leaves it open, as
-    /// it does at every tie that is not known before. Never allocates.
-    [[nodiscard]] std::optional<PairClass>
-    classify(const Corners& a, const Corners& b, const KnownSigns& known = {}) const;
+    /// it does at every tie. Never allocates.
+    [[nodiscard]] std::optional<PairClass> classify(const Corners& a, const Corners& b) const;
 
   private:
     DoubleDoublePoses poses_;

@@ -18,7 +18,7 @@ inline constexpr int unknown_sign = 2;
 inline constexpr PlaneSides unknown_sides{unknown_sign, unknown_sign, unknown_sign};
 
 [[nodiscard]] inline bool is_any_unknown(const PlaneSides& sides) {
-    return sides[0] == unknown_sign || sides[1] == unknown_sign || sides[2] == unknown_sign;
+    return (sides[0] == unknown_sign) | (sides[1] == unknown_sign) | (sides[2] == unknown_sign);
 }
 
 /// Answers for the six corners of a pair: 0 to 2 are A's, 3 to 5 B's. With
@@ -50,14 +50,18 @@ constexpr std::size_t next_of(std::size_t first, std::size_t corner) {
 }
 
 inline bool all_are(const PlaneSides& sides, int sign) {
-    return sides[0] == sign && sides[1] == sign && sides[2] == sign;
+    return (sides[0] == sign) & (sides[1] == sign) & (sides[2] == sign);
+}
+
+inline bool is_any(const PlaneSides& sides, int sign) {
+    return (sides[0] == sign) | (sides[1] == sign) | (sides[2] == sign);
 }
 
 inline bool is_one_sided(const PlaneSides& sides) {
-    return all_are(sides, 1) || all_are(sides, -1);
+    return all_are(sides, 1) | all_are(sides, -1);
 }
 
-inline int count(const PlaneSides& sides, int sign) {
+constexpr int count(const PlaneSides& sides, int sign) {
     return (sides[0] == sign) + (sides[1] == sign) + (sides[2] == sign);
 }
 
@@ -68,7 +72,7 @@ struct LoneCorner {
     bool is_above; ///< Or in the plane with the other two above: then it counts as below.
 };
 
-inline LoneCorner lone_corner(const PlaneSides& sides) {
+constexpr LoneCorner find_lone_corner(const PlaneSides& sides) {
     const auto find = [&](int sign) {
         return static_cast<std::size_t>(sides[0] == sign ? 0 : sides[1] == sign ? 1 : 2);
     };
@@ -79,6 +83,26 @@ inline LoneCorner lone_corner(const PlaneSides& sides) {
         return {find(-1), false};
     }
     return {find(0), count(sides, -1) == 2};
+}
+
+/// For the signs 0, 1 and 2, which stands for -1: those of the corners are the digits to base 3.
+inline constexpr auto lone_corners = [] {
+    std::array<LoneCorner, 27> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const auto sign = [](std::size_t digit) {
+            return digit % 3 == 2 ? -1 : static_cast<int>(digit % 3);
+        };
+        table[i] = find_lone_corner({sign(i / 9), sign(i / 3), sign(i)});
+    }
+    return table;
+}();
+
+/// From a table: branches on signs are too often mispredicted.
+inline LoneCorner lone_corner(const PlaneSides& sides) {
+    const auto digit = [](int sign) {
+        return static_cast<std::size_t>(sign + 3 * static_cast<int>(sign < 0));
+    };
+    return lone_corners[9 * digit(sides[0]) + 3 * digit(sides[1]) + digit(sides[2])];
 }
 
 /// Two triangles with area in different planes, each reaching the other's plane. Both meet the line
@@ -132,10 +156,15 @@ PairClass decide_piercing(Signs& signs, std::size_t first, const PlaneSides& sid
 
 /// How far the three corners from `other` are from the inside of the edge i of the triangle from
 /// `first`, whose turn is `own`: 1 when all are strictly outside, 0 when all are outside or on the
-/// edge's line, -1 otherwise.
+/// edge's line, -1 otherwise. Some models have `turns(i, j, axis, enough)`: the turns from i over j
+/// to the three corners of the other triangle, or anything if one of them is `enough`.
 template <CornerSigns Signs>
-int outside_of_edge(
+[[gnu::always_inline]] inline int outside_of_edge(
     Signs& signs, std::size_t first, std::size_t i, int own, std::size_t other, std::size_t axis) {
+    if constexpr (requires { signs.turns(first, first, axis, own); }) {
+        const PlaneSides turns = signs.turns(first + i, first + next(i), axis, own);
+        return is_any(turns, own) ? -1 : static_cast<int>(all_are(turns, -own));
+    }
     int verdict = 1;
     for (std::size_t j = 0; j < 3; ++j) {
         const int side = signs.turn(first + i, first + next(i), other + j, axis) * own;
@@ -153,6 +182,7 @@ int outside_of_edge(
 template <CornerSigns Signs>
 PairClass decide_coplanar(Signs& signs, std::size_t axis, int turn_a, int turn_b) {
     bool overlap = true;
+#pragma GCC unroll 3
     for (std::size_t i = 0; i < 3; ++i) {
         const int of_a = outside_of_edge(signs, 0, i, turn_a, 3, axis);
         if (of_a == 1) {

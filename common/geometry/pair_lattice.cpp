@@ -142,7 +142,7 @@ PoseLattice::Extent PoseLattice::extent_of(const Corners& a, const Corners& b) c
 }
 
 template <std::size_t n>
-WideVec<n> PoseLattice::place(const Body& body, const Vec3& corner, int lowest) {
+WideVec<n> PoseLattice::placed_in(const Body& body, const Vec3& corner, int lowest) {
     std::array<Parts, 3> x;
     for (std::size_t k = 0; k < 3; ++k) {
         const double value = corner[static_cast<int>(k)];
@@ -172,31 +172,31 @@ WideVec<n> PoseLattice::place(const Body& body, const Vec3& corner, int lowest) 
 }
 
 template <std::size_t n>
-LatticeCorners<n>
-PoseLattice::corners(const Corners& a, const Corners& b, const Extent& extent) const {
-    LatticeCorners<n> placed;
+void PoseLattice::place(const Corners& a,
+                        const Corners& b,
+                        const Extent& extent,
+                        LatticeCorners<n>& placed) const {
     for (std::size_t i = 0; i < 3; ++i) {
-        placed[i] = place<n>(bodies_[0], a[i], extent.lowest);
-        placed[3 + i] = place<n>(bodies_[1], b[i], extent.lowest);
+        placed[i] = placed_in<n>(bodies_[0], a[i], extent.lowest);
+        placed[3 + i] = placed_in<n>(bodies_[1], b[i], extent.lowest);
     }
-    return placed;
 }
 
-template LatticeCorners<1>
-PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
-template LatticeCorners<2>
-PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
-template LatticeCorners<3>
-PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
-template LatticeCorners<4>
-PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
-template LatticeCorners<5>
-PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
-template LatticeCorners<6>
-PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
-template LatticeCorners<8>
-PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
-template LatticeCorners<16>
-PoseLattice::corners(const Corners&, const Corners&, const Extent&) const;
+template void
+PoseLattice::place(const Corners&, const Corners&, const Extent&, LatticeCorners<1>&) const;
+template void
+PoseLattice::place(const Corners&, const Corners&, const Extent&, LatticeCorners<2>&) const;
+template void
+PoseLattice::place(const Corners&, const Corners&, const Extent&, LatticeCorners<3>&) const;
+template void
+PoseLattice::place(const Corners&, const Corners&, const Extent&, LatticeCorners<4>&) const;
+template void
+PoseLattice::place(const Corners&, const Corners&, const Extent&, LatticeCorners<5>&) const;
+template void
+PoseLattice::place(const Corners&, const Corners&, const Extent&, LatticeCorners<6>&) const;
+template void
+PoseLattice::place(const Corners&, const Corners&, const Extent&, LatticeCorners<8>&) const;
+template void
+PoseLattice::place(const Corners&, const Corners&, const Extent&, LatticeCorners<16>&) const;
 
 } // namespace cd

@@ -33,8 +33,10 @@ class PoseLattice {
 
     /// The corners in units of the lattice; extent.bits is at most bits_max(n).
     template <std::size_t n>
-    [[nodiscard]] LatticeCorners<n>
-    corners(const Corners& a, const Corners& b, const Extent& extent) const;
+    void place(const Corners& a,
+               const Corners& b,
+               const Extent& extent,
+               LatticeCorners<n>& placed) const;
 
   private:
     /// (-1)^is_negative * (sum of word[i] 2^(60 i)) * 2^exponent, odd but for zero.
@@ -64,7 +66,7 @@ class PoseLattice {
     [[nodiscard]] static bool assign(Body& body, const ExactPose& pose, const Dyadic& other_norm);
     static void add(Range& range, const Body& body, const Corners& corners);
     template <std::size_t n>
-    static WideVec<n> place(const Body& body, const Vec3& corner, int lowest);
+    static WideVec<n> placed_in(const Body& body, const Vec3& corner, int lowest);
 
     std::array<Body, 2> bodies_;
     bool fits_ = false;

@@ -77,6 +77,69 @@ std::optional<Vec3> exact_difference(const Vec3& l, const Vec3& r) {
     return difference;
 }
 
+/// The numbers in units of 2^-digits of the power of two above the largest, if they are whole.
+template <std::size_t n>
+std::optional<std::array<double, n>> whole_numbers(const std::array<double, n>& numbers,
+                                                   int digits) {
+    double largest = 0;
+    for (const double number : numbers) {
+        largest = std::max(largest, std::abs(number));
+    }
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    if (std::abs(exponent) > 900) {
+        return std::nullopt;
+    }
+    const double units = std::ldexp(1.0, digits - exponent);
+    std::array<double, n> whole;
+    for (std::size_t i = 0; i < n; ++i) {
+        whole[i] = numbers[i] * units;
+        if (whole[i] != std::trunc(whole[i])) {
+            return std::nullopt;
+        }
+    }
+    return whole;
+}
+
+/// R^-1 d for a quaternion's rotation R = M / n, if it is a vector of doubles and all that it is
+/// computed from is exact: then R x + d = R (x + R^-1 d).
+std::optional<Vec3> turned_back(const Quaternion& q, const Vec3& d) {
+    // Entries of M and n are whole then, and below 2^43.
+    const auto whole = whole_numbers(std::array{q.w, q.x, q.y, q.z}, 20);
+    if (!whole) {
+        return std::nullopt;
+    }
+    // So the errors of products are doubles, too.
+    for (const double component : {d.x(), d.y(), d.z()}) {
+        if (component != 0 && !(std::abs(component) > 0x1p-800 && std::abs(component) < 0x1p800)) {
+            return std::nullopt;
+        }
+    }
+    const auto [w, x, y, z] = *whole;
+    const double n = w * w + x * x + y * y + z * z;
+    Mat3 transposed;
+    transposed << w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y), //
+        2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x),           //
+        2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z;
+    Vec3 turned;
+    for (int row = 0; row < 3; ++row) {
+        DoubleDouble sum;
+        bool is_exact = true;
+        for (int k = 0; k < 3; ++k) {
+            const DoubleDouble product = exact_product(transposed(row, k), d[k]);
+            const DoubleDouble next = exact_sum(sum.high, product.high);
+            is_exact = is_exact && product.low == 0 && next.low == 0;
+            sum = next;
+        }
+        turned[row] = sum.high / n;
+        const DoubleDouble back = exact_product(turned[row], n);
+        if (!is_exact || back.high != sum.high || back.low != 0) {
+            return std::nullopt;
+        }
+    }
+    return turned;
+}
+
 Pose with_translation(const Pose& pose, const Vec3& translation) {
     return pose.kind() == Pose::Kind::Matrix
                ? Pose::from_matrix(pose.matrix(), translation)
@@ -89,11 +152,30 @@ bool permutes_axes(const Pose& pose) {
     return permutation_of(pose).has_value();
 }
 
+bool is_short(const Pose& pose) {
+    constexpr int digits = 12;
+    if (pose.kind() == Pose::Kind::Quaternion) {
+        const Quaternion& q = pose.quaternion();
+        return whole_numbers(std::array{q.w, q.x, q.y, q.z}, digits).has_value();
+    }
+    std::array<double, 9> entries;
+    std::copy_n(pose.matrix().data(), 9, entries.begin());
+    return whole_numbers(entries, digits).has_value();
+}
+
 PosePair plain_poses(const PosePair& poses) {
     if (poses.a == poses.b && is_invertible(poses.a)) {
         return {};
     }
     PosePair plain = poses;
+    if (poses.a.kind() == Pose::Kind::Quaternion && poses.b.kind() == Pose::Kind::Quaternion &&
+        poses.a.quaternion() == poses.b.quaternion()) {
+        if (const auto apart = exact_difference(poses.b.translation(), poses.a.translation())) {
+            if (const auto turned = turned_back(poses.a.quaternion(), *apart)) {
+                return {Pose(), Pose::from_matrix(Mat3::Identity(), *turned)};
+            }
+        }
+    }
     if (const auto apart = exact_difference(poses.b.translation(), poses.a.translation())) {
         plain.a = with_translation(poses.a, Vec3::Zero());
         plain.b = with_translation(poses.b, *apart);

@@ -1,5 +1,7 @@
 #include "common/geometry/short_lattice.hpp"
 
+#include "common/geometry/two_doubles.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -43,7 +45,7 @@ class Converter {
         WideInt<n> whole;
         if constexpr (n == 1) {
             whole.word[0] = static_cast<std::int64_t>(scaled);
-            is_exact_ &= static_cast<double>(whole.word[0]) * unit_ == x;
+            missed_ += std::abs(static_cast<double>(whole.word[0]) * unit_ - x);
         } else {
             // Cut off, so that the rest has the digits that are left of x, and its sign.
             const auto high = static_cast<std::int64_t>(scaled * 0x1p-60);
@@ -51,18 +53,18 @@ class Converter {
             const auto low = static_cast<std::int64_t>(rest);
             whole.word[0] = low & word_mask;
             whole.word[1] = high + (low >> word_bits);
-            is_exact_ &= static_cast<double>(low) == rest && scaled * unit_ == x;
+            missed_ += std::abs(static_cast<double>(low) - rest) + std::abs(scaled * unit_ - x);
         }
         return whole;
     }
 
-    [[nodiscard]] bool is_exact() const { return is_exact_; }
+    [[nodiscard]] bool is_exact() const { return missed_ == 0; }
 
   private:
     int exponent_ = 0;
     double units_ = 1; ///< In 1.
     double unit_ = 1;
-    bool is_exact_ = true;
+    double missed_ = 0;
 };
 
 template <std::size_t n>
@@ -93,14 +95,17 @@ ShortLattice::ShortLattice(const PosePair& poses)
 }
 
 template <std::size_t n>
-std::optional<LatticeCorners<n>> ShortLattice::corners(const Corners& a, const Corners& b) const {
+bool ShortLattice::place(const Corners& a, const Corners& b, LatticeCorners<n>& placed) const {
     static_assert(n == 1 || n == 2);
-    double largest = largest_translation_;
+    TwoDoubles largest_of_both{largest_translation_, largest_translation_};
     for (std::size_t i = 0; i < 3; ++i) {
-        largest = std::max(largest, std::max(largest_of(a[i]), largest_of(b[i])));
+        for (int k = 0; k < 3; ++k) {
+            const TwoDoubles x = two_doubles::magnitudes(TwoDoubles{a[i][k], b[i][k]});
+            largest_of_both = x > largest_of_both ? x : largest_of_both;
+        }
     }
+    const double largest = std::max(largest_of_both[0], largest_of_both[1]);
     Converter<n> in_units(largest);
-    LatticeCorners<n> placed;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int k = static_cast<int>(axis);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -118,12 +123,10 @@ std::optional<LatticeCorners<n>> ShortLattice::corners(const Corners& a, const C
             }
         }
     }
-    return in_units.is_exact() ? std::optional(placed) : std::nullopt;
+    return in_units.is_exact();
 }
 
-template std::optional<LatticeCorners<1>> ShortLattice::corners(const Corners&,
-                                                                const Corners&) const;
-template std::optional<LatticeCorners<2>> ShortLattice::corners(const Corners&,
-                                                                const Corners&) const;
+template bool ShortLattice::place(const Corners&, const Corners&, LatticeCorners<1>&) const;
+template bool ShortLattice::place(const Corners&, const Corners&, LatticeCorners<2>&) const;
 
 } // namespace cd

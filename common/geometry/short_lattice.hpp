@@ -5,8 +5,6 @@
 #include "common/geometry/integer_signs.hpp"
 #include "common/geometry/pose.hpp"
 
-#include <optional>
-
 namespace cd {
 
 /// Converts with one multiplication by a power of two, to the finest lattice on which the largest
@@ -16,10 +14,10 @@ class ShortLattice {
     /// `poses` are plain: A is not rotated and B but for its axes' order and directions.
     explicit ShortLattice(const PosePair& poses);
 
-    /// The corners in units of that lattice, if all numbers lie on it.
+    /// The corners in units of that lattice; false, and they mean nothing, if not all numbers lie
+    /// on it.
     template <std::size_t n>
-    [[nodiscard]] std::optional<LatticeCorners<n>> corners(const Corners& a,
-                                                           const Corners& b) const;
+    [[nodiscard]] bool place(const Corners& a, const Corners& b, LatticeCorners<n>& placed) const;
 
   private:
     Vec3 translation_a_;

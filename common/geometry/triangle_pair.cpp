@@ -1,10 +1,7 @@
 #include "common/geometry/triangle_pair.hpp"
 
-#include "common/geometry/double_double_triangle_pair.hpp"
-#include "common/geometry/double_triangle_pair.hpp"
-#include "common/geometry/exact_triangle_pair.hpp"
 #include "common/geometry/float_triangle_pair.hpp"
-#include "common/geometry/integer_triangle_pair.hpp"
+#include "common/geometry/pair_cascade.hpp"
 #include "common/geometry/shared_points.hpp"
 #include "common/geometry/triangle_blocks.hpp"
 
@@ -43,13 +40,13 @@ PairStatistics& PairStatistics::operator+=(const PairStatistics& other) {
     return *this;
 }
 
+/// The float stage takes as long for a few pairs as for many; fewer than these start with doubles.
+constexpr std::size_t float_candidates_min = 4;
+
 struct TrianglePairTest::State {
     PosePair poses;
-    FloatTrianglePair in_float;
-    DoubleTrianglePair in_double;
-    IntegerTrianglePair in_integers;
-    std::optional<DoubleDoubleTrianglePair> in_double_double; ///< Made when it is first needed.
-    std::unique_ptr<const ExactTrianglePair> exact;           ///< Likewise.
+    std::optional<FloatTrianglePair> in_float; ///< Made when it is first needed, as what is later.
+    std::optional<PairCascade> later;
     SharedPoints points;
     PairStage first;
     PairStatistics statistics;
@@ -57,29 +54,24 @@ struct TrianglePairTest::State {
     std::vector<PairClass> kinds;
 
     State(const PosePair& given, PairStage first_stage)
-        : poses(given),
-          in_float(given),
-          in_double(given),
-          in_integers(given, first_stage),
-          points(given),
-          first(first_stage) {}
+        : poses(given), points(given), first(first_stage) {}
 
     /// What floats prove of each candidate, counted; nothing if they are to be passed over.
     template <class Triangles>
     std::span<const FloatVerdict>
     float_verdicts(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {
         verdicts.assign(candidates.size(), FloatVerdict::Unknown);
-        if (first <= PairStage::Float) {
-            in_float.classify(a, b, candidates, verdicts);
+        if (first <= PairStage::Float && candidates.size() >= float_candidates_min) {
+            if (!in_float) {
+                in_float.emplace(poses);
+            }
+            in_float->classify(a, b, candidates, verdicts);
             const auto unknown =
                 std::count(verdicts.begin(), verdicts.end(), FloatVerdict::Unknown);
             statistics[PairStage::Float] += verdicts.size() - static_cast<std::size_t>(unknown);
         }
         return verdicts;
     }
-
-    [[nodiscard]] PairClass
-    classify_past_double(const Corners& a, const Corners& b, const KnownSigns& known);
 };
 
 TrianglePairTest::TrianglePairTest(const PosePair& poses, PairStage first)
@@ -90,49 +82,12 @@ TrianglePairTest::~TrianglePairTest() = default;
 
 PairClass TrianglePairTest::classify(const Corners& a, const Corners& b) {
     State& s = *state_;
-    if (s.first <= PairStage::Lattice) {
-        if (const auto decided = s.in_integers.classify_short(a, b)) {
-            ++s.statistics[PairStage::Lattice];
-            return *decided;
-        }
+    if (!s.later) {
+        s.later.emplace(s.poses, s.first);
     }
-    if (s.first <= PairStage::Double) {
-        const DoubleSigns in_double = s.in_double.signs(a, b);
-        ProvenSigns proven(in_double);
-        const PairClass kind = decide_pair(proven);
-        if (proven.are_enough()) {
-            ++s.statistics[PairStage::Double];
-            return kind;
-        }
-        return s.classify_past_double(a, b, {&in_double, proven.known_of_a(), proven.known_of_b()});
-    }
-    return s.classify_past_double(a, b, {});
-}
-
-PairClass TrianglePairTest::State::classify_past_double(const Corners& a,
-                                                        const Corners& b,
-                                                        const KnownSigns& known) {
-    // Bodies that are not rotated against each other are cheap for integers.
-    if (first <= PairStage::DoubleDouble && in_integers.stage() == PairStage::WideInteger) {
-        if (!in_double_double) {
-            in_double_double.emplace(poses);
-        }
-        if (const auto decided = in_double_double->classify(a, b, known)) {
-            ++statistics[PairStage::DoubleDouble];
-            return *decided;
-        }
-    }
-    if (first <= PairStage::WideInteger) {
-        if (const auto decided = in_integers.classify(a, b, known.of_a, known.of_b)) {
-            ++statistics[in_integers.stage()];
-            return *decided;
-        }
-    }
-    ++statistics[PairStage::Arbitrary];
-    if (!exact) {
-        exact = std::make_unique<ExactTrianglePair>(poses);
-    }
-    return exact->classify(a, b);
+    const PairCascade::Decision decision = s.later->classify(a, b);
+    ++s.statistics[decision.stage];
+    return decision.kind;
 }
 
 template <class Triangles>

@@ -36,7 +36,8 @@ inline constexpr std::size_t pair_stage_count = 6;
 
 [[nodiscard]] std::string_view to_text(PairStage stage);
 
-/// How many pairs each stage settled: a pair counts for the highest stage that it needed.
+/// How many pairs each stage settled: a pair counts for the highest stage that it needed. Calls
+/// with but a few candidates pass over floats, which take as long for a few as for many.
 struct PairStatistics {
     std::array<std::uint64_t, pair_stage_count> settled{};
 

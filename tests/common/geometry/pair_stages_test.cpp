@@ -67,10 +67,69 @@ PosedPair tie_that_is_moved_a_little(std::mt19937_64& random) {
     return c;
 }
 
+/// Lattices of tenths or of whole numbers turned about one axis, by a rotation that keeps it
+/// exactly, and moved so that corners are nominally one point, or heights one height: what doubles
+/// take for 0 must be 0. Some corners lie on the axis.
+PosedPair turned_about_an_axis(std::mt19937_64& random) {
+    const auto axis = static_cast<int>(random() % 3);
+    const double step = random() % 2 == 0 ? 1 : 0.1;
+    const auto turn = [&](int kind) {
+        // By any angle, by a half turn about an axis across, or not at all.
+        const double angle = kind == 0 ? 1 : static_cast<double>(random() % 7) / 3;
+        Quaternion q{kind == 1 ? 0.0 : angle, 0, 0, 0};
+        std::array<double*, 3> vector{&q.x, &q.y, &q.z};
+        if (kind == 1) {
+            *vector[static_cast<std::size_t>((axis + 1) % 3)] = 1;
+            *vector[static_cast<std::size_t>((axis + 2) % 3)] = angle;
+        } else {
+            q.w = kind == 0 ? std::ldexp(static_cast<double>(random()), -64) + 0.1 : 1;
+            *vector[static_cast<std::size_t>(axis)] = kind == 0 ? angle : 0;
+        }
+        return q;
+    };
+    PosedPair c{
+        scaled(lattice_corners(random, 2), step), scaled(lattice_corners(random, 2), step), {}};
+    for (Corners* corners : {&c.a, &c.b}) {
+        if (random() % 2 == 0) {
+            Vec3& corner = (*corners)[random() % 3];
+            const double height = corner[axis];
+            corner = Vec3::Zero();
+            corner[axis] = height;
+        }
+    }
+    const int kind_a = static_cast<int>(random() % 3);
+    c.poses.a = Pose::from_quaternion(turn(kind_a), Vec3::Zero());
+    const Quaternion q = turn(static_cast<int>(random() % 3));
+    Vec3 translation = Vec3::Zero();
+    const Pose turned = Pose::from_quaternion(q, translation);
+    const std::size_t i = random() % 3;
+    const Vec3 apart = c.poses.a.apply(c.a[i]) - turned.apply(c.b[random() % 3]);
+    if (random() % 2 == 0) {
+        translation = apart;
+    } else {
+        translation[axis] = step * static_cast<double>(random() % 5);
+    }
+    c.poses.b = Pose::from_quaternion(q, translation);
+    return c;
+}
+
 struct Proofs {
     int right = 0;
     int wrong = 0;
 };
+
+Proofs proofs_about_an_axis(double bound_scale) {
+    Proofs proofs;
+    for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
+        std::mt19937_64 random(seed);
+        const PosedPair c = turned_about_an_axis(random);
+        if (const auto decided = DoubleTrianglePair(c.poses, bound_scale).classify(c.a, c.b)) {
+            const bool is_right = *decided == ExactTrianglePair(c.poses).classify(c.a, c.b);
+            ++(is_right ? proofs.right : proofs.wrong);
+        }
+    }
+    return proofs;
+}
 
 Proofs double_double_proofs(double bound_scale) {
     Proofs proofs;
@@ -111,6 +170,51 @@ TEST(PairStages, TheBoundsOfDoubleAreNeeded) {
     EXPECT_GT(wrong_proofs(0.03), 10);
 }
 
+TEST(PairStages, DoublesProveTiesAlongTheAxisOfATurnAndOnlyThose) {
+    const Proofs proofs = proofs_about_an_axis(1);
+    EXPECT_EQ(proofs.wrong, 0);
+    EXPECT_GT(proofs.right, 10'000);
+    EXPECT_GT(proofs_about_an_axis(0.03).wrong, 10);
+}
+
+TEST(PairStages, TurnsAboutAnAxisGetTheOraclesAnswer) {
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const PosedPair c = turned_about_an_axis(random);
+        const PairClass expected = oracle_class(c.a, c.b, c.poses);
+        for (const PairStage first : later_stages) {
+            ASSERT_EQ(from_stage(first, c), expected) << to_text(first);
+        }
+    }
+}
+
+TEST(PairStages, WhatIsTinyOrHugeIsNotTakenForZero) {
+    // Products of these underflow, so that permanents of doubles are 0.
+    int touching = 0;
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        PosedPair c = seed % 2 == 0 ? turned_about_an_axis(random)
+                                    : PosedPair{lattice_corners(random, 2),
+                                                lattice_corners(random, 2),
+                                                {Pose(), translation_pose(0, 1, 0)}};
+        for (Corners* corners : {&c.a, &c.b}) {
+            for (Vec3& corner : *corners) {
+                for (int k = 0; k < 3; ++k) {
+                    corner[k] *= std::ldexp(1.0, (static_cast<int>(random() % 5) - 3) * 180);
+                }
+            }
+        }
+        const PairClass expected = ExactTrianglePair(c.poses).classify(c.a, c.b);
+        ASSERT_EQ(from_stage(PairStage::Double, c), expected);
+        const auto in_double = DoubleTrianglePair(c.poses).classify(c.a, c.b);
+        ASSERT_EQ(in_double.value_or(expected), expected);
+        touching += expected == PairClass::Separate ? 0 : 1;
+    }
+    EXPECT_GT(touching, 100);
+}
+
 TEST(PairStages, TheBoundsOfDoubleDoubleAreNeeded) {
     const Proofs proofs = double_double_proofs(1);
     EXPECT_EQ(proofs.wrong, 0);
@@ -138,7 +242,7 @@ TEST(PairStages, IntegersDecideAsUnlimitedOnesWhereverTheyReach) {
         if (spread % 2 == 0) {
             c.poses = {make_matrix_pose(random, 1), make_pose(random, 1)};
         }
-        const auto decided = IntegerTrianglePair(c.poses).classify(c.a, c.b);
+        const auto decided = IntegerTrianglePair(plain_poses(c.poses)).classify(c.a, c.b);
         const PairClass expected = ExactTrianglePair(c.poses).classify(c.a, c.b);
         ASSERT_EQ(decided.value_or(expected), expected);
         ASSERT_EQ(expected, oracle_class(c.a, c.b, c.poses));
@@ -273,6 +377,14 @@ TEST(PairStages, PosesThatAreNoneBecomeNone) {
     // What is flattened must stay so.
     const Pose flat = Pose::from_matrix(Vec3(1, 1, 0).asDiagonal(), Vec3::Zero());
     EXPECT_EQ(plain_poses({flat, flat}), (PosePair{flat, flat}));
+
+    // One short rotation leaves a translation, where it is a vector of doubles.
+    const auto by_345 = [](double x, double y, double z) {
+        return Pose::from_quaternion({3, 0, 0, 1}, Vec3(x, y, z));
+    };
+    EXPECT_EQ(plain_poses({by_345(5, 0, 0), by_345(15, 5, 1)}),
+              (PosePair{Pose{}, translation_pose(11, -2, 1)}));
+    EXPECT_EQ(plain_poses({by_345(5, 0, 0), by_345(6, 0, 1)}).b.kind(), Pose::Kind::Quaternion);
 
     const double half = 0.70710678118654752;
     const Pose quarter = Pose::from_quaternion({half, 0, 0, half}, Vec3(1, 2, 3));

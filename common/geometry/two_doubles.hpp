@@ -1,0 +1,42 @@
+// Two doubles that go through the same operations at once, as every processor can.
+#pragma once
+
+#include <cstdint>
+
+namespace cd {
+
+__extension__ typedef double TwoDoubles __attribute__((vector_size(16)));
+__extension__ typedef std::int64_t TwoMasks __attribute__((vector_size(16)));
+
+/// Of body A and of body B.
+using BothBodies = TwoDoubles;
+
+namespace two_doubles {
+
+inline constexpr TwoMasks sign_bits{INT64_MIN, INT64_MIN};
+
+inline TwoDoubles magnitudes(TwoDoubles x) {
+    return TwoDoubles(TwoMasks(x) & ~sign_bits);
+}
+
+/// `value` where `mask` says so, else 0.
+inline TwoDoubles where(TwoMasks mask, TwoDoubles value) {
+    return TwoDoubles(mask & TwoMasks(value));
+}
+
+struct Sums {
+    TwoDoubles high;
+    TwoDoubles low;
+};
+
+/// `exact_sum` of both; see double_double.hpp.
+inline Sums exact_sums(TwoDoubles left, TwoDoubles right) {
+    const TwoDoubles sum = left + right;
+    const TwoDoubles right_part = sum - left;
+    const TwoDoubles left_part = sum - right_part;
+    return {sum, (left - left_part) + (right - right_part)};
+}
+
+} // namespace two_doubles
+
+} // namespace cd
