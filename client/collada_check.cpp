@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace cd {
 
@@ -136,6 +138,20 @@ bool is_index(std::string_view word) {
     return value && *value <= std::numeric_limits<int>::max();
 }
 
+/// What reads an array of numbers: `count` elements, `stride` apart, of which each has `params`.
+struct Accessor {
+    std::string_view array;
+    std::uint64_t count = 0;
+    std::uint64_t offset = 0;
+    std::uint64_t stride = 1;
+    std::uint64_t params = 0;
+
+    /// Indices are ints, so nothing here overflows.
+    [[nodiscard]] std::uint64_t numbers() const {
+        return count == 0 ? 0 : offset + (count - 1) * stride + std::max(stride, params);
+    }
+};
+
 class ColladaCheck {
   public:
     ColladaCheck(const std::filesystem::path& path, std::string_view text)
@@ -148,7 +164,7 @@ class ColladaCheck {
                 return status;
             }
         }
-        return Done{};
+        return check_accessors();
     }
 
   private:
@@ -160,6 +176,7 @@ class ColladaCheck {
             depth_ -= depth_ > 0 ? 1 : 0;
             extra_depth_ = depth_ < extra_depth_ ? 0 : extra_depth_;
             numbers_.reset();
+            in_accessor_ = in_accessor_ && piece.text != "accessor";
             return Done{};
         case Piece::Kind::Text:
             return numbers_ ? check_words(piece.text) : Status(Done{});
@@ -212,6 +229,44 @@ class ColladaCheck {
                 numbers_->count = *to_whole(value);
             }
         }
+        note_array_or_accessor(piece);
+        return Done{};
+    }
+
+    void note_array_or_accessor(const Piece& piece) {
+        std::map<std::string_view, std::string_view> values;
+        std::string_view rest = piece.attributes;
+        for (auto attribute = next_attribute(rest); attribute; attribute = next_attribute(rest)) {
+            values.emplace(attribute->name, attribute->value);
+        }
+        const auto number = [&](std::string_view name, std::uint64_t otherwise) {
+            const auto found = values.find(name);
+            return found == values.end() ? otherwise : to_whole(found->second).value_or(otherwise);
+        };
+        if (piece.text == "float_array") {
+            arrays_[values["id"]] = number("count", 0);
+        } else if (piece.text == "accessor") {
+            const std::string_view source = values["source"];
+            accessors_.push_back({source.substr(source.starts_with('#') ? 1 : 0),
+                                  number("count", 0),
+                                  number("offset", 0),
+                                  number("stride", 1)});
+            in_accessor_ = !piece.is_whole;
+        } else if (piece.text == "param" && in_accessor_) {
+            ++accessors_.back().params;
+        }
+    }
+
+    /// The importer reads beyond the array's end.
+    Status check_accessors() const {
+        for (const Accessor& accessor : accessors_) {
+            const auto array = arrays_.find(accessor.array);
+            if (array != arrays_.end() && accessor.numbers() > array->second) {
+                return bad(accessor.array,
+                           "an accessor of " + std::to_string(accessor.numbers()) +
+                               " numbers to an array that counts " + std::to_string(array->second));
+            }
+        }
         return Done{};
     }
 
@@ -258,7 +313,10 @@ class ColladaCheck {
     std::size_t depth_ = 0;
     std::size_t extra_depth_ = 0; ///< Of an element of extras that is open, or 0.
     std::optional<NumberElement> numbers_;
-    bool has_text_ = false; ///< `numbers_` had words already.
+    bool has_text_ = false;                            ///< `numbers_` had words already.
+    std::map<std::string_view, std::uint64_t> arrays_; ///< Their counts, by id.
+    std::vector<Accessor> accessors_;
+    bool in_accessor_ = false;
 };
 
 } // namespace

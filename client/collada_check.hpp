@@ -12,8 +12,8 @@ namespace cd {
 [[nodiscard]] bool is_collada(const std::string& text);
 
 /// The importer takes half of a number like 1d5 and vertex 0 for a negative index, reads on without
-/// end where an index is none, takes only the first piece of an element's text, and goes as deep as
-/// elements are nested.
+/// end where an index is none and beyond the end of an array that is too short, takes only the
+/// first piece of an element's text, and goes as deep as elements are nested.
 ///
 /// Errors: BadInput naming the file and the line, for each of these in what shapes the mesh:
 /// coordinates, indices, transforms, the unit, counts, offsets and strides.

@@ -135,6 +135,21 @@ TEST(ColladaCheck, UnitsCountsAndOffsetsThatAreNoNumbersAreNamedByLine) {
     EXPECT_THAT(error_with(&Document::count, "8"), HasSubstr("9 numbers in place of 8"));
 }
 
+TEST(ColladaCheck, AccessorsEndWithTheirArrays) {
+    // The importer would read beyond the end.
+    Document shorter;
+    shorter.count = "6";
+    shorter.positions = "0 0 0 1 0 0";
+    EXPECT_THAT(error_of("short.dae", shorter.text()),
+                HasSubstr("short.dae:6: an accessor of 9 numbers to an array that counts 6"));
+    std::string uncounted = Document{}.text();
+    uncounted.replace(uncounted.find(" count=\"9\""), 10, "");
+    EXPECT_THAT(error_of("uncounted.dae", uncounted), HasSubstr("to an array that counts 0"));
+    std::string wide = Document{}.text();
+    wide.replace(wide.find("stride=\"3\""), 10, "stride=\"4\"");
+    EXPECT_THAT(error_of("wide.dae", wide), HasSubstr("an accessor of 12 numbers"));
+}
+
 TEST(ColladaCheck, ATextOfWhichTheImporterTakesAPartIsRefused) {
     EXPECT_THAT(error_with(&Document::indices, "0 1 2 <!-- --> 0 1 2"), HasSubstr("half.dae:11: "));
     EXPECT_THAT(error_with(&Document::positions, "0 0 0 1 0 0 0 1 0<![CDATA[1 2 3]]>"),
