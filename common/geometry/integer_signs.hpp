@@ -13,19 +13,25 @@ namespace cd {
 template <std::size_t n>
 using LatticeCorners = std::array<WideVec<n>, 6>;
 
-/// Models CornerSigns.
+/// Models CornerSigns. The sides given are taken as proven, and only the unknown ones computed.
 template <std::size_t n>
 class IntegerSigns {
   public:
-    explicit IntegerSigns(const LatticeCorners<n>& corners) : corners_(corners) {}
+    explicit IntegerSigns(const LatticeCorners<n>& corners,
+                          const PlaneSides& of_a = unknown_sides,
+                          const PlaneSides& of_b = unknown_sides)
+        : corners_(corners), of_a_(of_a), of_b_(of_b) {}
 
-    [[nodiscard]] PlaneSides sides_of_a() const { return sides(unknown_sides, 3, 0); }
-    [[nodiscard]] PlaneSides sides_of_b() const { return sides(unknown_sides, 0, 3); }
+    [[nodiscard]] PlaneSides sides_of_a() const { return sides(of_a_, 3, 0); }
+    [[nodiscard]] PlaneSides sides_of_b() const { return sides(of_b_, 0, 3); }
 
     /// The sides of the corners from `corners` on against the plane of those from `plane` on. What
     /// is known is taken as proven, and only the rest is computed.
     [[nodiscard]] PlaneSides sides(PlaneSides known, std::size_t plane, std::size_t corners) const {
         using namespace wide_int;
+        if (!is_any_unknown(known)) {
+            return known;
+        }
         const WideVec<n>& origin = corners_[plane];
         const WideVec<2 * n> normal = cross(wide_int::difference(corners_[plane + 1], origin),
                                             wide_int::difference(corners_[plane + 2], origin));
@@ -70,6 +76,8 @@ class IntegerSigns {
 
   private:
     const LatticeCorners<n>& corners_;
+    PlaneSides of_a_;
+    PlaneSides of_b_;
 };
 
 } // namespace cd

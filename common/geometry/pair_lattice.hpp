@@ -38,6 +38,14 @@ class PoseLattice {
                const Extent& extent,
                LatticeCorners<n>& placed) const;
 
+    template <std::size_t n>
+    [[nodiscard]] LatticeCorners<n>
+    corners(const Corners& a, const Corners& b, const Extent& extent) const {
+        LatticeCorners<n> placed;
+        place(a, b, extent, placed);
+        return placed;
+    }
+
   private:
     /// (-1)^is_negative * (sum of word[i] 2^(60 i)) * 2^exponent, odd but for zero.
     struct Number {

@@ -5,6 +5,8 @@
 #include "common/geometry/integer_signs.hpp"
 #include "common/geometry/pose.hpp"
 
+#include <optional>
+
 namespace cd {
 
 /// Converts with one multiplication by a power of two, to the finest lattice on which the largest
@@ -18,6 +20,13 @@ class ShortLattice {
     /// on it.
     template <std::size_t n>
     [[nodiscard]] bool place(const Corners& a, const Corners& b, LatticeCorners<n>& placed) const;
+
+    template <std::size_t n>
+    [[nodiscard]] std::optional<LatticeCorners<n>> corners(const Corners& a,
+                                                           const Corners& b) const {
+        LatticeCorners<n> placed;
+        return place(a, b, placed) ? std::optional(placed) : std::nullopt;
+    }
 
   private:
     Vec3 translation_a_;
