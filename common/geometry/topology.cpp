@@ -4,29 +4,96 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <numeric>
+#include <span>
+#include <tuple>
 
 namespace cd {
 
 namespace {
 
+/// Things in buckets, which stand one behind the other.
+template <class T>
+struct Buckets {
+    std::vector<std::size_t> begins; ///< One more than buckets.
+    std::vector<T> items;
+
+    [[nodiscard]] std::size_t count() const { return begins.size() - 1; }
+    [[nodiscard]] std::span<T> operator[](std::size_t i) {
+        return std::span(items).subspan(begins[i], begins[i + 1] - begins[i]);
+    }
+};
+
+/// `for_each` calls what it is given with a bucket and an item, for each item, the same both times.
+/// Items of a bucket stand in the opposite order.
+template <class T, class ForEach>
+Buckets<T> make_buckets(std::size_t count, const ForEach& for_each) {
+    Buckets<T> buckets;
+    buckets.begins.assign(count + 1, 0);
+    for_each([&](std::size_t bucket, const T&) { ++buckets.begins[bucket]; });
+    // From the counts to where the buckets end; putting an item in moves that to the begin.
+    std::partial_sum(buckets.begins.begin(), buckets.begins.end(), buckets.begins.begin());
+    buckets.items.resize(buckets.begins.back());
+    for_each(
+        [&](std::size_t bucket, const T& item) { buckets.items[--buckets.begins[bucket]] = item; });
+    return buckets;
+}
+
+/// std::sort, fast for the few items that a bucket mostly has.
+template <class T>
+void sort_bucket(std::span<T> items) {
+    constexpr std::size_t few = 16;
+    if (items.size() > few) {
+        std::sort(items.begin(), items.end());
+        return;
+    }
+    for (std::size_t i = 1; i < items.size(); ++i) {
+        const T item = items[i];
+        std::size_t k = i;
+        for (; k > 0 && item < items[k - 1]; --k) {
+            items[k] = items[k - 1];
+        }
+        items[k] = item;
+    }
+}
+
+/// Equal for equal vertices. What it is plays no part in any result.
+std::uint64_t hash_of(const Vec3& v) {
+    std::uint64_t hash = 0;
+    for (int k = 0; k < 3; ++k) {
+        // -0 equals 0; the sum is 0 for both.
+        hash = (hash ^ std::bit_cast<std::uint64_t>(v[k] + 0.0)) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+    }
+    return hash;
+}
+
 /// For each vertex the smallest index of a vertex with the same coordinates.
 std::vector<std::uint32_t> joined_vertices(const std::vector<Vec3>& vertices) {
-    std::vector<std::uint32_t> order(vertices.size());
-    std::iota(order.begin(), order.end(), 0u);
+    const std::size_t bucket_count = std::bit_ceil(vertices.size());
+    auto buckets = make_buckets<std::uint32_t>(bucket_count, [&](const auto& put) {
+        for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+            put(hash_of(vertices[i]) & (bucket_count - 1), i);
+        }
+    });
     const auto key = [&](std::uint32_t i) {
         const Vec3& v = vertices[i];
-        return std::array{v.x(), v.y(), v.z()};
+        return std::tuple(v.x(), v.y(), v.z(), i);
     };
-    std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) {
-        const auto left = key(l);
-        const auto right = key(r);
-        return left != right ? left < right : l < r;
-    });
     std::vector<std::uint32_t> joined(vertices.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool repeats = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
-        joined[order[i]] = repeats ? joined[order[i - 1]] : order[i];
+    for (std::size_t bucket = 0; bucket < buckets.count(); ++bucket) {
+        const std::span<std::uint32_t> order = buckets[bucket];
+        if (order.size() > 1) {
+            std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) {
+                return key(l) < key(r);
+            });
+        }
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const bool repeats = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
+            joined[order[i]] = repeats ? joined[order[i - 1]] : order[i];
+        }
     }
     return joined;
 }
@@ -44,40 +111,60 @@ bool is_degenerate(const Mesh& mesh, std::uint32_t triangle, const Triangle& joi
     return normal == Vec3::Zero();
 }
 
-std::uint64_t count_duplicates(std::vector<Triangle> triangles) {
-    for (Triangle& triangle : triangles) {
-        std::sort(triangle.begin(), triangle.end());
-    }
-    std::sort(triangles.begin(), triangles.end());
+std::uint64_t count_duplicates(const std::vector<Triangle>& triangles, std::size_t vertices) {
+    using Others = std::array<std::uint32_t, 2>;
+    auto by_least = make_buckets<Others>(vertices, [&](const auto& put) {
+        for (Triangle triangle : triangles) {
+            sort_bucket(std::span<std::uint32_t>(triangle));
+            put(triangle[0], Others{triangle[1], triangle[2]});
+        }
+    });
     std::uint64_t duplicates = 0;
-    for (std::size_t i = 1; i < triangles.size(); ++i) {
-        duplicates += triangles[i] == triangles[i - 1] ? 1u : 0u;
+    for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
+        const std::span<Others> bucket = by_least[vertex];
+        sort_bucket(bucket);
+        for (std::size_t i = 1; i < bucket.size(); ++i) {
+            duplicates += bucket[i] == bucket[i - 1] ? 1u : 0u;
+        }
     }
     return duplicates;
 }
 
-struct Edge {
-    std::uint32_t low = 0;
-    std::uint32_t high = 0;
-    bool is_forward = false; ///< The triangle runs from low to high.
+/// The higher end of an edge, doubled, and 1 more where the triangle runs up to it. Vertices are
+/// fewer than 2^31 (limits::mesh_vertices_max).
+using EdgeUse = std::uint32_t;
 
-    friend auto operator<=>(const Edge&, const Edge&) = default;
-};
-
-void count_edges(std::vector<Edge> edges, Topology& topology) {
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t begin = 0; begin < edges.size();) {
-        std::size_t end = begin;
-        while (end < edges.size() && edges[end].low == edges[begin].low &&
-               edges[end].high == edges[begin].high) {
+/// What the uses of the edges with one and the same lower end say.
+void count_edges(std::span<EdgeUse> uses, Topology& topology) {
+    sort_bucket(uses);
+    for (std::size_t begin = 0; begin < uses.size();) {
+        std::size_t end = begin + 1;
+        while (end < uses.size() && uses[end] / 2 == uses[begin] / 2) {
             ++end;
         }
-        const std::size_t uses = end - begin;
-        topology.boundary_edges += uses == 1 ? 1u : 0u;
-        topology.non_manifold_edges += uses > 2 ? 1u : 0u;
-        const bool same_way = uses == 2 && edges[begin].is_forward == edges[begin + 1].is_forward;
+        topology.boundary_edges += end - begin == 1 ? 1u : 0u;
+        topology.non_manifold_edges += end - begin > 2 ? 1u : 0u;
+        const bool same_way = end - begin == 2 && uses[begin] == uses[begin + 1];
         topology.inconsistent_edges += same_way ? 1u : 0u;
         begin = end;
+    }
+}
+
+void count_edges(const std::vector<Triangle>& triangles, std::size_t vertices, Topology& topology) {
+    auto by_low = make_buckets<EdgeUse>(vertices, [&](const auto& put) {
+        for (const Triangle& triangle : triangles) {
+            if (repeats_a_corner(triangle)) {
+                continue;
+            }
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t from = triangle[k];
+                const std::uint32_t to = triangle[(k + 1) % 3];
+                put(std::min(from, to), 2 * std::max(from, to) + (from < to ? 1u : 0u));
+            }
+        }
+    });
+    for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
+        count_edges(by_low[vertex], topology);
     }
 }
 
@@ -128,29 +215,19 @@ std::vector<std::uint32_t> first_of_each_component(const std::vector<Triangle>& 
 } // namespace
 
 Topology analyse_topology(const Mesh& mesh) {
+    const std::size_t vertices = mesh.vertices().size();
     const std::vector<std::uint32_t> joined = joined_vertices(mesh.vertices());
     std::vector<Triangle> triangles = mesh.triangles();
-    std::vector<Edge> edges;
-    edges.reserve(3 * triangles.size());
     Topology topology;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-        Triangle& triangle = triangles[i];
-        for (std::uint32_t& vertex : triangle) {
+        for (std::uint32_t& vertex : triangles[i]) {
             vertex = joined[vertex];
         }
-        topology.degenerate += is_degenerate(mesh, i, triangle) ? 1u : 0u;
-        if (repeats_a_corner(triangle)) {
-            continue;
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t from = triangle[k];
-            const std::uint32_t to = triangle[(k + 1) % 3];
-            edges.push_back({std::min(from, to), std::max(from, to), from < to});
-        }
+        topology.degenerate += is_degenerate(mesh, i, triangles[i]) ? 1u : 0u;
     }
-    count_edges(std::move(edges), topology);
-    topology.component_triangles = first_of_each_component(triangles, mesh.vertices().size());
-    topology.duplicate = count_duplicates(std::move(triangles));
+    count_edges(triangles, vertices, topology);
+    topology.component_triangles = first_of_each_component(triangles, vertices);
+    topology.duplicate = count_duplicates(triangles, vertices);
     return topology;
 }
 

@@ -28,6 +28,7 @@ struct Topology {
     }
 };
 
+/// Near linear in vertices and triangles.
 [[nodiscard]] Topology analyse_topology(const Mesh& mesh);
 
 } // namespace cd

@@ -7,6 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <random>
+#include <utility>
+#include <vector>
 
 namespace cd::tests {
 
@@ -36,7 +40,64 @@ Mesh unshared(const Mesh& mesh) {
     return make_mesh(std::move(vertices), std::move(triangles));
 }
 
+/// Counted through maps: slow and obvious.
+Topology naive_topology(const Mesh& mesh) {
+    using Place = std::array<double, 3>;
+    std::map<Place, std::uint32_t> places;
+    std::map<std::array<Place, 3>, std::uint64_t> triangles;
+    std::map<std::pair<Place, Place>, std::vector<bool>> edges; // Of each use whether it goes up.
+    Topology topology;
+    for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
+        std::array<Place, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 v = mesh.corners(i)[k];
+            corners[k] = {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};
+        }
+        std::array<Place, 3> sorted = corners;
+        std::sort(sorted.begin(), sorted.end());
+        topology.duplicate += triangles[sorted]++ > 0 ? 1u : 0u;
+        if (sorted[0] == sorted[1] || sorted[1] == sorted[2]) {
+            continue;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Place& from = corners[k];
+            const Place& to = corners[(k + 1) % 3];
+            edges[std::minmax(from, to)].push_back(from < to);
+        }
+    }
+    for (const auto& [edge, uses] : edges) {
+        topology.boundary_edges += uses.size() == 1 ? 1u : 0u;
+        topology.non_manifold_edges += uses.size() > 2 ? 1u : 0u;
+        topology.inconsistent_edges += uses.size() == 2 && uses[0] == uses[1] ? 1u : 0u;
+    }
+    return topology;
+}
+
 } // namespace
+
+TEST(Topology, CountsWhatMapsCount) {
+    std::mt19937_64 random(5);
+    for (int round = 0; round < 60; ++round) {
+        SCOPED_TRACE(testing::Message() << "round " << round);
+        // From few places to many, with corners that many triangles share, and minus zero.
+        std::vector<Vec3> vertices = make_degenerate_soup(random, 5 + 10 * round).vertices();
+        std::vector<Triangle> triangles;
+        for (int i = 0; i < 400; ++i) {
+            const auto any = [&] { return static_cast<std::uint32_t>(random() % vertices.size()); };
+            triangles.push_back({i % 2 == 0 ? 0 : any(), any(), any()});
+        }
+        for (std::size_t i = 0; i < vertices.size(); i += 3) {
+            vertices[i] = vertices[i].cwiseProduct(Vec3(1, -0.0, 1));
+        }
+        const Mesh mesh = make_mesh(vertices, triangles);
+        const Topology topology = analyse_topology(mesh);
+        const Topology naive = naive_topology(mesh);
+        EXPECT_EQ(topology.duplicate, naive.duplicate);
+        EXPECT_EQ(topology.boundary_edges, naive.boundary_edges);
+        EXPECT_EQ(topology.non_manifold_edges, naive.non_manifold_edges);
+        EXPECT_EQ(topology.inconsistent_edges, naive.inconsistent_edges);
+    }
+}
 
 TEST(Topology, SolidsAreClosedAndInOnePiece) {
     for (const Mesh& mesh : {make_sphere(2),
