@@ -24,7 +24,8 @@ WideBody body_of(const WideView& tree) {
 
 } // namespace
 
-WideDescent::WideDescent(const RelativePose& b_to_a) : b_to_a_(b_to_a) {
+WideDescent::WideDescent(const RelativePose& b_to_a, double error_scale)
+    : b_to_a_(b_to_a), error_scale_(error_scale) {
     // Before the kernel's first call, so that a setting of the target is heeded.
     static_cast<void>(simd_target());
     for (std::size_t i = 0; i < 3; ++i) {
@@ -38,7 +39,7 @@ WideDescent::WideDescent(const RelativePose& b_to_a) : b_to_a_(b_to_a) {
     }
     const double error = b_to_a.rotation_error + b_to_a.skew;
     pose_.relative_margin = b_to_a.rotation_error <= pose_error_max && b_to_a.skew <= pose_error_max
-                                ? static_cast<float>(1.01 * (0x1p-17 + 6 * error))
+                                ? static_cast<float>(error_scale_ * 1.01 * (0x1p-17 + 6 * error))
                                 : std::numeric_limits<float>::infinity();
     waiting_.resize(4 * wide_pairs_slack);
 }
@@ -46,7 +47,8 @@ WideDescent::WideDescent(const RelativePose& b_to_a) : b_to_a_(b_to_a) {
 void WideDescent::start(const WideView& a, const WideView& b) {
     const double reach = 3 * (a.extent + b.extent) + b_to_a_.translation.cwiseAbs().sum();
     const double absolute =
-        4.1 * (3 * b_to_a_.rotation_error * b.extent + b_to_a_.translation_error + 0x1p-49 * reach);
+        error_scale_ * 4.1 *
+        (3 * b_to_a_.rotation_error * b.extent + b_to_a_.translation_error + 0x1p-49 * reach);
     // NaN and overflow: nothing is apart.
     pose_.absolute_margin = absolute < 0x1p100 ? static_cast<float>(absolute) + 0x1p-120F
                                                : std::numeric_limits<float>::infinity();

@@ -15,7 +15,9 @@ namespace cd {
 /// exact terms. Keeps scratch memory between calls; one thread at a time.
 class WideDescent {
   public:
-    explicit WideDescent(const RelativePose& b_to_a);
+    /// `error_scale` multiplies both margins. Only from 1 on is what is passed over proven to be
+    /// apart: less is for tests, which show that the margins are needed.
+    explicit WideDescent(const RelativePose& b_to_a, double error_scale = 1);
 
     /// Begins anew. The trees have nodes and outlive the descent.
     void start(const WideView& a, const WideView& b);
@@ -29,6 +31,7 @@ class WideDescent {
 
   private:
     RelativePose b_to_a_;
+    double error_scale_;
     WidePose pose_;
     WideWalk walk_;
     std::vector<WidePair> waiting_;
