@@ -20,6 +20,9 @@ using Axes = std::array<float, 9>; ///< Three rows.
 /// Coordinates and the whole tree's size are between these, with room for products of floats.
 constexpr double size_max = 0x1p50;
 constexpr double size_min = 0x1p-40;
+/// No step is smaller: the largest sizes stay floats when they are counted in such steps, with room
+/// for sums (wide_kernel.cpp).
+constexpr double step_min = 0x1p-70;
 constexpr double u = 0x1p-53;
 
 /// The least and greatest coordinate of a child on each axis of a frame, as seen from a point.
@@ -147,7 +150,7 @@ void quantise(const Fit& fit, bool float_origin, WideNode& node) {
     }
     // A quarter of a step is more than all roundings of the origin.
     const double size = std::max(fit.reach, fit.center.cwiseAbs().maxCoeff());
-    const double least = std::max((float_origin ? 0x1p-18 : 0x1p-44) * size, 0x1p-80);
+    const double least = std::max((float_origin ? 0x1p-18 : 0x1p-44) * size, step_min);
     Vec3 corner;
     for (std::size_t k = 0; k < 3; ++k) {
         // No step is so small that quotients of steps grow out of bounds.

@@ -197,6 +197,42 @@ TEST(WideDescent, LosesNoPairOfBodiesOfDifferentSizes) {
     EXPECT_LT(tally.candidates, tally.pairs / 4);
 }
 
+TEST(WideDescent, LosesNoPairOfTheTiniestOnTheLargestTriangles) {
+    // One large triangle has a corner in the origin, and so have all the tiny ones: counted in
+    // their steps, the large one's size is close to what floats can hold.
+    Tally tally;
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const double tiny = std::ldexp(1.0, -60 - static_cast<int>(seed % 30));
+        std::vector<Vec3> small = make_triangle_soup(random, 40).vertices();
+        std::vector<Vec3> large = make_triangle_soup(random, 12, 0.1).vertices();
+        std::vector<Triangle> triangles_small;
+        std::vector<Triangle> triangles_large;
+        for (std::uint32_t i = 0; i < 40; ++i) {
+            triangles_small.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+            for (std::uint32_t k = 0; i < 24 && k < 3; ++k) {
+                small[3 * i + k] *= k == 0 ? 0 : tiny; // The others make the body large enough.
+            }
+        }
+        for (std::uint32_t i = 0; i < 12; ++i) {
+            triangles_large.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        }
+        for (Vec3& vertex : large) {
+            vertex *= 0x1p49;
+        }
+        large[0] = Vec3::Zero();
+        large[1] *= 0x1p-20;
+        large[2] *= std::ldexp(1.0, -static_cast<int>(seed % 50));
+        const Mesh a = make_mesh(small, triangles_small);
+        const Mesh b = make_mesh(large, triangles_large);
+        const Pose turn = with_translation(make_pose(random, 1), Vec3::Zero());
+        expect_none_lost(a, b, {Pose{}, turn}, tally);
+        expect_none_lost(b, a, {turn, Pose{}}, tally);
+    }
+    EXPECT_GT(tally.contacts, 30u * 2 * 24 - 1);
+}
+
 TEST(WideDescent, LosesNoPairWhereNumbersOverflow) {
     Tally tally;
     std::mt19937_64 random(1);
