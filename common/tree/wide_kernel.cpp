@@ -10,22 +10,34 @@
 // (1) w is formed in doubles: within abs = r |p| + translation_error + 2^-49 (|p| + |t| + |o|) in
 //     each component; as a float within u |w| more.
 // (2) T: three products with entries of at most 1.001, two sums: 5 u |w| + 1.8 abs.
-// (3) M for N: |G^-1 - G'| and so on as in box_test.cpp: 3.01 (r + e). R as floats, R G' and F (R
-// G')
-//     in floats: u, 3 u and 3 u, each times at most 3.03. Below 28 u + 3.01 r.
+// (3) M for N: |G^-1 - G'| and so on as in box_test.cpp: 3.01 (r + e). In floats, R takes u, its
+//     product with G' 3 u, and F's with that 3 u, each times at most 3.03. Below 28 u + 3.01 r.
 // (4) M' for N^-1: the squares of N's singular values are within 6.1 e + 3.01 s of 1, so
-//     |N^-1 - M'| < 41 u + 3.1 (r + s). T' = -M' T then errs by 1.74 (41 u + 3.1 (r + s)) |w|,
-//     by 5.3 u for its own roundings, and by that of T: below 90 u |w| + 5.4 (r + s) |w| + 3.2 abs.
-// (5) An interval T + M (c +- h), divided by the steps: entries three roundings, c and h are whole,
-//     sums of four: within 12 u (1.74 |w| + 2 E).
-// (6) Together below 128 u (|w| + E_a + E_b) + 6 (r + s) (|w| + E_a + E_b) + 4 abs, on either side.
-// `margin` is that with its own few roundings covered. Relative errors that underflow break are
-// below a step's 2^-40 and so below the margin, which is at least 255 * 2^-17 steps.
+//     |N^-1 - M'| < 41 u + 3.1 (r + s). N^-1 T = G R^-1 w is formed as G R' w: R' for R^-1 costs
+//     3.01 s |w|, R in doubles and then in floats 1.75 r |w| + u |w|, w as a float u |w|, two times
+//     three products and two sums 6 u |w|; and w itself errs by abs, 1.8 abs in this direction.
+//     Below 9 u |w| + 3.1 (r + s) |w| + 1.8 abs.
+// (5) An interval T + M (c +- h), divided by the steps: an entry takes three roundings with the
+//     quotient, T two; c and h are whole, sums of four take four, their difference one: within
+//     12 u (1.74 |w| + 2 E).
+// (6) Intervals of boxes. Of B's in A's frame, by (2), (3) and (5):
+//         26 u |w| + 52 u E_b + 3.01 r E_b + 1.8 abs.
+//     Of A's in B's, by (4) and (5):
+//         30 u |w| + 65 u E_a + 3.1 (r + s) (|w| + E_a) + 1.8 abs.
+// (7) Intervals of triangles, from their corners y (of B; of A likewise): alpha = T + F R (y - p),
+//     beta = -G R^-1 w + G R^-1 (x - o). A leaf's origin and its vertices are floats, so y - p
+//     takes one rounding of each component; |y - p| <= 1.74 E. An entry of F R: R as floats one,
+//     three products and two sums three, the steps two roundings, each times 1.01, and 1.75 r; R'
+//     for R^-1 another 3.01 s |x - o|. Products and sums four, the difference with the margin one:
+//     together 12 u 1.74 E + (1.75 r + 3.01 s) 1.74 E, and what T has by (2), (4) and (5).
+// (8) All are below 128 u (|w| + E_a + E_b) + 6 (r + s) (|w| + E_a + E_b) + 4 abs. `margin` is that
+//     with its own few roundings, and those of |w|, covered. What underflow takes is below 2^-148
+//     of a length or an entry, in steps below 2^-20; the margin is at least 255 * 2^-17 steps.
 //
-// Overflow: coordinates of a wide tree are below 2^50, steps within [2^-80, 2^50]; t may be larger.
-// An infinite T with finite boxes is far away indeed; all else that overflows becomes NaN before it
-// is compared, since an infinite interval has an infinite centre and size. Comparisons with NaN do
-// not part.
+// Overflow: coordinates of a wide tree are below 2^50, so that boxes share a point only where |w|
+// is below 2^55; steps are within [2^-70, 2^45]. Then all that is made of an interval stays below
+// 2^127 or is a margin. So whatever else overflows belongs to boxes that are apart, an infinite
+// margin parts nothing, and neither do comparisons with NaN.
 #include "common/tree/wide_kernel.hpp"
 
 #include "common/geometry/highway_targets.hpp"
