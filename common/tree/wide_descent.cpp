@@ -2,8 +2,10 @@
 
 #include "common/geometry/simd_target.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cd {
 
@@ -41,7 +43,8 @@ WideDescent::WideDescent(const RelativePose& b_to_a, double error_scale)
     pose_.relative_margin = b_to_a.rotation_error <= pose_error_max && b_to_a.skew <= pose_error_max
                                 ? static_cast<float>(error_scale_ * 1.01 * (0x1p-17 + 6 * error))
                                 : std::numeric_limits<float>::infinity();
-    waiting_.resize(4 * wide_pairs_slack);
+    walk_.waiting_room = 2 * wide_pairs_slack;
+    waiting_ = std::make_unique_for_overwrite<WidePair[]>(walk_.waiting_room);
 }
 
 void WideDescent::start(const WideView& a, const WideView& b) {
@@ -54,25 +57,35 @@ void WideDescent::start(const WideView& a, const WideView& b) {
                                                : std::numeric_limits<float>::infinity();
     walk_.a = body_of(a);
     walk_.b = body_of(b);
-    waiting_.front() = {0, 0};
+    waiting_[0] = {0, 0};
     walk_.waiting_count = 1;
+    walk_.leaf_count = 0;
 }
 
 std::span<Candidate> WideDescent::next(std::size_t wanted) {
-    candidates_.resize(wanted + wide_pairs_slack);
-    walk_.candidates = candidates_.data();
+    if (candidates_room_ < wanted + wide_pairs_slack) {
+        candidates_room_ = wanted + wide_pairs_slack;
+        candidates_ = std::make_unique_for_overwrite<Candidate[]>(candidates_room_);
+    }
+    walk_.candidates = candidates_.get();
     walk_.candidate_count = 0;
     walk_.candidates_wanted = wanted;
     walk_.visits_left = visits_at_once;
     while (!is_done() && walk_.visits_left > 0 && walk_.candidate_count < wanted) {
-        if (walk_.waiting_count + wide_pairs_slack > waiting_.size()) {
-            waiting_.resize(2 * waiting_.size());
+        if (walk_.waiting_count + wide_pairs_slack > walk_.waiting_room) {
+            grow();
         }
-        walk_.waiting = waiting_.data();
-        walk_.waiting_room = waiting_.size();
+        walk_.waiting = waiting_.get();
         walk_wide(pose_, walk_);
     }
-    return std::span(candidates_).first(walk_.candidate_count);
+    return {candidates_.get(), walk_.candidate_count};
+}
+
+void WideDescent::grow() {
+    auto larger = std::make_unique_for_overwrite<WidePair[]>(2 * walk_.waiting_room);
+    std::copy_n(waiting_.get(), walk_.waiting_count, larger.get());
+    waiting_ = std::move(larger);
+    walk_.waiting_room *= 2;
 }
 
 } // namespace cd

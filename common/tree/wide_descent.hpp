@@ -6,8 +6,8 @@
 #include "common/tree/wide_tree.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 namespace cd {
 
@@ -21,7 +21,7 @@ class WideDescent {
 
     /// Begins anew. The trees have nodes and outlive the descent.
     void start(const WideView& a, const WideView& b);
-    [[nodiscard]] bool is_done() const { return walk_.waiting_count == 0; }
+    [[nodiscard]] bool is_done() const { return walk_.waiting_count + walk_.leaf_count == 0; }
     /// More candidates: as places in the blocks, `wanted` or some more, or fewer after much work
     /// without finding so many. Valid until the next call.
     [[nodiscard]] std::span<Candidate> next(std::size_t wanted);
@@ -30,12 +30,16 @@ class WideDescent {
     [[nodiscard]] std::uint64_t box_tests() const { return walk_.box_tests; }
 
   private:
+    void grow();
+
     RelativePose b_to_a_;
     double error_scale_;
     WidePose pose_;
     WideWalk walk_;
-    std::vector<WidePair> waiting_;
-    std::vector<Candidate> candidates_;
+    // Not vectors, which would set what is written anyway.
+    std::unique_ptr<WidePair[]> waiting_;
+    std::unique_ptr<Candidate[]> candidates_;
+    std::size_t candidates_room_ = 0;
 };
 
 } // namespace cd

@@ -99,16 +99,20 @@ HWY_INLINE V from_bytes(const WideNode::Bytes& bytes, std::size_t first) {
 
 /// The bounds of a lane's children on axis `k` of their own frame, in steps.
 HWY_INLINE V low_of(const Side& side, std::size_t k, std::size_t lane) {
-    return side.is_whole ? hn::Zero(Floats()) : from_bytes(side.node->low[k], lane);
+    return from_bytes(side.node->low[k], lane);
 }
 HWY_INLINE V high_of(const Side& side, std::size_t k, std::size_t lane) {
-    return side.is_whole ? hn::Set(Floats(), whole_steps) : from_bytes(side.node->high[k], lane);
+    return from_bytes(side.node->high[k], lane);
 }
 
 HWY_INLINE std::uint32_t bits_of(M mask) {
+#if HWY_TARGET == HWY_AVX3
+    return mask.raw; // Not by way of memory.
+#else
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(Floats(), mask, bytes);
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+#endif
 }
 
 /// Where the other node sees the children; which of them may reach into its whole box.
@@ -140,6 +144,23 @@ HWY_INLINE std::uint32_t see(const Side& side, const Change& change, Intervals& 
         found |= bits_of(hn::Not(apart)) << lane;
     }
     return found & ((1u << side.count) - 1);
+}
+
+/// As `see`, of a node as its own only child.
+HWY_INLINE std::uint32_t see_whole(const Change& change, Intervals& seen) {
+    bool is_apart = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float at =
+            change.offset[k] +
+            whole_steps * (change.entries[0][k] + change.entries[1][k] + change.entries[2][k]);
+        const float reach =
+            change.margin[k] +
+            whole_steps * (change.sizes[0][k] + change.sizes[1][k] + change.sizes[2][k]);
+        seen.low[k][0] = at - reach;
+        seen.high[k][0] = at + reach;
+        is_apart = is_apart || seen.low[k][0] > whole_steps || seen.high[k][0] < 0;
+    }
+    return is_apart ? 0 : 1;
 }
 
 #if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 32
@@ -236,7 +257,7 @@ HWY_INLINE std::uint32_t see_triangles(const WideBody& body,
 template <bool kRowsOfA>
 HWY_INLINE std::size_t
 append(std::uint32_t own, std::uint32_t their_first, M found, std::uint32_t* to) {
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+#if HWY_TARGET == HWY_AVX3
     const hn::RebindToUnsigned<Floats> du;
     const auto theirs = hn::Compress(hn::Iota(du, their_first), hn::RebindMask(du, found));
     if constexpr (kRowsOfA) {
@@ -269,8 +290,13 @@ HWY_INLINE std::size_t pair_up(const Side& one,
                                std::uint32_t* to) {
     const Floats d;
     Intervals own;
-    for (std::size_t lane = 0; lane < one.count; lane += lanes) {
-        for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (one.is_whole) {
+            own.low[k][0] = 0;
+            own.high[k][0] = whole_steps;
+            continue;
+        }
+        for (std::size_t lane = 0; lane < one.count; lane += lanes) {
             hn::Store(low_of(one, k, lane), d, own.low[k] + lane);
             hn::Store(high_of(one, k, lane), d, own.high[k] + lane);
         }
@@ -338,19 +364,21 @@ HWY_INLINE void finish_change(const float* columns,
     }
 }
 
-/// A pair of nodes with all that both sides' changes share.
+/// A pair of nodes on its way through a batch, with what both looks at it need.
 struct Meeting {
     alignas(16) float columns[3][4]; ///< M: of B's coordinates in A's.
-    alignas(16) float rows[3][4];
-    alignas(16) float offset_a[4];
-    alignas(16) float offset_b[4];
+    alignas(16) float offset_a[4];   ///< -N^-1 T.
+    alignas(16) float offset_b[4];   ///< T.
     alignas(16) float per_step_a[4];
     alignas(16) float per_step_b[4];
     float margin;
+    WidePair nodes;
 };
 
-HWY_INLINE void meet(const WidePose& pose, const WideNode& a, const WideNode& b, Meeting& to) {
+HWY_INLINE void
+meet(const WidePose& pose, const WideNode& a, const WideNode& b, WidePair nodes, Meeting& to) {
     const Row d;
+    to.nodes = nodes;
     float w[3];
     for (std::size_t i = 0; i < 3; ++i) {
         const double* row = &pose.rotation[3 * i];
@@ -366,14 +394,16 @@ HWY_INLINE void meet(const WidePose& pose, const WideNode& a, const WideNode& b,
         hn::Store(hn::Div(hn::Set(d, 1), hn::LoadU(d, a.steps.data() + i)), d, to.per_step_a + i);
         hn::Store(hn::Div(hn::Set(d, 1), hn::LoadU(d, b.steps.data() + i)), d, to.per_step_b + i);
     }
+    alignas(16) float turned[3][4];
     for (std::size_t k = 0; k < 3; ++k) {
         const float row[3] = {b.columns[0][k], b.columns[1][k], b.columns[2][k]};
-        alignas(16) float turned[4];
         for (std::size_t i = 0; i < 4; i += row_lanes) {
-            hn::Store(combined(pose.columns[0].data(), row, i), d, turned + i);
+            hn::Store(combined(pose.columns[0].data(), row, i), d, turned[k] + i);
         }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t i = 0; i < 4; i += row_lanes) {
-            hn::Store(combined(frame_a, turned, i), d, to.columns[k] + i);
+            hn::Store(combined(frame_a, turned[k], i), d, to.columns[k] + i);
         }
     }
     for (std::size_t i = 0; i < 4; i += row_lanes) {
@@ -404,11 +434,11 @@ make_turn(const float* frame, const float* rotation, const float* per_step, Turn
     }
 }
 
+template <bool kBothLeaves>
 HWY_INLINE std::uint32_t see_b(const WidePose& pose,
                                const WideBody& body,
                                const WideNode& a,
                                const Side& side_b,
-                               bool both_leaves,
                                const Meeting& meeting,
                                Intervals& seen) {
     Change change;
@@ -418,19 +448,19 @@ HWY_INLINE std::uint32_t see_b(const WidePose& pose,
                   side_b.node->steps,
                   meeting.per_step_a,
                   change);
-    if (!both_leaves) {
-        return see(side_b, change, seen);
+    if constexpr (!kBothLeaves) {
+        return side_b.is_whole ? see_whole(change, seen) : see(side_b, change, seen);
     }
     Turn turn;
     make_turn(a.columns[0].data(), pose.columns[0].data(), meeting.per_step_a, turn);
     return see_triangles(body, side_b, turn, change, seen);
 }
 
+template <bool kBothLeaves>
 HWY_INLINE std::uint32_t see_a(const WidePose& pose,
                                const WideBody& body,
                                const WideNode& b,
                                const Side& side_a,
-                               bool both_leaves,
                                const Meeting& meeting,
                                Intervals& seen) {
     alignas(16) float rows[3][4];
@@ -443,8 +473,8 @@ HWY_INLINE std::uint32_t see_a(const WidePose& pose,
     Change change;
     finish_change(
         rows[0], meeting.offset_a, meeting.margin, side_a.node->steps, meeting.per_step_b, change);
-    if (!both_leaves) {
-        return see(side_a, change, seen);
+    if constexpr (!kBothLeaves) {
+        return side_a.is_whole ? see_whole(change, seen) : see(side_a, change, seen);
     }
     Turn turn;
     make_turn(b.columns[0].data(), pose.rows[0].data(), meeting.per_step_b, turn);
@@ -452,31 +482,30 @@ HWY_INLINE std::uint32_t see_a(const WidePose& pose,
 }
 
 /// Writes what is left of a pair of nodes; how many pairs.
+template <bool kBothLeaves>
 HWY_INLINE std::size_t
-visit(const WidePose& pose, WideWalk& walk, WidePair now, std::uint32_t* to) {
+visit(const WidePose& pose, WideWalk& walk, const Meeting& meeting, std::uint32_t* to) {
+    const WidePair now = meeting.nodes;
     const WideNode& a = walk.a.nodes[now.a];
     const WideNode& b = walk.b.nodes[now.b];
-    const bool both_leaves = a.is_leaf && b.is_leaf;
     // A leaf waits until the other is one.
-    const Side side_a = side_of(a, now.a, a.is_leaf && !b.is_leaf);
-    const Side side_b = side_of(b, now.b, b.is_leaf && !a.is_leaf);
-    Meeting meeting;
-    meet(pose, a, b, meeting);
+    const Side side_a = side_of(a, now.a, !kBothLeaves && a.is_leaf);
+    const Side side_b = side_of(b, now.b, !kBothLeaves && b.is_leaf);
     Intervals seen_b;
     walk.box_tests += side_b.count;
-    const std::uint32_t in_a = see_b(pose, walk.b, a, side_b, both_leaves, meeting, seen_b);
+    const std::uint32_t in_a = see_b<kBothLeaves>(pose, walk.b, a, side_b, meeting, seen_b);
     if (in_a == 0) {
         return 0;
     }
     Intervals seen_a;
     walk.box_tests += side_a.count;
-    const std::uint32_t in_b = see_a(pose, walk.a, b, side_a, both_leaves, meeting, seen_a);
+    const std::uint32_t in_b = see_a<kBothLeaves>(pose, walk.a, b, side_a, meeting, seen_a);
     if (in_b == 0) {
         return 0;
     }
     const auto rows_a = static_cast<std::size_t>(__builtin_popcount(in_b));
     const auto rows_b = static_cast<std::size_t>(__builtin_popcount(in_a));
-    if (rows_a <= rows_b) {
+    if (side_a.is_whole || (rows_a <= rows_b && !side_b.is_whole)) {
         walk.box_tests += rows_a * side_b.count;
         return pair_up<true>(side_a, seen_a, in_b, side_b, seen_b, to);
     }
@@ -484,18 +513,84 @@ visit(const WidePose& pose, WideWalk& walk, WidePair now, std::uint32_t* to) {
     return pair_up<false>(side_b, seen_b, in_a, side_a, seen_a, to);
 }
 
-void walk_all(const WidePose& pose, WideWalk& walk) {
-    for (; walk.waiting_count > 0 && walk.visits_left > 0 &&
-           walk.candidate_count < walk.candidates_wanted &&
-           walk.waiting_count + wide_pairs_slack <= walk.waiting_room;
-         --walk.visits_left) {
-        const WidePair now = walk.waiting[--walk.waiting_count];
-        if (walk.a.nodes[now.a].is_leaf && walk.b.nodes[now.b].is_leaf) {
-            auto* to = reinterpret_cast<std::uint32_t*>(walk.candidates + walk.candidate_count);
-            walk.candidate_count += visit(pose, walk, now, to);
+HWY_INLINE void prefetch(const void* from, std::size_t bytes) {
+    const auto* line = static_cast<const char*>(from);
+    for (std::size_t i = 0; i < bytes; i += 64) {
+        __builtin_prefetch(line + i);
+    }
+}
+
+/// Asks for the triangles of a leaf, of which most have at least so many vertices.
+HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {
+    if (body.vertices != nullptr) {
+        prefetch(body.vertices + 3 * std::size_t{body.vertex_begin[leaf.first]},
+                 children * 3 * sizeof(float));
+        prefetch(body.corners + std::size_t{block_size} * leaf.first,
+                 children * sizeof(BlockCorners));
+    }
+}
+
+// Pairs of one batch do not wait for each other: their nodes come from memory at the same time, and
+// the processor works on more than one. Pairs of leaves are put aside until there are enough of
+// them, so that it can foresee what is done with each.
+
+/// Looks at some of the pairs that wait.
+HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk) {
+    Meeting meetings[wide_batch_max];
+    const std::size_t count = walk.waiting_count < walk.batch ? walk.waiting_count : walk.batch;
+    walk.waiting_count -= count;
+    const WidePair* now = walk.waiting + walk.waiting_count;
+    for (std::size_t i = 0; i < count; ++i) {
+        prefetch(walk.a.nodes + now[i].a, sizeof(WideNode));
+        prefetch(walk.b.nodes + now[i].b, sizeof(WideNode));
+    }
+    std::size_t inner = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const WideNode& a = walk.a.nodes[now[i].a];
+        const WideNode& b = walk.b.nodes[now[i].b];
+        if (a.is_leaf && b.is_leaf) {
+            prefetch_triangles(walk.a, a);
+            prefetch_triangles(walk.b, b);
+            walk.leaves[walk.leaf_count++] = now[i];
         } else {
-            auto* to = reinterpret_cast<std::uint32_t*>(walk.waiting + walk.waiting_count);
-            walk.waiting_count += visit(pose, walk, now, to);
+            meet(pose, a, b, now[i], meetings[inner++]);
+        }
+    }
+    for (std::size_t i = 0; i < inner; ++i) {
+        auto* to = reinterpret_cast<std::uint32_t*>(walk.waiting + walk.waiting_count);
+        walk.waiting_count += visit<false>(pose, walk, meetings[i], to);
+    }
+    walk.visits_left -=
+        inner < walk.visits_left ? static_cast<std::uint32_t>(inner) : walk.visits_left;
+}
+
+/// Looks at some of the pairs of leaves.
+HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk) {
+    Meeting meetings[wide_batch_max];
+    const std::size_t count = walk.leaf_count < wide_batch_max ? walk.leaf_count : wide_batch_max;
+    walk.leaf_count -= count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const WidePair now = walk.leaves[walk.leaf_count + i];
+        meet(pose, walk.a.nodes[now.a], walk.b.nodes[now.b], now, meetings[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        auto* to = reinterpret_cast<std::uint32_t*>(walk.candidates + walk.candidate_count);
+        walk.candidate_count += visit<true>(pose, walk, meetings[i], to);
+    }
+    walk.visits_left -=
+        count < walk.visits_left ? static_cast<std::uint32_t>(count) : walk.visits_left;
+}
+
+void walk_all(const WidePose& pose, WideWalk& walk) {
+    while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
+           walk.waiting_count + wide_pairs_slack <= walk.waiting_room) {
+        if (walk.leaf_count >= walk.leaves_at_once ||
+            (walk.waiting_count == 0 && walk.leaf_count > 0)) {
+            visit_leaves(pose, walk);
+        } else if (walk.waiting_count > 0) {
+            visit_inner(pose, walk);
+        } else {
+            return;
         }
     }
 }

@@ -29,9 +29,15 @@ struct WidePair {
     std::uint32_t b = 0;
 };
 
-/// The most pairs that one pair of nodes can leave behind, and what is written beyond them.
-inline constexpr std::size_t wide_pairs_max = wide_children_max * wide_children_max;
-inline constexpr std::size_t wide_pairs_slack = wide_pairs_max + wide_children_max;
+/// The most pairs of nodes that are looked at together.
+inline constexpr std::size_t wide_batch_max = 8;
+
+/// The most pairs of leaves that are put aside.
+inline constexpr std::size_t wide_leaves_max = 64;
+
+/// The most pairs that a batch can leave behind, and what is written beyond them.
+inline constexpr std::size_t wide_pairs_slack =
+    wide_batch_max * wide_children_max * wide_children_max + wide_children_max;
 
 /// A tree as the descent reads it. Without vertices it knows triangles by their boxes alone.
 struct WideBody {
@@ -51,6 +57,12 @@ struct WideWalk {
     Candidate* candidates = nullptr; ///< With room for `wide_pairs_slack` beyond those wanted.
     std::size_t candidate_count = 0;
     std::size_t candidates_wanted = 0;
+    /// Pairs looked at together, and pairs of leaves put aside until they are looked at: with
+    /// fewer, a first contact is found sooner.
+    std::size_t batch = wide_batch_max;
+    std::size_t leaves_at_once = wide_leaves_max - wide_batch_max;
+    std::array<WidePair, wide_leaves_max> leaves;
+    std::size_t leaf_count = 0;
     std::uint32_t visits_left = 0; ///< Pairs of nodes to look at before the walk pauses.
     std::uint64_t box_tests = 0;
 };
