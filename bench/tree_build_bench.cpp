@@ -1,13 +1,23 @@
-// What does each rule of splitting cost and give? Builds one mesh's tree under the rules of the
-// paper (section 6.2) with and without the bound of a quarter, and with boxes along the body's
-// axes, and runs the same random scenarios of the mesh against itself on each.
+// What does each way of splitting cost and give? Builds the trees of two meshes with binned splits,
+// with the paper's sweep everywhere (section 6.2), with boxes along the body's axes, and without
+// the bound of a quarter, and runs the same scenarios on each.
 //
-//   tree_build_bench MESH [--scenarios 50] [--depth 12] [--no-bare]
+//   tree_build_bench MESH [B] [--poses FILE | --scenarios 50] [--rounds 5] [--depth 12] [--no-bare]
 //
-// A Markdown row a tree: seconds to build with one thread and with two, nodes, depth, the share of
-// the triangles under the largest distribution root, bytes a triangle (nodes and order), N_b and
-// N_p a scenario, the paper's cost as measured milliseconds a scenario, and the digest, which must
-// be one.
+// Without B the mesh meets itself. FILE holds a pose of B in A's frame a line: the rotation by
+// rows, then the translation; without it the poses are random ones in contact.
+//
+// First a row a mesh: the time of the connections alone, and for one thread and two the least and
+// the median time of a build over the rounds, without and with the wide tree made from it; by the
+// clock and by the processor (which counts all threads, and stands still while others run on the
+// machine).
+//
+// Then a row a tree: nodes and depth of A's, the share of its triangles under the largest
+// distribution root, bytes a triangle (nodes and order), N_b and N_p a scenario, C_b and C_p (the
+// processor time of a descent without triangle tests over N_b; that of the rest over N_p), the
+// paper's cost N_b C_b + N_p C_p with the first row's C_b and C_p, and the digest, which must be
+// one. All of the binary tree that the paper searches; the last row searches the wide tree, whose
+// box tests are other ones, so that only its own C_b and C_p tell what it costs.
 #include "client/mesh_import.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/job/merge.hpp"
@@ -15,14 +25,20 @@
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build.hpp"
 #include "common/tree/cut.hpp"
+#include "common/tree/traverse.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <limits>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -30,22 +46,70 @@ namespace cd {
 namespace {
 
 struct Options {
-    std::string mesh;
+    std::string a;
+    std::string b; ///< Empty for A itself.
+    std::string poses;
     std::uint64_t scenarios = 50;
     std::uint32_t depth = 12;
+    std::size_t rounds = 5;
     bool skips_bare = false;
 };
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+using MeshPointer = std::shared_ptr<const Mesh>;
+
+double seconds_on(clockid_t clock) {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-double
-build_seconds(const std::shared_ptr<const Mesh>& mesh, const BuildOptions& rule, unsigned threads) {
-    ThreadPool pool(threads);
-    const auto start = std::chrono::steady_clock::now();
-    const ObbTree tree = build_tree(mesh, rule, pool);
-    return seconds_since(start);
+double processor_seconds() {
+    return seconds_on(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+/// The times of some rounds, in milliseconds.
+struct Times {
+    std::vector<double> wall;
+    std::vector<double> processor;
+
+    template <class Function>
+    void add(const Function& function) {
+        const double wall_before = seconds_on(CLOCK_MONOTONIC);
+        const double processor_before = processor_seconds();
+        function();
+        wall.push_back(1e3 * (seconds_on(CLOCK_MONOTONIC) - wall_before));
+        processor.push_back(1e3 * (processor_seconds() - processor_before));
+    }
+
+    void print() {
+        for (std::vector<double>* times : {&wall, &processor}) {
+            std::sort(times->begin(), times->end());
+            std::printf(" %.0f / %.0f |", times->front(), (*times)[times->size() / 2]);
+        }
+    }
+};
+
+void print_build_times(const std::string& name, const MeshPointer& mesh, std::size_t rounds) {
+    Times connections;
+    for (std::size_t round = 0; round < rounds; ++round) {
+        connections.add([&] { static_cast<void>(analyse_topology(*mesh)); });
+    }
+    std::printf("| %s | %zu |", name.c_str(), mesh->triangles().size());
+    connections.print();
+    for (const bool wide : {false, true}) {
+        BuildOptions rule;
+        rule.prepare_search = wide;
+        for (const unsigned threads : {1u, 2u}) {
+            ThreadPool pool(threads);
+            Times builds;
+            for (std::size_t round = 0; round < rounds; ++round) {
+                builds.add([&] { static_cast<void>(build_tree(mesh, rule, pool)); });
+            }
+            builds.print();
+        }
+    }
+    std::printf("\n");
+    std::fflush(stdout);
 }
 
 double largest_share(const ObbTree& tree, std::uint32_t depth) {
@@ -57,77 +121,187 @@ double largest_share(const ObbTree& tree, std::uint32_t depth) {
     return static_cast<double>(largest) / static_cast<double>(tree.triangle_ids().size());
 }
 
-/// Prints one row and returns the digest.
-Sha256 measure(const char* name,
-               const std::shared_ptr<const Mesh>& mesh,
-               const BuildOptions& rule,
-               const std::vector<Scenario>& scenarios,
-               std::uint32_t depth) {
-    const double one = build_seconds(mesh, rule, 1);
-    const double two = build_seconds(mesh, rule, 2);
-    ThreadPool pool;
-    const ObbTree tree = build_tree(mesh, rule, pool);
+struct Costs {
+    double box_tests = 0;            ///< N_b a scenario.
+    double triangle_tests = 0;       ///< N_p a scenario.
+    double box_nanoseconds = 0;      ///< C_b
+    double triangle_nanoseconds = 0; ///< C_p
+};
 
-    ResultMerger merger(scenarios.size());
-    QueryStatistics total;
-    const auto start = std::chrono::steady_clock::now();
+/// The processor time of all searches.
+double search_seconds(const ObbTree& a,
+                      const ObbTree& b,
+                      const std::vector<Scenario>& scenarios,
+                      std::span<const IgnoredRange> ignored,
+                      QueryStatistics& total) {
+    const double before = processor_seconds();
+    total = {};
     for (const Scenario& scenario : scenarios) {
-        const ScenarioRun run = run_scenario(tree, tree, scenario, Query{});
-        total += run.statistics;
-        static_cast<void>(merger.add(run.result));
+        ContactSearch search(scenario.poses, ignored);
+        search.collect(a.view(), b.view());
+        total += search.statistics();
+    }
+    return processor_seconds() - before;
+}
+
+Costs measure_costs(const ObbTree& a,
+                    const ObbTree& b,
+                    const std::vector<Scenario>& scenarios,
+                    std::size_t rounds) {
+    constexpr std::uint32_t all = std::numeric_limits<std::uint32_t>::max();
+    const std::vector<IgnoredRange> ignore_all = {{0, all, 0, all}};
+    double boxes = std::numeric_limits<double>::infinity();
+    double everything = boxes;
+    QueryStatistics total;
+    for (std::size_t round = 0; round < rounds; ++round) {
+        boxes = std::min(boxes, search_seconds(a, b, scenarios, ignore_all, total));
+        everything = std::min(everything, search_seconds(a, b, scenarios, {}, total));
     }
     const double count = static_cast<double>(scenarios.size());
-    const double triangles = static_cast<double>(mesh->triangles().size());
-    const double tree_bytes = static_cast<double>(tree.nodes().size_bytes()) +
-                              static_cast<double>(tree.triangle_ids().size_bytes());
-    const Sha256 digest = merger.digest().value_or(Sha256{});
-    std::printf("| %s | %.2f | %.2f | %zu | %u | %.2f %% | %.1f | %.0f | %.0f | %.3f | %s |\n",
+    Costs costs;
+    costs.box_tests = static_cast<double>(total.box_tests) / count;
+    costs.triangle_tests = static_cast<double>(total.triangle_tests) / count;
+    costs.box_nanoseconds = 1e9 * boxes / static_cast<double>(total.box_tests);
+    costs.triangle_nanoseconds =
+        1e9 * std::max(0.0, everything - boxes) / static_cast<double>(total.triangle_tests);
+    return costs;
+}
+
+Sha256 digest_of(const ObbTree& a, const ObbTree& b, const std::vector<Scenario>& scenarios) {
+    ResultMerger merger(scenarios.size());
+    for (const Scenario& scenario : scenarios) {
+        static_cast<void>(merger.add(run_scenario(a, b, scenario, Query{}).result));
+    }
+    return merger.digest().value_or(Sha256{});
+}
+
+struct Scene {
+    MeshPointer a;
+    MeshPointer b;
+    std::vector<Scenario> scenarios;
+    Costs first;     ///< Of the first tree.
+    Sha256 expected; ///< The first tree's digest.
+    bool same = true;
+};
+
+/// Prints one row.
+void measure(const char* name, const BuildOptions& rule, const Options& options, Scene& scene) {
+    ThreadPool pool;
+    const ObbTree a = build_tree(scene.a, rule, pool);
+    const std::optional<ObbTree> other =
+        scene.b == scene.a ? std::nullopt : std::optional(build_tree(scene.b, rule, pool));
+    const ObbTree& b = other ? *other : a;
+    const Costs costs = measure_costs(a, b, scene.scenarios, options.rounds);
+    const Sha256 digest = digest_of(a, b, scene.scenarios);
+    if (scene.first.box_tests == 0) {
+        scene.first = costs;
+        scene.expected = digest;
+    }
+    scene.same = scene.same && digest == scene.expected;
+    const double bytes =
+        static_cast<double>(a.nodes().size_bytes() + a.triangle_ids().size_bytes());
+    std::printf("| %s | %zu | %u | %.2f %% | %.1f | %.0f | %.0f | %.1f | %.1f | %.3f | %s |\n",
                 name,
-                one,
-                two,
-                tree.nodes().size(),
-                tree.depth(),
-                100 * largest_share(tree, depth),
-                tree_bytes / triangles,
-                static_cast<double>(total.box_tests) / count,
-                static_cast<double>(total.triangle_tests) / count,
-                1e3 * seconds_since(start) / count,
+                a.nodes().size(),
+                a.depth(),
+                100 * largest_share(a, options.depth),
+                bytes / static_cast<double>(a.triangle_ids().size()),
+                costs.box_tests,
+                costs.triangle_tests,
+                costs.box_nanoseconds,
+                costs.triangle_nanoseconds,
+                1e-6 * (costs.box_tests * scene.first.box_nanoseconds +
+                        costs.triangle_tests * scene.first.triangle_nanoseconds),
                 to_short_hex(digest).c_str());
     std::fflush(stdout);
-    return digest;
+}
+
+std::vector<Scenario> read_poses(const std::string& path) {
+    std::vector<Scenario> all;
+    std::ifstream file(path);
+    Mat3 rotation;
+    Vec3 translation;
+    const auto next = [&] {
+        for (int i = 0; i < 9; ++i) {
+            file >> rotation(i / 3, i % 3);
+        }
+        return static_cast<bool>(file >> translation[0] >> translation[1] >> translation[2]);
+    };
+    while (next()) {
+        Scenario scenario;
+        scenario.index = all.size();
+        scenario.poses = {Pose{}, Pose::from_matrix(rotation, translation)};
+        all.push_back(scenario);
+    }
+    return all;
+}
+
+std::vector<Scenario> random_poses(const Scene& scene, std::uint64_t count) {
+    ThreadPool pool;
+    RandomPoses random;
+    random.count = count;
+    return make_random_poses(
+        random, build_tree(scene.a, {}, pool), build_tree(scene.b, {}, pool), pool);
+}
+
+/// Nothing, and a line on stderr, where a file cannot be read.
+std::optional<Scene> make_scene(const Options& options) {
+    Scene scene;
+    for (const auto& [path, mesh] : {std::pair(options.a, &scene.a), {options.b, &scene.b}}) {
+        if (path.empty()) {
+            scene.b = scene.a;
+            continue;
+        }
+        const auto imported = import_mesh(path, {});
+        if (!imported) {
+            std::fprintf(stderr, "%s\n", imported.error().detail.c_str());
+            return std::nullopt;
+        }
+        *mesh = imported.value().mesh;
+    }
+    scene.scenarios =
+        options.poses.empty() ? random_poses(scene, options.scenarios) : read_poses(options.poses);
+    if (scene.scenarios.empty()) {
+        std::fprintf(stderr, "no poses\n");
+        return std::nullopt;
+    }
+    return scene;
 }
 
 int compare(const Options& options) {
-    const auto imported = import_mesh(options.mesh, {});
-    if (!imported) {
-        std::fprintf(stderr, "%s\n", imported.error().detail.c_str());
+    std::optional<Scene> scene = make_scene(options);
+    if (!scene) {
         return 2;
     }
-    const auto& mesh = imported.value().mesh;
-    ThreadPool pool;
-    const ObbTree tree = build_tree(mesh, {}, pool);
-    RandomPoses random;
-    random.count = options.scenarios;
-    const auto scenarios = make_random_poses(random, tree, tree, pool);
-
-    std::printf("%s, %zu triangles, distribution depth %u, %llu scenarios\n\n",
-                options.mesh.c_str(),
-                mesh->triangles().size(),
-                options.depth,
-                static_cast<unsigned long long>(options.scenarios));
     std::printf(
-        "| tree | build s, 1 thread | 2 threads | nodes | depth | largest root | bytes/triangle "
-        "| N_b | N_p | ms/scenario | digest |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
-    BuildOptions rule;
-    const Sha256 expected = measure("OBB, quarter", mesh, rule, scenarios, options.depth);
-    rule.boxes = BoxKind::Aabb;
-    bool same = measure("AABB, quarter", mesh, rule, scenarios, options.depth) == expected;
-    if (!options.skips_bare) {
-        rule = {};
-        rule.rule = SplitRule::Bare;
-        same = measure("OBB, bare", mesh, rule, scenarios, options.depth) == expected && same;
+        "| mesh | triangles | connections ms | processor ms | build ms, 1 thread | processor "
+        "ms | 2 threads | processor ms | with the wide tree, 1 thread | processor ms | 2 "
+        "threads | processor ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    print_build_times(options.a, scene->a, options.rounds);
+    if (scene->b != scene->a) {
+        print_build_times(options.b, scene->b, options.rounds);
     }
-    return same ? 0 : 1;
+    std::printf("\n%zu scenarios, distribution depth %u\n\n"
+                "| tree | nodes | depth | largest root | bytes/triangle | N_b | N_p | C_b ns | C_p "
+                "ns | cost ms | digest |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
+                scene->scenarios.size(),
+                options.depth);
+    BuildOptions binned;
+    binned.prepare_search = false;
+    measure("OBB, quarter, binned", binned, options, *scene);
+    BuildOptions swept = binned;
+    swept.sweep_triangles_max = std::numeric_limits<std::uint32_t>::max();
+    measure("OBB, quarter, swept", swept, options, *scene);
+    BuildOptions aabb = binned;
+    aabb.boxes = BoxKind::Aabb;
+    measure("AABB, quarter, binned", aabb, options, *scene);
+    if (!options.skips_bare) {
+        BuildOptions bare = binned;
+        bare.rule = SplitRule::Bare;
+        measure("OBB, bare, swept", bare, options, *scene);
+    }
+    measure("OBB, quarter, binned; wide search", {}, options, *scene);
+    return scene->same ? 0 : 1;
 }
 
 } // namespace
@@ -137,8 +311,12 @@ int compare(const Options& options) {
 int main(int argc, char** argv) {
     cd::Options options;
     CLI::App app("Compares the rules by which OBB trees are built");
-    app.add_option("MESH", options.mesh, "A mesh file")->required();
-    app.add_option("--scenarios", options.scenarios, "Random scenarios of the mesh against itself");
+    app.add_option("MESH", options.a, "A mesh file")->required();
+    app.add_option("B", options.b, "Another; without it the mesh meets itself");
+    app.add_option("--poses", options.poses, "A file of poses of B in A's frame");
+    app.add_option("--scenarios", options.scenarios, "How many random poses, without a file");
+    app.add_option("--rounds", options.rounds, "How often each is timed")
+        ->check(CLI::PositiveNumber);
     app.add_option("--depth", options.depth, "Distribution depth of the share");
     app.add_flag("--no-bare", options.skips_bare, "Leave out the bare rule, which is slow");
     CLI11_PARSE(app, argc, argv);

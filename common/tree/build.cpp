@@ -2,12 +2,12 @@
 
 #include "common/core/check.hpp"
 #include "common/tree/build_fit.hpp"
-#include "common/tree/build_split.hpp"
+#include "common/tree/build_node.hpp"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <latch>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,17 +16,7 @@ namespace cd {
 
 namespace {
 
-/// A node with more triangles is made on its own, in a wave of its equals; the others are made
-/// together with all below them, one task each.
-constexpr std::uint32_t task_triangles_max = 4096;
-
 constexpr std::uint32_t none = ~std::uint32_t{0};
-
-struct Scratch {
-    Projections projections;
-    SplitScratch split;
-    std::vector<BuildTriangle> triangles;
-};
 
 /// A node above the tasks, or the place of a task.
 struct TopNode {
@@ -38,12 +28,7 @@ struct TopNode {
 class Builder {
   public:
     Builder(const Mesh& mesh, const BuildOptions& options, ThreadPool& pool)
-        : vertices_(mesh.vertices()),
-          options_(options),
-          pool_(pool),
-          measurable_(std::ranges::all_of(vertices_, [](const Vec3& vertex) {
-              return vertex.cwiseAbs().maxCoeff() < coordinate_max;
-          })) {
+        : input_{mesh.vertices(), options, is_measurable(mesh)}, pool_(pool) {
         triangles_.reserve(mesh.triangles().size());
         for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
             triangles_.push_back({mesh.triangles()[i], i});
@@ -52,7 +37,14 @@ class Builder {
 
     void build() {
         build_top();
-        parallel_for(pool_, tasks_.size(), [this](std::size_t i) { build_task(top_[tasks_[i]]); });
+        std::atomic<std::size_t> next{0};
+        parallel_for(pool_, pool_.size(), [&](std::size_t) {
+            SubtreeMaker maker(input_);
+            for (std::size_t i = next++; i < tasks_.size(); i = next++) {
+                TopNode& task = top_[tasks_[i]];
+                task.subtree = maker.make(triangles_of(task.box), task.box.triangles_begin);
+            }
+        });
     }
 
     /// All nodes in preorder.
@@ -68,120 +60,56 @@ class Builder {
     }
 
   private:
-    void build_top();
-    void build_task(TopNode& task);
-    std::uint32_t make_node(ObbNode& node, Scratch& scratch, ThreadPool* pool);
-    std::uint32_t
-    part(std::span<BuildTriangle> triangles, Scratch& scratch, ThreadPool* pool) const;
+    static bool is_measurable(const Mesh& mesh) {
+        return std::ranges::all_of(mesh.vertices(), [](const Vec3& vertex) {
+            return vertex.cwiseAbs().maxCoeff() < coordinate_max;
+        });
+    }
 
-    std::span<const Vec3> vertices_;
-    BuildOptions options_;
+    [[nodiscard]] std::span<BuildTriangle> triangles_of(const ObbNode& node) {
+        return std::span(triangles_).subspan(node.triangles_begin, node.triangle_count());
+    }
+    void build_top();
+
+    BuildInput input_;
     ThreadPool& pool_;
-    bool measurable_;
     std::vector<BuildTriangle> triangles_;
     std::vector<TopNode> top_;
     std::vector<std::uint32_t> tasks_; ///< Places among the top nodes.
 };
 
-/// Sets the box of the node's triangles and puts those of the left child first. How many these are;
-/// 0 for a leaf. Looks at these triangles alone, so nodes apart may be made at once in any order.
-std::uint32_t Builder::make_node(ObbNode& node, Scratch& scratch, ThreadPool* pool) {
-    const std::span<BuildTriangle> triangles =
-        std::span(triangles_).subspan(node.triangles_begin, node.triangle_count());
-    const bool leaf = triangles.size() <= options_.leaf_triangles_max;
-    if (!measurable_) {
-        set_unbounded_box(node);
-        return leaf ? 0 : node.triangle_count() / 2;
-    }
-    node.axes = options_.boxes == BoxKind::Obb ? fit_axes(triangles, vertices_) : body_axes;
-    project(triangles, vertices_, node.axes, scratch.projections);
-    set_box(scratch.projections, node);
-    return leaf ? 0 : part(triangles, scratch, pool);
-}
-
-std::uint32_t
-Builder::part(std::span<BuildTriangle> triangles, Scratch& scratch, ThreadPool* pool) const {
-    const std::optional<Split> split =
-        choose_split(scratch.projections, options_.rule, scratch.split, pool);
-    if (!split) {
-        // All alike: any halves do.
-        return static_cast<std::uint32_t>(triangles.size() / 2);
-    }
-    const auto& intervals = scratch.projections.triangles[split->axis];
-    const Interval& whole = scratch.projections.whole[split->axis];
-    // Both sides keep their order, so that no library's way of sorting enters the tree.
-    std::uint32_t left = 0;
-    scratch.triangles.clear();
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-        if (split_rank(intervals[i], whole, i) <= split->last_rank) {
-            triangles[left++] = triangles[i];
-        } else {
-            scratch.triangles.push_back(triangles[i]);
-        }
-    }
-    CD_CHECK(left == split->left_count);
-    std::copy(scratch.triangles.begin(), scratch.triangles.end(), triangles.begin() + left);
-    return left;
-}
-
 void Builder::build_top() {
-    std::vector<std::uint32_t> wave;
+    std::vector<std::uint32_t> places; ///< Of the nodes of the next wave.
+    std::vector<NodeToMake> wave;
     const auto add_node = [&](std::uint32_t begin, std::uint32_t end) {
         const auto place = static_cast<std::uint32_t>(top_.size());
-        TopNode& node = top_.emplace_back();
-        node.box.triangles_begin = begin;
-        node.box.triangles_end = end;
-        (end - begin > task_triangles_max ? wave : tasks_).push_back(place);
+        ObbNode& node = top_.emplace_back().box;
+        node.triangles_begin = begin;
+        node.triangles_end = end;
+        if (end - begin > piece_triangles_max && end - begin > input_.options.leaf_triangles_max) {
+            places.push_back(place);
+            wave.push_back({node, triangles_of(node)});
+        } else {
+            tasks_.push_back(place);
+        }
         return place;
     };
     add_node(0, static_cast<std::uint32_t>(triangles_.size()));
-    while (!wave.empty()) {
-        const std::vector<std::uint32_t> made = std::exchange(wave, {});
-        std::vector<std::uint32_t> lefts(made.size(), 0);
-        if (made.size() == 1) {
-            Scratch scratch;
-            lefts[0] = make_node(top_[made[0]].box, scratch, &pool_);
-        } else {
-            parallel_for(pool_, made.size(), [&](std::size_t i) {
-                Scratch scratch;
-                lefts[i] = make_node(top_[made[i]].box, scratch, nullptr);
-            });
-        }
-        for (std::size_t i = 0; i < made.size(); ++i) {
-            if (lefts[i] != 0) {
-                const ObbNode box = top_[made[i]].box;
-                const std::uint32_t middle = box.triangles_begin + lefts[i];
-                const std::uint32_t left = add_node(box.triangles_begin, middle);
-                const std::uint32_t right = add_node(middle, box.triangles_end);
-                top_[made[i]].children = {left, right};
-            }
-        }
+    if (wave.empty()) {
+        return;
     }
-}
-
-void Builder::build_task(TopNode& task) {
-    struct Waiting {
-        std::uint32_t begin;
-        std::uint32_t end;
-        std::uint32_t parent; ///< Of a right child, to be told where it stands.
-    };
-    Scratch scratch;
-    std::vector<ObbNode>& nodes = task.subtree;
-    std::vector<Waiting> waiting = {{task.box.triangles_begin, task.box.triangles_end, none}};
-    while (!waiting.empty()) {
-        const Waiting now = waiting.back();
-        waiting.pop_back();
-        const auto place = static_cast<std::uint32_t>(nodes.size());
-        if (now.parent != none) {
-            nodes[now.parent].right = place;
-        }
-        ObbNode& node = nodes.emplace_back();
-        node.triangles_begin = now.begin;
-        node.triangles_end = now.end;
-        const std::uint32_t left = make_node(node, scratch, nullptr);
-        if (left != 0) {
-            waiting.push_back({now.begin + left, now.end, place});
-            waiting.push_back({now.begin, now.begin + left, none});
+    LargeNodeMaker maker(input_, triangles_.size(), pool_);
+    while (!wave.empty()) {
+        std::vector<NodeToMake> made = std::exchange(wave, {});
+        const std::vector<std::uint32_t> made_places = std::exchange(places, {});
+        maker.make(made);
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            const ObbNode& box = made[i].node;
+            const std::uint32_t middle = box.triangles_begin + made[i].left_count;
+            const std::uint32_t left = add_node(box.triangles_begin, middle);
+            const std::uint32_t right = add_node(middle, box.triangles_end);
+            top_[made_places[i]].box = box;
+            top_[made_places[i]].children = {left, right};
         }
     }
 }

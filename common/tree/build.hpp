@@ -24,6 +24,9 @@ struct BuildOptions {
     SplitRule rule = SplitRule::Quarter;
     /// Two measured fastest on vehicles; one costs half as much memory again for the same time.
     std::uint32_t leaf_triangles_max = 2;
+    /// Under the quarter rule, a node with more triangles is split between two of 16 bins on an
+    /// axis, by the same sum, instead of between any two triangles in a sorted order.
+    std::uint32_t sweep_triangles_max = 32;
     bool prepare_search = true; ///< ObbTree::prepare_search. False: for who cuts and sends it only.
 };
 

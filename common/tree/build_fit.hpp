@@ -2,8 +2,11 @@
 #pragma once
 
 #include "common/geometry/types.hpp"
+#include "common/tree/build_eigen.hpp"
 #include "common/tree/obb_tree.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,21 +24,33 @@ struct Interval {
     double high = 0;
 };
 
-/// Where triangles lie on the three axes of a frame, as seen from `origin`. Rounded.
-struct Projections {
-    Vec3 origin = Vec3::Zero();
-    std::array<std::vector<Interval>, 3> triangles; ///< For each axis, one interval per triangle.
-    std::array<Interval, 3> whole;                  ///< Of all triangles together.
-};
+/// Where a triangle or all of a node lies on the three axes of a frame, as seen from an origin.
+/// Rounded.
+using Projection = std::array<Interval, 3>;
 
 /// The rows of `axes` are a body's own three directions, exactly.
 inline constexpr std::array<float, 9> body_axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-/// The frame of the Gaussian distribution fitted to the corners of the triangles: the eigenvectors
-/// of their covariance, narrowest direction first. The rows are orthonormal within
+/// Sums over the corners of triangles, as seen from an origin. A vertex counts once for each
+/// triangle that uses it, as in Eberly, 3D Game Engine Design (2001), fitting points with a
+/// Gaussian.
+struct Moments {
+    Vec3 sum = Vec3::Zero();
+    SymmetricMatrix products{};
+    std::size_t corners = 0;
+
+    Moments& operator+=(const Moments& other);
+};
+
+/// One after the other: the same triangles in the same order give the same bits.
+[[nodiscard]] Moments sum_moments(std::span<const BuildTriangle> triangles,
+                                  std::span<const Vec3> vertices,
+                                  const Vec3& origin);
+
+/// The frames of the Gaussian distributions fitted to the corners of some nodes: the eigenvectors
+/// of their covariances, narrowest direction first. The rows are orthonormal within
 /// `axes_error_max`. Where numbers overflow, the body's own axes.
-[[nodiscard]] std::array<float, 9> fit_axes(std::span<const BuildTriangle> triangles,
-                                            std::span<const Vec3> vertices);
+[[nodiscard]] std::vector<std::array<float, 9>> fit_axes(std::span<const Moments> nodes);
 
 /// Bounds each |entry| of F F' - I for the frame F of every node.
 inline constexpr double axes_error_max = 0x1p-23;
@@ -46,14 +61,20 @@ inline constexpr double coordinate_max = 0x1p1000;
 /// The box of a node with coordinates beyond that: all of space.
 void set_unbounded_box(ObbNode& node);
 
-/// Fills `out`, whose memory is used again.
-void project(std::span<const BuildTriangle> triangles,
-             std::span<const Vec3> vertices,
-             const std::array<float, 9>& axes,
-             Projections& out);
+/// Writes one projection for each triangle to `out` and returns that of all.
+Projection project(std::span<const BuildTriangle> triangles,
+                   std::span<const Vec3> vertices,
+                   const Vec3& origin,
+                   const std::array<float, 9>& axes,
+                   std::span<Projection> out);
 
-/// Sets `center` and `half` of a node with these axes so that all vertices projected lie inside, in
-/// exact terms.
-void set_box(const Projections& projections, ObbNode& node);
+/// The projection of nothing.
+[[nodiscard]] Projection empty_projection();
+
+void extend(Projection& whole, const Projection& part);
+
+/// Sets `center` and `half` of a node with these axes so that all vertices that `project` saw from
+/// `origin` lie inside, in exact terms.
+void set_box(const Projection& whole, const Vec3& origin, ObbNode& node);
 
 } // namespace cd

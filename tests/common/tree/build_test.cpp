@@ -72,6 +72,16 @@ void expect_sound_frames(std::span<const ObbNode> nodes) {
     }
 }
 
+void expect_quarters(std::span<const ObbNode> nodes) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!nodes[i].is_leaf()) {
+            const std::uint32_t left = nodes[i + 1].triangle_count();
+            const std::uint32_t right = nodes[nodes[i].right].triangle_count();
+            ASSERT_GE(4 * std::min(left, right) + 2, left + right);
+        }
+    }
+}
+
 void expect_vertices_inside(const ObbTree& tree) {
     const TreeView view = tree.view();
     for (const ObbNode& node : view.nodes) {
@@ -193,7 +203,7 @@ TEST(Build, IsTheSameForAnyNumberOfThreads) {
     // More than one task, and waves of one and of several nodes.
     const Mesh mesh = make_triangle_soup(random, 30000, 0.02);
     const ObbTree one = build(mesh, {}, 1);
-    for (const unsigned threads : {2u, 7u}) {
+    for (const unsigned threads : {2u, 3u, 8u}) {
         const ObbTree many = build(mesh, {}, threads);
         EXPECT_TRUE(std::ranges::equal(one.nodes(), many.nodes()));
         EXPECT_TRUE(std::ranges::equal(one.triangle_ids(), many.triangle_ids()));
@@ -208,16 +218,28 @@ TEST(Build, LeavesAQuarterOnEachSide) {
     for (const Mesh& mesh :
          {make_triangle_soup(random, 500), make_degenerate_soup(random, 500), staircase}) {
         const ObbTree tree = build(mesh, {.leaf_triangles_max = 1});
-        const auto nodes = tree.nodes();
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            if (!nodes[i].is_leaf()) {
-                const std::uint32_t left = nodes[i + 1].triangle_count();
-                const std::uint32_t right = nodes[nodes[i].right].triangle_count();
-                ASSERT_GE(4 * std::min(left, right) + 2, left + right);
-            }
-        }
+        expect_quarters(tree.nodes());
         // log(700) / log(4/3).
         EXPECT_LE(tree.depth(), 23u);
+    }
+}
+
+TEST(Build, LeavesAQuarterOnEachSideOfLargeNodes) {
+    std::mt19937_64 random(7);
+    // Several pieces at the top. A triangle far away leaves all others in one bin of each axis.
+    const Mesh soup = make_triangle_soup(random, 10000, 0.02);
+    std::vector<Vec3> vertices = soup.vertices();
+    std::vector<Triangle> triangles = soup.triangles();
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    vertices.insert(vertices.end(), {Vec3(1e6, 1e6, 1e6), Vec3(1e6, 1e6, 2e6), Vec3(1e6, 0, 1e6)});
+    triangles.push_back({first, first + 1, first + 2});
+    for (const Mesh& mesh : {soup, make_mesh(vertices, triangles)}) {
+        for (const std::uint32_t most : {0u, 32u, 1000u, 20000u}) {
+            const ObbTree tree = build(mesh, {.sweep_triangles_max = most});
+            expect_every_triangle_once(tree);
+            expect_preorder(tree.nodes(), mesh.triangles().size());
+            expect_quarters(tree.nodes());
+        }
     }
 }
 
@@ -237,6 +259,11 @@ TEST(Build, HalvesTrianglesThatCannotBeToldApart) {
         expect_sound(build(points, {.rule = rule}));
         expect_every_triangle_once(build(mesh, {.rule = rule}));
     }
+    // More than one piece.
+    const Mesh many = make_mesh(mesh.vertices(), std::vector<Triangle>(9000, Triangle{0, 1, 2}));
+    expect_quarters(build(many).nodes());
+    const Mesh dust = make_mesh({Vec3(1, 2, 3)}, std::vector<Triangle>(9000, Triangle{0, 0, 0}));
+    EXPECT_LE(build(dust, {.leaf_triangles_max = 1}).depth(), 14u);
     EXPECT_LE(build(points, {.leaf_triangles_max = 1}).depth(), 8u);
 }
 
