@@ -59,6 +59,22 @@ struct Fit {
     }
 };
 
+/// The frames fitted to the triangles of each leaf.
+std::vector<Axes> leaf_axes(const TreeView& tree, const WideLeaves& leaves) {
+    std::vector<Moments> moments;
+    moments.reserve(leaves.leaves.size());
+    std::vector<BuildTriangle> triangles;
+    for (const WideLeaf& leaf : leaves.leaves) {
+        triangles.clear();
+        for (std::uint32_t i = leaf.begin; i < leaf.end; ++i) {
+            triangles.push_back({tree.triangles[leaves.order[i]], 0});
+        }
+        const Vec3& origin = tree.vertices[triangles.front().vertices[0]];
+        moments.push_back(sum_moments(triangles, tree.vertices, origin));
+    }
+    return fit_axes(moments);
+}
+
 /// Makes the nodes of a plan.
 class Maker {
   public:
@@ -66,7 +82,11 @@ class Maker {
           const WideLeaves& leaves,
           std::span<const WidePlanNode> plan,
           bool has_floats)
-        : tree_(tree), leaves_(leaves), plan_(plan), has_floats_(has_floats) {}
+        : tree_(tree),
+          leaves_(leaves),
+          plan_(plan),
+          leaf_axes_(leaf_axes(tree, leaves)),
+          has_floats_(has_floats) {}
 
     /// All but a leaf's `first`. For any number of threads at once.
     [[nodiscard]] WideNode make(const WidePlanNode& planned) const;
@@ -80,11 +100,11 @@ class Maker {
     [[nodiscard]] std::vector<Range> children_of(const WidePlanNode& planned) const;
     [[nodiscard]] Fit
     fit(const Axes& axes, const Vec3& center, std::span<const Range> children) const;
-    [[nodiscard]] Axes axes_of(const WidePlanNode& planned) const;
 
     const TreeView& tree_;
     const WideLeaves& leaves_;
     std::span<const WidePlanNode> plan_;
+    std::vector<Axes> leaf_axes_;
     bool has_floats_;
 };
 
@@ -118,18 +138,6 @@ Fit Maker::fit(const Axes& axes, const Vec3& center, std::span<const Range> chil
         fit.boxes.push_back({{{low.x(), high.x()}, {low.y(), high.y()}, {low.z(), high.z()}}});
     }
     return fit;
-}
-
-/// The frame fitted to a node's triangles.
-Axes Maker::axes_of(const WidePlanNode& planned) const {
-    if (!planned.is_leaf()) {
-        return tree_.nodes[planned.binary].axes;
-    }
-    std::array<BuildTriangle, block_size> triangles;
-    for (std::uint32_t i = planned.begin; i < planned.end; ++i) {
-        triangles[i - planned.begin] = {tree_.triangles[leaves_.order[i]], 0};
-    }
-    return fit_axes(std::span(triangles).first(planned.end - planned.begin), tree_.vertices);
 }
 
 /// The steps and the origin, and each box in steps, rounded outwards.
@@ -199,7 +207,9 @@ void quantise(const Fit& fit, bool float_origin, WideNode& node) {
 WideNode Maker::make(const WidePlanNode& planned) const {
     const std::vector<Range> children = children_of(planned);
     const Vec3 center = tree_.vertices[tree_.triangles[leaves_.order[planned.begin]][0]];
-    Fit best = fit(axes_of(planned), center, children);
+    const Axes& own =
+        planned.is_leaf() ? leaf_axes_[planned.first] : tree_.nodes[planned.binary].axes;
+    Fit best = fit(own, center, children);
     if (best.axes != body_axes) {
         Fit other = fit(body_axes, center, children);
         if (other.cost() < best.cost()) {
