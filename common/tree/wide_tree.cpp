@@ -212,7 +212,7 @@ WideNode Maker::make(const WidePlanNode& planned) const {
     Fit best = fit(own, center, children);
     if (best.axes != body_axes) {
         Fit other = fit(body_axes, center, children);
-        if (other.cost() < best.cost()) {
+        if (other.cost() < 1.001 * best.cost()) {
             best = std::move(other);
         }
     }
