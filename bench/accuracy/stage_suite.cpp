@@ -31,8 +31,11 @@ Split split_by_stage(const PairBatch& batch) {
         }
         TrianglePairTest test(group.poses);
         for (const Candidate& candidate : group.candidates) {
+            // As one of many: few at once would pass over the float stage.
+            std::array<Candidate, 16> alike;
+            alike.fill(candidate);
             const PairStatistics before = test.statistics();
-            static_cast<void>(test.classify(group.a, group.b, {&candidate, 1}));
+            static_cast<void>(test.classify(group.a, group.b, alike));
             split[highest_stage(before, test.statistics())].back().push_back(candidate);
         }
     }
