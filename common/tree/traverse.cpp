@@ -205,7 +205,8 @@ ContactSearch::next_candidates(const WideView& a, const WideView& b, std::size_t
 }
 
 bool ContactSearch::any_in_wide(const WideView& a, const WideView& b) {
-    for (descent_.start(a, b); !descent_.is_done() && !is_stopped_;) {
+    descent_.start(a, b, WideDescent::Aim::First);
+    while (!descent_.is_done() && !is_stopped_) {
         const auto found = next_candidates(a, b, candidates_at_once_for_any);
         if (test_.any_touch(a.triangles, b.triangles, found)) {
             return true;

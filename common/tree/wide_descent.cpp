@@ -47,7 +47,7 @@ WideDescent::WideDescent(const RelativePose& b_to_a, double error_scale)
     waiting_ = std::make_unique_for_overwrite<WidePair[]>(walk_.waiting_room);
 }
 
-void WideDescent::start(const WideView& a, const WideView& b) {
+void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     const double reach = 3 * (a.extent + b.extent) + b_to_a_.translation.cwiseAbs().sum();
     const double absolute =
         error_scale_ * 4.1 *
@@ -60,6 +60,8 @@ void WideDescent::start(const WideView& a, const WideView& b) {
     waiting_[0] = {0, 0};
     walk_.waiting_count = 1;
     walk_.leaf_count = 0;
+    walk_.batch = aim == Aim::All ? wide_batch_max : 1;
+    walk_.leaves_at_once = aim == Aim::All ? wide_leaves_max - wide_batch_max : 1;
 }
 
 std::span<Candidate> WideDescent::next(std::size_t wanted) {
