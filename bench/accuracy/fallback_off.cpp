@@ -63,19 +63,11 @@ std::span<const PairClass> TrianglePairTest::classify_all(const Triangles& a,
     const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
     std::vector<PairClass>& kinds = state_->kinds;
     kinds.resize(candidates.size());
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-        switch (verdicts[i]) {
-        case FloatVerdict::Separate:
-            kinds[i] = PairClass::Separate;
-            break;
-        case FloatVerdict::Proper:
-            kinds[i] = PairClass::Proper;
-            break;
-        case FloatVerdict::Unknown:
-            kinds[i] = PairClass::Touch;
-            break;
-        }
-    }
+    std::transform(verdicts.begin(), verdicts.end(), kinds.begin(), [](FloatVerdict verdict) {
+        return verdict == FloatVerdict::Proper     ? PairClass::Proper
+               : verdict == FloatVerdict::Separate ? PairClass::Separate
+                                                   : PairClass::Touch;
+    });
     return kinds;
 }
 

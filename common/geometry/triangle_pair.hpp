@@ -87,7 +87,7 @@ class TrianglePairTest {
     [[nodiscard]] PairClass classify(const Corners& a, const Corners& b);
 
     /// The class of each candidate, in their order; valid until the next call. Much faster for many
-    /// at once than one by one.
+    /// at once than one by one: very few begin with stage Double.
     [[nodiscard]] std::span<const PairClass>
     classify(const TriangleSpan& a, const TriangleSpan& b, std::span<const Candidate> candidates);
     [[nodiscard]] std::span<const PairClass> classify(const TriangleBlocks& a,
