@@ -9,39 +9,26 @@
 // corners have been read before the clock starts; in the rows called cold they have not. `decision`
 // is the whole decision. `each` is the time of one candidate. The checksum of what was decided must
 // be the same for all targets.
-#include "client/mesh_import.hpp"
-#include "common/core/thread_pool.hpp"
+#include "bench/posed_trees.hpp"
+#include "bench/timed_work.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/geometry/float_triangle_pair.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/geometry/triangle_blocks.hpp"
-#include "common/job/pose_source.hpp"
 #include "common/tree/box_test.hpp"
-#include "common/tree/build.hpp"
 
-#include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <ctime>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace cd {
+namespace cd::bench {
 
 namespace {
-
-struct Options {
-    std::string a;
-    std::string b;
-    double unit_a = 1;
-    std::string poses;
-    std::uint64_t random = 50;
-};
 
 /// What one pose leaves to be decided.
 struct Work {
@@ -49,9 +36,7 @@ struct Work {
     std::vector<Candidate> candidates;
 };
 
-struct Scene {
-    ObbTree a;
-    ObbTree b;
+struct Scene : PosedTrees {
     TriangleBlockArrays blocks_a;
     TriangleBlockArrays blocks_b;
     std::vector<Work> works;
@@ -136,22 +121,6 @@ std::vector<Candidate> candidates_of(const Scene& scene, const PosePair& poses) 
     return candidates;
 }
 
-/// FNV-1a over what was decided.
-class Checksum {
-  public:
-    template <class T>
-    void add(std::span<const T> values) {
-        for (const T value : values) {
-            sum_ = (sum_ ^ static_cast<std::uint64_t>(value)) * 0x100000001b3u;
-        }
-    }
-    /// As a number that a double holds exactly.
-    [[nodiscard]] double value() const { return static_cast<double>(sum_ >> 12); }
-
-  private:
-    std::uint64_t sum_ = 0xcbf29ce484222325u;
-};
-
 void report(benchmark::State& state, std::size_t candidates, const Checksum& checksum) {
     using benchmark::Counter;
     const double all = static_cast<double>(candidates);
@@ -204,13 +173,6 @@ void touch(const Source& source, std::span<const Candidate> block) {
 
 enum class Memory { Touched, Cold };
 
-/// Of this thread: others that run on the host do not count.
-double processor_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 template <class Source>
 void run_float(benchmark::State& state, const Scene& scene, SimdTarget target, Memory memory) {
     static_cast<void>(force_simd_target(to_text(target)));
@@ -243,7 +205,7 @@ void run_float(benchmark::State& state, const Scene& scene, SimdTarget target, M
     Checksum checksum;
     std::size_t unknown = 0;
     run([&](std::span<const FloatVerdict> some) {
-        checksum.add(some);
+        checksum.add_all(some);
         unknown +=
             static_cast<std::size_t>(std::count(some.begin(), some.end(), FloatVerdict::Unknown));
     });
@@ -270,7 +232,7 @@ void run_decision(benchmark::State& state, const Scene& scene) {
         run([](std::span<const PairClass> kinds) { benchmark::DoNotOptimize(kinds.data()); });
     }
     Checksum checksum;
-    run([&](std::span<const PairClass> kinds) { checksum.add(kinds); });
+    run([&](std::span<const PairClass> kinds) { checksum.add_all(kinds); });
     report(state, scene.candidates(), checksum);
     PairStatistics statistics;
     for (const TrianglePairTest& test : tests) {
@@ -283,56 +245,20 @@ void run_decision(benchmark::State& state, const Scene& scene) {
     }
 }
 
-std::vector<PosePair> read_poses(const std::string& path) {
-    std::vector<PosePair> all;
-    std::ifstream file(path);
-    Mat3 rotation;
-    Vec3 translation;
-    const auto next = [&] {
-        for (int i = 0; i < 9; ++i) {
-            file >> rotation(i / 3, i % 3);
-        }
-        return static_cast<bool>(file >> translation[0] >> translation[1] >> translation[2]);
-    };
-    while (next()) {
-        all.push_back({Pose{}, Pose::from_matrix(rotation, translation)});
+/// Nothing, and a line on stderr, where there is nothing to measure.
+std::optional<Scene> make_scene(const PosedTreesOptions& options) {
+    auto posed = load(options);
+    if (!posed) {
+        return std::nullopt;
     }
-    return all;
-}
-
-std::vector<PosePair> random_poses(const Scene& scene, std::uint64_t count, ThreadPool& pool) {
-    RandomPoses random;
-    random.count = count;
-    std::vector<PosePair> all;
-    for (const Scenario& scenario : make_random_poses(random, scene.a, scene.b, pool)) {
-        all.push_back(scenario.poses);
-    }
-    return all;
-}
-
-/// Nothing, and a line on stderr, where a file cannot be read.
-std::optional<Scene> make_scene(const Options& options) {
-    const auto a = import_mesh(options.a, {options.unit_a});
-    const auto b = import_mesh(options.b, {});
-    for (const auto* mesh : {&a, &b}) {
-        if (!*mesh) {
-            std::fprintf(stderr, "%s\n", mesh->error().detail.c_str());
-            return std::nullopt;
-        }
-    }
-    ThreadPool pool;
-    ObbTree tree_a = build_tree(a.value().mesh, {}, pool);
-    ObbTree tree_b = build_tree(b.value().mesh, {}, pool);
-    TriangleBlockArrays blocks_a = blocks_of(tree_a, a.value().mesh->precision());
-    TriangleBlockArrays blocks_b = blocks_of(tree_b, b.value().mesh->precision());
-    Scene scene{std::move(tree_a), std::move(tree_b), std::move(blocks_a), std::move(blocks_b), {}};
-    const auto poses = options.poses.empty() ? random_poses(scene, options.random, pool)
-                                             : read_poses(options.poses);
-    for (const PosePair& pair : poses) {
+    TriangleBlockArrays blocks_a = blocks_of(posed->a, posed->mesh_a->precision());
+    TriangleBlockArrays blocks_b = blocks_of(posed->b, posed->mesh_b->precision());
+    Scene scene{std::move(*posed), std::move(blocks_a), std::move(blocks_b), {}};
+    for (const PosePair& pair : scene.poses) {
         scene.works.push_back({pair, candidates_of(scene, pair)});
     }
     if (scene.candidates() == 0) {
-        std::fprintf(stderr, "no candidates under %zu poses\n", poses.size());
+        std::fprintf(stderr, "no candidates under %zu poses\n", scene.poses.size());
         return std::nullopt;
     }
     return scene;
@@ -361,23 +287,19 @@ void register_all(const Scene& scene) {
 
 } // namespace
 
-} // namespace cd
+} // namespace cd::bench
 
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
-    cd::Options options;
+    cd::bench::PosedTreesOptions options;
     CLI::App app("Times the decision of the candidate pairs of two bodies");
-    app.add_option("MESH_A", options.a, "A mesh file")->required();
-    app.add_option("MESH_B", options.b, "A mesh file")->required();
-    app.add_option("--unit-a", options.unit_a, "What A's coordinates are multiplied by");
-    app.add_option("--poses", options.poses, "A file of poses of B in A's frame");
-    app.add_option("--random", options.random, "How many random poses, without a file");
+    options.add_to(app);
     CLI11_PARSE(app, argc, argv);
-    const auto scene = cd::make_scene(options);
+    const auto scene = cd::bench::make_scene(options);
     if (!scene) {
         return 2;
     }
-    cd::register_all(*scene);
+    cd::bench::register_all(*scene);
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 }

@@ -1,0 +1,208 @@
+// What does a search in two wide trees cost, and what does it look at? Under real or random poses,
+// on each SIMD target.
+//
+//   engine_wide_bench MESH_A MESH_B [--unit-a 1] [--poses FILE | --random 50] [--benchmark_...]
+//
+// FILE holds a pose of B in A's frame a line: the rotation by rows, then the translation. `descent`
+// finds the candidates and decides none; `any`, `count` and `pairs` are whole searches, without
+// sorting. In the rows called hot each pose is searched again and again before the next, and what
+// it reads is in the caches; in those called cold all poses are gone through in turn. `each` is the
+// mean time of a pose; `box_tests`, `candidates` and `contacts` are its mean counts. The checksum
+// of what was found must be the same for all targets, hot and cold: otherwise the program fails.
+#include "bench/posed_trees.hpp"
+#include "bench/timed_work.hpp"
+#include "common/geometry/simd_target.hpp"
+#include "common/tree/traverse.hpp"
+#include "common/tree/wide_descent.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace cd::bench {
+
+namespace {
+
+/// What was found under one pose, and what it took.
+struct Found {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>>* pairs = nullptr; ///< Kept where not null.
+    std::uint64_t contacts = 0;
+    std::uint64_t box_tests = 0;
+    std::uint64_t candidates = 0;
+};
+
+constexpr std::size_t candidates_at_once = 512; // As ContactSearch does.
+
+template <class Pairs>
+void keep(const Pairs& pairs, Found& found) {
+    if (found.pairs != nullptr) {
+        for (const auto& pair : pairs) {
+            found.pairs->emplace_back(pair.a, pair.b);
+        }
+    }
+}
+
+/// All candidates of a pose.
+void descend(const PosedTrees& trees, const PosePair& poses, Found& found) {
+    WideDescent descent(relative_pose(poses));
+    descent.start(trees.a.view().wide, trees.b.view().wide);
+    while (!descent.is_done()) {
+        const auto some = descent.next(candidates_at_once);
+        found.candidates += some.size();
+        keep(some, found);
+    }
+    found.box_tests = descent.box_tests();
+}
+
+void search(const PosedTrees& trees, const PosePair& poses, const char* level, Found& found) {
+    const std::string_view wanted = level;
+    SearchOptions options;
+    options.keep_pairs = wanted == "pairs";
+    ContactSearch search(poses, {}, options);
+    if (wanted == "any") {
+        found.contacts = search.any(trees.a.view(), trees.b.view()) ? 1 : 0;
+    } else {
+        search.collect(trees.a.view(), trees.b.view());
+        found.contacts = search.pair_count();
+    }
+    keep(search.pairs(), found);
+    found.box_tests = search.statistics().box_tests;
+    found.candidates = search.statistics().triangle_tests;
+}
+
+/// One kind of work on all targets.
+struct Work {
+    const char* name; ///< "descent", or a level.
+    bool is_hot;
+};
+
+/// By what must be the same, as first found.
+using Checksums = std::map<std::string, double>;
+
+void work_on(const PosedTrees& trees, const PosePair& poses, const Work& work, Found& found) {
+    if (std::string_view(work.name) == "descent") {
+        descend(trees, poses, found);
+    } else {
+        search(trees, poses, work.name, found);
+    }
+}
+
+constexpr int repeats_when_hot = 4;
+
+/// Seconds of this thread on all poses, once each.
+double seconds_of_poses(const PosedTrees& trees, const Work& work) {
+    double spent = 0;
+    Found found;
+    for (const PosePair& poses : trees.poses) {
+        if (work.is_hot) {
+            work_on(trees, poses, work, found);
+        }
+        const int repeats = work.is_hot ? repeats_when_hot : 1;
+        const double start = processor_seconds();
+        for (int i = 0; i < repeats; ++i) {
+            work_on(trees, poses, work, found);
+            benchmark::DoNotOptimize(found.contacts);
+        }
+        spent += (processor_seconds() - start) / repeats;
+    }
+    return spent;
+}
+
+/// The counts of a pose, and the checksum, which all rows named `same_as` share.
+void report(benchmark::State& state,
+            const PosedTrees& trees,
+            const Work& work,
+            const std::string& same_as,
+            Checksums& checksums) {
+    Checksum checksum;
+    Found sum;
+    for (const PosePair& poses : trees.poses) {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+        Found found{&pairs};
+        work_on(trees, poses, work, found);
+        std::sort(pairs.begin(), pairs.end()); // They come in any order.
+        checksum.add(found.contacts);
+        for (const auto& [a, b] : pairs) {
+            checksum.add(a);
+            checksum.add(b);
+        }
+        sum.contacts += found.contacts;
+        sum.box_tests += found.box_tests;
+        sum.candidates += found.candidates;
+    }
+    using benchmark::Counter;
+    const auto poses = static_cast<double>(trees.poses.size());
+    state.counters["each"] = Counter(poses, Counter::kIsIterationInvariantRate | Counter::kInvert);
+    state.counters["box_tests"] = static_cast<double>(sum.box_tests) / poses;
+    state.counters["candidates"] = static_cast<double>(sum.candidates) / poses;
+    state.counters["contacts"] = static_cast<double>(sum.contacts) / poses;
+    state.counters["checksum"] = checksum.value();
+    const auto [first, is_first] = checksums.emplace(same_as, checksum.value());
+    if (!is_first && first->second != checksum.value()) {
+        checksums["differs"] = 1;
+        state.SkipWithError("the checksum differs");
+    }
+}
+
+void run(benchmark::State& state,
+         const PosedTrees& trees,
+         const Work& work,
+         SimdTarget target,
+         Checksums& checksums) {
+    static_cast<void>(force_simd_target(to_text(target)));
+    for (auto _ : state) {
+        state.SetIterationTime(seconds_of_poses(trees, work));
+    }
+    const bool depends_on_target = std::string_view(work.name) == "descent";
+    const std::string same_as = work.name + (depends_on_target ? std::string(to_text(target)) : "");
+    report(state, trees, work, same_as, checksums);
+    static_cast<void>(force_simd_target("auto"));
+}
+
+void register_all(const PosedTrees& trees, Checksums& checksums) {
+    for (const SimdTarget target : available_simd_targets()) {
+        for (const char* name : {"descent", "any", "count", "pairs"}) {
+            for (const bool is_hot : {true, false}) {
+                const std::string full = std::string(name) + (is_hot ? " hot/" : " cold/") +
+                                         std::string(to_text(target));
+                benchmark::RegisterBenchmark(
+                    full.c_str(),
+                    [&, name, is_hot, target](auto& state) {
+                        run(state, trees, {name, is_hot}, target, checksums);
+                    })
+                    ->UseManualTime()
+                    ->Unit(benchmark::kMicrosecond);
+            }
+        }
+    }
+}
+
+} // namespace
+
+} // namespace cd::bench
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    cd::bench::PosedTreesOptions options;
+    CLI::App app("Times the search in the wide trees of two bodies");
+    options.add_to(app);
+    CLI11_PARSE(app, argc, argv);
+    const auto trees = cd::bench::load(options);
+    if (!trees) {
+        return 2;
+    }
+    if (trees->a.view().wide.nodes.empty() || trees->b.view().wide.nodes.empty()) {
+        std::fprintf(stderr, "a body has no wide tree\n");
+        return 2;
+    }
+    cd::bench::Checksums checksums;
+    cd::bench::register_all(*trees, checksums);
+    benchmark::RunSpecifiedBenchmarks();
+    return checksums.contains("differs") ? 1 : 0;
+}

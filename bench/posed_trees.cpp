@@ -1,0 +1,84 @@
+#include "bench/posed_trees.hpp"
+
+#include "client/mesh_import.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/tree/build.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+namespace cd::bench {
+
+namespace {
+
+std::vector<PosePair>
+random_poses(const ObbTree& a, const ObbTree& b, std::uint64_t count, ThreadPool& pool) {
+    RandomPoses random;
+    random.count = count;
+    std::vector<PosePair> all;
+    for (const Scenario& scenario : make_random_poses(random, a, b, pool)) {
+        all.push_back(scenario.poses);
+    }
+    return all;
+}
+
+} // namespace
+
+void PosedTreesOptions::add_to(CLI::App& app) {
+    app.add_option("MESH_A", a, "A mesh file")->required();
+    app.add_option("MESH_B", b, "A mesh file")->required();
+    app.add_option("--unit-a", unit_a, "What A's coordinates are multiplied by");
+    app.add_option("--poses", poses, "A file of poses of B in A's frame");
+    app.add_option("--random", random, "How many random poses, without a file");
+}
+
+std::optional<PosedTrees> load(const PosedTreesOptions& options) {
+    const auto a = import_mesh(options.a, {options.unit_a});
+    const auto b = import_mesh(options.b, {});
+    for (const auto* mesh : {&a, &b}) {
+        if (!*mesh) {
+            std::fprintf(stderr, "%s\n", mesh->error().detail.c_str());
+            return std::nullopt;
+        }
+    }
+    ThreadPool pool;
+    PosedTrees trees{a.value().mesh,
+                     b.value().mesh,
+                     build_tree(a.value().mesh, {}, pool),
+                     build_tree(b.value().mesh, {}, pool),
+                     {}};
+    auto poses = options.poses.empty()
+                     ? random_poses(trees.a, trees.b, options.random, pool)
+                     : read_poses(options.poses).value_or(std::vector<PosePair>());
+    if (poses.empty()) {
+        std::fprintf(stderr, "no poses in %s\n", options.poses.c_str());
+        return std::nullopt;
+    }
+    trees.poses = std::move(poses);
+    return trees;
+}
+
+std::optional<std::vector<PosePair>> read_poses(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) {
+        return std::nullopt;
+    }
+    std::vector<PosePair> poses;
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream stream(line);
+        const std::vector<double> n(std::istream_iterator<double>(stream), {});
+        if (n.size() != 12) {
+            return std::nullopt;
+        }
+        Mat3 rotation;
+        rotation << n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8];
+        poses.push_back({Pose{}, Pose::from_matrix(rotation, {n[9], n[10], n[11]})});
+    }
+    return poses;
+}
+
+} // namespace cd::bench
