@@ -1,5 +1,6 @@
+#include "client/export/part_finder.hpp"
 #include "client/export/result_writer.hpp"
-#include "client/words.hpp"
+#include "client/export/text_buffer.hpp"
 
 #include <optional>
 
@@ -19,24 +20,71 @@ std::string csv_field(std::string_view text) {
     return field + "\"";
 }
 
-std::string part_name(const Mesh* mesh, std::uint32_t triangle) {
-    const Part* part = part_of(mesh, triangle);
-    return part == nullptr ? "" : csv_field(part->name);
-}
+/// The name of a triangle's part as a field.
+class PartFields {
+  public:
+    explicit PartFields(const std::shared_ptr<const Mesh>& mesh) : parts_(mesh) {
+        for (const Part& part : parts_.parts()) {
+            fields_.push_back(csv_field(part.name));
+        }
+    }
+
+    [[nodiscard]] std::string_view of(std::uint32_t triangle) {
+        const auto place = parts_.find(triangle);
+        return place ? std::string_view(fields_[*place]) : std::string_view();
+    }
+
+  private:
+    PartFinder parts_;
+    std::vector<std::string> fields_;
+};
+
+/// A file that is written in large pieces.
+class RowFile {
+  public:
+    explicit RowFile(OutputFile file) : file_(std::move(file)) {}
+
+    template <class... Pieces>
+    [[nodiscard]] Status add(const Pieces&... pieces) {
+        rows_.add(pieces...);
+        return rows_.text().size() < bytes_at_once ? Status(Done{}) : write();
+    }
+    [[nodiscard]] Status commit() {
+        Status written = write();
+        return written ? file_.commit() : written;
+    }
+
+  private:
+    static constexpr std::size_t bytes_at_once = 1u << 18;
+
+    [[nodiscard]] Status write() {
+        Status written = file_.write(rows_.text());
+        rows_.clear();
+        return written;
+    }
+
+    OutputFile file_;
+    TextBuffer rows_;
+};
 
 class ScenariosCsvWriter final : public ResultWriter {
   public:
     explicit ScenariosCsvWriter(OutputFile file) : file_(std::move(file)) {}
 
     Status add(const ScenarioResult& result) override {
-        const bool counted_pairs = result.level != Level::Any;
-        const bool is_undecided = result.kind == ScenarioClass::Undecided;
-        return file_.write(
-            header_once() + std::to_string(result.index) + "," + std::string(to_text(result.kind)) +
-            "," + (counted_pairs ? std::to_string(result.pair_count) : "") + "," +
-            (result.is_cut() ? "1" : "0") + "," +
-            (is_undecided ? exact_text(result.distance_bound) : "") + "," +
-            (result.surfaces_only ? "1" : "0") + "," + csv_field(result.failure) + "\n");
+        const std::string_view yes_or_no[] = {"0", "1"}; // NOLINT(modernize-avoid-c-arrays)
+        row_.clear();
+        row_.add(header_once(), result.index, ",", to_text(result.kind), ",");
+        if (result.level != Level::Any) {
+            row_.add(result.pair_count);
+        }
+        row_.add(",", yes_or_no[result.is_cut() ? 1 : 0], ",");
+        if (result.kind == ScenarioClass::Undecided) {
+            row_.add(result.distance_bound);
+        }
+        row_.add(
+            ",", yes_or_no[result.surfaces_only ? 1 : 0], ",", csv_field(result.failure), "\n");
+        return file_.write(row_.text());
     }
 
     Status finish() override {
@@ -47,13 +95,14 @@ class ScenariosCsvWriter final : public ResultWriter {
     }
 
   private:
-    [[nodiscard]] std::string header_once() {
+    [[nodiscard]] std::string_view header_once() {
         const bool first = !has_header_;
         has_header_ = true;
         return first ? "scenario,class,count,cut,distance_bound,surfaces_only,failure\n" : "";
     }
 
     OutputFile file_;
+    TextBuffer row_;
     bool has_header_ = false;
 };
 
@@ -61,30 +110,24 @@ class CsvWriter final : public ResultWriter {
   public:
     CsvWriter(const ExportContext& context,
               std::unique_ptr<ResultWriter> scenarios,
-              std::optional<OutputFile> pairs,
-              std::optional<OutputFile> points)
-        : context_(context),
+              std::optional<RowFile> pairs,
+              std::optional<RowFile> points)
+        : parts_a_(context.meshes[0]),
+          parts_b_(context.meshes[1]),
           scenarios_(std::move(scenarios)),
           pairs_(std::move(pairs)),
           points_(std::move(points)) {}
 
     Status add(const ScenarioResult& result) override {
-        if (Status added = scenarios_->add(result); !added) {
-            return added;
+        Status status = scenarios_->add(result);
+        for (std::size_t i = 0; status && pairs_ && i < result.pairs.size(); ++i) {
+            status = add_pair(result, i);
         }
-        std::string pairs;
-        std::string points;
-        for (std::size_t i = 0; i < result.pairs.size(); ++i) {
-            add_pair(result, i, pairs, points);
-        }
-        if (Status written = write(pairs_, pairs); !written) {
-            return written;
-        }
-        return write(points_, points);
+        return status;
     }
 
     Status finish() override {
-        for (std::optional<OutputFile>* file : {&pairs_, &points_}) {
+        for (std::optional<RowFile>* file : {&pairs_, &points_}) {
             if (!file->has_value()) {
                 continue;
             }
@@ -96,41 +139,43 @@ class CsvWriter final : public ResultWriter {
     }
 
   private:
-    static Status write(std::optional<OutputFile>& file, const std::string& text) {
-        return file && !text.empty() ? file->write(text) : Status(Done{});
-    }
-
-    void add_pair(const ScenarioResult& result,
-                  std::size_t place,
-                  std::string& pairs,
-                  std::string& points) const {
+    Status add_pair(const ScenarioResult& result, std::size_t place) {
         const ContactPair& pair = result.pairs[place];
-        const std::string key = std::to_string(result.index) + "," + std::to_string(pair.a) + "," +
-                                std::to_string(pair.b);
-        pairs += key + "," + std::string(pair_class_name(pair.kind)) + "," +
-                 part_name(context_.meshes[0].get(), pair.a) + "," +
-                 part_name(context_.meshes[1].get(), pair.b) + "\n";
+        key_.clear();
+        key_.add(result.index, ",", pair.a, ",", pair.b, ",");
+        Status status = pairs_->add(key_.text(),
+                                    pair_class_name(pair.kind),
+                                    ",",
+                                    parts_a_.of(pair.a),
+                                    ",",
+                                    parts_b_.of(pair.b),
+                                    "\n");
         for_each_point(result, place, [&](const Vec3& point) {
-            points += key + "," + exact_text(point.x()) + "," + exact_text(point.y()) + "," +
-                      exact_text(point.z()) + "\n";
+            if (status && points_) {
+                status = points_->add(key_.text(), point.x(), ",", point.y(), ",", point.z(), "\n");
+            }
         });
+        return status;
     }
 
-    ExportContext context_;
+    PartFields parts_a_;
+    PartFields parts_b_;
     std::unique_ptr<ResultWriter> scenarios_;
-    std::optional<OutputFile> pairs_;
-    std::optional<OutputFile> points_;
+    std::optional<RowFile> pairs_;
+    std::optional<RowFile> points_;
+    TextBuffer key_;
 };
 
-Status create_with_header(const std::filesystem::path& path,
-                          std::string_view header,
-                          std::optional<OutputFile>& file) {
+Result<RowFile> create_with_header(const std::filesystem::path& path, std::string_view header) {
     auto created = OutputFile::create(path);
     if (!created) {
         return created.error();
     }
-    file.emplace(std::move(created.value()));
-    return file->write(header);
+    RowFile file(std::move(created.value()));
+    if (Status added = file.add(header); !added) {
+        return added.error();
+    }
+    return file;
 }
 
 } // namespace
@@ -145,21 +190,23 @@ Result<std::unique_ptr<ResultWriter>> make_csv_writer(const ExportContext& conte
     if (!scenarios) {
         return scenarios.error();
     }
-    std::optional<OutputFile> pairs;
-    std::optional<OutputFile> points;
+    std::optional<RowFile> pairs;
+    std::optional<RowFile> points;
     if (context.level >= Level::Pairs) {
-        const Status created = create_with_header(
-            dir / "pairs.csv", "scenario,triangle_a,triangle_b,class,part_a,part_b\n", pairs);
+        auto created = create_with_header(dir / "pairs.csv",
+                                          "scenario,triangle_a,triangle_b,class,part_a,part_b\n");
         if (!created) {
             return created.error();
         }
+        pairs.emplace(std::move(created.value()));
     }
     if (context.level == Level::Contacts) {
-        const Status created = create_with_header(
-            dir / "points.csv", "scenario,triangle_a,triangle_b,x,y,z\n", points);
+        auto created =
+            create_with_header(dir / "points.csv", "scenario,triangle_a,triangle_b,x,y,z\n");
         if (!created) {
             return created.error();
         }
+        points.emplace(std::move(created.value()));
     }
     return std::unique_ptr<ResultWriter>(
         std::make_unique<CsvWriter>(context,

@@ -1,0 +1,54 @@
+// Which part of a mesh each of many triangles belongs to.
+#pragma once
+
+#include "common/geometry/mesh.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace cd {
+
+/// Looks at the part found last before it searches: most triangles that come one after another
+/// share theirs.
+class PartFinder {
+  public:
+    /// Without a mesh there are no parts.
+    explicit PartFinder(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
+        if (mesh_) {
+            parts_ = mesh_->parts();
+        }
+    }
+
+    [[nodiscard]] std::span<const Part> parts() const { return parts_; }
+
+    /// The place in `parts` of the one that holds a triangle; nothing where there is none.
+    [[nodiscard]] std::optional<std::size_t> find(std::uint32_t triangle) {
+        if (last_ < parts_.size() && holds(parts_[last_], triangle)) {
+            return last_;
+        }
+        const auto after = std::upper_bound(
+            parts_.begin(), parts_.end(), triangle, [](std::uint32_t id, const Part& part) {
+                return id < part.triangles_end;
+            });
+        if (after == parts_.end() || !holds(*after, triangle)) {
+            return std::nullopt;
+        }
+        last_ = static_cast<std::size_t>(after - parts_.begin());
+        return last_;
+    }
+
+  private:
+    static bool holds(const Part& part, std::uint32_t triangle) {
+        return part.triangles_begin <= triangle && triangle < part.triangles_end;
+    }
+
+    std::shared_ptr<const Mesh> mesh_;
+    std::span<const Part> parts_;
+    std::size_t last_ = 0;
+};
+
+} // namespace cd
