@@ -71,4 +71,16 @@ void parallel_for(ThreadPool& pool,
     finished.wait();
 }
 
+void parallel_for(ThreadPool* pool,
+                  std::size_t count,
+                  const std::function<void(std::size_t)>& function) {
+    if (pool != nullptr) {
+        parallel_for(*pool, count, function);
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        function(i);
+    }
+}
+
 } // namespace cd

@@ -43,4 +43,9 @@ void parallel_for(ThreadPool& pool,
                   std::size_t count,
                   const std::function<void(std::size_t)>& function);
 
+/// On the caller's thread alone where there is no pool.
+void parallel_for(ThreadPool* pool,
+                  std::size_t count,
+                  const std::function<void(std::size_t)>& function);
+
 } // namespace cd

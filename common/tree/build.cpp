@@ -166,7 +166,7 @@ build_tree(std::shared_ptr<const Mesh> mesh, const BuildOptions& options, Thread
     analysed.wait();
     ObbTree tree(std::move(mesh), builder.assemble(), builder.triangle_ids(), std::move(topology));
     if (options.prepare_search) {
-        tree.prepare_search();
+        tree.prepare_search(&pool);
     }
     return tree;
 }

@@ -29,8 +29,8 @@ TreeView ObbTree::view() const {
         nodes_, mesh_->vertices(), triangles_, triangle_ids_, wide_ ? wide_->view() : WideView()};
 }
 
-void ObbTree::prepare_search() {
-    wide_ = std::make_shared<const WideTree>(view());
+void ObbTree::prepare_search(ThreadPool* pool) {
+    wide_ = std::make_shared<const WideTree>(view(), pool);
 }
 
 std::uint32_t ObbTree::depth() const {

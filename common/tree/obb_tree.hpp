@@ -1,6 +1,7 @@
 // The OBB tree of a mesh (paper, sections 6.1 and 6.2), laid out flat.
 #pragma once
 
+#include "common/core/thread_pool.hpp"
 #include "common/geometry/mesh.hpp"
 #include "common/geometry/topology.hpp"
 #include "common/tree/wide_node.hpp"
@@ -63,7 +64,7 @@ class ObbTree {
     [[nodiscard]] TreeView view() const;
 
     /// Makes the wide tree, which searches need to be fast. Not while others use the tree.
-    void prepare_search();
+    void prepare_search(ThreadPool* pool = nullptr);
 
     [[nodiscard]] std::uint32_t depth() const; ///< Edges on the longest way down.
     [[nodiscard]] std::uint64_t memory_bytes() const;

@@ -1,6 +1,7 @@
 // The leaves of a wide tree: the triangles of a binary tree in groups that fill a node.
 #pragma once
 
+#include "common/core/thread_pool.hpp"
 #include "common/tree/obb_tree.hpp"
 
 #include <cstdint>
@@ -32,7 +33,7 @@ struct WideLeaves {
 /// becomes as few leaves as hold its triangles: binary nodes with at most sixteen would fill two
 /// thirds of the lanes. It is halved where the boxes' surfaces, each times its leaves, sum to the
 /// least, as long as both halves fill their leaves; boxes are those of triangles in the node's
-/// frame.
-[[nodiscard]] WideLeaves make_wide_leaves(const TreeView& tree);
+/// frame. The same for any number of threads; without a pool on the caller's alone.
+[[nodiscard]] WideLeaves make_wide_leaves(const TreeView& tree, ThreadPool* pool);
 
 } // namespace cd

@@ -1,12 +1,12 @@
 // The tree that queries walk: made of the paper's binary tree, sixteen children to a node.
 #pragma once
 
-#include "common/geometry/triangle_blocks.hpp"
+#include "common/core/thread_pool.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/wide_node.hpp"
 
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace cd {
 
@@ -15,16 +15,20 @@ class WideTree {
   public:
     /// Collapses the binary tree at hand. Without nodes where coordinates are so large or the body
     /// so small that floats cannot hold what is made of them, and where a binary leaf has too many
-    /// triangles: such bodies are searched in the binary tree.
-    explicit WideTree(const TreeView& binary);
+    /// triangles: such bodies are searched in the binary tree. The same for any number of threads;
+    /// without a pool it is made on the caller's alone.
+    explicit WideTree(const TreeView& binary, ThreadPool* pool = nullptr);
 
-    [[nodiscard]] WideView view() const { return {nodes_, triangles_.view(), extent_}; }
+    /// The tree in these arrays, which stay as they are while `owner` lives.
+    WideTree(const WideView& arrays, std::shared_ptr<const void> owner)
+        : view_(arrays), owner_(std::move(owner)) {}
+
+    [[nodiscard]] const WideView& view() const { return view_; }
     [[nodiscard]] std::uint64_t memory_bytes() const;
 
   private:
-    std::vector<WideNode> nodes_;
-    TriangleBlockArrays triangles_;
-    double extent_ = 0;
+    WideView view_;
+    std::shared_ptr<const void> owner_; ///< Of what the view shows.
 };
 
 } // namespace cd

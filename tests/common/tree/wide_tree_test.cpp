@@ -308,24 +308,35 @@ TEST(WideTree, NodesAreWellFilled) {
     EXPECT_GT(children, 8 * inner);
 }
 
-TEST(WideTree, IsTheSameOnASecondBuildAndWithMoreThreads) {
+void expect_same(const WideView& a, const WideView& b) {
+    EXPECT_EQ(a.extent, b.extent);
+    EXPECT_EQ(a.triangles.reach, b.triangles.reach);
+    EXPECT_TRUE(std::ranges::equal(a.nodes, b.nodes, [](const auto& x, const auto& y) {
+        return x.low == y.low && x.high == y.high && x.columns == y.columns &&
+               x.origin == y.origin && x.steps == y.steps && x.first == y.first &&
+               x.count == y.count && x.is_leaf == y.is_leaf;
+    }));
+    EXPECT_TRUE(std::ranges::equal(a.triangles.floats, b.triangles.floats));
+    EXPECT_TRUE(std::ranges::equal(a.triangles.doubles, b.triangles.doubles));
+    EXPECT_TRUE(std::ranges::equal(a.triangles.vertex_begin, b.triangles.vertex_begin));
+    EXPECT_TRUE(std::ranges::equal(a.triangles.corners, b.triangles.corners));
+    EXPECT_TRUE(std::ranges::equal(a.triangles.ids, b.triangles.ids));
+}
+
+TEST(WideTree, IsTheSameForAnyNumberOfThreadsAndWithoutAPool) {
     std::mt19937_64 random(8);
-    for (const Mesh& mesh : {make_sphere(4), make_triangle_soup(random, 3000, 0.1)}) {
-        const ObbTree first = build(mesh);
-        const ObbTree second = build(mesh, {}, 3);
-        const WideView a = first.view().wide;
-        const WideView b = second.view().wide;
-        EXPECT_EQ(a.extent, b.extent);
-        EXPECT_TRUE(std::ranges::equal(a.nodes, b.nodes, [](const auto& x, const auto& y) {
-            return x.low == y.low && x.high == y.high && x.columns == y.columns &&
-                   x.origin == y.origin && x.steps == y.steps && x.first == y.first &&
-                   x.count == y.count && x.is_leaf == y.is_leaf;
-        }));
-        EXPECT_TRUE(std::ranges::equal(a.triangles.floats, b.triangles.floats));
-        EXPECT_TRUE(std::ranges::equal(a.triangles.doubles, b.triangles.doubles));
-        EXPECT_TRUE(std::ranges::equal(a.triangles.vertex_begin, b.triangles.vertex_begin));
-        EXPECT_TRUE(std::ranges::equal(a.triangles.corners, b.triangles.corners));
-        EXPECT_TRUE(std::ranges::equal(a.triangles.ids, b.triangles.ids));
+    // Several tasks of every kind; in doubles and in floats, and one of a single task.
+    const Mesh soup = make_triangle_soup(random, 20000, 0.02);
+    for (const Mesh& mesh : {soup, in_floats(soup), make_sphere(4)}) {
+        const ObbTree tree = build(mesh, {.prepare_search = false});
+        const WideTree alone(tree.view());
+        EXPECT_FALSE(alone.view().nodes.empty());
+        for (const unsigned threads : {1u, 2u, 3u, 7u}) {
+            SCOPED_TRACE(threads);
+            ThreadPool pool(threads);
+            expect_same(WideTree(tree.view(), &pool).view(), alone.view());
+            expect_same(build(mesh, {}, threads).view().wide, alone.view());
+        }
     }
 }
 
