@@ -52,37 +52,16 @@ HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
 
-/// Writes what is left of a pair of nodes; how many pairs.
-template <bool kBothLeaves>
-HWY_INLINE std::size_t
-visit(const WidePose& pose, WideWalk& walk, const Meeting& meeting, std::uint32_t* to) {
-    const WidePair now = meeting.nodes;
-    const WideNode& a = walk.a.nodes[now.a];
-    const WideNode& b = walk.b.nodes[now.b];
-    // A leaf waits until the other is one.
-    const Side side_a = side_of(a, now.a, !kBothLeaves && a.is_leaf);
-    const Side side_b = side_of(b, now.b, !kBothLeaves && b.is_leaf);
+/// A pair of nodes on its way through a batch.
+struct Visit {
+    Meeting meeting;
+    Side side_a;
+    Side side_b;
+    Intervals seen_a; ///< The children of A's node, in the frame of B's.
     Intervals seen_b;
-    walk.box_tests += side_b.count;
-    const std::uint32_t in_a = see_b<kBothLeaves>(pose, walk.b, a, side_b, meeting, seen_b);
-    if (in_a == 0) {
-        return 0;
-    }
-    Intervals seen_a;
-    walk.box_tests += side_a.count;
-    const std::uint32_t in_b = see_a<kBothLeaves>(pose, walk.a, b, side_a, meeting, seen_a);
-    if (in_b == 0) {
-        return 0;
-    }
-    const auto rows_a = static_cast<std::size_t>(__builtin_popcount(in_b));
-    const auto rows_b = static_cast<std::size_t>(__builtin_popcount(in_a));
-    if (side_a.is_whole || (rows_a <= rows_b && !side_b.is_whole)) {
-        walk.box_tests += rows_a * side_b.count;
-        return pair_up<true>(side_a, seen_a, in_b, side_b, seen_b, to);
-    }
-    walk.box_tests += rows_b * side_a.count;
-    return pair_up<false>(side_b, seen_b, in_a, side_a, seen_a, to);
-}
+    std::uint32_t found_a; ///< The children of A's node that may reach into B's.
+    std::uint32_t found_b;
+};
 
 HWY_INLINE void prefetch(const void* from, std::size_t bytes) {
     const auto* line = static_cast<const char*>(from);
@@ -102,12 +81,53 @@ HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {
 }
 
 // Pairs of one batch do not wait for each other: their nodes come from memory at the same time, and
-// the processor works on more than one. Pairs of leaves are put aside until there are enough of
-// them, so that it can foresee what is done with each.
+// the processor works on more than one. So that it need not guess how each goes on, all take one
+// step before any takes the next. Pairs of leaves are put aside until there are enough of them.
+
+/// Looks at as many pairs as have met; writes what is left of them. How many pairs.
+template <bool kBothLeaves>
+HWY_INLINE std::size_t
+look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::uint32_t* to) {
+    std::size_t left[wide_batch_max];
+    std::size_t left_count = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        Visit& now = visits[i];
+        const WideNode& a = walk.a.nodes[now.meeting.nodes.a];
+        const WideNode& b = walk.b.nodes[now.meeting.nodes.b];
+        // A leaf waits until the other is one.
+        now.side_a = side_of(a, now.meeting.nodes.a, !kBothLeaves && a.is_leaf);
+        now.side_b = side_of(b, now.meeting.nodes.b, !kBothLeaves && b.is_leaf);
+        walk.box_tests += now.side_b.count;
+        now.found_b = see_b<kBothLeaves>(pose, walk.b, a, now.side_b, now.meeting, now.seen_b);
+        left[left_count] = i;
+        left_count += now.found_b != 0 ? 1 : 0;
+    }
+    std::size_t both_count = 0;
+    for (std::size_t i = 0; i < left_count; ++i) {
+        Visit& now = visits[left[i]];
+        const WideNode& b = walk.b.nodes[now.meeting.nodes.b];
+        walk.box_tests += now.side_a.count;
+        now.found_a = see_a<kBothLeaves>(pose, walk.a, b, now.side_a, now.meeting, now.seen_a);
+        left[both_count] = left[i];
+        both_count += now.found_a != 0 ? 1 : 0;
+    }
+    std::size_t written = 0;
+    for (std::size_t i = 0; i < both_count; ++i) {
+        const Visit& now = visits[left[i]];
+        const RowSide of_a{now.side_a, now.seen_a, now.found_a};
+        const RowSide of_b{now.side_b, now.seen_b, now.found_b};
+        const int rows_a = __builtin_popcount(now.found_a);
+        const int rows_b = __builtin_popcount(now.found_b);
+        const bool by_a = rows_a <= rows_b;
+        walk.box_tests += static_cast<std::uint64_t>(by_a ? rows_a : rows_b) *
+                          (by_a ? now.side_b.count : now.side_a.count);
+        written += pair_up(by_a ? of_a : of_b, by_a ? of_b : of_a, by_a, to + 2 * written);
+    }
+    return written;
+}
 
 /// Looks at some of the pairs that wait.
-HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk) {
-    Meeting meetings[wide_batch_max];
+HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk, Visit* visits) {
     const std::size_t count = walk.waiting_count < walk.batch ? walk.waiting_count : walk.batch;
     walk.waiting_count -= count;
     const WidePair* now = walk.waiting + walk.waiting_count;
@@ -124,42 +144,38 @@ HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk) {
             prefetch_triangles(walk.b, b);
             walk.leaves[walk.leaf_count++] = now[i];
         } else {
-            meet(pose, a, b, now[i], meetings[inner++]);
+            meet(pose, a, b, now[i], visits[inner++].meeting);
         }
     }
-    for (std::size_t i = 0; i < inner; ++i) {
-        auto* to = reinterpret_cast<std::uint32_t*>(walk.waiting + walk.waiting_count);
-        walk.waiting_count += visit<false>(pose, walk, meetings[i], to);
-    }
+    auto* to = reinterpret_cast<std::uint32_t*>(walk.waiting + walk.waiting_count);
+    walk.waiting_count += look_at<false>(pose, walk, visits, inner, to);
     walk.visits_left -=
         inner < walk.visits_left ? static_cast<std::uint32_t>(inner) : walk.visits_left;
 }
 
 /// Looks at some of the pairs of leaves.
-HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk) {
-    Meeting meetings[wide_batch_max];
+HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk, Visit* visits) {
     const std::size_t count = walk.leaf_count < wide_batch_max ? walk.leaf_count : wide_batch_max;
     walk.leaf_count -= count;
     for (std::size_t i = 0; i < count; ++i) {
         const WidePair now = walk.leaves[walk.leaf_count + i];
-        meet(pose, walk.a.nodes[now.a], walk.b.nodes[now.b], now, meetings[i]);
+        meet(pose, walk.a.nodes[now.a], walk.b.nodes[now.b], now, visits[i].meeting);
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        auto* to = reinterpret_cast<std::uint32_t*>(walk.candidates + walk.candidate_count);
-        walk.candidate_count += visit<true>(pose, walk, meetings[i], to);
-    }
+    auto* to = reinterpret_cast<std::uint32_t*>(walk.candidates + walk.candidate_count);
+    walk.candidate_count += look_at<true>(pose, walk, visits, count, to);
     walk.visits_left -=
         count < walk.visits_left ? static_cast<std::uint32_t>(count) : walk.visits_left;
 }
 
 void walk_all(const WidePose& pose, WideWalk& walk) {
+    Visit visits[wide_batch_max];
     while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
            walk.waiting_count + wide_pairs_slack <= walk.waiting_room) {
         if (walk.leaf_count >= walk.leaves_at_once ||
             (walk.waiting_count == 0 && walk.leaf_count > 0)) {
-            visit_leaves(pose, walk);
+            visit_leaves(pose, walk, visits);
         } else if (walk.waiting_count > 0) {
-            visit_inner(pose, walk);
+            visit_inner(pose, walk, visits);
         } else {
             return;
         }

@@ -9,7 +9,7 @@
 #define CD_WIDE_MEETING_INL_HPP
 #endif
 
-#include "common/tree/wide_sides-inl.hpp"
+#include "common/tree/wide_rows-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -32,19 +32,26 @@ HWY_INLINE float absolute(float value) {
     return value < 0 ? -value : value;
 }
 
-/// What one node makes of coordinates in the other, whose steps count `per_step` (4 floats).
+/// What one node makes of coordinates in the other: `columns` of M or, where `kByAxis`, its rows,
+/// as they lie. `steps` and `per_step` (4 floats each) belong to the columns of M and to the other.
+template <bool kByAxis>
 HWY_INLINE void finish_change(const float* columns,
                               const float* offset,
                               float margin,
-                              const std::array<float, 4>& steps,
+                              const float* steps,
                               const float* per_step,
-                              Change& change) {
+                              Change<kByAxis>& change) {
     const Row d;
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < 4; i += row_lanes) {
         const VRow scale = hn::Load(d, per_step + i);
+        const VRow half = hn::Mul(hn::LoadU(d, steps + i), hn::Set(d, 0.5F));
+        HWY_UNROLL(3)
         for (std::size_t c = 0; c < 3; ++c) {
-            const VRow entry = hn::Mul(hn::Mul(hn::Load(d, columns + 4 * c + i), scale),
-                                       hn::Set(d, 0.5F * steps[c]));
+            const VRow column = hn::Load(d, columns + 4 * c + i);
+            const VRow entry = kByAxis
+                                   ? hn::Mul(hn::Mul(column, hn::Set(d, per_step[c])), half)
+                                   : hn::Mul(hn::Mul(column, scale), hn::Set(d, 0.5F * steps[c]));
             hn::Store(entry, d, change.entries[c] + i);
             hn::Store(hn::Abs(entry), d, change.sizes[c] + i);
         }
@@ -69,6 +76,7 @@ meet(const WidePose& pose, const WideNode& a, const WideNode& b, WidePair nodes,
     const Row d;
     to.nodes = nodes;
     float w[3];
+    HWY_UNROLL(3)
     for (std::size_t i = 0; i < 3; ++i) {
         const double* row = &pose.rotation[3 * i];
         w[i] = static_cast<float>((row[0] * b.origin[0] + row[1] * b.origin[1]) +
@@ -77,6 +85,7 @@ meet(const WidePose& pose, const WideNode& a, const WideNode& b, WidePair nodes,
     const float back[3] = {-w[0], -w[1], -w[2]};
     const float* frame_a = a.columns[0].data();
     alignas(16) float turned_back[4];
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < 4; i += row_lanes) {
         hn::Store(combined(pose.rows[0].data(), back, i), d, turned_back + i);
         hn::Store(combined(frame_a, w, i), d, to.offset_b + i);
@@ -84,17 +93,22 @@ meet(const WidePose& pose, const WideNode& a, const WideNode& b, WidePair nodes,
         hn::Store(hn::Div(hn::Set(d, 1), hn::LoadU(d, b.steps.data() + i)), d, to.per_step_b + i);
     }
     alignas(16) float turned[3][4];
+    HWY_UNROLL(3)
     for (std::size_t k = 0; k < 3; ++k) {
         const float row[3] = {b.columns[0][k], b.columns[1][k], b.columns[2][k]};
+        HWY_UNROLL(4)
         for (std::size_t i = 0; i < 4; i += row_lanes) {
             hn::Store(combined(pose.columns[0].data(), row, i), d, turned[k] + i);
         }
     }
+    HWY_UNROLL(3)
     for (std::size_t k = 0; k < 3; ++k) {
+        HWY_UNROLL(4)
         for (std::size_t i = 0; i < 4; i += row_lanes) {
             hn::Store(combined(frame_a, turned[k], i), d, to.columns[k] + i);
         }
     }
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < 4; i += row_lanes) {
         hn::Store(combined(b.columns[0].data(), turned_back, i), d, to.offset_a + i);
     }
@@ -104,18 +118,13 @@ meet(const WidePose& pose, const WideNode& a, const WideNode& b, WidePair nodes,
     to.margin = pose.relative_margin * (apart + whole_steps * steps) + pose.absolute_margin;
 }
 
-HWY_INLINE Side side_of(const WideNode& node, std::uint32_t index, bool is_whole) {
-    if (is_whole) {
-        return {&node, true, index, 1};
-    }
-    return {&node, false, node.is_leaf ? node.first * block_size : node.first, node.count};
-}
-
 /// From a body's coordinates to the frame whose columns are given, in its steps.
 HWY_INLINE void
 make_turn(const float* frame, const float* rotation, const float* per_step, Turn& to) {
     const Row d;
+    HWY_UNROLL(3)
     for (std::size_t c = 0; c < 3; ++c) {
+        HWY_UNROLL(4)
         for (std::size_t i = 0; i < 4; i += row_lanes) {
             const VRow column = combined(frame, rotation + 4 * c, i);
             hn::Store(hn::Mul(column, hn::Load(d, per_step + i)), d, to.entries[c] + i);
@@ -130,11 +139,11 @@ HWY_INLINE std::uint32_t see_b(const WidePose& pose,
                                const Side& side_b,
                                const Meeting& meeting,
                                Intervals& seen) {
-    Change change;
+    Change<false> change;
     finish_change(meeting.columns[0],
                   meeting.offset_b,
                   meeting.margin,
-                  side_b.node->steps,
+                  side_b.node->steps.data(),
                   meeting.per_step_a,
                   change);
     if constexpr (!kBothLeaves) {
@@ -152,16 +161,13 @@ HWY_INLINE std::uint32_t see_a(const WidePose& pose,
                                const Side& side_a,
                                const Meeting& meeting,
                                Intervals& seen) {
-    alignas(16) float rows[3][4];
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            rows[i][k] = meeting.columns[k][i];
-        }
-        rows[i][3] = 0;
-    }
-    Change change;
-    finish_change(
-        rows[0], meeting.offset_a, meeting.margin, side_a.node->steps, meeting.per_step_b, change);
+    Change<true> change;
+    finish_change(meeting.columns[0],
+                  meeting.offset_a,
+                  meeting.margin,
+                  side_a.node->steps.data(),
+                  meeting.per_step_b,
+                  change);
     if constexpr (!kBothLeaves) {
         return side_a.is_whole ? see_whole(change, seen) : see(side_a, change, seen);
     }
