@@ -7,30 +7,26 @@ namespace cd {
 namespace {
 
 using double_signs::CornerPairs;
+using double_signs::tame_least;
+using double_signs::tame_most;
 using two_doubles::exact_sums;
 using two_doubles::magnitudes;
 using two_doubles::Sums;
-
-/// What an error before the last rounding adds to a size.
-constexpr double size_of_error = 1.01 / (2 * double_signs::u);
 
 TwoDoubles twice(double x) {
     return TwoDoubles{x, x};
 }
 
 TwoDoubles as_error(double error) {
-    return TwoDoubles{0, size_of_error * error};
+    return TwoDoubles{0, double_signs::size_of_error * error};
 }
 
-/// Zeros and what is from 2^-150 to 2^33: then sums with tame translations are multiples of 2^-203,
-/// and so are differences; in rotated bodies sizes that are not 0 are at least a weight of 2^-150
-/// times 2^-150, and at most 2^40.
 bool are_all_tame(const Corners& a, const Corners& b) {
     TwoMasks all{-1, -1};
     for (std::size_t i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) {
             const TwoDoubles x = magnitudes(TwoDoubles{a[i][k], b[i][k]});
-            all &= (x <= twice(0x1p33)) & ((x >= twice(0x1p-150)) | (x == twice(0)));
+            all &= (x <= twice(tame_most)) & ((x >= twice(tame_least)) | (x == twice(0)));
         }
     }
     return (all[0] & all[1]) != 0;

@@ -49,6 +49,15 @@ inline constexpr double underflow = 0x1p-1000;
 inline constexpr double volume_bound = 12 * u;
 inline constexpr double area_bound = 8 * u;
 inline constexpr double term_least = 0x1p-900;
+/// What sizes of a cross product are raised by.
+inline constexpr double size_raise = 0x1p-950;
+/// What an error before the last rounding adds to a size.
+inline constexpr double size_of_error = 1.01 / (2 * u);
+/// Tame coordinates are 0 or between these: then sums with tame translations are multiples of
+/// 2^-203, and so are differences; in rotated bodies sizes that are not 0 are at least a weight of
+/// 2^-150 times 2^-150, and at most 2^40.
+inline constexpr double tame_least = 0x1p-150;
+inline constexpr double tame_most = 0x1p33;
 
 /// A component of a vector and its size, which go through the same operations.
 struct Sized {
@@ -73,7 +82,7 @@ inline Sized determinant(const Sized& a, const Sized& b, const Sized& c, const S
 
 /// With sizes raised against underflow.
 inline SizedVec cross(const SizedVec& l, const SizedVec& r) {
-    constexpr TwoDoubles q{0, 0x1p-950};
+    constexpr TwoDoubles q{0, size_raise};
     return {Sized{determinant(l[1], l[2], r[1], r[2]).both + q},
             Sized{determinant(l[2], l[0], r[2], r[0]).both + q},
             Sized{determinant(l[0], l[1], r[0], r[1]).both + q}};

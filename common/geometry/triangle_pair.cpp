@@ -1,7 +1,9 @@
 #include "common/geometry/triangle_pair.hpp"
 
+#include "common/geometry/double_triangle_pairs.hpp"
 #include "common/geometry/float_triangle_pair.hpp"
 #include "common/geometry/pair_cascade.hpp"
+#include "common/geometry/plain_poses.hpp"
 #include "common/geometry/shared_points.hpp"
 #include "common/geometry/triangle_blocks.hpp"
 
@@ -43,9 +45,13 @@ PairStatistics& PairStatistics::operator+=(const PairStatistics& other) {
 /// The float stage takes as long for a few pairs as for many; fewer than these start with doubles.
 constexpr std::size_t float_candidates_min = 4;
 
+/// Fewer ties than these are decided one by one.
+constexpr std::size_t ties_at_once_min = 3;
+
 struct TrianglePairTest::State {
     PosePair poses;
     std::optional<FloatTrianglePair> in_float; ///< Made when it is first needed, as what is later.
+    std::optional<DoubleTrianglePairs> in_doubles;
     std::optional<PairCascade> later;
     SharedPoints points;
     PairStage first;
@@ -101,13 +107,50 @@ std::span<const PairClass> TrianglePairTest::classify_all(const Triangles& a,
     std::transform(verdicts.begin(), verdicts.end(), kinds.begin(), [](FloatVerdict verdict) {
         return verdict == FloatVerdict::Proper ? PairClass::Proper : PairClass::Separate;
     });
+    std::array<std::size_t, DoubleTrianglePairs::pairs_max> ties{};
+    std::size_t count = 0;
     const auto end = verdicts.end();
     for (auto at = verdicts.begin(); (at = std::find(at, end, FloatVerdict::Unknown)) != end;
          ++at) {
-        const auto i = static_cast<std::size_t>(at - verdicts.begin());
-        kinds[i] = classify(corners_of(a, candidates[i].a), corners_of(b, candidates[i].b));
+        ties[count++] = static_cast<std::size_t>(at - verdicts.begin());
+        if (count == ties.size()) {
+            classify_ties(a, b, candidates, ties);
+            count = 0;
+        }
     }
+    classify_ties(a, b, candidates, std::span(ties).first(count));
     return kinds;
+}
+
+template <class Triangles>
+void TrianglePairTest::classify_ties(const Triangles& a,
+                                     const Triangles& b,
+                                     std::span<const Candidate> candidates,
+                                     std::span<const std::size_t> ties) {
+    State& s = *state_;
+    const auto corners_a = [&](std::size_t i) { return corners_of(a, candidates[i].a); };
+    const auto corners_b = [&](std::size_t i) { return corners_of(b, candidates[i].b); };
+    bool at_once = ties.size() >= ties_at_once_min && s.first <= PairStage::Double;
+    if (at_once && !s.in_doubles) {
+        s.in_doubles.emplace(plain_poses(s.poses));
+    }
+    at_once = at_once && s.in_doubles->pays();
+    if (at_once) {
+        for (const std::size_t i : ties) {
+            s.in_doubles->add(corners_a(i), corners_b(i));
+        }
+        s.in_doubles->decide();
+    }
+    for (std::size_t place = 0; place < ties.size(); ++place) {
+        const std::size_t i = ties[place];
+        const auto decided = at_once ? s.in_doubles->decided(place) : std::nullopt;
+        if (decided) {
+            s.kinds[i] = *decided;
+            ++s.statistics[PairStage::Double];
+        } else {
+            s.kinds[i] = classify(corners_a(i), corners_b(i));
+        }
+    }
 }
 
 template <class Triangles>

@@ -115,6 +115,12 @@ class TrianglePairTest {
     template <class Triangles>
     std::span<const PairClass>
     classify_all(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
+    /// The classes of those candidates that floats leave open.
+    template <class Triangles>
+    void classify_ties(const Triangles& a,
+                       const Triangles& b,
+                       std::span<const Candidate> candidates,
+                       std::span<const std::size_t> ties);
     template <class Triangles>
     bool
     any_of_touch(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);

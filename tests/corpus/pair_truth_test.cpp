@@ -38,13 +38,16 @@ std::vector<KnownPair> known_pairs(const std::string& category, std::uint64_t fi
 
 /// The triangles of several pairs side by side.
 struct Batch {
+    static constexpr std::uint32_t orders = 4;
+
     std::vector<Vec3> vertices_a;
     std::vector<Vec3> vertices_b;
     std::vector<Triangle> triangles_a;
     std::vector<Triangle> triangles_b;
     std::vector<Candidate> candidates;
 
-    /// The pair with its corners as given and in another order.
+    /// The pair with the corners of each triangle as given and in another order: enough of one
+    /// kind to be decided together.
     void add(const PosedPair& pair) {
         const auto put = [](const Corners& corners, auto& vertices, auto& triangles) {
             const auto first = static_cast<std::uint32_t>(vertices.size());
@@ -55,8 +58,9 @@ struct Batch {
         };
         const std::uint32_t a = put(pair.a, vertices_a, triangles_a);
         const std::uint32_t b = put(pair.b, vertices_b, triangles_b);
-        candidates.push_back({a, b});
-        candidates.push_back({a + 1, b + 1});
+        for (std::uint32_t i = 0; i < orders; ++i) {
+            candidates.push_back({a + i % 2, b + i / 2});
+        }
     }
     [[nodiscard]] TriangleSpan a() const { return {vertices_a, triangles_a}; }
     [[nodiscard]] TriangleSpan b() const { return {vertices_b, triangles_b}; }
@@ -89,7 +93,8 @@ void expect_batches_right(const std::vector<KnownPair>& group, PairStage first) 
     const std::span<const PairClass> found = test.classify(batch.a(), batch.b(), batch.candidates);
     ASSERT_EQ(found.size(), batch.candidates.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
-        ASSERT_EQ(found[i], group[i / 2].expected) << "seed " << group[i / 2].seed;
+        ASSERT_EQ(found[i], group[i / Batch::orders].expected)
+            << "seed " << group[i / Batch::orders].seed;
     }
 }
 

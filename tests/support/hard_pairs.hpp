@@ -26,6 +26,11 @@ using PairMaker = std::function<PosedPair(std::mt19937_64&)>;
 /// point of A is, but for some roundings.
 [[nodiscard]] PosedPair nearly_touching(std::mt19937_64& random);
 
+/// Lattices of tenths or of whole numbers turned about one axis, by a rotation that keeps it
+/// exactly, and moved so that corners are nominally one point, or heights one height: what doubles
+/// take for 0 must be 0. Some corners lie on the axis.
+[[nodiscard]] PosedPair turned_about_an_axis(std::mt19937_64& random);
+
 [[nodiscard]] Corners random_corners(std::mt19937_64& random, double half_width);
 /// Corners with whole coordinates from -reach to reach.
 [[nodiscard]] Corners lattice_corners(std::mt19937_64& random, int reach);

@@ -67,52 +67,6 @@ PosedPair tie_that_is_moved_a_little(std::mt19937_64& random) {
     return c;
 }
 
-/// Lattices of tenths or of whole numbers turned about one axis, by a rotation that keeps it
-/// exactly, and moved so that corners are nominally one point, or heights one height: what doubles
-/// take for 0 must be 0. Some corners lie on the axis.
-PosedPair turned_about_an_axis(std::mt19937_64& random) {
-    const auto axis = static_cast<int>(random() % 3);
-    const double step = random() % 2 == 0 ? 1 : 0.1;
-    const auto turn = [&](int kind) {
-        // By any angle, by a half turn about an axis across, or not at all.
-        const double angle = kind == 0 ? 1 : static_cast<double>(random() % 7) / 3;
-        Quaternion q{kind == 1 ? 0.0 : angle, 0, 0, 0};
-        std::array<double*, 3> vector{&q.x, &q.y, &q.z};
-        if (kind == 1) {
-            *vector[static_cast<std::size_t>((axis + 1) % 3)] = 1;
-            *vector[static_cast<std::size_t>((axis + 2) % 3)] = angle;
-        } else {
-            q.w = kind == 0 ? std::ldexp(static_cast<double>(random()), -64) + 0.1 : 1;
-            *vector[static_cast<std::size_t>(axis)] = kind == 0 ? angle : 0;
-        }
-        return q;
-    };
-    PosedPair c{
-        scaled(lattice_corners(random, 2), step), scaled(lattice_corners(random, 2), step), {}};
-    for (Corners* corners : {&c.a, &c.b}) {
-        if (random() % 2 == 0) {
-            Vec3& corner = (*corners)[random() % 3];
-            const double height = corner[axis];
-            corner = Vec3::Zero();
-            corner[axis] = height;
-        }
-    }
-    const int kind_a = static_cast<int>(random() % 3);
-    c.poses.a = Pose::from_quaternion(turn(kind_a), Vec3::Zero());
-    const Quaternion q = turn(static_cast<int>(random() % 3));
-    Vec3 translation = Vec3::Zero();
-    const Pose turned = Pose::from_quaternion(q, translation);
-    const std::size_t i = random() % 3;
-    const Vec3 apart = c.poses.a.apply(c.a[i]) - turned.apply(c.b[random() % 3]);
-    if (random() % 2 == 0) {
-        translation = apart;
-    } else {
-        translation[axis] = step * static_cast<double>(random() % 5);
-    }
-    c.poses.b = Pose::from_quaternion(q, translation);
-    return c;
-}
-
 struct Proofs {
     int right = 0;
     int wrong = 0;
