@@ -17,6 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds progress_period{100};
+constexpr std::uint64_t cost_poses_max = 64;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -59,6 +60,26 @@ deliver(std::vector<DoneScenario> results, const RunObserver& observer, ResultMe
     return Done{};
 }
 
+/// A few of a job's poses, evenly spread; fewer where they cannot be read.
+std::vector<PosePair> some_poses(PoseSource& source) {
+    const std::uint64_t count = std::min(source.count(), cost_poses_max);
+    std::vector<PosePair> poses;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const auto read = source.read(source.count() / count * i, 1);
+        if (read) {
+            poses.push_back(read.value().front().poses);
+        }
+    }
+    return poses;
+}
+
+/// How long the cost of searches may be measured after a run of so many seconds.
+Clock::duration cost_time_after(double seconds) {
+    constexpr std::chrono::duration<double> most = std::chrono::milliseconds(50);
+    const auto share = std::chrono::duration<double>(0.02 * seconds);
+    return std::chrono::duration_cast<Clock::duration>(std::min(share, most));
+}
+
 } // namespace
 
 Result<RunOutcome> run_locally(const ObbTree& a,
@@ -92,7 +113,16 @@ Result<RunOutcome> run_locally(const ObbTree& a,
             return delivered.error();
         }
     }
-    return RunOutcome{merger.summary(), merger.digest(), seconds_since(start), run.statistics()};
+    RunOutcome outcome{
+        merger.summary(), merger.digest(), seconds_since(start), run.statistics(), {}};
+    if (!(query.tolerance > 0)) {
+        SearchCostOptions options;
+        options.aim = query.level == Level::Any ? WideDescent::Aim::First : WideDescent::Aim::All;
+        options.first_stage = first_stage;
+        options.time_max = cost_time_after(outcome.seconds);
+        outcome.cost = measure_search_cost(a.view(), b.view(), some_poses(poses), options);
+    }
+    return outcome;
 }
 
 } // namespace cd

@@ -10,6 +10,7 @@
 #include "common/job/result.hpp"
 #include "common/job/statistics.hpp"
 #include "common/tree/obb_tree.hpp"
+#include "common/tree/search_cost.hpp"
 
 #include <functional>
 #include <optional>
@@ -31,6 +32,10 @@ struct RunOutcome {
     std::optional<Sha256> digest;
     double seconds = 0; ///< Without import and building of trees.
     JobStatistics statistics;
+    /// What this job's searches cost, measured after the run under some of its poses, for no more
+    /// than a small share of the run's time. Nothing under a tolerance, or where no triangle was
+    /// tested.
+    std::optional<SearchCost> cost;
 };
 
 /// Every scenario of `poses` on the threads of the pool, by a `ScenarioRunner`. The same results

@@ -208,14 +208,28 @@ std::string settled_text(const PairStatistics& decisions) {
     return text;
 }
 
-std::string statistics_text(const JobStatistics& statistics, const Summary& summary) {
+/// The paper's cost function, of the mean scenario.
+std::string
+cost_text(const SearchCost& cost, const QueryStatistics& search, std::uint64_t scenarios) {
+    return "  cost          N_b C_b + N_p C_p = " + grouped(search.box_tests / scenarios) + " x " +
+           fixed_text(cost.box_test_ns, 2) + " ns + " + grouped(search.triangle_tests / scenarios) +
+           " x " + fixed_text(cost.triangle_test_ns, 2) + " ns = " +
+           fixed_text(1e6 * cost.seconds_of(search) / static_cast<double>(scenarios), 1) +
+           " us a scenario\n";
+}
+
+std::string statistics_text(const RunReport& report) {
     std::string text;
+    const JobStatistics& statistics = report.statistics;
     const QueryStatistics& search = statistics.search;
-    const std::uint64_t scenarios = std::max<std::uint64_t>(1, summary.merged());
+    const std::uint64_t scenarios = std::max<std::uint64_t>(1, report.summary.merged());
     if (search.box_tests != 0) {
         text += "  visited       " + counted(search.box_tests / scenarios, "box pair") + ", " +
                 counted(search.triangle_tests / scenarios, "candidate") + " a scenario" +
                 settled_text(search.decisions) + "\n";
+    }
+    if (report.cost) {
+        text += cost_text(*report.cost, search, scenarios);
     }
     if (statistics.inside.scenarios != 0) {
         text += "  inside        looked at in " + counted(statistics.inside.scenarios, "scenario") +
@@ -258,7 +272,7 @@ std::string summary_text(const RunReport& report, bool colours) {
         }
         text += "\n";
     }
-    text += statistics_text(report.statistics, summary);
+    text += statistics_text(report);
     if (report.digest) {
         text += "  digest        " + to_short_hex(*report.digest) + "\n";
     }

@@ -6,6 +6,7 @@
 #include "common/job/merge.hpp"
 #include "common/job/result.hpp"
 #include "common/job/statistics.hpp"
+#include "common/tree/search_cost.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -74,7 +75,8 @@ struct RunReport {
     std::optional<Sha256> digest; ///< Nothing while scenarios are missing.
     double seconds = 0;
     JobStatistics statistics;
-    std::string where; ///< "2 threads", "2 workers"; may be empty.
+    std::optional<SearchCost> cost; ///< Of this machine's searches; nothing on a cluster.
+    std::string where;              ///< "2 threads", "2 workers"; may be empty.
     std::vector<PartTally::Touched> most_touched;
 };
 

@@ -67,14 +67,20 @@ class JsonWriter final : public ResultWriter {
     OutputFile file_;
 };
 
-Json statistics_json(const JobStatistics& statistics) {
+/// The paper's N_b and N_p, and where C_b and C_p are known, its cost N_b C_b + N_p C_p.
+Json statistics_json(const RunReport& report) {
+    const JobStatistics& statistics = report.statistics;
     Json settled;
     for (std::size_t i = 0; i < pair_stage_count; ++i) {
         const auto stage = static_cast<PairStage>(i);
         settled[std::string(to_text(stage))] = statistics.search.decisions[stage];
     }
+    const std::optional<SearchCost>& cost = report.cost;
     return {{"box_tests", statistics.search.box_tests},
             {"candidates", statistics.search.triangle_tests},
+            {"box_test_ns", cost ? Json(cost->box_test_ns) : Json()},
+            {"candidate_ns", cost ? Json(cost->triangle_test_ns) : Json()},
+            {"cost_seconds", cost ? Json(cost->seconds_of(statistics.search)) : Json()},
             {"settled", std::move(settled)},
             {"inside_scenarios", statistics.inside.scenarios},
             {"inside_seconds", statistics.inside.seconds}};
@@ -123,7 +129,7 @@ std::string summary_json(const ExportContext& context, const RunReport& report) 
     if (context.tolerance) {
         json["tolerance"] = *context.tolerance;
     }
-    json["statistics"] = statistics_json(report.statistics);
+    json["statistics"] = statistics_json(report);
     json["digest"] = report.digest ? Json(to_hex(*report.digest)) : Json();
     Json touched = Json::array();
     for (const auto& part : report.most_touched) {

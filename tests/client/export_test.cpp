@@ -55,6 +55,7 @@ class Export : public testing::Test {
         report.statistics.search.triangle_tests = 6;
         report.statistics.search.decisions[PairStage::Lattice] = 6;
         report.statistics.inside = {7, 0.5, {}};
+        report.cost = cost_;
         for (ScenarioResult result : results()) {
             result.level = level;
             ASSERT_TRUE(files.value().add(result));
@@ -86,6 +87,7 @@ class Export : public testing::Test {
 
     fs::path dir_;
     ExportContext context_;
+    std::optional<SearchCost> cost_;
 };
 
 } // namespace
@@ -183,9 +185,19 @@ TEST_F(Export, TheSummaryIsADocument) {
     EXPECT_EQ(summary["not_tested"], 3);
     EXPECT_TRUE(summary["digest"].is_null());
     EXPECT_EQ(summary["statistics"],
-              nlohmann::json::parse(R"({"box_tests": 5, "candidates": 6, "settled": {"float": 0,
+              nlohmann::json::parse(R"({"box_tests": 5, "candidates": 6, "box_test_ns": null,
+                  "candidate_ns": null, "cost_seconds": null, "settled": {"float": 0,
                   "double": 0, "lattice": 6, "double-double": 0, "wide integer": 0,
                   "arbitrary": 0}, "inside_scenarios": 7, "inside_seconds": 0.5})"));
+}
+
+TEST_F(Export, TheSummaryGivesThePapersCost) {
+    cost_ = SearchCost{2e8, 5e8};
+    write({"csv"}, Level::Pairs);
+    const auto statistics = nlohmann::json::parse(text_of("summary.json"))["statistics"];
+    EXPECT_EQ(statistics["box_test_ns"], 2e8);
+    EXPECT_EQ(statistics["candidate_ns"], 5e8);
+    EXPECT_EQ(statistics["cost_seconds"], 5 * 0.2 + 6 * 0.5);
 }
 
 TEST_F(Export, WithoutTheMeshesPartsAreNotNamed) {

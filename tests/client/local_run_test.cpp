@@ -86,6 +86,31 @@ TEST_F(LocalRun, TheDigestDoesNotDependOnThreads) {
     }
 }
 
+TEST_F(LocalRun, StatisticsAreTheSumsOverAllScenarios) {
+    for (const Level level : {Level::Any, Level::Pairs}) {
+        query_.level = level;
+        QueryStatistics expected;
+        for (const Scenario& scenario : make_scenarios()) {
+            expected += run_scenario(a_, b_, scenario, query_).statistics;
+        }
+        const auto outcome = run(3, {});
+        ASSERT_TRUE(outcome);
+        const QueryStatistics& found = outcome.value().statistics.search;
+        EXPECT_EQ(found.box_tests, expected.box_tests);
+        EXPECT_EQ(found.triangle_tests, expected.triangle_tests);
+        EXPECT_GT(found.triangle_tests, 0u);
+        ASSERT_TRUE(outcome.value().cost);
+        EXPECT_GT(outcome.value().cost->seconds_of(found), 0);
+    }
+}
+
+TEST_F(LocalRun, UnderAToleranceNoCostIsTold) {
+    query_.tolerance = 0.1;
+    const auto outcome = run(1, {});
+    ASSERT_TRUE(outcome);
+    EXPECT_FALSE(outcome.value().cost);
+}
+
 TEST_F(LocalRun, AnInterruptEndsIt) {
     std::uint64_t seen = 0;
     const auto outcome = run(2,

@@ -146,6 +146,20 @@ TEST(Report, StatisticsSayWhatWasVisitedAndAtWhatPrecision) {
                 HasSubstr("  visited       13 517 box pairs, 10 000 candidates a scenario; settled "
                           "in float > 99.99 %, wide integer < 0.01 %\n"));
     EXPECT_THAT(text, HasSubstr("  inside        looked at in 4 scenarios, 0.250 s of one thread"));
+    EXPECT_THAT(text, Not(HasSubstr("  cost")));
+}
+
+TEST(Report, TheCostIsThePapersSumOfTheMeanScenario) {
+    RunReport report;
+    report.summary.total = 10;
+    report.summary.separate = 10;
+    report.statistics.search.box_tests = 135'170;
+    report.statistics.search.triangle_tests = 100'000;
+    report.cost = SearchCost{2, 10};
+    EXPECT_THAT(
+        summary_text(report),
+        HasSubstr("  cost          N_b C_b + N_p C_p = 13 517 x 2.00 ns + 10 000 x 10.00 ns "
+                  "= 127.0 us a scenario\n"));
 }
 
 TEST(Report, WhatIsUndecidedIsSaid) {
