@@ -4,7 +4,7 @@
 #include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
 #include "common/tree/subtree_block.hpp"
-#include "master/tree_file.hpp"
+#include "common/tree/tree_file.hpp"
 
 #include <algorithm>
 

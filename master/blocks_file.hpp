@@ -6,7 +6,7 @@
 #include "common/core/thread_pool.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
-#include "master/disk_file.hpp"
+#include "common/core/disk_file.hpp"
 
 #include <cstdint>
 #include <filesystem>

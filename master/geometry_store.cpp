@@ -1,12 +1,12 @@
 #include "master/geometry_store.hpp"
 
+#include "common/core/disk_file.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
 #include "common/tree/build.hpp"
+#include "common/tree/tree_file.hpp"
 #include "master/blocks_file.hpp"
-#include "master/disk_file.hpp"
 #include "master/mesh_file.hpp"
-#include "master/tree_file.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -143,7 +143,9 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::build(std::shared_p
                  to_short_hex(hash),
                  tree->mesh().triangles().size(),
                  seconds);
-    if (const Status status = write_tree_file(tree_path(hash), *tree); !status) {
+    if (const Status status =
+            write_tree_file(tree_path(hash), *tree, tree_key(hash, options), Durability::Synced);
+        !status) {
         return status.error();
     }
     return tree;
@@ -187,7 +189,8 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::load_tree(Entry& en
         return mesh.error();
     }
     const std::filesystem::path path = tree_path(mesh_hash);
-    Result<std::shared_ptr<const ObbTree>> tree = read_tree_file(path, mesh.value());
+    Result<std::shared_ptr<const ObbTree>> tree =
+        read_tree_file(path, mesh.value(), tree_key(mesh_hash, BuildOptions{}));
     double seconds = 0;
     if (!tree && tree.error().code != ErrorCode::NotFound) {
         if (const Status status = set_aside(path, tree.error().detail); !status) {

@@ -4,7 +4,7 @@
 #include "common/core/hash.hpp"
 #include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
-#include "master/disk_file.hpp"
+#include "common/core/disk_file.hpp"
 
 #include <atomic>
 #include <cstdint>

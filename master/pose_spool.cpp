@@ -2,7 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
-#include "master/disk_file.hpp"
+#include "common/core/disk_file.hpp"
 
 #include <algorithm>
 #include <mutex>

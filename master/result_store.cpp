@@ -4,7 +4,7 @@
 #include "common/core/compress.hpp"
 #include "common/core/hash.hpp"
 #include "common/core/limits.hpp"
-#include "master/disk_file.hpp"
+#include "common/core/disk_file.hpp"
 
 #include <algorithm>
 #include <array>

@@ -20,6 +20,7 @@ inline constexpr std::size_t write_queue_bytes_max = 64u << 20; ///< Then the se
 
 // Files.
 inline constexpr std::uint64_t npz_array_bytes_max = 16ull << 30; ///< One array, unpacked.
+inline constexpr std::uint64_t tree_cache_bytes_max = 4ull << 30; ///< Trees kept between runs.
 inline constexpr std::size_t mesh_file_depth_max = 1000; ///< Nested nodes: importers recurse.
 
 // Geometry.

@@ -45,54 +45,6 @@ Error bad(const char* what) {
     return {ErrorCode::BadInput, std::string("top of a tree: ") + what};
 }
 
-/// Whether the children of each inner node stand where preorder puts them. The walk needs no stack
-/// beyond one place for each right child still to come.
-bool is_preorder(std::span<const ObbNode> nodes) {
-    std::vector<std::uint32_t> rights;
-    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-        if (!nodes[i].is_leaf()) {
-            if (nodes[i].right >= nodes.size()) {
-                return false;
-            }
-            rights.push_back(nodes[i].right);
-            continue;
-        }
-        // After a leaf comes the right child of the innermost open node, or the end.
-        const bool is_last = rights.empty();
-        if (i + 1 != (is_last ? nodes.size() : rights.back())) {
-            return false;
-        }
-        if (!is_last) {
-            rights.pop_back();
-        }
-    }
-    return rights.empty();
-}
-
-/// The nodes are known to be in preorder.
-bool has_consecutive_ranges(std::span<const ObbNode> nodes) {
-    if (nodes.front().triangles_begin != 0) {
-        return false;
-    }
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const ObbNode& node = nodes[i];
-        if (node.triangles_begin >= node.triangles_end) {
-            return false;
-        }
-        if (node.is_leaf()) {
-            continue;
-        }
-        const ObbNode& left = nodes[i + 1];
-        const ObbNode& right = nodes[node.right];
-        if (left.triangles_begin != node.triangles_begin ||
-            right.triangles_begin != left.triangles_end ||
-            right.triangles_end != node.triangles_end) {
-            return false;
-        }
-    }
-    return true;
-}
-
 std::vector<std::uint32_t> leaves_of(std::span<const ObbNode> nodes) {
     std::vector<std::uint32_t> leaves;
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {

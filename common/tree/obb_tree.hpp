@@ -28,12 +28,14 @@ struct ObbNode {
     std::uint32_t right = 0; ///< Index of the right child; 0 for a leaf. The left child follows.
     std::uint32_t triangles_begin = 0; ///< The triangles under this node, in tree order.
     std::uint32_t triangles_end = 0;
+    std::uint32_t unused = 0; ///< So that each byte of an array of nodes has a value.
 
     [[nodiscard]] bool is_leaf() const { return right == 0; }
     [[nodiscard]] std::uint32_t triangle_count() const { return triangles_end - triangles_begin; }
 
     friend bool operator==(const ObbNode&, const ObbNode&) = default;
 };
+static_assert(sizeof(ObbNode) == 88);
 
 /// What a traversal reads, wherever the arrays live: a whole tree or one subtree. Node 0 is the
 /// root, children stand after their parents (preorder), and `triangles` and `triangle_ids` are in
@@ -48,34 +50,55 @@ struct TreeView {
 
 class WideTree;
 
-/// An immutable tree with its triangles, shared freely between threads.
+/// The arrays of the tree that the paper has, which stay as they are while `owner` lives. Without
+/// nodes where a tree has another form alone.
+struct BinaryTree {
+    std::span<const ObbNode> nodes;
+    std::span<const std::uint32_t> triangle_ids;
+    std::span<const Triangle> triangles; ///< In tree order.
+    std::shared_ptr<const void> owner;
+};
+
+/// An immutable tree with its triangles, shared freely between threads. It has one of two forms or
+/// both: the binary tree, which is cut, walked under a tolerance and asked for insides, and the
+/// wide one, which other searches walk. Copies share the forms.
 class ObbTree {
   public:
+    /// In the binary form.
     ObbTree(std::shared_ptr<const Mesh> mesh,
             std::vector<ObbNode> nodes,
             std::vector<std::uint32_t> triangle_ids,
+            Topology topology);
+    /// In the forms at hand: a binary one with nodes, a wide one that is not null.
+    ObbTree(std::shared_ptr<const Mesh> mesh,
+            BinaryTree binary,
+            std::shared_ptr<const WideTree> wide,
             Topology topology);
 
     [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
     [[nodiscard]] const std::shared_ptr<const Mesh>& mesh_pointer() const { return mesh_; }
     [[nodiscard]] const Topology& topology() const { return topology_; }
-    [[nodiscard]] std::span<const ObbNode> nodes() const { return nodes_; }
-    [[nodiscard]] std::span<const std::uint32_t> triangle_ids() const { return triangle_ids_; }
     [[nodiscard]] TreeView view() const;
 
-    /// Makes the wide tree, which searches need to be fast. Not while others use the tree.
+    [[nodiscard]] bool has_binary() const { return !binary_.nodes.empty(); }
+    [[nodiscard]] const BinaryTree& binary() const { return binary_; }
+    /// The next are of the binary form, which is there.
+    [[nodiscard]] std::span<const ObbNode> nodes() const;
+    [[nodiscard]] std::span<const std::uint32_t> triangle_ids() const;
+    [[nodiscard]] std::uint32_t depth() const; ///< Edges on the longest way down.
+
+    /// Null until searches were prepared.
+    [[nodiscard]] const std::shared_ptr<const WideTree>& wide() const { return wide_; }
+    /// Makes the wide form of the binary one. Not while others use the tree.
     void prepare_search(ThreadPool* pool = nullptr);
 
-    [[nodiscard]] std::uint32_t depth() const; ///< Edges on the longest way down.
-    [[nodiscard]] std::uint64_t memory_bytes() const;
+    [[nodiscard]] std::uint64_t memory_bytes() const; ///< Mapped files count.
 
   private:
     std::shared_ptr<const Mesh> mesh_;
-    std::vector<ObbNode> nodes_;
-    std::vector<std::uint32_t> triangle_ids_;
-    std::vector<Triangle> triangles_; ///< In tree order.
+    BinaryTree binary_;
+    std::shared_ptr<const WideTree> wide_;
     Topology topology_;
-    std::shared_ptr<const WideTree> wide_; ///< Null until searches were prepared.
 };
 
 } // namespace cd

@@ -28,6 +28,7 @@ struct alignas(64) WideNode {
     std::uint32_t first = 0;        ///< The first child's index; of a leaf, its block's number.
     std::uint8_t count = 0;
     bool is_leaf = false;
+    std::array<std::uint8_t, 2> unused{}; ///< So that each byte of an array has a value.
 };
 static_assert(sizeof(WideNode) == 192);
 

@@ -1,10 +1,11 @@
-#include "master/disk_file.hpp"
+#include "common/core/disk_file.hpp"
 
 #include "common/core/check.hpp"
 #include "common/core/log.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -51,6 +52,13 @@ Status sync_directory(const std::filesystem::path& directory) {
 }
 
 } // namespace
+
+FileMapping::~FileMapping() {
+    if (!bytes_.empty()) {
+        // The function takes memory that is not constant, and leaves it as it is.
+        ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
+    }
+}
 
 DiskFile::DiskFile(int descriptor, std::filesystem::path path, std::filesystem::path temporary)
     : descriptor_(descriptor), path_(std::move(path)), temporary_(std::move(temporary)) {}
@@ -177,16 +185,33 @@ Result<std::uint64_t> DiskFile::size() const {
     return static_cast<std::uint64_t>(facts.st_size);
 }
 
-Status DiskFile::commit() {
+Result<FileMapping> DiskFile::map() const {
+    const Result<std::uint64_t> size = this->size();
+    if (!size) {
+        return size.error();
+    }
+    if (size.value() == 0) {
+        return FileMapping({});
+    }
+    void* const begin =
+        ::mmap(nullptr, size.value(), PROT_READ, MAP_PRIVATE | MAP_POPULATE, descriptor_, 0);
+    if (begin == MAP_FAILED) {
+        return io_failure("map", path_);
+    }
+    return FileMapping({static_cast<const std::byte*>(begin), size.value()});
+}
+
+Status DiskFile::commit(Durability durability) {
     CD_CHECK(!temporary_.empty());
-    if (::fsync(descriptor_) != 0) {
+    const bool synced = durability == Durability::Synced;
+    if (synced && ::fsync(descriptor_) != 0) {
         return io_failure("sync", path_);
     }
     if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
         return io_failure("name", path_);
     }
     temporary_.clear();
-    return sync_directory(path_.parent_path());
+    return synced ? sync_directory(path_.parent_path()) : Status(Done{});
 }
 
 Status make_directories(const std::filesystem::path& directory) {

@@ -1,4 +1,4 @@
-// Files of the state directory: read and written in places, complete or not there at all.
+// Files of ours: read and written in places, complete or not there at all.
 #pragma once
 
 #include "common/core/bytes.hpp"
@@ -10,8 +10,27 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace cd {
+
+/// Whether a file that got its name is there after a loss of power, too.
+enum class Durability : std::uint8_t { Synced, Unsynced };
+
+/// The content of a file in memory, for reading. Pages come from the disk as they are read, and are
+/// shared with other processes. The file may be renamed and removed meanwhile, not written to.
+class FileMapping {
+  public:
+    explicit FileMapping(std::span<const std::byte> bytes) : bytes_(bytes) {}
+    FileMapping(FileMapping&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
+    FileMapping& operator=(FileMapping&& other) = delete;
+    ~FileMapping();
+
+    [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+  private:
+    std::span<const std::byte> bytes_;
+};
 
 /// An open file. Reading and writing are safe from several threads at once. Every error is Io and
 /// names the file.
@@ -38,8 +57,12 @@ class DiskFile {
     [[nodiscard]] Result<Bytes> read_at(std::uint64_t offset, std::uint64_t size) const;
     [[nodiscard]] Result<std::uint64_t> size() const;
 
-    /// Brings the bytes to the disk, then gives the file its name, in one step.
-    [[nodiscard]] Status commit();
+    /// All of it, also after this object is gone.
+    [[nodiscard]] Result<FileMapping> map() const;
+
+    /// Brings the bytes to the disk if they are to be synced, then gives the file its name, in one
+    /// step.
+    [[nodiscard]] Status commit(Durability durability = Durability::Synced);
 
     /// The name, also while the file does not have it yet.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }

@@ -1,0 +1,226 @@
+// Proves that trees come back from disk as they were, bit for bit, and answer as those that were
+// built; that a file which is damaged, cut short anywhere or of another mesh, build or version is
+// never taken for one; and that several processes may write one at once.
+
+#include "common/tree/tree_file.hpp"
+
+#include "common/core/section_file.hpp"
+#include "common/tree/build.hpp"
+#include "common/tree/traverse.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+
+namespace cd::tests {
+namespace {
+
+using Tree = Result<std::shared_ptr<const ObbTree>>;
+
+template <class T>
+bool same_bytes(std::span<const T> a, std::span<const T> b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+void expect_same_topology(const Topology& a, const Topology& b) {
+    EXPECT_EQ(a.degenerate, b.degenerate);
+    EXPECT_EQ(a.duplicate, b.duplicate);
+    EXPECT_EQ(a.boundary_edges, b.boundary_edges);
+    EXPECT_EQ(a.non_manifold_edges, b.non_manifold_edges);
+    EXPECT_EQ(a.inconsistent_edges, b.inconsistent_edges);
+    EXPECT_EQ(a.component_triangles, b.component_triangles);
+}
+
+void expect_same_wide(const WideView& a, const WideView& b) {
+    EXPECT_TRUE(same_bytes(a.nodes, b.nodes));
+    EXPECT_TRUE(same_bytes(a.triangles.floats, b.triangles.floats));
+    EXPECT_TRUE(same_bytes(a.triangles.doubles, b.triangles.doubles));
+    EXPECT_TRUE(same_bytes(a.triangles.vertex_begin, b.triangles.vertex_begin));
+    EXPECT_TRUE(same_bytes(a.triangles.corners, b.triangles.corners));
+    EXPECT_TRUE(same_bytes(a.triangles.ids, b.triangles.ids));
+    EXPECT_EQ(a.triangles.reach, b.triangles.reach);
+    EXPECT_EQ(a.extent, b.extent);
+}
+
+class TreeFile : public testing::Test {
+  protected:
+    [[nodiscard]] static ObbTree build(const std::shared_ptr<const Mesh>& mesh) {
+        ThreadPool pool(1);
+        return build_tree(mesh, BuildOptions{}, pool);
+    }
+    [[nodiscard]] Sha256 key() const { return tree_key(mesh_->hash(), BuildOptions{}); }
+    [[nodiscard]] Status write_binary() const {
+        return write_tree_file(path_, tree_, key(), Durability::Synced);
+    }
+    [[nodiscard]] Status write_wide() const {
+        return write_wide_tree_file(path_, tree_, key(), Durability::Unsynced);
+    }
+    [[nodiscard]] Tree read_binary() const { return read_tree_file(path_, mesh_, key()); }
+    [[nodiscard]] Tree read_wide() const { return read_wide_tree_file(path_, mesh_, key()); }
+
+    /// Both kinds of files: how to write and to read one.
+    struct Kind {
+        std::function<Status()> write;
+        std::function<Tree()> read;
+    };
+    [[nodiscard]] std::vector<Kind> kinds() const {
+        return {{[this] { return write_binary(); }, [this] { return read_binary(); }},
+                {[this] { return write_wide(); }, [this] { return read_wide(); }}};
+    }
+
+    TemporaryFolder folder_;
+    std::filesystem::path path_ = folder_ / "one.tree";
+    std::shared_ptr<const Mesh> mesh_ = share(join({make_sphere(2), make_box({3, 3, 3})}));
+    ObbTree tree_ = build(mesh_);
+};
+
+TEST_F(TreeFile, TheBinaryFormComesBackAsItWas) {
+    ASSERT_TRUE(write_binary());
+    const Tree read = read_binary();
+
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(read.value()->wide(), nullptr);
+    EXPECT_TRUE(same_bytes(read.value()->nodes(), tree_.nodes()));
+    EXPECT_TRUE(same_bytes(read.value()->triangle_ids(), tree_.triangle_ids()));
+    EXPECT_TRUE(same_bytes(read.value()->view().triangles, tree_.view().triangles));
+    expect_same_topology(read.value()->topology(), tree_.topology());
+    EXPECT_EQ(tree_checksum(*read.value()), tree_checksum(tree_));
+}
+
+TEST_F(TreeFile, TheWideFormComesBackAsItWas) {
+    std::mt19937_64 random(1);
+    // In doubles, in floats, and of a body that has none.
+    const Mesh soup = make_triangle_soup(random, 700);
+    for (const Mesh& mesh :
+         {soup, make_gridded_box({2, 4, 8}, 7), translated(soup, {1e30, 0, 0})}) {
+        mesh_ = share(Mesh(mesh));
+        tree_ = build(mesh_);
+        ASSERT_TRUE(write_wide());
+        const Tree read = read_wide();
+        ASSERT_TRUE(read) << read.error().detail;
+        EXPECT_FALSE(read.value()->has_binary());
+        ASSERT_NE(read.value()->wide(), nullptr);
+        expect_same_wide(read.value()->view().wide, tree_.view().wide);
+        expect_same_topology(read.value()->topology(), tree_.topology());
+    }
+    EXPECT_TRUE(tree_.view().wide.nodes.empty());
+}
+
+TEST_F(TreeFile, TreesFromDiskFindTheSamePairs) {
+    ASSERT_TRUE(write_binary());
+    const auto binary = read_binary().value();
+    ASSERT_TRUE(write_wide());
+    const auto wide = read_wide().value();
+    std::mt19937_64 random(2);
+    std::size_t found = 0;
+    for (int i = 0; i < 20; ++i) {
+        const PosePair poses{make_pose(random, 0.5), make_pose(random, 0.5)};
+        const auto expected = contact_pairs(tree_, tree_, poses);
+        EXPECT_EQ(contact_pairs(*wide, *wide, poses), expected);
+        EXPECT_EQ(contact_pairs(*binary, *binary, poses), expected);
+        found += expected.size();
+    }
+    EXPECT_GT(found, 100u);
+}
+
+TEST_F(TreeFile, AnyChangedByteIsDamage) {
+    for (const Kind& kind : kinds()) {
+        ASSERT_TRUE(kind.write());
+        const std::string whole = read_text(path_);
+        for (std::size_t i = 0; i < whole.size(); i += 1 + whole.size() / 300) {
+            std::string text = whole;
+            text[i] ^= 1;
+            write_text(path_, text);
+            const Tree read = kind.read();
+            ASSERT_FALSE(read) << "byte " << i;
+            EXPECT_EQ(read.error().code, ErrorCode::Io);
+            EXPECT_THAT(read.error().detail, testing::HasSubstr(path_.string()));
+        }
+    }
+}
+
+TEST_F(TreeFile, AnyShorterFileIsDamage) {
+    for (const Kind& kind : kinds()) {
+        ASSERT_TRUE(kind.write());
+        const std::string whole = read_text(path_);
+        for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 300) {
+            write_text(path_, whole.substr(0, size));
+            EXPECT_FALSE(kind.read()) << size << " bytes";
+        }
+    }
+}
+
+TEST_F(TreeFile, AnotherMeshAnotherBuildAnotherKindAndNoFileAreErrors) {
+    EXPECT_EQ(read_binary().error().code, ErrorCode::NotFound);
+    EXPECT_EQ(read_wide().error().code, ErrorCode::NotFound);
+    ASSERT_TRUE(write_binary());
+    EXPECT_EQ(read_wide().error().code, ErrorCode::Io);
+    const auto other = share(make_sphere(2));
+    EXPECT_EQ(read_tree_file(path_, other, tree_key(other->hash(), {})).error().code,
+              ErrorCode::Io);
+    const Sha256 one_a_leaf = tree_key(mesh_->hash(), {.leaf_triangles_max = 1});
+    EXPECT_EQ(read_tree_file(path_, mesh_, one_a_leaf).error().code, ErrorCode::Io);
+}
+
+TEST_F(TreeFile, TheKeyTellsApartAllThatDecidesTheTree) {
+    const Sha256 mesh = mesh_->hash();
+    const std::vector<Sha256> keys{tree_key(mesh, {}),
+                                   tree_key(share(make_sphere(2))->hash(), {}),
+                                   tree_key(mesh, {.boxes = BoxKind::Aabb}),
+                                   tree_key(mesh, {.rule = SplitRule::Bare}),
+                                   tree_key(mesh, {.leaf_triangles_max = 3}),
+                                   tree_key(mesh, {.sweep_triangles_max = 64})};
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            EXPECT_NE(keys[i], keys[k]) << i << " and " << k;
+        }
+    }
+    // Of the same tree with searches prepared or not.
+    EXPECT_EQ(tree_key(mesh, {.prepare_search = false}), keys[0]);
+}
+
+/// Where this fails because the builder makes other trees, raise `tree_build_version` as well, so
+/// that trees on disk are not taken for new ones.
+TEST_F(TreeFile, TheBuildersTreesAreThoseOfItsVersion) {
+    std::mt19937_64 random(3);
+    const ObbTree tree = build(share(make_triangle_soup(random, 5000, 0.1)));
+    const WideView wide = tree.view().wide;
+    EXPECT_EQ(tree_build_version, 1u);
+    EXPECT_EQ(tree_checksum(tree), 17357885670689973998u);
+    EXPECT_EQ(checksum(std::as_bytes(wide.nodes)), 13229347724685372398u);
+    EXPECT_EQ(checksum(std::as_bytes(wide.triangles.ids)), 6798309529771647917u);
+}
+
+TEST_F(TreeFile, TwoProcessesThatWriteTheSameAtOnceLeaveOneWholeFile) {
+    constexpr int rounds = 60;
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        bool written = true;
+        for (int i = 0; i < rounds; ++i) {
+            written = written && static_cast<bool>(write_wide());
+        }
+        ::_exit(written ? 0 : 1);
+    }
+    for (int i = 0; i < rounds; ++i) {
+        EXPECT_TRUE(write_wide());
+        const Tree read = read_wide();
+        ASSERT_TRUE(read) << read.error().detail;
+        expect_same_wide(read.value()->view().wide, tree_.view().wide);
+    }
+    int status = -1;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1)
+        << "nothing is left over";
+}
+
+} // namespace
+} // namespace cd::tests
