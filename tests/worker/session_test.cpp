@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <latch>
 #include <map>
 #include <set>
 
@@ -150,6 +151,7 @@ struct Stage {
     std::shared_ptr<Session> session;
     FakeMaster master;
     std::optional<SessionEnd>& how;
+    Executor& executor;
 };
 
 using Play = std::function<asio::awaitable<void>(Stage&)>;
@@ -162,7 +164,8 @@ asio::awaitable<void> play_on(asio::io_context& context,
     Ends ends = co_await connect_greeted_ends();
     Stage stage{std::make_shared<Session>(std::move(ends.left), executor, cache_bytes),
                 FakeMaster(std::move(ends.right)),
-                how};
+                how,
+                executor};
     spawn(context.get_executor(), "session", run_session(stage.session, how));
     stage.master.add_trees();
     co_await play(stage);
@@ -299,6 +302,39 @@ TEST(Session, StopHandsBackWhatItHasNotBegun) {
         }
     });
     EXPECT_EQ(how, SessionEnd::Drained);
+}
+
+TEST(Session, TheConnectionIsServedWhileBlocksWaitForAThreadToOpenThem) {
+    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        std::latch released(1);
+        stage.executor.submit([&released] {
+            released.wait(); // The only thread opens nothing meanwhile.
+            return Executor::Continuation([] {});
+        });
+        Subtrees wrong;
+        wrong.tree = tree_a;
+        wrong.blocks = {bodies().a.blocks[0]};
+        wrong.blocks[0].hash.bytes[0] ^= std::byte{1};
+        master.channel->send(wrong);
+        master.channel->send(make_batch(TaskId{1}, make_scenarios(0, 2)));
+        // Whoever opened the block where the connection is served would complain before it read on.
+        bool wants = false;
+        while (!wants && master.complaint.empty()) {
+            Result<Message> message = co_await master.channel->receive(patience);
+            EXPECT_TRUE(message);
+            if (!message) {
+                break;
+            }
+            wants = std::holds_alternative<WantSubtrees>(message.value());
+            std::visit([&](auto& content) { master.on(content); }, message.value());
+        }
+        EXPECT_TRUE(wants);
+        EXPECT_EQ(master.complaint, "");
+        released.count_down();
+        co_await master.serve_until_ended(1);
+        EXPECT_THAT(master.complaint, testing::HasSubstr("hash"));
+    });
 }
 
 TEST(Session, TerminateEndsAtOnce) {
