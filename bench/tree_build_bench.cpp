@@ -12,6 +12,10 @@
 // clock and by the processor (which counts all threads, and stands still while others run on the
 // machine).
 //
+// Then a row a mesh on trees that are kept between runs, each form as a file: MB, how long it takes
+// to write one and to find it again (mapped and checked), and of the wide form the first search of
+// the mesh against itself in a tree that was just found, and in the one that was built.
+//
 // Then a row a tree: nodes and depth of A's, the share of its triangles under the largest
 // distribution root, bytes a triangle (nodes and order), N_b and N_p a scenario, C_b and C_p (the
 // processor time of a descent without triangle tests over N_b; that of the rest over N_p), the
@@ -19,6 +23,7 @@
 // one. All of the binary tree that the paper searches; the last row searches the wide tree, whose
 // box tests are other ones, so that only its own C_b and C_p tell what it costs.
 #include "client/mesh_import.hpp"
+#include "client/tree_cache.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/job/merge.hpp"
 #include "common/job/pose_source.hpp"
@@ -28,16 +33,19 @@
 #include "common/tree/traverse.hpp"
 
 #include <CLI/CLI.hpp>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -84,7 +92,7 @@ struct Times {
     void print() {
         for (std::vector<double>* times : {&wall, &processor}) {
             std::sort(times->begin(), times->end());
-            std::printf(" %.0f / %.0f |", times->front(), (*times)[times->size() / 2]);
+            std::printf(" %.3g / %.3g |", times->front(), (*times)[times->size() / 2]);
         }
     }
 };
@@ -108,6 +116,55 @@ void print_build_times(const std::string& name, const MeshPointer& mesh, std::si
             builds.print();
         }
     }
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+/// A folder for files that are gone in the end.
+struct ScratchFolder {
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("tree-build-bench-" + std::to_string(::getpid()));
+    ~ScratchFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+};
+
+double megabytes(std::uint64_t bytes) {
+    return 1e-6 * static_cast<double>(bytes);
+}
+
+void print_kept_times(const std::string& name, const MeshPointer& mesh, std::size_t rounds) {
+    ThreadPool pool;
+    const ObbTree tree = build_tree(mesh, {}, pool);
+    const ScratchFolder folder;
+    TreeCache cache(folder.path);
+    std::printf("| %s | %zu |", name.c_str(), mesh->triangles().size());
+    std::shared_ptr<const ObbTree> found;
+    for (const TreeForm form : {TreeForm::Binary, TreeForm::Wide}) {
+        Times kept;
+        Times finds;
+        for (std::size_t round = 0; round < rounds; ++round) {
+            kept.add([&] { cache.keep(form, tree); });
+            finds.add([&] { found = cache.find(form, mesh); });
+        }
+        std::uint64_t bytes = 0;
+        for (const auto& file : std::filesystem::directory_iterator(folder.path)) {
+            bytes += file.file_size();
+            std::filesystem::remove(file.path());
+        }
+        std::printf(" %.1f |", megabytes(bytes));
+        kept.print();
+        finds.print();
+    }
+    Times found_searches;
+    Times built_searches;
+    const Vec3 half = 0.5 * bounding_box(mesh->vertices()).size();
+    const PosePair poses{Pose{}, Pose::from_matrix(Mat3::Identity(), half)};
+    found_searches.add([&] { static_cast<void>(contact_pairs(*found, *found, poses)); });
+    built_searches.add([&] { static_cast<void>(contact_pairs(tree, tree, poses)); });
+    found_searches.print();
+    built_searches.print();
     std::printf("\n");
     std::fflush(stdout);
 }
@@ -280,6 +337,17 @@ int compare(const Options& options) {
     print_build_times(options.a, scene->a, options.rounds);
     if (scene->b != scene->a) {
         print_build_times(options.b, scene->b, options.rounds);
+    }
+    std::printf(
+        "\n| mesh | triangles | binary MB | keep ms | processor ms | find ms | processor ms | wide "
+        "MB "
+        "| keep ms | processor ms | find ms | processor ms | first search ms, found | processor ms "
+        "| built | processor ms "
+        "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
+        "\n");
+    print_kept_times(options.a, scene->a, options.rounds);
+    if (scene->b != scene->a) {
+        print_kept_times(options.b, scene->b, options.rounds);
     }
     std::printf("\n%zu scenarios, distribution depth %u\n\n"
                 "| tree | nodes | depth | largest root | bytes/triangle | N_b | N_p | C_b ns | C_p "

@@ -2,6 +2,7 @@
 
 #include "client/cli_help.hpp"
 #include "client/exit_code.hpp"
+#include "client/tree_cache.hpp"
 #include "client/units.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/version.hpp"
@@ -146,6 +147,17 @@ void add_master_options(CLI::App& verb, MasterOptions& master, bool required_her
     verb.add_flag("--insecure", master.insecure, "Allow a master beyond loopback, unencrypted");
 }
 
+void add_tree_cache(CLI::App& verb, std::string& folder) {
+    folder = default_tree_cache();
+    verb.add_option("--tree-cache",
+                    folder,
+                    "Folder that keeps built trees for later runs, at most " +
+                        std::to_string(limits::tree_cache_bytes_max >> 30) + " GiB; off keeps none")
+        ->type_name("DIR|off")
+        ->envname("CDCTL_TREE_CACHE")
+        ->capture_default_str();
+}
+
 void add_output(CLI::App& verb, std::string& output, const std::vector<std::string>& words) {
     verb.add_option("-o,--output", output, "What stdout carries")
         ->check(CLI::IsMember(words))
@@ -216,6 +228,7 @@ void add_local_verbs(CLI::App& app, Verbs& verbs) {
                     "scalar, auto (default); same answers. Also CD_SIMD")
         ->type_name("TARGET");
     add_first_stage(*run, verbs.run.first_stage);
+    add_tree_cache(*run, verbs.run.tree_cache);
     add_fail_on(*run, verbs.run.fail_on);
     run->add_flag("--dry-run", verbs.run.dry_run, "Read and check all inputs, then stop");
     add_quiet(*run, verbs.run.quiet);
@@ -273,6 +286,7 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
     submit->add_option("--threads", verbs.submit.threads, "Threads that make poses here")
         ->check(CLI::Range(0u, 4096u))
         ->type_name("N");
+    add_tree_cache(*submit, verbs.submit.tree_cache);
     add_quiet(*submit, verbs.submit.quiet);
     add_output(*submit, verbs.submit.output, {"text", "json", "name"});
 

@@ -27,6 +27,7 @@ struct RunCommand {
     unsigned threads = 0; ///< 0: one for each core.
     std::string simd;     ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
     std::optional<PairStage> first_stage; ///< On this machine alone.
+    std::string tree_cache = "off";       ///< A folder, or off.
     FailOn fail_on = FailOn::Never;
     bool dry_run = false;
     bool quiet = false;
@@ -45,6 +46,7 @@ struct SubmitCommand {
     JobOptions job;
     MasterOptions master;
     unsigned threads = 0;
+    std::string tree_cache = "off"; ///< A folder, or off.
     bool quiet = false;
     std::string output = "text"; ///< text, json, name
 };

@@ -49,15 +49,20 @@ Result<fs::path> unpacked_motorcycle(const fs::path& cache, const fs::path& root
 
 } // namespace
 
-fs::path cache_dir() {
+std::optional<fs::path> own_cache_dir() {
     const char* cache = std::getenv("XDG_CACHE_HOME");
     if (cache != nullptr && *cache == '/') {
         return fs::path(cache) / "cdcluster";
     }
     const char* home = std::getenv("HOME");
-    const fs::path base =
-        home != nullptr && *home == '/' ? fs::path(home) / ".cache" : fs::temp_directory_path();
-    return base / "cdcluster";
+    if (home != nullptr && *home == '/') {
+        return fs::path(home) / ".cache" / "cdcluster";
+    }
+    return std::nullopt;
+}
+
+fs::path cache_dir() {
+    return own_cache_dir().value_or(fs::temp_directory_path() / "cdcluster");
 }
 
 Result<std::array<fs::path, 2>> find_vehicles(const fs::path& cache, const fs::path& root) {

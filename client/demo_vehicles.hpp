@@ -5,10 +5,15 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 
 namespace cd {
 
-/// Where this user's cached files are: $XDG_CACHE_HOME or ~/.cache, and cdcluster below it.
+/// Where this user's cached files are: $XDG_CACHE_HOME or ~/.cache, and cdcluster below it. Nothing
+/// where the environment names neither.
+[[nodiscard]] std::optional<std::filesystem::path> own_cache_dir();
+
+/// The same, or a place among the temporary files that other users may share.
 [[nodiscard]] std::filesystem::path cache_dir();
 
 /// The motorcycle with its rider (331,653 triangles) and the tram (36,762). The first is unpacked

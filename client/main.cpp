@@ -2,12 +2,14 @@
 #include "client/cli.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_commands.hpp"
+#include "client/heap.hpp"
 
 #include <cstdio>
 #include <exception>
 
 int main(int argc, char** argv) {
     try {
+        cd::keep_heap_small();
         const cd::CommandLine line = cd::parse_command_line({argv + 1, argv + argc});
         if (!line.command) {
             std::fputs(line.text.c_str(), line.exit_code == 0 ? stdout : stderr);

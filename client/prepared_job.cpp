@@ -1,13 +1,14 @@
 #include "client/prepared_job.hpp"
 
+#include "client/body_trees.hpp"
 #include "client/mesh_import.hpp"
 #include "client/poses/pose_file.hpp"
 #include "client/units.hpp"
 #include "client/words.hpp"
 #include "common/geometry/topology.hpp"
-#include "common/tree/build.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace cd {
 
@@ -48,12 +49,21 @@ Status import_bodies(PreparedJob& job) {
     return Done{};
 }
 
-void build_trees(PreparedJob& job, ThreadPool& pool) {
-    const auto build = [&](std::size_t body) {
-        return std::make_shared<const ObbTree>(build_tree(job.meshes[body], {}, pool));
-    };
-    job.trees[0] = build(0);
-    job.trees[1] = job.meshes[1] == job.meshes[0] ? job.trees[0] : build(1);
+TreeUse tree_use(const PreparedJob& job, Trees trees) {
+    TreeUse use;
+    if (trees == Trees::Always) {
+        use.searches_exactly = job.query.tolerance == 0;
+        use.searches_cuts = !use.searches_exactly;
+        use.settles = job.query.level >= Level::Count;
+    }
+    return use;
+}
+
+void get_trees(PreparedJob& job, Trees trees, TreeCache& cache, ThreadPool& pool) {
+    job.trees = make_body_trees(job.meshes, tree_use(job, trees), cache, pool);
+    for (std::string& warning : cache.take_warnings()) {
+        job.warnings.push_back(std::move(warning));
+    }
 }
 
 /// How the poses came about, for the header.
@@ -125,7 +135,7 @@ void describe(PreparedJob& job) {
 
 } // namespace
 
-Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, ThreadPool& pool) {
+Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool) {
     PreparedJob job;
     job.spec = std::move(spec);
     if (Status imported = import_bodies(job); !imported) {
@@ -138,7 +148,7 @@ Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, ThreadPool& pool) {
     job.query = {
         job.spec.level, job.spec.tolerance, job.spec.limit_pairs, std::move(ignored.value())};
     if (trees == Trees::Always || std::holds_alternative<RandomPoses>(job.spec.poses)) {
-        build_trees(job, pool);
+        get_trees(job, trees, cache, pool);
     }
     if (Status made = make_poses(job, pool); !made) {
         return made.error();

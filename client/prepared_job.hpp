@@ -4,6 +4,7 @@
 #include "client/export/result_writer.hpp"
 #include "client/job_file.hpp"
 #include "client/report.hpp"
+#include "client/tree_cache.hpp"
 #include "common/core/result.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/job/pose_source.hpp"
@@ -34,9 +35,11 @@ struct PreparedJob {
 /// here, from trees.
 enum class Trees : std::uint8_t { Always, ForPosesOnly };
 
-/// Imports the meshes, resolves what is ignored, opens or makes the poses. All of the same bits for
-/// any number of threads. Errors: BadInput, NotFound and Io, each naming the file.
-[[nodiscard]] Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, ThreadPool& pool);
+/// Imports the meshes, resolves what is ignored, opens or makes the poses, gets the trees, each in
+/// the forms that the job walks. All of the same bits for any number of threads, whatever the cache
+/// holds. Errors: BadInput, NotFound and Io, each naming the file.
+[[nodiscard]] Result<PreparedJob>
+prepare_job(JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool);
 
 [[nodiscard]] ExportContext export_context(const PreparedJob& job);
 

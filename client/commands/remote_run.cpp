@@ -101,7 +101,8 @@ int execute(const SubmitCommand& command) {
         return fail(spec.error());
     }
     ThreadPool pool(command.threads);
-    auto job = prepare_job(std::move(spec.value()), Trees::ForPosesOnly, pool);
+    TreeCache cache(tree_cache_folder(command.tree_cache));
+    auto job = prepare_job(std::move(spec.value()), Trees::ForPosesOnly, cache, pool);
     if (!job) {
         return fail(job.error());
     }

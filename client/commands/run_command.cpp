@@ -3,6 +3,7 @@
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_commands.hpp"
 #include "client/exit_code.hpp"
+#include "client/heap.hpp"
 #include "client/interrupt.hpp"
 #include "client/local_run.hpp"
 #include "client/words.hpp"
@@ -137,11 +138,13 @@ int run_job(const RunCommand& command) {
         return fail(simd.error());
     }
     ThreadPool pool(command.threads);
-    auto job =
-        prepare_job(std::move(spec.value()), here ? Trees::Always : Trees::ForPosesOnly, pool);
+    TreeCache cache(tree_cache_folder(command.tree_cache));
+    auto job = prepare_job(
+        std::move(spec.value()), here ? Trees::Always : Trees::ForPosesOnly, cache, pool);
     if (!job) {
         return fail(job.error());
     }
+    return_free_memory();
     print_header(job.value(), command.quiet);
     if (command.dry_run) {
         return exit_done;

@@ -7,6 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <optional>
+
 namespace cd::tests {
 
 using testing::HasSubstr;
@@ -86,6 +89,44 @@ TEST(CommandLine, AToleranceAndAFirstStageAreRead) {
     const CommandLine submit = parse_command_line({"submit", "job.toml", "--tolerance", "1e-3"});
     ASSERT_TRUE(submit.command) << submit.text;
     EXPECT_EQ(std::get<SubmitCommand>(*submit.command).job.tolerance, 1e-3);
+}
+
+TEST(CommandLine, TreesAreKeptWhereTheOptionOrTheEnvironmentSays) {
+    const auto folder_of = [](std::vector<std::string> arguments) {
+        const CommandLine line = parse_command_line(std::move(arguments));
+        if (!line.command) {
+            return line.text;
+        }
+        const auto* run = std::get_if<RunCommand>(&*line.command);
+        return run != nullptr ? run->tree_cache : std::get<SubmitCommand>(*line.command).tree_cache;
+    };
+    const auto before = [](const char* name) {
+        const char* value = ::getenv(name);
+        return value == nullptr ? std::optional<std::string>() : std::string(value);
+    };
+    const auto restore = [](const char* name, const std::optional<std::string>& value) {
+        value ? ::setenv(name, value->c_str(), 1) : ::unsetenv(name);
+    };
+    const auto cache = before("XDG_CACHE_HOME");
+    const auto home = before("HOME");
+    const auto trees = before("CDCTL_TREE_CACHE");
+    ::unsetenv("CDCTL_TREE_CACHE");
+    ::setenv("XDG_CACHE_HOME", "/x", 1);
+    ::setenv("HOME", "/h", 1);
+    EXPECT_EQ(folder_of({"run", "j.toml"}), "/x/cdcluster/trees");
+    EXPECT_EQ(folder_of({"submit", "j.toml"}), "/x/cdcluster/trees");
+    EXPECT_EQ(folder_of({"run", "j.toml", "--tree-cache", "off"}), "off");
+    EXPECT_EQ(folder_of({"submit", "j.toml", "--tree-cache", "here"}), "here");
+    ::unsetenv("XDG_CACHE_HOME");
+    EXPECT_EQ(folder_of({"run", "j.toml"}), "/h/.cache/cdcluster/trees");
+    ::unsetenv("HOME");
+    EXPECT_EQ(folder_of({"run", "j.toml"}), "off") << "never where others may write";
+    ::setenv("CDCTL_TREE_CACHE", "/t", 1);
+    EXPECT_EQ(folder_of({"run", "j.toml"}), "/t");
+    EXPECT_EQ(folder_of({"run", "j.toml", "--tree-cache", "off"}), "off");
+    restore("XDG_CACHE_HOME", cache);
+    restore("HOME", home);
+    restore("CDCTL_TREE_CACHE", trees);
 }
 
 TEST(CommandLine, RemoteVerbsHaveAMasterOnLoopback) {

@@ -257,6 +257,34 @@ TEST_F(Run, WrongInputsAreOneLineThatNamesTheFile) {
     EXPECT_FALSE(fs::exists(dir_ / "out"));
 }
 
+TEST_F(Run, KeptTreesGiveTheSameDigestAndNeverAnError) {
+    const auto digest_at = [&](const std::string& tree_cache, const std::string& level) {
+        command_.tree_cache = tree_cache;
+        command_.job.level = level;
+        EXPECT_EQ(run(), exit_done) << stderr_;
+        return nlohmann::json::parse(read("out/summary.json"))["digest"];
+    };
+    const fs::path folder = dir_ / "trees";
+    for (const char* level : {"any", "contacts"}) {
+        const auto expected = digest_at("off", level);
+        EXPECT_EQ(digest_at(folder.string(), level), expected) << "that makes them";
+        EXPECT_EQ(digest_at(folder.string(), level), expected) << "that finds them";
+        EXPECT_EQ(stderr_, "");
+        std::size_t damaged = 0;
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            fs::resize_file(entry.path(), entry.file_size() / 2);
+            ++damaged;
+        }
+        EXPECT_EQ(digest_at(folder.string(), level), expected) << "that makes them again";
+        EXPECT_EQ(std::count(stderr_.begin(), stderr_.end(), '\n'), std::ptrdiff_t(damaged));
+        EXPECT_THAT(stderr_, HasSubstr("warning: a tree is built anew: "));
+        EXPECT_EQ(digest_at(folder.string(), level), expected);
+        EXPECT_EQ(stderr_, "");
+        EXPECT_EQ(digest_at((dir_ / "a.obj").string(), level), expected) << "that is no folder";
+        EXPECT_THAT(stderr_, HasSubstr("warning: a tree is not kept for later runs: "));
+    }
+}
+
 TEST_F(Run, ExitCodesFollowTheSummary) {
     Summary summary;
     summary.total = 2;

@@ -39,6 +39,7 @@ Process::Process(const std::vector<std::string>& command, std::filesystem::path 
     }
     arguments.push_back(nullptr);
 
+    ::setenv("CDCTL_TREE_CACHE", "off", 0); // A test leaves nothing in its user's cache.
     const std::string errors = output_.string() + ".err";
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
