@@ -36,6 +36,7 @@ struct Told {
     std::uint64_t wrong_any;
     std::uint64_t box_tests;
     std::uint64_t triangle_tests;
+    TestCosts test_costs;
 };
 
 /// Anonymous memory of this process, once what was freed is given back.
@@ -118,6 +119,7 @@ class Contestant {
     void check() {
         const std::size_t judged_a_pose =
             std::max<std::size_t>(1, judged_.size() / scene_.poses.size());
+        told_.test_costs = meshes_->test_costs(scene_.poses);
         for (std::size_t p = 0; p < scene_.poses.size(); ++p) {
             MeshAnswer answer = meshes_->ask(scene_.poses[p], level_);
             told_.box_tests += answer.box_tests;
@@ -291,6 +293,7 @@ void find_all_pairs(const Scene& scene,
         outcome.extra = told.extra;
         outcome.box_tests = told.box_tests;
         outcome.triangle_tests = told.triangle_tests;
+        outcome.test_costs = told.test_costs;
         outcome.judged = told.judged;
         outcome.ours_wrong = ours_wrong(scene, lanes[i]->judged());
     }

@@ -65,6 +65,13 @@ struct MeshAnswer {
     std::uint64_t triangle_tests = 0; ///< and its N_p; 0 where the engine does not say.
 };
 
+/// What one test of boxes and one of triangles take: the paper's C_b and C_p; 0 where the engine
+/// does not say.
+struct TestCosts {
+    double box_ns = 0;
+    double triangle_ns = 0;
+};
+
 /// Decides whole meshes.
 class MeshEngine {
   public:
@@ -80,6 +87,8 @@ class MeshEngine {
 
     /// Everything loaded that a query may read; 0 where the engine does not say.
     [[nodiscard]] virtual std::uint64_t resident_bytes() const { return 0; }
+    /// Of the search for all pairs, under the poses.
+    [[nodiscard]] virtual TestCosts test_costs(std::span<const PosePair>) const { return {}; }
     /// An engine for one more thread, on what this one has loaded; null where there is none.
     [[nodiscard]] virtual std::unique_ptr<MeshEngine> for_another_thread() const { return nullptr; }
 };

@@ -1,8 +1,10 @@
 // Ours and every installed peer on the same poses and meshes, in turns. See README.md.
 #include "bench/accuracy/machine.hpp"
+#include "bench/floor_kernels.hpp"
 #include "bench/peers/contest.hpp"
 #include "bench/peers/ours.hpp"
 #include "bench/peers/peers.hpp"
+#include "bench/peers/room.hpp"
 #include "bench/peers/scenes.hpp"
 #include "bench/peers/tables.hpp"
 #include "bench/peers/threads.hpp"
@@ -24,6 +26,7 @@ struct Options {
     SceneOptions scenes;
     ContestOptions contest;
     unsigned limit_seconds = 300;
+    double thread_seconds = 0.5;
     std::string only;
 };
 
@@ -87,8 +90,12 @@ int last_cpu() {
     return last;
 }
 
-bool is_one_for_threads(const std::string& name) {
-    return name == "drivaer x sedan" || name == "truck x car";
+void write_floor(const std::filesystem::path& folder) {
+    CsvFile csv(folder / "floor.csv", {"kernel", "ns"});
+    const FloorTimes times = measure_floor();
+    csv.row({"boxes", cell(times.box_ns)});
+    csv.row({"sides", cell(times.side_ns)});
+    csv.row({"decision", cell(times.decision_ns)});
 }
 
 void run(const Options& options) {
@@ -100,10 +107,13 @@ void run(const Options& options) {
         std::fprintf(
             stderr, "MISSING: %s was not installed at build time: no rows\n", name.c_str());
     }
+    write_floor(options.out);
+    Room room;
     Tables tables(options.out);
     CsvFile threads = open_threads_csv(options.out);
     CsvFile builds = open_builds_csv(options.out);
-    const ThreadOptions thread_options{5, options.contest.limit};
+    const ThreadOptions thread_options{
+        options.contest.rounds, options.thread_seconds, options.contest.limit};
     for (const SceneSource& source : scene_sources(options.scenes)) {
         if (source.name.find(options.only) == std::string::npos) {
             continue;
@@ -115,14 +125,13 @@ void run(const Options& options) {
             continue;
         }
         const Reference reference(*scene, engines.all.front(), options.contest.limit);
-        const auto& taking_part = source.suite == "scenes" ? engines.all : scaling;
-        tables.add(source,
-                   *scene,
-                   reference,
-                   run_contest(*scene, reference, taking_part, options.contest));
-        if (is_one_for_threads(source.name)) {
-            run_threads(*scene, engines.all.front(), thread_options, threads);
-        }
+        const std::uint64_t triangles = scene->a->triangles().size() + scene->b->triangles().size();
+        const std::vector<Engine> taking_part =
+            room.fitting(source.suite == "scenes" ? engines.all : scaling, triangles);
+        const auto outcomes = run_contest(*scene, reference, taking_part, options.contest);
+        room.learn(outcomes, triangles);
+        tables.add(source, *scene, reference, outcomes);
+        run_threads(source.suite, *scene, engines.all.front(), thread_options, threads);
         if (source.name == "motorbike x motorbike") {
             run_builds("motorbike", scene->a, thread_options, builds);
         }
@@ -153,6 +162,8 @@ int main(int argc, char** argv) {
     app.add_option("--rounds", options.contest.rounds, "Rounds, of which the median is taken");
     app.add_option("--passes", options.contest.passes, "Passes for any contact; the best is taken");
     app.add_option("--budget", options.contest.budget_seconds, "Seconds of an engine's rounds");
+    app.add_option(
+        "--thread-seconds", options.thread_seconds, "Of a run that threads are timed by");
     app.add_option("--limit", options.limit_seconds, "Seconds for an engine on all poses");
     app.add_option("--judged", options.contest.judged_max, "Disagreements put to the oracle");
     app.add_option("--cpu", options.contest.cpu, "Processor for all engines; -1 is any");

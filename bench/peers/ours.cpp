@@ -4,6 +4,7 @@
 #include "common/core/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/tree/build.hpp"
+#include "common/tree/search_cost.hpp"
 #include "common/tree/traverse.hpp"
 
 #include <string>
@@ -69,6 +70,13 @@ class OurMeshes final : public MeshEngine {
 
     [[nodiscard]] std::uint64_t resident_bytes() const override {
         return bytes_of(a_->view()) + bytes_of(b_->view());
+    }
+
+    [[nodiscard]] TestCosts test_costs(std::span<const PosePair> poses) const override {
+        SearchCostOptions options;
+        options.time_max = std::chrono::seconds(1);
+        const auto cost = measure_search_cost(a_->view(), b_->view(), poses, options);
+        return cost ? TestCosts{cost->box_test_ns, cost->triangle_test_ns} : TestCosts{};
     }
 
     [[nodiscard]] std::unique_ptr<MeshEngine> for_another_thread() const override {

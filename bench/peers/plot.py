@@ -4,6 +4,7 @@
     plot.py FOLDER            writes peers.{svg,png} and scaling.{svg,png} there
 """
 import os
+import statistics
 import sys
 
 import matplotlib
@@ -76,7 +77,24 @@ def draw_contacts(axes, poses):
     axes.legend(fontsize=6)
 
 
-def draw_scaling(folder, scenes, engines, poses):
+def draw_threads(axes, threads, scenes):
+    """How many times as fast two threads are: of each size the pairs of runs, and their median."""
+    counts = {row["scene"]: number(row, "triangles_a") + number(row, "triangles_b")
+              for row in select(scenes, suite="size")}
+    rows = select(threads, suite="size")
+    axes.scatter([counts[row["scene"]] for row in rows], [number(row, "ratio") for row in rows], s=6)
+    names = in_order(rows, "scene")
+    axes.plot([counts[name] for name in names],
+              [statistics.median(number(row, "ratio") for row in select(rows, scene=name))
+               for name in names], linewidth=0.8)
+    axes.set_xscale("log")
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel("triangles of both bodies")
+    axes.set_ylabel("all pairs, 2 threads against 1")
+    axes.grid(True, which="major", linewidth=0.3)
+
+
+def draw_scaling(folder, scenes, engines, poses, threads):
     size = select(engines, suite="size")
     depth = select(engines, suite="depth")
     counts = {row["scene"]: number(row, "triangles_a") + number(row, "triangles_b")
@@ -85,7 +103,7 @@ def draw_scaling(folder, scenes, engines, poses):
     def triangles(row):
         return counts[row["scene"]]
 
-    figure, axes = plt.subplots(2, 3, figsize=(15, 8.5))
+    figure, axes = plt.subplots(2, 4, figsize=(20, 8.5))
     count = "triangles of both bodies"
     draw_lines(axes[0][0], size, triangles, "mean_us", (count, "all pairs, mean us"))
     draw_lines(axes[0][1], size, triangles, "any_best_us", (count, "any contact, mean us"))
@@ -94,6 +112,9 @@ def draw_scaling(folder, scenes, engines, poses):
     draw_contacts(axes[1][1], poses)
     draw_lines(axes[1][2], depth, lambda row: 100 * number(row, "x"), "mean_us",
                ("depth, % of B's diagonal", "all pairs, mean us"))
+    draw_threads(axes[0][3], threads, scenes)
+    draw_lines(axes[1][3], depth, lambda row: 100 * number(row, "x"), "any_best_us",
+               ("depth, % of B's diagonal", "any contact, mean us"))
     figure.tight_layout()
     save(figure, folder, "scaling")
 
@@ -102,7 +123,8 @@ def main():
     folder = sys.argv[1]
     engines = read(folder, "engines")
     draw_peers(folder, engines)
-    draw_scaling(folder, read(folder, "scenes"), engines, read(folder, "poses"))
+    draw_scaling(folder, read(folder, "scenes"), engines, read(folder, "poses"),
+                 read(folder, "threads"))
 
 
 if __name__ == "__main__":

@@ -91,7 +91,9 @@ std::vector<std::string> cells_of_load(const Outcome& outcome, const Scene& scen
             each(outcome.memory_bytes),
             each(outcome.resident_bytes),
             pose_mean(outcome.box_tests),
-            pose_mean(outcome.triangle_tests)};
+            pose_mean(outcome.triangle_tests),
+            known(outcome.test_costs.box_ns, outcome.test_costs.box_ns > 0),
+            known(outcome.test_costs.triangle_ns, outcome.test_costs.triangle_ns > 0)};
 }
 
 void add_scene(CsvFile& csv,
@@ -160,6 +162,8 @@ Tables::Tables(const std::filesystem::path& folder)
                "resident_bytes_triangle",
                "box_tests",
                "triangle_tests",
+               "box_test_ns",
+               "triangle_test_ns",
                "ending",
                "pairs_found",
                "missing",

@@ -11,12 +11,15 @@ namespace cd::bench {
 
 struct ThreadOptions {
     std::size_t rounds = 5;
+    /// As many passes over the poses as take so long on one thread: a shorter run says little.
+    double run_seconds = 0.5;
     std::chrono::seconds limit{120};
 };
 
 /// All pairs of a scene's poses, shared out to one thread and to two that search the same trees, in
 /// turn; a row a round.
-void run_threads(const Scene& scene,
+void run_threads(const std::string& suite,
+                 const Scene& scene,
                  const Engine& ours,
                  const ThreadOptions& options,
                  CsvFile& csv);
