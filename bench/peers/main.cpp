@@ -28,6 +28,7 @@ struct Options {
     unsigned limit_seconds = 300;
     double thread_seconds = 0.5;
     std::string only;
+    std::string peers;
 };
 
 struct MeshEngines {
@@ -100,7 +101,10 @@ void write_floor(const std::filesystem::path& folder) {
 
 void run(const Options& options) {
     std::filesystem::create_directories(options.out);
-    const MeshEngines engines = mesh_engines();
+    MeshEngines engines = mesh_engines();
+    std::erase_if(engines.all, [&](const Engine& engine) {
+        return !engine.is_ours && engine.name.find(options.peers) == std::string::npos;
+    });
     const std::vector<Engine> scaling = scaling_engines(engines.all);
     write_machine(options.out, engines.missing);
     for (const std::string& name : engines.missing) {
@@ -153,6 +157,7 @@ int main(int argc, char** argv) {
                    options.scenes.scenarios,
                    "Folder of the pose files; by default `scenarios` beside that of the meshes");
     app.add_option("--only", options.only, "Scenes with this in their names");
+    app.add_option("--peers", options.peers, "Peers with this in their names");
     app.add_option("--poses", options.scenes.poses, "Poses of a scene")
         ->check(CLI::Range(1, 100000));
     app.add_option("--scaling-poses", options.scenes.scaling_poses, "Poses of a scene of scaling")
