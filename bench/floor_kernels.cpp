@@ -217,9 +217,7 @@ HWY_AFTER_NAMESPACE();
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -378,25 +376,6 @@ FloorCounts FloorKernels::decision() {
         data_->blocks_a.view(), data_->blocks_b.view(), data_->across, verdicts);
     const auto left = std::count(verdicts.begin(), verdicts.end(), FloatVerdict::Proper);
     return {data_->across.size(), static_cast<std::uint64_t>(left)};
-}
-
-FloorTimes measure_floor() {
-    FloorKernels kernels;
-    const auto best_ns = [&](FloorCounts (FloorKernels::*kernel)()) {
-        constexpr int runs = 2000;
-        double best = std::numeric_limits<double>::infinity();
-        for (int i = 0; i < runs; ++i) {
-            const auto start = std::chrono::steady_clock::now();
-            const FloorCounts counts = (kernels.*kernel)();
-            const std::chrono::duration<double, std::nano> spent =
-                std::chrono::steady_clock::now() - start;
-            best = std::min(best, spent.count() / static_cast<double>(counts.looked_at));
-        }
-        return best;
-    };
-    return {best_ns(&FloorKernels::boxes),
-            best_ns(&FloorKernels::sides),
-            best_ns(&FloorKernels::decision)};
 }
 
 } // namespace cd::bench
