@@ -1,5 +1,5 @@
-// What doubles prove of as many pairs as a vector of them has lanes: the signs of DoubleSigns, and
-// the procedure of pair_decision.hpp for triangles with area. Compiled for every target.
+// What doubles prove of as many pairs as a vector of them has lanes: the procedure of
+// pair_decision.hpp for triangles with area. Compiled for every target.
 
 // Highway's guard: once for each target.
 #if defined(CD_DOUBLE_PAIRS_DECIDE_INL_HPP) == defined(HWY_TARGET_TOGGLE)
@@ -10,9 +10,12 @@
 #endif
 
 #include "common/geometry/double_pairs_frame-inl.hpp"
+#include "common/geometry/double_pairs_signs-inl.hpp"
 #include "common/geometry/triangle_pair.hpp"
 
 #include <hwy/highway.h>
+
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace cd {
@@ -22,124 +25,6 @@ namespace double_pairs {
 constexpr std::size_t next(std::size_t corner) {
     return (corner + 1) % 3;
 }
-
-HWY_INLINE M any_of(M x, M y, M z) {
-    return hn::Or(hn::Or(x, y), z);
-}
-
-HWY_INLINE M all_of(M x, M y, M z) {
-    return hn::And(hn::And(x, y), z);
-}
-
-struct SizedVec {
-    Sized x;
-    Sized y;
-    Sized z;
-};
-
-HWY_INLINE SizedVec between(const Component (&from)[3], const Component (&to)[3]) {
-    return {between(from[0], to[0]), between(from[1], to[1]), between(from[2], to[2])};
-}
-
-/// a d - b c.
-HWY_INLINE Sized determinant(const Sized& a, const Sized& b, const Sized& c, const Sized& d) {
-    return {hn::Sub(hn::Mul(a.value, d.value), hn::Mul(b.value, c.value)),
-            hn::Add(hn::Mul(a.size, d.size), hn::Mul(b.size, c.size))};
-}
-
-/// With sizes raised against underflow.
-HWY_INLINE Sized raised(const Sized& s) {
-    return {s.value, hn::Add(s.size, hn::Set(Doubles(), double_signs::size_raise))};
-}
-
-HWY_INLINE SizedVec cross(const SizedVec& l, const SizedVec& r) {
-    return {raised(determinant(l.y, l.z, r.y, r.z)),
-            raised(determinant(l.z, l.x, r.z, r.x)),
-            raised(determinant(l.x, l.y, r.x, r.y))};
-}
-
-HWY_INLINE V dot(V lx, V ly, V lz, V rx, V ry, V rz) {
-    return hn::Add(hn::Add(hn::Mul(lx, rx), hn::Mul(ly, ry)), hn::Mul(lz, rz));
-}
-
-HWY_INLINE Sized dot(const SizedVec& l, const SizedVec& r) {
-    return {dot(l.x.value, l.y.value, l.z.value, r.x.value, r.y.value, r.z.value),
-            dot(l.x.size, l.y.size, l.z.size, r.x.size, r.y.size, r.z.size)};
-}
-
-/// Where a sign is proven, and to be what.
-struct Sign {
-    M positive;
-    M negative;
-    M zero;
-};
-
-HWY_INLINE M is_known(const Sign& s) {
-    return any_of(s.positive, s.negative, s.zero);
-}
-
-/// Proves signs, as DoubleSigns.
-class Prover {
-  public:
-    HWY_INLINE Prover(M is_tame, double bound_scale)
-        : is_tame_(is_tame),
-          volume_bound_(hn::Set(Doubles(), bound_scale * double_signs::volume_bound)),
-          area_bound_(hn::Set(Doubles(), bound_scale * double_signs::area_bound)) {}
-
-    /// `is_one` says where corners that are one point make it 0.
-    HWY_INLINE Sign volume_sign(const Sized& volume, M is_one) const {
-        const M is_least = hn::Lt(volume.size, hn::Set(Doubles(), double_signs::term_least));
-        return sign(volume.value,
-                    hn::Mul(volume_bound_, volume.size),
-                    hn::Or(is_one, hn::And(is_tame_, is_least)));
-    }
-    HWY_INLINE Sign area_sign(const Sized& area, M is_one) const {
-        const M is_nothing = hn::Eq(area.size, hn::Zero(Doubles()));
-        return sign(area.value,
-                    hn::Mul(area_bound_, area.size),
-                    hn::Or(is_one, hn::And(is_tame_, is_nothing)));
-    }
-
-  private:
-    static HWY_INLINE Sign sign(V value, V error, M is_zero) {
-        const V bound = hn::Add(error, hn::Set(Doubles(), double_signs::underflow));
-        const M positive = hn::Gt(value, bound);
-        const M negative = hn::Lt(value, hn::Neg(bound));
-        return {positive, negative, hn::AndNot(hn::Or(positive, negative), is_zero)};
-    }
-
-    M is_tame_;
-    V volume_bound_;
-    V area_bound_;
-};
-
-/// Of a triangle's corners against the other's plane.
-struct Sides {
-    M positive[3];
-    M negative[3];
-    M zero[3];
-
-    HWY_INLINE void set(std::size_t corner, const Sign& sign) {
-        positive[corner] = sign.positive;
-        negative[corner] = sign.negative;
-        zero[corner] = sign.zero;
-    }
-    HWY_INLINE M are_known() const {
-        return all_of(is_known({positive[0], negative[0], zero[0]}),
-                      is_known({positive[1], negative[1], zero[1]}),
-                      is_known({positive[2], negative[2], zero[2]}));
-    }
-    HWY_INLINE M are_one_sided() const {
-        return hn::Or(all_of(positive[0], positive[1], positive[2]),
-                      all_of(negative[0], negative[1], negative[2]));
-    }
-    HWY_INLINE M are_flat() const { return all_of(zero[0], zero[1], zero[2]); }
-    /// With both signs.
-    HWY_INLINE M do_cross() const {
-        return hn::And(any_of(positive[0], positive[1], positive[2]),
-                       any_of(negative[0], negative[1], negative[2]));
-    }
-};
 
 /// `lone_corner` of pair_decision.hpp, which is the first where it is none of these.
 struct Lone {
@@ -184,26 +69,32 @@ arranged(T x0, T x1, T x2, Choice is_second, Choice is_third, Choice is_opposite
 }
 
 /// The corners p, q, r of Guigue and Devillers.
+template <class C>
 struct Turned {
-    Component p[3];
-    Component q[3];
-    Component r[3];
+    C p[3];
+    C q[3];
+    C r[3];
 };
 
-HWY_INLINE Turned turned(const Components& of, const Lone& lone, M is_opposite) {
-    Turned to;
+template <class C>
+HWY_INLINE Turned<C> turned(const C (&of)[3][3], const Lone& lone, M is_opposite) {
+    Turned<C> to;
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto at = arranged(
-            of[0][k].at, of[1][k].at, of[2][k].at, lone.is_second, lone.is_third, is_opposite);
-        const auto error = arranged(of[0][k].error,
-                                    of[1][k].error,
-                                    of[2][k].error,
-                                    lone.is_second,
-                                    lone.is_third,
-                                    is_opposite);
-        to.p[k] = {at.lone, error.lone};
-        to.q[k] = {at.second, error.second};
-        to.r[k] = {at.third, error.third};
+        const auto arrange = [&](V C::*member) {
+            const auto all = arranged(of[0][k].*member,
+                                      of[1][k].*member,
+                                      of[2][k].*member,
+                                      lone.is_second,
+                                      lone.is_third,
+                                      is_opposite);
+            to.p[k].*member = all.lone;
+            to.q[k].*member = all.second;
+            to.r[k].*member = all.third;
+        };
+        arrange(&C::at);
+        if constexpr (std::is_same_v<C, Component>) {
+            arrange(&C::error);
+        }
     }
     return to;
 }
@@ -214,7 +105,8 @@ class OnePoints {
     using Ints = hn::RebindToSigned<Doubles>;
     using Bits = hn::Vec<Ints>;
 
-    HWY_INLINE OnePoints(const Frame& frame) : bits_(hn::Zero(Ints())) {
+    template <class C>
+    HWY_INLINE explicit OnePoints(const Frame<C>& frame) : bits_(hn::Zero(Ints())) {
         for (std::size_t i = 0; i < 3; ++i) {
             for (std::size_t j = 0; j < 3; ++j) {
                 const Bits bit = hn::Set(Ints(), std::int64_t{1} << (3 * i + j));
@@ -253,17 +145,16 @@ HWY_INLINE V code(PairClass kind) {
 }
 
 /// `decide_crossing` of pair_decision.hpp; besides, triangles that share a corner touch.
-HWY_INLINE V decide_crossing(const Frame& frame,
-                             const Prover& prover,
-                             const Sides& of_a,
-                             const Sides& of_b) {
+template <class C>
+HWY_INLINE V
+decide_crossing(const Frame<C>& frame, const Prover& prover, const Sides& of_a, const Sides& of_b) {
     const Lone lone_a = lone_corner(of_a);
     const Lone lone_b = lone_corner(of_b);
     const M turns_a = hn::Not(lone_b.is_above);
     const M turns_b = hn::Not(lone_a.is_above);
-    const Turned a = turned(frame.a, lone_a, turns_a);
-    const Turned b = turned(frame.b, lone_b, turns_b);
-    const Turned b_across = turned(frame.b_across, lone_b, turns_b);
+    const Turned<C> a = turned(frame.a, lone_a, turns_a);
+    const Turned<C> b = turned(frame.b, lone_b, turns_b);
+    const Turned<C> b_across = turned(frame.b_across, lone_b, turns_b);
 
     const OnePoints ones(frame);
     const auto rows = OnePoints::pairs_of(double_signs::all_with_a, 3, lone_a, turns_a);
@@ -287,30 +178,43 @@ HWY_INLINE V decide_crossing(const Frame& frame,
 }
 
 /// The two coordinates that follow an axis.
-struct View {
-    M is_x;
-    M is_y;
-
+class View {
+  public:
     /// The longest of a normal.
     HWY_INLINE explicit View(const SizedVec& normal) {
         const V x = hn::Abs(normal.x.value);
         const V y = hn::Abs(normal.y.value);
         const V z = hn::Abs(normal.z.value);
-        is_x = hn::And(hn::Ge(x, y), hn::Ge(x, z));
-        is_y = hn::Ge(y, z);
+        is_x_ = hn::And(hn::Ge(x, y), hn::Ge(x, z));
+        is_y_ = hn::Ge(y, z);
     }
     HWY_INLINE V along(V of_x, V of_y, V of_z) const {
-        return hn::IfThenElse(is_x, of_x, hn::IfThenElse(is_y, of_y, of_z));
+        return hn::IfThenElse(is_x_, of_x, hn::IfThenElse(is_y_, of_y, of_z));
     }
     HWY_INLINE Sized along(const SizedVec& of) const {
         return {along(of.x.value, of.y.value, of.z.value), along(of.x.size, of.y.size, of.z.size)};
     }
-    HWY_INLINE Component first(const Component (&of)[3]) const {
-        return {along(of[1].at, of[2].at, of[0].at), along(of[1].error, of[2].error, of[0].error)};
+    template <class C>
+    HWY_INLINE C first(const C (&of)[3]) const {
+        return along(of[1], of[2], of[0]);
     }
-    HWY_INLINE Component second(const Component (&of)[3]) const {
-        return {along(of[2].at, of[0].at, of[1].at), along(of[2].error, of[0].error, of[1].error)};
+    template <class C>
+    HWY_INLINE C second(const C (&of)[3]) const {
+        return along(of[2], of[0], of[1]);
     }
+
+  private:
+    HWY_INLINE ExactComponent along(const ExactComponent& x,
+                                    const ExactComponent& y,
+                                    const ExactComponent& z) const {
+        return {along(x.at, y.at, z.at)};
+    }
+    HWY_INLINE Component along(const Component& x, const Component& y, const Component& z) const {
+        return {along(x.at, y.at, z.at), along(x.error, y.error, z.error)};
+    }
+
+    M is_x_;
+    M is_y_;
 };
 
 /// A difference as it is seen.
@@ -346,21 +250,14 @@ struct EdgesSeen {
     }
 };
 
+template <class C>
 class FlatPairs {
   public:
-    HWY_INLINE FlatPairs(const Frame& frame, const Prover& prover, const View& view)
-        : frame_(frame), prover_(prover) {
+    HWY_INLINE FlatPairs(const Frame<C>& frame, const Prover& prover, const View& view)
+        : frame_(frame), prover_(prover), view_(view) {
         for (std::size_t i = 0; i < 3; ++i) {
-            const Component x = view.first(frame.a[i]);
-            const Component y = view.second(frame.a[i]);
-            const Component x_next = view.first(frame.a[next(i)]);
-            const Component y_next = view.second(frame.a[next(i)]);
-            edges_a_[i] = {between(x, x_next), between(y, y_next)};
-            const Component bx = view.first(frame.b[i]);
-            const Component by = view.second(frame.b[i]);
-            const Component bx_next = view.first(frame.b[next(i)]);
-            const Component by_next = view.second(frame.b[next(i)]);
-            edges_b_[i] = {between(bx, bx_next), between(by, by_next)};
+            const C x = view.first(frame.a[i]);
+            const C y = view.second(frame.a[i]);
             for (std::size_t j = 0; j < 3; ++j) {
                 across_[i][j] = {between(x, view.first(frame.b_across[j])),
                                  between(y, view.second(frame.b_across[j]))};
@@ -368,23 +265,33 @@ class FlatPairs {
         }
     }
 
-    /// The turns of both triangles have the signs of `own_a` and `own_b`.
-    HWY_INLINE EdgesSeen look(V own_a, V own_b) const {
-        EdgesSeen seen;
+    /// Adds what A's edges say of B; A's turns have the sign of `own`.
+    HWY_INLINE void look_from_a(V own, EdgesSeen& seen) const {
         for (std::size_t i = 0; i < 3; ++i) {
-            Sign of_a[3];
-            Sign of_b[3];
+            const Seen edge = seen_edge(frame_.a[i], frame_.a[next(i)]);
+            Sign turns[3];
             for (std::size_t k = 0; k < 3; ++k) {
-                of_a[k] = turn(edges_a_[i], across_[i][k], own_a, one(i, k, next(i), k));
-                of_b[k] = turn(edges_b_[i], across_[k][i].opposite(), own_b, one(k, i, k, next(i)));
+                turns[k] = turn(edge, across_[i][k], own, one(i, k, next(i), k));
             }
-            seen.add(of_a[0], of_a[1], of_a[2]);
-            seen.add(of_b[0], of_b[1], of_b[2]);
+            seen.add(turns[0], turns[1], turns[2]);
         }
-        return seen;
+    }
+    HWY_INLINE void look_from_b(V own, EdgesSeen& seen) const {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Seen edge = seen_edge(frame_.b[i], frame_.b[next(i)]);
+            Sign turns[3];
+            for (std::size_t k = 0; k < 3; ++k) {
+                turns[k] = turn(edge, across_[k][i].opposite(), own, one(k, i, k, next(i)));
+            }
+            seen.add(turns[0], turns[1], turns[2]);
+        }
     }
 
   private:
+    HWY_INLINE Seen seen_edge(const C (&from)[3], const C (&to)[3]) const {
+        return {between(view_.first(from), view_.first(to)),
+                between(view_.second(from), view_.second(to))};
+    }
     HWY_INLINE M one(std::size_t i, std::size_t j, std::size_t i_to, std::size_t j_to) const {
         return hn::Or(frame_.one[i][j], frame_.one[i_to][j_to]);
     }
@@ -395,17 +302,18 @@ class FlatPairs {
         return prover_.area_sign(area, is_one);
     }
 
-    const Frame& frame_;
+    const Frame<C>& frame_;
     const Prover& prover_;
-    Seen edges_a_[3];
-    Seen edges_b_[3];
+    const View& view_;
     Seen across_[3][3]; ///< From corner i of A to corner j of B.
 };
 
 /// `decide_coplanar` of pair_decision.hpp, along the axis on which A's normal is longest; besides,
-/// triangles that share a corner are not apart.
-HWY_INLINE V decide_flat(const Frame& frame,
+/// triangles that share a corner are not apart. Means nothing where they are not `is_flat`.
+template <class C>
+HWY_INLINE V decide_flat(const Frame<C>& frame,
                          const Prover& prover,
+                         M is_flat,
                          const SizedVec& normal_a,
                          const SizedVec& normal_b) {
     const View view(normal_a);
@@ -416,8 +324,16 @@ HWY_INLINE V decide_flat(const Frame& frame,
     const Sign turn_b = prover.area_sign(own_b, none);
     const M have_area =
         hn::And(hn::Or(turn_a.positive, turn_a.negative), hn::Or(turn_b.positive, turn_b.negative));
-    const EdgesSeen seen = FlatPairs(frame, prover, view).look(own_a.value, own_b.value);
-    const M may_part = hn::AndNot(OnePoints(frame).any(), seen.any_open);
+    const M share_corner = OnePoints(frame).any();
+    const FlatPairs flat(frame, prover, view);
+    EdgesSeen seen;
+    flat.look_from_a(own_a.value, seen);
+    // Around one corner an edge of A says it all, unless they overlap.
+    const M is_settled = hn::Or(seen.any_parts, hn::And(seen.any_shuts, share_corner));
+    if (!hn::AllFalse(Doubles(), hn::AndNot(is_settled, is_flat))) {
+        flat.look_from_b(own_b.value, seen);
+    }
+    const M may_part = hn::AndNot(share_corner, seen.any_open);
     V verdict = hn::Set(Doubles(), undecided_pair);
     verdict = hn::IfThenElse(hn::AndNot(may_part, seen.any_shuts), code(PairClass::Touch), verdict);
     verdict = hn::IfThenElse(seen.all_overlap, code(PairClass::Coplanar), verdict);
@@ -426,7 +342,8 @@ HWY_INLINE V decide_flat(const Frame& frame,
 }
 
 /// The class of each pair, or `undecided_pair`.
-HWY_INLINE V decide(const Frame& frame, double bound_scale) {
+template <class C>
+HWY_INLINE V decide(const Frame<C>& frame, double bound_scale) {
     const Doubles d;
     const Prover prover(frame.is_tame, bound_scale);
     const SizedVec normal_a =
@@ -455,7 +372,8 @@ HWY_INLINE V decide(const Frame& frame, double bound_scale) {
         verdict = hn::IfThenElse(is_crossing, decide_crossing(frame, prover, of_a, of_b), verdict);
     }
     if (!hn::AllFalse(d, is_flat)) {
-        verdict = hn::IfThenElse(is_flat, decide_flat(frame, prover, normal_a, normal_b), verdict);
+        verdict = hn::IfThenElse(
+            is_flat, decide_flat(frame, prover, is_flat, normal_a, normal_b), verdict);
     }
     return verdict;
 }

@@ -28,6 +28,11 @@ using M = hn::Mask<Doubles>;
 constexpr std::size_t lanes = hn::MaxLanes(Doubles());
 static_assert(CornersOfMany::pairs % lanes == 0);
 
+/// A coordinate that is a double exactly.
+struct ExactComponent {
+    V at;
+};
+
 /// A coordinate, and what its error adds to sizes.
 struct Component {
     V at;
@@ -45,16 +50,22 @@ HWY_INLINE Sized between(const Component& from, const Component& to) {
     return {value, hn::Add(hn::Abs(value), hn::Add(to.error, from.error))};
 }
 
-/// By corner and axis.
-using Components = Component[3][3];
+HWY_INLINE Sized between(const ExactComponent& from, const ExactComponent& to) {
+    const V value = hn::Sub(to.at, from.at);
+    return {value, hn::Abs(value)};
+}
 
+/// By corner and axis: of ExactCorners, or of PosedCorners.
+template <class C>
 struct Frame {
-    Components a;
-    Components b;        ///< For differences within B,
-    Components b_across; ///< and for those from A.
-    M one[3][3];         ///< Which corners of A and B surely are one point.
+    C a[3][3];
+    C b[3][3];        ///< For differences within B,
+    C b_across[3][3]; ///< and for those from A.
+    M one[3][3];      ///< Which corners of A and B surely are one point.
     M is_tame;
 };
+using ExactFrame = Frame<ExactComponent>;
+using PosedFrame = Frame<Component>;
 
 /// By corner and axis, as they are given.
 struct Given {
@@ -123,7 +134,7 @@ struct BothSums {
 HWY_INLINE BothSums place_both(const RoundedPoses& poses,
                                const Given& given,
                                std::size_t axis,
-                               Frame& to) {
+                               PosedFrame& to) {
     BothSums sums;
     for (std::size_t i = 0; i < 3; ++i) {
         sums.a[i] = placed(poses.bodies[0], given.a[i], axis);
@@ -140,7 +151,7 @@ HWY_INLINE BothSums place_both(const RoundedPoses& poses,
 }
 
 /// Between triangles a difference misses |low_0 - low_0'| at most beside both errors.
-HWY_INLINE void place_exact(const BothSums& sums, std::size_t axis, Frame& to) {
+HWY_INLINE void place_exact(const BothSums& sums, std::size_t axis, PosedFrame& to) {
     const auto& [a, b] = sums;
     const V apart = as_error(hn::Abs(hn::Sub(b[0].low, a[0].low)));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -190,7 +201,7 @@ HWY_INLINE V row_times(const std::array<BothBodies, 3>& row,
 }
 
 HWY_INLINE void
-place_rotated(const RoundedPoses& poses, const Offsets& offsets, std::size_t k, Frame& to) {
+place_rotated(const RoundedPoses& poses, const Offsets& offsets, std::size_t k, PosedFrame& to) {
     const Doubles d;
     Component a[3];
     Component b[3];
@@ -228,11 +239,44 @@ HWY_INLINE M is_known(const RoundedPoses::Body& body, const V (&corner)[3]) {
     return known;
 }
 
-HWY_INLINE void fill(const RoundedPoses& poses, const Given& given, Frame& to) {
+HWY_INLINE M are_pairs_tame(const RoundedPoses& poses, const Given& given) {
     const Doubles d;
-    const M all = hn::Eq(hn::Zero(d), hn::Zero(d));
-    const M none = hn::Lt(hn::Zero(d), hn::Zero(d));
-    to.is_tame = are_tame(given.b, are_tame(given.a, poses.are_tame ? all : none));
+    const V one = hn::Set(d, poses.are_tame ? 1 : 0);
+    return are_tame(given.b, are_tame(given.a, hn::Eq(one, hn::Set(d, 1))));
+}
+
+/// Of bodies that are not rotated against each other; false, and it means nothing, if a coordinate
+/// is not a double exactly.
+HWY_INLINE bool fill(const RoundedPoses& poses, const Given& given, ExactFrame& to) {
+    const Doubles d;
+    M are_exact = hn::Eq(hn::Zero(d), hn::Zero(d));
+    const auto place = [&](const RoundedPoses::Body& body, const V(&corner)[3], std::size_t axis) {
+        if (body.is_none) {
+            return corner[axis];
+        }
+        const Sums sums = placed(body, corner, axis);
+        are_exact = hn::And(are_exact, hn::Eq(sums.low, hn::Zero(d)));
+        return sums.high;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            to.a[i][axis] = {place(poses.bodies[0], given.a[i], axis)};
+            to.b[i][axis] = to.b_across[i][axis] = {place(poses.bodies[1], given.b[i], axis)};
+        }
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            to.one[i][j] = hn::And(
+                hn::And(hn::Eq(to.a[i][0].at, to.b[j][0].at), hn::Eq(to.a[i][1].at, to.b[j][1].at)),
+                hn::Eq(to.a[i][2].at, to.b[j][2].at));
+        }
+    }
+    to.is_tame = are_pairs_tame(poses, given);
+    return hn::AllTrue(d, are_exact);
+}
+
+HWY_INLINE void fill(const RoundedPoses& poses, const Given& given, PosedFrame& to) {
+    to.is_tame = are_pairs_tame(poses, given);
     for (std::size_t i = 0; i < 3; ++i) {
         const M known = is_known(poses.bodies[0], given.a[i]);
         for (std::size_t j = 0; j < 3; ++j) {

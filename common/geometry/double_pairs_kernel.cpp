@@ -23,9 +23,17 @@ void classify_many(const RoundedPoses& poses,
     using namespace double_pairs;
     alignas(64) double found[CornersOfMany::pairs];
     for (std::size_t first = 0; first < count; first += lanes) {
-        Frame frame;
-        fill(poses, load(corners, first), frame);
-        hn::Store(decide(frame, bound_scale), Doubles(), found + first);
+        const Given given = load(corners, first);
+        V verdicts;
+        ExactFrame exact;
+        if (!poses.are_rotated && fill(poses, given, exact)) {
+            verdicts = decide(exact, bound_scale);
+        } else {
+            PosedFrame posed;
+            fill(poses, given, posed);
+            verdicts = decide(posed, bound_scale);
+        }
+        hn::Store(verdicts, Doubles(), found + first);
     }
     for (std::size_t i = 0; i < count; ++i) {
         classes[i] = static_cast<std::uint8_t>(found[i]);
