@@ -1,5 +1,6 @@
 #include "bench/accuracy/ours.hpp"
 
+#include "bench/accuracy/pair_batch.hpp"
 #include "common/core/check.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/geometry/double_triangle_pair.hpp"
@@ -81,10 +82,11 @@ class Certified final : public PairEngine {
         CD_CHECK(force_simd_target(to_text(target_)).has_value());
         std::size_t next = 0;
         for (std::size_t g = 0; g < groups_.size(); ++g) {
-            const PairGroup& group = groups_[g];
-            for (const PairClass kind : tests_[g].classify(group.a, group.b, group.candidates)) {
-                answers[next++] = static_cast<std::uint8_t>(kind);
-            }
+            decide_as_product(tests_[g], groups_[g], [&](std::span<const PairClass> kinds) {
+                for (const PairClass kind : kinds) {
+                    answers[next++] = static_cast<std::uint8_t>(kind);
+                }
+            });
         }
         CD_CHECK(force_simd_target(to_text(before)).has_value());
     }

@@ -8,6 +8,15 @@
 
 namespace cd::bench {
 
+PairGroup first_candidates(PairGroup group, std::size_t count) {
+    const auto first = [&](std::span<const Candidate> all) {
+        return all.first(std::min(all.size(), count));
+    };
+    group.candidates = first(group.candidates);
+    group.in_blocks.candidates = first(group.in_blocks.candidates);
+    return group;
+}
+
 PairBatch::PairBatch(std::span<const tests::PosedPair> pairs) {
     for (std::size_t begin = 0; begin < pairs.size();) {
         std::size_t end = begin + 1;
@@ -49,6 +58,7 @@ PairBatch PairBatch::swapped() const {
         for (const Candidate& c : group.candidates) {
             candidates.push_back({c.b, c.a});
         }
+        // From the mesh's arrays: only the answers are compared.
         other.groups_.push_back({{group.poses.b, group.poses.a}, group.b, group.a, candidates});
     }
     other.count();

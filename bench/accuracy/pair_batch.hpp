@@ -4,6 +4,7 @@
 #include "bench/peers/engine.hpp"
 #include "tests/support/hard_pairs.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <span>
@@ -11,6 +12,29 @@
 #include <vector>
 
 namespace cd::bench {
+
+/// How many candidates a search of our trees decides at once: as ContactSearch does.
+inline constexpr std::size_t candidates_at_once = 512;
+
+/// Decides a group as the product does, and calls `on_kinds` with the classes of some candidates
+/// after the other.
+template <class OnKinds>
+void decide_as_product(TrianglePairTest& test, const PairGroup& group, const OnKinds& on_kinds) {
+    const auto decide = [&](const auto& a, const auto& b, std::span<const Candidate> all) {
+        for (std::size_t i = 0; i < all.size(); i += candidates_at_once) {
+            const std::size_t size = std::min(candidates_at_once, all.size() - i);
+            on_kinds(test.classify(a, b, all.subspan(i, size)));
+        }
+    };
+    if (group.in_blocks.candidates.empty()) {
+        decide(group.a, group.b, group.candidates);
+    } else {
+        decide(group.in_blocks.a, group.in_blocks.b, group.in_blocks.candidates);
+    }
+}
+
+/// The first `count` candidates of a group, or all if there are fewer.
+[[nodiscard]] PairGroup first_candidates(PairGroup group, std::size_t count);
 
 /// Groups with what they refer to. Neighbours under equal poses share a group, as candidates of one
 /// scenario do.

@@ -75,14 +75,12 @@ PairTotals ask(const Engine& engine,
 std::vector<PairGroup> first_groups(const PairBatch& batch, std::size_t pairs_max) {
     std::vector<PairGroup> first;
     std::size_t pairs = 0;
-    for (PairGroup group : batch.groups()) {
+    for (const PairGroup& group : batch.groups()) {
         if (pairs >= pairs_max) {
             break;
         }
-        group.candidates =
-            group.candidates.first(std::min(group.candidates.size(), pairs_max - pairs));
-        pairs += group.candidates.size();
-        first.push_back(group);
+        first.push_back(first_candidates(group, pairs_max - pairs));
+        pairs += first.back().candidates.size();
     }
     return first;
 }

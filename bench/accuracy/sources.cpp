@@ -6,6 +6,7 @@
 #include "common/geometry/aabb.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/tree/build.hpp"
+#include "common/tree/wide_descent.hpp"
 #include "tests/corpus/pairs.hpp"
 #include "tests/corpus/scenes.hpp"
 #include "tests/support/shapes.hpp"
@@ -119,17 +120,46 @@ vehicle_scene(const std::filesystem::path& models, std::size_t couple, std::uint
 SceneCandidates::SceneCandidates(const Scene& scene)
     : scene_(&scene), a_(tree_of(scene.a)), b_(tree_of(scene.b)) {
     for (const PosePair& poses : scene.poses) {
-        candidates_.push_back(candidates_of(a_, b_, poses));
+        if (a_.view().wide.nodes.empty() || b_.view().wide.nodes.empty()) {
+            candidates_.push_back(candidates_of(a_, b_, poses));
+            places_.emplace_back();
+        } else {
+            add_from_wide(poses);
+        }
+    }
+}
+
+void SceneCandidates::add_from_wide(const PosePair& poses) {
+    const WideView& a = a_.view().wide;
+    const WideView& b = b_.view().wide;
+    std::vector<Candidate>& places = places_.emplace_back();
+    std::vector<Candidate>& ids = candidates_.emplace_back();
+    WideDescent descent(relative_pose(poses));
+    for (descent.start(a, b); !descent.is_done();) {
+        for (const Candidate& found : descent.next(candidates_at_once)) {
+            places.push_back(found);
+            ids.push_back({a.triangles.ids[found.a], b.triangles.ids[found.b]});
+        }
     }
 }
 
 PairBatch SceneCandidates::batch() const {
+    const TreeView& a = a_.view();
+    const TreeView& b = b_.view();
     std::vector<PairGroup> groups;
     for (std::size_t s = 0; s < candidates_.size(); ++s) {
-        groups.push_back({scene_->poses[s],
-                          {a_.view().vertices, a_.view().triangles},
-                          {b_.view().vertices, b_.view().triangles},
-                          candidates_[s]});
+        if (places_[s].empty()) {
+            groups.push_back({scene_->poses[s],
+                              {a.vertices, a.triangles},
+                              {b.vertices, b.triangles},
+                              candidates_[s]});
+        } else {
+            groups.push_back({scene_->poses[s],
+                              {scene_->a->vertices(), scene_->a->triangles()},
+                              {scene_->b->vertices(), scene_->b->triangles()},
+                              candidates_[s],
+                              {a.wide.triangles, b.wide.triangles, places_[s]}});
+        }
     }
     return PairBatch(std::move(groups));
 }

@@ -41,7 +41,9 @@ struct Model {
 [[nodiscard]] std::optional<Scene>
 vehicle_scene(const std::filesystem::path& models, std::size_t couple, std::uint64_t scenarios);
 
-/// The candidates of every pose of a scene, with the trees that they refer to.
+/// The candidates of every pose of a scene, with the trees that they refer to: those that a search
+/// of the wide trees decides, in its order. Bodies that have no wide trees are searched in binary
+/// ones.
 class SceneCandidates {
   public:
     explicit SceneCandidates(const Scene& scene);
@@ -49,10 +51,13 @@ class SceneCandidates {
     [[nodiscard]] PairBatch batch() const;
 
   private:
+    void add_from_wide(const PosePair& poses);
+
     const Scene* scene_;
     ObbTree a_;
     ObbTree b_;
-    std::vector<std::vector<Candidate>> candidates_;
+    std::vector<std::vector<Candidate>> candidates_; ///< By places in the mesh or binary tree,
+    std::vector<std::vector<Candidate>> places_;     ///< and in the leaves of the wide trees.
 };
 
 } // namespace cd::bench

@@ -20,8 +20,26 @@ std::size_t highest_stage(const PairStatistics& before, const PairStatistics& af
     return highest;
 }
 
+/// Some of a group's candidates.
+struct Part {
+    std::vector<Candidate> candidates;
+    std::vector<Candidate> in_blocks;
+
+    void add(const PairGroup& group, std::size_t i) {
+        candidates.push_back(group.candidates[i]);
+        if (!group.in_blocks.candidates.empty()) {
+            in_blocks.push_back(group.in_blocks.candidates[i]);
+        }
+    }
+    [[nodiscard]] PairGroup of(PairGroup group) const {
+        group.candidates = candidates;
+        group.in_blocks.candidates = in_blocks;
+        return group;
+    }
+};
+
 /// The candidates of each group that a stage settles, by stage.
-using Split = std::array<std::vector<std::vector<Candidate>>, stages>;
+using Split = std::array<std::vector<Part>, stages>;
 
 Split split_by_stage(const PairBatch& batch) {
     Split split;
@@ -30,13 +48,13 @@ Split split_by_stage(const PairBatch& batch) {
             each.emplace_back();
         }
         TrianglePairTest test(group.poses);
-        for (const Candidate& candidate : group.candidates) {
+        for (std::size_t i = 0; i < group.candidates.size(); ++i) {
             // As one of many: few at once would pass over the float stage.
             std::array<Candidate, 16> alike;
-            alike.fill(candidate);
+            alike.fill(group.candidates[i]);
             const PairStatistics before = test.statistics();
             static_cast<void>(test.classify(group.a, group.b, alike));
-            split[highest_stage(before, test.statistics())].back().push_back(candidate);
+            split[highest_stage(before, test.statistics())].back().add(group, i);
         }
     }
     return split;
@@ -48,17 +66,16 @@ struct Timed {
     std::size_t pairs = 0;
     std::vector<std::pair<PairGroup, TrianglePairTest>> groups;
 
-    void add(PairGroup group, std::span<const Candidate> candidates) {
-        if (!candidates.empty()) {
-            group.candidates = candidates;
-            pairs += candidates.size();
+    void add(const PairGroup& group) {
+        if (!group.candidates.empty()) {
+            pairs += group.candidates.size();
             groups.emplace_back(group, TrianglePairTest(group.poses));
         }
     }
 
     void run() {
         for (auto& [group, test] : groups) {
-            static_cast<void>(test.classify(group.a, group.b, group.candidates));
+            decide_as_product(test, group, [](std::span<const PairClass>) {});
         }
     }
 };
@@ -74,13 +91,13 @@ void run_stages(const std::string& suite,
     std::vector<Timed> timed(1);
     timed[0].name = "all";
     for (const PairGroup& group : batch.groups()) {
-        timed[0].add(group, group.candidates);
+        timed[0].add(group);
     }
     for (std::size_t stage = 0; stage < stages; ++stage) {
         Timed& now = timed.emplace_back();
         now.name = to_text(static_cast<PairStage>(stage));
         for (std::size_t g = 0; g < batch.groups().size(); ++g) {
-            now.add(batch.groups()[g], split[stage][g]);
+            now.add(split[stage][g].of(batch.groups()[g]));
         }
     }
     std::erase_if(timed, [](const Timed& each) { return each.pairs == 0; });

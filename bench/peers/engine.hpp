@@ -3,6 +3,7 @@
 
 #include "common/geometry/mesh.hpp"
 #include "common/geometry/pose.hpp"
+#include "common/geometry/triangle_blocks.hpp"
 #include "common/geometry/triangle_pair.hpp"
 #include "common/job/query.hpp"
 
@@ -16,12 +17,21 @@
 
 namespace cd::bench {
 
+/// Candidates by their places in the leaves of wide trees.
+struct BlockCandidates {
+    TriangleBlocks a;
+    TriangleBlocks b;
+    std::span<const Candidate> candidates;
+};
+
 /// Candidates under one pair of poses. A view: whoever made it keeps the triangles.
 struct PairGroup {
     PosePair poses;
     TriangleSpan a;
     TriangleSpan b;
     std::span<const Candidate> candidates;
+    /// The same, in the same order, as a search of our trees has them; empty where none does.
+    BlockCandidates in_blocks{};
 };
 
 /// Points of what a pair shares: `origin` plus each of `points`, in the world.
