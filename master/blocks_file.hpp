@@ -1,12 +1,12 @@
 // All subtree blocks of one cut on disk: an index, then the compressed blocks.
 #pragma once
 
+#include "common/core/disk_file.hpp"
 #include "common/core/hash.hpp"
 #include "common/core/result.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
-#include "common/core/disk_file.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "master/mesh_file.hpp"
 
-#include "common/core/log.hpp"
 #include "common/core/disk_file.hpp"
+#include "common/core/log.hpp"
 
 namespace cd {
 

@@ -1,10 +1,10 @@
 // A mesh that comes in pieces from a client, until it is known to be one.
 #pragma once
 
+#include "common/core/disk_file.hpp"
 #include "common/core/hash.hpp"
 #include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
-#include "common/core/disk_file.hpp"
 
 #include <atomic>
 #include <cstdint>

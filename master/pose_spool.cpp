@@ -1,8 +1,8 @@
 #include "master/pose_spool.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits.hpp"
 #include "common/core/disk_file.hpp"
+#include "common/core/limits.hpp"
 
 #include <algorithm>
 #include <mutex>

@@ -2,9 +2,9 @@
 
 #include "common/core/check.hpp"
 #include "common/core/compress.hpp"
+#include "common/core/disk_file.hpp"
 #include "common/core/hash.hpp"
 #include "common/core/limits.hpp"
-#include "common/core/disk_file.hpp"
 
 #include <algorithm>
 #include <array>
