@@ -21,7 +21,6 @@ Result<std::shared_ptr<const Subtree>> open_block(const SubtreeBlock& block) {
     if (!subtree) {
         return subtree.error();
     }
-    subtree.value().prepare_search();
     return std::shared_ptr<const Subtree>(
         std::make_shared<const Subtree>(std::move(subtree.value())));
 }

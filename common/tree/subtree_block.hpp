@@ -21,17 +21,22 @@ class Subtree {
             std::vector<Triangle> triangles,
             std::vector<std::uint32_t> triangle_ids);
 
+    /// With the wide tree, if it was made before.
     [[nodiscard]] TreeView view() const;
-    /// Makes the wide tree, which searches need to be fast. Not while others use the subtree.
-    void prepare_search();
+    /// Makes the wide tree, which searches without a tolerance need to be fast, where it is not yet
+    /// made. For any number of threads at once: one of them makes it.
+    void prepare_search() const;
+    /// Counts a wide tree as large as they mostly are, made or not: the same at any time.
     [[nodiscard]] std::uint64_t memory_bytes() const;
 
   private:
+    struct Search;
+
     std::vector<ObbNode> nodes_;
     std::vector<Vec3> vertices_;
     std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> triangle_ids_;
-    std::shared_ptr<const WideTree> wide_; ///< Null until searches were prepared.
+    std::shared_ptr<Search> search_;
 };
 
 /// The part of the tree under `node`, with each vertex that it uses once, numbered in the order of

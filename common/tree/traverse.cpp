@@ -1,5 +1,7 @@
 #include "common/tree/traverse.hpp"
 
+#include "common/core/check.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -103,6 +105,8 @@ bool ContactSearch::must_stop(std::uint32_t steps) {
 /// until it returns true; whether it did. Ends early when it must stop.
 template <class OnLeaves>
 bool ContactSearch::descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves) {
+    CD_CHECK(!a.nodes.empty()); // Who leaves the binary form out has the wide one of both.
+    CD_CHECK(!b.nodes.empty());
     // The box of B that was posed last: going down A, one of B meets many of A in a row.
     std::uint32_t posed_place = 0;
     PosedBox posed = boxes_.pose(b.nodes[0]);

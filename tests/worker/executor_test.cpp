@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace cd::tests {
 namespace {
 
@@ -34,6 +36,41 @@ TEST(Executor, AnswersAScenarioOrStopsWhenTold) {
 
     const FinishedScenario stopped = execute(ready, [] { return true; });
     EXPECT_TRUE(stopped.is_stopped);
+}
+
+TEST(Executor, MakesWideTreesForExactSearchesAlone) {
+    const CutBody body = cut_body(make_sphere(3), 0);
+    const auto is_prepared = [](const ReadyScenario& ready) {
+        return !ready.subtrees_a[0]->view().wide.nodes.empty();
+    };
+    ReadyScenario ready = spheres_in_one_place(body.tree);
+    const std::uint64_t bytes = ready.subtrees_a[0]->memory_bytes();
+    Query coarse;
+    coarse.tolerance = 0.1;
+    ready.query = std::make_shared<const Query>(coarse);
+    EXPECT_FALSE(execute(ready, [] { return false; }).is_stopped);
+    EXPECT_FALSE(is_prepared(ready));
+    // Another job's scenario of the same subtree.
+    ready.query = std::make_shared<const Query>();
+    EXPECT_FALSE(execute(ready, [] { return false; }).is_stopped);
+    EXPECT_TRUE(is_prepared(ready));
+    EXPECT_EQ(ready.subtrees_a[0]->memory_bytes(), bytes) << "what a cache counted stays so";
+}
+
+TEST(Executor, ThreadsThatMeetASubtreeFirstAgreeOnItsWideTree) {
+    const CutBody body = cut_body(make_sphere(4), 0);
+    const ReadyScenario ready = spheres_in_one_place(body.tree);
+    ThreadPool pool(4);
+    std::vector<FinishedScenario> finished(8);
+    std::vector<const WideNode*> trees(finished.size());
+    parallel_for(pool, finished.size(), [&](std::size_t i) {
+        finished[i] = execute(ready, [] { return false; });
+        trees[i] = ready.subtrees_a[0]->view().wide.nodes.data();
+    });
+    for (std::size_t i = 0; i < finished.size(); ++i) {
+        EXPECT_EQ(finished[i].record, finished[0].record);
+        EXPECT_EQ(trees[i], trees[0]);
+    }
 }
 
 TEST(Task, ThatNobodyWaitsForTellsItsThreads) {
