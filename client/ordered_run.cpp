@@ -95,9 +95,10 @@ JobStatistics OrderedRun::statistics() {
 }
 
 void OrderedRun::work() {
+    ScenarioSession session(runner_);
     Batch batch;
     while (refill(batch)) {
-        run_some(batch);
+        run_some(session, batch);
         hand_over(batch);
     }
     const std::lock_guard lock(mutex_);
@@ -124,13 +125,13 @@ bool OrderedRun::refill(Batch& batch) {
     return true;
 }
 
-void OrderedRun::run_some(Batch& batch) {
+void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
     const auto start = std::chrono::steady_clock::now();
     std::chrono::steady_clock::duration spent{};
     batch.ran = 0;
     while (batch.ran < batch.waiting.size() && spent < 4 * batch_time &&
            batch.bytes < batch_bytes_max) {
-        ScenarioRun run = runner_.run(batch.waiting[batch.ran++]);
+        ScenarioRun run = session.run(batch.waiting[batch.ran++]);
         spent = std::chrono::steady_clock::now() - start;
         if (run.is_stopped) {
             continue; // Nobody waits for it.

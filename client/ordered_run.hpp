@@ -71,7 +71,7 @@ class OrderedRun {
     [[nodiscard]] bool is_next_done() const;
     void work();
     [[nodiscard]] bool refill(Batch& batch);
-    void run_some(Batch& batch);
+    void run_some(ScenarioSession& session, Batch& batch);
     void hand_over(Batch& batch);
 
     const ScenarioRunner& runner_;

@@ -52,6 +52,12 @@ TrianglePairTest::TrianglePairTest(TrianglePairTest&&) noexcept = default;
 TrianglePairTest& TrianglePairTest::operator=(TrianglePairTest&&) noexcept = default;
 TrianglePairTest::~TrianglePairTest() = default;
 
+void TrianglePairTest::restart(const PosePair& poses) {
+    state_->in_float = FloatTrianglePair(poses);
+    state_->points.restart(poses);
+    state_->statistics = {};
+}
+
 PairClass TrianglePairTest::classify(const Corners&, const Corners&) {
     return PairClass::Touch;
 }
@@ -72,13 +78,16 @@ std::span<const PairClass> TrianglePairTest::classify_all(const Triangles& a,
 }
 
 template <class Triangles>
-bool TrianglePairTest::any_of_touch(const Triangles& a,
-                                    const Triangles& b,
-                                    std::span<const Candidate> candidates) {
+std::optional<std::size_t> TrianglePairTest::find_any_touch(const Triangles& a,
+                                                            const Triangles& b,
+                                                            std::span<const Candidate> candidates) {
     const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
-    return std::any_of(verdicts.begin(), verdicts.end(), [](FloatVerdict verdict) {
+    const auto found = std::find_if(verdicts.begin(), verdicts.end(), [](FloatVerdict verdict) {
         return verdict != FloatVerdict::Separate;
     });
+    return found == verdicts.end()
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(found - verdicts.begin()));
 }
 
 std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
@@ -93,16 +102,16 @@ std::span<const PairClass> TrianglePairTest::classify(const TriangleBlocks& a,
     return classify_all(a, b, candidates);
 }
 
-bool TrianglePairTest::any_touch(const TriangleSpan& a,
-                                 const TriangleSpan& b,
-                                 std::span<const Candidate> candidates) {
-    return any_of_touch(a, b, candidates);
+std::optional<std::size_t> TrianglePairTest::find_touch(const TriangleSpan& a,
+                                                        const TriangleSpan& b,
+                                                        std::span<const Candidate> candidates) {
+    return find_any_touch(a, b, candidates);
 }
 
-bool TrianglePairTest::any_touch(const TriangleBlocks& a,
-                                 const TriangleBlocks& b,
-                                 std::span<const Candidate> candidates) {
-    return any_of_touch(a, b, candidates);
+std::optional<std::size_t> TrianglePairTest::find_touch(const TriangleBlocks& a,
+                                                        const TriangleBlocks& b,
+                                                        std::span<const Candidate> candidates) {
+    return find_any_touch(a, b, candidates);
 }
 
 std::span<const Vec3> TrianglePairTest::shared_points(const Corners& a, const Corners& b) {

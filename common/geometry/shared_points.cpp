@@ -2,6 +2,16 @@
 
 namespace cd {
 
+void SharedPoints::restart(const PosePair& poses) {
+    poses_ = poses;
+    fast_.reset();
+    finder_.reset();
+    exact_.reset();
+    last_a_.reset();
+    last_offset_.reset();
+    statistics_ = {};
+}
+
 DoubleDoublePoints* SharedPoints::fast() {
     if (path_ == Path::Exact) {
         return nullptr;

@@ -37,6 +37,9 @@ class SharedPoints {
     explicit SharedPoints(const PosePair& poses, Path path = Path::Any)
         : poses_(poses), path_(path) {}
 
+    /// As if made anew with other poses, but keeps scratch memory.
+    void restart(const PosePair& poses);
+
     /// The first corner of A in the world, rounded.
     [[nodiscard]] Vec3 origin(const Corners& a);
 

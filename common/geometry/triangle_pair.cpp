@@ -86,6 +86,16 @@ TrianglePairTest::TrianglePairTest(TrianglePairTest&&) noexcept = default;
 TrianglePairTest& TrianglePairTest::operator=(TrianglePairTest&&) noexcept = default;
 TrianglePairTest::~TrianglePairTest() = default;
 
+void TrianglePairTest::restart(const PosePair& poses) {
+    State& s = *state_;
+    s.poses = poses;
+    s.in_float.reset();
+    s.in_doubles.reset();
+    s.later.reset();
+    s.points.restart(poses);
+    s.statistics = {};
+}
+
 PairClass TrianglePairTest::classify(const Corners& a, const Corners& b) {
     State& s = *state_;
     if (!s.later) {
@@ -154,21 +164,22 @@ void TrianglePairTest::classify_ties(const Triangles& a,
 }
 
 template <class Triangles>
-bool TrianglePairTest::any_of_touch(const Triangles& a,
-                                    const Triangles& b,
-                                    std::span<const Candidate> candidates) {
+std::optional<std::size_t> TrianglePairTest::find_any_touch(const Triangles& a,
+                                                            const Triangles& b,
+                                                            std::span<const Candidate> candidates) {
     const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
-    if (std::find(verdicts.begin(), verdicts.end(), FloatVerdict::Proper) != verdicts.end()) {
-        return true;
+    const auto proper = std::find(verdicts.begin(), verdicts.end(), FloatVerdict::Proper);
+    if (proper != verdicts.end()) {
+        return static_cast<std::size_t>(proper - verdicts.begin());
     }
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (verdicts[i] == FloatVerdict::Unknown &&
             classify(corners_of(a, candidates[i].a), corners_of(b, candidates[i].b)) !=
                 PairClass::Separate) {
-            return true;
+            return i;
         }
     }
-    return false;
+    return std::nullopt;
 }
 
 std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
@@ -183,16 +194,16 @@ std::span<const PairClass> TrianglePairTest::classify(const TriangleBlocks& a,
     return classify_all(a, b, candidates);
 }
 
-bool TrianglePairTest::any_touch(const TriangleSpan& a,
-                                 const TriangleSpan& b,
-                                 std::span<const Candidate> candidates) {
-    return any_of_touch(a, b, candidates);
+std::optional<std::size_t> TrianglePairTest::find_touch(const TriangleSpan& a,
+                                                        const TriangleSpan& b,
+                                                        std::span<const Candidate> candidates) {
+    return find_any_touch(a, b, candidates);
 }
 
-bool TrianglePairTest::any_touch(const TriangleBlocks& a,
-                                 const TriangleBlocks& b,
-                                 std::span<const Candidate> candidates) {
-    return any_of_touch(a, b, candidates);
+std::optional<std::size_t> TrianglePairTest::find_touch(const TriangleBlocks& a,
+                                                        const TriangleBlocks& b,
+                                                        std::span<const Candidate> candidates) {
+    return find_any_touch(a, b, candidates);
 }
 
 std::span<const Vec3> TrianglePairTest::shared_points(const Corners& a, const Corners& b) {

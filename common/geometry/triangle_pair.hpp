@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -83,6 +84,9 @@ class TrianglePairTest {
     TrianglePairTest& operator=(TrianglePairTest&&) noexcept;
     ~TrianglePairTest();
 
+    /// As if made anew with other poses, but keeps scratch memory.
+    void restart(const PosePair& poses);
+
     /// The class of one pair, from stage Double on.
     [[nodiscard]] PairClass classify(const Corners& a, const Corners& b);
 
@@ -94,12 +98,13 @@ class TrianglePairTest {
                                                       const TriangleBlocks& b,
                                                       std::span<const Candidate> candidates);
 
-    /// True when any of the candidates touch; what the cheap stages prove spares the others.
-    [[nodiscard]] bool
-    any_touch(const TriangleSpan& a, const TriangleSpan& b, std::span<const Candidate> candidates);
-    [[nodiscard]] bool any_touch(const TriangleBlocks& a,
-                                 const TriangleBlocks& b,
-                                 std::span<const Candidate> candidates);
+    /// The place of some candidate that touches, if any does; what the cheap stages prove spares
+    /// the others.
+    [[nodiscard]] std::optional<std::size_t>
+    find_touch(const TriangleSpan& a, const TriangleSpan& b, std::span<const Candidate> candidates);
+    [[nodiscard]] std::optional<std::size_t> find_touch(const TriangleBlocks& a,
+                                                        const TriangleBlocks& b,
+                                                        std::span<const Candidate> candidates);
 
     /// The corners of the set of shared points of two triangles, correctly rounded, relative to
     /// `point_origin(a)`: see SharedPoints. Valid until the next call.
@@ -122,8 +127,8 @@ class TrianglePairTest {
                        std::span<const Candidate> candidates,
                        std::span<const std::size_t> ties);
     template <class Triangles>
-    bool
-    any_of_touch(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
+    std::optional<std::size_t>
+    find_any_touch(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
 
     std::unique_ptr<State> state_;
 };

@@ -1,6 +1,7 @@
 #include "common/job/run_scenario.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/job/pose_order.hpp"
 #include "common/job/tolerance.hpp"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ void find_count(std::span<const SubtreePair> pairs, ContactSearch& search, Scena
     note_undecided(search, run.result);
     if (search.pairs().size() == search.pair_count()) {
         search.sort();
-        run.touches = std::move(search.pairs());
+        run.touches = search.take_pairs();
     }
 }
 
@@ -97,7 +98,7 @@ bool find_pairs(std::span<const SubtreePair> pairs,
         search.collect(pair.a, pair.b);
     }
     search.sort();
-    result.pairs = std::move(search.pairs());
+    result.pairs = search.take_pairs();
     note_found(search, result);
     note_undecided(search, result);
     return query.level != Level::Contacts || add_shared_points(search, stop, result);
@@ -122,19 +123,12 @@ ScenarioRun stopped_run(const Scenario& scenario, const Query& query) {
     return run;
 }
 
-} // namespace
-
-ScenarioResult failed_result(const Scenario& scenario, const Query& query, const Error& why) {
-    ScenarioResult result = empty_result(scenario, query);
-    result.kind = ScenarioClass::Failed;
-    result.failure = "scenario " + std::to_string(scenario.index) + ": " + why.detail;
-    return result;
-}
-
-ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
-                            const Scenario& scenario,
-                            const Query& query,
-                            const RunOptions& options) {
+/// `run_on_subtrees` with a search that is kept.
+ScenarioRun run_with(KeptSearch& kept,
+                     std::span<const SubtreePair> pairs,
+                     const Scenario& scenario,
+                     const Query& query,
+                     const RunOptions& options) {
     ScenarioRun run;
     run.result = empty_result(scenario, query);
     if (pairs.empty()) {
@@ -143,7 +137,12 @@ ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
         }
         return run;
     }
-    ContactSearch search(scenario.poses, query.ignored, search_options(query, options));
+    if (kept.search) {
+        kept.search->restart(scenario.poses, kept.last_contact);
+    } else {
+        kept.search.emplace(scenario.poses, query.ignored, search_options(query, options));
+    }
+    ContactSearch& search = *kept.search;
     bool is_whole = true;
     switch (query.level) {
     case Level::Any:
@@ -163,6 +162,23 @@ ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
     run.statistics = search.statistics();
     run.result = within_limit(std::move(run.result), limits::result_record_bytes_max);
     return run;
+}
+
+} // namespace
+
+ScenarioResult failed_result(const Scenario& scenario, const Query& query, const Error& why) {
+    ScenarioResult result = empty_result(scenario, query);
+    result.kind = ScenarioClass::Failed;
+    result.failure = "scenario " + std::to_string(scenario.index) + ": " + why.detail;
+    return result;
+}
+
+ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
+                            const Scenario& scenario,
+                            const Query& query,
+                            const RunOptions& options) {
+    KeptSearch search;
+    return run_with(search, pairs, scenario, query, options);
 }
 
 ScenarioRunner::ScenarioRunner(
@@ -186,7 +202,7 @@ std::shared_ptr<const ScenarioRunner::CutTree> ScenarioRunner::cut(const ObbTree
     return std::make_shared<const CutTree>(std::move(cut));
 }
 
-ScenarioRun ScenarioRunner::run_on_cuts(const Scenario& scenario) const {
+ScenarioRun ScenarioRunner::run_on_cuts(const Scenario& scenario, KeptSearch& kept) const {
     const Result<CollidingRoots> roots =
         counted_colliding_roots(cut_a_->top, cut_b_->top, scenario.poses);
     if (!roots) {
@@ -199,21 +215,39 @@ ScenarioRun ScenarioRunner::run_on_cuts(const Scenario& scenario) const {
     for (const RootPair& pair : roots.value().pairs) {
         pairs.push_back({cut_a_->subtrees[pair.a].view(), cut_b_->subtrees[pair.b].view()});
     }
-    ScenarioRun run = run_on_subtrees(pairs, scenario, query_, options_);
+    ScenarioRun run = run_with(kept, pairs, scenario, query_, options_);
     run.statistics.box_tests += roots.value().box_tests;
     return run;
 }
 
-ScenarioRun ScenarioRunner::run(const Scenario& scenario) const {
+ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& kept) const {
     const SubtreePair whole{a_.view(), b_.view()};
-    ScenarioRun run =
-        cut_a_ ? run_on_cuts(scenario) : run_on_subtrees({&whole, 1}, scenario, query_, options_);
+    ScenarioRun run = cut_a_ ? run_on_cuts(scenario, kept)
+                             : run_with(kept, {&whole, 1}, scenario, query_, options_);
     if (!run.is_stopped) {
         run.inside =
             settle_with_cost(a_, b_, scenario, query_, run.result, {run.touches, options_.stop});
     }
     // What a stopped settling says is no answer.
     return is_stopped() ? stopped_run(scenario, query_) : run;
+}
+
+ScenarioRun ScenarioRunner::run(const Scenario& scenario) const {
+    return ScenarioSession(*this).run(scenario);
+}
+
+ScenarioRun ScenarioSession::run(const Scenario& scenario) {
+    return runner_.run_with_kept(scenario, kept_);
+}
+
+bool ScenarioSession::run_all(std::span<const Scenario> scenarios, const OnRun& done) {
+    const std::vector<std::uint32_t> order = coherent_order(scenarios);
+    kept_.last_contact = ContactSearch::LastContact::TryFirst;
+    const bool is_whole = std::all_of(order.begin(), order.end(), [&](std::uint32_t place) {
+        return done(place, run(scenarios[place]));
+    });
+    kept_.last_contact = ContactSearch::LastContact::Forget;
+    return is_whole;
 }
 
 ScenarioRun

@@ -10,7 +10,9 @@
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/subtree_block.hpp"
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -60,6 +62,12 @@ struct RunOptions {
 [[nodiscard]] ScenarioResult
 failed_result(const Scenario& scenario, const Query& query, const Error& why);
 
+/// A search that keeps its memory from one scenario to the next of the same query.
+struct KeptSearch {
+    std::optional<ContactSearch> search; ///< Made by the first.
+    ContactSearch::LastContact last_contact = ContactSearch::LastContact::Forget;
+};
+
 /// Answers scenarios of two whole trees as the cluster does: `run_on_subtrees` and `settle_class`
 /// (settle.hpp) in one. Under a tolerance the trees are cut at `tolerance_depth` (tolerance.hpp),
 /// and this holds a copy of their subtrees.
@@ -72,16 +80,18 @@ class ScenarioRunner {
                    PairStage first_stage = PairStage::Float,
                    StopCheck stop = {});
 
-    /// For any number of threads at once.
+    /// For any number of threads at once. For many scenarios a `ScenarioSession` is faster.
     [[nodiscard]] ScenarioRun run(const Scenario& scenario) const;
 
   private:
+    friend class ScenarioSession;
     struct CutTree {
         TreeTop top;
         std::vector<Subtree> subtrees; ///< One for each root.
     };
     [[nodiscard]] static std::shared_ptr<const CutTree> cut(const ObbTree& tree);
-    [[nodiscard]] ScenarioRun run_on_cuts(const Scenario& scenario) const;
+    [[nodiscard]] ScenarioRun run_on_cuts(const Scenario& scenario, KeptSearch& kept) const;
+    [[nodiscard]] ScenarioRun run_with_kept(const Scenario& scenario, KeptSearch& kept) const;
     [[nodiscard]] bool is_stopped() const { return options_.stop && options_.stop(); }
 
     const ObbTree& a_;
@@ -90,6 +100,28 @@ class ScenarioRunner {
     RunOptions options_;
     std::shared_ptr<const CutTree> cut_a_; ///< Null without a tolerance.
     std::shared_ptr<const CutTree> cut_b_;
+};
+
+/// One thread's way through a runner's scenarios: what one needed of memory serves the next, so
+/// that after a few only results allocate.
+class ScenarioSession {
+  public:
+    /// The runner outlives the session.
+    explicit ScenarioSession(const ScenarioRunner& runner) : runner_(runner) {}
+
+    /// What `ScenarioRunner::run` says.
+    [[nodiscard]] ScenarioRun run(const Scenario& scenario);
+
+    /// A scenario's place among those given, and its run; false ends it.
+    using OnRun = std::function<bool(std::size_t place, ScenarioRun run)>;
+    /// Runs of poses: each scenario once, in `coherent_order`, in which each finds in the caches
+    /// what the one before used, and at level any begins with the contact found there. The results
+    /// are those of `run`; statistics may say less work. Whether it got to the end.
+    bool run_all(std::span<const Scenario> scenarios, const OnRun& done);
+
+  private:
+    const ScenarioRunner& runner_;
+    KeptSearch kept_;
 };
 
 /// One scenario of a `ScenarioRunner`.

@@ -33,7 +33,7 @@ std::vector<ContactPair> search_again(const ObbTree& a,
     ContactSearch search(poses, query.ignored, options);
     search.collect(a.view(), b.view());
     search.sort();
-    return std::move(search.pairs());
+    return search.take_pairs();
 }
 
 bool is_cross(const ObbTree& a,

@@ -46,7 +46,7 @@ PoseCost search(const WideView& a,
             descent.next(for_any ? candidates_at_once_for_any : candidates_at_once);
         const auto between = Clock::now();
         if (for_any) {
-            is_found = test.any_touch(a.triangles, b.triangles, found);
+            is_found = test.find_touch(a.triangles, b.triangles, found).has_value();
         } else {
             static_cast<void>(test.classify(a.triangles, b.triangles, found));
         }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace cd {
@@ -60,10 +59,10 @@ double stretch_of(const Pose& pose) {
 
 /// Deciding many at once is faster; a search for any contact should not look at many in vain.
 constexpr std::size_t candidates_at_once = 512;
-constexpr std::size_t candidates_at_once_for_any = 16;
+constexpr std::size_t candidates_at_once_for_any = 4; // As floats take at least.
 /// A fraction of a second of work, even where every pair needs exact arithmetic.
 constexpr std::uint32_t steps_between_stop_checks = 1024;
-/// Below this, pairs beyond the limit are not worth a sort on the way.
+/// Below this, pairs beyond the limit are not worth a sort on the way, nor memory giving back.
 constexpr std::size_t kept_at_least = 1u << 16;
 
 } // namespace
@@ -84,12 +83,46 @@ bool is_ignored(std::span<const IgnoredRange> ignored, std::uint32_t a, std::uin
 ContactSearch::ContactSearch(const PosePair& poses,
                              std::span<const IgnoredRange> ignored,
                              const SearchOptions& options)
-    : boxes_(relative_pose(poses)),
-      descent_(relative_pose(poses)),
+    : relative_(relative_pose(poses)),
+      descent_(relative_),
       ignored_(ignored),
       options_(options),
-      stretch_(options.tolerance > 0 ? stretch_of(poses.a) : 1),
+      stretch_(stretch_under(poses)),
       test_(poses, options.first_stage) {}
+
+void ContactSearch::restart(const PosePair& poses, LastContact last) {
+    if (last == LastContact::Forget) {
+        witness_.reset();
+    }
+    relative_ = relative_pose(poses);
+    boxes_.reset();
+    descent_.restart(relative_);
+    stretch_ = stretch_under(poses);
+    test_.restart(poses);
+    if (corners_.capacity() > kept_at_least) {
+        corners_ = {};
+    }
+    pairs_.clear();
+    corners_.clear();
+    undecided_.reset();
+    pair_count_ = 0;
+    has_proper_ = false;
+    is_stopped_ = false;
+    steps_unchecked_ = 0;
+    box_tests_ = 0;
+    triangle_tests_ = 0;
+}
+
+double ContactSearch::stretch_under(const PosePair& poses) const {
+    return options_.tolerance > 0 ? stretch_of(poses.a) : 1;
+}
+
+const BoxTest& ContactSearch::boxes() {
+    if (!boxes_) {
+        boxes_.emplace(relative_);
+    }
+    return *boxes_;
+}
 
 /// Whether to end the descent; asks only now and then.
 bool ContactSearch::must_stop(std::uint32_t steps) {
@@ -108,11 +141,12 @@ bool ContactSearch::descend(const TreeView& a, const TreeView& b, const OnLeaves
     CD_CHECK(!a.nodes.empty()); // Who leaves the binary form out has the wide one of both.
     CD_CHECK(!b.nodes.empty());
     // The box of B that was posed last: going down A, one of B meets many of A in a row.
+    const BoxTest& boxes = this->boxes();
     std::uint32_t posed_place = 0;
-    PosedBox posed = boxes_.pose(b.nodes[0]);
+    PosedBox posed = boxes.pose(b.nodes[0]);
     stack_.clear();
     ++box_tests_;
-    if (boxes_.may_overlap(a.nodes[0], posed)) {
+    if (boxes.may_overlap(a.nodes[0], posed)) {
         stack_.push_back({0, 0});
     }
     while (!stack_.empty() && !must_stop(1)) {
@@ -139,12 +173,12 @@ bool ContactSearch::descend(const TreeView& a, const TreeView& b, const OnLeaves
         std::size_t pushed = 0;
         for (const NodePair& pair : next) {
             if (pair.b != posed_place) {
-                posed = boxes_.pose(b.nodes[pair.b]);
+                posed = boxes.pose(b.nodes[pair.b]);
                 posed_place = pair.b;
             }
             ++box_tests_;
             const ObbNode& box_a = a.nodes[pair.a];
-            if (!boxes_.may_overlap(box_a, posed)) {
+            if (!boxes.may_overlap(box_a, posed)) {
                 continue;
             }
             const double distance = squared_distance(box_a, posed);
@@ -164,7 +198,7 @@ bool ContactSearch::leave_undecided(const ObbNode& a, const ObbNode& b) {
     if (!(2 * (radius_of(a) + radius_of(b)) <= options_.tolerance)) {
         return false;
     }
-    double distance = stretch_ * boxes_.distance_max(a, boxes_.pose(b));
+    double distance = stretch_ * boxes().distance_max(a, boxes().pose(b));
     if (std::isnan(distance)) { // The poses leave the range of double.
         distance = std::numeric_limits<double>::infinity();
     }
@@ -178,7 +212,7 @@ void ContactSearch::add_candidates(const TreeView& a, const TreeView& b, const N
     const ObbNode& node_b = b.nodes[leaves.b];
     bounds_.clear();
     for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
-        bounds_.push_back(boxes_.bounds(triangles_of(b).corners(j)));
+        bounds_.push_back(boxes().bounds(triangles_of(b).corners(j)));
     }
     for (std::uint32_t i = node_a.triangles_begin; i < node_a.triangles_end; ++i) {
         const Aabb own = bounding_box(triangles_of(a).corners(i));
@@ -209,10 +243,14 @@ ContactSearch::next_candidates(const WideView& a, const WideView& b, std::size_t
 }
 
 bool ContactSearch::any_in_wide(const WideView& a, const WideView& b) {
+    if (is_witnessed(a, b)) {
+        return true;
+    }
     descent_.start(a, b, WideDescent::Aim::First);
     while (!descent_.is_done() && !is_stopped_) {
         const auto found = next_candidates(a, b, candidates_at_once_for_any);
-        if (test_.any_touch(a.triangles, b.triangles, found)) {
+        if (const auto touch = test_.find_touch(a.triangles, b.triangles, found)) {
+            witness_ = {a.nodes.data(), b.nodes.data(), found[*touch]};
             return true;
         }
         static_cast<void>(must_stop(steps_between_stop_checks));
@@ -220,9 +258,18 @@ bool ContactSearch::any_in_wide(const WideView& a, const WideView& b) {
     return false;
 }
 
+/// Whether the triangles that were last found to touch do so again.
+bool ContactSearch::is_witnessed(const WideView& a, const WideView& b) {
+    if (!witness_ || witness_->nodes_a != a.nodes.data() || witness_->nodes_b != b.nodes.data()) {
+        return false;
+    }
+    ++triangle_tests_;
+    return test_.find_touch(a.triangles, b.triangles, {&witness_->pair, 1}).has_value();
+}
+
 bool ContactSearch::decide_any(const TreeView& a, const TreeView& b) {
     triangle_tests_ += candidates_.size();
-    const bool touch = test_.any_touch(triangles_of(a), triangles_of(b), candidates_);
+    const bool touch = test_.find_touch(triangles_of(a), triangles_of(b), candidates_).has_value();
     candidates_.clear();
     return touch;
 }
@@ -299,30 +346,25 @@ void ContactSearch::collect(const TreeView& a, const TreeView& b) {
     decide_candidates(a, b);
 }
 
+std::vector<ContactPair> ContactSearch::take_pairs() {
+    if (pairs_.capacity() > kept_at_least) {
+        return std::exchange(pairs_, {});
+    }
+    std::vector<ContactPair> taken(pairs_.begin(), pairs_.end());
+    pairs_.clear();
+    return taken;
+}
+
 void ContactSearch::sort() {
     const std::size_t kept =
         static_cast<std::size_t>(std::min<std::uint64_t>(pairs_.size(), options_.pairs_max));
-    if (!options_.keep_corners) {
-        std::sort(pairs_.begin(), pairs_.end());
-        pairs_.resize(kept);
-        return;
+    if (options_.keep_corners) {
+        sorter_.sort(pairs_, corners_);
+        corners_.resize(kept);
+    } else {
+        sorter_.sort(pairs_);
     }
-    std::vector<std::size_t> order(pairs_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [this](std::size_t i, std::size_t j) {
-        return pairs_[i] < pairs_[j];
-    });
-    order.resize(kept);
-    std::vector<ContactPair> pairs;
-    std::vector<PairCorners> corners;
-    pairs.reserve(order.size());
-    corners.reserve(order.size());
-    for (const std::size_t i : order) {
-        pairs.push_back(pairs_[i]);
-        corners.push_back(corners_[i]);
-    }
-    pairs_ = std::move(pairs);
-    corners_ = std::move(corners);
+    pairs_.resize(kept);
 }
 
 QueryStatistics ContactSearch::statistics() const {
@@ -333,7 +375,7 @@ std::vector<ContactPair> contact_pairs(const ObbTree& a, const ObbTree& b, const
     ContactSearch search(poses, {});
     search.collect(a.view(), b.view());
     search.sort();
-    return std::move(search.pairs());
+    return search.take_pairs();
 }
 
 } // namespace cd

@@ -4,10 +4,10 @@
 #include "common/core/stop_check.hpp"
 #include "common/geometry/triangle_pair.hpp"
 #include "common/tree/box_test.hpp"
+#include "common/tree/contact_pair.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/wide_descent.hpp"
 
-#include <compare>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -15,15 +15,6 @@
 #include <vector>
 
 namespace cd {
-
-/// Triangles `a` of A and `b` of B that share a point, by their places in their meshes.
-struct ContactPair {
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;
-    PairClass kind = PairClass::Touch;
-
-    friend auto operator<=>(const ContactPair&, const ContactPair&) = default;
-};
 
 /// The paper's N_b and N_p (section 3), and how the pairs were decided.
 struct QueryStatistics {
@@ -47,12 +38,6 @@ struct IgnoredRange {
 [[nodiscard]] bool
 is_ignored(std::span<const IgnoredRange> ignored, std::uint32_t a, std::uint32_t b);
 
-/// The corners of one found pair, each in its body's coordinates.
-struct PairCorners {
-    Corners a;
-    Corners b;
-};
-
 /// What a search looks for beside the contacts themselves.
 struct SearchOptions {
     bool keep_pairs = true;    ///< False: what is found is only counted.
@@ -69,8 +54,9 @@ struct SearchOptions {
     StopCheck stop = {};                      ///< Asked every so many steps of the descent.
 };
 
-/// One scenario's search. Subtrees of A and B are handed in pair by pair; what they hold in contact
-/// gathers in `pairs`, or is counted. Keeps scratch memory between calls; one thread at a time.
+/// One scenario's search, and then the next one's: after a few, `restart` and all that follows
+/// allocate nothing. Subtrees of A and B, which any number of searches may share, are handed in
+/// pair by pair; what they hold in contact gathers in `pairs`, or is counted. One thread at a time.
 ///
 /// The decision of a pair is exact and boxes never reject a touching pair, so what is found does
 /// not depend on how the trees were cut into subtrees, nor on which trees are walked: the wide ones
@@ -81,6 +67,14 @@ class ContactSearch {
     ContactSearch(const PosePair& poses,
                   std::span<const IgnoredRange> ignored,
                   const SearchOptions& options = {});
+
+    /// What a restart makes of the pair of triangles in which `any` last found a contact: in the
+    /// same subtrees, which must have lived on, it can be tried first. Then the statistics depend
+    /// on the poses before.
+    enum class LastContact : std::uint8_t { Forget, TryFirst };
+
+    /// As if made anew with other poses, but keeps scratch memory.
+    void restart(const PosePair& poses, LastContact last = LastContact::Forget);
 
     /// True as soon as any two triangles under the two roots are known to touch. Adds nothing to
     /// `pairs`.
@@ -106,9 +100,11 @@ class ContactSearch {
     void sort();
 
     /// As found, until sorted.
-    [[nodiscard]] std::vector<ContactPair>& pairs() { return pairs_; }
+    [[nodiscard]] const std::vector<ContactPair>& pairs() const { return pairs_; }
+    /// The same, for the caller to keep; then there are none any more.
+    [[nodiscard]] std::vector<ContactPair> take_pairs();
     /// One for each of `pairs` if they were to be kept, else none.
-    [[nodiscard]] std::vector<PairCorners>& corners() { return corners_; }
+    [[nodiscard]] const std::vector<PairCorners>& corners() const { return corners_; }
     [[nodiscard]] TrianglePairTest& test() { return test_; }
     [[nodiscard]] QueryStatistics statistics() const;
 
@@ -120,12 +116,15 @@ class ContactSearch {
 
     template <class OnLeaves>
     bool descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves);
+    [[nodiscard]] const BoxTest& boxes();
+    [[nodiscard]] double stretch_under(const PosePair& poses) const;
     [[nodiscard]] bool must_stop(std::uint32_t steps);
     [[nodiscard]] bool leave_undecided(const ObbNode& a, const ObbNode& b);
     void add_candidates(const TreeView& a, const TreeView& b, const NodePair& leaves);
     [[nodiscard]] bool decide_any(const TreeView& a, const TreeView& b);
     void decide_candidates(const TreeView& a, const TreeView& b);
     [[nodiscard]] bool any_in_wide(const WideView& a, const WideView& b);
+    [[nodiscard]] bool is_witnessed(const WideView& a, const WideView& b);
     void collect_in_wide(const WideView& a, const WideView& b);
     /// Whether both have wide trees, and these will do.
     [[nodiscard]] bool uses_wide(const TreeView& a, const TreeView& b) const;
@@ -140,14 +139,24 @@ class ContactSearch {
                       std::span<const std::uint32_t> ids_b,
                       std::span<const Candidate> candidates);
 
-    BoxTest boxes_;
+    /// Where `any` last found a contact, by the places in two wide trees.
+    struct Witness {
+        const WideNode* nodes_a;
+        const WideNode* nodes_b;
+        Candidate pair;
+    };
+
+    RelativePose relative_;
+    std::optional<BoxTest> boxes_; ///< Made when a binary tree is first walked.
     WideDescent descent_;
+    std::optional<Witness> witness_;
     std::span<const IgnoredRange> ignored_;
     SearchOptions options_;
     double stretch_; ///< Bounds how many times longer A's pose can make a vector.
     TrianglePairTest test_;
     std::vector<ContactPair> pairs_;
     std::vector<PairCorners> corners_;
+    PairSorter sorter_;
     std::vector<NodePair> stack_;
     std::vector<Aabb> bounds_;          ///< Of the triangles of one leaf of B, as A sees them.
     std::vector<Candidate> candidates_; ///< Not yet decided; by places in the trees at hand.

@@ -13,6 +13,8 @@ namespace {
 
 /// Beyond, the bounds of wide_kernel.cpp do not hold.
 constexpr double pose_error_max = 0x1p-10;
+/// As many as come from memory at the same time without costing the order of the descent.
+constexpr std::size_t batch_for_first = 3;
 /// Less than a millisecond of work.
 constexpr std::uint32_t visits_at_once = 4096;
 
@@ -27,9 +29,16 @@ WideBody body_of(const WideView& tree) {
 } // namespace
 
 WideDescent::WideDescent(const RelativePose& b_to_a, double error_scale)
-    : b_to_a_(b_to_a), error_scale_(error_scale) {
+    : error_scale_(error_scale) {
     // Before the kernel's first call, so that a setting of the target is heeded.
     static_cast<void>(simd_target());
+    walk_.waiting_room = 2 * wide_pairs_slack;
+    waiting_ = std::make_unique_for_overwrite<WidePair[]>(walk_.waiting_room);
+    restart(b_to_a);
+}
+
+void WideDescent::restart(const RelativePose& b_to_a) {
+    b_to_a_ = b_to_a;
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
             const double entry = b_to_a.rotation(static_cast<int>(i), static_cast<int>(k));
@@ -43,8 +52,9 @@ WideDescent::WideDescent(const RelativePose& b_to_a, double error_scale)
     pose_.relative_margin = b_to_a.rotation_error <= pose_error_max && b_to_a.skew <= pose_error_max
                                 ? static_cast<float>(error_scale_ * 1.01 * (0x1p-17 + 6 * error))
                                 : std::numeric_limits<float>::infinity();
-    walk_.waiting_room = 2 * wide_pairs_slack;
-    waiting_ = std::make_unique_for_overwrite<WidePair[]>(walk_.waiting_room);
+    walk_.waiting_count = 0;
+    walk_.leaf_count = 0;
+    walk_.box_tests = 0;
 }
 
 void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
@@ -60,7 +70,7 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     waiting_[0] = {0, 0};
     walk_.waiting_count = 1;
     walk_.leaf_count = 0;
-    walk_.batch = aim == Aim::All ? wide_batch_max : 1;
+    walk_.batch = aim == Aim::All ? wide_batch_max : batch_for_first;
     walk_.leaves_at_once = aim == Aim::All ? wide_leaves_max - wide_batch_max : 1;
 }
 

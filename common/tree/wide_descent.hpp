@@ -19,11 +19,14 @@ class WideDescent {
     /// apart: less is for tests, which show that the margins are needed.
     explicit WideDescent(const RelativePose& b_to_a, double error_scale = 1);
 
+    /// As if made anew with another pose, but keeps scratch memory.
+    void restart(const RelativePose& b_to_a);
+
     /// How the descent goes about it: for all candidates, many pairs of nodes are looked at
-    /// together; for a first contact, one at a time finds it sooner.
+    /// together; for a first contact, a few find it sooner.
     enum class Aim : std::uint8_t { All, First };
 
-    /// Begins anew. The trees have nodes and outlive the descent.
+    /// Begins at the roots. The trees have nodes and outlive the descent.
     void start(const WideView& a, const WideView& b, Aim aim = Aim::All);
     [[nodiscard]] bool is_done() const { return walk_.waiting_count + walk_.leaf_count == 0; }
     /// More candidates: as places in the blocks, `wanted` or some more, or fewer after much work

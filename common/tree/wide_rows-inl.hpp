@@ -82,8 +82,8 @@ HWY_INLINE std::size_t append(bool is_of_a,
     using All = hn::RebindToUnsigned<Floats>;
     const All du;
     const hn::Half<All> dh;
-    const auto theirs =
-        hn::Compress(hn::Iota(du, their_first), hn::Mask<All>{static_cast<__mmask16>(found)});
+    const auto theirs = hn::Compress(hn::Add(hn::Iota(du, 0), hn::Set(du, their_first)),
+                                     hn::Mask<All>{static_cast<__mmask16>(found)});
     const auto store = [&](hn::Vec<hn::Half<All>> their, std::uint32_t* pairs) HWY_ATTR {
         const auto ours = hn::Set(dh, own);
         const hn::Mask<hn::Half<All>> all{static_cast<__mmask8>(is_of_a ? 0xff : 0)};

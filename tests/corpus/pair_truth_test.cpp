@@ -145,12 +145,12 @@ TEST_P(PairTruth, WithEverySimdTarget) {
     ASSERT_TRUE(force_simd_target("auto").has_value());
 }
 
-TEST_P(PairTruth, AnyTouchIsTrueJustWhereOneTouches) {
+TEST_P(PairTruth, ATouchIsFoundJustWhereThereIsOne) {
     for (const KnownPair& one : known_pairs(GetParam(), ranges[1])) {
         Batch batch;
         batch.add(one.pair);
         TrianglePairTest test(one.pair.poses);
-        ASSERT_EQ(test.any_touch(batch.a(), batch.b(), batch.candidates),
+        ASSERT_EQ(test.find_touch(batch.a(), batch.b(), batch.candidates).has_value(),
                   one.expected != PairClass::Separate)
             << one.seed;
     }

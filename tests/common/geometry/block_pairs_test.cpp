@@ -206,7 +206,9 @@ TEST_P(BlockPairsTest, ClassesAreThoseOfTheTrianglesAlone) {
                 ASSERT_EQ(kinds[i], test.classify(blocks.corners_a(i), blocks.corners_b(i)));
                 any = any || kinds[i] != PairClass::Separate;
             }
-            EXPECT_EQ(test.any_touch(blocks.a.view(), blocks.b.view(), blocks.candidates), any);
+            const auto touch = test.find_touch(blocks.a.view(), blocks.b.view(), blocks.candidates);
+            ASSERT_EQ(touch.has_value(), any);
+            EXPECT_TRUE(!touch || kinds[*touch] != PairClass::Separate);
         }
     }
 }

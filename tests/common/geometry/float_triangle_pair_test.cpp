@@ -325,7 +325,7 @@ TEST_F(FloatTrianglePairs, AProofOfContactSparesTheOtherStages) {
     batch.add(a, through);
     TrianglePairTest test(PosePair{});
 
-    EXPECT_TRUE(test.any_touch(batch.a(), batch.b(), batch.candidates));
+    EXPECT_EQ(test.find_touch(batch.a(), batch.b(), batch.candidates), 8u);
     EXPECT_EQ(test.statistics().total(), test.statistics()[PairStage::Float]);
 }
 

@@ -217,6 +217,44 @@ TEST(RunScenario, OneThatIsToldToStopHasNoAnswer) {
     }
 }
 
+TEST(RunScenario, ARunOfPosesSaysWhatEachSaysAlone) {
+    std::mt19937_64 random(11);
+    const ObbTree sphere = make_tree(make_sphere(3));
+    const ObbTree box = make_tree(make_gridded_box(Vec3(1, 1, 1), 4));
+    std::vector<Scenario> scenarios;
+    for (std::uint64_t i = 0; i < 50; ++i) {
+        const auto place = [&] { return 0.25 * static_cast<double>(random() % 9) - 1; };
+        scenarios.push_back(make_scenario(Pose{}, translation_pose(place(), place(), place())));
+        scenarios.back().index = i;
+    }
+    for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+        for (const double tolerance : {0.0, 0.2}) {
+            Query query = query_of(level);
+            query.tolerance = tolerance;
+            const ScenarioRunner runner(sphere, box, query);
+            ScenarioSession session(runner);
+            std::vector<int> seen(scenarios.size());
+            EXPECT_TRUE(session.run_all(scenarios, [&](std::size_t place, const ScenarioRun& run) {
+                ++seen[place];
+                EXPECT_EQ(digest_of(run.result), digest_of(runner.run(scenarios[place]).result));
+                return true;
+            }));
+            EXPECT_EQ(seen, std::vector<int>(scenarios.size(), 1));
+        }
+    }
+}
+
+TEST(RunScenario, ARunOfPosesEndsWhenItIsTold) {
+    const ObbTree sphere = make_tree(make_sphere(1));
+    const std::vector<Scenario> scenarios(10, make_scenario(Pose{}, Pose{}));
+    const Query query = query_of(Level::Any);
+    const ScenarioRunner runner(sphere, sphere, query);
+    int runs = 0;
+    EXPECT_FALSE(ScenarioSession(runner).run_all(
+        scenarios, [&](std::size_t, const ScenarioRun&) { return ++runs < 3; }));
+    EXPECT_EQ(runs, 3);
+}
+
 TEST(RunScenario, ALimitKeepsTheFirstPairsAndTheTrueCount) {
     const ObbTree sphere = make_tree(make_sphere(2));
     const Scenario scenario = make_scenario(Pose{}, translation_pose(0.9, 0.1, 0.2));
