@@ -46,9 +46,8 @@ class OurMeshes final : public MeshEngine {
     }
 
     MeshAnswer ask(const PosePair& poses, Level level) override {
-        SearchOptions options;
-        options.keep_pairs = level >= Level::Pairs;
-        ContactSearch search(poses, {}, options);
+        ContactSearch& search = level >= Level::Pairs ? keeping_ : counting_;
+        search.restart(poses);
         MeshAnswer answer;
         if (level == Level::Any) {
             answer.touches = search.any(a_->view(), b_->view());
@@ -86,6 +85,9 @@ class OurMeshes final : public MeshEngine {
   private:
     std::shared_ptr<const ObbTree> a_;
     std::shared_ptr<const ObbTree> b_;
+    // As a user keeps them: from pose to pose.
+    ContactSearch keeping_{PosePair{}, {}};
+    ContactSearch counting_{PosePair{}, {}, {.keep_pairs = false}};
 };
 
 } // namespace
