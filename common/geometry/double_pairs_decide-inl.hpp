@@ -74,6 +74,8 @@ struct Turned {
     C p[3];
     C q[3];
     C r[3];
+
+    HWY_INLINE Turned() {}
 };
 
 template <class C>
@@ -207,7 +209,7 @@ class View {
     HWY_INLINE ExactComponent along(const ExactComponent& x,
                                     const ExactComponent& y,
                                     const ExactComponent& z) const {
-        return {along(x.at, y.at, z.at)};
+        return ExactComponent(along(x.at, y.at, z.at));
     }
     HWY_INLINE Component along(const Component& x, const Component& y, const Component& z) const {
         return {along(x.at, y.at, z.at), along(x.error, y.error, z.error)};
@@ -221,6 +223,9 @@ class View {
 struct Seen {
     Sized x;
     Sized y;
+
+    HWY_INLINE Seen() {}
+    HWY_INLINE Seen(const Sized& of_x, const Sized& of_y) : x(of_x), y(of_y) {}
 
     HWY_INLINE Seen opposite() const {
         return {{hn::Neg(x.value), x.size}, {hn::Neg(y.value), y.size}};

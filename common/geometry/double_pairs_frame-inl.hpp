@@ -28,21 +28,33 @@ using M = hn::Mask<Doubles>;
 constexpr std::size_t lanes = hn::MaxLanes(Doubles());
 static_assert(CornersOfMany::pairs % lanes == 0);
 
+// Where GCC has a vector's own default constructor, as on NEON, only what is compiled for the
+// target may call it: structures that are filled later have theirs written out.
+
 /// A coordinate that is a double exactly.
 struct ExactComponent {
     V at;
+
+    HWY_INLINE ExactComponent() {}
+    HWY_INLINE explicit ExactComponent(V given) : at(given) {}
 };
 
 /// A coordinate, and what its error adds to sizes.
 struct Component {
     V at;
     V error;
+
+    HWY_INLINE Component() {}
+    HWY_INLINE Component(V given, V its_error) : at(given), error(its_error) {}
 };
 
 /// A component of a difference and its size.
 struct Sized {
     V value;
     V size;
+
+    HWY_INLINE Sized() {}
+    HWY_INLINE Sized(V given, V its_size) : value(given), size(its_size) {}
 };
 
 HWY_INLINE Sized between(const Component& from, const Component& to) {
@@ -63,6 +75,8 @@ struct Frame {
     C b_across[3][3]; ///< and for those from A.
     M one[3][3];      ///< Which corners of A and B surely are one point.
     M is_tame;
+
+    HWY_INLINE Frame() {}
 };
 using ExactFrame = Frame<ExactComponent>;
 using PosedFrame = Frame<Component>;
@@ -71,6 +85,8 @@ using PosedFrame = Frame<Component>;
 struct Given {
     V a[3][3];
     V b[3][3];
+
+    HWY_INLINE Given() {}
 };
 
 HWY_INLINE Given load(const CornersOfMany& corners, std::size_t first) {
@@ -106,6 +122,9 @@ HWY_INLINE V as_error(V error) {
 struct Sums {
     V high;
     V low;
+
+    HWY_INLINE Sums() {}
+    HWY_INLINE Sums(V of_all, V of_rest) : high(of_all), low(of_rest) {}
 };
 
 /// `exact_sum` of double_double.hpp.
@@ -128,6 +147,8 @@ HWY_INLINE Sums placed(const RoundedPoses::Body& body, const V (&corner)[3], std
 struct BothSums {
     Sums a[3];
     Sums b[3];
+
+    HWY_INLINE BothSums() {}
 };
 
 /// Numbers are sums of two doubles in one way only.
@@ -165,11 +186,15 @@ HWY_INLINE void place_exact(const BothSums& sums, std::size_t axis, PosedFrame& 
 struct Offset {
     V at[3];
     V size[3];
+
+    HWY_INLINE Offset() {}
 };
 
 struct Offsets {
     Offset a[3];
     Offset b[3];
+
+    HWY_INLINE Offsets() {}
 };
 
 HWY_INLINE void set_sizes(Offset& offset) {
@@ -260,8 +285,9 @@ HWY_INLINE bool fill(const RoundedPoses& poses, const Given& given, ExactFrame& 
     };
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            to.a[i][axis] = {place(poses.bodies[0], given.a[i], axis)};
-            to.b[i][axis] = to.b_across[i][axis] = {place(poses.bodies[1], given.b[i], axis)};
+            to.a[i][axis] = ExactComponent(place(poses.bodies[0], given.a[i], axis));
+            to.b[i][axis] = to.b_across[i][axis] =
+                ExactComponent(place(poses.bodies[1], given.b[i], axis));
         }
     }
     for (std::size_t i = 0; i < 3; ++i) {

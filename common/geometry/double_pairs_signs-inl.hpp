@@ -68,6 +68,10 @@ struct Sign {
     M positive;
     M negative;
     M zero;
+
+    HWY_INLINE Sign() {}
+    HWY_INLINE Sign(M is_positive, M is_negative, M is_zero)
+        : positive(is_positive), negative(is_negative), zero(is_zero) {}
 };
 
 HWY_INLINE M is_known(const Sign& s) {
@@ -114,6 +118,8 @@ struct Sides {
     M positive[3];
     M negative[3];
     M zero[3];
+
+    HWY_INLINE Sides() {}
 
     HWY_INLINE void set(std::size_t corner, const Sign& sign) {
         positive[corner] = sign.positive;
