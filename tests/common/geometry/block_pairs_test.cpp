@@ -19,6 +19,12 @@ namespace cd::tests {
 
 namespace {
 
+/// The nearest finite floats, nearly.
+Vec3 as_floats(const Vec3& corner) {
+    constexpr double most = 0x1p127;
+    return corner.cwiseMin(most).cwiseMax(-most).cast<float>().cast<double>();
+}
+
 /// Triangles in blocks of 1 to 16, of doubles or rounded to floats, and the place of each.
 class Blocks {
   public:
@@ -42,9 +48,7 @@ class Blocks {
             const auto first = static_cast<std::uint32_t>(vertices.size());
             triangles.push_back({first, first + 1, first + 2});
             for (const Vec3& corner : corners) {
-                vertices.push_back(precision_ == Precision::Double
-                                       ? corner
-                                       : Vec3(corner.cast<float>().cast<double>()));
+                vertices.push_back(precision_ == Precision::Double ? corner : as_floats(corner));
             }
         }
         const std::vector<std::uint32_t> ids(some.size());
