@@ -26,7 +26,8 @@ using Tree = Result<std::shared_ptr<const ObbTree>>;
 
 template <class T>
 bool same_bytes(std::span<const T> a, std::span<const T> b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
 
 void expect_same_topology(const Topology& a, const Topology& b) {
