@@ -16,6 +16,7 @@
 #include "common/geometry/simd_target.hpp"
 #include "common/geometry/triangle_blocks.hpp"
 #include "common/tree/box_test.hpp"
+#include "common/tree/candidates_at_once.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -49,8 +50,6 @@ struct Scene : PosedTrees {
         return sum;
     }
 };
-
-constexpr std::size_t candidates_at_once = 512; // As ContactSearch does.
 
 TriangleSpan triangles_of(const ObbTree& tree) {
     return {tree.view().vertices, tree.view().triangles};

@@ -12,6 +12,7 @@
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
 #include "common/geometry/simd_target.hpp"
+#include "common/tree/candidates_at_once.hpp"
 #include "common/tree/traverse.hpp"
 #include "common/tree/wide_descent.hpp"
 
@@ -36,8 +37,6 @@ struct Found {
     std::uint64_t box_tests = 0;
     std::uint64_t candidates = 0;
 };
-
-constexpr std::size_t candidates_at_once = 512; // As ContactSearch does.
 
 template <class Pairs>
 void keep(const Pairs& pairs, Found& found) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/peers/engine.hpp"
+#include "common/tree/candidates_at_once.hpp"
 #include "tests/support/hard_pairs.hpp"
 
 #include <algorithm>
@@ -12,9 +13,6 @@
 #include <vector>
 
 namespace cd::bench {
-
-/// How many candidates a search of our trees decides at once: as ContactSearch does.
-inline constexpr std::size_t candidates_at_once = 512;
 
 /// Decides a group as the product does, and calls `on_kinds` with the classes of some candidates
 /// after the other.

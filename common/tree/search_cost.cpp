@@ -1,5 +1,6 @@
 #include "common/tree/search_cost.hpp"
 
+#include "common/tree/candidates_at_once.hpp"
 #include "common/tree/traverse.hpp"
 
 #include <algorithm>
@@ -11,10 +12,6 @@ namespace cd {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-// As ContactSearch has them.
-constexpr std::size_t candidates_at_once = 512;
-constexpr std::size_t candidates_at_once_for_any = 16;
 
 double nanoseconds(Clock::duration duration) {
     return std::chrono::duration<double, std::nano>(duration).count();

@@ -1,6 +1,7 @@
 #include "common/tree/traverse.hpp"
 
 #include "common/core/check.hpp"
+#include "common/tree/candidates_at_once.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,9 +58,6 @@ double stretch_of(const Pose& pose) {
     return stretch >= 0 ? stretch : std::numeric_limits<double>::infinity(); // NaN: overflow.
 }
 
-/// Deciding many at once is faster; a search for any contact should not look at many in vain.
-constexpr std::size_t candidates_at_once = 512;
-constexpr std::size_t candidates_at_once_for_any = 4; // As floats take at least.
 /// A fraction of a second of work, even where every pair needs exact arithmetic.
 constexpr std::uint32_t steps_between_stop_checks = 1024;
 /// Below this, pairs beyond the limit are not worth a sort on the way, nor memory giving back.

@@ -54,9 +54,10 @@ struct SearchOptions {
     StopCheck stop = {};                      ///< Asked every so many steps of the descent.
 };
 
-/// One scenario's search, and then the next one's: after a few, `restart` and all that follows
-/// allocate nothing. Subtrees of A and B, which any number of searches may share, are handed in
-/// pair by pair; what they hold in contact gathers in `pairs`, or is counted. One thread at a time.
+/// One scenario's search, and then the next one's: after a few, `restart`, `any`, `collect` and
+/// `sort` allocate nothing where doubles decide in wide trees. Subtrees of A and B, which any
+/// number of searches may share, are handed in pair by pair; what they hold in contact gathers in
+/// `pairs`, or is counted. One thread at a time.
 ///
 /// The decision of a pair is exact and boxes never reject a touching pair, so what is found does
 /// not depend on how the trees were cut into subtrees, nor on which trees are walked: the wide ones

@@ -260,6 +260,16 @@ std::map<std::string, PairMaker> pair_makers() {
     return all;
 }
 
+void scale_far_apart(std::mt19937_64& random, PosedPair& pair) {
+    for (Corners* const corners : {&pair.a, &pair.b}) {
+        for (Vec3& corner : *corners) {
+            for (int k = 0; k < 3; ++k) {
+                corner[k] *= std::ldexp(1.0, (static_cast<int>(random() % 5) - 3) * 180);
+            }
+        }
+    }
+}
+
 PosedPair turned_about_an_axis(std::mt19937_64& random) {
     const auto axis = static_cast<int>(random() % 3);
     const double step = random() % 2 == 0 ? 1 : 0.1;

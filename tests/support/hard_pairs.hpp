@@ -31,6 +31,9 @@ using PairMaker = std::function<PosedPair(std::mt19937_64&)>;
 /// take for 0 must be 0. Some corners lie on the axis.
 [[nodiscard]] PosedPair turned_about_an_axis(std::mt19937_64& random);
 
+/// Multiplies each coordinate by one of five powers of two so far apart that products underflow.
+void scale_far_apart(std::mt19937_64& random, PosedPair& pair);
+
 [[nodiscard]] Corners random_corners(std::mt19937_64& random, double half_width);
 /// Corners with whole coordinates from -reach to reach.
 [[nodiscard]] Corners lattice_corners(std::mt19937_64& random, int reach);

@@ -166,13 +166,7 @@ TEST_F(ManyInDoubles, WhatIsTinyOrHugeIsNotTakenForZero) {
                                     : PosedPair{lattice_corners(random, 2),
                                                 lattice_corners(random, 2),
                                                 {Pose(), translation_pose(0, 1, 0)}};
-        for (Corners* corners : {&c.a, &c.b}) {
-            for (Vec3& corner : *corners) {
-                for (int k = 0; k < 3; ++k) {
-                    corner[k] *= std::ldexp(1.0, (static_cast<int>(random() % 5) - 3) * 180);
-                }
-            }
-        }
+        scale_far_apart(random, c);
         const PairClass expected = ExactTrianglePair(c.poses).classify(c.a, c.b);
         ASSERT_EQ(decided(c).value_or(expected), expected);
         touching += expected == PairClass::Separate ? 0 : 1;

@@ -1,0 +1,13 @@
+// How many candidates a search lets the descent find before it decides them.
+#pragma once
+
+#include <cstddef>
+
+namespace cd {
+
+/// Deciding many at once is faster.
+inline constexpr std::size_t candidates_at_once = 512;
+/// A search for any contact should not look at many in vain; floats take at least so many.
+inline constexpr std::size_t candidates_at_once_for_any = 4;
+
+} // namespace cd
