@@ -8,9 +8,9 @@ namespace cd {
 
 namespace {
 
-std::vector<ScenarioRoots::Root> with_triangles(const DispatchTree& tree,
-                                                std::span<const RootIndex> roots) {
-    std::vector<ScenarioRoots::Root> with;
+std::vector<WeightedRoot> with_triangles(const DispatchTree& tree,
+                                         std::span<const RootIndex> roots) {
+    std::vector<WeightedRoot> with;
     with.reserve(roots.size());
     for (const RootIndex root : roots) {
         with.push_back({root, tree.root_triangles.at(root)});
@@ -26,11 +26,7 @@ Dispatcher::~Dispatcher() = default;
 // ---- Workers ----------------------------------------------------------------------------------
 
 Actions Dispatcher::worker_joined(WorkerId worker, const WorkerFacts& facts) {
-    WorkerProxy& proxy = state_->pool.add(worker, facts);
-    for (const auto& [id, job] : state_->jobs) {
-        proxy.add_tree(job.a.tree, static_cast<std::uint32_t>(job.a.root_triangles.size()));
-        proxy.add_tree(job.b.tree, static_cast<std::uint32_t>(job.b.root_triangles.size()));
-    }
+    state_->pool.add(worker, facts);
     Actions actions;
     state_->settle(actions);
     return actions;
@@ -80,8 +76,8 @@ Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
 }
 
 Actions Dispatcher::roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots) {
-    if (WorkerProxy* proxy = state_->pool.find(worker)) {
-        proxy->release(tree, roots);
+    if (const WorkerProxy* proxy = state_->pool.find(worker)) {
+        state_->pool.release(*proxy, tree, roots);
     }
     return {};
 }

@@ -45,24 +45,13 @@ bool Dispatcher::State::allocate_one(DispatchJob& job, Actions& actions) {
     if (job.waiting.empty()) {
         return false;
     }
-    const WorkerProxy* excluded = reserved();
-    candidates.clear();
-    for (const auto& [id, proxy] : pool.all()) {
-        const ScenarioBuffer& buffer = proxy.buffer(job.id);
-        if (proxy.is_draining() || proxy.is_claimed() || &proxy == excluded ||
-            buffer.is_full(job.options)) {
-            continue;
-        }
-        const double load = static_cast<double>(buffer.scenarios.size()) / job.options.q;
-        candidates.push_back({id,
-                              &proxy.held(job.a.tree),
-                              &proxy.held(job.b.tree),
-                              load,
-                              proxy.buffered() + proxy.working()});
-    }
     const std::uint64_t index = job.waiting.front();
     DispatchScenario& scenario = job.scenarios.at(index);
-    const auto chosen = job.matchmaker.choose(scenario.roots, candidates);
+    gather_candidates(job);
+    if (!candidates.empty() && job.matchmaker.looks_at_scores()) {
+        score_candidates(job, scenario);
+    }
+    const auto chosen = job.matchmaker.choose(candidates);
     if (!chosen) {
         return false;
     }
@@ -79,15 +68,40 @@ bool Dispatcher::State::allocate_one(DispatchJob& job, Actions& actions) {
     return true;
 }
 
+void Dispatcher::State::gather_candidates(const DispatchJob& job) {
+    const WorkerProxy* excluded = reserved();
+    candidates.clear();
+    slots.clear();
+    for (const WorkerProxy* proxy : pool.in_order()) {
+        if (proxy->is_draining() || proxy->is_claimed() || proxy == excluded) {
+            continue;
+        }
+        const ScenarioBuffer& buffer = proxy->buffer(job.id);
+        if (buffer.is_full(job.options)) {
+            continue;
+        }
+        const double load = static_cast<double>(buffer.scenarios.size()) / job.options.q;
+        candidates.push_back({proxy->id(), 0, load, proxy->buffered() + proxy->working()});
+        slots.push_back(proxy->slot());
+    }
+}
+
+void Dispatcher::State::score_candidates(const DispatchJob& job, const DispatchScenario& scenario) {
+    const RootHolders& holders_a = pool.holders(job.a.tree);
+    const RootHolders& holders_b = pool.holders(job.b.tree);
+    held_triangles.assign(holders_a.sum_count(), 0);
+    holders_a.add_held(scenario.roots.a, held_triangles);
+    holders_b.add_held(scenario.roots.b, held_triangles);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        candidates[i].held_triangles = held_triangles[slots[i]];
+    }
+}
+
 void Dispatcher::State::hold_roots(const DispatchJob& job,
                                    const DispatchScenario& scenario,
-                                   WorkerProxy& proxy) {
-    for (const ScenarioRoots::Root& root : scenario.roots.a) {
-        proxy.hold(job.a.tree, root.root, root.triangles);
-    }
-    for (const ScenarioRoots::Root& root : scenario.roots.b) {
-        proxy.hold(job.b.tree, root.root, root.triangles);
-    }
+                                   const WorkerProxy& proxy) {
+    pool.hold(proxy, job.a.tree, scenario.roots.a);
+    pool.hold(proxy, job.b.tree, scenario.roots.b);
 }
 
 void Dispatcher::State::give_suspects(Actions& actions) {

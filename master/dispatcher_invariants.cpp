@@ -98,6 +98,7 @@ void Dispatcher::State::check_progress() const {
 
 void Dispatcher::check_invariants() const {
     state_->check_counts();
+    state_->pool.check_slots();
     for (const auto& [id, job] : state_->jobs) {
         state_->check_job(job);
     }

@@ -67,7 +67,10 @@ struct Dispatcher::State {
     bool input_is_paused = true;
     std::uint64_t unsent = 0;
     std::uint64_t task_last = 0;
-    std::vector<WorkerCandidate> candidates; ///< Scratch.
+    // Scratch.
+    std::vector<WorkerCandidate> candidates;
+    std::vector<std::uint32_t> slots;          ///< Of the candidates.
+    std::vector<std::uint64_t> held_triangles; ///< By slot.
 
     [[nodiscard]] DispatchJob* find_job(JobId job);
 
@@ -77,7 +80,11 @@ struct Dispatcher::State {
     /// One waiting scenario of the next job in turn goes to a buffer. False when none can.
     bool allocate_next(Actions& actions);
     bool allocate_one(DispatchJob& job, Actions& actions);
-    void hold_roots(const DispatchJob& job, const DispatchScenario& scenario, WorkerProxy& proxy);
+    /// Who may get a scenario of the job now.
+    void gather_candidates(const DispatchJob& job);
+    void score_candidates(const DispatchJob& job, const DispatchScenario& scenario);
+    void
+    hold_roots(const DispatchJob& job, const DispatchScenario& scenario, const WorkerProxy& proxy);
     void give_suspects(Actions& actions);
     /// The worker that is being emptied for suspects; null without suspects.
     [[nodiscard]] const WorkerProxy* reserved() const;

@@ -16,41 +16,11 @@ bool WorkerProxy::would_run_dry(const ClusterOptions& options) const {
     return working_ < std::max<std::uint64_t>(options.q, 2 * std::uint64_t{facts_.threads});
 }
 
-void WorkerProxy::add_tree(TreeId tree, std::uint32_t root_count) {
-    held_.try_emplace(tree, root_count);
-}
-
-void WorkerProxy::remove_tree(TreeId tree) {
-    held_.erase(tree);
-}
-
-const RootIndicator& WorkerProxy::held(TreeId tree) const {
-    const auto found = held_.find(tree);
-    CD_CHECK(found != held_.end());
-    return found->second;
-}
-
-void WorkerProxy::hold(TreeId tree, RootIndex root, std::uint32_t triangles) {
-    const auto found = held_.find(tree);
-    CD_CHECK(found != held_.end());
-    CD_CHECK(root < found->second.size());
-    found->second.set(root, triangles);
-}
-
-void WorkerProxy::release(TreeId tree, std::span<const RootIndex> roots) {
-    const auto found = held_.find(tree);
-    if (found == held_.end()) {
-        return;
-    }
-    for (const RootIndex root : roots) {
-        if (root < found->second.size()) {
-            found->second.clear(root);
-        }
-    }
-}
-
 const ScenarioBuffer& WorkerProxy::buffer(JobId job) const {
     static const ScenarioBuffer empty;
+    if (buffered_ == 0) {
+        return empty;
+    }
     const auto found = buffers_.find(job);
     return found == buffers_.end() ? empty : found->second;
 }

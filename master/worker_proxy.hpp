@@ -2,12 +2,10 @@
 #pragma once
 
 #include "common/core/id.hpp"
-#include "common/tree/cut.hpp"
 #include "proto/message.hpp"
 
 #include <cstdint>
 #include <map>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -36,12 +34,15 @@ struct ProxyTask {
     bool claims = false;                  ///< While it lasts, the worker gets nothing else.
 };
 
-/// Buffers, tasks, what the worker holds of each tree, and counts. Decides nothing.
+/// Buffers, tasks and counts. Decides nothing.
 class WorkerProxy {
   public:
-    WorkerProxy(WorkerId id, WorkerFacts facts) : id_(id), facts_(std::move(facts)) {}
+    WorkerProxy(WorkerId id, std::uint32_t slot, WorkerFacts facts)
+        : id_(id), slot_(slot), facts_(std::move(facts)) {}
 
     [[nodiscard]] WorkerId id() const { return id_; }
+    /// A small number that no other worker has as long as this one is here.
+    [[nodiscard]] std::uint32_t slot() const { return slot_; }
     [[nodiscard]] const WorkerFacts& facts() const { return facts_; }
 
     [[nodiscard]] bool is_draining() const { return draining_; }
@@ -62,15 +63,6 @@ class WorkerProxy {
     }
     /// Less work stands at the worker than a buffer, or than twice its threads.
     [[nodiscard]] bool would_run_dry(const ClusterOptions& options) const;
-
-    // ---- What it holds, or was allocated, of each tree (paper, 5.1 and 6.4.5) ----------------
-    void add_tree(TreeId tree, std::uint32_t root_count);
-    void remove_tree(TreeId tree);
-    /// The tree has been added.
-    [[nodiscard]] const RootIndicator& held(TreeId tree) const;
-    void hold(TreeId tree, RootIndex root, std::uint32_t triangles);
-    /// Of a tree that is not here, or roots out of range: nothing.
-    void release(TreeId tree, std::span<const RootIndex> roots);
 
     // ---- Buffers and tasks --------------------------------------------------------------------
     /// Empty where nothing is buffered.
@@ -98,9 +90,9 @@ class WorkerProxy {
 
   private:
     WorkerId id_;
+    std::uint32_t slot_ = 0;
     WorkerFacts facts_;
     bool draining_ = false;
-    std::map<TreeId, RootIndicator> held_;
     std::map<JobId, ScenarioBuffer> buffers_; ///< None of them empty.
     std::map<TaskId, ProxyTask> tasks_;
     std::uint64_t buffered_ = 0;

@@ -27,118 +27,107 @@ ScenarioRoots table_1(int scenario) {
     }
 }
 
-/// A worker that was allocated the given scenarios of the table.
-struct Holder {
-    explicit Holder(std::set<int> scenarios) {
-        for (const int scenario : scenarios) {
-            const ScenarioRoots roots = table_1(scenario);
-            for (const auto& root : roots.a) {
-                a.set(root.root, root.triangles);
-            }
-            for (const auto& root : roots.b) {
-                b.set(root.root, root.triangles);
+/// Workers of which each was allocated some scenarios of the table.
+class Cluster {
+  public:
+    explicit Cluster(const std::vector<std::set<int>>& allocated) {
+        const auto workers = static_cast<std::uint32_t>(allocated.size());
+        a_.grow(workers);
+        b_.grow(workers);
+        for (std::uint32_t worker = 0; worker < workers; ++worker) {
+            for (const int scenario : allocated[worker]) {
+                const ScenarioRoots roots = table_1(scenario);
+                for (const WeightedRoot& root : roots.a) {
+                    a_.set(worker, root.root);
+                }
+                for (const WeightedRoot& root : roots.b) {
+                    b_.set(worker, root.root);
+                }
             }
         }
     }
-    [[nodiscard]] WorkerCandidate
-    as_candidate(std::uint64_t id, double load = 0, std::uint64_t has = 0) const {
-        return {WorkerId{id}, &a, &b, load, has};
+    /// The workers' scores, by their numbers.
+    [[nodiscard]] std::vector<std::uint64_t> scores(int scenario) const {
+        std::vector<std::uint64_t> sums(a_.sum_count(), 0);
+        const ScenarioRoots roots = table_1(scenario);
+        a_.add_held(roots.a, sums);
+        b_.add_held(roots.b, sums);
+        sums.resize(a_.holder_count());
+        return sums;
+    }
+    /// Ids are the numbers from 1 on.
+    [[nodiscard]] std::vector<WorkerCandidate> candidates(int scenario,
+                                                          std::vector<double> loads = {}) const {
+        const std::vector<std::uint64_t> held = scores(scenario);
+        loads.resize(held.size(), 0);
+        std::vector<WorkerCandidate> list;
+        for (std::size_t i = 0; i < held.size(); ++i) {
+            list.push_back({WorkerId{i + 1}, held[i], loads[i], 0});
+        }
+        return list;
     }
 
-    RootIndicator a{6};
-    RootIndicator b{4};
+  private:
+    RootHolders a_{6, 0};
+    RootHolders b_{4, 0};
 };
 
-std::optional<WorkerId>
-pick(Strategy strategy, int scenario, const std::vector<WorkerCandidate>& candidates) {
+std::optional<WorkerId> pick(Strategy strategy, const std::vector<WorkerCandidate>& candidates) {
     Matchmaker matchmaker(strategy, 1);
-    return matchmaker.choose(table_1(scenario), candidates);
+    return matchmaker.choose(candidates);
 }
 
 TEST(Matchmaker, TheScoreIsTheSumOverBothTreesOfTrianglesAlreadyHeld) {
-    const Holder nothing({});
-    const Holder first({1});
-    const Holder fourth({4});
-    const Holder all({1, 2, 3, 4, 5});
-
-    EXPECT_EQ(Matchmaker::score(table_1(2), nothing.as_candidate(1)), 0u);
+    const Cluster cluster({{}, {1}, {4}, {1, 2, 3, 4, 5}});
     // Scenarios 1 and 2 share BB5 of the first tree; BB1, BB3 and BB4 of the second.
-    EXPECT_EQ(Matchmaker::score(table_1(2), first.as_candidate(1)), 1u + 2u + 14u + 6u);
+    EXPECT_EQ(cluster.scores(2),
+              (std::vector<std::uint64_t>{0, 1 + 2 + 14 + 6, 1, 11 + 1 + 1 + 2 + 1 + 14 + 6}));
     // And 5 shares with 1: BB5, and BB4 of the second.
-    EXPECT_EQ(Matchmaker::score(table_1(5), first.as_candidate(1)), 1u + 6u);
-    EXPECT_EQ(Matchmaker::score(table_1(2), fourth.as_candidate(1)), 1u);
-    EXPECT_EQ(Matchmaker::score(table_1(3), all.as_candidate(1)), 1u + 11u + 1u + 4u + 14u + 6u);
-}
-
-TEST(Matchmaker, AHeldRootCountsOnceWhateverItsSizeAtTheHolder) {
-    Holder holder({});
-    holder.a.set(1, 7);
-    EXPECT_EQ(Matchmaker::score(table_1(2), holder.as_candidate(1)), 11u);
+    EXPECT_EQ(cluster.scores(5)[1], 1u + 6u);
+    EXPECT_EQ(cluster.scores(3)[3], 1u + 11u + 1u + 4u + 14u + 6u);
 }
 
 TEST(Matchmaker, BestMatchTakesTheHighestScore) {
-    const Holder first({1});
-    const Holder third({3});
-    const Holder fourth({4});
+    const Cluster cluster({{1}, {3}, {4}});
     // Scenario 5 scores 7, 11 + 1 + 6, and 1.
-    EXPECT_EQ(pick(Strategy::BestMatch,
-                   5,
-                   {first.as_candidate(1), third.as_candidate(2, 0.95), fourth.as_candidate(3)}),
-              WorkerId{2});
+    EXPECT_EQ(pick(Strategy::BestMatch, cluster.candidates(5, {0, 0.95, 0})), WorkerId{2});
 }
 
 TEST(Matchmaker, BestMatchLoadWeighsTheScoreByTheFreeShareOfTheBuffer) {
-    const Holder first({1});
-    const Holder third({3});
+    const Cluster cluster({{1}, {3}});
     // 7 x (1 - 0) against 18 x (1 - load): even at a load of 11/18.
-    EXPECT_EQ(
-        pick(Strategy::BestMatchLoad, 5, {first.as_candidate(1), third.as_candidate(2, 0.60)}),
-        WorkerId{2});
-    EXPECT_EQ(
-        pick(Strategy::BestMatchLoad, 5, {first.as_candidate(1), third.as_candidate(2, 0.65)}),
-        WorkerId{1});
+    EXPECT_EQ(pick(Strategy::BestMatchLoad, cluster.candidates(5, {0, 0.60})), WorkerId{2});
+    EXPECT_EQ(pick(Strategy::BestMatchLoad, cluster.candidates(5, {0, 0.65})), WorkerId{1});
 }
 
 TEST(Matchmaker, LowestTakesTheLowestScore) {
-    const Holder first({1});
-    const Holder third({3});
-    const Holder fourth({4});
-    EXPECT_EQ(pick(Strategy::Lowest,
-                   5,
-                   {first.as_candidate(1), third.as_candidate(2), fourth.as_candidate(3, 0.9)}),
-              WorkerId{3});
+    const Cluster cluster({{1}, {3}, {4}});
+    EXPECT_EQ(pick(Strategy::Lowest, cluster.candidates(5, {0, 0, 0.9})), WorkerId{3});
 }
 
 TEST(Matchmaker, EqualsGoToTheFewestScenariosThenToTheSmallestId) {
-    const Holder none({});
     for (const Strategy strategy :
          {Strategy::BestMatch, Strategy::BestMatchLoad, Strategy::Lowest}) {
         EXPECT_EQ(pick(strategy,
-                       1,
-                       {none.as_candidate(3, 0, 2),
-                        none.as_candidate(5, 0, 1),
-                        none.as_candidate(9, 0, 1)}),
+                       {{WorkerId{3}, 7, 0, 2}, {WorkerId{5}, 7, 0, 1}, {WorkerId{9}, 7, 0, 1}}),
                   WorkerId{5});
     }
 }
 
 TEST(Matchmaker, WithoutCandidatesThereIsNoWorker) {
     for (const Strategy strategy : {Strategy::BestMatch, Strategy::Random}) {
-        EXPECT_EQ(pick(strategy, 1, {}), std::nullopt);
+        EXPECT_EQ(pick(strategy, {}), std::nullopt);
     }
 }
 
 TEST(Matchmaker, RandomIsAFunctionOfTheSeedAndReachesEveryWorkerEvenly) {
-    const Holder first({1});
-    const Holder none({});
-    const std::vector<WorkerCandidate> candidates = {
-        first.as_candidate(1), none.as_candidate(2), none.as_candidate(3)};
+    const std::vector<WorkerCandidate> candidates = Cluster({{1}, {}, {}}).candidates(1);
     Matchmaker one(Strategy::Random, 7);
     Matchmaker same(Strategy::Random, 7);
     std::map<WorkerId, int> counts;
     for (int i = 0; i < 3000; ++i) {
-        const auto worker = one.choose(table_1(1), candidates);
-        ASSERT_EQ(worker, same.choose(table_1(1), candidates));
+        const auto worker = one.choose(candidates);
+        ASSERT_EQ(worker, same.choose(candidates));
         ++counts[worker.value()];
     }
     for (const WorkerCandidate& candidate : candidates) {

@@ -1,0 +1,74 @@
+#include "common/tree/root_holders.hpp"
+
+#include "common/core/check.hpp"
+#include "common/tree/row_sums.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+namespace {
+
+constexpr std::uint64_t bit_of(std::uint32_t holder) {
+    return std::uint64_t{1} << (holder % 64);
+}
+
+} // namespace
+
+RootHolders::RootHolders(std::uint32_t root_count, std::uint32_t holder_count)
+    : root_count_(root_count) {
+    grow(holder_count);
+}
+
+void RootHolders::grow(std::uint32_t holder_count) {
+    CD_CHECK(holder_count >= holder_count_);
+    holder_count_ = holder_count;
+    const std::size_t words = (std::size_t{holder_count} + 63) / 64;
+    if (words == row_words_) {
+        return;
+    }
+    std::vector<std::uint64_t> wider(words * root_count_, 0);
+    for (std::size_t root = 0; root < root_count_; ++root) {
+        std::copy_n(bits_.begin() + static_cast<std::ptrdiff_t>(root * row_words_),
+                    row_words_,
+                    wider.begin() + static_cast<std::ptrdiff_t>(root * words));
+    }
+    bits_ = std::move(wider);
+    row_words_ = words;
+}
+
+bool RootHolders::holds(std::uint32_t holder, RootIndex root) const {
+    return (bits_[word_of(holder, root)] & bit_of(holder)) != 0;
+}
+
+void RootHolders::set(std::uint32_t holder, RootIndex root) {
+    bits_[word_of(holder, root)] |= bit_of(holder);
+}
+
+void RootHolders::clear(std::uint32_t holder, RootIndex root) {
+    bits_[word_of(holder, root)] &= ~bit_of(holder);
+}
+
+void RootHolders::clear_all(std::uint32_t holder) {
+    for (RootIndex root = 0; root < root_count_; ++root) {
+        clear(holder, root);
+    }
+}
+
+void RootHolders::add_held(std::span<const WeightedRoot> roots,
+                           std::span<std::uint64_t> sums) const {
+    CD_CHECK(sums.size() == sum_count());
+    for (std::size_t word = 0; word < row_words_; ++word) {
+        add_row_sums(roots, bits_.data() + word, row_words_, sums.subspan(64 * word).first<64>());
+    }
+}
+
+std::uint64_t RootHolders::held(std::uint32_t holder, std::span<const WeightedRoot> roots) const {
+    std::uint64_t sum = 0;
+    for (const WeightedRoot& root : roots) {
+        sum += holds(holder, root.root) ? root.weight : 0;
+    }
+    return sum;
+}
+
+} // namespace cd

@@ -1,0 +1,83 @@
+// The matchmaker as the paper words it, the slow twin of ours: each worker has an indicator of each
+// tree (6.4.5), and a score is a sum over the roots of a scenario, worker by worker (6.5).
+#pragma once
+
+#include "common/tree/cut.hpp"
+#include "proto/message.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <random>
+#include <span>
+
+namespace cd::tests {
+
+struct SlowWorker {
+    RootIndicator held_a;
+    RootIndicator held_b;
+    std::uint64_t buffered = 0;
+};
+
+class SlowMatchmaker {
+  public:
+    SlowMatchmaker(const ClusterOptions& options, std::uint64_t seed)
+        : options_(options), random_(seed) {}
+
+    [[nodiscard]] static std::uint64_t score(const SlowWorker& worker,
+                                             std::span<const RootIndex> roots_a,
+                                             std::span<const RootIndex> roots_b,
+                                             std::span<const std::uint32_t> triangles_a,
+                                             std::span<const std::uint32_t> triangles_b) {
+        std::uint64_t sum = 0;
+        for (const RootIndex root : roots_a) {
+            sum += worker.held_a.at(root) != 0 ? triangles_a[root] : 0;
+        }
+        for (const RootIndex root : roots_b) {
+            sum += worker.held_b.at(root) != 0 ? triangles_b[root] : 0;
+        }
+        return sum;
+    }
+
+    /// `scores`: of each worker.
+    [[nodiscard]] std::optional<WorkerId> choose(const std::map<WorkerId, SlowWorker>& workers,
+                                                 const std::map<WorkerId, std::uint64_t>& scores) {
+        std::optional<WorkerId> best;
+        if (workers.empty()) {
+            return best;
+        }
+        if (options_.strategy == Strategy::Random) {
+            auto place = workers.begin();
+            std::advance(place, static_cast<std::ptrdiff_t>(random_() % workers.size()));
+            return place->first;
+        }
+        double best_worth = 0;
+        for (const auto& [id, worker] : workers) {
+            const double value = worth(scores.at(id), worker);
+            if (!best || value > best_worth ||
+                (value == best_worth && worker.buffered < workers.at(*best).buffered)) {
+                best = id;
+                best_worth = value;
+            }
+        }
+        return best;
+    }
+
+  private:
+    [[nodiscard]] double worth(std::uint64_t score, const SlowWorker& worker) const {
+        const auto triangles = static_cast<double>(score);
+        switch (options_.strategy) {
+        case Strategy::BestMatchLoad:
+            return triangles * (1.0 - static_cast<double>(worker.buffered) / options_.q);
+        case Strategy::Lowest:
+            return -triangles;
+        default:
+            return triangles;
+        }
+    }
+
+    ClusterOptions options_;
+    std::mt19937_64 random_;
+};
+
+} // namespace cd::tests
