@@ -1,0 +1,92 @@
+#include "bench/cluster/messages.hpp"
+
+#include "proto/codec.hpp"
+#include "proto/frame.hpp"
+
+#include <algorithm>
+
+namespace cd::bench {
+
+namespace {
+
+std::uint64_t on_wire(const Message& message) {
+    return frame_header_bytes + encode_message(message).size();
+}
+
+Batch empty_batch() {
+    Batch batch;
+    batch.pair_offsets = {0};
+    return batch;
+}
+
+/// The messages without their content, and what a block adds beside its bytes.
+struct Overheads {
+    std::uint64_t batch = on_wire(empty_batch());
+    std::uint64_t blocks = on_wire(Subtrees{});
+    std::uint64_t block = on_wire(Subtrees{TreeId{}, {SubtreeBlock{}}}) - blocks;
+    std::uint64_t want = on_wire(WantSubtrees{});
+    std::uint64_t results = on_wire(Results{});
+    std::uint64_t end_of_task = on_wire(EndOfTask{});
+    std::uint64_t terminate = on_wire(Terminate{});
+};
+
+const Overheads& overheads() {
+    static const Overheads measured;
+    return measured;
+}
+
+/// A message names one tree.
+std::uint64_t trees_in(const std::vector<BlockId>& blocks) {
+    const auto second = std::ranges::count(blocks, 1, &BlockId::tree);
+    const bool has_second = second != 0;
+    const bool has_first = static_cast<std::size_t>(second) != blocks.size();
+    return (has_first ? 1u : 0u) + (has_second ? 1u : 0u);
+}
+
+std::uint64_t bytes_in(const BatchSent& message, const Workload& workload) {
+    std::uint64_t bytes = overheads().batch;
+    for (const std::uint64_t scenario : message.scenarios) {
+        bytes += workload.scenario(scenario).batch_bytes;
+    }
+    return bytes + (message.with_tops ? workload.top_bytes[0] + workload.top_bytes[1] : 0);
+}
+
+std::uint64_t bytes_in(const BlocksSent& message, const Workload& workload) {
+    std::uint64_t bytes = trees_in(message.blocks) * overheads().blocks;
+    for (const BlockId& block : message.blocks) {
+        bytes += overheads().block + workload.block(block).bytes;
+    }
+    return bytes;
+}
+
+std::uint64_t bytes_in(const Ended& /*message*/, const Workload& /*workload*/) {
+    return overheads().terminate;
+}
+
+std::uint64_t bytes_in(const BlocksWanted& message, const Workload& /*workload*/) {
+    return trees_in(message.blocks) * overheads().want + message.blocks.size() * sizeof(RootIndex);
+}
+
+std::uint64_t bytes_in(const ResultsSent& message, const Workload& workload) {
+    std::uint64_t bytes = message.scenarios.empty() ? 0 : overheads().results;
+    for (const std::uint64_t scenario : message.scenarios) {
+        bytes += sizeof(std::uint32_t) + workload.scenario(scenario).result_bytes;
+    }
+    return bytes + (message.ends_task ? overheads().end_of_task : 0);
+}
+
+std::uint64_t bytes_in(const Analysed& /*message*/, const Workload& /*workload*/) {
+    return 0;
+}
+
+} // namespace
+
+std::uint64_t bytes_of(const ToWorker& message, const Workload& workload) {
+    return std::visit([&](const auto& content) { return bytes_in(content, workload); }, message);
+}
+
+std::uint64_t bytes_of(const ToMaster& message, const Workload& workload) {
+    return std::visit([&](const auto& content) { return bytes_in(content, workload); }, message);
+}
+
+} // namespace cd::bench

@@ -1,0 +1,414 @@
+#include "bench/cluster/simulation.hpp"
+
+#include "bench/accuracy/isolate.hpp"
+#include "bench/cluster/master_model.hpp"
+#include "bench/cluster/worker_model.hpp"
+
+#include <simgrid/s4u.hpp>
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cd::bench {
+
+namespace {
+
+namespace s4u = simgrid::s4u;
+
+/// A fast core does so much in a second, so costs in seconds become SimGrid's operations.
+constexpr double fast_speed = 1e9;
+
+struct WorkerPlace {
+    s4u::Host* host = nullptr;
+    std::uint32_t threads = 1;
+};
+
+struct Platform {
+    s4u::Host* master = nullptr;
+    std::vector<WorkerPlace> workers; ///< Fast ones first.
+};
+
+class PlatformBuilder {
+  public:
+    explicit PlatformBuilder(const ClusterSpec& spec)
+        : spec_(spec), zone_(s4u::create_star_zone("cluster")) {}
+
+    Platform build(double slow_ratio, std::uint32_t master_cores) {
+        Platform platform;
+        platform.master = add_computer("master", fast_speed, master_cores);
+        add_loopback(platform.master);
+        add_kind("fast", spec_.fast_cores, spec_.fast_cores_each, fast_speed, platform);
+        add_kind(
+            "slow", spec_.slow_cores, spec_.slow_cores_each, fast_speed / slow_ratio, platform);
+        zone_->seal();
+        return platform;
+    }
+
+  private:
+    s4u::Host* add_computer(const std::string& name, double speed, std::uint32_t cores) {
+        s4u::Host* host = zone_->create_host(name, speed)->set_core_count(static_cast<int>(cores));
+        s4u::SplitDuplexLink* link =
+            zone_->create_split_duplex_link(name + " link", spec_.bytes_per_second);
+        link->set_latency(spec_.latency_seconds);
+        link->seal();
+        host->seal();
+        zone_->add_route(host->get_netpoint(),
+                         nullptr,
+                         nullptr,
+                         nullptr,
+                         {{link, s4u::LinkInRoute::Direction::UP}},
+                         true);
+        return host;
+    }
+
+    /// What the analysing cores say to the master takes no time.
+    void add_loopback(s4u::Host* host) {
+        s4u::Link* link = zone_->create_link("loopback", 1e12);
+        link->set_latency(0)->set_sharing_policy(s4u::Link::SharingPolicy::FATPIPE)->seal();
+        zone_->add_route(host->get_netpoint(),
+                         host->get_netpoint(),
+                         nullptr,
+                         nullptr,
+                         {s4u::LinkInRoute(link)},
+                         true);
+    }
+
+    void add_kind(const std::string& kind,
+                  std::uint32_t cores,
+                  std::uint32_t cores_each,
+                  double speed,
+                  Platform& platform) {
+        for (std::uint32_t first = 0; first < cores; first += cores_each) {
+            const std::string name = kind + " " + std::to_string(first / cores_each);
+            s4u::Host* host = add_computer(name, speed, cores_each);
+            const std::uint32_t here = std::min(cores_each, cores - first);
+            if (spec_.worker_per_computer) {
+                platform.workers.push_back({host, here});
+            } else {
+                platform.workers.insert(platform.workers.end(), here, {host, 1});
+            }
+        }
+    }
+
+    const ClusterSpec& spec_;
+    s4u::NetZone* zone_;
+};
+
+/// Computes on the actor's host.
+void spend(double fast_seconds) {
+    if (fast_seconds > 0) {
+        s4u::this_actor::execute(fast_seconds * fast_speed);
+    }
+}
+
+/// A mailbox whose messages travel while its owner computes.
+template <class Message>
+class Inbox {
+  public:
+    explicit Inbox(const std::string& name) : mailbox_(s4u::Mailbox::by_name(name)) {}
+
+    /// Called by its owner.
+    void open() { mailbox_->set_receiver(s4u::Actor::self()); }
+    void close() { mailbox_->set_receiver(nullptr); }
+    /// The sender goes on at once.
+    void put(Message message, std::uint64_t bytes) {
+        auto owned = std::make_unique<Message>(std::move(message));
+        mailbox_->put_init(owned.release(), bytes)->detach([](void* lost) {
+            delete static_cast<Message*>(lost); // NOLINT: SimGrid's mailboxes hold bare pointers.
+        });
+    }
+    [[nodiscard]] bool has_message() const { return mailbox_->ready(); }
+    [[nodiscard]] std::unique_ptr<Message> get() { return mailbox_->get_unique<Message>(); }
+
+  private:
+    s4u::Mailbox* mailbox_;
+};
+
+class Simulation {
+  public:
+    Simulation(const Workload& workload, const SimulationOptions& options)
+        : workload_(workload),
+          options_(options),
+          master_(workload, options.dispatch, options.ahead),
+          to_master_("master"),
+          work_available_(s4u::ConditionVariable::create()),
+          analysts_lock_(s4u::Mutex::create()) {}
+
+    Outcome run(s4u::Engine& engine) {
+        const auto cores = 1 + options_.analysts;
+        const Platform platform =
+            PlatformBuilder(options_.cluster).build(workload_.slow_ratio, cores);
+        std::vector<std::uint32_t> threads;
+        for (const WorkerPlace& place : platform.workers) {
+            threads.push_back(place.threads);
+            workers_.push_back(std::make_unique<Worker>(threads.size(), place.threads, workload_));
+        }
+        s4u::Actor::create("master", platform.master, [this, threads] { run_master(threads); });
+        for (std::size_t i = 0; i < platform.workers.size(); ++i) {
+            start_worker(*workers_[i], platform.workers[i].host);
+        }
+        for (std::uint32_t i = 0; i < options_.analysts; ++i) {
+            s4u::Actor::create("analyst", platform.master, [this] { run_analyst(); });
+        }
+        engine.run();
+        return outcome();
+    }
+
+  private:
+    // ---- The master ---------------------------------------------------------------------------
+
+    void run_master(const std::vector<std::uint32_t>& threads) {
+        to_master_.open();
+        send(master_.start(threads));
+        while (!master_.is_done()) {
+            if (to_master_.has_message()) {
+                take_message();
+            } else if (options_.analysts != 0 || !analyse_one()) {
+                take_message();
+            }
+            wake_analysts();
+        }
+        outcome_.seconds = s4u::Engine::get_clock();
+        is_over_ = true;
+        wake_analysts();
+        for (const auto& worker : workers_) {
+            worker->inbox.put(Ended{}, bytes_of(ToWorker(Ended{}), workload_));
+        }
+        to_master_.close();
+    }
+
+    void take_message() {
+        const std::unique_ptr<ToMaster> message = to_master_.get();
+        if (std::holds_alternative<Analysed>(*message)) {
+            master_spends(options_.dispatch_seconds);
+        }
+        send(std::visit([this](const auto& content) { return master_.take(content); }, *message));
+    }
+
+    bool analyse_one() {
+        const auto scenario = master_.next_to_analyse();
+        if (!scenario) {
+            return false;
+        }
+        master_spends(workload_.scenario(*scenario).analysis_seconds + options_.dispatch_seconds);
+        send(master_.take(Analysed{*scenario}));
+        return true;
+    }
+
+    void send(std::vector<Letter> letters) {
+        for (Letter& letter : letters) {
+            if (options_.pipe_bytes_per_second > 0) {
+                master_spends(static_cast<double>(letter.bytes) / options_.pipe_bytes_per_second);
+            }
+            workers_[letter.to.value - 1]->inbox.put(std::move(letter.content), letter.bytes);
+        }
+    }
+
+    void master_spends(double seconds) {
+        outcome_.master_seconds += seconds;
+        spend(seconds);
+    }
+
+    // With the lock, so that none misses it between its look at the master and its wait.
+    void wake_analysts() {
+        if (options_.analysts != 0) {
+            const std::unique_lock lock(*analysts_lock_);
+            work_available_->notify_all();
+        }
+    }
+
+    void run_analyst() {
+        while (const auto scenario = wait_for_scenario()) {
+            spend(workload_.scenario(*scenario).analysis_seconds);
+            to_master_.put(Analysed{*scenario}, 0);
+        }
+    }
+
+    /// Nothing at the end.
+    std::optional<std::uint64_t> wait_for_scenario() {
+        const std::unique_lock lock(*analysts_lock_);
+        while (!is_over_) {
+            if (const auto scenario = master_.next_to_analyse()) {
+                return scenario;
+            }
+            work_available_->wait(lock);
+        }
+        return std::nullopt;
+    }
+
+    // ---- A worker -----------------------------------------------------------------------------
+
+    /// A session that listens and threads that compute, as the real one.
+    struct Worker {
+        Worker(std::size_t id, std::uint32_t thread_count, const Workload& workload)
+            : model(WorkerId{id}, workload),
+              inbox("worker " + std::to_string(id)),
+              work(s4u::Semaphore::create(0)),
+              threads(thread_count) {}
+
+        WorkerModel model;
+        Inbox<ToWorker> inbox;
+        std::deque<BlocksSent> unopened; ///< Goes before scenarios.
+        s4u::SemaphorePtr work;          ///< One for each thing that a thread can do.
+        std::uint32_t threads;
+        bool is_over = false;
+    };
+
+    void start_worker(Worker& worker, s4u::Host* host) {
+        s4u::Actor::create("session", host, [this, &worker] { run_session(worker); });
+        for (std::uint32_t i = 0; i < worker.threads; ++i) {
+            s4u::Actor::create("thread", host, [this, &worker] { run_thread(worker); });
+        }
+    }
+
+    void run_session(Worker& worker) {
+        worker.inbox.open();
+        while (!worker.is_over) {
+            const std::unique_ptr<ToWorker> message = worker.inbox.get();
+            std::visit([&](const auto& content) { take(worker, content); }, *message);
+        }
+        worker.inbox.close();
+    }
+
+    void take(Worker& worker, const BatchSent& batch) {
+        const std::size_t ready_before = worker.model.ready_count();
+        if (auto wanted = worker.model.take(batch)) {
+            put_to_master(std::move(*wanted));
+        }
+        offer(worker, worker.model.ready_count() - ready_before);
+    }
+
+    /// The threads share the opening.
+    void take(Worker& worker, const BlocksSent& message) {
+        const std::size_t count = message.blocks.size();
+        std::size_t begin = 0;
+        for (std::uint32_t i = 1; i <= worker.threads; ++i) {
+            const std::size_t end = count * i / worker.threads;
+            if (end > begin) {
+                worker.unopened.push_back({{message.blocks.begin() + offset(begin),
+                                            message.blocks.begin() + offset(end)}});
+                offer(worker, 1);
+            }
+            begin = end;
+        }
+    }
+
+    void take(Worker& worker, const Ended& /*message*/) {
+        worker.is_over = true;
+        offer(worker, worker.threads);
+    }
+
+    static std::ptrdiff_t offset(std::size_t place) { return static_cast<std::ptrdiff_t>(place); }
+
+    static void offer(Worker& worker, std::size_t things) {
+        for (std::size_t i = 0; i < things; ++i) {
+            worker.work->release();
+        }
+    }
+
+    void run_thread(Worker& worker) {
+        for (worker.work->acquire(); !worker.is_over; worker.work->acquire()) {
+            if (!worker.unopened.empty()) {
+                const BlocksSent blocks = std::move(worker.unopened.front());
+                worker.unopened.pop_front();
+                open(worker, blocks);
+            } else {
+                run_scenario(worker, worker.model.next());
+            }
+        }
+    }
+
+    void open(Worker& worker, const BlocksSent& blocks) {
+        spend(worker.model.open_seconds(blocks));
+        const std::size_t ready_before = worker.model.ready_count();
+        worker.model.opened(blocks);
+        offer(worker, worker.model.ready_count() - ready_before);
+    }
+
+    void run_scenario(Worker& worker, std::uint64_t scenario) {
+        const double seconds = workload_.scenario(scenario).work_seconds;
+        spend(seconds);
+        outcome_.work_seconds += seconds;
+        worker.model.ran(scenario, s4u::Engine::get_clock());
+        send_results(worker.model);
+    }
+
+    void send_results(WorkerModel& worker) {
+        // Who waits for blocks has time to send what it has.
+        const double period = worker.ready_count() != 0
+                                  ? options_.results_period
+                                  : std::min(options_.results_period, idle_period());
+        for (ResultsSent& results : worker.due(s4u::Engine::get_clock(), period)) {
+            put_to_master(std::move(results));
+        }
+    }
+
+    /// Nothing is kept while idle, but where results wait for their task's end in any case.
+    [[nodiscard]] double idle_period() const {
+        return options_.results_period == std::numeric_limits<double>::infinity()
+                   ? options_.results_period
+                   : 0;
+    }
+
+    void put_to_master(ToMaster message) {
+        const std::uint64_t bytes = bytes_of(message, workload_);
+        to_master_.put(std::move(message), bytes);
+    }
+
+    [[nodiscard]] Outcome outcome() const {
+        const MasterCounts& counts = master_.counts();
+        Outcome outcome = outcome_;
+        outcome.answered = counts.answered;
+        outcome.answered_again = counts.answered_again;
+        outcome.batches = counts.batches;
+        outcome.wants = counts.wants;
+        outcome.blocks = counts.blocks;
+        outcome.block_bytes = counts.block_bytes;
+        outcome.sent_bytes = counts.sent_bytes;
+        outcome.dispatcher_us = 1e6 * counts.dispatcher_seconds /
+                                static_cast<double>(std::max<std::size_t>(workload_.count(), 1));
+        for (const auto& worker : workers_) {
+            const WorkerModel& model = worker->model;
+            outcome.blocks_received += model.received_blocks();
+            outcome.memory_bytes_max = std::max(outcome.memory_bytes_max, model.memory_bytes());
+            outcome.memory_bytes_sum += model.memory_bytes();
+        }
+        return outcome;
+    }
+
+    const Workload& workload_;
+    const SimulationOptions& options_;
+    MasterModel master_;
+    Inbox<ToMaster> to_master_;
+    std::vector<std::unique_ptr<Worker>> workers_;
+    s4u::ConditionVariablePtr work_available_;
+    s4u::MutexPtr analysts_lock_;
+    bool is_over_ = false;
+    Outcome outcome_;
+};
+
+} // namespace
+
+Outcome simulate(const Workload& workload, const SimulationOptions& options) {
+    std::string program = "simulate";
+    std::string quiet = "--log=root.thresh:warning";
+    std::array<char*, 3> arguments{program.data(), quiet.data(), nullptr};
+    int count = 2;
+    s4u::Engine engine(&count, arguments.data());
+    return Simulation(workload, options).run(engine);
+}
+
+std::optional<Outcome> simulate_apart(const Workload& workload,
+                                      const SimulationOptions& options,
+                                      std::chrono::seconds limit) {
+    const SharedArray<Outcome> shared(1);
+    const Ending ending = run_isolated(limit, [&] { shared[0] = simulate(workload, options); });
+    return ending == Ending::Done ? std::optional(shared[0]) : std::nullopt;
+}
+
+} // namespace cd::bench

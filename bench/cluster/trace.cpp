@@ -1,0 +1,174 @@
+#include "bench/cluster/trace.hpp"
+
+#include "common/core/compress.hpp"
+#include "common/core/disk_file.hpp"
+#include "common/core/varint.hpp"
+
+#include <algorithm>
+
+namespace cd::bench {
+
+namespace {
+
+constexpr FileKind trace_kind{0x656361727463'6463, 1}; // "cdctrace"
+constexpr std::size_t trace_bytes_max = std::size_t{1} << 32;
+constexpr int compression_level = 3;
+
+/// Writes and reads the same members in the same order: `Stream` is a TraceWriter or a TraceReader.
+template <class Stream>
+void exchange(Stream& stream, RootTrace& root) {
+    stream.whole(root.triangles);
+    stream.whole(root.bytes);
+    stream.whole(root.compressed_bytes);
+    stream.whole(root.memory_bytes);
+    stream.seconds(root.open_seconds);
+}
+
+template <class Stream>
+void exchange(Stream& stream, CutTrace& cut) {
+    stream.whole(cut.depth);
+    stream.whole(cut.top_bytes);
+    stream.list(cut.roots);
+}
+
+template <class Stream>
+void exchange(Stream& stream, ScenarioTrace& scenario) {
+    stream.seconds(scenario.analysis_seconds);
+    stream.whole(scenario.analysis_box_tests);
+    stream.whole(scenario.root_pairs);
+    stream.seconds(scenario.work_seconds);
+    stream.seconds(scenario.binary_seconds);
+    stream.whole(scenario.batch_bytes);
+    stream.whole(scenario.result_bytes);
+    stream.roots(scenario.roots_a);
+    stream.roots(scenario.roots_b);
+}
+
+template <class Stream>
+void exchange(Stream& stream, WholeTrace& whole) {
+    stream.seconds(whole.seconds);
+    stream.seconds(whole.binary_seconds);
+    stream.whole(whole.box_tests);
+    stream.whole(whole.triangle_tests);
+    stream.whole(whole.wide_box_tests);
+    stream.whole(whole.wide_triangle_tests);
+}
+
+template <class Stream>
+void exchange(Stream& stream, DepthTrace& depth) {
+    exchange(stream, depth.a);
+    stream.list(depth.scenarios);
+}
+
+template <class Stream>
+void exchange(Stream& stream, Trace& trace) {
+    stream.text(trace.name);
+    stream.whole(trace.triangles_a);
+    stream.whole(trace.triangles_b);
+    stream.seconds(trace.box_test_ns);
+    stream.seconds(trace.triangle_test_ns);
+    stream.list(trace.whole);
+    exchange(stream, trace.b);
+    stream.list(trace.depths);
+}
+
+class TraceWriter {
+  public:
+    template <class T>
+    void whole(const T& value) {
+        put_varint(out_, value);
+    }
+    void seconds(double value) { out_.put(value); }
+    void text(const std::string& value) { out_.put_text(value); }
+    void roots(const std::vector<RootIndex>& roots) {
+        whole(roots.size());
+        RootIndex before = 0;
+        for (const RootIndex root : roots) {
+            whole(root - before);
+            before = root;
+        }
+    }
+    template <class T>
+    void list(std::vector<T>& values) {
+        whole(values.size());
+        for (T& value : values) {
+            exchange(*this, value);
+        }
+    }
+    [[nodiscard]] Bytes take() { return out_.take(); }
+
+  private:
+    ByteWriter out_;
+};
+
+class TraceReader {
+  public:
+    explicit TraceReader(std::span<const std::byte> bytes) : in_(bytes) {}
+
+    template <class T>
+    void whole(T& value) {
+        value = static_cast<T>(get_varint(in_).value_or(0));
+    }
+    void seconds(double& value) { value = in_.get<double>(); }
+    void text(std::string& value) { value = in_.get_text(); }
+    void roots(std::vector<RootIndex>& roots) {
+        roots.resize(size());
+        RootIndex before = 0;
+        for (RootIndex& root : roots) {
+            whole(root);
+            root += before;
+            before = root;
+        }
+    }
+    template <class T>
+    void list(std::vector<T>& values) {
+        values.resize(size());
+        for (T& value : values) {
+            exchange(*this, value);
+        }
+    }
+    [[nodiscard]] bool complete() const { return in_.complete(); }
+
+  private:
+    /// Each element takes a byte at least.
+    [[nodiscard]] std::size_t size() {
+        return std::min<std::uint64_t>(get_varint(in_).value_or(0), in_.remaining());
+    }
+
+    ByteReader in_;
+};
+
+} // namespace
+
+const DepthTrace* Trace::at(std::uint32_t depth_a) const {
+    const auto found =
+        std::ranges::find(depths, depth_a, [](const DepthTrace& depth) { return depth.a.depth; });
+    return found == depths.end() ? nullptr : &*found;
+}
+
+Status write_trace(const std::filesystem::path& path, const Trace& trace) {
+    TraceWriter writer;
+    Trace copy = trace; // `exchange` reads it here, and fills it when reading.
+    exchange(writer, copy);
+    return write_checked(path, trace_kind, compress(writer.take(), compression_level));
+}
+
+Result<Trace> read_trace(const std::filesystem::path& path) {
+    const Result<Bytes> content = read_checked(path, trace_kind);
+    if (!content) {
+        return content.error();
+    }
+    const Result<Bytes> bytes = decompress(content.value(), trace_bytes_max);
+    if (!bytes) {
+        return bytes.error();
+    }
+    TraceReader reader(bytes.value());
+    Trace trace;
+    exchange(reader, trace);
+    if (!reader.complete()) {
+        return Error{ErrorCode::Io, path.string() + " is not a whole trace"};
+    }
+    return trace;
+}
+
+} // namespace cd::bench

@@ -1,0 +1,100 @@
+#include "bench/cluster/worker_model.hpp"
+
+#include "common/core/check.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cd::bench {
+
+WorkerModel::WorkerModel(WorkerId id, const Workload& workload) : id_(id), workload_(workload) {
+    for (std::size_t tree = 0; tree < slots_.size(); ++tree) {
+        slots_[tree].resize(workload.trees[tree].size(), Slot::Absent);
+    }
+}
+
+std::optional<BlocksWanted> WorkerModel::take(const BatchSent& batch) {
+    BlocksWanted wanted{id_, {}};
+    tasks_[batch.task].open = batch.scenarios.size();
+    for (const std::uint64_t scenario : batch.scenarios) {
+        std::size_t missing = 0;
+        for (const BlockId& block : workload_.scenario(scenario).blocks) {
+            Slot& slot = slots_[block.tree][block.root];
+            if (slot == Slot::Here) {
+                continue;
+            }
+            if (slot == Slot::Absent) {
+                slot = Slot::Wanted;
+                wanted.blocks.push_back(block);
+            }
+            waiting_for_[block].push_back(scenario);
+            ++missing;
+        }
+        const bool is_new = scenarios_.emplace(scenario, Waiting{batch.task, missing}).second;
+        CD_CHECK(is_new);
+        if (missing == 0) {
+            ready_.push_back(scenario);
+        }
+    }
+    std::ranges::sort(wanted.blocks);
+    return wanted.blocks.empty() ? std::nullopt : std::optional(std::move(wanted));
+}
+
+double WorkerModel::open_seconds(const BlocksSent& message) const {
+    double seconds = 0;
+    for (const BlockId& block : message.blocks) {
+        seconds += workload_.block(block).open_seconds;
+    }
+    return seconds;
+}
+
+void WorkerModel::opened(const BlocksSent& message) {
+    for (const BlockId& block : message.blocks) {
+        Slot& slot = slots_[block.tree][block.root];
+        CD_CHECK(slot == Slot::Wanted);
+        slot = Slot::Here;
+        ++received_blocks_;
+        memory_bytes_ += workload_.block(block).memory_bytes;
+        const auto waiting = waiting_for_.extract(block);
+        for (const std::uint64_t scenario : waiting.mapped()) {
+            if (--scenarios_.at(scenario).missing == 0) {
+                ready_.push_back(scenario);
+            }
+        }
+    }
+}
+
+std::uint64_t WorkerModel::next() {
+    CD_CHECK(!ready_.empty());
+    const std::uint64_t scenario = ready_.front();
+    ready_.pop_front();
+    return scenario;
+}
+
+void WorkerModel::ran(std::uint64_t scenario, double now) {
+    const auto place = scenarios_.find(scenario);
+    CD_CHECK(place != scenarios_.end());
+    Task& task = tasks_.at(place->second.task);
+    scenarios_.erase(place);
+    --task.open;
+    if (task.unsent.empty()) {
+        task.unsent_since = now;
+    }
+    task.unsent.push_back(scenario);
+}
+
+std::vector<ResultsSent> WorkerModel::due(double now, double period) {
+    std::vector<ResultsSent> due;
+    for (auto place = tasks_.begin(); place != tasks_.end();) {
+        auto& [id, task] = *place;
+        const bool has_ended = task.open == 0;
+        const bool is_old = !task.unsent.empty() && now - task.unsent_since >= period;
+        if (has_ended || is_old) {
+            due.push_back({id_, id, std::exchange(task.unsent, {}), has_ended});
+        }
+        place = has_ended ? tasks_.erase(place) : std::next(place);
+    }
+    return due;
+}
+
+} // namespace cd::bench

@@ -1,0 +1,175 @@
+// Proves the simulated cluster's bookkeeping without a clock: under every strategy each scenario is
+// answered once, a worker is sent each block that its scenarios touch once, and the bytes are those
+// of these blocks.
+#include "bench/cluster/master_model.hpp"
+#include "bench/cluster/strategies.hpp"
+#include "bench/cluster/worker_model.hpp"
+#include "tests/bench/cluster/synthetic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace cd::tests {
+namespace {
+
+using namespace cd::bench;
+
+/// Delivers letters in the order of sending; workers run what is ready at once.
+class InstantCluster {
+  public:
+    InstantCluster(const Workload& workload, const ClusterOptions& options)
+        : workload_(workload), master_(workload, options, 1) {
+        for (std::uint64_t id = 1; id <= 5; ++id) {
+            workers_.emplace_back(WorkerId{id}, workload);
+        }
+        threads_.assign(workers_.size(), 1);
+    }
+
+    void run() {
+        send(master_.start(threads_));
+        while (!master_.is_done()) {
+            deliver();
+            const auto scenario = master_.next_to_analyse();
+            if (scenario) {
+                send(master_.take(Analysed{*scenario}));
+            }
+            ASSERT_TRUE(scenario || !letters_.empty() || master_.is_done());
+        }
+    }
+
+    [[nodiscard]] const MasterCounts& counts() const { return master_.counts(); }
+    /// By worker, as the batches say.
+    [[nodiscard]] const std::map<WorkerId, std::set<BlockId>>& touched() const { return touched_; }
+    [[nodiscard]] const std::map<std::uint64_t, int>& given() const { return given_; }
+
+  private:
+    void send(std::vector<Letter> letters) {
+        std::move(letters.begin(), letters.end(), std::back_inserter(letters_));
+    }
+
+    void deliver() {
+        while (!letters_.empty()) {
+            const Letter letter = letters_.front();
+            letters_.pop_front();
+            EXPECT_EQ(letter.bytes, bytes_of(letter.content, workload_));
+            WorkerModel& worker = workers_[letter.to.value - 1];
+            if (const auto* batch = std::get_if<BatchSent>(&letter.content)) {
+                note(letter.to, *batch);
+                if (const auto wanted = worker.take(*batch)) {
+                    send(master_.take(*wanted));
+                }
+            } else {
+                worker.opened(std::get<BlocksSent>(letter.content));
+            }
+            work(worker);
+        }
+    }
+
+    void note(WorkerId worker, const BatchSent& batch) {
+        for (const std::uint64_t scenario : batch.scenarios) {
+            ++given_[scenario];
+            const auto& blocks = workload_.scenario(scenario).blocks;
+            touched_[worker].insert(blocks.begin(), blocks.end());
+        }
+    }
+
+    void work(WorkerModel& worker) {
+        while (worker.ready_count() != 0) {
+            worker.ran(worker.next(), 0);
+            for (const ResultsSent& results : worker.due(0, 1)) {
+                send(master_.take(results));
+            }
+        }
+    }
+
+    const Workload& workload_;
+    MasterModel master_;
+    std::vector<WorkerModel> workers_;
+    std::vector<std::uint32_t> threads_;
+    std::deque<Letter> letters_;
+    std::map<WorkerId, std::set<BlockId>> touched_;
+    std::map<std::uint64_t, int> given_;
+};
+
+TEST(ClusterModels, EveryScenarioIsAnsweredOnceAndEachMissingBlockIsSentOnce) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const Workload workload = make_synthetic_workload(seed, 90 + seed);
+        for (const ComparedStrategy& compared : compared_strategies) {
+            for (const bool claims : {false, true}) {
+                SCOPED_TRACE(testing::Message() << "seed " << seed << " "
+                                                << to_text(compared.strategy) << " " << claims);
+                ClusterOptions options;
+                options.strategy = compared.strategy;
+                options.claim = claims;
+                options.q = static_cast<std::uint32_t>(1 + seed % 7);
+                options.seed = seed;
+                InstantCluster cluster(workload, options);
+                cluster.run();
+
+                EXPECT_EQ(cluster.counts().answered, workload.count());
+                EXPECT_EQ(cluster.counts().answered_again, 0u);
+                EXPECT_EQ(cluster.given().size(), workload.count());
+                std::uint64_t blocks = 0;
+                std::uint64_t bytes = 0;
+                for (const auto& [worker, touched] : cluster.touched()) {
+                    blocks += touched.size();
+                    for (const BlockId& block : touched) {
+                        bytes += workload.block(block).bytes;
+                    }
+                }
+                EXPECT_EQ(cluster.counts().blocks, blocks);
+                EXPECT_EQ(cluster.counts().block_bytes, bytes);
+                EXPECT_GT(cluster.counts().sent_bytes, bytes);
+            }
+        }
+    }
+}
+
+TEST(ClusterModels, OneWantIsAnsweredInMessagesOfBoundedSize) {
+    Workload workload = make_synthetic_workload(1, 10);
+    for (BlockCost& block : workload.trees[0]) {
+        block.bytes = 300'000;
+    }
+    MasterModel master(workload, {}, 1);
+    BlocksWanted wanted{WorkerId{1}, {}};
+    for (RootIndex root = 0; root < 40; ++root) {
+        wanted.blocks.push_back({0, root});
+    }
+    wanted.blocks.push_back({1, 0});
+    const auto letters = master.take(wanted);
+    std::size_t blocks = 0;
+    for (const Letter& letter : letters) {
+        EXPECT_LT(letter.bytes, 1'500'000u);
+        blocks += std::get<BlocksSent>(letter.content).blocks.size();
+    }
+    EXPECT_EQ(blocks, wanted.blocks.size());
+    EXPECT_EQ(letters.size(), 11u); // Four blocks each, and the other tree's.
+}
+
+TEST(ClusterModels, ResultsLeaveWithTheirTaskOrWhenTheyAreOld) {
+    const Workload workload = make_synthetic_workload(2, 3);
+    WorkerModel worker(WorkerId{1}, workload);
+    const auto wanted = worker.take(BatchSent{TaskId{7}, {0, 1, 2}, true});
+    ASSERT_TRUE(wanted);
+    EXPECT_EQ(worker.ready_count(), 0u);
+    worker.opened(BlocksSent{wanted->blocks});
+    ASSERT_EQ(worker.ready_count(), 3u);
+
+    worker.ran(worker.next(), 1.0);
+    EXPECT_TRUE(worker.due(1.5, 1).empty());
+    ASSERT_EQ(worker.due(2.0, 1).size(), 1u);
+    worker.ran(worker.next(), 3.0);
+    worker.ran(worker.next(), 3.0);
+    const auto last = worker.due(3.0, 1);
+    ASSERT_EQ(last.size(), 1u);
+    EXPECT_EQ(last[0].scenarios.size(), 2u);
+    EXPECT_TRUE(last[0].ends_task);
+    EXPECT_TRUE(worker.due(9.0, 1).empty());
+}
+
+} // namespace
+} // namespace cd::tests

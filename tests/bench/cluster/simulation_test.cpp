@@ -1,0 +1,85 @@
+// Proves that a job simulated under SimGrid is answered whole, takes at least the time that its
+// bounds say, and comes out the same each time.
+#include "bench/cluster/strategies.hpp"
+#include "tests/bench/cluster/synthetic.hpp"
+
+#ifdef CD_SIMGRID
+#include "bench/cluster/simulation.hpp"
+#endif
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+#ifndef CD_SIMGRID
+
+TEST(ClusterSimulation, IsBuilt) {
+    GTEST_SKIP() << "libsimgrid-dev was not there at build time: nothing simulated was tested";
+}
+
+#else
+
+using namespace cd::bench;
+
+constexpr std::chrono::seconds limit{30};
+
+SimulationOptions small_cluster() {
+    SimulationOptions options;
+    options.cluster.fast_cores = 6;
+    options.cluster.slow_cores = 4;
+    options.dispatch.q = 5;
+    return options;
+}
+
+TEST(ClusterSimulation, IsWholeWithinItsBoundsAndTheSameEachTime) {
+    const Workload workload = make_synthetic_workload(3, 400);
+    for (const ComparedStrategy& compared : compared_strategies) {
+        for (const bool is_product : {false, true}) {
+            SCOPED_TRACE(testing::Message() << to_text(compared.strategy) << " " << is_product);
+            SimulationOptions options = small_cluster();
+            options.dispatch.strategy = compared.strategy;
+            options.dispatch.claim = !is_product;
+            options.cluster.worker_per_computer = is_product;
+            options.analysts = is_product ? 2 : 0;
+            options.ahead = is_product ? 50 : 1;
+            const auto first = simulate_apart(workload, options, limit);
+            const auto second = simulate_apart(workload, options, limit);
+            ASSERT_TRUE(first && second);
+
+            EXPECT_EQ(first->answered, workload.count());
+            EXPECT_EQ(first->answered_again, 0u);
+            EXPECT_EQ(first->blocks_received, first->blocks);
+            EXPECT_GT(first->sent_bytes, first->block_bytes);
+            EXPECT_NEAR(first->work_seconds, workload.serial_seconds, 1e-9);
+            const double bound = options.cluster.weighted_cores(workload.slow_ratio);
+            EXPECT_GT(first->seconds, workload.serial_seconds / bound);
+            EXPECT_LT(first->seconds, workload.serial_seconds);
+            EXPECT_EQ(first->seconds, second->seconds);
+            EXPECT_EQ(first->sent_bytes, second->sent_bytes);
+            EXPECT_EQ(first->master_seconds, second->master_seconds);
+        }
+    }
+}
+
+TEST(ClusterSimulation, ASlowWireAndASlowPipeTakeTheirTime) {
+    const Workload workload = make_synthetic_workload(4, 100);
+    const SimulationOptions usual = small_cluster();
+    SimulationOptions wire = usual;
+    wire.cluster.bytes_per_second = 1e6;
+    SimulationOptions pipe = usual;
+    pipe.pipe_bytes_per_second = 1e6;
+    const auto at_once = simulate_apart(workload, usual, limit);
+    const auto by_wire = simulate_apart(workload, wire, limit);
+    const auto by_pipe = simulate_apart(workload, pipe, limit);
+    ASSERT_TRUE(at_once && by_wire && by_pipe);
+    EXPECT_GT(by_wire->seconds, static_cast<double>(by_wire->sent_bytes) / 1e6);
+    EXPECT_GT(by_pipe->seconds, static_cast<double>(by_pipe->sent_bytes) / 1e6);
+    EXPECT_LT(at_once->seconds, by_pipe->seconds);
+    EXPECT_LT(at_once->seconds, by_wire->seconds);
+}
+
+#endif
+
+} // namespace
+} // namespace cd::tests
