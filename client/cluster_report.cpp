@@ -33,6 +33,12 @@ std::string worker_state(const WorkerStatus& worker) {
     return "idle";
 }
 
+/// Of the subtrees that scenarios needed, those that were there.
+double hit_share(const CacheTraffic& cache) {
+    const std::uint64_t needed = cache.hits + cache.misses;
+    return needed == 0 ? 0 : static_cast<double>(cache.hits) / static_cast<double>(needed);
+}
+
 std::size_t count_running(const ClusterStatus& status) {
     return static_cast<std::size_t>(
         std::count_if(status.jobs.begin(), status.jobs.end(), [](const JobStatus& job) {
@@ -134,26 +140,28 @@ Table workers_table(const ClusterStatus& status) {
                      {"bytes_sent", "SENT", CellKind::Size},
                      {"bytes_received", "RECEIVED", CellKind::Size},
                      {"cached_bytes", "CACHED", CellKind::Size},
+                     {"subtree_bytes_sent", "FROM MASTER", CellKind::Size},
+                     {"peer_bytes", "FROM PEERS", CellKind::Size},
+                     {"cache_hit_share", "HITS", CellKind::Share},
                      {"cache_bytes", "CACHE", CellKind::Size, true},
                      {"tasks", "TASKS", CellKind::Count, true},
                      {"subtrees_sent", "SUBTREES", CellKind::Count, true},
-                     {"subtree_bytes_sent", "OF SUBTREES", CellKind::Size, true}};
+                     {"uploaded_bytes", "TO PEERS", CellKind::Size, true},
+                     {"cache_hits", "FOUND", CellKind::Count, true},
+                     {"cache_misses", "ASKED FOR", CellKind::Count, true},
+                     {"evictions", "EVICTED", CellKind::Count, true}};
     for (const WorkerStatus& worker : status.workers) {
-        table.rows.push_back({worker_name(worker),
-                              worker.name,
-                              worker_state(worker),
-                              std::uint64_t{worker.threads},
-                              worker.buffered,
-                              worker.working,
-                              worker.scenarios,
-                              worker.scenarios_per_second,
-                              worker.bytes_sent,
-                              worker.bytes_received,
-                              worker.cached_bytes,
-                              worker.cache_bytes,
-                              worker.tasks,
-                              worker.subtrees_sent,
-                              worker.subtree_bytes_sent});
+        table.rows.push_back({worker_name(worker),     worker.name,
+                              worker_state(worker),    std::uint64_t{worker.threads},
+                              worker.buffered,         worker.working,
+                              worker.scenarios,        worker.scenarios_per_second,
+                              worker.bytes_sent,       worker.bytes_received,
+                              worker.cached_bytes,     worker.subtree_bytes_sent,
+                              worker.cache.peer_bytes, hit_share(worker.cache),
+                              worker.cache_bytes,      worker.tasks,
+                              worker.subtrees_sent,    worker.cache.uploaded_bytes,
+                              worker.cache.hits,       worker.cache.misses,
+                              worker.cache.evictions});
     }
     return table;
 }

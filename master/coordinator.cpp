@@ -24,7 +24,11 @@ double cpu_seconds() {
 
 } // namespace
 
-Coordinator::Coordinator(CoordinatorParts parts) : parts_(std::move(parts)) {}
+Coordinator::Coordinator(CoordinatorParts parts)
+    : parts_(std::move(parts)),
+      blocks_(parts_.executor, trees_, [this](TreeId tree, const Error& why) {
+          tree_failed(tree, why);
+      }) {}
 Coordinator::~Coordinator() = default;
 
 void Coordinator::act(Actions actions) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/thread_pool.hpp"
+#include "master/block_delivery.hpp"
 #include "master/dispatcher.hpp"
 #include "master/geometry_store.hpp"
 #include "master/job_board.hpp"
@@ -45,10 +46,16 @@ class Coordinator {
     // ---- Workers (coordinator_workers.cpp) ------------------------------------------------------
     [[nodiscard]] WorkerId new_worker_id() { return WorkerId{++worker_last_}; }
     /// The worker has been welcomed, and gets work at once.
-    void worker_joined(WorkerId worker, const Hello& hello, std::shared_ptr<Channel> channel);
+    void worker_joined(WorkerId worker,
+                       const Hello& hello,
+                       std::shared_ptr<Channel> channel,
+                       const PeerKey& key);
     void worker_left(WorkerId worker, const std::string& why);
     void heartbeat_came(WorkerId worker, const Heartbeat& heartbeat);
     void evicted(WorkerId worker, const Evicted& evicted);
+    void blocks_wanted(WorkerId worker, const WantSubtrees& want);
+    void blocks_held(WorkerId worker, const Held& held);
+    void peer_failed(WorkerId worker, const FetchFailed& failed);
     /// Checks the results on the pool and merges them; then calls `done`. A worker whose results
     /// are none is cut off.
     void results_came(WorkerId worker, Results results, std::function<void()> done);
@@ -57,11 +64,6 @@ class Coordinator {
     void worker_draining(WorkerId worker);
     /// Cuts off a worker that does not keep to the protocol.
     void cut_off(WorkerId worker, const Error& why);
-    /// Null for a tree that no running job uses: its worker has not heard yet that it went.
-    [[nodiscard]] std::shared_ptr<const CutGeometry> tree(TreeId tree) const;
-    /// A block of the tree cannot be read: the jobs that use it end.
-    void tree_failed(TreeId tree, const Error& why);
-    void subtrees_sent(WorkerId worker, std::uint64_t blocks, std::uint64_t bytes);
 
     // ---- Jobs (coordinator_jobs.cpp)
     // --------------------------------------------------------------
@@ -86,8 +88,7 @@ class Coordinator {
         std::uint64_t cache_bytes = 0;
         std::uint64_t cached_bytes = 0;
         std::set<TreeId> trees; ///< That it has been told of.
-        std::uint64_t subtrees_sent = 0;
-        std::uint64_t subtree_bytes_sent = 0;
+        CacheTraffic cache;
         Clock::duration busy{}; ///< With something to do, before `busy_since`.
         std::optional<Clock::time_point> busy_since;
     };
@@ -117,6 +118,8 @@ class Coordinator {
     void merge(MasterJob& job, const TakenResult& taken, WorkerId worker);
     void end_job(MasterJob& job, JobState state, const std::string& failure);
     void release_tree(TreeId tree);
+    /// A block of the tree cannot be read: the jobs that use it end.
+    void tree_failed(TreeId tree, const Error& why);
     /// Asks for more analyses where there is room for them; tells the dispatcher when none come.
     void feed();
     [[nodiscard]] std::uint64_t unsent_max() const;
@@ -135,6 +138,7 @@ class Coordinator {
     std::uint64_t worker_last_ = 0;
     std::map<TaskId, RunningTask> tasks_;
     TreeRegistry trees_;
+    BlockDelivery blocks_;
     JobBoard jobs_;
     JobId fed_last_;
     std::uint64_t open_bytes_ = 0; ///< Of all jobs' open analyses.

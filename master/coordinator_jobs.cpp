@@ -238,6 +238,7 @@ void Coordinator::release_tree(TreeId tree) {
     if (!trees_.release(tree)) {
         return;
     }
+    blocks_.tree_removed(tree);
     for (auto& [id, link] : workers_) {
         if (link.trees.erase(tree) != 0) {
             link.channel->send(RemoveTree{tree});

@@ -9,13 +9,15 @@ namespace cd {
 
 void Coordinator::worker_joined(WorkerId worker,
                                 const Hello& hello,
-                                std::shared_ptr<Channel> channel) {
+                                std::shared_ptr<Channel> channel,
+                                const PeerKey& key) {
     spdlog::info("worker joined: worker={} name={} threads={} cache_bytes={} peer={}",
                  worker.value,
                  hello.name,
                  hello.threads,
                  hello.cache_bytes,
                  channel->peer());
+    blocks_.worker_joined(worker, channel, key, hello.peer_port);
     WorkerLink link;
     link.channel = std::move(channel);
     link.name = hello.name;
@@ -28,6 +30,7 @@ void Coordinator::worker_joined(WorkerId worker,
 void Coordinator::worker_left(WorkerId worker, const std::string& why) {
     spdlog::info("worker left: worker={} reason=\"{}\"", worker.value, why);
     workers_.erase(worker);
+    blocks_.worker_left(worker);
     std::erase_if(tasks_, [&](const auto& task) { return task.second.worker == worker; });
     act(dispatcher_.worker_lost(worker));
     feed();
@@ -53,11 +56,27 @@ void Coordinator::heartbeat_came(WorkerId worker, const Heartbeat& heartbeat) {
     const auto link = workers_.find(worker);
     if (link != workers_.end()) {
         link->second.cached_bytes = heartbeat.cached_bytes;
+        link->second.cache = heartbeat.traffic;
     }
 }
 
 void Coordinator::evicted(WorkerId worker, const Evicted& evicted) {
+    blocks_.evicted(worker, evicted);
     act(dispatcher_.roots_evicted(worker, evicted.tree, evicted.roots));
+}
+
+void Coordinator::blocks_wanted(WorkerId worker, const WantSubtrees& want) {
+    if (const Status known = blocks_.wanted(worker, want); !known) {
+        cut_off(worker, known.error());
+    }
+}
+
+void Coordinator::blocks_held(WorkerId worker, const Held& held) {
+    blocks_.held(worker, held);
+}
+
+void Coordinator::peer_failed(WorkerId worker, const FetchFailed& failed) {
+    blocks_.failed(worker, failed);
 }
 
 void Coordinator::results_came(WorkerId worker, Results results, std::function<void()> done) {
@@ -135,18 +154,6 @@ void Coordinator::end_task_if_complete(TaskId id) {
     note_work(worker);
 }
 
-std::shared_ptr<const CutGeometry> Coordinator::tree(TreeId tree) const {
-    return trees_.find(tree);
-}
-
-void Coordinator::subtrees_sent(WorkerId worker, std::uint64_t blocks, std::uint64_t bytes) {
-    const auto link = workers_.find(worker);
-    if (link != workers_.end()) {
-        link->second.subtrees_sent += blocks;
-        link->second.subtree_bytes_sent += bytes;
-    }
-}
-
 void Coordinator::add_tree_to(WorkerLink& link, TreeId tree) {
     if (link.trees.insert(tree).second) {
         const auto geometry = trees_.find(tree);
@@ -180,8 +187,9 @@ WorkerStatus Coordinator::worker_status(WorkerId worker, const WorkerLink& link)
     status.scenarios_per_second = seconds > 0 ? static_cast<double>(status.scenarios) / seconds : 0;
     status.bytes_sent = link.channel->traffic().bytes_sent;
     status.bytes_received = link.channel->traffic().bytes_received;
-    status.subtrees_sent = link.subtrees_sent;
-    status.subtree_bytes_sent = link.subtree_bytes_sent;
+    status.subtrees_sent = blocks_.sent_to(worker).blocks;
+    status.subtree_bytes_sent = blocks_.sent_to(worker).bytes;
+    status.cache = link.cache;
     return status;
 }
 

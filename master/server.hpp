@@ -5,6 +5,7 @@
 #include "master/coordinator.hpp"
 #include "proto/asio.hpp"
 #include "proto/channel.hpp"
+#include "proto/listener.hpp"
 
 #include <cstdint>
 #include <map>
@@ -19,22 +20,21 @@ class Server {
     [[nodiscard]] static Result<std::unique_ptr<Server>> listen(
         const asio::any_io_executor& executor, const Endpoint& endpoint, Coordinator& coordinator);
 
-    [[nodiscard]] std::uint16_t port() const;
+    [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
     /// Accepts connections from now on.
     void start();
     /// Closes the listener and all connections.
     void close();
 
   private:
-    Server(asio::ip::tcp::acceptor acceptor, Coordinator& coordinator);
+    Server(std::unique_ptr<Listener> listener, Coordinator& coordinator);
 
-    [[nodiscard]] asio::awaitable<void> accept_all();
+    void accept(asio::ip::tcp::socket socket);
     [[nodiscard]] asio::awaitable<void> serve(std::uint64_t connection,
                                               std::shared_ptr<Channel> channel);
     [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel);
 
-    asio::ip::tcp::acceptor acceptor_;
-    asio::steady_timer pause_;
+    std::unique_ptr<Listener> listener_;
     Coordinator& coordinator_;
     std::map<std::uint64_t, std::shared_ptr<Channel>> connections_;
     std::uint64_t connection_last_ = 0;

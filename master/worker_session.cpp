@@ -14,9 +14,9 @@ WorkerSession::WorkerSession(Coordinator& coordinator,
       heartbeat_(coordinator.executor()),
       room_(coordinator.executor(), asio::steady_timer::time_point::max()) {}
 
-asio::awaitable<void> WorkerSession::run(Hello hello) {
+asio::awaitable<void> WorkerSession::run(Hello hello, PeerKey key) {
     const auto self = shared_from_this();
-    coordinator_.worker_joined(worker_, hello, channel_);
+    coordinator_.worker_joined(worker_, hello, channel_, key);
     spawn(coordinator_.executor(), "heartbeats to a worker", send_heartbeats());
     std::string why;
     for (;;) {
@@ -84,60 +84,15 @@ void WorkerSession::on(const Other& message) {
 }
 
 void WorkerSession::on(const WantSubtrees& message) {
-    const auto geometry = coordinator_.tree(message.tree);
-    if (geometry == nullptr) {
-        return; // Its RemoveTree is under way.
-    }
-    if (!message.roots.empty() && message.roots.back() >= geometry->root_count()) {
-        coordinator_.cut_off(worker_, {ErrorCode::BadFrame, "it wants a root that does not exist"});
-        return;
-    }
-    for (const RootIndex root : message.roots) {
-        if (wanted_once_.insert({message.tree, root}).second) {
-            wanted_.emplace_back(message.tree, root);
-        }
-    }
-    if (!sending_) {
-        sending_ = true;
-        spawn(coordinator_.executor(), "subtrees to a worker", send_wanted());
-    }
+    coordinator_.blocks_wanted(worker_, message);
 }
 
-asio::awaitable<void> WorkerSession::send_wanted() {
-    const auto self = shared_from_this();
-    while (!wanted_.empty() && channel_->is_open()) {
-        send_some();
-        co_await channel_->wait_until_queued_below(limits::subtrees_queue_bytes_max);
-    }
-    sending_ = false;
+void WorkerSession::on(const Held& message) {
+    coordinator_.blocks_held(worker_, message);
 }
 
-void WorkerSession::send_some() {
-    Subtrees subtrees;
-    subtrees.tree = wanted_.front().first;
-    const auto geometry = coordinator_.tree(subtrees.tree);
-    if (geometry == nullptr) {
-        return forget_wanted(subtrees.tree);
-    }
-    std::uint64_t bytes = 0;
-    while (!wanted_.empty() && wanted_.front().first == subtrees.tree &&
-           bytes < limits::subtrees_bytes_min) {
-        Result<SubtreeBlock> block = geometry->block(wanted_.front().second);
-        if (!block) {
-            return coordinator_.tree_failed(subtrees.tree, block.error());
-        }
-        wanted_once_.erase(wanted_.front());
-        wanted_.pop_front();
-        bytes += block.value().compressed.size();
-        subtrees.blocks.push_back(std::move(block.value()));
-    }
-    coordinator_.subtrees_sent(worker_, subtrees.blocks.size(), bytes);
-    channel_->send(subtrees);
-}
-
-void WorkerSession::forget_wanted(TreeId tree) {
-    std::erase_if(wanted_, [&](const Wanted& wanted) { return wanted.first == tree; });
-    std::erase_if(wanted_once_, [&](const Wanted& wanted) { return wanted.first == tree; });
+void WorkerSession::on(const FetchFailed& message) {
+    coordinator_.peer_failed(worker_, message);
 }
 
 } // namespace cd

@@ -6,28 +6,28 @@
 #include "proto/channel.hpp"
 
 #include <cstdint>
-#include <deque>
 #include <memory>
-#include <set>
 #include <string>
-#include <utility>
 
 namespace cd {
 
-/// Reads what the worker says and serves the subtrees that it wants. A worker that says nothing for
+/// Reads what the worker says. A worker that says nothing for
 /// `limits::peer_lost_after` is lost.
 class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
   public:
     WorkerSession(Coordinator& coordinator, std::shared_ptr<Channel> channel, WorkerId worker);
 
     /// The whole conversation after the welcome. Ends when the connection does.
-    [[nodiscard]] asio::awaitable<void> run(Hello hello);
+    /// `key`: what it was told with the welcome.
+    [[nodiscard]] asio::awaitable<void> run(Hello hello, PeerKey key);
 
   private:
     // One for each message that a worker sends; all others end the connection.
     void on(const Heartbeat& message);
     void on(const WantSubtrees& message);
     void on(const Evicted& message);
+    void on(const Held& message);
+    void on(const FetchFailed& message);
     void on(const Drain& message);
     void on(const Failure& message);
     void on(Results& message);
@@ -36,11 +36,6 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     void on(const Other& message);
 
     [[nodiscard]] asio::awaitable<void> send_heartbeats();
-    [[nodiscard]] asio::awaitable<void> send_wanted();
-    void send_some();
-    void forget_wanted(TreeId tree);
-
-    using Wanted = std::pair<TreeId, RootIndex>;
 
     Coordinator& coordinator_;
     std::shared_ptr<Channel> channel_;
@@ -48,9 +43,6 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     asio::steady_timer heartbeat_;
     asio::steady_timer room_; ///< Cancelled when results have been merged.
     std::size_t results_in_hand_ = 0;
-    std::deque<Wanted> wanted_;
-    std::set<Wanted> wanted_once_; ///< The same, to keep them distinct and so bounded.
-    bool sending_ = false;
 };
 
 } // namespace cd

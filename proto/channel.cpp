@@ -47,13 +47,14 @@ std::size_t whole(const error_code& error, std::size_t /*transferred*/) {
     return error ? 0 : std::numeric_limits<std::size_t>::max();
 }
 
-std::string peer_of(const asio::ip::tcp::socket& socket) {
-    error_code error;
-    const auto endpoint = socket.remote_endpoint(error);
-    if (error) {
-        return "unknown";
-    }
-    return endpoint.address().to_string() + ":" + std::to_string(endpoint.port());
+asio::ip::tcp::endpoint remote_end(const asio::ip::tcp::socket& socket) {
+    error_code ignored; // Of a socket that is not connected any more: 0.0.0.0:0.
+    return socket.remote_endpoint(ignored);
+}
+
+std::string own_address(const asio::ip::tcp::socket& socket) {
+    error_code ignored;
+    return socket.local_endpoint(ignored).address().to_string();
 }
 
 } // namespace
@@ -63,7 +64,9 @@ std::string peer_of(const asio::ip::tcp::socket& socket) {
 struct Channel::State : std::enable_shared_from_this<State> {
     explicit State(asio::ip::tcp::socket connected)
         : socket(std::move(connected)),
-          peer(peer_of(socket)),
+          peer_host(remote_end(socket).address().to_string()),
+          peer(peer_host + ":" + std::to_string(remote_end(socket).port())),
+          own_host(own_address(socket)),
           received(socket.get_executor()),
           written(socket.get_executor()),
           write_deadline(socket.get_executor()),
@@ -90,7 +93,9 @@ struct Channel::State : std::enable_shared_from_this<State> {
     void shut();
 
     asio::ip::tcp::socket socket;
+    std::string peer_host;
     std::string peer;
+    std::string own_host;
     Phase phase = Phase::Open;
     Traffic traffic;
     std::optional<Error> failure; ///< Why the channel is no longer open.
@@ -413,6 +418,14 @@ const Traffic& Channel::traffic() const {
 
 const std::string& Channel::peer() const {
     return state_->peer;
+}
+
+const std::string& Channel::peer_host() const {
+    return state_->peer_host;
+}
+
+const std::string& Channel::own_host() const {
+    return state_->own_host;
 }
 
 } // namespace cd

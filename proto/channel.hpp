@@ -1,6 +1,7 @@
 // A connection that carries messages, over TCP for now and over TLS later.
 #pragma once
 
+#include "common/core/limits.hpp"
 #include "common/core/result.hpp"
 #include "proto/asio.hpp"
 #include "proto/message.hpp"
@@ -65,6 +66,9 @@ class Channel : public std::enable_shared_from_this<Channel> {
     [[nodiscard]] const Traffic& traffic() const;
     /// The other end's address, for logs.
     [[nodiscard]] const std::string& peer() const;
+    /// The addresses of both ends, without their ports.
+    [[nodiscard]] const std::string& peer_host() const;
+    [[nodiscard]] const std::string& own_host() const;
 
   private:
     struct State;
@@ -77,8 +81,9 @@ class Channel : public std::enable_shared_from_this<Channel> {
     ~Channel();
 };
 
-/// Connects within `limits::connect_timeout`. Errors: Disconnected naming host and port.
-[[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Endpoint endpoint);
+/// Connects within the timeout. Errors: Disconnected naming host and port.
+[[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
+connect(Endpoint endpoint, std::chrono::seconds timeout = limits::connect_timeout);
 
 /// Says hello and awaits the answer. Errors: Refused with the other side's reason, and those of
 /// `receive`.

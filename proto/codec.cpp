@@ -69,6 +69,34 @@ Problem problem_of(const Evicted& evicted) {
     return problem_of_roots(evicted.roots);
 }
 
+Problem problem_of(const Held& held) {
+    return problem_of_roots(held.roots);
+}
+Problem problem_of(const FetchFailed& failed) {
+    return problem_of_roots(failed.roots);
+}
+Problem problem_of(const PeerFetch& fetch) {
+    return problem_of_roots(fetch.roots);
+}
+Problem problem_of(const PeerFetched& fetched) {
+    return problem_of_roots(fetched.missing);
+}
+
+Problem problem_of(const FetchFromPeers& fetch) {
+    if (fetch.hashes.size() != fetch.roots.size()) {
+        return "another number of hashes than of roots";
+    }
+    if (fetch.sources.empty() || fetch.sources.size() > limits::peer_sources_max) {
+        return "no source, or too many";
+    }
+    for (const PeerSource& source : fetch.sources) {
+        if (source.host.size() > limits::hello_text_bytes_max || !is_printable(source.host)) {
+            return "a host that is too long or not printable";
+        }
+    }
+    return problem_of_roots(fetch.roots);
+}
+
 Problem problem_of(const MeshPart& part) {
     if (part.bytes_total > limits::mesh_bytes_max || part.bytes.size() > part.bytes_total ||
         part.offset > part.bytes_total - part.bytes.size()) {

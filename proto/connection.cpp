@@ -80,13 +80,14 @@ std::string versions(std::uint16_t min, std::uint16_t max) {
 
 } // namespace
 
-asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Endpoint endpoint) {
+asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Endpoint endpoint,
+                                                          std::chrono::seconds timeout) {
     error_code error;
     const Addresses addresses = co_await resolve(endpoint, error);
     std::string why = error ? error.message() : "no such host";
     for (const auto& address : addresses) {
         asio::ip::tcp::socket socket(co_await asio::this_coro::executor);
-        const Deadline deadline(socket, limits::connect_timeout);
+        const Deadline deadline(socket, timeout);
         co_await socket.async_connect(address, asio::redirect_error(asio::use_awaitable, error));
         if (!error) {
             co_return Channel::make(std::move(socket));

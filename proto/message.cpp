@@ -49,6 +49,11 @@ constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"results query"},
     {"results part", Lane::Data, limits::message_results_bytes_max},
     {"cancel"},
+    {"fetch from peers", Lane::Data, limits::message_data_bytes_max},
+    {"held", Lane::Control, limits::message_roots_bytes_max},
+    {"fetch failed", Lane::Control, limits::message_roots_bytes_max},
+    {"peer fetch", Lane::Control, limits::message_roots_bytes_max},
+    {"peer fetched", Lane::Data, limits::message_roots_bytes_max},
 }};
 static_assert(!kinds.back().name.empty(), "a message without a row");
 
@@ -59,6 +64,8 @@ const Kind* kind_of(std::uint16_t type) {
 constexpr std::array<std::string_view, 4> strategy_names{
     "best-match", "best-match-load", "random", "lowest"};
 constexpr std::array<std::string_view, 4> state_names{"running", "done", "cancelled", "failed"};
+constexpr std::array<std::string_view, 6> outcome_names{
+    "given", "busy", "missing", "unreachable", "damaged", "refused"};
 
 } // namespace
 
@@ -96,6 +103,10 @@ std::optional<Strategy> strategy_from_text(std::string_view text) {
 
 std::string_view to_text(JobState state) {
     return state_names[static_cast<std::size_t>(state)];
+}
+
+std::string_view to_text(PeerOutcome outcome) {
+    return outcome_names[static_cast<std::size_t>(outcome)];
 }
 
 } // namespace cd

@@ -19,13 +19,13 @@
 
 namespace cd {
 
-inline constexpr std::uint16_t protocol_version_min = 2;
-inline constexpr std::uint16_t protocol_version_max = 2;
+inline constexpr std::uint16_t protocol_version_min = 3;
+inline constexpr std::uint16_t protocol_version_max = 3;
 
 /// A tree cut at a depth, as the master numbers them while it runs.
 using TreeId = Id<struct TreeTag>;
 
-enum class Role : std::uint8_t { Worker = 1, Client = 2 };
+enum class Role : std::uint8_t { Worker = 1, Client = 2, Peer = 3 };
 
 // ---- Both kinds of peer ---------------------------------------------------------------------
 
@@ -38,13 +38,18 @@ struct Hello {
     std::string build;             ///< Version of the program.
     std::uint32_t threads = 0;     ///< Of a worker.
     std::uint64_t cache_bytes = 0; ///< Of a worker: the limit of its subtree cache.
+    std::uint16_t peer_port = 0;   ///< Of a worker: where others fetch blocks from it; 0: nowhere.
 };
+
+/// A secret of the master and one worker, by which the worker knows the master's tickets.
+using PeerKey = Sha256;
 
 /// The master's answer to a Hello that it accepts.
 struct Welcome {
     std::uint16_t version = protocol_version_max; ///< The greatest that both speak.
     std::uint64_t id = 0;                         ///< A WorkerId, or the client's number.
     std::string build;
+    PeerKey peer_key; ///< Of a worker; else zeros.
 };
 
 /// The other side cannot or will not. To a client it answers the request before it.
@@ -53,10 +58,23 @@ struct Failure {
     std::string detail;
 };
 
+/// What became of the subtrees that a worker's scenarios needed, since it was welcomed.
+struct CacheTraffic {
+    std::uint64_t hits = 0;   ///< Needed by a scenario and there already.
+    std::uint64_t misses = 0; ///< Asked for.
+    std::uint64_t evictions = 0;
+    std::uint64_t master_bytes = 0;   ///< Compressed, from the master,
+    std::uint64_t peer_bytes = 0;     ///< and from other workers.
+    std::uint64_t uploaded_bytes = 0; ///< To other workers.
+
+    friend bool operator==(const CacheTraffic&, const CacheTraffic&) = default;
+};
+
 struct Heartbeat {
     std::uint64_t sequence = 0;
     std::uint64_t cached_bytes = 0; ///< Of a worker.
     std::uint64_t waiting = 0;      ///< Scenarios at the worker not yet answered.
+    CacheTraffic traffic;           ///< Of a worker.
 };
 
 // ---- Master to worker -----------------------------------------------------------------------
@@ -105,6 +123,24 @@ struct Terminate {
     std::string reason;
 };
 
+/// One worker as a source of blocks for another one.
+struct PeerSource {
+    WorkerId worker;
+    std::string host;
+    std::uint16_t port = 0;
+    std::uint64_t ticket = 0; ///< Good for one PeerFetch of these roots,
+    Sha256 proof;             ///< by this `ticket_proof` (peer_ticket.hpp).
+};
+
+/// An answer to WantSubtrees: the blocks of these roots come from another worker, the first of the
+/// sources that gives them. What none gives is wanted again. Roots ascend; `hashes` are theirs.
+struct FetchFromPeers {
+    TreeId tree;
+    std::vector<RootIndex> roots;
+    std::vector<Sha256> hashes;
+    std::vector<PeerSource> sources;
+};
+
 // ---- Worker to master -----------------------------------------------------------------------
 
 struct WantSubtrees {
@@ -132,6 +168,48 @@ struct EndOfTask {
 struct Evicted {
     TreeId tree;
     std::vector<RootIndex> roots;
+};
+
+/// These slots are filled. Only from then on they count as held.
+struct Held {
+    TreeId tree;
+    std::vector<RootIndex> roots;
+};
+
+enum class PeerOutcome : std::uint8_t {
+    Given = 0,
+    Busy = 1,        ///< It serves as many others as it may.
+    Missing = 2,     ///< It does not hold them (any more).
+    Unreachable = 3, ///< No connection, or no answer in time.
+    Damaged = 4,     ///< What it gave has not its hash.
+    Refused = 5,     ///< It does not take the ticket.
+};
+
+[[nodiscard]] std::string_view to_text(PeerOutcome outcome);
+
+/// The source did not give these roots.
+struct FetchFailed {
+    TreeId tree;
+    std::vector<RootIndex> roots;
+    WorkerId source;
+    PeerOutcome outcome = PeerOutcome::Unreachable;
+};
+
+// ---- Worker to worker -----------------------------------------------------------------------
+
+/// Answered by Subtrees with what is there, if the ticket is good, and then by PeerFetched.
+struct PeerFetch {
+    TreeId tree;
+    std::vector<RootIndex> roots;
+    std::uint64_t ticket = 0;
+    Sha256 proof;
+};
+
+/// The end of the answer. `missing`: the roots that were asked for and did not come.
+struct PeerFetched {
+    TreeId tree;
+    std::vector<RootIndex> missing;
+    PeerOutcome outcome = PeerOutcome::Given;
 };
 
 // ---- Client to master, each answered by the message named -----------------------------------
@@ -240,6 +318,7 @@ struct WorkerStatus {
     std::uint64_t bytes_received = 0;
     std::uint64_t subtrees_sent = 0;
     std::uint64_t subtree_bytes_sent = 0;
+    CacheTraffic cache;
 };
 
 struct MeshStatus {
@@ -309,6 +388,11 @@ using Message = std::variant<Hello,
                              ClusterStatus,
                              ResultsQuery,
                              ResultsPart,
-                             Cancel>;
+                             Cancel,
+                             FetchFromPeers,
+                             Held,
+                             FetchFailed,
+                             PeerFetch,
+                             PeerFetched>;
 
 } // namespace cd

@@ -36,13 +36,13 @@ void serialize(Archive& archive, Summary& s) {
 template <class Archive>
 void serialize(Archive& archive, Hello& m) {
     archive(m.version_min, m.version_max);
-    enumeration(archive, m.role, Role::Worker, Role::Client);
-    archive(m.name, m.build, m.threads, m.cache_bytes);
+    enumeration(archive, m.role, Role::Worker, Role::Peer);
+    archive(m.name, m.build, m.threads, m.cache_bytes, m.peer_port);
 }
 
 template <class Archive>
 void serialize(Archive& archive, Welcome& m) {
-    archive(m.version, m.id, m.build);
+    archive(m.version, m.id, m.build, m.peer_key);
 }
 
 template <class Archive>
@@ -52,8 +52,13 @@ void serialize(Archive& archive, Failure& m) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, CacheTraffic& t) {
+    archive(t.hits, t.misses, t.evictions, t.master_bytes, t.peer_bytes, t.uploaded_bytes);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Heartbeat& m) {
-    archive(m.sequence, m.cached_bytes, m.waiting);
+    archive(m.sequence, m.cached_bytes, m.waiting, m.traffic);
 }
 
 template <class Archive>
@@ -110,6 +115,38 @@ void serialize(Archive& archive, EndOfTask& m) {
 template <class Archive>
 void serialize(Archive& archive, Evicted& m) {
     archive(m.tree, m.roots);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PeerSource& s) {
+    archive(s.worker, s.host, s.port, s.ticket, s.proof);
+}
+
+template <class Archive>
+void serialize(Archive& archive, FetchFromPeers& m) {
+    archive(m.tree, m.roots, m.hashes, m.sources);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Held& m) {
+    archive(m.tree, m.roots);
+}
+
+template <class Archive>
+void serialize(Archive& archive, FetchFailed& m) {
+    archive(m.tree, m.roots, m.source);
+    enumeration(archive, m.outcome, PeerOutcome::Given, PeerOutcome::Refused);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PeerFetch& m) {
+    archive(m.tree, m.roots, m.ticket, m.proof);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PeerFetched& m) {
+    archive(m.tree, m.missing);
+    enumeration(archive, m.outcome, PeerOutcome::Given, PeerOutcome::Refused);
 }
 
 template <class Archive>
@@ -170,7 +207,7 @@ template <class Archive>
 void serialize(Archive& archive, WorkerStatus& s) {
     archive(s.worker, s.name, s.threads, s.cache_bytes, s.cached_bytes, s.claimed, s.draining);
     archive(s.buffered, s.working, s.tasks, s.scenarios, s.scenarios_per_second);
-    archive(s.bytes_sent, s.bytes_received, s.subtrees_sent, s.subtree_bytes_sent);
+    archive(s.bytes_sent, s.bytes_received, s.subtrees_sent, s.subtree_bytes_sent, s.cache);
 }
 
 template <class Archive>

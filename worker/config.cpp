@@ -2,6 +2,7 @@
 
 #include "common/core/daemon_options.hpp"
 #include "common/core/limits.hpp"
+#include "common/core/memory_limit.hpp"
 #include "common/core/version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -46,7 +47,7 @@ std::string default_name() {
 /// What CLI11 reads as text and this file gives a meaning.
 struct Texts {
     std::string master = "127.0.0.1:7600";
-    std::string cache = "4GiB";
+    std::string cache = "auto";
     std::int64_t connect_for = 30;
 };
 
@@ -61,7 +62,10 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
     option(app.add_option("--threads", config.threads, "That compute; 0 is one per core"), "N")
         ->check(CLI::Range(0u, limits::worker_threads_max))
         ->capture_default_str();
-    option(app.add_option("--cache", texts.cache, "Memory for geometry"), "SIZE")
+    option(app.add_option("--cache",
+                          texts.cache,
+                          "Memory for geometry; auto: half of what this process may use"),
+           "SIZE")
         ->capture_default_str();
     option(app.add_option("--name", config.name, "For people; by default host and process"),
            "TEXT");
@@ -71,6 +75,15 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
                        "Instructions used: avx512, avx2, sse4, neon, scalar, auto; same answers"),
         "TARGET");
     option(app.add_flag("--insecure", config.insecure, "Allow a master beyond loopback"), "");
+    option(app.add_flag("--no-peers",
+                        config.no_peers,
+                        "Give no geometry to other workers; they get it from the master"),
+           "");
+    option(app.add_option("--peer-port",
+                          config.peer_port,
+                          "Where other workers fetch geometry; 0: the system chooses"),
+           "PORT")
+        ->capture_default_str();
     option(app.add_option("--log-level", config.log_level, "How much is logged"), "LEVEL")
         ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
         ->capture_default_str();
@@ -127,7 +140,8 @@ WorkerCommandLine parse_worker_command_line(int count, const char* const* argume
     if (!master) {
         return wrong("--master", master.error());
     }
-    const Result<std::uint64_t> cache = parse_size(texts.cache);
+    const Result<std::uint64_t> cache =
+        texts.cache == "auto" ? Result<std::uint64_t>(memory_limit() / 2) : parse_size(texts.cache);
     if (!cache) {
         return wrong("--cache", cache.error());
     }

@@ -13,11 +13,13 @@ namespace cd {
 
 struct WorkerConfig {
     Endpoint master{"127.0.0.1", 7600};
-    unsigned threads = 0; ///< 0: one for each core that this process may use.
-    std::uint64_t cache_bytes = 4ull << 30;
-    std::string name; ///< For people.
-    std::string simd; ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
+    unsigned threads = 0;          ///< 0: one for each core that this process may use.
+    std::uint64_t cache_bytes = 0; ///< Of geometry; by default half of `memory_limit`.
+    std::string name;              ///< For people.
+    std::string simd;              ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
     bool insecure = false;
+    bool no_peers = false;       ///< Others get no geometry here.
+    std::uint16_t peer_port = 0; ///< Where they get it; 0 lets the system choose.
     std::string log_level = "info";
     std::chrono::seconds connect_for{30}; ///< How long the first connection is tried.
 };

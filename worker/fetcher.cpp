@@ -87,12 +87,14 @@ void Fetcher::admit(Token token, Need& need, Step& step) {
         }
         ++use->second.scenarios;
         if (cache_.at(key) != nullptr) {
+            ++hits_;
             continue;
         }
         ++need.missing;
         const auto [request, is_new] = requested_.try_emplace(key);
         request->second.insert(token);
         if (is_new) {
+            ++misses_;
             step.want.push_back(key);
         }
     }

@@ -42,6 +42,9 @@ class Fetcher {
     void forget_requests(TreeId tree);
 
     [[nodiscard]] std::size_t size() const { return needs_.size(); } ///< Not finished.
+    /// Subtrees that admitted scenarios found in the cache, and that had to be asked for.
+    [[nodiscard]] std::uint64_t hits() const { return hits_; }
+    [[nodiscard]] std::uint64_t misses() const { return misses_; }
 
   private:
     struct Need {
@@ -65,6 +68,8 @@ class Fetcher {
     std::uint64_t used_bytes_ = 0;
     std::size_t admitted_ = 0;
     std::vector<Token> ready_;
+    std::uint64_t hits_ = 0;
+    std::uint64_t misses_ = 0;
 };
 
 } // namespace cd

@@ -64,6 +64,8 @@ class Daemon {
         hello.build = std::string(version);
         hello.threads = executor_.threads();
         hello.cache_bytes = config_.cache_bytes;
+        listen_to_peers(*channel);
+        hello.peer_port = peer_server_ == nullptr ? std::uint16_t{0} : peer_server_->port();
         const Result<Welcome> welcome = co_await greet(channel, hello);
         if (!welcome) {
             spdlog::error("not welcome: error=\"{}\"", welcome.error().detail);
@@ -77,7 +79,11 @@ class Daemon {
                      config_.cache_bytes);
         was_welcome_ = true;
         backoff_.reset();
-        session_ = std::make_shared<Session>(channel, executor_, config_.cache_bytes);
+        session_ = std::make_shared<Session>(
+            channel,
+            executor_,
+            config_.cache_bytes,
+            PeerParts{peer_server_, welcome.value().peer_key, config_.name});
         const SessionEnd how = co_await session_->run();
         const std::shared_ptr<Session> session = std::move(session_);
         if (how != SessionEnd::Lost || stopping_) {
@@ -85,6 +91,22 @@ class Daemon {
         }
         spdlog::warn("master lost: reason=\"{}\"", session->reason());
         co_return std::nullopt;
+    }
+
+    /// On the address by which the master sees this worker. Without it all works, too.
+    void listen_to_peers(const Channel& channel) {
+        const Endpoint endpoint{channel.own_host(), config_.peer_port};
+        if (config_.no_peers || peer_server_ != nullptr ||
+            !check_exposure(endpoint, config_.insecure, true)) {
+            return;
+        }
+        Result<std::shared_ptr<PeerServer>> server =
+            PeerServer::listen(context_.get_executor(), endpoint);
+        if (server) {
+            peer_server_ = std::move(server.value());
+        } else {
+            spdlog::warn("other workers get nothing here: error=\"{}\"", server.error().detail);
+        }
     }
 
     void stop(unsigned count) {
@@ -104,6 +126,7 @@ class Daemon {
     void end(int code) {
         spdlog::info("ended: exit_code={}", code);
         exit_code_ = code;
+        peer_server_.reset();
         signals_.cancel();
     }
 
@@ -113,7 +136,8 @@ class Daemon {
     StopSignals signals_;
     asio::steady_timer pause_;
     Backoff backoff_;
-    std::shared_ptr<Session> session_; ///< Null while there is no master.
+    std::shared_ptr<PeerServer> peer_server_; ///< Null where others get nothing.
+    std::shared_ptr<Session> session_;        ///< Null while there is no master.
     bool was_welcome_ = false;
     bool stopping_ = false;
     int exit_code_ = exit_done;

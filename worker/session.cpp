@@ -9,11 +9,16 @@
 
 namespace cd {
 
-Session::Session(std::shared_ptr<Channel> channel, Executor& executor, std::uint64_t cache_bytes)
+Session::Session(std::shared_ptr<Channel> channel,
+                 Executor& executor,
+                 std::uint64_t cache_bytes,
+                 PeerParts peers)
     : channel_(std::move(channel)),
       executor_(executor),
       cache_(cache_bytes),
       fetcher_(cache_),
+      peers_(std::move(peers)),
+      links_(peers_.name),
       abandoned_(std::make_shared<std::atomic<bool>>(false)),
       heartbeat_timer_(executor_.home()),
       flush_timer_(executor_.home()) {}
@@ -25,6 +30,7 @@ Session::~Session() {
 asio::awaitable<SessionEnd> Session::run() {
     const std::shared_ptr<Session> self = shared_from_this();
     spawn(executor_.home(), "heartbeats", send_heartbeats());
+    serve_peers();
     while (channel_->is_open()) {
         Result<Message> message = co_await channel_->receive(limits::peer_lost_after);
         if (!message) {
@@ -40,6 +46,9 @@ asio::awaitable<SessionEnd> Session::run() {
         }
     }
     abandoned_->store(true);
+    if (peers_.server != nullptr) {
+        peers_.server->stop_serving();
+    }
     heartbeat_timer_.cancel();
     flush_timer_.cancel();
     // One that was closed with a last word still sends it.
@@ -51,12 +60,21 @@ asio::awaitable<SessionEnd> Session::run() {
 
 asio::awaitable<void> Session::send_heartbeats() {
     const std::shared_ptr<Session> self = shared_from_this();
-    for (std::uint64_t sequence = 1; channel_->is_open(); ++sequence) {
-        channel_->send(Heartbeat{sequence, cache_.bytes(), places_.size()});
+    while (channel_->is_open()) {
+        send_heartbeat();
         heartbeat_timer_.expires_after(limits::heartbeat_period);
         boost::system::error_code ignored;
         co_await heartbeat_timer_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
+}
+
+void Session::send_heartbeat() {
+    CacheTraffic traffic = traffic_;
+    traffic.hits = fetcher_.hits();
+    traffic.misses = fetcher_.misses();
+    traffic.evictions = cache_.evictions();
+    traffic.uploaded_bytes = peers_.server == nullptr ? 0 : peers_.server->uploaded_bytes();
+    channel_->send(Heartbeat{++heartbeats_, cache_.bytes(), places_.size(), traffic});
 }
 
 void Session::stop() {
@@ -101,24 +119,16 @@ Status Session::handle(RemoveTree& remove) {
     return Done{};
 }
 
-// Hashing and decoding take a thread's time; the heartbeat does not wait for them.
 Status Session::handle(Subtrees& subtrees) {
     for (SubtreeBlock& block : subtrees.blocks) {
-        const SubtreeKey key{subtrees.tree, block.root};
-        executor_.submit([weak = weak_from_this(),
-                          abandoned = abandoned_,
-                          key,
-                          block = std::make_shared<const SubtreeBlock>(std::move(block))]() {
-            if (abandoned->load()) {
-                return Executor::Continuation([] {});
-            }
-            return Executor::Continuation([weak, key, subtree = open_block(*block)] {
-                if (const auto session = weak.lock()) {
-                    session->block_opened(key, subtree);
-                }
-            });
-        });
+        traffic_.master_bytes += block.compressed.size();
+        open_soon(subtrees.tree, std::move(block), {});
     }
+    return Done{};
+}
+
+Status Session::handle(FetchFromPeers& directions) {
+    spawn(executor_.home(), "blocks from peers", fetch_from_peers(std::move(directions)));
     return Done{};
 }
 
@@ -188,21 +198,6 @@ void Session::refuse(const Error& error) {
 
 // ---- What comes back from the threads -------------------------------------------------------
 
-void Session::block_opened(const SubtreeKey& key,
-                           const Result<std::shared_ptr<const Subtree>>& subtree) {
-    if (!channel_->is_open()) {
-        return;
-    }
-    const Status inserted = subtree ? cache_.insert(key, subtree.value()) : Status(subtree.error());
-    if (!inserted) {
-        return refuse(inserted.error());
-    }
-    if (cache_.at(key) != nullptr) {
-        fetcher_.arrived(key);
-    }
-    settle_soon();
-}
-
 void Session::scenario_ran(Token token, const FinishedScenario& finished) {
     --running_;
     const auto place = places_.find(token);
@@ -244,6 +239,7 @@ void Session::settle() {
     const Fetcher::Step step = fetcher_.advance();
     // First what left: the master must not take it for an answer to what is wanted now.
     send_evicted();
+    send_held();
     send_wants(step.want);
     ready_.insert(ready_.end(), step.ready.begin(), step.ready.end());
     start_ready();
@@ -251,32 +247,6 @@ void Session::settle() {
     if (draining_ && tasks_.empty()) {
         end_ = SessionEnd::Drained;
         channel_->close(true);
-    }
-}
-
-void Session::send_evicted() {
-    std::map<TreeId, std::vector<RootIndex>> evicted;
-    for (const SubtreeKey& key : cache_.take_evicted()) {
-        // It may be back already.
-        if (cache_.at(key) == nullptr) {
-            evicted[key.tree].push_back(key.root);
-        }
-    }
-    for (auto& [tree, roots] : evicted) {
-        std::sort(roots.begin(), roots.end());
-        roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
-        channel_->send(Evicted{tree, std::move(roots)});
-    }
-}
-
-void Session::send_wants(const std::vector<SubtreeKey>& want) {
-    std::map<TreeId, std::vector<RootIndex>> roots;
-    for (const SubtreeKey& key : want) {
-        roots[key.tree].push_back(key.root);
-    }
-    for (auto& [tree, wanted] : roots) {
-        spdlog::debug("subtrees wanted: tree={} roots={}", tree.value, wanted.size());
-        channel_->send(WantSubtrees{tree, std::move(wanted)});
     }
 }
 
@@ -385,6 +355,9 @@ void Session::end_finished_tasks() {
         channel_->send(EndOfTask{task->first});
         spdlog::debug("task done: task={}", task->first.value);
         task = tasks_.erase(task);
+        if (tasks_.empty()) {
+            send_heartbeat(); // The counts of a job that ends now are complete.
+        }
     }
 }
 

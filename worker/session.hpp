@@ -4,6 +4,8 @@
 #include "proto/channel.hpp"
 #include "worker/executor.hpp"
 #include "worker/fetcher.hpp"
+#include "worker/peer_links.hpp"
+#include "worker/peer_server.hpp"
 #include "worker/subtree_cache.hpp"
 #include "worker/task.hpp"
 
@@ -23,12 +25,22 @@ enum class SessionEnd {
     Terminated, ///< The master said so.
 };
 
+/// What a session needs to give blocks to other workers and to take them from these.
+struct PeerParts {
+    std::shared_ptr<PeerServer> server; ///< Null: others get nothing here.
+    PeerKey key;                        ///< From the welcome.
+    std::string name;                   ///< Of this worker, for the others' logs.
+};
+
 /// Holds what one master has given to this worker: trees, subtrees, tasks. All of it goes when the
 /// session ends; threads that still run for it are told to skip the rest. All members run on the
 /// channel's thread.
 class Session : public std::enable_shared_from_this<Session> {
   public:
-    Session(std::shared_ptr<Channel> channel, Executor& executor, std::uint64_t cache_bytes);
+    Session(std::shared_ptr<Channel> channel,
+            Executor& executor,
+            std::uint64_t cache_bytes,
+            PeerParts peers = {});
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
     ~Session();
@@ -52,11 +64,13 @@ class Session : public std::enable_shared_from_this<Session> {
     };
 
     asio::awaitable<void> send_heartbeats();
+    void send_heartbeat();
     asio::awaitable<void> resume_when_sent();
 
     Status handle(AddTree& add);
     Status handle(RemoveTree& remove);
     Status handle(Subtrees& subtrees);
+    Status handle(FetchFromPeers& directions);
     Status handle(Batch& batch);
     Status handle(Drain& drain);
     Status handle(Terminate& terminate);
@@ -65,7 +79,14 @@ class Session : public std::enable_shared_from_this<Session> {
     template <class T>
     Status handle(T& message);
 
-    void block_opened(const SubtreeKey& key, const Result<std::shared_ptr<const Subtree>>& subtree);
+    /// Whoever gave a block; 0 is the master.
+    void open_soon(TreeId tree, SubtreeBlock block, WorkerId source);
+    void block_opened(const SubtreeKey& key,
+                      const Result<std::shared_ptr<const Subtree>>& subtree,
+                      const std::shared_ptr<const SubtreeBlock>& block,
+                      WorkerId source);
+    asio::awaitable<void> fetch_from_peers(FetchFromPeers directions);
+    void serve_peers();
     void scenario_ran(Token token, const FinishedScenario& finished);
     void drop_unstarted(const std::function<bool(const Task&)>& concerned);
     void refuse(const Error& error);
@@ -73,6 +94,7 @@ class Session : public std::enable_shared_from_this<Session> {
     void settle_soon();
     void settle();
     void send_evicted();
+    void send_held();
     void send_wants(const std::vector<SubtreeKey>& want);
     void start_ready();
     void start(Token token);
@@ -85,6 +107,11 @@ class Session : public std::enable_shared_from_this<Session> {
     Executor& executor_;
     SubtreeCache cache_;
     Fetcher fetcher_;
+    PeerParts peers_;
+    PeerLinks links_;
+    std::map<TreeId, std::vector<RootIndex>> held_; ///< Filled since the master was told.
+    CacheTraffic traffic_;                          ///< The bytes of it.
+    std::uint64_t heartbeats_ = 0;
     std::map<TaskId, Task> tasks_;
     std::map<Token, Place> places_; ///< Of each scenario not yet answered.
     std::deque<Token> ready_;       ///< Have their subtrees, wait for a thread.

@@ -41,7 +41,7 @@ void SubtreeCache::remove_tree(TreeId tree) {
     Tree& removed = found->second;
     for (RootIndex root = 0; root < removed.slots.size(); ++root) {
         if (removed.partial.at(root) != nullptr) {
-            bytes_ -= removed.partial.at(root)->memory_bytes();
+            bytes_ -= bytes_of(removed, root);
         }
         if (removed.slots[root].is_idle) {
             idle_.erase(removed.slots[root].place);
@@ -62,7 +62,15 @@ SubtreeCache::Tree* SubtreeCache::find_tree(const SubtreeKey& key) {
     return is_there ? &found->second : nullptr;
 }
 
-Status SubtreeCache::insert(const SubtreeKey& key, std::shared_ptr<const Subtree> subtree) {
+std::uint64_t SubtreeCache::bytes_of(const Tree& tree, RootIndex root) {
+    const auto& block = tree.slots[root].block;
+    return tree.partial.at(root)->memory_bytes() +
+           (block == nullptr ? 0 : block->compressed.size());
+}
+
+Status SubtreeCache::insert(const SubtreeKey& key,
+                            std::shared_ptr<const Subtree> subtree,
+                            std::shared_ptr<const SubtreeBlock> block) {
     CD_CHECK(subtree != nullptr);
     if (find(key.tree) == nullptr) {
         return Done{};
@@ -81,9 +89,10 @@ Status SubtreeCache::insert(const SubtreeKey& key, std::shared_ptr<const Subtree
                      "the block of root " + std::to_string(key.root) +
                          " has another number of triangles than the tree's top says"};
     }
-    bytes_ += subtree->memory_bytes();
     tree->partial.fill(key.root, std::move(subtree));
     Slot& slot = tree->slots[key.root];
+    slot.block = std::move(block);
+    bytes_ += bytes_of(*tree, key.root);
     if (!slot.is_pinned) {
         set_idle(slot, key);
     }
@@ -95,6 +104,12 @@ std::shared_ptr<const Subtree> SubtreeCache::at(const SubtreeKey& key) const {
     const PartialObbTree* const tree = find(key.tree);
     const bool is_slot = tree != nullptr && key.root < tree->top().root_count();
     return is_slot ? tree->at(key.root) : nullptr;
+}
+
+std::shared_ptr<const SubtreeBlock> SubtreeCache::block_at(const SubtreeKey& key) const {
+    const auto tree = trees_.find(key.tree);
+    const bool is_slot = tree != trees_.end() && key.root < tree->second.slots.size();
+    return is_slot ? tree->second.slots[key.root].block : nullptr;
 }
 
 void SubtreeCache::pin(const SubtreeKey& key) {
@@ -135,9 +150,11 @@ void SubtreeCache::evict_beyond_limit() {
         idle_.pop_front();
         Tree& tree = trees_.at(key.tree);
         tree.slots[key.root].is_idle = false;
-        bytes_ -= tree.partial.at(key.root)->memory_bytes();
+        bytes_ -= bytes_of(tree, key.root);
         tree.partial.empty(key.root);
+        tree.slots[key.root].block.reset();
         evicted_.push_back(key);
+        ++evictions_;
     }
 }
 

@@ -39,11 +39,16 @@ class SubtreeCache {
     /// Null for an unknown tree.
     [[nodiscard]] const PartialObbTree* find(TreeId tree) const;
 
-    /// Fills a slot. What is there already, or of an unknown tree, is ignored. Errors: BadFrame for
+    /// Fills a slot. What is there already, or of an unknown tree, is ignored. `block`, what the
+    /// subtree was made of, is kept with it to be handed on; null: it is not. Errors: BadFrame for
     /// a root that the tree does not have, or a subtree of another size than the root's.
-    [[nodiscard]] Status insert(const SubtreeKey& key, std::shared_ptr<const Subtree> subtree);
+    [[nodiscard]] Status insert(const SubtreeKey& key,
+                                std::shared_ptr<const Subtree> subtree,
+                                std::shared_ptr<const SubtreeBlock> block = nullptr);
     /// Null while it is not here.
     [[nodiscard]] std::shared_ptr<const Subtree> at(const SubtreeKey& key) const;
+    /// Null while it is not here, or was not kept.
+    [[nodiscard]] std::shared_ptr<const SubtreeBlock> block_at(const SubtreeKey& key) const;
 
     /// A pinned slot keeps its subtree, also one that has yet to come. Unpinning counts as a use.
     void pin(const SubtreeKey& key);
@@ -55,10 +60,13 @@ class SubtreeCache {
     /// What the subtree will take in memory, roughly; known before it is here.
     [[nodiscard]] std::uint64_t bytes_expected(const SubtreeKey& key) const;
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+    /// Of all time.
+    [[nodiscard]] std::uint64_t evictions() const { return evictions_; }
     [[nodiscard]] std::uint64_t bytes_max() const { return bytes_max_; }
 
   private:
     struct Slot {
+        std::shared_ptr<const SubtreeBlock> block;
         bool is_pinned = false;
         bool is_idle = false; ///< Stands in `idle_`.
         std::list<SubtreeKey>::iterator place;
@@ -69,6 +77,8 @@ class SubtreeCache {
         std::vector<Slot> slots;
     };
 
+    /// Of a slot that is filled.
+    [[nodiscard]] static std::uint64_t bytes_of(const Tree& tree, RootIndex root);
     Tree* find_tree(const SubtreeKey& key); ///< Null also for a root out of range.
     void set_idle(Slot& slot, const SubtreeKey& key);
     void evict_beyond_limit();
@@ -78,6 +88,7 @@ class SubtreeCache {
     std::map<TreeId, Tree> trees_;
     std::list<SubtreeKey> idle_; ///< Filled and not pinned; the longest unused first.
     std::vector<SubtreeKey> evicted_;
+    std::uint64_t evictions_ = 0;
 };
 
 } // namespace cd

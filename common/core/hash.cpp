@@ -2,7 +2,10 @@
 
 #include "common/core/check.hpp"
 
+#include <openssl/crypto.h>
 #include <openssl/evp.h>
+#include <openssl/hmac.h>
+#include <openssl/rand.h>
 #include <xxhash.h>
 
 #include <cstring>
@@ -43,6 +46,31 @@ Sha256 sha256(std::span<const std::byte> bytes) {
     Sha256Stream stream;
     stream.update(bytes);
     return stream.finish();
+}
+
+Sha256 hmac_sha256(const Sha256& key, std::span<const std::byte> bytes) {
+    Sha256 mac;
+    unsigned size = 0;
+    const auto* const made = HMAC(EVP_sha256(),
+                                  key.bytes.data(),
+                                  static_cast<int>(key.bytes.size()),
+                                  reinterpret_cast<const unsigned char*>(bytes.data()),
+                                  bytes.size(),
+                                  reinterpret_cast<unsigned char*>(mac.bytes.data()),
+                                  &size);
+    CD_CHECK(made != nullptr && size == mac.bytes.size());
+    return mac;
+}
+
+Sha256 random_secret() {
+    Sha256 secret;
+    auto* const out = reinterpret_cast<unsigned char*>(secret.bytes.data());
+    CD_CHECK(RAND_bytes(out, static_cast<int>(secret.bytes.size())) == 1);
+    return secret;
+}
+
+bool is_equal_secret(const Sha256& a, const Sha256& b) {
+    return CRYPTO_memcmp(a.bytes.data(), b.bytes.data(), a.bytes.size()) == 0;
 }
 
 std::string to_hex(const Sha256& hash) {

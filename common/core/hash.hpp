@@ -39,6 +39,13 @@ class Sha256Stream {
 
 [[nodiscard]] Sha256 sha256(std::span<const std::byte> bytes);
 
+/// HMAC (RFC 2104) with SHA-256: made and checked only by who knows the key.
+[[nodiscard]] Sha256 hmac_sha256(const Sha256& key, std::span<const std::byte> bytes);
+/// 32 bytes that nobody can guess.
+[[nodiscard]] Sha256 random_secret();
+/// The same, in a time that does not tell where they differ.
+[[nodiscard]] bool is_equal_secret(const Sha256& a, const Sha256& b);
+
 /// 64 lower-case hexadecimal digits.
 [[nodiscard]] std::string to_hex(const Sha256& hash);
 /// The first 16 digits of it, as shown to people.

@@ -58,6 +58,8 @@ inline constexpr std::size_t results_in_hand_max = 8; ///< Messages of one worke
 inline constexpr std::uint64_t results_bytes_max = 512u << 20; ///< Of one message, uncompressed.
 inline constexpr std::uint64_t results_part_bytes_target = 4u << 20; ///< To a client, uncompressed.
 inline constexpr std::size_t watches_max = 64;                       ///< Of one client at a time.
+inline constexpr std::size_t peer_sources_max = 3;                   ///< Named for one fetch.
+inline constexpr std::size_t peer_unreachable_by_max = 2; ///< Then nobody is sent there any more.
 
 // The worker.
 inline constexpr std::uint64_t subtree_bytes_per_triangle = 128; ///< In memory; an estimate.
@@ -65,6 +67,10 @@ inline constexpr std::size_t results_flush_bytes = 1u << 20;     ///< Uncompress
 inline constexpr std::chrono::milliseconds results_flush_period{50};
 inline constexpr std::size_t jobs_per_thread_max = 4; ///< Begun or queued for the threads.
 inline constexpr std::uint32_t worker_threads_max = 4096;
+inline constexpr std::size_t peer_uploads_max = 2;        ///< That one worker serves at a time.
+inline constexpr std::size_t peer_connections_max = 64;   ///< From other workers; then they wait.
+inline constexpr std::size_t peer_channels_kept_max = 16; ///< To other workers, for the next fetch.
+inline constexpr std::size_t peer_tickets_remembered = 1u << 16; ///< Older ones are not taken.
 inline constexpr std::chrono::milliseconds reconnect_after_min{100};
 inline constexpr std::chrono::milliseconds reconnect_after_max{5000};
 
@@ -72,6 +78,12 @@ inline constexpr std::chrono::milliseconds reconnect_after_max{5000};
 inline constexpr std::chrono::seconds heartbeat_period{2};
 inline constexpr std::chrono::seconds peer_lost_after{15};
 inline constexpr std::chrono::seconds connect_timeout{10};
+inline constexpr std::chrono::seconds peer_connect_timeout{2}; ///< Workers; then the next source.
+inline constexpr std::chrono::seconds peer_answer_max{5};      ///< Between two messages of a peer.
+inline constexpr std::chrono::seconds peer_fetch_max{60};      ///< Of one fetch, in all.
+inline constexpr std::chrono::seconds peer_wait_max{10};       ///< For a block that others hold.
+inline constexpr std::chrono::seconds peer_idle_max{60};       ///< A peer's connection without use.
+inline constexpr std::chrono::milliseconds peer_check_period{500};
 inline constexpr std::chrono::seconds answer_timeout{30}; ///< A client's, for what takes no work.
 inline constexpr std::chrono::seconds mesh_stored_timeout{3600}; ///< And for what does.
 inline constexpr std::chrono::hours client_idle_max{24};

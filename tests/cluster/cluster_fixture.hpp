@@ -89,17 +89,17 @@ class Cluster : public testing::Test {
     }
 
     /// One more worker. It joins by itself.
-    Process& start_worker(unsigned threads = 1) {
+    Process& start_worker(unsigned threads = 1, const std::vector<std::string>& options = {}) {
         const std::string name = "worker" + std::to_string(workers_.size());
-        workers_.push_back(
-            std::make_unique<Process>(std::vector<std::string>{program("cdworker").string(),
-                                                               "--master",
-                                                               master_->address(),
-                                                               "--threads",
-                                                               std::to_string(threads),
-                                                               "--name",
-                                                               name},
-                                      folder_ / name));
+        std::vector<std::string> command{program("cdworker").string(),
+                                         "--master",
+                                         master_->address(),
+                                         "--threads",
+                                         std::to_string(threads),
+                                         "--name",
+                                         name};
+        command.insert(command.end(), options.begin(), options.end());
+        workers_.push_back(std::make_unique<Process>(std::move(command), folder_ / name));
         return *workers_.back();
     }
 

@@ -108,7 +108,7 @@ TEST(Channel, ATimeoutLosesNothing) {
         const Result<Message> nothing = co_await ends.right->receive(1ms);
         EXPECT_EQ(nothing.error().code, ErrorCode::Timeout);
         EXPECT_TRUE(ends.right->is_open());
-        ends.left->send(Heartbeat{5, 6, 7});
+        ends.left->send(Heartbeat{5, 6, 7, {}});
         const Result<Message> came = co_await ends.right->receive(patience);
         EXPECT_EQ(std::get<Heartbeat>(came.value()).waiting, 7u);
         ends.left->close();

@@ -85,6 +85,7 @@ inline WorkerStatus some_worker_status() {
     status.bytes_received = 17;
     status.subtrees_sent = 18;
     status.subtree_bytes_sent = 19;
+    status.cache = {20, 21, 22, 23, 24, 25};
     return status;
 }
 
@@ -115,10 +116,10 @@ inline Submit some_submit() {
 /// In the order of their numbers.
 inline std::vector<Message> sample_messages() {
     return {
-        Hello{1, 3, Role::Worker, "node-1", "0.1.0", 8, 1u << 30},
-        Welcome{1, 42, "0.1.0"},
+        Hello{1, 4, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321},
+        Welcome{1, 42, "0.1.0", some_hash(17)},
         Failure{ErrorCode::NotFound, "no job 7"},
-        Heartbeat{1, 2, 3},
+        Heartbeat{1, 2, 3, {4, 5, 6, 7, 8, 9}},
         AddTree{TreeId{1}, {some_node(1), some_node(2)}},
         RemoveTree{TreeId{5}},
         Subtrees{TreeId{6}, {{3, some_hash(9), some_bytes(40)}, {4, some_hash(8), {}}}},
@@ -149,6 +150,14 @@ inline std::vector<Message> sample_messages() {
         ResultsQuery{JobId{1}, 2, 3},
         ResultsPart{JobId{1}, 2, 3, some_bytes(30)},
         Cancel{JobId{8}},
+        FetchFromPeers{TreeId{2},
+                       {1, 5},
+                       {some_hash(1), some_hash(2)},
+                       {{WorkerId{3}, "10.0.0.7", 4321, 6, some_hash(7)}}},
+        Held{TreeId{2}, {1, 5}},
+        FetchFailed{TreeId{2}, {1, 5}, WorkerId{3}, PeerOutcome::Damaged},
+        PeerFetch{TreeId{2}, {1, 5}, 6, some_hash(7)},
+        PeerFetched{TreeId{2}, {5}, PeerOutcome::Missing},
     };
 }
 

@@ -2,6 +2,7 @@
 // file, and says in one line, with exit code 2, what is wrong with them.
 #include "worker/config.hpp"
 
+#include "common/core/memory_limit.hpp"
 #include "worker/run_worker.hpp"
 
 #include <gmock/gmock.h>
@@ -57,7 +58,7 @@ TEST(WorkerConfig, DefaultsAreForAMasterOnThisMachine) {
     ASSERT_TRUE(line.config) << line.text;
     EXPECT_EQ(line.config->master.host, "127.0.0.1");
     EXPECT_EQ(line.config->master.port, 7600);
-    EXPECT_EQ(line.config->cache_bytes, std::uint64_t{4} << 30);
+    EXPECT_EQ(line.config->cache_bytes, memory_limit() / 2);
     EXPECT_EQ(line.config->threads, 0u);
     EXPECT_FALSE(line.config->insecure);
     EXPECT_FALSE(line.config->name.empty());

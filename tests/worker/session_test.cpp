@@ -104,6 +104,11 @@ class FakeMaster {
             ++subtrees_evicted;
         }
     }
+    void on(const Held& now_held) {
+        for (const RootIndex root : now_held.roots) {
+            EXPECT_TRUE(held.contains({now_held.tree, root})) << "it was not given that";
+        }
+    }
     void on(const Results& results) {
         EXPECT_FALSE(ended.contains(results.task));
         ++results_messages;

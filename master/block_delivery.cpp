@@ -1,0 +1,187 @@
+#include "master/block_delivery.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/core/log.hpp"
+#include "proto/peer_ticket.hpp"
+
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+BlockDirector::Time now() {
+    return std::chrono::steady_clock::now();
+}
+
+} // namespace
+
+BlockDelivery::BlockDelivery(asio::any_io_executor executor,
+                             const TreeRegistry& trees,
+                             std::function<void(TreeId, const Error&)> on_unreadable)
+    : executor_(std::move(executor)), trees_(trees), on_unreadable_(std::move(on_unreadable)) {}
+
+bool BlockDelivery::knows(WorkerId worker, TreeId tree) const {
+    return links_.contains(worker) && trees_.find(tree) != nullptr;
+}
+
+void BlockDelivery::worker_joined(WorkerId worker,
+                                  std::shared_ptr<Channel> channel,
+                                  const PeerKey& key,
+                                  std::uint16_t port) {
+    Link link;
+    link.host = channel->peer_host();
+    link.channel = std::move(channel);
+    link.key = key;
+    link.port = port;
+    links_.emplace(worker, std::move(link));
+    director_.worker_joined(worker, port != 0);
+}
+
+void BlockDelivery::worker_left(WorkerId worker) {
+    links_.erase(worker);
+    act(director_.worker_left(worker, now()));
+}
+
+Status BlockDelivery::wanted(WorkerId worker, const WantSubtrees& want) {
+    if (!knows(worker, want.tree)) {
+        return Done{};
+    }
+    if (!want.roots.empty() && want.roots.back() >= trees_.find(want.tree)->root_count()) {
+        return Error{ErrorCode::BadFrame, "it wants a root that does not exist"};
+    }
+    act(director_.wanted(worker, want.tree, want.roots, now()));
+    return Done{};
+}
+
+void BlockDelivery::held(WorkerId worker, const Held& held) {
+    if (knows(worker, held.tree)) {
+        act(director_.held(worker, held.tree, held.roots, now()));
+    }
+}
+
+void BlockDelivery::evicted(WorkerId worker, const Evicted& evicted) {
+    if (knows(worker, evicted.tree)) {
+        act(director_.evicted(worker, evicted.tree, evicted.roots, now()));
+    }
+}
+
+void BlockDelivery::failed(WorkerId worker, const FetchFailed& failed) {
+    if (!knows(worker, failed.tree)) {
+        return;
+    }
+    spdlog::info("peer gave no blocks: worker={} source={} tree={} roots={} outcome={}",
+                 worker.value,
+                 failed.source.value,
+                 failed.tree.value,
+                 failed.roots.size(),
+                 to_text(failed.outcome));
+    const bool was_avoided = director_.is_avoided(failed.source);
+    act(director_.peer_failed(
+        worker, failed.source, failed.tree, failed.roots, failed.outcome, now()));
+    if (!was_avoided && director_.is_avoided(failed.source)) {
+        spdlog::warn("worker serves no others any more: worker={} outcome={}",
+                     failed.source.value,
+                     to_text(failed.outcome));
+    }
+}
+
+void BlockDelivery::tree_removed(TreeId tree) {
+    for (auto& [worker, link] : links_) {
+        std::erase_if(link.queue, [&](const BlockKey& block) { return block.tree == tree; });
+    }
+    act(director_.tree_removed(tree, now()));
+}
+
+BlockDelivery::Sent BlockDelivery::sent_to(WorkerId worker) const {
+    const auto link = links_.find(worker);
+    return link == links_.end() ? Sent{} : link->second.sent;
+}
+
+// ---- What the director decides ----------------------------------------------------------------
+
+void BlockDelivery::act(const BlockActions& actions) {
+    for (const BlockAction& action : actions) {
+        if (const auto* block = std::get_if<SendBlock>(&action)) {
+            send(*block);
+        } else {
+            direct(std::get<SendToPeers>(action));
+        }
+    }
+    if (!watching_ && director_.open() != 0) {
+        watching_ = true;
+        spawn(executor_, "blocks under way", watch_time());
+    }
+}
+
+void BlockDelivery::send(const SendBlock& action) {
+    Link& link = links_.at(action.to);
+    link.queue.push_back(action.block);
+    if (!std::exchange(link.sending, true)) {
+        spawn(executor_, "subtrees to a worker", send_queue(action.to));
+    }
+}
+
+void BlockDelivery::direct(const SendToPeers& action) {
+    const auto geometry = trees_.find(action.tree);
+    FetchFromPeers directions;
+    directions.tree = action.tree;
+    directions.roots = action.roots;
+    for (const RootIndex root : action.roots) {
+        directions.hashes.push_back(geometry->hash(root));
+    }
+    for (const WorkerId source : action.sources) {
+        Link& from = links_.at(source);
+        const std::uint64_t ticket = ++from.ticket_last;
+        const Sha256 proof = ticket_proof(from.key, ticket, action.tree, action.roots);
+        directions.sources.push_back({source, from.host, from.port, ticket, proof});
+    }
+    links_.at(action.to).channel->send(directions);
+}
+
+asio::awaitable<void> BlockDelivery::send_queue(WorkerId worker) {
+    for (;;) {
+        const auto link = links_.find(worker);
+        if (link == links_.end() || link->second.queue.empty()) {
+            if (link != links_.end()) {
+                link->second.sending = false;
+            }
+            co_return;
+        }
+        send_some(link->second);
+        const auto channel = link->second.channel;
+        co_await channel->wait_until_queued_below(limits::subtrees_queue_bytes_max);
+    }
+}
+
+void BlockDelivery::send_some(Link& link) {
+    Subtrees subtrees;
+    subtrees.tree = link.queue.front().tree;
+    const auto geometry = trees_.find(subtrees.tree);
+    std::uint64_t bytes = 0;
+    while (!link.queue.empty() && link.queue.front().tree == subtrees.tree &&
+           bytes < limits::subtrees_bytes_min) {
+        Result<SubtreeBlock> block = geometry->block(link.queue.front().root);
+        if (!block) {
+            return on_unreadable_(subtrees.tree, block.error());
+        }
+        link.queue.pop_front();
+        bytes += block.value().compressed.size();
+        subtrees.blocks.push_back(std::move(block.value()));
+    }
+    link.sent.blocks += subtrees.blocks.size();
+    link.sent.bytes += bytes;
+    link.channel->send(subtrees);
+}
+
+asio::awaitable<void> BlockDelivery::watch_time() {
+    asio::steady_timer timer(executor_);
+    while (director_.open() != 0) {
+        timer.expires_after(limits::peer_check_period);
+        co_await timer.async_wait(asio::use_awaitable);
+        act(director_.time_is(now()));
+    }
+    watching_ = false;
+}
+
+} // namespace cd

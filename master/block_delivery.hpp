@@ -1,0 +1,78 @@
+// Carries blocks of geometry to the workers, or tells them from whom to fetch them.
+#pragma once
+
+#include "master/block_director.hpp"
+#include "master/tree_registry.hpp"
+#include "proto/asio.hpp"
+#include "proto/channel.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace cd {
+
+/// The director's decisions on the workers' channels. Runs on the executor's thread. Of a worker
+/// that is not here, and of a tree that nobody uses any more, it hears nothing.
+class BlockDelivery {
+  public:
+    /// `on_unreadable` is called when a tree's block cannot be read.
+    BlockDelivery(asio::any_io_executor executor,
+                  const TreeRegistry& trees,
+                  std::function<void(TreeId, const Error&)> on_unreadable);
+    BlockDelivery(const BlockDelivery&) = delete;
+    BlockDelivery& operator=(const BlockDelivery&) = delete;
+
+    /// `port`: where it serves others; 0: nowhere.
+    void worker_joined(WorkerId worker,
+                       std::shared_ptr<Channel> channel,
+                       const PeerKey& key,
+                       std::uint16_t port);
+    void worker_left(WorkerId worker);
+
+    /// Errors: BadFrame for a root that the tree does not have.
+    [[nodiscard]] Status wanted(WorkerId worker, const WantSubtrees& want);
+    void held(WorkerId worker, const Held& held);
+    void evicted(WorkerId worker, const Evicted& evicted);
+    void failed(WorkerId worker, const FetchFailed& failed);
+    void tree_removed(TreeId tree);
+
+    /// By the master itself.
+    struct Sent {
+        std::uint64_t blocks = 0;
+        std::uint64_t bytes = 0; ///< Compressed.
+    };
+    [[nodiscard]] Sent sent_to(WorkerId worker) const;
+
+  private:
+    struct Link {
+        std::shared_ptr<Channel> channel;
+        PeerKey key;
+        std::string host;
+        std::uint16_t port = 0;
+        std::uint64_t ticket_last = 0; ///< For fetches from it.
+        std::deque<BlockKey> queue;    ///< What the master has yet to send.
+        bool sending = false;
+        Sent sent;
+    };
+
+    [[nodiscard]] bool knows(WorkerId worker, TreeId tree) const;
+    void act(const BlockActions& actions);
+    void send(const SendBlock& action);
+    void direct(const SendToPeers& action);
+    [[nodiscard]] asio::awaitable<void> send_queue(WorkerId worker);
+    void send_some(Link& link);
+    [[nodiscard]] asio::awaitable<void> watch_time();
+
+    asio::any_io_executor executor_;
+    const TreeRegistry& trees_;
+    std::function<void(TreeId, const Error&)> on_unreadable_;
+    BlockDirector director_;
+    std::map<WorkerId, Link> links_;
+    bool watching_ = false;
+};
+
+} // namespace cd

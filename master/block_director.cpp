@@ -1,0 +1,423 @@
+#include "master/block_director.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cd {
+
+// ---- Events -----------------------------------------------------------------------------------
+
+void BlockDirector::worker_joined(WorkerId worker, bool serves) {
+    const bool is_new = peers_.try_emplace(worker).second;
+    CD_CHECK(is_new);
+    peers_.at(worker).serves = serves;
+}
+
+BlockActions BlockDirector::worker_left(WorkerId worker, Time now) {
+    const auto found = peers_.find(worker);
+    if (found == peers_.end()) {
+        return {};
+    }
+    Event event{now, {}, {}, {}};
+    for (const BlockKey& block : std::set<BlockKey>(found->second.holds)) {
+        lose_hold(worker, block, event);
+    }
+    const auto comes = found->second.comes;
+    for (const auto& [block, fetch] : comes) {
+        forget_delivery(worker, block, event);
+    }
+    const auto waits_for = found->second.waits_for;
+    for (const auto& [block, since] : waits_for) {
+        forget_delivery(worker, block, event);
+    }
+    // Who fetches from it notices, and says so.
+    for (auto& [id, fetch] : fetches_) {
+        if (fetch.source == worker) {
+            fetch.source = {};
+        }
+    }
+    peers_.erase(found);
+    return settle(std::move(event));
+}
+
+BlockActions
+BlockDirector::wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now) {
+    Event event{now, {}, {}, {}};
+    std::map<WorkerId, std::vector<RootIndex>> given;
+    for (const RootIndex root : roots) {
+        want(worker, {tree, root}, given, event);
+    }
+    for (auto& [source, from_it] : given) {
+        fetch(worker, tree, std::move(from_it), source, event);
+    }
+    return settle(std::move(event));
+}
+
+BlockActions
+BlockDirector::held(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now) {
+    Event event{now, {worker}, {}, {}};
+    for (const RootIndex root : roots) {
+        const BlockKey block{tree, root};
+        forget_delivery(worker, block, event);
+        peers_.at(worker).holds.insert(block);
+        blocks_[block].holders.insert(worker);
+    }
+    return settle(std::move(event));
+}
+
+BlockActions
+BlockDirector::evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now) {
+    Event event{now, {}, {}, {}};
+    for (const RootIndex root : roots) {
+        forget_delivery(worker, {tree, root}, event);
+        lose_hold(worker, {tree, root}, event);
+    }
+    return settle(std::move(event));
+}
+
+BlockActions BlockDirector::peer_failed(WorkerId worker,
+                                        WorkerId source,
+                                        TreeId tree,
+                                        std::span<const RootIndex> roots,
+                                        PeerOutcome how,
+                                        Time now) {
+    if (!peers_.contains(worker)) {
+        return {};
+    }
+    Event event{now, {}, {}, {}};
+    for (const RootIndex root : roots) {
+        const BlockKey block{tree, root};
+        const auto comes = peers_.at(worker).comes.find(block);
+        if (comes != peers_.at(worker).comes.end() && comes->second != 0) {
+            Fetch& fetch = fetches_.at(comes->second);
+            if (fetch.source == source) {
+                free_place(fetch, event);
+            }
+        }
+        if (how == PeerOutcome::Missing) {
+            lose_hold(source, block, event);
+        }
+    }
+    const auto found = peers_.find(source);
+    if (found != peers_.end() && (how == PeerOutcome::Unreachable || how == PeerOutcome::Damaged)) {
+        Peer& peer = found->second;
+        peer.cannot_reach_it.insert(worker);
+        peer.is_avoided |= how == PeerOutcome::Damaged ||
+                           peer.cannot_reach_it.size() >= limits::peer_unreachable_by_max;
+        event.less_hope.insert(peer.holds.begin(), peer.holds.end());
+        for (const auto& [block, fetch] : peer.comes) {
+            event.less_hope.insert(block);
+        }
+    }
+    return settle(std::move(event));
+}
+
+BlockActions BlockDirector::tree_removed(TreeId tree, Time now) {
+    Event event{now, {}, {}, {}};
+    const auto begin = blocks_.lower_bound({tree, 0});
+    auto end = begin;
+    for (; end != blocks_.end() && end->first.tree == tree; ++end) {
+        const BlockKey& block = end->first;
+        for (auto& [worker, peer] : peers_) {
+            peer.holds.erase(block);
+            if (peer.waits_for.erase(block) != 0 && peer.waits_for.empty()) {
+                std::erase(line_, worker);
+            }
+            const auto comes = peer.comes.find(block);
+            if (comes != peer.comes.end()) {
+                if (const auto fetch = fetches_.find(comes->second);
+                    fetch != fetches_.end() && --fetch->second.left == 0) {
+                    free_place(fetch->second, event);
+                    fetches_.erase(fetch);
+                }
+                peer.comes.erase(comes);
+            }
+        }
+    }
+    blocks_.erase(begin, end);
+    return settle(std::move(event));
+}
+
+BlockActions BlockDirector::time_is(Time now) {
+    Event event{now, {}, {}, {}};
+    for (const WorkerId worker : std::vector<WorkerId>(line_)) {
+        const auto waits_for = peers_.at(worker).waits_for;
+        for (const auto& [block, since] : waits_for) {
+            if (now - since >= limits::peer_wait_max) {
+                send_from_master(worker, block, event);
+            }
+        }
+    }
+    std::vector<std::pair<WorkerId, BlockKey>> late;
+    for (const auto& [worker, peer] : peers_) {
+        for (const auto& [block, id] : peer.comes) {
+            if (id != 0 && now >= fetches_.at(id).deadline) {
+                late.emplace_back(worker, block);
+            }
+        }
+    }
+    for (const auto& [worker, block] : late) {
+        forget_delivery(worker, block, event);
+        send_from_master(worker, block, event);
+    }
+    return settle(std::move(event));
+}
+
+// ---- Questions --------------------------------------------------------------------------------
+
+std::size_t BlockDirector::open() const {
+    std::size_t open = 0;
+    for (const auto& [worker, peer] : peers_) {
+        open += peer.comes.size() + peer.waits_for.size();
+    }
+    return open;
+}
+
+bool BlockDirector::is_avoided(WorkerId worker) const {
+    const auto peer = peers_.find(worker);
+    return peer != peers_.end() && peer->second.is_avoided;
+}
+
+bool BlockDirector::can_serve(WorkerId source, WorkerId worker) const {
+    const auto peer = peers_.find(source);
+    return source != worker && peer != peers_.end() && peer->second.serves &&
+           !peer->second.is_avoided && !peer->second.cannot_reach_it.contains(worker);
+}
+
+bool BlockDirector::is_worth_waiting(const Block& block, WorkerId worker) const {
+    const auto serves = [&](WorkerId other) { return can_serve(other, worker); };
+    return std::ranges::any_of(block.holders, serves) ||
+           std::ranges::any_of(block.on_the_way_to, serves);
+}
+
+WorkerId
+BlockDirector::first_source(const Block& block,
+                            WorkerId worker,
+                            const std::map<WorkerId, std::vector<RootIndex>>& given) const {
+    WorkerId best;
+    std::pair<std::size_t, std::size_t> best_load;
+    for (const WorkerId holder : block.holders) {
+        if (!can_serve(holder, worker)) {
+            continue;
+        }
+        const Peer& peer = peers_.at(holder);
+        const auto from_it = given.find(holder);
+        const std::size_t blocks = from_it == given.end() ? 0 : from_it->second.size();
+        if (blocks == 0 && peer.uploads >= limits::peer_uploads_max) {
+            continue;
+        }
+        const std::pair load{blocks, peer.uploads};
+        if (best == WorkerId{} || load < best_load) {
+            best = holder;
+            best_load = load;
+        }
+    }
+    return best;
+}
+
+// ---- What an event does to one block ----------------------------------------------------------
+
+void BlockDirector::want(WorkerId worker,
+                         const BlockKey& block,
+                         std::map<WorkerId, std::vector<RootIndex>>& given,
+                         Event& event) {
+    Peer& peer = peers_.at(worker);
+    if (peer.waits_for.contains(block)) {
+        return;
+    }
+    if (const auto comes = peer.comes.find(block); comes != peer.comes.end()) {
+        if (comes->second != 0) { // Its peers did not give it.
+            forget_delivery(worker, block, event);
+            send_from_master(worker, block, event);
+        }
+        return;
+    }
+    lose_hold(worker, block, event); // It says so itself.
+    Block& wanted = blocks_[block];
+    if (const WorkerId source = first_source(wanted, worker, given); source != WorkerId{}) {
+        given[source].push_back(block.root);
+    } else if (is_worth_waiting(wanted, worker)) {
+        if (peer.waits_for.empty()) {
+            line_.push_back(worker);
+        }
+        peer.waits_for.emplace(block, event.now);
+        wanted.awaited_by.insert(worker);
+    } else {
+        send_from_master(worker, block, event);
+    }
+}
+
+void BlockDirector::send_from_master(WorkerId worker, const BlockKey& block, Event& event) {
+    forget_delivery(worker, block, event);
+    peers_.at(worker).comes.emplace(block, FetchId{0});
+    blocks_[block].on_the_way_to.insert(worker);
+    event.actions.emplace_back(SendBlock{worker, block});
+}
+
+void BlockDirector::fetch(
+    WorkerId worker, TreeId tree, std::vector<RootIndex> roots, WorkerId source, Event& event) {
+    const FetchId id = ++fetch_last_;
+    fetches_.emplace(id, Fetch{worker, source, roots.size(), event.now + limits::peer_fetch_max});
+    ++peers_.at(source).uploads;
+    std::set<WorkerId> others = blocks_.at({tree, roots.front()}).holders;
+    for (const RootIndex root : roots) {
+        const BlockKey block{tree, root};
+        forget_delivery(worker, block, event);
+        Block& wanted = blocks_[block];
+        wanted.on_the_way_to.insert(worker);
+        peers_.at(worker).comes.emplace(block, id);
+        std::erase_if(others, [&](WorkerId other) { return !wanted.holders.contains(other); });
+    }
+    std::vector<WorkerId> sources{source};
+    for (const WorkerId other : others) {
+        if (other != source && can_serve(other, worker) &&
+            sources.size() < limits::peer_sources_max) {
+            sources.push_back(other);
+        }
+    }
+    event.actions.emplace_back(SendToPeers{worker, tree, std::move(roots), std::move(sources)});
+}
+
+void BlockDirector::forget_delivery(WorkerId worker, const BlockKey& block, Event& event) {
+    Peer& peer = peers_.at(worker);
+    const auto known = blocks_.find(block);
+    if (const auto comes = peer.comes.find(block); comes != peer.comes.end()) {
+        const FetchId id = comes->second;
+        peer.comes.erase(comes);
+        known->second.on_the_way_to.erase(worker);
+        event.less_hope.insert(block);
+        if (const auto fetch = fetches_.find(id);
+            fetch != fetches_.end() && --fetch->second.left == 0) {
+            free_place(fetch->second, event);
+            fetches_.erase(fetch);
+        }
+    }
+    if (peer.waits_for.erase(block) != 0) {
+        known->second.awaited_by.erase(worker);
+        if (peer.waits_for.empty()) {
+            std::erase(line_, worker);
+        }
+    }
+}
+
+void BlockDirector::free_place(Fetch& fetch, Event& event) {
+    if (const auto source = peers_.find(fetch.source); source != peers_.end()) {
+        --source->second.uploads;
+        event.have_places.insert(fetch.source);
+    }
+    fetch.source = {};
+}
+
+void BlockDirector::lose_hold(WorkerId worker, const BlockKey& block, Event& event) {
+    const auto peer = peers_.find(worker);
+    if (peer != peers_.end() && peer->second.holds.erase(block) != 0) {
+        blocks_.at(block).holders.erase(worker);
+        event.less_hope.insert(block);
+    }
+}
+
+void BlockDirector::forget_if_unused(const BlockKey& block) {
+    const auto found = blocks_.find(block);
+    if (found != blocks_.end() && found->second.holders.empty() &&
+        found->second.on_the_way_to.empty() && found->second.awaited_by.empty()) {
+        blocks_.erase(found);
+    }
+}
+
+// ---- The end of an event ----------------------------------------------------------------------
+
+BlockActions BlockDirector::settle(Event event) {
+    while (!event.have_places.empty()) {
+        const WorkerId source = *event.have_places.begin();
+        event.have_places.erase(event.have_places.begin());
+        offer(source, event);
+    }
+    while (!event.less_hope.empty()) {
+        const BlockKey block = *event.less_hope.begin();
+        event.less_hope.erase(event.less_hope.begin());
+        rescue(block, event);
+        forget_if_unused(block);
+    }
+    return std::move(event.actions);
+}
+
+void BlockDirector::offer(WorkerId source, Event& event) {
+    const auto peer = peers_.find(source);
+    if (peer == peers_.end()) {
+        return;
+    }
+    for (const WorkerId worker : std::vector<WorkerId>(line_)) {
+        if (!can_serve(source, worker)) {
+            continue;
+        }
+        std::map<TreeId, std::vector<RootIndex>> roots;
+        for (const auto& [block, since] : peers_.at(worker).waits_for) {
+            if (peer->second.holds.contains(block)) {
+                roots[block.tree].push_back(block.root);
+            }
+        }
+        for (auto& [tree, of_tree] : roots) {
+            if (peer->second.uploads >= limits::peer_uploads_max) {
+                return;
+            }
+            fetch(worker, tree, std::move(of_tree), source, event);
+        }
+    }
+}
+
+void BlockDirector::rescue(const BlockKey& block, Event& event) {
+    const auto found = blocks_.find(block);
+    if (found == blocks_.end()) {
+        return;
+    }
+    for (const WorkerId worker : std::set<WorkerId>(found->second.awaited_by)) {
+        if (!is_worth_waiting(found->second, worker)) {
+            send_from_master(worker, block, event);
+        }
+    }
+}
+
+void BlockDirector::check_invariants() const {
+    std::map<WorkerId, std::size_t> uploads;
+    std::map<FetchId, std::size_t> left;
+    std::size_t on_the_way = 0;
+    std::size_t awaited = 0;
+    for (const auto& [id, fetch] : fetches_) {
+        ++uploads[fetch.source];
+        CD_CHECK(fetch.left != 0);
+    }
+    for (const auto& [worker, peer] : peers_) {
+        CD_CHECK(peer.uploads == uploads[worker]);
+        CD_CHECK(peer.uploads <= limits::peer_uploads_max);
+        CD_CHECK(peer.waits_for.empty() == (std::ranges::count(line_, worker) == 0));
+        on_the_way += peer.comes.size();
+        awaited += peer.waits_for.size();
+        for (const auto& [block, id] : peer.comes) {
+            CD_CHECK(blocks_.at(block).on_the_way_to.contains(worker));
+            CD_CHECK(!peer.waits_for.contains(block));
+            CD_CHECK(!peer.holds.contains(block));
+            left[id] += 1;
+        }
+        for (const auto& [block, since] : peer.waits_for) {
+            CD_CHECK(blocks_.at(block).awaited_by.contains(worker));
+            CD_CHECK(is_worth_waiting(blocks_.at(block), worker)); // Or it would wait in vain.
+        }
+        for (const BlockKey& block : peer.holds) {
+            CD_CHECK(blocks_.at(block).holders.contains(worker));
+        }
+    }
+    for (const auto& [id, fetch] : fetches_) {
+        CD_CHECK(left[id] == fetch.left);
+    }
+    for (const auto& [block, state] : blocks_) {
+        on_the_way -= state.on_the_way_to.size();
+        awaited -= state.awaited_by.size();
+    }
+    CD_CHECK(on_the_way == 0);
+    CD_CHECK(awaited == 0);
+}
+
+} // namespace cd

@@ -1,0 +1,100 @@
+// Proves that workers get geometry from each other, that the answer does not depend on it, and that
+// one that cannot be reached, or gives nothing, only sends the others back to the master.
+#include "tests/cluster/cluster_fixture.hpp"
+
+#include <csignal>
+
+namespace cd::tests {
+namespace {
+
+/// Each scenario needs nearly all of both bodies, so each worker does.
+ClusterOptions everything_everywhere() {
+    ClusterOptions options;
+    options.strategy = Strategy::Random;
+    options.q = 4;
+    return options;
+}
+
+struct Geometry {
+    std::uint64_t from_master = 0;
+    std::uint64_t from_peers = 0;
+    std::uint64_t to_peers = 0;
+};
+
+Geometry geometry_of(const ClusterStatus& status) {
+    Geometry bytes;
+    for (const WorkerStatus& worker : status.workers) {
+        bytes.from_master += worker.subtree_bytes_sent;
+        bytes.from_peers += worker.cache.peer_bytes;
+        bytes.to_peers += worker.cache.uploaded_bytes;
+    }
+    return bytes;
+}
+
+TEST_F(Cluster, GeometryTravelsBetweenWorkers) {
+    const Job job = make_job(300);
+    for (int i = 0; i < 3; ++i) {
+        start_worker();
+    }
+    const JobStatus status = run(job, Query{}, everything_everywhere());
+    ASSERT_EQ(status.state, JobState::Done);
+    EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
+    const auto cluster = connection_->status();
+    ASSERT_TRUE(cluster);
+    const Geometry bytes = geometry_of(cluster.value());
+    EXPECT_GT(bytes.from_peers, 0u);
+    EXPECT_GT(bytes.to_peers, 0u);
+    EXPECT_GT(bytes.from_master, 0u);
+}
+
+TEST_F(Cluster, WithoutPeersTheMasterGivesEverything) {
+    const Job job = make_job(300);
+    for (int i = 0; i < 3; ++i) {
+        start_worker(1, {"--no-peers"});
+    }
+    const JobStatus status = run(job, Query{}, everything_everywhere());
+    EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
+    const auto cluster = connection_->status();
+    ASSERT_TRUE(cluster);
+    EXPECT_EQ(geometry_of(cluster.value()).from_peers, 0u);
+}
+
+TEST_F(Cluster, GeometryTenTimesTheCacheHasTheSameDigest) {
+    const Job job = make_job(120);
+    for (int i = 0; i < 2; ++i) {
+        start_worker(1, {"--cache", "150KiB"});
+    }
+    const JobStatus status = run(job, Query{}, everything_everywhere());
+    EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
+    const auto cluster = connection_->status();
+    ASSERT_TRUE(cluster);
+    for (const WorkerStatus& worker : cluster.value().workers) {
+        EXPECT_GT(worker.cache.evictions, 0u);
+    }
+    const std::uint64_t once =
+        160 * (job.a->mesh().triangles().size() + job.b->mesh().triangles().size());
+    EXPECT_GT(once, 10 * (150u << 10)) << "the cache is not small any more";
+}
+
+TEST_F(Cluster, AStoppedWorkerDoesNotKeepGeometryFromOthers) {
+    const Job job = make_job(400);
+    Process& first = start_worker();
+    bool stopped = false;
+    const JobId id = submit(job, Query{}, everything_everywhere());
+    const JobStatus status = finish(id, [&](const JobStatus& now) {
+        if (!stopped && now.summary.merged() > 40) {
+            // It holds all, the master knows that, and it answers nobody.
+            stopped = true;
+            first.signal(SIGSTOP);
+            start_worker();
+            start_worker();
+        }
+    });
+    first.signal(SIGCONT);
+    ASSERT_TRUE(stopped);
+    ASSERT_EQ(status.state, JobState::Done);
+    EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,114 @@
+#include "worker/peer_server.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/core/log.hpp"
+#include "common/core/version.hpp"
+
+#include <utility>
+
+namespace cd {
+
+Result<std::shared_ptr<PeerServer>> PeerServer::listen(const asio::any_io_executor& executor,
+                                                       const Endpoint& endpoint) {
+    Result<std::unique_ptr<Listener>> listener = Listener::open(executor, endpoint);
+    if (!listener) {
+        return listener.error();
+    }
+    std::shared_ptr<PeerServer> server(new PeerServer(executor, std::move(listener.value())));
+    server->listener_->start([weak = std::weak_ptr(server)](asio::ip::tcp::socket socket) {
+        if (const auto self = weak.lock()) {
+            self->accept(std::move(socket));
+        }
+    });
+    return server;
+}
+
+PeerServer::PeerServer(asio::any_io_executor executor, std::unique_ptr<Listener> listener)
+    : executor_(std::move(executor)), listener_(std::move(listener)) {}
+
+void PeerServer::serve(const PeerKey& key, Blocks blocks) {
+    tickets_.emplace(key);
+    blocks_ = std::move(blocks);
+}
+
+void PeerServer::stop_serving() {
+    tickets_.reset();
+    blocks_ = nullptr;
+}
+
+void PeerServer::accept(asio::ip::tcp::socket socket) {
+    if (connections_ >= limits::peer_connections_max) {
+        return; // It is closed, and the other worker goes to the next source.
+    }
+    spawn(executor_, "a peer", converse(Channel::make(std::move(socket))));
+}
+
+asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel) {
+    const auto self = shared_from_this();
+    ++connections_;
+    const Result<Hello> hello = co_await accept_hello(channel);
+    if (hello && hello.value().role == Role::Peer) {
+        Welcome welcome;
+        welcome.version = negotiate(hello.value()).value();
+        welcome.build = version;
+        channel->send(welcome);
+        for (;;) {
+            Result<Message> message = co_await channel->receive(limits::peer_idle_max);
+            const auto* fetch = message ? std::get_if<PeerFetch>(&message.value()) : nullptr;
+            if (fetch == nullptr) {
+                break;
+            }
+            co_await answer(channel, *fetch);
+        }
+    }
+    channel->close();
+    --connections_;
+}
+
+asio::awaitable<void> PeerServer::answer(std::shared_ptr<Channel> channel, PeerFetch fetch) {
+    if (!tickets_ || !tickets_->take(fetch)) {
+        spdlog::warn("peer refused: peer={} tree={} ticket={}",
+                     channel->peer(),
+                     fetch.tree.value,
+                     fetch.ticket);
+        channel->send(PeerFetched{fetch.tree, std::move(fetch.roots), PeerOutcome::Refused});
+    } else if (uploads_ >= limits::peer_uploads_max) {
+        channel->send(PeerFetched{fetch.tree, std::move(fetch.roots), PeerOutcome::Busy});
+    } else {
+        ++uploads_;
+        co_await upload(channel, std::move(fetch));
+        --uploads_;
+    }
+}
+
+asio::awaitable<void> PeerServer::upload(std::shared_ptr<Channel> channel, PeerFetch fetch) {
+    PeerFetched end;
+    end.tree = fetch.tree;
+    Subtrees some;
+    some.tree = fetch.tree;
+    std::uint64_t bytes = 0;
+    for (const RootIndex root : fetch.roots) {
+        const auto block = blocks_ ? blocks_({fetch.tree, root}) : nullptr;
+        if (block == nullptr) {
+            end.missing.push_back(root);
+            continue;
+        }
+        bytes += block->compressed.size();
+        some.blocks.push_back(*block);
+        if (bytes >= limits::subtrees_bytes_min) {
+            channel->send(some);
+            some.blocks.clear();
+            uploaded_bytes_ += std::exchange(bytes, 0);
+            co_await channel->wait_until_queued_below(limits::subtrees_bytes_min);
+        }
+    }
+    if (!some.blocks.empty()) {
+        channel->send(some);
+        uploaded_bytes_ += bytes;
+    }
+    end.outcome = end.missing.empty() ? PeerOutcome::Given : PeerOutcome::Missing;
+    channel->send(end);
+    co_await channel->wait_until_queued_below(1);
+}
+
+} // namespace cd

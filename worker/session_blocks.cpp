@@ -1,0 +1,136 @@
+// How blocks of geometry come to a session, from the master and from other workers, and how they
+// go.
+#include "common/core/log.hpp"
+#include "worker/session.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace cd {
+
+void Session::serve_peers() {
+    if (peers_.server == nullptr) {
+        return;
+    }
+    peers_.server->serve(peers_.key, [weak = weak_from_this()](const SubtreeKey& key) {
+        const auto session = weak.lock();
+        return session == nullptr ? nullptr : session->cache_.block_at(key);
+    });
+}
+
+asio::awaitable<void> Session::fetch_from_peers(FetchFromPeers directions) {
+    const auto self = shared_from_this();
+    std::set<RootIndex> left(directions.roots.begin(), directions.roots.end());
+    for (const PeerSource& source : directions.sources) {
+        // A temporary in the call below is destroyed twice by GCC 12.
+        const PeerLinks::OnBlock on_block = [&](SubtreeBlock block) {
+            left.erase(block.root);
+            traffic_.peer_bytes += block.compressed.size();
+            open_soon(directions.tree, std::move(block), source.worker);
+        };
+        const PeerOutcome outcome = co_await links_.fetch(source, directions, on_block);
+        if (left.empty() || !channel_->is_open()) {
+            co_return;
+        }
+        spdlog::info("blocks from a peer failed: tree={} source={} outcome={} left={}",
+                     directions.tree.value,
+                     source.worker.value,
+                     to_text(outcome),
+                     left.size());
+        const std::vector<RootIndex> roots(left.begin(), left.end());
+        channel_->send(FetchFailed{directions.tree, roots, source.worker, outcome});
+        if (roots.size() != directions.roots.size()) {
+            break; // The tickets of the others are for all roots.
+        }
+    }
+    channel_->send(WantSubtrees{directions.tree, {left.begin(), left.end()}});
+}
+
+// Hashing and decoding take a thread's time; the heartbeat does not wait for them.
+void Session::open_soon(TreeId tree, SubtreeBlock came, WorkerId source) {
+    const SubtreeKey key{tree, came.root};
+    const auto block = std::make_shared<const SubtreeBlock>(std::move(came));
+    executor_.submit([weak = weak_from_this(), abandoned = abandoned_, key, block, source]() {
+        if (abandoned->load()) {
+            return Executor::Continuation([] {});
+        }
+        return Executor::Continuation([weak, key, subtree = open_block(*block), block, source] {
+            if (const auto session = weak.lock()) {
+                session->block_opened(key, subtree, block, source);
+            }
+        });
+    });
+}
+
+void Session::block_opened(const SubtreeKey& key,
+                           const Result<std::shared_ptr<const Subtree>>& subtree,
+                           const std::shared_ptr<const SubtreeBlock>& block,
+                           WorkerId source) {
+    if (!channel_->is_open()) {
+        return;
+    }
+    if (!subtree && source != WorkerId{}) {
+        spdlog::error("damaged block from a peer: tree={} root={} source={} error=\"{}\"",
+                      key.tree.value,
+                      key.root,
+                      source.value,
+                      subtree.error().detail);
+        channel_->send(FetchFailed{key.tree, {key.root}, source, PeerOutcome::Damaged});
+        channel_->send(WantSubtrees{key.tree, {key.root}});
+        return;
+    }
+    const auto kept = peers_.server == nullptr ? nullptr : block;
+    const Status inserted =
+        subtree ? cache_.insert(key, subtree.value(), kept) : Status(subtree.error());
+    if (!inserted) {
+        return refuse(inserted.error());
+    }
+    if (cache_.at(key) != nullptr) {
+        fetcher_.arrived(key);
+        held_[key.tree].push_back(key.root);
+    }
+    settle_soon();
+}
+
+// ---- What the master is told ------------------------------------------------------------------
+
+void Session::send_evicted() {
+    std::map<TreeId, std::vector<RootIndex>> evicted;
+    for (const SubtreeKey& key : cache_.take_evicted()) {
+        // It may be back already.
+        if (cache_.at(key) == nullptr) {
+            evicted[key.tree].push_back(key.root);
+        }
+    }
+    for (auto& [tree, roots] : evicted) {
+        std::sort(roots.begin(), roots.end());
+        roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+        channel_->send(Evicted{tree, std::move(roots)});
+    }
+}
+
+void Session::send_held() {
+    for (auto& [tree, roots] : std::exchange(held_, {})) {
+        std::sort(roots.begin(), roots.end());
+        roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+        // It may have left again.
+        std::erase_if(roots, [&](RootIndex root) { return cache_.at({tree, root}) == nullptr; });
+        if (!roots.empty()) {
+            channel_->send(Held{tree, std::move(roots)});
+        }
+    }
+}
+
+void Session::send_wants(const std::vector<SubtreeKey>& want) {
+    std::map<TreeId, std::vector<RootIndex>> roots;
+    for (const SubtreeKey& key : want) {
+        roots[key.tree].push_back(key.root);
+    }
+    for (auto& [tree, wanted] : roots) {
+        spdlog::debug("subtrees wanted: tree={} roots={}", tree.value, wanted.size());
+        channel_->send(WantSubtrees{tree, std::move(wanted)});
+    }
+}
+
+} // namespace cd
