@@ -109,6 +109,7 @@ Setting measured_setting() {
     setting.name = "measured";
     setting.costs = Costs::Measured;
     setting.may_claim = false;
+    setting.seeds_max = 1;
     setting.options.cluster.worker_per_computer = true;
     setting.options.ahead = limits::unsent_scenarios_max;
     setting.options.analysts = setting.options.cluster.fast_cores_each - 1;
@@ -127,11 +128,11 @@ std::vector<T> Experiments::series(std::vector<T> all) const {
 
 void Experiments::run(const Setting& setting, const Scene& scene, const Point& point) {
     best_match_seconds_ = 0;
-    for (std::uint64_t seed = 1; seed <= seeds(); ++seed) {
+    for (std::uint64_t seed = 1; seed <= seeds(setting); ++seed) {
         const Workload workload = make_workload(
             *scene.trace, *scene.table, {setting.costs, point.depth, point.count, seed});
         for (const ComparedStrategy& strategy : compared_strategies) {
-            const auto outcome = simulate_one(setting, workload, strategy, point, seed);
+            const auto outcome = simulate_one(setting, scene, workload, strategy, point, seed);
             if (!outcome) {
                 std::fprintf(stderr,
                              "no end: %s %s %s %g %s\n",
@@ -144,7 +145,7 @@ void Experiments::run(const Setting& setting, const Scene& scene, const Point& p
             }
             csv_.row(row_of(setting, scene, point, strategy, seed, workload, *outcome));
             if (strategy.strategy == Strategy::BestMatch) {
-                best_match_seconds_ += outcome->seconds / static_cast<double>(seeds());
+                best_match_seconds_ += outcome->seconds / static_cast<double>(seeds(setting));
             }
         }
     }
@@ -158,10 +159,11 @@ void Experiments::run(const Setting& setting, const Scene& scene, const Point& p
 }
 
 std::optional<Outcome> Experiments::simulate_one(const Setting& setting,
+                                                 const Scene& scene,
                                                  const Workload& workload,
                                                  const ComparedStrategy& strategy,
                                                  const Point& point,
-                                                 std::uint64_t seed) const {
+                                                 std::uint64_t seed) {
     SimulationOptions options = setting.options;
     options.cluster.fast_cores = point.fast_cores;
     options.cluster.slow_cores = point.slow_cores;
@@ -172,19 +174,45 @@ std::optional<Outcome> Experiments::simulate_one(const Setting& setting,
     options.dispatch.claim = setting.may_claim && strategy.claims;
     options.dispatch.seed = seed;
     if (setting.costs == Costs::Measured) {
-        // What the decisions take is known when they have been made once.
-        const auto uncharged = simulate_apart(workload, options, options_.limit);
-        options.dispatch_seconds = uncharged ? 1e-6 * uncharged->dispatcher_us : 0;
+        options.dispatch_seconds = dispatch_seconds(scene, workload, point, options);
     }
     return simulate_apart(workload, options, options_.limit);
 }
 
-void Experiments::vary_scenarios(const Setting& setting, const Scene& scene, std::uint64_t rounds) {
+double Experiments::dispatch_seconds(const Scene& scene,
+                                     const Workload& workload,
+                                     const Point& point,
+                                     const SimulationOptions& uncharged) {
+    const std::tuple key(scene.trace->name, uncharged.dispatch.strategy, point.depth);
+    const auto known = dispatch_seconds_.find(key);
+    if (known != dispatch_seconds_.end()) {
+        return known->second;
+    }
+    const auto outcome = simulate_apart(workload, uncharged, options_.limit);
+    const double seconds = outcome ? 1e-6 * outcome->dispatcher_us : 0;
+    dispatch_seconds_.emplace(key, seconds);
+    return seconds;
+}
+
+void Experiments::vary_scenarios(const Setting& setting, const Scene& scene) {
     const auto& counts = scene.table->scenarios;
     for (const std::uint64_t count : series(std::vector(counts.begin(), counts.end()))) {
         Point point;
-        point.experiment = rounds == 1 ? "scenarios" : "more scenarios";
-        point.count = rounds * scene.trace->whole.size() * count / counts.back();
+        point.experiment = "scenarios";
+        point.count = scene.trace->whole.size() * count / counts.back();
+        point.x = static_cast<double>(point.count);
+        point.depth = scene.depth;
+        run(setting, scene, point);
+    }
+}
+
+void Experiments::vary_rounds(const Setting& setting,
+                              const Scene& scene,
+                              const std::vector<std::uint64_t>& rounds) {
+    for (const std::uint64_t times : rounds) {
+        Point point;
+        point.experiment = "scenarios";
+        point.count = times * scene.trace->whole.size();
         point.x = static_cast<double>(point.count);
         point.depth = scene.depth;
         run(setting, scene, point);
@@ -254,17 +282,18 @@ void Experiments::vary_cores(const Setting& setting, const Scene& scene, std::ui
     }
 }
 
-double Experiments::mean_lowest(const Setting& setting, const Scene& scene) const {
+double Experiments::mean_lowest(const Setting& setting, const Scene& scene) {
     Point point;
     point.depth = scene.depth;
     double sum = 0;
-    for (std::uint64_t seed = 1; seed <= seeds(); ++seed) {
+    for (std::uint64_t seed = 1; seed <= seeds(setting); ++seed) {
         const Workload workload =
             make_workload(*scene.trace, *scene.table, {setting.costs, point.depth, 0, seed});
-        const auto outcome = simulate_one(setting, workload, {Strategy::Lowest, true}, point, seed);
+        const auto outcome =
+            simulate_one(setting, scene, workload, {Strategy::Lowest, true}, point, seed);
         sum += outcome ? outcome->seconds : 0;
     }
-    return sum / static_cast<double>(seeds());
+    return sum / static_cast<double>(seeds(setting));
 }
 
 std::optional<double> Experiments::fit_pipe(const Scene& scene, double seconds) {

@@ -7,11 +7,14 @@
 #include "bench/cluster/trace.hpp"
 #include "bench/cluster/workload.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace cd::bench {
@@ -22,6 +25,7 @@ struct Setting {
     Costs costs = Costs::Paper;
     SimulationOptions options; ///< Strategy, q, seed and cores are an experiment's.
     bool may_claim = true;     ///< False: no strategy claims.
+    std::uint64_t seeds_max = 3;
 };
 
 /// No constant is fitted: the paper's master and clients (one analysis at a time, results with the
@@ -30,7 +34,8 @@ struct Setting {
 /// The same with a pipe.
 [[nodiscard]] Setting fitted_setting(double pipe_bytes_per_second);
 /// Costs as measured, the product's ways: one worker for each computer, two tasks at a worker,
-/// analysis on the other cores of the master's computer, its limits.
+/// analysis on the other cores of the master's computer, its limits. One seed: its jobs are so much
+/// longer than what they begin with that another order changes nothing.
 [[nodiscard]] Setting measured_setting();
 
 struct Scene {
@@ -55,7 +60,7 @@ struct ExperimentOptions {
     std::filesystem::path out;
     std::uint64_t seeds = 3;
     bool quick = false;              ///< Only the ends and the middle of each series, one seed.
-    std::chrono::seconds limit{120}; ///< For one simulation.
+    std::chrono::seconds limit{600}; ///< For one simulation.
 };
 
 /// Runs points and writes a row for each into runs.csv. A simulation that does not end is a line on
@@ -66,9 +71,12 @@ class Experiments {
 
     void run(const Setting& setting, const Scene& scene, const Point& point);
 
-    /// Speed-up against the number of scenarios (Figure 10), as shares of all that are there times
-    /// `rounds`.
-    void vary_scenarios(const Setting& setting, const Scene& scene, std::uint64_t rounds = 1);
+    /// Speed-up against the number of scenarios (Figure 10): the rows of the paper's table.
+    void vary_scenarios(const Setting& setting, const Scene& scene);
+    /// Against jobs of so many times the trace's scenarios.
+    void vary_rounds(const Setting& setting,
+                     const Scene& scene,
+                     const std::vector<std::uint64_t>& rounds);
     /// All scenarios at the paper's depth, if that was recorded.
     void at_paper_depth(const Setting& setting, const Scene& scene);
     /// Against the depth of A's cut (Figure 11). Returns the depth at which best-match is fastest.
@@ -84,17 +92,27 @@ class Experiments {
 
   private:
     std::optional<Outcome> simulate_one(const Setting& setting,
+                                        const Scene& scene,
                                         const Workload& workload,
                                         const ComparedStrategy& strategy,
                                         const Point& point,
-                                        std::uint64_t seed) const;
-    [[nodiscard]] double mean_lowest(const Setting& setting, const Scene& scene) const;
-    [[nodiscard]] std::uint64_t seeds() const { return options_.quick ? 1 : options_.seeds; }
+                                        std::uint64_t seed);
+    /// What the dispatcher's decisions take for a scenario, once they have been made.
+    double dispatch_seconds(const Scene& scene,
+                            const Workload& workload,
+                            const Point& point,
+                            const SimulationOptions& uncharged);
+    [[nodiscard]] double mean_lowest(const Setting& setting, const Scene& scene);
+    [[nodiscard]] std::uint64_t seeds(const Setting& setting) const {
+        return options_.quick ? 1 : std::min(options_.seeds, setting.seeds_max);
+    }
     template <class T>
     [[nodiscard]] std::vector<T> series(std::vector<T> all) const;
 
     ExperimentOptions options_;
     CsvFile csv_;
+    /// By scene, strategy and depth.
+    std::map<std::tuple<std::string, Strategy, std::uint32_t>, double> dispatch_seconds_;
     double best_match_seconds_ = 0; ///< Of the point run last, mean of the seeds.
 };
 

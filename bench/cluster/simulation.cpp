@@ -122,6 +122,11 @@ class Inbox {
             delete static_cast<Message*>(lost); // NOLINT: SimGrid's mailboxes hold bare pointers.
         });
     }
+    /// The sender waits until it has come.
+    void put_and_wait(Message message, std::uint64_t bytes) {
+        auto owned = std::make_unique<Message>(std::move(message));
+        mailbox_->put(owned.release(), bytes);
+    }
     [[nodiscard]] bool has_message() const { return mailbox_->ready(); }
     [[nodiscard]] std::unique_ptr<Message> get() { return mailbox_->get_unique<Message>(); }
 
@@ -150,7 +155,7 @@ class Simulation {
         }
         s4u::Actor::create("master", platform.master, [this, threads] { run_master(threads); });
         for (std::size_t i = 0; i < platform.workers.size(); ++i) {
-            start_worker(*workers_[i], platform.workers[i].host);
+            start_worker(*workers_[i], platform.workers[i].host, platform.master);
         }
         for (std::uint32_t i = 0; i < options_.analysts; ++i) {
             s4u::Actor::create("analyst", platform.master, [this] { run_analyst(); });
@@ -177,7 +182,7 @@ class Simulation {
         is_over_ = true;
         wake_analysts();
         for (const auto& worker : workers_) {
-            worker->inbox.put(Ended{}, bytes_of(ToWorker(Ended{}), workload_));
+            post(*worker, {WorkerId{}, Ended{}, bytes_of(ToWorker(Ended{}), workload_)});
         }
         to_master_.close();
     }
@@ -205,7 +210,7 @@ class Simulation {
             if (options_.pipe_bytes_per_second > 0) {
                 master_spends(static_cast<double>(letter.bytes) / options_.pipe_bytes_per_second);
             }
-            workers_[letter.to.value - 1]->inbox.put(std::move(letter.content), letter.bytes);
+            post(*workers_[letter.to.value - 1], std::move(letter));
         }
     }
 
@@ -248,18 +253,39 @@ class Simulation {
         Worker(std::size_t id, std::uint32_t thread_count, const Workload& workload)
             : model(WorkerId{id}, workload),
               inbox("worker " + std::to_string(id)),
+              posted(s4u::Semaphore::create(0)),
               work(s4u::Semaphore::create(0)),
               threads(thread_count) {}
 
         WorkerModel model;
         Inbox<ToWorker> inbox;
+        std::deque<Letter> outbox;       ///< At the master.
+        s4u::SemaphorePtr posted;        ///< One for each letter in it.
         std::deque<BlocksSent> unopened; ///< Goes before scenarios.
         s4u::SemaphorePtr work;          ///< One for each thing that a thread can do.
         std::uint32_t threads;
         bool is_over = false;
     };
 
-    void start_worker(Worker& worker, s4u::Host* host) {
+    static void post(Worker& worker, Letter letter) {
+        worker.outbox.push_back(std::move(letter));
+        worker.posted->release();
+    }
+
+    /// A worker has one connection: what is sent to it comes one after the other.
+    static void run_connection(Worker& worker) {
+        bool is_last = false;
+        while (!is_last) {
+            worker.posted->acquire();
+            Letter letter = std::move(worker.outbox.front());
+            worker.outbox.pop_front();
+            is_last = std::holds_alternative<Ended>(letter.content);
+            worker.inbox.put_and_wait(std::move(letter.content), letter.bytes);
+        }
+    }
+
+    void start_worker(Worker& worker, s4u::Host* host, s4u::Host* master) {
+        s4u::Actor::create("connection", master, [&worker] { run_connection(worker); });
         s4u::Actor::create("session", host, [this, &worker] { run_session(worker); });
         for (std::uint32_t i = 0; i < worker.threads; ++i) {
             s4u::Actor::create("thread", host, [this, &worker] { run_thread(worker); });
