@@ -383,6 +383,7 @@ class Simulation {
 
     void put_to_master(ToMaster message) {
         const std::uint64_t bytes = bytes_of(message, workload_);
+        outcome_.received_bytes += bytes;
         to_master_.put(std::move(message), bytes);
     }
 

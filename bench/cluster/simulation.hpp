@@ -53,7 +53,8 @@ struct Outcome {
     std::uint64_t wants = 0;
     std::uint64_t blocks = 0;
     std::uint64_t block_bytes = 0;
-    std::uint64_t sent_bytes = 0; ///< By the master, all.
+    std::uint64_t sent_bytes = 0;     ///< By the master, all.
+    std::uint64_t received_bytes = 0; ///< By the master, all.
     std::uint64_t blocks_received = 0;
     std::uint64_t memory_bytes_max = 0; ///< Of the worker that holds most, at the end: its peak,
     std::uint64_t memory_bytes_sum = 0; ///< and of all.

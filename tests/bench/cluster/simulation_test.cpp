@@ -57,6 +57,8 @@ TEST(ClusterSimulation, IsWholeWithinItsBoundsAndTheSameEachTime) {
             EXPECT_LT(first->seconds, workload.serial_seconds);
             EXPECT_EQ(first->seconds, second->seconds);
             EXPECT_EQ(first->sent_bytes, second->sent_bytes);
+            EXPECT_GT(first->received_bytes, 900 * workload.count()); // The records.
+            EXPECT_EQ(first->received_bytes, second->received_bytes);
             EXPECT_EQ(first->master_seconds, second->master_seconds);
         }
     }
