@@ -36,7 +36,7 @@ def fixed(value, digits=1):
 
 
 def with_range(rows, column, digits=1):
-    if not rows:
+    if not rows or any(row[column] == "" for row in rows):
         return ""
     text = fixed(mean(rows, column), digits)
     return f"{text} ± {fixed(half_range(rows, column), digits)}" if len(rows) > 1 else text
