@@ -21,7 +21,8 @@ TreeId tree_id(std::uint8_t tree) {
 }
 
 DispatchTree dispatch_tree(const Workload& workload, std::uint8_t tree) {
-    DispatchTree dispatch{tree_id(tree), {}};
+    DispatchTree dispatch;
+    dispatch.tree = tree_id(tree);
     for (const BlockCost& block : workload.trees[tree]) {
         dispatch.root_triangles.push_back(block.triangles);
     }
@@ -57,10 +58,10 @@ std::vector<Letter> MasterModel::start(std::span<const std::uint32_t> worker_thr
     for (const std::uint32_t threads : worker_threads) {
         const WorkerId worker{workers_.size() + 1};
         workers_.push_back(worker);
-        auto more = dispatch([&] {
-            return dispatcher_.worker_joined(worker,
-                                             {"worker " + std::to_string(worker.value), threads});
-        });
+        WorkerFacts facts;
+        facts.name = "worker " + std::to_string(worker.value);
+        facts.threads = threads;
+        auto more = dispatch([&] { return dispatcher_.worker_joined(worker, facts); });
         std::move(more.begin(), more.end(), std::back_inserter(letters));
     }
     return letters;
