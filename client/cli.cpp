@@ -41,7 +41,8 @@ class ExamplesFirst final : public CLI::Formatter {
 };
 
 const std::vector<std::string> levels{"any", "count", "pairs", "contacts"};
-const std::vector<std::string> strategies{"best-match", "best-match-load", "random", "lowest"};
+const std::vector<std::string> strategies{
+    "best-match", "best-match-load", "random", "lowest", "best-match-pull", "earliest-finish"};
 const std::map<std::string, FailOn> fail_on_words{{"touch", FailOn::Touch},
                                                   {"cross", FailOn::Cross}};
 
@@ -203,6 +204,7 @@ struct Verbs {
     GetCommand get;
     StatusCommand status;
     CancelCommand cancel;
+    ExplainCommand explain;
     InspectCommand inspect;
     std::optional<Command> chosen;
 };
@@ -333,6 +335,23 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
         ->required()
         ->type_name("JOB");
     add_master_options(*cancel, verbs.cancel.master, true);
+
+    CLI::App* explain = add_verb(app,
+                                 verbs,
+                                 "explain",
+                                 "Shows how each worker scores for a scenario of a running job.\n"
+                                 "Examples:\n"
+                                 "  cdctl explain j-1 17\n"
+                                 "  cdctl explain j-1 17 -o json",
+                                 verbs.explain);
+    explain->add_option("job", verbs.explain.job, "A job's id, or its beginning")
+        ->required()
+        ->type_name("JOB");
+    explain->add_option("scenario", verbs.explain.scenario, "Its number in the job, from 0")
+        ->required()
+        ->type_name("N");
+    add_master_options(*explain, verbs.explain.master, true);
+    add_output(*explain, verbs.explain.output, {"text", "json"});
 }
 
 void add_cluster_verbs(CLI::App& app, Verbs& verbs) {

@@ -85,6 +85,13 @@ struct CancelCommand {
     MasterOptions master;
 };
 
+struct ExplainCommand {
+    std::string job;
+    std::uint64_t scenario = 0;
+    MasterOptions master;
+    std::string output = "text"; ///< text, json
+};
+
 struct InspectCommand {
     std::vector<std::string> meshes;
     std::string unit;
@@ -102,6 +109,7 @@ using Command = std::variant<RunCommand,
                              GetCommand,
                              StatusCommand,
                              CancelCommand,
+                             ExplainCommand,
                              InspectCommand,
                              VersionCommand>;
 

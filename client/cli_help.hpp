@@ -48,6 +48,8 @@ inline constexpr const char* run_help =
     "  [output]   dir = \"out\", formats = [\"text\", \"json\", \"csv\", \"npz\"]\n"
     "  [cluster]  strategy = \"best-match\", depth = { a = 12, b = 6 }, q = 20, v_kb = 4096, claim "
     "= true\n"
+    "             strategy: best-match, best-match-load, random, lowest; best-match-pull: a free\n"
+    "             worker takes the q most similar scenarios; earliest-finish: by time, not by q\n"
     "\n"
     "A tolerance above 0 stops at boxes whose diameters sum to no more. No contact is missed:\n"
     "separate stays proven, and what is left is undecided, with a length that the bodies are at\n"

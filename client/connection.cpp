@@ -383,6 +383,10 @@ Result<JobStatus> Connection::cancel(JobId job) {
     return status;
 }
 
+Result<Explained> Connection::explain(JobId job, std::uint64_t scenario) {
+    return state_->run(state_->ask<Explained>(Explain{job, scenario}));
+}
+
 Status Connection::pause(std::chrono::milliseconds time) {
     const auto end = Clock::now() + time;
     while (Clock::now() < end) {

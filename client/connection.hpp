@@ -62,6 +62,8 @@ class Connection {
     [[nodiscard]] Result<ClusterStatus> status();
     /// Ends the job; of one that has ended, nothing. The status after it.
     [[nodiscard]] Result<JobStatus> cancel(JobId job);
+    /// How the workers score for a scenario of a running job.
+    [[nodiscard]] Result<Explained> explain(JobId job, std::uint64_t scenario);
     /// Waits, with an ear for interrupts.
     [[nodiscard]] Status pause(std::chrono::milliseconds time);
 

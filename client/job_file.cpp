@@ -17,8 +17,8 @@ namespace cd {
 namespace {
 
 constexpr std::array<std::string_view, 4> level_names{"any", "count", "pairs", "contacts"};
-constexpr std::array<std::string_view, 4> strategy_names{
-    "best-match", "best-match-load", "random", "lowest"};
+constexpr std::array<std::string_view, 6> strategy_names{
+    "best-match", "best-match-load", "random", "lowest", "best-match-pull", "earliest-finish"};
 constexpr std::array<std::string_view, 4> format_names{"text", "json", "csv", "npz"};
 constexpr std::array<std::string_view, 2> quat_orders{"xyzw", "wxyz"};
 constexpr std::array<std::string_view, 2> pose_owners{"b", "both"};

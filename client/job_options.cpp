@@ -101,7 +101,8 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         const auto strategy = strategy_from_text(options.strategy);
         if (!strategy) {
             return usage("--strategy \"" + options.strategy +
-                         "\" is none of best-match, best-match-load, random, lowest");
+                         "\" is none of best-match, best-match-load, random, lowest, "
+                         "best-match-pull, earliest-finish");
         }
         spec.cluster.strategy = *strategy;
     }

@@ -217,6 +217,35 @@ asio::awaitable<void> ClientSession::on(ResultsQuery message) {
     channel_->send(part.value());
 }
 
+asio::awaitable<void> ClientSession::on(Explain message) {
+    const Result<AnalysisInput> input = coordinator_.analysis_input(message.job);
+    if (!input) {
+        refuse(input.error());
+        co_return;
+    }
+    if (message.scenario >= input.value().poses->count()) {
+        refuse({ErrorCode::NotFound,
+                "the job has scenarios 0 to " + std::to_string(input.value().poses->count() - 1)});
+        co_return;
+    }
+    auto run = [&input, scenario = message.scenario]() -> Result<Analysis> {
+        const Result<std::vector<Scenario>> read = input.value().poses->read(scenario, 1);
+        if (!read) {
+            return read.error();
+        }
+        return analyse(input.value(), read.value().front());
+    };
+    Result<Analysis> analysis = co_await run_on(coordinator_.blocking(), run);
+    const Result<Explained> explained =
+        analysis ? coordinator_.explain(message.job, std::move(analysis.value()))
+                 : Result<Explained>(analysis.error());
+    if (explained) {
+        channel_->send(explained.value());
+    } else {
+        refuse(explained.error());
+    }
+}
+
 asio::awaitable<void> ClientSession::on(Watch message) {
     if (watches_ >= limits::watches_max) {
         refuse({ErrorCode::Refused, "too many watches on one connection"});

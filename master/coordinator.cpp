@@ -31,6 +31,11 @@ Coordinator::Coordinator(CoordinatorParts parts)
       }) {}
 Coordinator::~Coordinator() = default;
 
+Dispatcher& Coordinator::dispatcher() {
+    dispatcher_.time_is(std::chrono::duration<double>(Clock::now() - started_).count());
+    return dispatcher_;
+}
+
 void Coordinator::act(Actions actions) {
     std::move(actions.begin(), actions.end(), std::back_inserter(actions_));
     // What an action sets off may bring further ones; they wait for their turn.
@@ -57,7 +62,7 @@ void Coordinator::send_batch(const SendBatch& action) {
     }
     MasterJob* job = jobs_.find_running(action.job);
     if (job == nullptr) {
-        act(dispatcher_.task_ended(action.worker, action.task));
+        act(dispatcher().task_ended(action.worker, action.task));
         return;
     }
     auto content = std::make_shared<TaskContent>();

@@ -77,6 +77,10 @@ class Coordinator {
     [[nodiscard]] std::uint64_t job_changes(JobId job);
     /// Cancels the timer when the job ends, if it still exists.
     void notify_at_end(JobId job, const std::shared_ptr<asio::steady_timer>& timer);
+    /// To analyse one of the job's scenarios with. Errors: NotFound; Refused unless it runs.
+    [[nodiscard]] Result<AnalysisInput> analysis_input(JobId job);
+    /// How the workers score for the scenario now. The same errors.
+    [[nodiscard]] Result<Explained> explain(JobId job, Analysis analysis);
     /// Null for no job.
     [[nodiscard]] std::shared_ptr<ResultStore> results_of(JobId job);
     [[nodiscard]] ClusterStatus cluster_status();
@@ -122,8 +126,9 @@ class Coordinator {
     void tree_failed(TreeId tree, const Error& why);
     /// Asks for more analyses where there is room for them; tells the dispatcher when none come.
     void feed();
-    [[nodiscard]] std::uint64_t unsent_max() const;
 
+    /// The dispatcher, told what time it is.
+    [[nodiscard]] Dispatcher& dispatcher();
     // The dispatcher's actions.
     void act(Actions actions);
     void send_batch(const SendBatch& batch);

@@ -49,10 +49,11 @@ Error no_job(JobId job) {
     return {ErrorCode::NotFound, "no job " + std::to_string(job.value) + " is known here"};
 }
 
-DispatchTree dispatch_tree(TreeId id, const TreeTop& top) {
-    DispatchTree tree{id, {}};
-    for (RootIndex root = 0; root < top.root_count(); ++root) {
-        tree.root_triangles.push_back(top.triangles_under(root));
+DispatchTree dispatch_tree(TreeId id, const CutGeometry& cut) {
+    DispatchTree tree{id, {}, {}};
+    for (RootIndex root = 0; root < cut.root_count(); ++root) {
+        tree.root_triangles.push_back(cut.top().triangles_under(root));
+        tree.root_bytes.push_back(cut.compressed_bytes(root));
     }
     return tree;
 }
@@ -126,12 +127,13 @@ void Coordinator::start_job(MasterJob& job,
         asio::post(executor,
                    [this, id, block, finished] { block_came(id, std::move(*block), *finished); });
     };
+    job.analysis_input = input;
     job.submitter =
         std::make_unique<Submitter>(parts_.compute, std::move(input), std::move(deliver));
-    act(dispatcher_.job_opened(job.id,
-                               submit.cluster,
-                               dispatch_tree(job.tree_a, made.cut_a->top()),
-                               dispatch_tree(job.tree_b, made.cut_b->top())));
+    act(dispatcher().job_opened(job.id,
+                                submit.cluster,
+                                dispatch_tree(job.tree_a, *made.cut_a),
+                                dispatch_tree(job.tree_b, *made.cut_b)));
     if (job.merger.summary().is_complete()) {
         end_job(job, JobState::Done, ""); // A job without scenarios.
     }
@@ -156,10 +158,11 @@ void Coordinator::block_came(JobId id,
         AnalysedScenario scenario{analysis.scenario.index,
                                   std::move(analysis.roots_a),
                                   std::move(analysis.roots_b),
-                                  analysis.bytes};
+                                  analysis.bytes,
+                                  analysis.predicted_ns};
         open_bytes_ += analysis.bytes;
         job->open.emplace(scenario.index, std::make_shared<const Analysis>(std::move(analysis)));
-        act(dispatcher_.scenario_analysed(id, std::move(scenario)));
+        act(dispatcher().scenario_analysed(id, std::move(scenario)));
     }
     for (const TakenResult& taken : finished) {
         ++job->answered_by_master;
@@ -220,7 +223,7 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
                  status.seconds,
                  status.digest ? to_short_hex(*status.digest) : "none",
                  failure.empty() ? "" : " reason=\"" + failure + "\"");
-    act(dispatcher_.job_closed(job.id));
+    act(dispatcher().job_closed(job.id));
     if (has_trees) {
         release_tree(job.tree_a);
         release_tree(job.tree_b);
@@ -256,15 +259,6 @@ void Coordinator::tree_failed(TreeId tree, const Error& why) {
     feed();
 }
 
-std::uint64_t Coordinator::unsent_max() const {
-    // Buffers may fill everywhere without keeping others from getting something.
-    std::uint64_t q = 0;
-    for (const JobId id : jobs_.running()) {
-        q = std::max<std::uint64_t>(q, jobs_.at(id).submit.cluster.q);
-    }
-    return limits::unsent_scenarios_max + q * workers_.size();
-}
-
 void Coordinator::feed() {
     std::vector<std::pair<JobId, Submitter*>> submitters;
     std::uint64_t under_way = 0;
@@ -284,7 +278,8 @@ void Coordinator::feed() {
     const std::uint64_t under_way_max = parts_.compute.size() + 2;
     const auto has_room = [&] {
         return under_way < under_way_max && open_bytes_ < limits::open_analyses_bytes_max &&
-               dispatcher_.unsent() + under_way * limits::analysis_block_scenarios < unsent_max();
+               dispatcher_.unsent() + under_way * limits::analysis_block_scenarios <
+                   dispatcher_.unsent_enough();
     };
     for (bool any_started = true; any_started;) {
         any_started = false;
@@ -297,7 +292,7 @@ void Coordinator::feed() {
         }
     }
     if (under_way == 0) {
-        act(dispatcher_.input_paused());
+        act(dispatcher().input_paused());
     }
 }
 
@@ -322,6 +317,32 @@ Result<JobStatus> Coordinator::job_status(JobId id) {
         return no_job(id);
     }
     return job->status(Clock::now());
+}
+
+Result<AnalysisInput> Coordinator::analysis_input(JobId id) {
+    const MasterJob* job = jobs_.find(id);
+    if (job == nullptr) {
+        return no_job(id);
+    }
+    if (!job->analysis_input) {
+        return Error{ErrorCode::Refused,
+                     "the job does not give out scenarios: it is " +
+                         std::string(job->is_running() ? "being prepared" : to_text(job->state))};
+    }
+    return *job->analysis_input;
+}
+
+Result<Explained> Coordinator::explain(JobId id, Analysis analysis) {
+    // It may have ended while the scenario was analysed.
+    if (const Result<AnalysisInput> input = analysis_input(id); !input) {
+        return input.error();
+    }
+    return dispatcher().explain(id,
+                                {analysis.scenario.index,
+                                 std::move(analysis.roots_a),
+                                 std::move(analysis.roots_b),
+                                 analysis.bytes,
+                                 analysis.predicted_ns});
 }
 
 std::uint64_t Coordinator::job_changes(JobId id) {

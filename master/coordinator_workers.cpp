@@ -4,8 +4,24 @@
 #include "master/coordinator.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace cd {
+
+namespace {
+
+MeasuredWork
+measured_work(const MasterJob& job, const Results& results, std::span<const TakenResult> taken) {
+    MeasuredWork work{results.task, 0, results.compute_seconds};
+    for (const TakenResult& one : taken) {
+        if (const auto open = job.open.find(one.result.index); open != job.open.end()) {
+            work.predicted_ns += open->second->predicted_ns;
+        }
+    }
+    return work;
+}
+
+} // namespace
 
 void Coordinator::worker_joined(WorkerId worker,
                                 const Hello& hello,
@@ -23,7 +39,8 @@ void Coordinator::worker_joined(WorkerId worker,
     link.name = hello.name;
     link.cache_bytes = hello.cache_bytes;
     workers_.emplace(worker, std::move(link));
-    act(dispatcher_.worker_joined(worker, {hello.name, std::max(1u, hello.threads)}));
+    act(dispatcher().worker_joined(
+        worker, {hello.name, std::max(1u, hello.threads), hello.weight, hello.cache_bytes}));
     feed();
 }
 
@@ -32,13 +49,13 @@ void Coordinator::worker_left(WorkerId worker, const std::string& why) {
     workers_.erase(worker);
     blocks_.worker_left(worker);
     std::erase_if(tasks_, [&](const auto& task) { return task.second.worker == worker; });
-    act(dispatcher_.worker_lost(worker));
+    act(dispatcher().worker_lost(worker));
     feed();
 }
 
 void Coordinator::worker_draining(WorkerId worker) {
     spdlog::info("worker draining: worker={}", worker.value);
-    act(dispatcher_.worker_draining(worker));
+    act(dispatcher().worker_draining(worker));
     feed();
 }
 
@@ -62,7 +79,7 @@ void Coordinator::heartbeat_came(WorkerId worker, const Heartbeat& heartbeat) {
 
 void Coordinator::evicted(WorkerId worker, const Evicted& evicted) {
     blocks_.evicted(worker, evicted);
-    act(dispatcher_.roots_evicted(worker, evicted.tree, evicted.roots));
+    act(dispatcher().roots_evicted(worker, evicted.tree, evicted.roots));
 }
 
 void Coordinator::blocks_wanted(WorkerId worker, const WantSubtrees& want) {
@@ -73,6 +90,7 @@ void Coordinator::blocks_wanted(WorkerId worker, const WantSubtrees& want) {
 
 void Coordinator::blocks_held(WorkerId worker, const Held& held) {
     blocks_.held(worker, held);
+    dispatcher().roots_arrived(worker, held.tree, held.roots);
 }
 
 void Coordinator::peer_failed(WorkerId worker, const FetchFailed& failed) {
@@ -112,9 +130,10 @@ void Coordinator::results_taken(WorkerId worker,
     if (MasterJob* job = jobs_.find_running(content.job)) {
         job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;
+        dispatcher().work_measured(worker, measured_work(*job, results, taken.value()));
         for (const TakenResult& one : taken.value()) {
             job->statistics += one.cost;
-            act(dispatcher_.scenario_answered(worker, job->id, one.result.index));
+            act(dispatcher().scenario_answered(worker, job->id, one.result.index));
             merge(*job, one, worker);
             if (!job->is_running()) {
                 break;
@@ -150,7 +169,7 @@ void Coordinator::end_task_if_complete(TaskId id) {
     }
     const WorkerId worker = task->second.worker;
     tasks_.erase(task);
-    act(dispatcher_.task_ended(worker, id));
+    act(dispatcher().task_ended(worker, id));
     note_work(worker);
 }
 

@@ -2,7 +2,10 @@
 #include "master/dispatcher.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/limits.hpp"
 #include "master/dispatcher_state.hpp"
+
+#include <algorithm>
 
 namespace cd {
 
@@ -20,12 +23,24 @@ std::vector<WeightedRoot> with_triangles(const DispatchTree& tree,
 
 } // namespace
 
+DispatchScenario make_dispatch_scenario(const DispatchJob& job, const AnalysedScenario& analysed) {
+    DispatchScenario scenario;
+    scenario.roots = {with_triangles(job.a, analysed.roots_a),
+                      with_triangles(job.b, analysed.roots_b)};
+    scenario.weight = {analysed.bytes,
+                       analysed.predicted_ns != 0 ? analysed.predicted_ns
+                                                  : limits::scenario_ns_unknown};
+    return scenario;
+}
+
 Dispatcher::Dispatcher() : state_(std::make_unique<State>()) {}
 Dispatcher::~Dispatcher() = default;
 
 // ---- Workers ----------------------------------------------------------------------------------
 
 Actions Dispatcher::worker_joined(WorkerId worker, const WorkerFacts& facts) {
+    CD_CHECK(facts.threads > 0);
+    CD_CHECK(facts.weight > 0);
     state_->pool.add(worker, facts);
     Actions actions;
     state_->settle(actions);
@@ -43,7 +58,7 @@ Actions Dispatcher::worker_lost(WorkerId worker) {
     while (!proxy->tasks().empty()) {
         const auto& [task, content] = *proxy->tasks().rbegin();
         const JobId job = content.job;
-        state_->take_back(job, proxy->end_task(TaskId(task)), true, actions);
+        state_->take_back(job, proxy->end_task(TaskId(task)).scenarios, true, actions);
     }
     state_->pool.remove(worker);
     state_->settle(actions);
@@ -67,16 +82,17 @@ Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
     if (proxy == nullptr || !proxy->tasks().contains(task)) {
         return {};
     }
-    const JobId job = proxy->tasks().at(task).job;
     const bool handed_back = proxy->is_draining();
+    const ProxyTask ended = proxy->end_task(task);
+    proxy->judge_batch(ended, state_->now);
     Actions actions;
-    state_->take_back(job, proxy->end_task(task), !handed_back, actions);
+    state_->take_back(ended.job, ended.scenarios, !handed_back, actions);
     state_->settle(actions);
     return actions;
 }
 
 Actions Dispatcher::roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots) {
-    if (const WorkerProxy* proxy = state_->pool.find(worker)) {
+    if (WorkerProxy* proxy = state_->pool.find(worker)) {
         state_->pool.release(*proxy, tree, roots);
     }
     return {};
@@ -87,8 +103,8 @@ Actions Dispatcher::roots_evicted(WorkerId worker, TreeId tree, std::span<const 
 Actions
 Dispatcher::job_opened(JobId job, const ClusterOptions& options, DispatchTree a, DispatchTree b) {
     CD_CHECK(options.q > 0);
-    state_->pool.add_tree(a.tree, static_cast<std::uint32_t>(a.root_triangles.size()));
-    state_->pool.add_tree(b.tree, static_cast<std::uint32_t>(b.root_triangles.size()));
+    state_->pool.add_tree(a);
+    state_->pool.add_tree(b);
     const bool is_new =
         state_->jobs.try_emplace(job, job, options, std::move(a), std::move(b)).second;
     CD_CHECK(is_new);
@@ -98,19 +114,18 @@ Dispatcher::job_opened(JobId job, const ClusterOptions& options, DispatchTree a,
 Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     DispatchJob* job = state_->find_job(job_id);
     CD_CHECK(job != nullptr);
-    DispatchScenario scenario;
-    scenario.roots = {with_triangles(job->a, analysed.roots_a),
-                      with_triangles(job->b, analysed.roots_b)};
-    scenario.bytes = analysed.bytes;
+    DispatchScenario scenario = make_dispatch_scenario(*job, analysed);
+    state_->mean_cost_ns.add(static_cast<double>(scenario.weight.cost_ns), 1);
     const bool is_new = job->scenarios.emplace(analysed.index, std::move(scenario)).second;
     CD_CHECK(is_new);
     job->waiting.push_back(analysed.index);
     ++state_->unsent;
     state_->input_is_paused = false;
 
-    // Others wait before it: then nobody can take a scenario of this job now, and nothing changed.
+    // Others wait before it: then nobody can take a scenario of this job now, and nothing changed,
+    // unless a task's worth is taken together.
     Actions actions;
-    if (job->waiting.size() == 1) {
+    if (job->waiting.size() == 1 || job->is_pulled()) {
         state_->allocate_one(*job, actions);
     }
     return actions;
@@ -163,24 +178,68 @@ Actions Dispatcher::scenario_answered(WorkerId worker, JobId job_id, std::uint64
     }
     const bool was_sent = found->second.where == Whereabouts::Sent;
     const WorkerId holder = found->second.worker;
+    if (was_sent && holder == worker) {
+        const WorkerProxy& proxy = state_->pool.at(worker);
+        state_->pool.arrived(proxy, job->a.tree, found->second.roots.a);
+        state_->pool.arrived(proxy, job->b.tree, found->second.roots.b);
+    }
     state_->withdraw(*job, index, found->second, worker);
     job->scenarios.erase(found);
 
     Actions actions;
     if (was_sent) {
         // Its worker may run dry now. Nothing else can have become possible.
-        state_->flush_ripe(state_->pool.at(holder), actions);
+        state_->refill(state_->pool.at(holder), actions);
     } else {
         state_->settle(actions);
     }
     return actions;
 }
 
-// ---- Questions
-// ------------------------------------------------------------------------------------
+// ---- Measures -----------------------------------------------------------------------------------
+
+void Dispatcher::time_is(double seconds) {
+    CD_CHECK(seconds >= state_->now);
+    state_->now = seconds;
+}
+
+void Dispatcher::work_measured(WorkerId worker, const MeasuredWork& work) {
+    if (WorkerProxy* proxy = state_->pool.find(worker)) {
+        const double predicted = 1e-9 * static_cast<double>(work.predicted_ns);
+        proxy->pace().work.add(predicted, work.seconds);
+        state_->general.work.add(predicted, work.seconds);
+        proxy->note_busy(work.task, work.seconds);
+    }
+}
+
+void Dispatcher::transfer_measured(WorkerId worker, std::uint64_t bytes, double seconds) {
+    if (WorkerProxy* proxy = state_->pool.find(worker)) {
+        proxy->pace().bytes.add(static_cast<double>(bytes), seconds);
+        state_->general.bytes.add(static_cast<double>(bytes), seconds);
+    }
+}
+
+void Dispatcher::roots_arrived(WorkerId worker, TreeId tree, std::span<const RootIndex> roots) {
+    if (const WorkerProxy* proxy = state_->pool.find(worker)) {
+        state_->pool.arrived(*proxy, tree, roots);
+    }
+}
+
+// ---- Questions ----------------------------------------------------------------------------------
 
 std::uint64_t Dispatcher::unsent() const {
     return state_->unsent;
+}
+
+std::uint64_t Dispatcher::unsent_enough() const {
+    std::uint64_t enough = 0;
+    for (const auto& [id, job] : state_->jobs) {
+        const std::uint64_t workers = state_->pool.in_order().size();
+        enough =
+            std::max(enough, job.is_by_time() ? state_->enough_by_time() : job.options.q * workers);
+    }
+    // Buffers may fill everywhere without keeping others from getting something.
+    return limits::unsent_scenarios_max + enough;
 }
 
 WorkerStatus Dispatcher::worker_status(WorkerId worker) const {

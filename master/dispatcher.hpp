@@ -3,7 +3,8 @@
 #pragma once
 
 #include "common/core/id.hpp"
-#include "master/matchmaker.hpp"
+#include "master/dispatch_tree.hpp"
+#include "master/finish_estimate.hpp"
 #include "master/worker_proxy.hpp"
 #include "proto/message.hpp"
 
@@ -36,18 +37,21 @@ struct GiveUp {
 using Action = std::variant<SendBatch, GiveUp>;
 using Actions = std::vector<Action>;
 
-/// What the dispatcher knows of a job's tree.
-struct DispatchTree {
-    TreeId tree;
-    std::vector<std::uint32_t> root_triangles; ///< Of each distribution root.
-};
-
 /// A scenario that needs a worker: it has at least one pair of colliding roots.
 struct AnalysedScenario {
     std::uint64_t index = 0;
     std::vector<RootIndex> roots_a; ///< Ascending.
     std::vector<RootIndex> roots_b;
     std::uint64_t bytes = 0; ///< What it adds to a batch on the wire.
+    /// Predicted, of one thread; only how scenarios compare matters. 0: not known.
+    std::uint64_t predicted_ns = 0;
+};
+
+/// What a worker's threads did for scenarios of a task that it has answered.
+struct MeasuredWork {
+    TaskId task;
+    std::uint64_t predicted_ns = 0; ///< The sum of their predictions,
+    double seconds = 0;             ///< and what they took, summed over the threads.
 };
 
 /// Every scenario that came in is, at any time, in exactly one place: waiting, in one worker's
@@ -79,12 +83,26 @@ class Dispatcher {
     Actions task_ended(WorkerId worker, TaskId task);
     Actions roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
 
+    // ---- What matching by time learns from. Without these events it goes by what it assumes ----
+    /// The time is `seconds` from now on, from whatever beginning; never less than before.
+    void time_is(double seconds);
+    void work_measured(WorkerId worker, const MeasuredWork& work);
+    /// So many bytes of blocks reached the worker in that time.
+    void transfer_measured(WorkerId worker, std::uint64_t bytes, double seconds);
+    /// The worker has these blocks.
+    void roots_arrived(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
+
     /// Scenarios that wait or are buffered, not yet sent: what limits the submitter.
     [[nodiscard]] std::uint64_t unsent() const;
+    /// How many unsent scenarios are enough to choose from; more only take memory.
+    [[nodiscard]] std::uint64_t unsent_enough() const;
     /// The parts of a WorkerStatus that the dispatcher knows (claimed, draining, buffered, working,
     /// tasks, scenarios).
     [[nodiscard]] WorkerStatus worker_status(WorkerId worker) const;
     [[nodiscard]] std::vector<WorkerId> workers() const;
+    /// How each worker scores for the scenario as things stand, and which would be chosen. Changes
+    /// nothing. The job is open.
+    [[nodiscard]] Explained explain(JobId job, const AnalysedScenario& scenario) const;
 
     /// Aborts when an invariant is broken; for tests, after each event.
     void check_invariants() const;

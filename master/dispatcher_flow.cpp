@@ -14,6 +14,7 @@ DispatchJob* Dispatcher::State::find_job(JobId job) {
 
 void Dispatcher::State::settle(Actions& actions) {
     give_suspects(actions);
+    set_batches();
     for (auto& [id, proxy] : pool.all()) {
         flush_ripe(proxy, actions);
     }
@@ -23,6 +24,7 @@ void Dispatcher::State::settle(Actions& actions) {
     for (auto& [id, proxy] : pool.all()) {
         flush_ripe(proxy, actions);
     }
+    rebalance(actions);
 }
 
 bool Dispatcher::State::allocate_next(Actions& actions) {
@@ -45,27 +47,35 @@ bool Dispatcher::State::allocate_one(DispatchJob& job, Actions& actions) {
     if (job.waiting.empty()) {
         return false;
     }
+    if (job.is_pulled()) {
+        return pull_one(job, actions);
+    }
     const std::uint64_t index = job.waiting.front();
     DispatchScenario& scenario = job.scenarios.at(index);
+    WorkerProxy* proxy = job.is_by_time() ? earliest(job, scenario) : choose(job, scenario);
+    if (proxy == nullptr) {
+        return false;
+    }
+    job.waiting.pop_front();
+    served_last = job.id;
+    scenario.where = Whereabouts::Buffered;
+    scenario.worker = proxy->id();
+    hold_roots(job, scenario, *proxy);
+    proxy->add_to_buffer(job.id, index, scenario.weight);
+    // By time, only a part of a buffer goes together.
+    while (is_full(*proxy, job) && has_room_for_task(*proxy, job)) {
+        flush(*proxy, job, actions);
+    }
+    return true;
+}
+
+WorkerProxy* Dispatcher::State::choose(DispatchJob& job, const DispatchScenario& scenario) {
     gather_candidates(job);
     if (!candidates.empty() && job.matchmaker.looks_at_scores()) {
         score_candidates(job, scenario);
     }
     const auto chosen = job.matchmaker.choose(candidates);
-    if (!chosen) {
-        return false;
-    }
-    WorkerProxy& proxy = pool.at(*chosen);
-    job.waiting.pop_front();
-    served_last = job.id;
-    scenario.where = Whereabouts::Buffered;
-    scenario.worker = proxy.id();
-    hold_roots(job, scenario, proxy);
-    proxy.add_to_buffer(job.id, index, scenario.bytes);
-    if (proxy.buffer(job.id).is_full(job.options) && proxy.has_room_for_task(job.id, job.options)) {
-        flush(proxy, job, actions);
-    }
-    return true;
+    return chosen ? &pool.at(*chosen) : nullptr;
 }
 
 void Dispatcher::State::gather_candidates(const DispatchJob& job) {
@@ -87,8 +97,8 @@ void Dispatcher::State::gather_candidates(const DispatchJob& job) {
 }
 
 void Dispatcher::State::score_candidates(const DispatchJob& job, const DispatchScenario& scenario) {
-    const RootHolders& holders_a = pool.holders(job.a.tree);
-    const RootHolders& holders_b = pool.holders(job.b.tree);
+    const RootHolders& holders_a = pool.tree(job.a.tree).held;
+    const RootHolders& holders_b = pool.tree(job.b.tree).held;
     held_triangles.assign(holders_a.sum_count(), 0);
     holders_a.add_held(scenario.roots.a, held_triangles);
     holders_b.add_held(scenario.roots.b, held_triangles);
@@ -98,10 +108,16 @@ void Dispatcher::State::score_candidates(const DispatchJob& job, const DispatchS
 }
 
 void Dispatcher::State::hold_roots(const DispatchJob& job,
-                                   const DispatchScenario& scenario,
-                                   const WorkerProxy& proxy) {
-    pool.hold(proxy, job.a.tree, scenario.roots.a);
-    pool.hold(proxy, job.b.tree, scenario.roots.b);
+                                   DispatchScenario& scenario,
+                                   WorkerProxy& proxy) {
+    const WorkerPool::Missing a = pool.hold(proxy, job.a.tree, scenario.roots.a);
+    const WorkerPool::Missing b = pool.hold(proxy, job.b.tree, scenario.roots.b);
+    scenario.fetches = a.blocks + b.blocks != 0;
+    if (scenario.fetches) {
+        const double seconds = static_cast<double>(a.bytes + b.bytes) / link_of(proxy) +
+                               static_cast<double>(a.blocks + b.blocks) * limits::block_seconds;
+        proxy.add_transfer(now, seconds);
+    }
 }
 
 void Dispatcher::State::give_suspects(Actions& actions) {
@@ -155,17 +171,48 @@ DispatchJob* Dispatcher::State::next_ripe(const WorkerProxy& proxy) {
 }
 
 bool Dispatcher::State::is_ripe(const WorkerProxy& proxy, const DispatchJob& job) const {
-    const ScenarioBuffer& buffer = proxy.buffer(job.id);
-    if (buffer.scenarios.empty() || !proxy.has_room_for_task(job.id, job.options)) {
+    if (proxy.buffer(job.id).scenarios.empty() || !has_room_for_task(proxy, job)) {
         return false;
     }
     const bool nothing_comes = (input_is_paused && job.waiting.empty()) || &proxy == reserved();
-    return buffer.is_full(job.options) || (nothing_comes && proxy.would_run_dry(job.options));
+    return is_full(proxy, job) || (nothing_comes && would_run_dry(proxy, job));
+}
+
+bool Dispatcher::State::is_full(const WorkerProxy& proxy, const DispatchJob& job) const {
+    const ScenarioBuffer& buffer = proxy.buffer(job.id);
+    if (job.is_by_time()) {
+        return !buffer.scenarios.empty() && buffer.cost_ns >= proxy.batch_ns();
+    }
+    return buffer.is_full(job.options);
+}
+
+bool Dispatcher::State::has_room_for_task(const WorkerProxy& proxy, const DispatchJob& job) const {
+    if (job.is_by_time()) {
+        return !proxy.is_claimed() && proxy.tasks_of(job.id) < limits::batches_at_worker;
+    }
+    return proxy.has_room_for_task(job.id, job.options);
+}
+
+bool Dispatcher::State::would_run_dry(const WorkerProxy& proxy, const DispatchJob& job) const {
+    return job.is_by_time() ? proxy.working_ns() < proxy.batch_ns()
+                            : proxy.would_run_dry(job.options);
+}
+
+void Dispatcher::State::refill(WorkerProxy& proxy, Actions& actions) {
+    flush_ripe(proxy, actions);
+    for (auto& [id, job] : jobs) {
+        while (job.is_pulled() && can_pull(proxy, job)) {
+            pull(proxy, job, actions);
+        }
+    }
 }
 
 void Dispatcher::State::flush(WorkerProxy& proxy, DispatchJob& job, Actions& actions) {
-    ScenarioBuffer buffer = proxy.take_buffer(job.id);
-    send(proxy, job, std::move(buffer.scenarios), job.options.claim, actions);
+    if (job.is_by_time()) {
+        send(proxy, job, take_batch(proxy, job), false, actions);
+    } else {
+        send(proxy, job, proxy.take_buffer(job.id).scenarios, job.options.claim, actions);
+    }
 }
 
 void Dispatcher::State::send(WorkerProxy& proxy,
@@ -174,14 +221,17 @@ void Dispatcher::State::send(WorkerProxy& proxy,
                              bool claims,
                              Actions& actions) {
     const TaskId task{++task_last};
+    ProxyTask content{job.id, scenarios, claims, 0, now, false, 0};
     for (const std::uint64_t index : scenarios) {
         DispatchScenario& scenario = job.scenarios.at(index);
+        content.cost_ns += scenario.weight.cost_ns;
+        content.fetches = content.fetches || scenario.fetches;
         scenario.where = Whereabouts::Sent;
         scenario.worker = proxy.id();
         scenario.task = task;
     }
     unsent -= scenarios.size();
-    proxy.start_task(task, {job.id, scenarios, claims});
+    proxy.start_task(task, std::move(content));
     actions.push_back(SendBatch{proxy.id(), task, job.id, std::move(scenarios)});
 }
 
@@ -243,11 +293,12 @@ void Dispatcher::State::withdraw(DispatchJob& job,
         --unsent;
         return;
     case Whereabouts::Buffered:
-        pool.at(scenario.worker).remove_from_buffer(job.id, index, scenario.bytes);
+        pool.at(scenario.worker).remove_from_buffer(job.id, index, scenario.weight);
         --unsent;
         return;
     case Whereabouts::Sent:
-        pool.at(scenario.worker).answer(scenario.task, index, scenario.worker == by);
+        pool.at(scenario.worker)
+            .answer(scenario.task, index, scenario.weight.cost_ns, scenario.worker == by);
         return;
     }
 }

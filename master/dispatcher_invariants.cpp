@@ -7,6 +7,18 @@
 
 namespace cd {
 
+namespace {
+
+std::uint64_t cost_of(const DispatchJob& job, std::span<const std::uint64_t> scenarios) {
+    std::uint64_t cost_ns = 0;
+    for (const std::uint64_t index : scenarios) {
+        cost_ns += job.scenarios.at(index).weight.cost_ns;
+    }
+    return cost_ns;
+}
+
+} // namespace
+
 void Dispatcher::State::check_counts() const {
     std::uint64_t known = 0;
     std::uint64_t placed = suspects.size();
@@ -57,11 +69,16 @@ void Dispatcher::State::check_job(const DispatchJob& job) const {
 }
 
 void Dispatcher::State::check_worker(const WorkerProxy& proxy) const {
+    std::uint64_t cost_ns = 0;
     std::uint64_t buffered = 0;
     for (const auto& [id, buffer] : proxy.buffers()) {
         CD_CHECK(jobs.contains(id));
         CD_CHECK(!buffer.scenarios.empty());
-        CD_CHECK(buffer.scenarios.size() <= jobs.at(id).options.q);
+        const DispatchJob& job = jobs.at(id);
+        CD_CHECK(job.is_by_time() || buffer.scenarios.size() <= job.options.q);
+        CD_CHECK(!job.is_pulled());
+        CD_CHECK(buffer.cost_ns == cost_of(job, buffer.scenarios));
+        cost_ns += buffer.cost_ns;
         // A buffer that is ripe has been flushed.
         CD_CHECK(!is_ripe(proxy, jobs.at(id)));
         buffered += buffer.scenarios.size();
@@ -70,12 +87,18 @@ void Dispatcher::State::check_worker(const WorkerProxy& proxy) const {
     CD_CHECK(!proxy.is_draining() || buffered == 0);
 
     std::uint64_t working = 0;
+    std::uint64_t working_ns = 0;
     std::size_t claiming = 0;
     for (const auto& [id, task] : proxy.tasks()) {
         CD_CHECK(id.value <= task_last);
         working += task.scenarios.size();
         claiming += task.claims ? 1 : 0;
+        CD_CHECK(task.cost_ns ==
+                 (task.scenarios.empty() ? 0 : cost_of(jobs.at(task.job), task.scenarios)));
+        working_ns += task.cost_ns;
     }
+    CD_CHECK(working_ns == proxy.working_ns());
+    CD_CHECK(cost_ns + working_ns == proxy.backlog_ns());
     CD_CHECK(working == proxy.working());
     CD_CHECK(claiming <= 1);
     CD_CHECK((claiming == 1) == proxy.is_claimed());
@@ -89,8 +112,14 @@ void Dispatcher::State::check_progress() const {
         }
         CD_CHECK(suspects.empty() || !proxy.is_idle());
         for (const auto& [job_id, job] : jobs) {
-            const bool can_take = !proxy.is_claimed() && &proxy != excluded &&
-                                  !proxy.buffer(job_id).is_full(job.options);
+            if (job.is_pulled()) {
+                CD_CHECK(!can_pull(proxy, job));
+                continue;
+            }
+            const bool can_take =
+                &proxy != excluded &&
+                (job.is_by_time() ||
+                 (!proxy.is_claimed() && !proxy.buffer(job_id).is_full(job.options)));
             CD_CHECK(job.waiting.empty() || !can_take);
         }
     }
@@ -98,7 +127,7 @@ void Dispatcher::State::check_progress() const {
 
 void Dispatcher::check_invariants() const {
     state_->check_counts();
-    state_->pool.check_slots();
+    state_->pool.check();
     for (const auto& [id, job] : state_->jobs) {
         state_->check_job(job);
     }

@@ -1,6 +1,7 @@
 // The insides of the dispatcher, shared by its source files.
 #pragma once
 
+#include "common/core/limits.hpp"
 #include "master/dispatcher.hpp"
 #include "master/matchmaker.hpp"
 #include "master/worker_pool.hpp"
@@ -24,7 +25,8 @@ enum class Whereabouts : std::uint8_t {
 
 struct DispatchScenario {
     ScenarioRoots roots;
-    std::uint64_t bytes = 0;
+    ScenarioWeight weight;
+    bool fetches = false;     ///< Its worker lacked blocks of it.
     std::uint32_t losses = 0; ///< Tasks that came to an end without its answer.
     Whereabouts where = Whereabouts::Waiting;
     WorkerId worker; ///< Of Buffered and Sent.
@@ -42,6 +44,9 @@ struct DispatchJob {
           b(std::move(tree_b)),
           matchmaker(job_options.strategy, job_options.seed) {}
 
+    [[nodiscard]] bool is_by_time() const { return options.strategy == Strategy::EarliestFinish; }
+    [[nodiscard]] bool is_pulled() const { return options.strategy == Strategy::BestMatchPull; }
+
     JobId id;
     ClusterOptions options;
     DispatchTree a;
@@ -50,6 +55,9 @@ struct DispatchJob {
     std::unordered_map<std::uint64_t, DispatchScenario> scenarios; ///< The unanswered ones.
     std::deque<std::uint64_t> waiting;
 };
+
+[[nodiscard]] DispatchScenario make_dispatch_scenario(const DispatchJob& job,
+                                                      const AnalysedScenario& analysed);
 
 struct Suspect {
     JobId job;
@@ -67,6 +75,9 @@ struct Dispatcher::State {
     bool input_is_paused = true;
     std::uint64_t unsent = 0;
     std::uint64_t task_last = 0;
+    double now = 0;
+    WorkerPace general;       ///< Over all workers: stands for one that is not measured yet.
+    LearnedRate mean_cost_ns; ///< Predicted nanoseconds of a scenario, of those that came last.
     // Scratch.
     std::vector<WorkerCandidate> candidates;
     std::vector<std::uint32_t> slots;          ///< Of the candidates.
@@ -80,11 +91,11 @@ struct Dispatcher::State {
     /// One waiting scenario of the next job in turn goes to a buffer. False when none can.
     bool allocate_next(Actions& actions);
     bool allocate_one(DispatchJob& job, Actions& actions);
+    [[nodiscard]] WorkerProxy* choose(DispatchJob& job, const DispatchScenario& scenario);
     /// Who may get a scenario of the job now.
     void gather_candidates(const DispatchJob& job);
     void score_candidates(const DispatchJob& job, const DispatchScenario& scenario);
-    void
-    hold_roots(const DispatchJob& job, const DispatchScenario& scenario, const WorkerProxy& proxy);
+    void hold_roots(const DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy);
     void give_suspects(Actions& actions);
     /// The worker that is being emptied for suspects; null without suspects.
     [[nodiscard]] const WorkerProxy* reserved() const;
@@ -93,12 +104,57 @@ struct Dispatcher::State {
     void flush_ripe(WorkerProxy& proxy, Actions& actions);
     [[nodiscard]] DispatchJob* next_ripe(const WorkerProxy& proxy);
     [[nodiscard]] bool is_ripe(const WorkerProxy& proxy, const DispatchJob& job) const;
+    [[nodiscard]] bool is_full(const WorkerProxy& proxy, const DispatchJob& job) const;
+    [[nodiscard]] bool has_room_for_task(const WorkerProxy& proxy, const DispatchJob& job) const;
+    [[nodiscard]] bool would_run_dry(const WorkerProxy& proxy, const DispatchJob& job) const;
     void flush(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
+    /// The worker has less to do than before, and nothing else changed.
+    void refill(WorkerProxy& proxy, Actions& actions);
     void send(WorkerProxy& proxy,
               DispatchJob& job,
               std::vector<std::uint64_t> scenarios,
               bool claims,
               Actions& actions);
+
+    // ---- A free worker takes what is most similar (dispatcher_pull.cpp) -------------------------
+    /// Some worker pulls a task's worth. False when none can.
+    bool pull_one(DispatchJob& job, Actions& actions);
+    [[nodiscard]] bool can_pull(const WorkerProxy& proxy, const DispatchJob& job) const;
+    void pull(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
+
+    // ---- Matching by time (dispatcher_by_time.cpp) ----------------------------------------------
+    [[nodiscard]] double speed_of(const WorkerProxy& proxy) const;
+    [[nodiscard]] double link_of(const WorkerProxy& proxy) const;
+    [[nodiscard]] WorkerPowers powers_of(const WorkerProxy& proxy) const;
+    /// Predicted seconds that all its threads do in a second.
+    [[nodiscard]] double power_of(const WorkerProxy& proxy) const;
+    [[nodiscard]] bool takes_by_time(const WorkerProxy& proxy) const;
+    /// The worker on which the scenario would be done first. Null: nobody takes any.
+    [[nodiscard]] WorkerProxy* earliest(const DispatchJob& job, const DispatchScenario& scenario);
+    [[nodiscard]] FinishTerms finish_on(const WorkerProxy& proxy,
+                                        const DispatchJob& job,
+                                        const DispatchScenario& scenario) const;
+    /// Says to each worker how much goes to it together from now on.
+    void set_batches();
+    /// Unsent scenarios for the batches of all workers.
+    [[nodiscard]] std::uint64_t enough_by_time() const;
+    /// The first of a buffer, as much as goes together.
+    [[nodiscard]] std::vector<std::uint64_t> take_batch(WorkerProxy& proxy, const DispatchJob& job);
+    [[nodiscard]] ScenarioWeight sum_of_weights(const DispatchJob& job,
+                                                std::span<const std::uint64_t> scenarios) const;
+    /// Workers that run dry get what they would finish before those in whose buffers it is.
+    void rebalance(Actions& actions);
+    void move_towards(WorkerProxy& proxy);
+    [[nodiscard]] bool move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob& job);
+
+    // ---- Explaining (dispatcher_explain.cpp) ----------------------------------------------------
+    [[nodiscard]] std::string whereabouts(const DispatchJob& job, std::uint64_t index) const;
+    [[nodiscard]] WorkerScore score_of(const WorkerProxy& proxy,
+                                       const DispatchJob& job,
+                                       const DispatchScenario& scenario) const;
+    [[nodiscard]] bool may_take(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// Of those that may take it; its id is that of no worker where workers choose, or none may.
+    [[nodiscard]] WorkerId would_choose(DispatchJob& job, const DispatchScenario& scenario);
 
     // ---- Taking back ----------------------------------------------------------------------------
     /// Buffered scenarios wait again, first in line.

@@ -66,6 +66,7 @@ void JobBoard::end(MasterJob& job,
         CD_CHECK(job.digest.has_value());
     }
     job.submitter.reset();
+    job.analysis_input.reset();
     job.material.reset();
     job.open.clear();
     ++job.changes;

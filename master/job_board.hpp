@@ -48,6 +48,7 @@ struct MasterJob {
     TreeId tree_a;
     TreeId tree_b;
     std::unique_ptr<Submitter> submitter;
+    std::optional<AnalysisInput> analysis_input; ///< The submitter's.
     std::unordered_map<std::uint64_t, std::shared_ptr<const Analysis>> open;
 
     // Once it has ended.

@@ -1,5 +1,9 @@
 #include "master/matchmaker.hpp"
 
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
 namespace cd {
 
 namespace {
@@ -15,6 +19,8 @@ double worth(Strategy strategy, std::uint64_t score, double load) {
     case Strategy::Lowest:
         return -triangles;
     case Strategy::Random:
+    case Strategy::BestMatchPull:
+    case Strategy::EarliestFinish:
         break;
     }
     return 0;
@@ -45,6 +51,20 @@ std::optional<WorkerId> Matchmaker::choose(std::span<const WorkerCandidate> cand
         }
     }
     return best->worker;
+}
+
+std::vector<std::size_t> Matchmaker::most_similar(std::span<const std::uint64_t> scores,
+                                                  std::size_t count) {
+    std::vector<std::size_t> places(scores.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    count = std::min(count, places.size());
+    const auto end = places.begin() + static_cast<std::ptrdiff_t>(count);
+    std::partial_sort(places.begin(), end, places.end(), [&](std::size_t one, std::size_t other) {
+        return std::tuple(scores[other], one) < std::tuple(scores[one], other);
+    });
+    places.erase(end, places.end());
+    std::sort(places.begin(), places.end());
+    return places;
 }
 
 } // namespace cd

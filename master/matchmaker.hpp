@@ -31,7 +31,8 @@ struct WorkerCandidate {
 /// Chooses by the strategies of the paper's section 7:
 /// `best-match` the highest score; `best-match-load` the highest score x (1 - load); `random` any,
 /// drawn from a generator of the given seed; `lowest` the lowest score. Deterministic: equals go to
-/// the worker with the fewest scenarios, then to the smallest id.
+/// the worker with the fewest scenarios, then to the smallest id. The strategies that choose
+/// scenarios for a worker, or by time, have no matchmaker.
 class Matchmaker {
   public:
     Matchmaker(Strategy strategy, std::uint64_t seed);
@@ -41,6 +42,11 @@ class Matchmaker {
 
     /// Nothing when there is no candidate. Candidates come in ascending order of id.
     [[nodiscard]] std::optional<WorkerId> choose(std::span<const WorkerCandidate> candidates);
+
+    /// For a free worker (paper, 5.1): the places of the `count` highest scores, ascending. Among
+    /// equals those that come first.
+    [[nodiscard]] static std::vector<std::size_t>
+    most_similar(std::span<const std::uint64_t> scores, std::size_t count);
 
   private:
     Strategy strategy_;

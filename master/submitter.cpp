@@ -2,6 +2,7 @@
 
 #include "common/core/limits.hpp"
 #include "common/job/run_scenario.hpp"
+#include "master/cost_model.hpp"
 
 #include <algorithm>
 #include <condition_variable>
@@ -32,6 +33,8 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
         analysis.pairs = std::move(roots.value().pairs);
         analysis.roots_a = roots_of_a(analysis.pairs);
         analysis.roots_b = roots_of_b(analysis.pairs);
+        analysis.predicted_ns = predicted_ns(
+            *input.top_a, *input.top_b, analysis.pairs, analysis.cost.search.box_tests);
     }
     return analysis;
 }

@@ -34,7 +34,8 @@ struct Analysis {
     std::vector<RootPair> pairs;    ///< The colliding distribution roots, sorted.
     std::vector<RootIndex> roots_a; ///< The distinct ones of each side, ascending.
     std::vector<RootIndex> roots_b;
-    std::uint64_t bytes = 0; ///< What the scenario adds to a batch on the wire, about.
+    std::uint64_t bytes = 0;        ///< What the scenario adds to a batch on the wire, about.
+    std::uint64_t predicted_ns = 0; ///< Of one thread, for the colliding pairs (cost_model.hpp).
 
     /// Where no roots collide: separate, or inside; or failed, where they are too many. `pairs` is
     /// then empty.

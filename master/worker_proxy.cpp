@@ -3,6 +3,7 @@
 #include "common/core/check.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace cd {
 
@@ -25,22 +26,44 @@ const ScenarioBuffer& WorkerProxy::buffer(JobId job) const {
     return found == buffers_.end() ? empty : found->second;
 }
 
-void WorkerProxy::add_to_buffer(JobId job, std::uint64_t scenario, std::uint64_t bytes) {
+void WorkerProxy::add_to_buffer(JobId job, std::uint64_t scenario, const ScenarioWeight& weight) {
     ScenarioBuffer& buffer = buffers_[job];
     buffer.scenarios.push_back(scenario);
-    buffer.bytes += bytes;
+    buffer.bytes += weight.bytes;
+    buffer.cost_ns += weight.cost_ns;
+    buffered_ns_ += weight.cost_ns;
     ++buffered_;
 }
 
-void WorkerProxy::remove_from_buffer(JobId job, std::uint64_t scenario, std::uint64_t bytes) {
+void WorkerProxy::remove_from_buffer(JobId job,
+                                     std::uint64_t scenario,
+                                     const ScenarioWeight& weight) {
     const auto found = buffers_.find(job);
     CD_CHECK(found != buffers_.end());
     ScenarioBuffer& buffer = found->second;
     const auto place = std::find(buffer.scenarios.begin(), buffer.scenarios.end(), scenario);
     CD_CHECK(place != buffer.scenarios.end());
     buffer.scenarios.erase(place);
-    buffer.bytes -= bytes;
+    buffer.bytes -= weight.bytes;
+    buffer.cost_ns -= weight.cost_ns;
+    buffered_ns_ -= weight.cost_ns;
     --buffered_;
+    if (buffer.scenarios.empty()) {
+        buffers_.erase(found);
+    }
+}
+
+void WorkerProxy::remove_first(JobId job, std::size_t count, const ScenarioWeight& weight) {
+    const auto found = buffers_.find(job);
+    CD_CHECK(found != buffers_.end());
+    ScenarioBuffer& buffer = found->second;
+    CD_CHECK(count <= buffer.scenarios.size());
+    const auto begin = buffer.scenarios.begin();
+    buffer.scenarios.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+    buffer.bytes -= weight.bytes;
+    buffer.cost_ns -= weight.cost_ns;
+    buffered_ns_ -= weight.cost_ns;
+    buffered_ -= count;
     if (buffer.scenarios.empty()) {
         buffers_.erase(found);
     }
@@ -52,6 +75,7 @@ ScenarioBuffer WorkerProxy::take_buffer(JobId job) {
         return {};
     }
     buffered_ -= node.mapped().scenarios.size();
+    buffered_ns_ -= node.mapped().cost_ns;
     return std::move(node.mapped());
 }
 
@@ -62,6 +86,7 @@ std::size_t WorkerProxy::tasks_of(JobId job) const {
 
 void WorkerProxy::start_task(TaskId task, ProxyTask content) {
     working_ += content.scenarios.size();
+    working_ns_ += content.cost_ns;
     claiming_tasks_ += content.claims ? 1 : 0;
     ++tasks_sent_;
     flushed_last_ = content.job;
@@ -69,7 +94,7 @@ void WorkerProxy::start_task(TaskId task, ProxyTask content) {
     CD_CHECK(is_new);
 }
 
-void WorkerProxy::answer(TaskId task, std::uint64_t scenario, bool here) {
+void WorkerProxy::answer(TaskId task, std::uint64_t scenario, std::uint64_t cost_ns, bool here) {
     const auto found = tasks_.find(task);
     CD_CHECK(found != tasks_.end());
     std::vector<std::uint64_t>& open = found->second.scenarios;
@@ -77,6 +102,8 @@ void WorkerProxy::answer(TaskId task, std::uint64_t scenario, bool here) {
     CD_CHECK(place != open.end());
     open.erase(place);
     --working_;
+    found->second.cost_ns -= cost_ns;
+    working_ns_ -= cost_ns;
     scenarios_answered_ += here ? 1 : 0;
 }
 
@@ -84,17 +111,41 @@ void WorkerProxy::forget_scenarios(TaskId task) {
     const auto found = tasks_.find(task);
     CD_CHECK(found != tasks_.end());
     working_ -= found->second.scenarios.size();
+    working_ns_ -= found->second.cost_ns;
     found->second.scenarios.clear();
+    found->second.cost_ns = 0;
 }
 
-std::vector<std::uint64_t> WorkerProxy::end_task(TaskId task) {
-    auto node = tasks_.extract(task);
-    if (node.empty()) {
-        return {};
+void WorkerProxy::note_busy(TaskId task, double seconds) {
+    const auto found = tasks_.find(task);
+    if (found != tasks_.end()) {
+        found->second.busy_seconds += seconds;
     }
+}
+
+void WorkerProxy::add_transfer(double now, double seconds) {
+    transfers_end_ = std::max(transfers_end_, now) + seconds;
+}
+
+void WorkerProxy::judge_batch(const ProxyTask& ended, double now) {
+    const double began = std::max(ended.sent, std::exchange(task_ended_, now));
+    const double seconds = now - began;
+    if (tasks_.empty() || ended.fetches || !(ended.busy_seconds > 0) || !(seconds > 0)) {
+        return;
+    }
+    const double overhead = 1 - ended.busy_seconds / (seconds * facts_.threads);
+    if (overhead > limits::batch_overhead_max) {
+        batch_seconds_ = std::min(1.5 * batch_seconds_, limits::batch_seconds_max);
+    }
+}
+
+ProxyTask WorkerProxy::end_task(TaskId task) {
+    auto node = tasks_.extract(task);
+    CD_CHECK(!node.empty());
     working_ -= node.mapped().scenarios.size();
+    working_ns_ -= node.mapped().cost_ns;
     claiming_tasks_ -= node.mapped().claims ? 1 : 0;
-    return std::move(node.mapped().scenarios);
+    return std::move(node.mapped());
 }
 
 WorkerStatus WorkerProxy::status() const {

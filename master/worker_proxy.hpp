@@ -2,6 +2,8 @@
 #pragma once
 
 #include "common/core/id.hpp"
+#include "common/core/limits.hpp"
+#include "master/worker_pace.hpp"
 #include "proto/message.hpp"
 
 #include <cstdint>
@@ -14,12 +16,15 @@ namespace cd {
 struct WorkerFacts {
     std::string name;
     std::uint32_t threads = 1;
+    double weight = 1;             ///< Multiplies its speed, where matching is by time.
+    std::uint64_t cache_bytes = 0; ///< The limit of its subtree cache; 0: none.
 };
 
 /// Scenarios of one job that go to the worker as the next task.
 struct ScenarioBuffer {
     std::vector<std::uint64_t> scenarios;
     std::uint64_t bytes = 0;
+    std::uint64_t cost_ns = 0; ///< Predicted.
 
     /// Paper, 6.4.3: q scenarios, or more than V kB (of 1000 bytes).
     [[nodiscard]] bool is_full(const ClusterOptions& options) const {
@@ -27,11 +32,21 @@ struct ScenarioBuffer {
     }
 };
 
+/// What of a scenario counts in a buffer and in a task.
+struct ScenarioWeight {
+    std::uint64_t bytes = 0;
+    std::uint64_t cost_ns = 0;
+};
+
 /// A batch at the worker, from its sending until the worker says that it has ended.
 struct ProxyTask {
     JobId job;
     std::vector<std::uint64_t> scenarios; ///< Not yet answered, in the order sent.
     bool claims = false;                  ///< While it lasts, the worker gets nothing else.
+    std::uint64_t cost_ns = 0;            ///< Predicted, of those not yet answered.
+    double sent = 0;                      ///< When, in seconds.
+    bool fetches = false;                 ///< Not all of its blocks were there when it was sent.
+    double busy_seconds = 0;              ///< Measured so far, over the worker's threads.
 };
 
 /// Buffers, tasks and counts. Decides nothing.
@@ -64,12 +79,36 @@ class WorkerProxy {
     /// Less work stands at the worker than a buffer, or than twice its threads.
     [[nodiscard]] bool would_run_dry(const ClusterOptions& options) const;
 
+    // ---- By time ------------------------------------------------------------------------------
+    [[nodiscard]] WorkerPace& pace() { return pace_; }
+    [[nodiscard]] const WorkerPace& pace() const { return pace_; }
+    /// Predicted, buffered or at the worker.
+    [[nodiscard]] std::uint64_t backlog_ns() const { return buffered_ns_ + working_ns_; }
+    [[nodiscard]] std::uint64_t working_ns() const { return working_ns_; }
+    /// What it holds of all trees.
+    [[nodiscard]] std::uint64_t held_triangles() const { return held_triangles_; }
+    void add_held(std::uint64_t triangles) { held_triangles_ += triangles; }
+    void remove_held(std::uint64_t triangles) { held_triangles_ -= triangles; }
+    /// When the last block under way will be there.
+    [[nodiscard]] double transfers_end() const { return transfers_end_; }
+    void add_transfer(double now, double seconds);
+    /// How long a batch should last, before it is known how much is left to do.
+    [[nodiscard]] double batch_seconds() const { return batch_seconds_; }
+    /// How much of a job goes together. It changes only when it is set.
+    [[nodiscard]] std::uint64_t batch_ns() const { return batch_ns_; }
+    void set_batch_ns(std::uint64_t batch_ns) { batch_ns_ = batch_ns; }
+    /// Lets batches grow if this one, which has ended, cost too much beside its work. Says nothing
+    /// where nothing stood behind it, or where it had to wait for blocks.
+    void judge_batch(const ProxyTask& ended, double now);
+
     // ---- Buffers and tasks --------------------------------------------------------------------
     /// Empty where nothing is buffered.
     [[nodiscard]] const ScenarioBuffer& buffer(JobId job) const;
     [[nodiscard]] const std::map<JobId, ScenarioBuffer>& buffers() const { return buffers_; }
-    void add_to_buffer(JobId job, std::uint64_t scenario, std::uint64_t bytes);
-    void remove_from_buffer(JobId job, std::uint64_t scenario, std::uint64_t bytes);
+    void add_to_buffer(JobId job, std::uint64_t scenario, const ScenarioWeight& weight);
+    void remove_from_buffer(JobId job, std::uint64_t scenario, const ScenarioWeight& weight);
+    /// The first `count` of the buffer, which weigh that together.
+    void remove_first(JobId job, std::size_t count, const ScenarioWeight& weight);
     /// What was buffered, in order; nothing is left of it.
     ScenarioBuffer take_buffer(JobId job);
 
@@ -79,11 +118,13 @@ class WorkerProxy {
     /// Whose buffer was flushed last; the others have their turn before it.
     [[nodiscard]] JobId flushed_last() const { return flushed_last_; }
     /// The scenario is in the task. `here`: this worker answered it.
-    void answer(TaskId task, std::uint64_t scenario, bool here);
+    void answer(TaskId task, std::uint64_t scenario, std::uint64_t cost_ns, bool here);
+    /// Of a task that is not here: nothing.
+    void note_busy(TaskId task, double seconds);
     /// The task's scenarios are no longer of interest; the task itself lasts until it ends.
     void forget_scenarios(TaskId task);
-    /// What of the task is unanswered. An unknown task has nothing.
-    std::vector<std::uint64_t> end_task(TaskId task);
+    /// The task is here; what is left of it, to be done elsewhere.
+    ProxyTask end_task(TaskId task);
 
     /// Of `WorkerStatus`, what is known here.
     [[nodiscard]] WorkerStatus status() const;
@@ -101,6 +142,15 @@ class WorkerProxy {
     JobId flushed_last_;
     std::uint64_t tasks_sent_ = 0;
     std::uint64_t scenarios_answered_ = 0;
+
+    WorkerPace pace_;
+    std::uint64_t buffered_ns_ = 0;
+    std::uint64_t working_ns_ = 0;
+    std::uint64_t held_triangles_ = 0;
+    double transfers_end_ = 0;
+    double task_ended_ = 0; ///< The last one.
+    double batch_seconds_ = limits::batch_seconds_start;
+    std::uint64_t batch_ns_ = 0;
 };
 
 } // namespace cd

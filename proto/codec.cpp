@@ -28,6 +28,9 @@ Problem problem_of(const Hello& hello) {
     if (hello.version_min == 0 || hello.version_min > hello.version_max) {
         return "no range of versions";
     }
+    if (!(hello.weight > 0) || hello.weight > limits::worker_weight_max) {
+        return "a weight that is none";
+    }
     for (const std::string* text : {&hello.name, &hello.build}) {
         if (text->size() > limits::hello_text_bytes_max || !is_printable(*text)) {
             return "a name that is too long or not printable";

@@ -54,6 +54,8 @@ constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"fetch failed", Lane::Control, limits::message_roots_bytes_max},
     {"peer fetch", Lane::Control, limits::message_roots_bytes_max},
     {"peer fetched", Lane::Data, limits::message_roots_bytes_max},
+    {"explain"},
+    {"explained", Lane::Control, limits::message_data_bytes_max},
 }};
 static_assert(!kinds.back().name.empty(), "a message without a row");
 
@@ -61,8 +63,8 @@ const Kind* kind_of(std::uint16_t type) {
     return type >= 1 && type <= kinds.size() ? &kinds[type - 1u] : nullptr;
 }
 
-constexpr std::array<std::string_view, 4> strategy_names{
-    "best-match", "best-match-load", "random", "lowest"};
+constexpr std::array<std::string_view, 6> strategy_names{
+    "best-match", "best-match-load", "random", "lowest", "best-match-pull", "earliest-finish"};
 constexpr std::array<std::string_view, 4> state_names{"running", "done", "cancelled", "failed"};
 constexpr std::array<std::string_view, 6> outcome_names{
     "given", "busy", "missing", "unreachable", "damaged", "refused"};

@@ -39,6 +39,7 @@ struct Hello {
     std::uint32_t threads = 0;     ///< Of a worker.
     std::uint64_t cache_bytes = 0; ///< Of a worker: the limit of its subtree cache.
     std::uint16_t peer_port = 0;   ///< Of a worker: where others fetch blocks from it; 0: nowhere.
+    double weight = 1;             ///< Of a worker: multiplies its speed, where that counts.
 };
 
 /// A secret of the master and one worker, by which the worker knows the master's tickets.
@@ -235,7 +236,14 @@ struct MeshStored {
     Sha256 mesh;
 };
 
-enum class Strategy : std::uint8_t { BestMatch = 0, BestMatchLoad = 1, Random = 2, Lowest = 3 };
+enum class Strategy : std::uint8_t {
+    BestMatch = 0,
+    BestMatchLoad = 1,
+    Random = 2,
+    Lowest = 3,
+    BestMatchPull = 4,  ///< The paper's first form (5.1): a free worker takes what is most similar.
+    EarliestFinish = 5, ///< Ours, in seconds. Batches follow time; q and claim are not looked at.
+};
 
 [[nodiscard]] std::string_view to_text(Strategy strategy);
 [[nodiscard]] std::optional<Strategy> strategy_from_text(std::string_view text);
@@ -359,6 +367,43 @@ struct Cancel {
     JobId job;
 };
 
+/// Answered by Explained. Errors: NotFound; Refused for a job that does not run (any more).
+struct Explain {
+    JobId job;
+    std::uint64_t scenario = 0;
+};
+
+/// How a worker scores for a scenario.
+struct WorkerScore {
+    WorkerId worker;
+    std::string name;
+    bool may_take = false; ///< It could be given the scenario now.
+    bool is_chosen = false;
+    std::uint64_t scenarios = 0;      ///< Buffered for it, or at it and unanswered.
+    double load = 0;                  ///< Buffered scenarios of the job / q.
+    std::uint64_t held_triangles = 0; ///< Of those under the roots that the scenario touches;
+    std::uint64_t missing_triangles = 0;
+    // Of `earliest-finish`, in seconds; 0 for the others.
+    double backlog = 0;  ///< Its other work, over all its threads.
+    double coming = 0;   ///< The rest of the blocks under way.
+    double transfer = 0; ///< The bytes that it lacks.
+    double blocks = 0;   ///< Asking for each block, and opening it.
+    double eviction = 0; ///< What must leave its cache, and will have to come again.
+    double work = 0;     ///< The scenario itself.
+};
+
+/// Scores as they are now, not as they were when the scenario was given out.
+struct Explained {
+    JobId job;
+    std::uint64_t scenario = 0;
+    Strategy strategy = Strategy::BestMatch;
+    std::string where; ///< The scenario is, in words.
+    std::string why;   ///< The chosen worker is chosen, in words.
+    std::uint32_t roots_a = 0;
+    std::uint32_t roots_b = 0;
+    std::vector<WorkerScore> workers; ///< Ascending.
+};
+
 /// In the order of their numbers on the wire, which start at 1 and never change.
 using Message = std::variant<Hello,
                              Welcome,
@@ -393,6 +438,8 @@ using Message = std::variant<Hello,
                              Held,
                              FetchFailed,
                              PeerFetch,
-                             PeerFetched>;
+                             PeerFetched,
+                             Explain,
+                             Explained>;
 
 } // namespace cd

@@ -37,7 +37,7 @@ template <class Archive>
 void serialize(Archive& archive, Hello& m) {
     archive(m.version_min, m.version_max);
     enumeration(archive, m.role, Role::Worker, Role::Peer);
-    archive(m.name, m.build, m.threads, m.cache_bytes, m.peer_port);
+    archive(m.name, m.build, m.threads, m.cache_bytes, m.peer_port, m.weight);
 }
 
 template <class Archive>
@@ -171,7 +171,7 @@ void serialize(Archive& archive, MeshStored& m) {
 
 template <class Archive>
 void serialize(Archive& archive, ClusterOptions& o) {
-    enumeration(archive, o.strategy, Strategy::BestMatch, Strategy::Lowest);
+    enumeration(archive, o.strategy, Strategy::BestMatch, Strategy::EarliestFinish);
     archive(o.depth_a, o.depth_b, o.q, o.v_kb, o.claim, o.seed);
 }
 
@@ -233,6 +233,25 @@ void serialize(Archive& archive, ResultsPart& m) {
 template <class Archive>
 void serialize(Archive& archive, Cancel& m) {
     archive(m.job);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Explain& m) {
+    archive(m.job, m.scenario);
+}
+
+template <class Archive>
+void serialize(Archive& archive, WorkerScore& s) {
+    archive(s.worker, s.name, s.may_take, s.is_chosen, s.scenarios, s.load);
+    archive(s.held_triangles, s.missing_triangles);
+    archive(s.backlog, s.coming, s.transfer, s.blocks, s.eviction, s.work);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Explained& m) {
+    archive(m.job, m.scenario);
+    enumeration(archive, m.strategy, Strategy::BestMatch, Strategy::EarliestFinish);
+    archive(m.where, m.why, m.roots_a, m.roots_b, m.workers);
 }
 
 } // namespace cd

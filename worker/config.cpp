@@ -67,6 +67,12 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
                           "Memory for geometry; auto: half of what this process may use"),
            "SIZE")
         ->capture_default_str();
+    option(app.add_option("--weight",
+                          config.weight,
+                          "Share of the work beside equal hosts, where the master goes by time"),
+           "FACTOR")
+        ->check(CLI::Range(0.001, limits::worker_weight_max))
+        ->capture_default_str();
     option(app.add_option("--name", config.name, "For people; by default host and process"),
            "TEXT");
     option(

@@ -15,6 +15,7 @@ struct WorkerConfig {
     Endpoint master{"127.0.0.1", 7600};
     unsigned threads = 0;          ///< 0: one for each core that this process may use.
     std::uint64_t cache_bytes = 0; ///< Of geometry; by default half of `memory_limit`.
+    double weight = 1;             ///< Multiplies its speed, where the master reckons in time.
     std::string name;              ///< For people.
     std::string simd;              ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
     bool insecure = false;

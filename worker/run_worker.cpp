@@ -66,6 +66,7 @@ class Daemon {
         hello.cache_bytes = config_.cache_bytes;
         listen_to_peers(*channel);
         hello.peer_port = peer_server_ == nullptr ? std::uint16_t{0} : peer_server_->port();
+        hello.weight = config_.weight;
         const Result<Welcome> welcome = co_await greet(channel, hello);
         if (!welcome) {
             spdlog::error("not welcome: error=\"{}\"", welcome.error().detail);

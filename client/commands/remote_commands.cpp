@@ -5,6 +5,7 @@
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/exit_code.hpp"
+#include "client/explain_report.hpp"
 #include "client/export/result_writer.hpp"
 #include "client/interrupt.hpp"
 
@@ -212,6 +213,28 @@ int execute(const StatusCommand& command) {
     const auto& [before, after] = statuses.value();
     const bool json = command.output == "json";
     std::fputs((json ? status_json(before, after) : status_text(before, after)).c_str(), stdout);
+    return exit_done;
+}
+
+int execute(const ExplainCommand& command) {
+    const InterruptGuard interrupts;
+    auto connection = open_master(command.master);
+    if (!connection) {
+        return fail(connection.error());
+    }
+    const Result<KnownJob> job = find_known_job(*connection.value(), command.job);
+    if (!job) {
+        return fail(job.error());
+    }
+    const Result<Explained> explained =
+        connection.value()->explain(job.value().status.job, command.scenario);
+    if (!explained) {
+        return fail(explained.error());
+    }
+    const bool json = command.output == "json";
+    const std::string text = json ? explained_json(explained.value(), job.value().id)
+                                  : explained_text(explained.value(), job.value().id);
+    std::fputs(text.c_str(), stdout);
     return exit_done;
 }
 

@@ -12,6 +12,7 @@ namespace cd {
 [[nodiscard]] int execute(const GetCommand& command);
 [[nodiscard]] int execute(const StatusCommand& command);
 [[nodiscard]] int execute(const CancelCommand& command);
+[[nodiscard]] int execute(const ExplainCommand& command);
 
 /// `run --master`: submits, watches, fetches, reports. The job's header has been printed, and an
 /// InterruptGuard lives; an interrupt cancels the job.

@@ -61,6 +61,19 @@ inline constexpr std::size_t watches_max = 64;                       ///< Of one
 inline constexpr std::size_t peer_sources_max = 3;                   ///< Named for one fetch.
 inline constexpr std::size_t peer_unreachable_by_max = 2; ///< Then nobody is sent there any more.
 
+// Matching by time. What is not measured yet is taken to be so.
+inline constexpr double link_bytes_per_second_start = 125e6;  ///< 1 Gb/s.
+inline constexpr double block_seconds = 20e-6;                ///< To ask for a block and open it.
+inline constexpr std::uint64_t block_bytes_per_triangle = 16; ///< On the wire.
+inline constexpr std::uint64_t scenario_ns_unknown = 1'000'000;
+inline constexpr double batch_seconds_start = 0.1;
+inline constexpr double batch_seconds_min = 0.001;
+inline constexpr double batch_seconds_max = 1;
+inline constexpr double batch_overhead_max = 0.02; ///< Above it batches grow.
+inline constexpr std::size_t batches_at_worker = 2;
+inline constexpr std::size_t moves_tried_max = 64; ///< At a time, towards one worker that runs dry.
+inline constexpr std::uint64_t unsent_by_time_max = 1u << 18; ///< Analysed ahead of the workers.
+
 // The worker.
 inline constexpr std::uint64_t subtree_bytes_per_triangle = 128; ///< In memory; an estimate.
 inline constexpr std::size_t results_flush_bytes = 1u << 20;     ///< Uncompressed, of one task.
@@ -71,6 +84,7 @@ inline constexpr std::size_t peer_uploads_max = 2;        ///< That one worker s
 inline constexpr std::size_t peer_connections_max = 64;   ///< From other workers; then they wait.
 inline constexpr std::size_t peer_channels_kept_max = 16; ///< To other workers, for the next fetch.
 inline constexpr std::size_t peer_tickets_remembered = 1u << 16; ///< Older ones are not taken.
+inline constexpr double worker_weight_max = 1000;                ///< Of one worker's speed.
 inline constexpr std::chrono::milliseconds reconnect_after_min{100};
 inline constexpr std::chrono::milliseconds reconnect_after_max{5000};
 

@@ -16,7 +16,7 @@ constexpr std::uint64_t bit_of(std::uint32_t holder) {
 } // namespace
 
 RootHolders::RootHolders(std::uint32_t root_count, std::uint32_t holder_count)
-    : root_count_(root_count) {
+    : root_count_(root_count), counts_(root_count, 0) {
     grow(holder_count);
 }
 
@@ -41,12 +41,24 @@ bool RootHolders::holds(std::uint32_t holder, RootIndex root) const {
     return (bits_[word_of(holder, root)] & bit_of(holder)) != 0;
 }
 
-void RootHolders::set(std::uint32_t holder, RootIndex root) {
+bool RootHolders::set(std::uint32_t holder, RootIndex root) {
+    if (holds(holder, root)) {
+        return false;
+    }
     bits_[word_of(holder, root)] |= bit_of(holder);
+    ++counts_[root];
+    ++set_count_;
+    return true;
 }
 
-void RootHolders::clear(std::uint32_t holder, RootIndex root) {
+bool RootHolders::clear(std::uint32_t holder, RootIndex root) {
+    if (!holds(holder, root)) {
+        return false;
+    }
     bits_[word_of(holder, root)] &= ~bit_of(holder);
+    --counts_[root];
+    --set_count_;
+    return true;
 }
 
 void RootHolders::clear_all(std::uint32_t holder) {

@@ -30,9 +30,14 @@ class RootHolders {
 
     // ---- The root and the holder exist -------------------------------------------------------
     [[nodiscard]] bool holds(std::uint32_t holder, RootIndex root) const;
-    void set(std::uint32_t holder, RootIndex root);
-    void clear(std::uint32_t holder, RootIndex root);
+    /// False where that was so already.
+    bool set(std::uint32_t holder, RootIndex root);
+    bool clear(std::uint32_t holder, RootIndex root);
     void clear_all(std::uint32_t holder);
+    /// How many hold it.
+    [[nodiscard]] std::uint32_t holders_of(RootIndex root) const { return counts_[root]; }
+    /// Somebody holds something.
+    [[nodiscard]] bool any() const { return set_count_ != 0; }
 
     /// How many sums `add_held` adds to: the holders, up to a multiple of 64.
     [[nodiscard]] std::size_t sum_count() const { return 64 * row_words_; }
@@ -51,6 +56,8 @@ class RootHolders {
     std::uint32_t holder_count_ = 0;
     std::size_t row_words_ = 0;
     std::vector<std::uint64_t> bits_; ///< Row by row; holder h is bit h % 64 of word h / 64.
+    std::vector<std::uint32_t> counts_;
+    std::uint64_t set_count_ = 0;
 };
 
 } // namespace cd

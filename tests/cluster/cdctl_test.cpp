@@ -105,6 +105,54 @@ TEST_F(Cluster, SubmitWaitResultsAndGetSpeakOfTheSameJob) {
     EXPECT_THAT(status.output, HasSubstr("bottleneck"));
 }
 
+TEST_F(Cluster, ExplainShowsEachWorkersScore) {
+    const Job job = make_job(300);
+    start_worker();
+    start_worker();
+    while (connection_->status().value().workers.size() < 2) {
+    }
+    // They stand still, so that the job runs for as long as it is asked about.
+    const auto signal_all = [&](int signal) {
+        for (const auto& worker : workers_) {
+            worker->signal(signal);
+        }
+    };
+    for (const Strategy strategy : {Strategy::BestMatch, Strategy::EarliestFinish}) {
+        ClusterOptions options;
+        options.strategy = strategy;
+        signal_all(SIGSTOP);
+        const JobId id = submit(job, {}, options);
+        const auto ask = [&](const std::vector<std::string>& more) {
+            std::vector<std::string> command{cdctl(), "explain", std::to_string(id.value)};
+            command.insert(command.end(), more.begin(), more.end());
+            command.insert(command.end(), {"--master", master_->address()});
+            return tests::run(command);
+        };
+        Ran text = ask({"299"});
+        while (text.errors.find("being prepared") != std::string::npos) {
+            text = ask({"299"});
+        }
+        const Ran json = ask({"299", "-o", "json"});
+        const Ran none = ask({"300"});
+        signal_all(SIGCONT);
+        EXPECT_EQ(finish(id, [](const JobStatus&) {}).state, JobState::Done);
+
+        const bool by_time = strategy == Strategy::EarliestFinish;
+        EXPECT_EQ(text.exit_code, 0) << text.errors;
+        EXPECT_THAT(text.output, HasSubstr("scenario 299"));
+        EXPECT_THAT(text.output, HasSubstr("worker0"));
+        EXPECT_THAT(text.output, HasSubstr("worker1"));
+        EXPECT_THAT(text.output, HasSubstr(by_time ? "TOTAL MS" : "MISSING"));
+        EXPECT_EQ(json.exit_code, 0) << json.errors;
+        EXPECT_THAT(json.output, HasSubstr("\"chosen\": true"));
+        EXPECT_THAT(json.output, HasSubstr(by_time ? "transfer_ms" : "missing_triangles"));
+        EXPECT_THAT(none.errors, HasSubstr("0 to 299"));
+        const Ran ended = ask({"299"});
+        EXPECT_EQ(ended.exit_code, 5);
+        EXPECT_THAT(ended.errors, HasSubstr("it is done"));
+    }
+}
+
 TEST(Cdctl, ExitCodesSayHowItWent) {
     const TemporaryFolder folder;
     write_boxes(folder);
@@ -157,8 +205,16 @@ TEST(Cdctl, HelpBeginsWithExamples) {
                                                          << help.output.substr(0, 80);
         EXPECT_EQ(tests::run({program(name).string(), "--version"}).exit_code, 0);
     }
-    for (const char* verb :
-         {"run", "demo", "submit", "watch", "wait", "results", "get", "status", "inspect"}) {
+    for (const char* verb : {"run",
+                             "demo",
+                             "submit",
+                             "watch",
+                             "wait",
+                             "results",
+                             "get",
+                             "status",
+                             "explain",
+                             "inspect"}) {
         const Ran help = tests::run({cdctl(), verb, "--help"});
         EXPECT_EQ(help.exit_code, 0) << verb;
         EXPECT_THAT(help.output, HasSubstr("cdctl " + std::string(verb))) << verb;

@@ -115,8 +115,12 @@ TEST_F(Cluster, StrategyBufferAndClaimingDoNotShow) {
     const Sha256 expected = job.digest_in_one_process(query);
     start_worker();
     start_worker();
-    for (const Strategy strategy :
-         {Strategy::BestMatch, Strategy::BestMatchLoad, Strategy::Random, Strategy::Lowest}) {
+    for (const Strategy strategy : {Strategy::BestMatch,
+                                    Strategy::BestMatchLoad,
+                                    Strategy::Random,
+                                    Strategy::Lowest,
+                                    Strategy::BestMatchPull,
+                                    Strategy::EarliestFinish}) {
         for (const std::uint32_t q : {1u, 20u}) {
             for (const bool claim : {false, true}) {
                 ClusterOptions options;

@@ -66,7 +66,7 @@ class Simulation {
 
     void open_job(JobId job) {
         ClusterOptions options;
-        options.strategy = static_cast<Strategy>(below(4));
+        options.strategy = static_cast<Strategy>(below(6));
         options.q = static_cast<std::uint32_t>(1 + below(6));
         options.v_kb = below(3) == 0 ? 1 : 100;
         options.claim = below(2) == 0;
@@ -94,7 +94,9 @@ class Simulation {
             drain();
         } else if (dice < 91) {
             evict();
-        } else if (dice < 96) {
+        } else if (dice < 94) {
+            measure();
+        } else if (dice < 97) {
             do_actions(dispatcher_.input_paused());
         } else if (dice < 99) {
             repeat_an_old_answer();
@@ -122,6 +124,7 @@ class Simulation {
         }
         scenario.roots_b.push_back(static_cast<RootIndex>(below(5)));
         scenario.bytes = below(700);
+        scenario.predicted_ns = below(4) == 0 ? 0 : 1'000'000 * (1 + below(80));
         if (sabotage_ == Sabotage::DropScenario && scenario.index == 7) {
             return;
         }
@@ -201,8 +204,10 @@ class Simulation {
         if (workers_.size() < 6) {
             const WorkerId worker{++worker_last_};
             workers_.insert(worker);
-            do_actions(
-                dispatcher_.worker_joined(worker, {"w", static_cast<std::uint32_t>(1 + below(8))}));
+            WorkerFacts facts{"w", static_cast<std::uint32_t>(1 + below(8))};
+            facts.weight = below(3) == 0 ? 0.25 : 1;
+            facts.cache_bytes = below(2) * 3000;
+            do_actions(dispatcher_.worker_joined(worker, facts));
         }
     }
 
@@ -243,6 +248,25 @@ class Simulation {
                                                   static_cast<RootIndex>(below(8))};
             do_actions(dispatcher_.roots_evicted(random_worker(), TreeId{below(14)}, roots));
         }
+    }
+
+    /// Whatever is measured changes who gets what, and nothing else.
+    void measure() {
+        now_ += 0.001 * static_cast<double>(below(200));
+        dispatcher_.time_is(now_);
+        TaskId task;
+        if (const SimulatedTask* found = random_task(task); found != nullptr) {
+            dispatcher_.work_measured(
+                found->worker,
+                {task, below(100) * 1'000'000, 0.001 * static_cast<double>(below(90))});
+            dispatcher_.transfer_measured(
+                found->worker, below(1'000'000), 0.001 * static_cast<double>(below(50)));
+        }
+        if (!workers_.empty()) {
+            const std::vector<RootIndex> roots = {static_cast<RootIndex>(below(8))};
+            dispatcher_.roots_arrived(random_worker(), TreeId{below(14)}, roots);
+        }
+        dispatcher_.check_invariants();
     }
 
     void cancel() {
@@ -356,6 +380,7 @@ class Simulation {
     Sabotage sabotage_;
     bool dropped_ = false;
     bool faults_have_stopped_ = false;
+    double now_ = 0;
     Dispatcher dispatcher_;
     std::map<JobId, SimulatedJob> jobs_;
     std::set<WorkerId> workers_;

@@ -114,6 +114,14 @@ TEST(Matchmaker, EqualsGoToTheFewestScenariosThenToTheSmallestId) {
     }
 }
 
+TEST(Matchmaker, AFreeWorkerTakesTheMostSimilarAndAmongEqualsTheFirst) {
+    const std::vector<std::uint64_t> scores = {3, 9, 3, 0, 9, 3};
+    EXPECT_EQ(Matchmaker::most_similar(scores, 2), (std::vector<std::size_t>{1, 4}));
+    EXPECT_EQ(Matchmaker::most_similar(scores, 4), (std::vector<std::size_t>{0, 1, 2, 4}));
+    EXPECT_EQ(Matchmaker::most_similar(scores, 9).size(), 6u);
+    EXPECT_TRUE(Matchmaker::most_similar({}, 9).empty());
+}
+
 TEST(Matchmaker, WithoutCandidatesThereIsNoWorker) {
     for (const Strategy strategy : {Strategy::BestMatch, Strategy::Random}) {
         EXPECT_EQ(pick(strategy, {}), std::nullopt);

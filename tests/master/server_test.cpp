@@ -368,8 +368,12 @@ TEST(Server, AJobHasTheDigestOfTheSameScenariosWithoutACluster) {
     // Every kind of answer occurs, or agreement would mean little.
     ASSERT_GT(reference().summary.cross, 10u);
     ASSERT_GT(reference().summary.separate, 10u);
-    for (const Strategy strategy :
-         {Strategy::BestMatch, Strategy::BestMatchLoad, Strategy::Random, Strategy::Lowest}) {
+    for (const Strategy strategy : {Strategy::BestMatch,
+                                    Strategy::BestMatchLoad,
+                                    Strategy::Random,
+                                    Strategy::Lowest,
+                                    Strategy::BestMatchPull,
+                                    Strategy::EarliestFinish}) {
         Master master;
         FakeWorker one(master, {});
         FakeWorker two(master, {});

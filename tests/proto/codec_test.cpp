@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <string>
@@ -42,6 +43,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"cancel", 8, "6cc16abd70eefb90"},         {"fetch from peers", 170, "a0d47f54a15913e3"},
     {"held", 24, "ed580f119631830c"},          {"fetch failed", 33, "b221f708a2001c78"},
     {"peer fetch", 64, "1fa3b1fe14bda8bc"},    {"peer fetched", 21, "81af26b24d9034b4"},
+    {"explain", 16, "609f0a17cfd7829b"},       {"explained", 180, "a91ceeff3b47116c"},
 }};
 
 void expect_refused(std::uint16_t type, std::span<const std::byte> payload) {
@@ -263,8 +265,22 @@ TEST(Codec, AMeshPartLiesWithinItsMesh) {
     EXPECT_FALSE(decode_message(message_type(MeshPart{}), bytes));
 }
 
+TEST(Codec, AWeightIsAboveZeroAndBounded) {
+    Hello hello;
+    for (const double weight : {0.5, 1000.0}) {
+        hello.weight = weight;
+        EXPECT_TRUE(decode_message(message_type(hello), encode_message(hello)));
+    }
+    // A refused message cannot be encoded either; its last eight bytes are the weight.
+    Bytes bytes = encode_message(hello);
+    for (const double weight : {0.0, -1.0, 1001.0}) {
+        std::memcpy(bytes.data() + bytes.size() - sizeof(weight), &weight, sizeof(weight));
+        EXPECT_FALSE(decode_message(message_type(hello), bytes)) << weight;
+    }
+}
+
 TEST(Codec, StrategiesHaveNamesThatReadBack) {
-    for (int i = 0; i <= static_cast<int>(Strategy::Lowest); ++i) {
+    for (int i = 0; i <= static_cast<int>(Strategy::EarliestFinish); ++i) {
         const auto strategy = static_cast<Strategy>(i);
         EXPECT_EQ(strategy_from_text(to_text(strategy)), strategy);
     }

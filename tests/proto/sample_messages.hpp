@@ -116,7 +116,7 @@ inline Submit some_submit() {
 /// In the order of their numbers.
 inline std::vector<Message> sample_messages() {
     return {
-        Hello{1, 4, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321},
+        Hello{1, 4, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321, 1.5},
         Welcome{1, 42, "0.1.0", some_hash(17)},
         Failure{ErrorCode::NotFound, "no job 7"},
         Heartbeat{1, 2, 3, {4, 5, 6, 7, 8, 9}},
@@ -158,6 +158,15 @@ inline std::vector<Message> sample_messages() {
         FetchFailed{TreeId{2}, {1, 5}, WorkerId{3}, PeerOutcome::Damaged},
         PeerFetch{TreeId{2}, {1, 5}, 6, some_hash(7)},
         PeerFetched{TreeId{2}, {5}, PeerOutcome::Missing},
+        Explain{JobId{9}, 10},
+        Explained{JobId{9},
+                  10,
+                  Strategy::EarliestFinish,
+                  "waits",
+                  "it would be done first",
+                  11,
+                  12,
+                  {{WorkerId{1}, "node-1", true, false, 13, 0.5, 14, 15, 1, 2, 3, 4, 5, 6}}},
     };
 }
 

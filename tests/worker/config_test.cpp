@@ -71,6 +71,8 @@ TEST(WorkerConfig, OptionsAreRead) {
                                           "3",
                                           "--cache",
                                           "512MiB",
+                                          "--weight",
+                                          "0.5",
                                           "--name",
                                           "n",
                                           "--simd",
@@ -84,6 +86,7 @@ TEST(WorkerConfig, OptionsAreRead) {
     EXPECT_EQ(line.config->master.host, "node");
     EXPECT_EQ(line.config->threads, 3u);
     EXPECT_EQ(line.config->cache_bytes, std::uint64_t{512} << 20);
+    EXPECT_EQ(line.config->weight, 0.5);
     EXPECT_EQ(line.config->name, "n");
     EXPECT_EQ(line.config->simd, "avx2");
     EXPECT_TRUE(line.config->insecure);
@@ -109,6 +112,7 @@ TEST(WorkerConfig, WhatIsWrongIsUsage) {
     const std::vector<std::vector<const char*>> wrong{
         {"--master", "nowhere"},
         {"--cache", "much"},
+        {"--weight", "0"},
         {"--threads", "-1"},
         {"--threads", "x"},
         {"--log-level", "loud"},

@@ -1,0 +1,289 @@
+// The strategy `earliest-finish`: every scenario goes at once to the buffer of the worker on which
+// it would be done first, in seconds. That worker may be busy: the scenario waits for who holds its
+// blocks. A worker that runs dry takes over what it would finish sooner, transfers included; so
+// nothing waits for longer than its transfer would take, and at a job's end a slow worker gets
+// nothing that the others would finish before it.
+#include "common/core/limits.hpp"
+#include "master/dispatcher_state.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace cd {
+
+namespace {
+
+constexpr std::uint64_t bytes_unit = 64; ///< Of `PooledTree::bytes_64`.
+
+/// What a scenario needs of a tree, without what all workers hold: that cancels out.
+struct Touched {
+    std::vector<WeightedRoot> triangles;
+    std::vector<WeightedRoot> bytes_64;
+    std::vector<WeightedRoot> ones;
+
+    Touched(const PooledTree& tree, std::span<const WeightedRoot> roots, std::size_t workers) {
+        for (const WeightedRoot& root : roots) {
+            if (tree.held.holders_of(root.root) < workers || tree.coming.any()) {
+                triangles.push_back(root);
+                bytes_64.push_back({root.root, tree.bytes_64[root.root]});
+                ones.push_back({root.root, 1});
+            }
+        }
+    }
+};
+
+std::uint64_t sum_of(std::span<const WeightedRoot> roots) {
+    std::uint64_t sum = 0;
+    for (const WeightedRoot& root : roots) {
+        sum += root.weight;
+    }
+    return sum;
+}
+
+/// Sums over both trees of what each worker has of a scenario, by slot.
+struct HeldSums {
+    std::vector<std::uint64_t> triangles;
+    std::vector<std::uint64_t> bytes_64;
+    std::vector<std::uint64_t> blocks;
+    std::vector<std::uint64_t> coming_64;
+    std::uint64_t triangles_touched = 0;
+    std::uint64_t bytes_64_touched = 0;
+    std::uint64_t blocks_touched = 0;
+
+    explicit HeldSums(std::size_t count)
+        : triangles(count, 0), bytes_64(count, 0), blocks(count, 0), coming_64(count, 0) {}
+
+    void add(const PooledTree& tree, const Touched& touched) {
+        if (touched.ones.empty()) {
+            return;
+        }
+        tree.held.add_held(touched.triangles, triangles);
+        tree.held.add_held(touched.bytes_64, bytes_64);
+        tree.held.add_held(touched.ones, blocks);
+        if (tree.coming.any()) {
+            tree.coming.add_held(touched.bytes_64, coming_64);
+        }
+        triangles_touched += sum_of(touched.triangles);
+        bytes_64_touched += sum_of(touched.bytes_64);
+        blocks_touched += touched.ones.size();
+    }
+};
+
+double bytes_of_memory(const PooledTree& a, const PooledTree& b) {
+    const auto memory = static_cast<double>((a.triangles_total + b.triangles_total) *
+                                            limits::subtree_bytes_per_triangle);
+    return memory > 0 ? static_cast<double>(a.bytes_total + b.bytes_total) / memory : 0;
+}
+
+} // namespace
+
+double Dispatcher::State::speed_of(const WorkerProxy& proxy) const {
+    return proxy.facts().weight * proxy.pace().work.value_or(general.work.value_or(1));
+}
+
+double Dispatcher::State::link_of(const WorkerProxy& proxy) const {
+    return proxy.pace().bytes.value_or(general.bytes.value_or(limits::link_bytes_per_second_start));
+}
+
+double Dispatcher::State::power_of(const WorkerProxy& proxy) const {
+    return speed_of(proxy) * proxy.facts().threads;
+}
+
+WorkerPowers Dispatcher::State::powers_of(const WorkerProxy& proxy) const {
+    WorkerPowers powers;
+    powers.speed = speed_of(proxy);
+    powers.bytes_per_second = link_of(proxy);
+    powers.threads = proxy.facts().threads;
+    powers.backlog_ns = static_cast<double>(proxy.backlog_ns());
+    powers.transfers_seconds = std::max(0.0, proxy.transfers_end() - now);
+    if (proxy.facts().cache_bytes != 0) {
+        const std::uint64_t used = proxy.held_triangles() * limits::subtree_bytes_per_triangle;
+        powers.room_bytes = proxy.facts().cache_bytes - std::min(used, proxy.facts().cache_bytes);
+    }
+    return powers;
+}
+
+bool Dispatcher::State::takes_by_time(const WorkerProxy& proxy) const {
+    return !proxy.is_draining() && &proxy != reserved();
+}
+
+WorkerProxy* Dispatcher::State::earliest(const DispatchJob& job, const DispatchScenario& scenario) {
+    const PooledTree& a = pool.tree(job.a.tree);
+    const PooledTree& b = pool.tree(job.b.tree);
+    const std::size_t workers = pool.in_order().size();
+    HeldSums sums(a.held.sum_count());
+    sums.add(a, Touched(a, scenario.roots.a, workers));
+    sums.add(b, Touched(b, scenario.roots.b, workers));
+
+    ScenarioNeeds needs;
+    needs.cost_ns = scenario.weight.cost_ns;
+    needs.bytes_of_memory = bytes_of_memory(a, b);
+    const WorkerProxy* excluded = reserved();
+    WorkerProxy* best = nullptr;
+    double best_seconds = 0;
+    for (WorkerProxy* proxy : pool.in_order()) {
+        if (proxy->is_draining() || proxy == excluded) {
+            continue;
+        }
+        const std::uint32_t slot = proxy->slot();
+        needs.missing_bytes = bytes_unit * (sums.bytes_64_touched - sums.bytes_64[slot]);
+        needs.missing_blocks = sums.blocks_touched - sums.blocks[slot];
+        needs.coming_bytes = bytes_unit * sums.coming_64[slot];
+        needs.memory_bytes =
+            (sums.triangles_touched - sums.triangles[slot]) * limits::subtree_bytes_per_triangle;
+        const double seconds = estimate_finish(powers_of(*proxy), needs).total();
+        // Equals go to the worker with the fewest scenarios, then to the smallest id.
+        const std::uint64_t scenarios = proxy->buffered() + proxy->working();
+        if (best == nullptr || std::tuple(seconds, scenarios) <
+                                   std::tuple(best_seconds, best->buffered() + best->working())) {
+            best = proxy;
+            best_seconds = seconds;
+        }
+    }
+    return best;
+}
+
+FinishTerms Dispatcher::State::finish_on(const WorkerProxy& proxy,
+                                         const DispatchJob& job,
+                                         const DispatchScenario& scenario) const {
+    const PooledTree& a = pool.tree(job.a.tree);
+    const PooledTree& b = pool.tree(job.b.tree);
+    ScenarioNeeds needs;
+    needs.cost_ns = scenario.weight.cost_ns;
+    needs.bytes_of_memory = bytes_of_memory(a, b);
+    const auto add = [&](const PooledTree& tree, std::span<const WeightedRoot> roots) {
+        for (const WeightedRoot& root : roots) {
+            const std::uint64_t bytes = bytes_unit * tree.bytes_64[root.root];
+            if (!tree.held.holds(proxy.slot(), root.root)) {
+                needs.missing_bytes += bytes;
+                needs.memory_bytes += root.weight * limits::subtree_bytes_per_triangle;
+                ++needs.missing_blocks;
+            } else if (tree.coming.holds(proxy.slot(), root.root)) {
+                needs.coming_bytes += bytes;
+            }
+        }
+    };
+    add(a, scenario.roots.a);
+    add(b, scenario.roots.b);
+    return estimate_finish(powers_of(proxy), needs);
+}
+
+void Dispatcher::State::set_batches() {
+    std::uint64_t unsent_ns = 0;
+    double power = 0;
+    for (const WorkerProxy* proxy : pool.in_order()) {
+        unsent_ns += proxy->backlog_ns() - proxy->working_ns();
+        power += proxy->is_draining() ? 0 : power_of(*proxy);
+    }
+    // What is left, in 2 W parts, of which a faster worker gets a larger one. Before anything has
+    // come, nothing is known of what is left.
+    const double share = power > 0 && unsent_ns > 0
+                             ? 1e-9 * static_cast<double>(unsent_ns) / (2 * power)
+                             : limits::batch_seconds_max;
+    for (WorkerProxy* proxy : pool.in_order()) {
+        const double seconds =
+            std::max(std::min(proxy->batch_seconds(), share), limits::batch_seconds_min);
+        proxy->set_batch_ns(static_cast<std::uint64_t>(1e9 * seconds * power_of(*proxy)));
+    }
+}
+
+std::uint64_t Dispatcher::State::enough_by_time() const {
+    // Two batches for each worker, and as many again to choose from.
+    double wanted_ns = 0;
+    for (const WorkerProxy* proxy : pool.in_order()) {
+        wanted_ns += 4e9 * proxy->batch_seconds() * power_of(*proxy);
+    }
+    const double mean_ns = mean_cost_ns.value_or(limits::scenario_ns_unknown);
+    return static_cast<std::uint64_t>(
+        std::min(wanted_ns / mean_ns, static_cast<double>(limits::unsent_by_time_max)));
+}
+
+std::vector<std::uint64_t> Dispatcher::State::take_batch(WorkerProxy& proxy,
+                                                         const DispatchJob& job) {
+    std::vector<std::uint64_t> batch;
+    std::uint64_t cost_ns = 0;
+    std::uint64_t bytes = 0;
+    for (const std::uint64_t index : proxy.buffer(job.id).scenarios) {
+        const ScenarioWeight& weight = job.scenarios.at(index).weight;
+        if (cost_ns >= proxy.batch_ns() || bytes > std::uint64_t{job.options.v_kb} * 1000 ||
+            batch.size() == limits::q_max) {
+            break;
+        }
+        batch.push_back(index);
+        cost_ns += weight.cost_ns;
+        bytes += weight.bytes;
+    }
+    // At least one, whatever the measures say.
+    if (batch.empty()) {
+        batch.push_back(proxy.buffer(job.id).scenarios.front());
+    }
+    proxy.remove_first(job.id, batch.size(), sum_of_weights(job, batch));
+    return batch;
+}
+
+ScenarioWeight Dispatcher::State::sum_of_weights(const DispatchJob& job,
+                                                 std::span<const std::uint64_t> scenarios) const {
+    ScenarioWeight sum;
+    for (const std::uint64_t index : scenarios) {
+        const ScenarioWeight& weight = job.scenarios.at(index).weight;
+        sum.bytes += weight.bytes;
+        sum.cost_ns += weight.cost_ns;
+    }
+    return sum;
+}
+
+void Dispatcher::State::rebalance(Actions& actions) {
+    if (std::none_of(
+            jobs.begin(), jobs.end(), [](const auto& job) { return job.second.is_by_time(); })) {
+        return;
+    }
+    for (WorkerProxy* proxy : pool.in_order()) {
+        const bool runs_dry = proxy->buffered() == 0 && proxy->working_ns() < proxy->batch_ns();
+        if (runs_dry && takes_by_time(*proxy) && !proxy->is_claimed()) {
+            move_towards(*proxy);
+            flush_ripe(*proxy, actions);
+        }
+    }
+}
+
+void Dispatcher::State::move_towards(WorkerProxy& proxy) {
+    WorkerProxy* fullest = nullptr;
+    double fullest_seconds = 0;
+    for (WorkerProxy* other : pool.in_order()) {
+        const double seconds = static_cast<double>(other->backlog_ns()) / power_of(*other);
+        if (other != &proxy && other->buffered() != 0 && seconds > fullest_seconds) {
+            fullest = other;
+            fullest_seconds = seconds;
+        }
+    }
+    if (fullest == nullptr) {
+        return;
+    }
+    for (auto& [id, job] : jobs) {
+        std::size_t tries = limits::moves_tried_max;
+        while (job.is_by_time() && tries-- > 0 && proxy.backlog_ns() < 2 * proxy.batch_ns() &&
+               move_one(*fullest, proxy, job)) {
+        }
+    }
+}
+
+bool Dispatcher::State::move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob& job) {
+    const ScenarioBuffer& buffer = from.buffer(job.id);
+    if (buffer.scenarios.empty()) {
+        return false;
+    }
+    // The last one: it would be done when all that `from` has is done.
+    const std::uint64_t index = buffer.scenarios.back();
+    DispatchScenario& scenario = job.scenarios.at(index);
+    const double seconds_there = 1e-9 * static_cast<double>(from.backlog_ns()) / power_of(from);
+    if (finish_on(to, job, scenario).total() >= seconds_there) {
+        return false;
+    }
+    from.remove_from_buffer(job.id, index, scenario.weight);
+    scenario.worker = to.id();
+    hold_roots(job, scenario, to);
+    to.add_to_buffer(job.id, index, scenario.weight);
+    return true;
+}
+
+} // namespace cd

@@ -1,0 +1,45 @@
+// When would a scenario be done on a worker? The score of the strategy `earliest-finish`, in
+// seconds from now.
+#pragma once
+
+#include <cstdint>
+
+namespace cd {
+
+/// Of the worker, as far as it is known.
+struct WorkerPowers {
+    double speed = 1;            ///< Predicted seconds that one thread does in a second.
+    double bytes_per_second = 1; ///< Of blocks on their way to it.
+    double threads = 1;
+    double backlog_ns = 0;        ///< Predicted: what it has been given and has not answered.
+    double transfers_seconds = 0; ///< Until all blocks under way will be there.
+    std::uint64_t room_bytes = ~std::uint64_t{0}; ///< Of its cache, still free.
+};
+
+/// What the scenario asks of that worker.
+struct ScenarioNeeds {
+    std::uint64_t cost_ns = 0; ///< Predicted, of one thread of speed 1.
+    std::uint64_t missing_bytes = 0;
+    std::uint64_t missing_blocks = 0;
+    std::uint64_t coming_bytes = 0; ///< Of blocks that it needs and that are under way.
+    std::uint64_t memory_bytes = 0; ///< That the missing blocks will take in the cache,
+    double bytes_of_memory = 0;     ///< and how many bytes travel for one of these.
+};
+
+/// Each in seconds, and each thing counted once.
+struct FinishTerms {
+    double backlog = 0;  ///< Its other work, over all its threads.
+    double coming = 0;   ///< The rest of the blocks under way.
+    double transfer = 0; ///< The bytes that it lacks.
+    double blocks = 0;   ///< Asking for each block, and opening it.
+    double eviction = 0; ///< What must leave its cache, and will have to come again.
+    double work = 0;     ///< The scenario, on one thread.
+
+    [[nodiscard]] double total() const {
+        return backlog + coming + transfer + blocks + eviction + work;
+    }
+};
+
+[[nodiscard]] FinishTerms estimate_finish(const WorkerPowers& worker, const ScenarioNeeds& needs);
+
+} // namespace cd

@@ -1,0 +1,57 @@
+// Proves that an estimate counts each thing once, in seconds, and nothing that costs nothing.
+#include "master/finish_estimate.hpp"
+
+#include "common/core/limits.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+WorkerPowers some_powers() {
+    WorkerPowers powers;
+    powers.speed = 2;
+    powers.bytes_per_second = 1e6;
+    powers.threads = 4;
+    powers.backlog_ns = 8e9;
+    powers.transfers_seconds = 0.5;
+    powers.room_bytes = 1000;
+    return powers;
+}
+
+TEST(FinishEstimate, IsTheSumOfItsTerms) {
+    ScenarioNeeds needs;
+    needs.cost_ns = 3'000'000'000;
+    needs.missing_bytes = 250'000;
+    needs.missing_blocks = 10;
+    needs.coming_bytes = 100'000;
+    needs.memory_bytes = 5000;
+    needs.bytes_of_memory = 0.5;
+    const FinishTerms terms = estimate_finish(some_powers(), needs);
+    EXPECT_DOUBLE_EQ(terms.backlog, 1);
+    EXPECT_DOUBLE_EQ(terms.coming, 0.1);
+    EXPECT_DOUBLE_EQ(terms.transfer, 0.25);
+    EXPECT_DOUBLE_EQ(terms.blocks, 10 * limits::block_seconds);
+    EXPECT_DOUBLE_EQ(terms.eviction, 0.002); // 4,000 bytes too many, of which half travelled.
+    EXPECT_DOUBLE_EQ(terms.work, 1.5);       // On one thread.
+    EXPECT_DOUBLE_EQ(terms.total(), 2.852 + 10 * limits::block_seconds);
+}
+
+TEST(FinishEstimate, BlocksUnderWayCountNoLongerThanUntilTheyAreThere) {
+    ScenarioNeeds needs;
+    needs.coming_bytes = 10'000'000;
+    EXPECT_DOUBLE_EQ(estimate_finish(some_powers(), needs).coming, 0.5);
+    WorkerPowers powers = some_powers();
+    powers.transfers_seconds = 0;
+    EXPECT_EQ(estimate_finish(powers, needs).coming, 0);
+}
+
+TEST(FinishEstimate, WhatFitsTheCacheEvictsNothing) {
+    ScenarioNeeds needs;
+    needs.memory_bytes = 1000;
+    needs.bytes_of_memory = 1;
+    EXPECT_EQ(estimate_finish(some_powers(), needs).eviction, 0);
+}
+
+} // namespace
+} // namespace cd::tests
