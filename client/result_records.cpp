@@ -1,7 +1,7 @@
 #include "client/result_records.hpp"
 
-#include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
+#include "common/job/packed_records.hpp"
 
 namespace cd {
 
@@ -14,7 +14,7 @@ unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count
     if (part.first != first || part.count > count) {
         return Error{ErrorCode::BadFrame, "the master sent other results than were asked for"};
     }
-    const Result<Bytes> records = decompress(part.records, limits::results_bytes_max);
+    const Result<Bytes> records = unpack_records(part.records, limits::results_bytes_max);
     if (!records) {
         return records.error();
     }

@@ -1,7 +1,7 @@
 #include "master/result_intake.hpp"
 
-#include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
+#include "common/job/packed_records.hpp"
 
 #include <algorithm>
 #include <unordered_map>
@@ -65,7 +65,7 @@ TakenResult take_result(ScenarioResult result, const JobStatistics& cost) {
 }
 
 Result<std::vector<TakenResult>> take_results(const TaskContent& task, const Results& results) {
-    const Result<Bytes> records = decompress(results.records, limits::results_bytes_max);
+    const Result<Bytes> records = unpack_records(results.records, limits::results_bytes_max);
     if (!records) {
         return records.error();
     }

@@ -1,10 +1,10 @@
 #include "master/result_store.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/compress.hpp"
 #include "common/core/disk_file.hpp"
 #include "common/core/hash.hpp"
 #include "common/core/limits.hpp"
+#include "common/job/packed_records.hpp"
 
 #include <algorithm>
 #include <array>
@@ -166,7 +166,7 @@ ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_
         put_bytes(records, record.value());
         ++part.count;
     }
-    part.records = compress(records.bytes(), compression_level_fast);
+    part.records = pack_records(records.bytes());
     return part;
 }
 

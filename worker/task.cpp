@@ -1,6 +1,6 @@
 #include "worker/task.hpp"
 
-#include "common/core/compress.hpp"
+#include "common/job/packed_records.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -106,7 +106,7 @@ std::optional<Results> Task::take_results() {
     Results results = std::exchange(results_, {});
     results.task = batch_.task;
     results.job = batch_.job;
-    results.records = compress(records_, compression_level_fast);
+    results.records = pack_records(records_);
     records_.clear();
     return results;
 }

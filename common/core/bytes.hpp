@@ -86,6 +86,16 @@ class ByteReader {
         return values;
     }
 
+    /// The next bytes where they stand.
+    [[nodiscard]] std::span<const std::byte> get_bytes(std::uint64_t count) {
+        if (!claim(count)) {
+            return {};
+        }
+        const auto bytes = rest_.first(count);
+        rest_ = rest_.subspan(count);
+        return bytes;
+    }
+
     [[nodiscard]] std::string get_text() {
         const auto characters = get_array<char>(get<std::uint32_t>());
         return {characters.begin(), characters.end()};
@@ -97,7 +107,7 @@ class ByteReader {
     [[nodiscard]] bool complete() const { return !failed_ && rest_.empty(); }
 
   private:
-    [[nodiscard]] bool claim(std::size_t size) {
+    [[nodiscard]] bool claim(std::uint64_t size) {
         failed_ = failed_ || rest_.size() < size;
         return !failed_;
     }

@@ -3,7 +3,7 @@
 
 #include "client/connection.hpp"
 
-#include "common/core/compress.hpp"
+#include "common/job/packed_records.hpp"
 #include "tests/client/fake_master.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -56,7 +56,7 @@ ResultsPart make_part(JobId job, std::uint64_t first, std::uint32_t count) {
             records.put(std::to_integer<std::uint8_t>(byte));
         }
     }
-    return {job, first, count, compress(records.bytes(), compression_level_fast)};
+    return {job, first, count, pack_records(records.bytes())};
 }
 
 // ---- Opening --------------------------------------------------------------------------------

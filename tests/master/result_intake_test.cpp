@@ -3,8 +3,8 @@
 // settles them, and counts what they cost.
 #include "master/result_intake.hpp"
 
-#include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
+#include "common/job/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build.hpp"
 #include "tests/support/shapes.hpp"
@@ -54,7 +54,7 @@ class ResultIntake : public testing::Test {
         }
         Results results;
         results.count = static_cast<std::uint32_t>(list.size());
-        results.records = compress(bytes, compression_level_fast);
+        results.records = pack_records(bytes);
         return results;
     }
 

@@ -3,8 +3,8 @@
 
 #include "master/result_store.hpp"
 
-#include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
+#include "common/job/packed_records.hpp"
 #include "tests/support/process.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Bytes make_record(std::uint64_t scenario, std::size_t size) {
 }
 
 std::vector<Bytes> records_of(const ResultsPart& part) {
-    const Result<Bytes> bytes = decompress(part.records, 1u << 30);
+    const Result<Bytes> bytes = unpack_records(part.records, 1u << 30);
     EXPECT_TRUE(bytes);
     std::vector<Bytes> records;
     ByteReader in(bytes.value());

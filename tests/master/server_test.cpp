@@ -4,6 +4,7 @@
 
 #include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
+#include "common/job/packed_records.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build.hpp"
@@ -193,7 +194,7 @@ class FakeWorker {
             results.statistics += run.statistics;
             ++results.count;
         }
-        results.records = compress(records.bytes(), compression_level_fast);
+        results.records = pack_records(records.bytes());
         if (habits_.sends_rubbish) {
             results.records.resize(results.records.size() / 2);
         }

@@ -4,6 +4,7 @@
 #include "worker/session.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/job/packed_records.hpp"
 #include "tests/proto/loopback.hpp"
 #include "tests/worker/cut_body.hpp"
 
@@ -112,7 +113,7 @@ class FakeMaster {
     void on(const Results& results) {
         EXPECT_FALSE(ended.contains(results.task));
         ++results_messages;
-        const Bytes bytes = decompress(results.records, limits::results_bytes_max).value();
+        const Bytes bytes = unpack_records(results.records, limits::results_bytes_max).value();
         ByteReader in(bytes);
         for (std::uint32_t i = 0; i < results.count; ++i) {
             const auto size = in.get<std::uint32_t>();
