@@ -13,10 +13,10 @@ namespace cd {
 namespace {
 
 constexpr std::uint64_t magic = 0x31'4b'4c'42'54'44'43'00; // "\0CDTBLK1"
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::size_t place_bytes = 3 * sizeof(std::uint64_t) + 32 + sizeof(std::uint64_t);
-constexpr std::size_t header_bytes =
-    sizeof magic + sizeof version + 32 + sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t);
+constexpr std::size_t header_bytes = sizeof magic + sizeof version + 32 + sizeof(std::uint64_t) +
+                                     2 * sizeof(std::uint32_t) + sizeof(SubtreeForm);
 
 /// Roots that are encoded before they are written: bounds the memory.
 constexpr std::size_t roots_at_once_per_thread = 16;
@@ -24,6 +24,7 @@ constexpr std::size_t roots_at_once_per_thread = 16;
 /// What the file is of, then the index, then their checksum.
 Bytes encode_index(const ObbTree& tree,
                    std::uint32_t depth,
+                   SubtreeForm form,
                    const std::vector<BlockPlace>& places) {
     ByteWriter out;
     out.put(magic);
@@ -31,6 +32,7 @@ Bytes encode_index(const ObbTree& tree,
     put_hash(out, tree.mesh().hash());
     out.put(tree_checksum(tree));
     out.put(depth);
+    out.put(static_cast<std::uint8_t>(form));
     out.put(static_cast<std::uint32_t>(places.size()));
     for (const BlockPlace& place : places) {
         out.put(place.offset);
@@ -63,8 +65,8 @@ struct EncodedBlock {
     BlockPlace place;
 };
 
-EncodedBlock encode_block(const ObbTree& tree, std::uint32_t node) {
-    const Bytes bytes = encode_subtree(extract_subtree(tree, node), tree.mesh().precision());
+EncodedBlock encode_block(const ObbTree& tree, std::uint32_t node, SubtreeForm form) {
+    const Bytes bytes = encode_subtree(extract_subtree(tree, node, form));
     EncodedBlock block;
     block.compressed = compress(bytes, compression_level_geometry);
     block.place.compressed_bytes = block.compressed.size();
@@ -79,6 +81,7 @@ EncodedBlock encode_block(const ObbTree& tree, std::uint32_t node) {
 Status write_blocks_file(const std::filesystem::path& path,
                          const ObbTree& tree,
                          std::uint32_t depth,
+                         SubtreeForm form,
                          ThreadPool& pool) {
     Result<DiskFile> file = DiskFile::create_for(path);
     if (!file) {
@@ -91,7 +94,7 @@ Status write_blocks_file(const std::filesystem::path& path,
     for (std::size_t begin = 0; begin < roots.size(); begin += step) {
         std::vector<EncodedBlock> blocks(std::min(step, roots.size() - begin));
         parallel_for(pool, blocks.size(), [&](std::size_t i) {
-            blocks[i] = encode_block(tree, roots[begin + i]);
+            blocks[i] = encode_block(tree, roots[begin + i], form);
         });
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             BlockPlace& place = places[begin + i] = blocks[i].place;
@@ -108,7 +111,7 @@ Status write_blocks_file(const std::filesystem::path& path,
             offset += place.compressed_bytes;
         }
     }
-    const Bytes index = encode_index(tree, depth, places);
+    const Bytes index = encode_index(tree, depth, form, places);
     CD_CHECK(index.size() == index_bytes(roots.size()));
     if (const Status status = file.value().write_at(0, index); !status) {
         return status.error();
@@ -116,8 +119,10 @@ Status write_blocks_file(const std::filesystem::path& path,
     return file.value().commit();
 }
 
-Result<BlocksFile>
-open_blocks_file(const std::filesystem::path& path, const ObbTree& tree, std::uint32_t depth) {
+Result<BlocksFile> open_blocks_file(const std::filesystem::path& path,
+                                    const ObbTree& tree,
+                                    std::uint32_t depth,
+                                    SubtreeForm form) {
     Result<DiskFile> file = DiskFile::open(path);
     if (!file) {
         return file.error();
@@ -141,7 +146,7 @@ open_blocks_file(const std::filesystem::path& path, const ObbTree& tree, std::ui
     }
     // Everything before the blocks is a function of the tree, the depth and the places.
     const Result<std::uint64_t> size = file.value().size();
-    if (!size || size.value() != end || encode_index(tree, depth, places) != index.value()) {
+    if (!size || size.value() != end || encode_index(tree, depth, form, places) != index.value()) {
         return damaged;
     }
     return BlocksFile{std::move(file.value()), std::move(places)};

@@ -7,6 +7,7 @@
 #include "common/core/thread_pool.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
+#include "common/tree/subtree.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -28,17 +29,20 @@ struct BlocksFile {
     std::vector<BlockPlace> places; ///< By root.
 };
 
-/// Encodes every subtree of the cut, on the pool, and writes the file. Errors: TooLarge when one is
-/// over `limits::subtree_block_bytes_max`; Io.
+/// Encodes every subtree of the cut in this form, on the pool, and writes the file. Errors:
+/// TooLarge when one is over `limits::subtree_block_bytes_max`; Io.
 [[nodiscard]] Status write_blocks_file(const std::filesystem::path& path,
                                        const ObbTree& tree,
                                        std::uint32_t depth,
+                                       SubtreeForm form,
                                        ThreadPool& pool);
 
 /// Reads the index. Errors: NotFound; Io naming the file when it is damaged, or was made of another
-/// tree or depth.
-[[nodiscard]] Result<BlocksFile>
-open_blocks_file(const std::filesystem::path& path, const ObbTree& tree, std::uint32_t depth);
+/// tree, depth or form.
+[[nodiscard]] Result<BlocksFile> open_blocks_file(const std::filesystem::path& path,
+                                                  const ObbTree& tree,
+                                                  std::uint32_t depth,
+                                                  SubtreeForm form);
 
 /// One compressed block. Errors: Io naming the file.
 [[nodiscard]] Result<Bytes> read_block(const BlocksFile& blocks, RootIndex root);

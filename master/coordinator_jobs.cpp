@@ -14,8 +14,6 @@ namespace cd {
 struct Coordinator::Preparation {
     std::shared_ptr<const ObbTree> tree_a;
     std::shared_ptr<const ObbTree> tree_b;
-    std::uint32_t depth_a = 0; ///< Of the cuts.
-    std::uint32_t depth_b = 0;
     std::shared_ptr<const CutGeometry> cut_a;
     std::shared_ptr<const CutGeometry> cut_b;
 
@@ -31,15 +29,17 @@ struct Coordinator::Preparation {
         const bool is_exact = submit.query.tolerance == 0;
         const auto depth_a = is_exact ? submit.cluster.depth_a : tolerance_depth(*tree_a.value());
         const auto depth_b = is_exact ? submit.cluster.depth_b : tolerance_depth(*tree_b.value());
-        const auto cut_a = store.cut(submit.bodies[0], depth_a);
-        const auto cut_b = store.cut(submit.bodies[1], depth_b);
+        const bool is_wide = is_exact && suits_wide_tree(tree_a.value()->view()) &&
+                             suits_wide_tree(tree_b.value()->view());
+        const SubtreeForm form = is_wide ? SubtreeForm::Wide : SubtreeForm::Binary;
+        const auto cut_a = store.cut(submit.bodies[0], depth_a, form);
+        const auto cut_b = store.cut(submit.bodies[1], depth_b, form);
         for (const auto* cut : {&cut_a, &cut_b}) {
             if (!*cut) {
                 return cut->error();
             }
         }
-        return Preparation{
-            tree_a.value(), tree_b.value(), depth_a, depth_b, cut_a.value(), cut_b.value()};
+        return Preparation{tree_a.value(), tree_b.value(), cut_a.value(), cut_b.value()};
     }
 };
 
@@ -107,8 +107,8 @@ void Coordinator::start_job(MasterJob& job,
     const Submit& submit = job.submit;
     job.material =
         std::make_shared<const JobMaterial>(JobMaterial{made.tree_a, made.tree_b, submit.query});
-    job.tree_a = trees_.acquire(submit.bodies[0], made.depth_a, made.cut_a);
-    job.tree_b = trees_.acquire(submit.bodies[1], made.depth_b, made.cut_b);
+    job.tree_a = trees_.acquire(submit.bodies[0], made.cut_a);
+    job.tree_b = trees_.acquire(submit.bodies[1], made.cut_b);
     AnalysisInput input{made.tree_a,
                         made.tree_b,
                         top_of(made.cut_a),

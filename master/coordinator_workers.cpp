@@ -177,7 +177,7 @@ void Coordinator::add_tree_to(WorkerLink& link, TreeId tree) {
     if (link.trees.insert(tree).second) {
         const auto geometry = trees_.find(tree);
         CD_CHECK(geometry != nullptr);
-        link.channel->send(AddTree{tree, geometry->top().nodes});
+        link.channel->send(AddTree{tree, geometry->form(), geometry->top().nodes});
     }
 }
 

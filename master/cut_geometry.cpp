@@ -5,20 +5,24 @@
 namespace cd {
 
 struct CutGeometry::State {
+    std::uint32_t depth;
+    SubtreeForm form;
     TreeTop top;
     BlocksFile blocks;
     std::uint64_t compressed_bytes = 0;
     std::uint64_t bytes = 0;
 };
 
-Result<std::shared_ptr<const CutGeometry>>
-CutGeometry::open(const std::filesystem::path& path, const ObbTree& tree, std::uint32_t depth) {
-    Result<BlocksFile> blocks = open_blocks_file(path, tree, depth);
+Result<std::shared_ptr<const CutGeometry>> CutGeometry::open(const std::filesystem::path& path,
+                                                             const ObbTree& tree,
+                                                             std::uint32_t depth,
+                                                             SubtreeForm form) {
+    Result<BlocksFile> blocks = open_blocks_file(path, tree, depth, form);
     if (!blocks) {
         return blocks.error();
     }
-    auto state =
-        std::make_unique<State>(State{cut_tree(tree, depth), std::move(blocks.value()), 0, 0});
+    auto state = std::make_unique<State>(
+        State{depth, form, cut_tree(tree, depth), std::move(blocks.value()), 0, 0});
     for (const BlockPlace& place : state->blocks.places) {
         state->compressed_bytes += place.compressed_bytes;
         state->bytes += place.bytes;
@@ -28,6 +32,14 @@ CutGeometry::open(const std::filesystem::path& path, const ObbTree& tree, std::u
 
 CutGeometry::CutGeometry(std::unique_ptr<const State> state) : state_(std::move(state)) {}
 CutGeometry::~CutGeometry() = default;
+
+std::uint32_t CutGeometry::depth() const {
+    return state_->depth;
+}
+
+SubtreeForm CutGeometry::form() const {
+    return state_->form;
+}
 
 const TreeTop& CutGeometry::top() const {
     return state_->top;

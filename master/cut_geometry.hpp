@@ -19,11 +19,16 @@ class CutGeometry {
   public:
     /// Of a file that `write_blocks_file` made. Errors: those of `open_blocks_file`.
     [[nodiscard]] static Result<std::shared_ptr<const CutGeometry>>
-    open(const std::filesystem::path& path, const ObbTree& tree, std::uint32_t depth);
+    open(const std::filesystem::path& path,
+         const ObbTree& tree,
+         std::uint32_t depth,
+         SubtreeForm form);
     CutGeometry(const CutGeometry&) = delete;
     CutGeometry& operator=(const CutGeometry&) = delete;
     ~CutGeometry();
 
+    [[nodiscard]] std::uint32_t depth() const;
+    [[nodiscard]] SubtreeForm form() const; ///< Of the blocks.
     [[nodiscard]] const TreeTop& top() const;
     [[nodiscard]] std::uint32_t root_count() const;
     /// The name of a root's uncompressed bytes.

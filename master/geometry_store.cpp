@@ -33,7 +33,7 @@ struct Entry {
     std::mutex making; ///< Held while the tree or a cut of it is made; guards these three:
     bool stored = false;
     std::weak_ptr<const ObbTree> tree;
-    std::map<std::uint32_t, std::weak_ptr<const CutGeometry>> cuts;
+    std::map<std::pair<std::uint32_t, SubtreeForm>, std::weak_ptr<const CutGeometry>> cuts;
 };
 
 } // namespace
@@ -62,8 +62,10 @@ struct GeometryStore::State {
     [[nodiscard]] std::filesystem::path tree_path(const Sha256& mesh) const {
         return directory / "trees" / (to_hex(mesh) + ".tree");
     }
-    [[nodiscard]] std::filesystem::path blocks_path(const Sha256& mesh, std::uint32_t depth) const {
-        return directory / "blocks" / (to_hex(mesh) + "-d" + std::to_string(depth) + ".blocks");
+    [[nodiscard]] std::filesystem::path
+    blocks_path(const Sha256& mesh, std::uint32_t depth, SubtreeForm form) const {
+        const char* const suffix = form == SubtreeForm::Wide ? "-wide.blocks" : ".blocks";
+        return directory / "blocks" / (to_hex(mesh) + "-d" + std::to_string(depth) + suffix);
     }
 
     void find_meshes();
@@ -75,7 +77,7 @@ struct GeometryStore::State {
     Result<std::shared_ptr<const ObbTree>> build(std::shared_ptr<const Mesh> mesh, double& seconds);
     Result<std::shared_ptr<const ObbTree>> load_tree(Entry& entry, const Sha256& mesh);
     Result<std::shared_ptr<const CutGeometry>>
-    load_cut(Entry& entry, const ObbTree& tree, std::uint32_t depth);
+    load_cut(Entry& entry, const ObbTree& tree, std::uint32_t depth, SubtreeForm form);
 };
 
 /// Meshes of earlier runs, and what a run that was killed left half-written.
@@ -210,13 +212,16 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::load_tree(Entry& en
     return tree;
 }
 
-Result<std::shared_ptr<const CutGeometry>>
-GeometryStore::State::load_cut(Entry& entry, const ObbTree& tree, std::uint32_t depth) {
-    if (auto cut = entry.cuts[depth].lock()) {
+Result<std::shared_ptr<const CutGeometry>> GeometryStore::State::load_cut(Entry& entry,
+                                                                          const ObbTree& tree,
+                                                                          std::uint32_t depth,
+                                                                          SubtreeForm form) {
+    std::weak_ptr<const CutGeometry>& kept = entry.cuts[{depth, form}];
+    if (auto cut = kept.lock()) {
         return cut;
     }
-    const std::filesystem::path path = blocks_path(tree.mesh().hash(), depth);
-    Result<std::shared_ptr<const CutGeometry>> cut = CutGeometry::open(path, tree, depth);
+    const std::filesystem::path path = blocks_path(tree.mesh().hash(), depth, form);
+    Result<std::shared_ptr<const CutGeometry>> cut = CutGeometry::open(path, tree, depth, form);
     if (!cut && cut.error().code != ErrorCode::NotFound) {
         if (const Status status = set_aside(path, cut.error().detail); !status) {
             return status.error();
@@ -224,17 +229,17 @@ GeometryStore::State::load_cut(Entry& entry, const ObbTree& tree, std::uint32_t 
     }
     if (!cut) {
         const auto start = std::chrono::steady_clock::now();
-        if (const Status status = write_blocks_file(path, tree, depth, pool); !status) {
+        if (const Status status = write_blocks_file(path, tree, depth, form, pool); !status) {
             return status.error();
         }
         spdlog::info("blocks encoded: mesh={} depth={} seconds={:.3f}",
                      to_short_hex(tree.mesh().hash()),
                      depth,
                      seconds_since(start));
-        cut = CutGeometry::open(path, tree, depth);
+        cut = CutGeometry::open(path, tree, depth, form);
     }
     if (cut) {
-        entry.cuts[depth] = cut.value();
+        kept = cut.value();
     }
     return cut;
 }
@@ -325,8 +330,8 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::tree(const Sha256& mesh) {
     return state_->load_tree(*entry, mesh);
 }
 
-Result<std::shared_ptr<const CutGeometry>> GeometryStore::cut(const Sha256& mesh,
-                                                              std::uint32_t depth) {
+Result<std::shared_ptr<const CutGeometry>>
+GeometryStore::cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form) {
     if (depth > limits::distribution_depth_max) {
         return Error{ErrorCode::TooLarge,
                      "distribution depth " + std::to_string(depth) + "; at most " +
@@ -338,7 +343,7 @@ Result<std::shared_ptr<const CutGeometry>> GeometryStore::cut(const Sha256& mesh
     }
     const std::shared_ptr<Entry> entry = state_->find(mesh);
     const std::lock_guard making(entry->making);
-    return state_->load_cut(*entry, *tree.value(), depth);
+    return state_->load_cut(*entry, *tree.value(), depth, form);
 }
 
 std::vector<MeshStatus> GeometryStore::meshes() const {

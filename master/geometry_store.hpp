@@ -56,10 +56,10 @@ class GeometryStore {
     /// damaged or cannot be read.
     [[nodiscard]] Result<std::shared_ptr<const ObbTree>> tree(const Sha256& mesh);
 
-    /// The tree cut at `depth`, encoded now or earlier. Errors: as `tree`; TooLarge over
-    /// `limits::distribution_depth_max`.
-    [[nodiscard]] Result<std::shared_ptr<const CutGeometry>> cut(const Sha256& mesh,
-                                                                 std::uint32_t depth);
+    /// The tree cut at `depth`, encoded now or earlier; wide only if it `suits_wide_tree`. Errors:
+    /// as `tree`; TooLarge over `limits::distribution_depth_max`.
+    [[nodiscard]] Result<std::shared_ptr<const CutGeometry>>
+    cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form = SubtreeForm::Wide);
 
     /// All meshes, by hash.
     [[nodiscard]] std::vector<MeshStatus> meshes() const;

@@ -4,10 +4,8 @@
 
 namespace cd {
 
-TreeId TreeRegistry::acquire(const Sha256& mesh,
-                             std::uint32_t depth,
-                             std::shared_ptr<const CutGeometry> geometry) {
-    const Key key{mesh, depth};
+TreeId TreeRegistry::acquire(const Sha256& mesh, std::shared_ptr<const CutGeometry> geometry) {
+    const Key key{mesh, geometry->depth(), geometry->form()};
     const auto [place, is_new] = ids_.try_emplace(key, TreeId{last_ + 1});
     if (is_new) {
         ++last_;

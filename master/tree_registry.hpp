@@ -8,16 +8,16 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <utility>
+#include <tuple>
 
 namespace cd {
 
-/// Jobs that use the same mesh at the same depth share a number. A number is never used again.
+/// Jobs that use the same mesh at the same depth in the same form share a number. A number is never
+/// used again.
 class TreeRegistry {
   public:
     /// One more user of the tree.
-    TreeId
-    acquire(const Sha256& mesh, std::uint32_t depth, std::shared_ptr<const CutGeometry> geometry);
+    TreeId acquire(const Sha256& mesh, std::shared_ptr<const CutGeometry> geometry);
     /// One user less. True when that was the last one: the tree is gone.
     bool release(TreeId tree);
 
@@ -25,7 +25,7 @@ class TreeRegistry {
     [[nodiscard]] std::shared_ptr<const CutGeometry> find(TreeId tree) const;
 
   private:
-    using Key = std::pair<Sha256, std::uint32_t>;
+    using Key = std::tuple<Sha256, std::uint32_t, SubtreeForm>;
     struct Used {
         Key key;
         std::shared_ptr<const CutGeometry> geometry;

@@ -10,6 +10,7 @@
 #include "common/job/result.hpp"
 #include "common/job/statistics.hpp"
 #include "common/tree/cut.hpp"
+#include "common/tree/subtree.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -83,7 +84,8 @@ struct Heartbeat {
 /// From now on the worker may be asked about this tree. Its slots are empty.
 struct AddTree {
     TreeId tree;
-    std::vector<ObbNode> top; ///< The nodes of a `TreeTop`.
+    SubtreeForm form = SubtreeForm::Wide; ///< Of its blocks.
+    std::vector<ObbNode> top;             ///< The nodes of a `TreeTop`.
 };
 
 /// Frees the tree, its blocks and what waits for them. Comes when no job uses the tree.

@@ -69,7 +69,9 @@ void serialize(Archive& archive, ObbNode& node) {
 
 template <class Archive>
 void serialize(Archive& archive, AddTree& m) {
-    archive(m.tree, m.top);
+    archive(m.tree);
+    enumeration(archive, m.form, SubtreeForm::Binary, SubtreeForm::Wide);
+    archive(m.top);
 }
 
 template <class Archive>

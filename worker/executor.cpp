@@ -14,19 +14,6 @@ TreeView view_of(const std::vector<RootIndex>& roots,
     return subtrees[static_cast<std::size_t>(place)]->view();
 }
 
-/// Whoever first searches a subtree without a tolerance makes its wide tree; jobs with one never
-/// do.
-void prepare_searches(const ReadyScenario& ready) {
-    if (ready.query->tolerance > 0) {
-        return;
-    }
-    for (const auto* subtrees : {&ready.subtrees_a, &ready.subtrees_b}) {
-        for (const auto& subtree : *subtrees) {
-            subtree->prepare_search();
-        }
-    }
-}
-
 } // namespace
 
 Executor::Executor(asio::any_io_executor home, unsigned threads)
@@ -59,8 +46,6 @@ void Executor::hand_over() {
 }
 
 FinishedScenario execute(const ReadyScenario& ready, const StopCheck& stop) {
-    // Not a part of what the scenario costs.
-    prepare_searches(ready);
     const auto begin = std::chrono::steady_clock::now();
     std::vector<SubtreePair> pairs;
     pairs.reserve(ready.pairs.size());

@@ -97,7 +97,7 @@ Status Session::handle(AddTree& add) {
         return top.error();
     }
     const std::uint32_t roots = top.value().root_count();
-    Status added = cache_.add_tree(add.tree, std::move(top.value()));
+    Status added = cache_.add_tree(add.tree, std::move(top.value()), add.form);
     if (added) {
         spdlog::info("tree added: tree={} roots={}", add.tree.value, roots);
     }

@@ -25,8 +25,8 @@ Result<std::shared_ptr<const Subtree>> open_block(const SubtreeBlock& block) {
         std::make_shared<const Subtree>(std::move(subtree.value())));
 }
 
-Status SubtreeCache::add_tree(TreeId tree, TreeTop top) {
-    if (!trees_.try_emplace(tree, std::move(top)).second) {
+Status SubtreeCache::add_tree(TreeId tree, TreeTop top, SubtreeForm form) {
+    if (!trees_.try_emplace(tree, std::move(top), form).second) {
         return Error{ErrorCode::BadFrame,
                      "tree " + std::to_string(tree.value) + " was added already"};
     }
@@ -84,7 +84,12 @@ Status SubtreeCache::insert(const SubtreeKey& key,
     if (tree->partial.at(key.root) != nullptr) {
         return Done{};
     }
-    if (subtree->view().triangles.size() != tree->partial.top().triangles_under(key.root)) {
+    if (subtree->form() != tree->form) {
+        return Error{ErrorCode::BadFrame,
+                     "the block of root " + std::to_string(key.root) +
+                         " has another form than the tree's"};
+    }
+    if (subtree->triangle_count() != tree->partial.top().triangles_under(key.root)) {
         return Error{ErrorCode::BadFrame,
                      "the block of root " + std::to_string(key.root) +
                          " has another number of triangles than the tree's top says"};
@@ -165,7 +170,9 @@ std::vector<SubtreeKey> SubtreeCache::take_evicted() {
 std::uint64_t SubtreeCache::bytes_expected(const SubtreeKey& key) const {
     const PartialObbTree* const tree = find(key.tree);
     CD_CHECK(tree != nullptr);
-    return tree->top().triangles_under(key.root) * limits::subtree_bytes_per_triangle;
+    return tree->top().triangles_under(key.root) * (form_of(key.tree) == SubtreeForm::Wide
+                                                        ? limits::wide_bytes_per_triangle
+                                                        : limits::binary_bytes_per_triangle);
 }
 
 } // namespace cd

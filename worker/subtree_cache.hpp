@@ -33,15 +33,18 @@ class SubtreeCache {
     explicit SubtreeCache(std::uint64_t bytes_max) : bytes_max_(bytes_max) {}
 
     /// Errors: BadFrame for a tree that is there already.
-    [[nodiscard]] Status add_tree(TreeId tree, TreeTop top);
+    [[nodiscard]] Status add_tree(TreeId tree, TreeTop top, SubtreeForm form);
     /// Frees the tree with its blocks. Unknown trees are ignored.
     void remove_tree(TreeId tree);
     /// Null for an unknown tree.
     [[nodiscard]] const PartialObbTree* find(TreeId tree) const;
+    /// Of the subtrees of a tree that is known.
+    [[nodiscard]] SubtreeForm form_of(TreeId tree) const { return trees_.at(tree).form; }
 
     /// Fills a slot. What is there already, or of an unknown tree, is ignored. `block`, what the
     /// subtree was made of, is kept with it to be handed on; null: it is not. Errors: BadFrame for
-    /// a root that the tree does not have, or a subtree of another size than the root's.
+    /// a root that the tree does not have, or a subtree of another size than the root's or of
+    /// another form than the tree's.
     [[nodiscard]] Status insert(const SubtreeKey& key,
                                 std::shared_ptr<const Subtree> subtree,
                                 std::shared_ptr<const SubtreeBlock> block = nullptr);
@@ -72,8 +75,10 @@ class SubtreeCache {
         std::list<SubtreeKey>::iterator place;
     };
     struct Tree {
-        explicit Tree(TreeTop top) : partial(std::move(top)), slots(partial.top().root_count()) {}
+        Tree(TreeTop top, SubtreeForm form_of_slots)
+            : partial(std::move(top)), form(form_of_slots), slots(partial.top().root_count()) {}
         PartialObbTree partial;
+        SubtreeForm form;
         std::vector<Slot> slots;
     };
 

@@ -30,6 +30,11 @@ Result<Task> Task::make(Batch batch, const SubtreeCache& cache) {
     if (a == nullptr || b == nullptr) {
         return bad_batch(batch, "names a tree that is not here");
     }
+    const SubtreeForm form = cache.form_of(batch.tree_a);
+    if (form != cache.form_of(batch.tree_b) ||
+        (batch.query.tolerance > 0 && form != SubtreeForm::Binary)) {
+        return bad_batch(batch, "has trees whose forms do not suit");
+    }
     const std::uint32_t roots_a = a->top().root_count();
     const std::uint32_t roots_b = b->top().root_count();
     const bool in_range = std::all_of(batch.pairs.begin(), batch.pairs.end(), [&](RootPair pair) {

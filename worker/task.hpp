@@ -17,7 +17,7 @@ namespace cd {
 class Task {
   public:
     /// Errors: BadFrame when the batch names a tree that is not there, a root that the tree does
-    /// not have, or poses that are none.
+    /// not have, trees of unlike forms, wide ones under a tolerance, or poses that are none.
     [[nodiscard]] static Result<Task> make(Batch batch, const SubtreeCache& cache);
 
     [[nodiscard]] TaskId id() const { return batch_.task; }

@@ -1,7 +1,8 @@
 #include "bench/cluster/recorder.hpp"
 
 #include "bench/cluster/cpu_clock.hpp"
-#include "common/core/compress.hpp"
+#include "common/core/disk_file.hpp"
+#include "common/job/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/search_cost.hpp"
 #include "master/blocks_file.hpp"
@@ -41,44 +42,46 @@ class PassTimes {
     std::vector<double> seconds_;
 };
 
-/// A body cut at a depth, with all its subtrees as a worker has them.
+/// A body cut at a depth, with all its subtrees.
 struct CutBody {
     TreeTop top;
-    std::vector<std::shared_ptr<const Subtree>> subtrees; ///< Without wide trees until searched.
+    std::vector<std::shared_ptr<const Subtree>> subtrees; ///< As a worker has them.
+    std::vector<Subtree> binary;                          ///< In the paper's form.
     CutTrace trace;
 };
 
 std::uint64_t top_message_bytes(const TreeTop& top) {
-    return frame_header_bytes + encode_message(AddTree{TreeId{1}, top.nodes}).size();
+    return frame_header_bytes +
+           encode_message(AddTree{TreeId{1}, SubtreeForm::Wide, top.nodes}).size();
 }
 
-/// Opens the block as a worker does, and measures that on a copy which is not kept: what is kept
-/// must not have its wide tree yet.
+/// Opens the block as a worker does, and measures that.
 Result<std::shared_ptr<const Subtree>> open_timed(const SubtreeBlock& block, RootTrace& root) {
     const double start = cpu_seconds();
-    const auto timed = open_block(block);
-    if (!timed) {
-        return timed.error();
-    }
-    timed.value()->prepare_search();
+    auto subtree = open_block(block);
     root.open_seconds = cpu_seconds() - start;
-    root.memory_bytes = timed.value()->memory_bytes();
-    return open_block(block);
+    if (subtree) {
+        root.memory_bytes = subtree.value()->memory_bytes();
+    }
+    return subtree;
 }
 
 Result<CutBody>
 cut_body(const ObbTree& tree, std::uint32_t depth, const std::filesystem::path& path) {
     ThreadPool pool(1);
-    const Status written = write_blocks_file(path, tree, depth, pool);
+    const Status written = write_blocks_file(path, tree, depth, SubtreeForm::Wide, pool);
     if (!written) {
         return written.error();
     }
-    const auto blocks = open_blocks_file(path, tree, depth);
+    const auto blocks = open_blocks_file(path, tree, depth, SubtreeForm::Wide);
     if (!blocks) {
         return blocks.error();
     }
     CutBody body;
     body.top = cut_tree(tree, depth);
+    for (const std::uint32_t node : cut_nodes(tree, depth)) {
+        body.binary.push_back(extract_subtree(tree, node));
+    }
     body.trace.depth = depth;
     body.trace.top_bytes = top_message_bytes(body.top);
     for (RootIndex root = 0; root < body.top.root_count(); ++root) {
@@ -108,7 +111,7 @@ std::vector<std::shared_ptr<const Subtree>> subtrees_of(const CutBody& body,
     return subtrees;
 }
 
-/// The paper's form of the search: subtrees without wide trees.
+/// The paper's form of the search.
 double binary_seconds(const CutBody& a,
                       const CutBody& b,
                       const std::vector<RootPair>& roots,
@@ -117,7 +120,7 @@ double binary_seconds(const CutBody& a,
     std::vector<SubtreePair> pairs;
     pairs.reserve(roots.size());
     for (const RootPair& pair : roots) {
-        pairs.push_back({a.subtrees[pair.a]->view(), b.subtrees[pair.b]->view()});
+        pairs.push_back({a.binary[pair.a].view(), b.binary[pair.b].view()});
     }
     static_cast<void>(run_on_subtrees(pairs, scenario, {}));
     return cpu_seconds() - start;
@@ -141,6 +144,13 @@ ready_scenario(const CutBody& a, const CutBody& b, const Analysis& analysis, con
     ready.subtrees_a = subtrees_of(a, analysis.roots_a);
     ready.subtrees_b = subtrees_of(b, analysis.roots_b);
     return ready;
+}
+
+std::size_t packed_bytes(const Bytes& record) {
+    ByteWriter records;
+    records.put(static_cast<std::uint32_t>(record.size()));
+    put_bytes(records, record);
+    return pack_records(records.bytes()).size();
 }
 
 /// All scenarios of one depth of A's cut.
@@ -195,16 +205,7 @@ class DepthRecorder {
         }
     }
 
-    void prepare_searches() {
-        for (const CutBody* body : {&a_, &b_}) {
-            for (const auto& subtree : body->subtrees) {
-                subtree->prepare_search();
-            }
-        }
-    }
-
     void search_wide() {
-        prepare_searches();
         PassTimes times(scenarios_.size(), passes_);
         for (unsigned pass = 0; pass < passes_; ++pass) {
             for (std::size_t i = 0; i < scenarios_.size(); ++i) {
@@ -212,7 +213,7 @@ class DepthRecorder {
                 const double start = cpu_seconds();
                 const FinishedScenario finished = execute(ready, {});
                 times.set(i, pass, cpu_seconds() - start);
-                traces_[i].result_bytes = compress(finished.record, compression_level_fast).size();
+                traces_[i].result_bytes = packed_bytes(finished.record);
             }
         }
         for (std::size_t i = 0; i < scenarios_.size(); ++i) {
@@ -316,9 +317,8 @@ Result<Trace> record_trace(const std::shared_ptr<const ObbTree>& a,
     trace.triangles_a = a->mesh().triangles().size();
     trace.triangles_b = b->mesh().triangles().size();
     record_whole(*a, *b, scenarios, options.passes, trace);
+    const auto cut_b = cut_body(*b, options.depth_b, options.scratch / "b.blocks");
     for (const std::uint32_t depth : options.depths_a) {
-        // Anew for each depth: the searches before made wide trees.
-        const auto cut_b = cut_body(*b, options.depth_b, options.scratch / "b.blocks");
         const auto cut_a = cut_body(*a, depth, options.scratch / "a.blocks");
         for (const auto* cut : {&cut_a, &cut_b}) {
             if (!*cut) {

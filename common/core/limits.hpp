@@ -30,8 +30,9 @@ inline constexpr std::uint64_t mesh_bytes_max = 8ull << 30;
 inline constexpr std::uint32_t parts_max = 1u << 20;
 inline constexpr std::uint32_t distribution_depth_max = 20;
 inline constexpr std::uint64_t subtree_block_bytes_max = 1ull << 30;
-inline constexpr std::size_t mesh_uploads_max = 16; ///< At a time; each is a temporary file.
-inline constexpr std::size_t trees_kept_max = 8;    ///< That no job uses any more.
+inline constexpr unsigned wide_tree_depth_max = 100; ///< A node has at most 3/4 of its parent's.
+inline constexpr std::size_t mesh_uploads_max = 16;  ///< At a time; each is a temporary file.
+inline constexpr std::size_t trees_kept_max = 8;     ///< That no job uses any more.
 
 // Jobs.
 inline constexpr std::uint64_t scenarios_max = 1ull << 40;
@@ -75,8 +76,9 @@ inline constexpr std::size_t moves_tried_max = 64; ///< At a time, towards one w
 inline constexpr std::uint64_t unsent_by_time_max = 1u << 18; ///< Analysed ahead of the workers.
 
 // The worker.
-inline constexpr std::uint64_t subtree_bytes_per_triangle = 128; ///< In memory; an estimate.
-inline constexpr std::size_t results_flush_bytes = 1u << 20;     ///< Uncompressed, of one task.
+inline constexpr std::uint64_t wide_bytes_per_triangle = 48;    ///< In memory; an estimate.
+inline constexpr std::uint64_t binary_bytes_per_triangle = 128; ///< Of the other form of subtrees.
+inline constexpr std::size_t results_flush_bytes = 1u << 20;    ///< Uncompressed, of one task.
 inline constexpr std::chrono::milliseconds results_flush_period{50};
 inline constexpr std::size_t jobs_per_thread_max = 4; ///< Begun or queued for the threads.
 inline constexpr std::uint32_t worker_threads_max = 4096;

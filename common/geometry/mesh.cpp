@@ -124,6 +124,13 @@ void read_vertices(ByteReader& in, std::uint64_t count, std::vector<Vec3>& verti
 
 } // namespace
 
+Precision precision_of(std::span<const Vec3> vertices) {
+    const bool are_floats = std::all_of(vertices.begin(), vertices.end(), [](const Vec3& vertex) {
+        return vertex.cast<float>().cast<double>() == vertex;
+    });
+    return are_floats ? Precision::Float : Precision::Double;
+}
+
 Result<Mesh> Mesh::create(MeshArrays arrays) {
     drop_negative_zeros(arrays);
     for (const auto check : {check_sizes, check_vertices, check_triangles, check_parts}) {

@@ -16,6 +16,9 @@ namespace cd {
 /// What the coordinates of a mesh are: its file's doubles, or the floats that an importer made.
 enum class Precision : std::uint8_t { Float = 0, Double = 1 };
 
+/// Float where every coordinate is one.
+[[nodiscard]] Precision precision_of(std::span<const Vec3> vertices);
+
 /// A named run of consecutive triangles. Parts do not overlap and come in ascending order.
 struct Part {
     std::string name;

@@ -22,28 +22,26 @@ std::uint64_t bytes_of(const std::vector<T>& values) {
 
 } // namespace
 
+Vec3 TriangleBlocks::vertex(std::size_t number) const {
+    return doubles.empty() ? vertex_at(floats, number) : vertex_at(doubles, number);
+}
+
 Corners TriangleBlocks::corners_at(std::uint32_t place) const {
     const std::size_t first = vertex_begin[place / block_size];
     const BlockCorners& c = corners[place];
-    if (!doubles.empty()) {
-        return {vertex_at(doubles, first + c[0]),
-                vertex_at(doubles, first + c[1]),
-                vertex_at(doubles, first + c[2])};
-    }
-    return {vertex_at(floats, first + c[0]),
-            vertex_at(floats, first + c[1]),
-            vertex_at(floats, first + c[2])};
+    return {vertex(first + c[0]), vertex(first + c[1]), vertex(first + c[2])};
 }
 
 TriangleBlockArrays::TriangleBlockArrays(Precision precision) : precision_(precision) {
-    precision_ == Precision::Float ? floats_.resize(spare, 0) : doubles_.resize(spare, 0);
+    precision_ == Precision::Float ? floats_.resize(spare_numbers, 0)
+                                   : doubles_.resize(spare_numbers, 0);
 }
 
 void TriangleBlockArrays::add_vertex(const Vec3& vertex) {
     const auto put = [&](auto& to) {
         using T = typename std::decay_t<decltype(to)>::value_type;
         to.insert(
-            to.end() - spare,
+            to.end() - std::ptrdiff_t{spare_numbers},
             {static_cast<T>(vertex.x()), static_cast<T>(vertex.y()), static_cast<T>(vertex.z())});
     };
     precision_ == Precision::Float ? put(floats_) : put(doubles_);

@@ -17,6 +17,12 @@ namespace cd {
 /// does not fill hold nothing.
 inline constexpr std::uint32_t block_size = 16;
 
+/// The most vertices of a block.
+inline constexpr std::size_t block_vertices_max = 3 * std::size_t{block_size};
+
+/// Numbers that may be read after the last vertex of all blocks.
+inline constexpr std::size_t spare_numbers = 3 * block_vertices_max;
+
 /// The corners of a triangle as places among its block's vertices, and one number that is not used.
 using BlockCorners = std::array<std::uint8_t, 4>;
 
@@ -24,8 +30,8 @@ using BlockCorners = std::array<std::uint8_t, 4>;
 /// named by its place.
 struct TriangleBlocks {
     /// Three coordinates a vertex, in one of these, as the mesh's precision says. After the last
-    /// come some numbers that mean nothing: as many as a block can have may be read from any vertex
-    /// on.
+    /// come `spare_numbers` that mean nothing: as many as a block can have may be read from any
+    /// vertex on.
     std::span<const float> floats;
     std::span<const double> doubles;
     std::span<const std::uint32_t> vertex_begin; ///< The first vertex of each block, and the end.
@@ -34,6 +40,7 @@ struct TriangleBlocks {
     double reach = 0;                   ///< No coordinate is larger.
 
     [[nodiscard]] Corners corners_at(std::uint32_t place) const;
+    [[nodiscard]] Vec3 vertex(std::size_t number) const;
 };
 
 /// Holds blocks, added one after the other.
@@ -54,8 +61,6 @@ class TriangleBlockArrays {
 
   private:
     void add_vertex(const Vec3& vertex);
-
-    static constexpr std::ptrdiff_t spare = 3 * 3 * block_size; ///< Numbers after the last vertex.
 
     Precision precision_;
     std::vector<float> floats_;

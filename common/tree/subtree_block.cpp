@@ -2,17 +2,15 @@
 
 #include "common/core/check.hpp"
 #include "common/core/varint.hpp"
+#include "common/tree/byte_planes.hpp"
 #include "common/tree/node_check.hpp"
-#include "common/tree/wide_tree.hpp"
+#include "common/tree/wide_block.hpp"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <bit>
 #include <cmath>
 #include <concepts>
-#include <mutex>
-#include <tuple>
 #include <utility>
 
 namespace cd {
@@ -23,119 +21,12 @@ constexpr std::uint8_t version = 1;
 constexpr std::uint8_t flag_double = 1;
 constexpr std::uint8_t flag_wide_indices = 2;
 
-/// Of a wide tree with its triangles; 34 to 36 on vehicles.
-constexpr std::uint64_t wide_bytes_per_triangle = 36;
-
 /// Distances behind the next vertex reach the number of vertices.
 bool needs_wide_indices(std::size_t vertices) {
     return vertices > UINT16_MAX;
 }
 
-// ---- Extraction ------------------------------------------------------------------------------
-
-/// The index after the last node under `node`.
-std::uint32_t end_of_subtree(std::span<const ObbNode> nodes, std::uint32_t node) {
-    while (!nodes[node].is_leaf()) {
-        node = nodes[node].right;
-    }
-    return node + 1;
-}
-
-std::vector<ObbNode> renumbered(std::span<const ObbNode> nodes, std::uint32_t first) {
-    const std::uint32_t triangles_first = nodes.front().triangles_begin;
-    std::vector<ObbNode> own(nodes.begin(), nodes.end());
-    for (ObbNode& node : own) {
-        node.right -= node.is_leaf() ? 0 : first;
-        node.triangles_begin -= triangles_first;
-        node.triangles_end -= triangles_first;
-    }
-    return own;
-}
-
-/// Which vertices are used, in the order of their first use; those in one place are one.
-struct VertexSelection {
-    std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles; ///< Into `vertices`.
-};
-
-VertexSelection select_vertices(std::span<const Triangle> triangles,
-                                std::span<const Vec3> vertices) {
-    std::vector<std::uint32_t> used;
-    used.reserve(3 * triangles.size());
-    for (const Triangle& triangle : triangles) {
-        used.insert(used.end(), triangle.begin(), triangle.end());
-    }
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-
-    const auto key = [&](std::uint32_t vertex) {
-        const Vec3& at = vertices[vertex];
-        return std::tuple(at.x(), at.y(), at.z());
-    };
-    std::vector<std::uint32_t> by_place(used.size());
-    for (std::uint32_t i = 0; i < used.size(); ++i) {
-        by_place[i] = i;
-    }
-    std::sort(by_place.begin(), by_place.end(), [&](std::uint32_t left, std::uint32_t right) {
-        return key(used[left]) < key(used[right]);
-    });
-    std::vector<std::uint32_t> place_of_used(used.size()); // Equal for vertices in one place.
-    std::uint32_t places = 0;
-    for (std::size_t i = 0; i < by_place.size(); ++i) {
-        places += i > 0 && key(used[by_place[i]]) != key(used[by_place[i - 1]]) ? 1 : 0;
-        place_of_used[by_place[i]] = places;
-    }
-
-    constexpr std::uint32_t not_met = UINT32_MAX;
-    std::vector<std::uint32_t> number_of_place(places + 1, not_met);
-    VertexSelection selection;
-    selection.triangles.reserve(triangles.size());
-    for (const Triangle& triangle : triangles) {
-        Triangle own{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto at = std::lower_bound(used.begin(), used.end(), triangle[i]) - used.begin();
-            std::uint32_t& number = number_of_place[place_of_used[static_cast<std::size_t>(at)]];
-            if (number == not_met) {
-                number = static_cast<std::uint32_t>(selection.vertices.size());
-                selection.vertices.push_back(vertices[triangle[i]]);
-            }
-            own[i] = number;
-        }
-        selection.triangles.push_back(own);
-    }
-    return selection;
-}
-
 // ---- Columns ---------------------------------------------------------------------------------
-
-/// Values as byte planes: all lowest bytes, then all second ones, and so on. Exponents and leading
-/// digits, which are alike, then stand together and compress.
-template <std::unsigned_integral T>
-void put_planes(ByteWriter& out, std::span<const T> values) {
-    std::vector<std::uint8_t> plane(values.size());
-    for (unsigned shift = 0; shift < 8 * sizeof(T); shift += 8) {
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            plane[i] = static_cast<std::uint8_t>(values[i] >> shift);
-        }
-        out.put_array(std::span<const std::uint8_t>(plane));
-    }
-}
-
-template <std::unsigned_integral T>
-std::vector<T> get_planes(ByteReader& in, std::size_t count) {
-    const auto bytes = in.get_array<std::uint8_t>(sizeof(T) * count);
-    if (in.failed()) {
-        return {};
-    }
-    std::vector<T> values(count);
-    for (std::size_t plane = 0; plane < sizeof(T); ++plane) {
-        for (std::size_t i = 0; i < count; ++i) {
-            values[i] =
-                static_cast<T>(values[i] | static_cast<T>(bytes[plane * count + i]) << (8 * plane));
-        }
-    }
-    return values;
-}
 
 template <class Float>
 using BitsOf = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
@@ -353,64 +244,12 @@ Error bad(const char* what) {
 
 } // namespace
 
-/// The wide tree of a subtree that threads share.
-struct Subtree::Search {
-    std::once_flag once;
-    std::unique_ptr<const WideTree> made;
-    std::atomic<const WideTree*> tree = nullptr; ///< Null until it is made.
-};
-
-Subtree::Subtree(std::vector<ObbNode> nodes,
-                 std::vector<Vec3> vertices,
-                 std::vector<Triangle> triangles,
-                 std::vector<std::uint32_t> triangle_ids)
-    : nodes_(std::move(nodes)),
-      vertices_(std::move(vertices)),
-      triangles_(std::move(triangles)),
-      triangle_ids_(std::move(triangle_ids)),
-      search_(std::make_shared<Search>()) {
-    CD_CHECK(!nodes_.empty());
-    CD_CHECK(triangles_.size() == triangle_ids_.size());
-    CD_CHECK(nodes_.front().triangle_count() == triangles_.size());
-}
-
-TreeView Subtree::view() const {
-    const WideTree* const wide = search_->tree.load(std::memory_order_acquire);
-    return {
-        nodes_, vertices_, triangles_, triangle_ids_, wide != nullptr ? wide->view() : WideView()};
-}
-
-void Subtree::prepare_search() const {
-    std::call_once(search_->once, [this] {
-        search_->made = std::make_unique<const WideTree>(view());
-        search_->tree.store(search_->made.get(), std::memory_order_release);
-    });
-}
-
-std::uint64_t Subtree::memory_bytes() const {
-    return sizeof(Subtree) + nodes_.capacity() * sizeof(ObbNode) +
-           vertices_.capacity() * sizeof(Vec3) +
-           triangles_.size() * (sizeof(Triangle) + wide_bytes_per_triangle) +
-           triangle_ids_.capacity() * sizeof(std::uint32_t);
-}
-
-Subtree extract_subtree(const ObbTree& tree, std::uint32_t node) {
-    const TreeView whole = tree.view();
-    CD_CHECK(node < whole.nodes.size());
-    const std::uint32_t end = end_of_subtree(whole.nodes, node);
-    const ObbNode& root = whole.nodes[node];
-    VertexSelection selection = select_vertices(
-        whole.triangles.subspan(root.triangles_begin, root.triangle_count()), whole.vertices);
-    const auto ids = whole.triangle_ids.subspan(root.triangles_begin, root.triangle_count());
-    return Subtree(renumbered(whole.nodes.subspan(node, end - node), node),
-                   std::move(selection.vertices),
-                   std::move(selection.triangles),
-                   {ids.begin(), ids.end()});
-}
-
-Bytes encode_subtree(const Subtree& subtree, Precision precision) {
+Bytes encode_subtree(const Subtree& subtree) {
     const TreeView view = subtree.view();
-    const bool is_double = precision == Precision::Double;
+    if (subtree.form() == SubtreeForm::Wide) {
+        return encode_wide_block(view.wide);
+    }
+    const bool is_double = precision_of(view.vertices) == Precision::Double;
     const bool is_wide = needs_wide_indices(view.vertices.size());
     ByteWriter out;
     out.put(version);
@@ -436,6 +275,10 @@ Bytes encode_subtree(const Subtree& subtree, Precision precision) {
 }
 
 Result<Subtree> decode_subtree(std::span<const std::byte> bytes) {
+    if (!bytes.empty() && std::to_integer<std::uint8_t>(bytes[0]) == wide_block_version) {
+        Result<WideTree> wide = decode_wide_block(bytes);
+        return wide ? Result<Subtree>(Subtree(std::move(wide.value()))) : wide.error();
+    }
     ByteReader in(bytes);
     if (in.get<std::uint8_t>() != version) {
         return bad("unknown version");

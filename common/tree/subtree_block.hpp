@@ -5,47 +5,16 @@
 #include "common/core/hash.hpp"
 #include "common/core/result.hpp"
 #include "common/tree/cut.hpp"
-#include "common/tree/obb_tree.hpp"
+#include "common/tree/subtree.hpp"
 
 #include <cstdint>
-#include <memory>
-#include <vector>
+#include <span>
 
 namespace cd {
 
-/// A subtree that stands on its own: nodes renumbered from 0, its own vertices, local indices.
-class Subtree {
-  public:
-    Subtree(std::vector<ObbNode> nodes,
-            std::vector<Vec3> vertices,
-            std::vector<Triangle> triangles,
-            std::vector<std::uint32_t> triangle_ids);
-
-    /// With the wide tree, if it was made before.
-    [[nodiscard]] TreeView view() const;
-    /// Makes the wide tree, which searches without a tolerance need to be fast, where it is not yet
-    /// made. For any number of threads at once: one of them makes it.
-    void prepare_search() const;
-    /// Counts a wide tree as large as they mostly are, made or not: the same at any time.
-    [[nodiscard]] std::uint64_t memory_bytes() const;
-
-  private:
-    struct Search;
-
-    std::vector<ObbNode> nodes_;
-    std::vector<Vec3> vertices_;
-    std::vector<Triangle> triangles_;
-    std::vector<std::uint32_t> triangle_ids_;
-    std::shared_ptr<Search> search_;
-};
-
-/// The part of the tree under `node`, with each vertex that it uses once, numbered in the order of
-/// first use. Vertices with equal coordinates become one.
-[[nodiscard]] Subtree extract_subtree(const ObbTree& tree, std::uint32_t node);
-
 /// The canonical, uncompressed bytes of a subtree as `extract_subtree` makes them: the same for the
-/// same tree, on any host. Boxes are stored so that they decode to exactly themselves. With
-/// Precision::Float every coordinate is a float.
+/// same tree, on any host. Of a wide one what `encode_wide_block` says. Of a binary one boxes are
+/// stored so that they decode to exactly themselves:
 ///
 ///     u8 version = 1    u8 flags (1: double vertices, 2: 32-bit corners)
 ///     u32 nodes    u32 vertices    u32 triangles
@@ -57,12 +26,12 @@ class Subtree {
 ///     triangle ids (u32): the zigzag step from the id before
 ///
 /// Each column, the corners and the ids stand as byte planes, lowest first, which compress better.
-[[nodiscard]] Bytes encode_subtree(const Subtree& subtree, Precision precision);
+[[nodiscard]] Bytes encode_subtree(const Subtree& subtree);
 
 /// The inverse. The bytes may be hostile: every index, range and number is checked, and nothing is
-/// allocated that the bytes do not justify (at most 3 times their size). That ids are distinct and
-/// boxes contain their triangles is not checked: the block's hash vouches for its origin. Errors:
-/// BadFrame.
+/// allocated that the bytes do not justify (at most 3 times their size, or what `decode_wide_block`
+/// says). That ids are distinct, and boxes of a binary subtree contain their triangles, is not
+/// checked: the block's hash vouches for its origin. Errors: BadFrame.
 [[nodiscard]] Result<Subtree> decode_subtree(std::span<const std::byte> bytes);
 
 } // namespace cd

@@ -13,7 +13,7 @@
 namespace cd {
 
 /// Raised whenever the builder makes other trees of the same mesh and options.
-inline constexpr std::uint32_t tree_build_version = 1;
+inline constexpr std::uint32_t tree_build_version = 2;
 
 /// Names all that decides the bytes of a mesh's tree. They are the same on every host.
 [[nodiscard]] Sha256 tree_key(const Sha256& mesh, const BuildOptions& options);

@@ -10,10 +10,6 @@ namespace cd {
 
 namespace {
 
-/// Numbers that may be read after the last vertex (TriangleBlocks).
-constexpr std::size_t spare_numbers = 3 * 3 * block_size;
-constexpr std::size_t block_vertices_max = 3 * block_size;
-
 /// The byte of a bool may be any.
 bool has_valid_flag(const WideNode& node) {
     std::uint8_t flag = 0;

@@ -220,11 +220,13 @@ void GroupSplitter::add_leaf(std::uint32_t begin,
         box.add(boxes_[order[i]]);
         order_[i] = first_ + order[i];
     }
+    std::ranges::sort(order_.subspan(begin, end - begin), {}, [&](std::uint32_t place) {
+        return tree_.triangle_ids[place];
+    });
     leaves_->push_back({first_ + begin, first_ + end, box.surface()});
 }
 
-/// A leaf holds its triangles in `order`. The depth of this recursion is at most the number of a
-/// group's leaves.
+/// The depth of this recursion is at most the number of a group's leaves.
 void GroupSplitter::split(std::uint32_t begin, std::uint32_t end, const OfTriangles<Place>& order) {
     if (leaves_for(end - begin) == 1) {
         add_leaf(begin, end, order);

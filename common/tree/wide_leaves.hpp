@@ -33,7 +33,8 @@ struct WideLeaves {
 /// becomes as few leaves as hold its triangles: binary nodes with at most sixteen would fill two
 /// thirds of the lanes. It is halved where the boxes' surfaces, each times its leaves, sum to the
 /// least, as long as both halves fill their leaves; boxes are those of triangles in the node's
-/// frame. The same for any number of threads; without a pool on the caller's alone.
+/// frame. A leaf has its triangles by their ids. The same for any number of threads; without a pool
+/// on the caller's alone.
 [[nodiscard]] WideLeaves make_wide_leaves(const TreeView& tree, ThreadPool* pool);
 
 } // namespace cd

@@ -118,11 +118,25 @@ TEST_F(GeometryStoreTest, TheBlocksOfACutAreTheSubtreesOfTheTree) {
         ASSERT_TRUE(bytes);
         EXPECT_EQ(sha256(bytes.value()), block.value().hash);
         EXPECT_EQ(cut->hash(root), block.value().hash);
-        const Subtree expected = extract_subtree(*tree, nodes[root]);
-        EXPECT_EQ(bytes.value(), encode_subtree(expected, sphere_.precision()));
+        const Subtree expected = extract_subtree(*tree, nodes[root], SubtreeForm::Wide);
+        EXPECT_EQ(bytes.value(), encode_subtree(expected));
         compressed_bytes += block.value().compressed.size();
     }
     EXPECT_EQ(cut->compressed_bytes_total(), compressed_bytes);
+}
+
+TEST_F(GeometryStoreTest, BothFormsOfACutStandSideBySide) {
+    upload(sphere_);
+    const auto wide = store_->cut(sphere_.hash(), 2, SubtreeForm::Wide).value();
+    const auto binary = store_->cut(sphere_.hash(), 2, SubtreeForm::Binary).value();
+    EXPECT_EQ(wide->form(), SubtreeForm::Wide);
+    EXPECT_EQ(binary->form(), SubtreeForm::Binary);
+    EXPECT_EQ(wide->top().nodes, binary->top().nodes);
+    EXPECT_NE(wide->hash(0), binary->hash(0));
+    EXPECT_LT(3 * wide->bytes_total(), binary->bytes_total());
+    open();
+    EXPECT_EQ(store_->cut(sphere_.hash(), 2, SubtreeForm::Binary).value()->hash(0),
+              binary->hash(0));
 }
 
 TEST_F(GeometryStoreTest, ARestartFindsEverythingAndMakesNothingAgain) {

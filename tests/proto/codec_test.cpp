@@ -28,7 +28,7 @@ struct Golden {
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"hello", 54, "c1f560b633646bb7"},         {"welcome", 55, "035bcc630fb1bfa3"},
     {"failure", 17, "b9807aeea9fe9795"},       {"heartbeat", 72, "ceb56e57db5af869"},
-    {"add tree", 184, "3ed3ff00d66a2555"},     {"remove tree", 8, "f13ee6ed54ea2aae"},
+    {"add tree", 185, "10851e4a7ee94faa"},     {"remove tree", 8, "f13ee6ed54ea2aae"},
     {"subtrees", 144, "da0189eff0ecbd68"},     {"batch", 203, "33d3bc33cd60c38d"},
     {"drain", 0, "e3b0c44298fc1c14"},          {"terminate", 28, "d6d079848cb90ca3"},
     {"want subtrees", 28, "22f2d0e6837120f2"}, {"results", 130, "d6d00bfb29df28a0"},

@@ -120,7 +120,7 @@ inline std::vector<Message> sample_messages() {
         Welcome{1, 42, "0.1.0", some_hash(17)},
         Failure{ErrorCode::NotFound, "no job 7"},
         Heartbeat{1, 2, 3, {4, 5, 6, 7, 8, 9}},
-        AddTree{TreeId{1}, {some_node(1), some_node(2)}},
+        AddTree{TreeId{1}, SubtreeForm::Wide, {some_node(1), some_node(2)}},
         RemoveTree{TreeId{5}},
         Subtrees{TreeId{6}, {{3, some_hash(9), some_bytes(40)}, {4, some_hash(8), {}}}},
         some_batch(),

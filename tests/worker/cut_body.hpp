@@ -15,6 +15,7 @@
 namespace cd::tests {
 
 struct CutBody {
+    SubtreeForm form;
     ObbTree tree;
     TreeTop top;
     std::vector<SubtreeBlock> blocks;
@@ -23,26 +24,26 @@ struct CutBody {
     [[nodiscard]] AddTree add(TreeId id) const {
         AddTree message;
         message.tree = id;
+        message.form = form;
         message.top = top.nodes;
         return message;
     }
 };
 
-inline CutBody cut_body(Mesh mesh, std::uint32_t depth) {
+inline CutBody cut_body(Mesh mesh, std::uint32_t depth, SubtreeForm form = SubtreeForm::Wide) {
     ThreadPool pool(1);
-    const Precision precision = mesh.precision();
     ObbTree tree = build_tree(share(std::move(mesh)), BuildOptions{}, pool);
     TreeTop top = cut_tree(tree, depth);
     std::vector<SubtreeBlock> blocks;
     for (const std::uint32_t node : cut_nodes(tree, depth)) {
-        const Bytes bytes = encode_subtree(extract_subtree(tree, node), precision);
+        const Bytes bytes = encode_subtree(extract_subtree(tree, node, form));
         SubtreeBlock block;
         block.root = static_cast<RootIndex>(blocks.size());
         block.hash = sha256(bytes);
         block.compressed = compress(bytes, compression_level_fast);
         blocks.push_back(std::move(block));
     }
-    return {std::move(tree), std::move(top), std::move(blocks)};
+    return {form, std::move(tree), std::move(top), std::move(blocks)};
 }
 
 } // namespace cd::tests

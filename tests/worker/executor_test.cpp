@@ -13,12 +13,12 @@ namespace cd::tests {
 namespace {
 
 /// Two spheres of one mesh in one place, each as one subtree.
-ReadyScenario spheres_in_one_place(const ObbTree& tree) {
+ReadyScenario spheres_in_one_place(const ObbTree& tree, SubtreeForm form = SubtreeForm::Wide) {
     ReadyScenario ready;
     ready.query = std::make_shared<const Query>();
     ready.pairs = {{0, 0}};
     ready.roots_a = ready.roots_b = {0};
-    const auto whole = std::make_shared<const Subtree>(extract_subtree(tree, 0));
+    const auto whole = std::make_shared<const Subtree>(extract_subtree(tree, 0, form));
     ready.subtrees_a = ready.subtrees_b = {whole};
     return ready;
 }
@@ -38,45 +38,40 @@ TEST(Executor, AnswersAScenarioOrStopsWhenTold) {
     EXPECT_TRUE(stopped.is_stopped);
 }
 
-TEST(Executor, MakesWideTreesForExactSearchesAlone) {
+TEST(Executor, BothFormsOfSubtreesHaveTheSameAnswer) {
     const CutBody body = cut_body(make_sphere(3), 0);
-    const auto is_prepared = [](const ReadyScenario& ready) {
-        return !ready.subtrees_a[0]->view().wide.nodes.empty();
-    };
-    ReadyScenario ready = spheres_in_one_place(body.tree);
-    const std::uint64_t bytes = ready.subtrees_a[0]->memory_bytes();
-    Query coarse;
-    coarse.tolerance = 0.1;
-    ready.query = std::make_shared<const Query>(coarse);
-    EXPECT_FALSE(execute(ready, [] { return false; }).is_stopped);
-    EXPECT_FALSE(is_prepared(ready));
-    // Another job's scenario of the same subtree.
-    ready.query = std::make_shared<const Query>();
-    EXPECT_FALSE(execute(ready, [] { return false; }).is_stopped);
-    EXPECT_TRUE(is_prepared(ready));
-    EXPECT_EQ(ready.subtrees_a[0]->memory_bytes(), bytes) << "what a cache counted stays so";
+    const FinishedScenario wide = execute(spheres_in_one_place(body.tree), {});
+    const FinishedScenario binary =
+        execute(spheres_in_one_place(body.tree, SubtreeForm::Binary), {});
+    EXPECT_EQ(wide.record, binary.record);
 }
 
-TEST(Executor, ThreadsThatMeetASubtreeFirstAgreeOnItsWideTree) {
-    const CutBody body = cut_body(make_sphere(4), 0);
-    const ReadyScenario ready = spheres_in_one_place(body.tree);
-    ThreadPool pool(4);
-    std::vector<FinishedScenario> finished(8);
-    std::vector<const WideNode*> trees(finished.size());
-    parallel_for(pool, finished.size(), [&](std::size_t i) {
-        finished[i] = execute(ready, [] { return false; });
-        trees[i] = ready.subtrees_a[0]->view().wide.nodes.data();
-    });
-    for (std::size_t i = 0; i < finished.size(); ++i) {
-        EXPECT_EQ(finished[i].record, finished[0].record);
-        EXPECT_EQ(trees[i], trees[0]);
-    }
+TEST(Task, OfTreesWhoseFormsDoNotSuitIsRefused) {
+    const CutBody body = cut_body(make_sphere(1), 0);
+    SubtreeCache cache(1u << 20);
+    ASSERT_TRUE(cache.add_tree(TreeId{1}, cut_tree(body.tree, 0), SubtreeForm::Wide));
+    ASSERT_TRUE(cache.add_tree(TreeId{2}, cut_tree(body.tree, 0), SubtreeForm::Binary));
+    const auto is_taken = [&](std::uint64_t a, std::uint64_t b, double tolerance) {
+        Batch batch;
+        batch.tree_a = TreeId{a};
+        batch.tree_b = TreeId{b};
+        batch.query.tolerance = tolerance;
+        batch.scenarios = pack_scenarios({});
+        batch.pair_offsets = {0};
+        return static_cast<bool>(Task::make(std::move(batch), cache));
+    };
+    EXPECT_TRUE(is_taken(1, 1, 0));
+    EXPECT_TRUE(is_taken(2, 2, 0));
+    EXPECT_TRUE(is_taken(2, 2, 0.5));
+    EXPECT_FALSE(is_taken(1, 1, 0.5));
+    EXPECT_FALSE(is_taken(1, 2, 0));
+    EXPECT_FALSE(is_taken(2, 1, 0));
 }
 
 TEST(Task, ThatNobodyWaitsForTellsItsThreads) {
     const CutBody body = cut_body(make_sphere(1), 0);
     SubtreeCache cache(1u << 20);
-    ASSERT_TRUE(cache.add_tree(TreeId{1}, cut_tree(body.tree, 0)));
+    ASSERT_TRUE(cache.add_tree(TreeId{1}, cut_tree(body.tree, 0), body.form));
     Batch batch;
     batch.task = TaskId{1};
     batch.tree_a = batch.tree_b = TreeId{1};

@@ -38,8 +38,8 @@ const Bodies& bodies() {
 /// A cache with both trees, its fetcher, and what the master sends.
 struct Bench {
     explicit Bench(std::uint64_t bytes) : cache(bytes), fetcher(cache) {
-        EXPECT_TRUE(cache.add_tree(tree_a, bodies().a.top));
-        EXPECT_TRUE(cache.add_tree(tree_b, bodies().b.top));
+        EXPECT_TRUE(cache.add_tree(tree_a, bodies().a.top, bodies().a.form));
+        EXPECT_TRUE(cache.add_tree(tree_b, bodies().b.top, bodies().b.form));
     }
     void deliver(const SubtreeKey& key) {
         EXPECT_TRUE(cache.insert(key, bodies().open(key)));

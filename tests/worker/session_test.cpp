@@ -379,7 +379,7 @@ TEST(Session, DisagreementEndsTheConnectionWithAReason) {
     few_offsets.pair_offsets = {0};
     EXPECT_THAT(complaint_about(few_offsets), testing::HasSubstr("number of scenarios"));
 
-    EXPECT_NE(complaint_about(AddTree{TreeId{9}, {ObbNode{}, ObbNode{}}}), "");
+    EXPECT_NE(complaint_about(AddTree{TreeId{9}, SubtreeForm::Wide, {ObbNode{}, ObbNode{}}}), "");
     EXPECT_NE(complaint_about(bodies().a.add(tree_a)), "") << "twice";
     EXPECT_THAT(complaint_about(Accepted{JobId{1}}), testing::HasSubstr("accepted"));
 

@@ -21,7 +21,7 @@ class SubtreeCacheTest : public testing::Test {
     }
     [[nodiscard]] SubtreeCache cache_for(std::uint64_t bytes) const {
         SubtreeCache cache(bytes);
-        EXPECT_TRUE(cache.add_tree(tree, body.top));
+        EXPECT_TRUE(cache.add_tree(tree, body.top, body.form));
         return cache;
     }
     void insert(SubtreeCache& cache, RootIndex root) const {
@@ -92,7 +92,7 @@ TEST_F(SubtreeCacheTest, UnneededBlocksAreLetGoAtOnceWhenTheLimitIsTiny) {
 TEST_F(SubtreeCacheTest, RemovingATreeFreesItsBlocksAndNoOthers) {
     SubtreeCache cache = cache_for(unlimited);
     const TreeId other{8};
-    ASSERT_TRUE(cache.add_tree(other, body.top));
+    ASSERT_TRUE(cache.add_tree(other, body.top, body.form));
     insert(cache, 0);
     cache.pin({tree, 1});
     insert(cache, 1);
@@ -122,10 +122,12 @@ TEST_F(SubtreeCacheTest, ADuplicateIsIgnored) {
 
 TEST_F(SubtreeCacheTest, WhatDoesNotFitTheTreeIsRefused) {
     SubtreeCache cache = cache_for(unlimited);
-    EXPECT_FALSE(cache.add_tree(tree, body.top)) << "twice";
+    EXPECT_FALSE(cache.add_tree(tree, body.top, body.form)) << "twice";
     EXPECT_FALSE(cache.insert({tree, body.top.root_count()}, subtree(0)));
     const CutBody box = cut_body(make_box(Vec3(1, 1, 1)), 0);
     EXPECT_FALSE(cache.insert({tree, 0}, open_block(box.blocks[0]).value()));
+    const CutBody binary = cut_body(make_sphere(3), 3, SubtreeForm::Binary);
+    EXPECT_FALSE(cache.insert({tree, 0}, open_block(binary.blocks[0]).value()));
     EXPECT_EQ(cache.bytes(), 0u);
 }
 

@@ -53,9 +53,11 @@ ScenarioResult run_in_parts(const ObbTree& a,
     auto pairs =
         colliding_roots(cut_tree(a, depth_a), cut_tree(b, depth_b), scenario.poses).value();
     std::reverse(pairs.begin(), pairs.end());
-    const auto through_bytes = [](const ObbTree& tree, std::uint32_t node) {
-        const Subtree subtree = extract_subtree(tree, node);
-        return decode_subtree(encode_subtree(subtree, tree.mesh().precision())).value();
+    const bool is_wide = suits_wide_tree(a.view()) && suits_wide_tree(b.view()) && random() % 4 > 0;
+    const SubtreeForm form = is_wide ? SubtreeForm::Wide : SubtreeForm::Binary;
+    const auto through_bytes = [form](const ObbTree& tree, std::uint32_t node) {
+        const Subtree subtree = extract_subtree(tree, node, form);
+        return decode_subtree(encode_subtree(subtree)).value();
     };
     std::vector<Subtree> parts_a;
     std::vector<Subtree> parts_b;

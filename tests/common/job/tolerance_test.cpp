@@ -184,9 +184,8 @@ TEST(Tolerance, PartsGiveTheRecordOfTheWholeInAnyOrder) {
             const auto parts_of = [](const ObbTree& tree) {
                 std::vector<Subtree> parts;
                 for (const std::uint32_t node : cut_nodes(tree, tolerance_depth(tree))) {
-                    parts.push_back(decode_subtree(encode_subtree(extract_subtree(tree, node),
-                                                                  tree.mesh().precision()))
-                                        .value());
+                    parts.push_back(
+                        decode_subtree(encode_subtree(extract_subtree(tree, node))).value());
                 }
                 return parts;
             };

@@ -1,5 +1,5 @@
-// Proves that a subtree comes back from its bytes as it was, box for box and bit for bit, that the
-// bytes are as small as they are said to be, and that bytes of any kind do no harm.
+// Proves that a binary subtree comes back from its bytes as it was, box for box and bit for bit,
+// that the bytes are as small as they are said to be, and that bytes of any kind do no harm.
 
 #include "common/tree/subtree_block.hpp"
 
@@ -108,11 +108,11 @@ TEST(SubtreeBlock, ComesBackAsItWas) {
             const ObbTree tree = make_tree(mesh, boxes);
             for (const std::uint32_t node : cut_nodes(tree, 2)) {
                 const Subtree subtree = extract_subtree(tree, node);
-                const Bytes bytes = encode_subtree(subtree, Precision::Double);
+                const Bytes bytes = encode_subtree(subtree);
                 const auto decoded = decode_subtree(bytes);
                 ASSERT_TRUE(decoded) << decoded.error().detail;
                 expect_equal(decoded.value().view(), subtree.view());
-                EXPECT_EQ(encode_subtree(decoded.value(), Precision::Double), bytes);
+                EXPECT_EQ(encode_subtree(decoded.value()), bytes);
             }
         }
     }
@@ -121,12 +121,14 @@ TEST(SubtreeBlock, ComesBackAsItWas) {
 TEST(SubtreeBlock, FloatMeshesTravelAsFloats) {
     const ObbTree tree = make_tree(as_floats(make_sphere(2)));
     const Subtree subtree = extract_subtree(tree, 0);
-    const Bytes bytes = encode_subtree(subtree, Precision::Float);
+    const Bytes bytes = encode_subtree(subtree);
     const auto decoded = decode_subtree(bytes);
     ASSERT_TRUE(decoded);
     expect_equal(decoded.value().view(), subtree.view());
-    EXPECT_EQ(encode_subtree(subtree, Precision::Double).size() - bytes.size(),
-              12 * subtree.view().vertices.size());
+    // The flag of doubles.
+    EXPECT_EQ(std::to_integer<int>(bytes[1]) & 1, 0);
+    const ObbTree doubles = make_tree(make_sphere(2));
+    EXPECT_EQ(std::to_integer<int>(encode_subtree(extract_subtree(doubles, 0))[1]) & 1, 1);
 }
 
 TEST(SubtreeBlock, IndicesGrowWithTheVertices) {
@@ -135,7 +137,7 @@ TEST(SubtreeBlock, IndicesGrowWithTheVertices) {
         std::mt19937_64 random(4);
         const ObbTree tree = make_tree(make_triangle_soup(random, triangles, 0.01));
         const Subtree subtree = extract_subtree(tree, 0);
-        const auto decoded = decode_subtree(encode_subtree(subtree, Precision::Double));
+        const auto decoded = decode_subtree(encode_subtree(subtree));
         ASSERT_TRUE(decoded) << decoded.error().detail;
         EXPECT_EQ(copied(decoded.value().view().triangles), copied(subtree.view().triangles));
     }
@@ -150,7 +152,7 @@ TEST(SubtreeBlock, IsCompact) {
     std::size_t plain = 0;
     std::size_t compressed = 0;
     for (const std::uint32_t node : cut_nodes(tree, 4)) {
-        const Bytes bytes = encode_subtree(extract_subtree(tree, node), Precision::Float);
+        const Bytes bytes = encode_subtree(extract_subtree(tree, node));
         plain += bytes.size();
         compressed += compress(bytes, compression_level_geometry).size();
     }
@@ -165,7 +167,7 @@ TEST(SubtreeBlock, IsCompact) {
 
 TEST(SubtreeBlock, RefusesEveryTruncation) {
     const ObbTree tree = make_tree(make_sphere(1));
-    Bytes bytes = encode_subtree(extract_subtree(tree, 0), Precision::Double);
+    Bytes bytes = encode_subtree(extract_subtree(tree, 0));
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         ASSERT_FALSE(decode_subtree(std::span(bytes).first(size))) << size;
     }
@@ -175,7 +177,7 @@ TEST(SubtreeBlock, RefusesEveryTruncation) {
 
 TEST(SubtreeBlock, RefusesCountsThatTheBytesDoNotJustify) {
     const ObbTree tree = make_tree(make_sphere(1));
-    const Bytes good = encode_subtree(extract_subtree(tree, 0), Precision::Double);
+    const Bytes good = encode_subtree(extract_subtree(tree, 0));
     for (const std::size_t place : {2u, 6u, 10u}) {
         for (const std::uint8_t high : {0x01, 0x7f, 0xff}) {
             Bytes bytes = good;
@@ -190,7 +192,7 @@ TEST(SubtreeBlock, RefusesCountsThatTheBytesDoNotJustify) {
 
 TEST(SubtreeBlock, DamageNeverMakesAViewThatLeavesItsArrays) {
     const ObbTree tree = make_tree(make_sphere(1));
-    const Bytes good = encode_subtree(extract_subtree(tree, 0), Precision::Double);
+    const Bytes good = encode_subtree(extract_subtree(tree, 0));
     std::mt19937_64 random(9);
     std::size_t decoded_count = 0;
     for (int round = 0; round < 20'000; ++round) {
