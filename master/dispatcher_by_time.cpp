@@ -71,7 +71,7 @@ struct HeldSums {
 
 double bytes_of_memory(const PooledTree& a, const PooledTree& b) {
     const auto memory = static_cast<double>((a.triangles_total + b.triangles_total) *
-                                            limits::subtree_bytes_per_triangle);
+                                            limits::wide_bytes_per_triangle);
     return memory > 0 ? static_cast<double>(a.bytes_total + b.bytes_total) / memory : 0;
 }
 
@@ -97,7 +97,7 @@ WorkerPowers Dispatcher::State::powers_of(const WorkerProxy& proxy) const {
     powers.backlog_ns = static_cast<double>(proxy.backlog_ns());
     powers.transfers_seconds = std::max(0.0, proxy.transfers_end() - now);
     if (proxy.facts().cache_bytes != 0) {
-        const std::uint64_t used = proxy.held_triangles() * limits::subtree_bytes_per_triangle;
+        const std::uint64_t used = proxy.held_triangles() * limits::wide_bytes_per_triangle;
         powers.room_bytes = proxy.facts().cache_bytes - std::min(used, proxy.facts().cache_bytes);
     }
     return powers;
@@ -130,7 +130,7 @@ WorkerProxy* Dispatcher::State::earliest(const DispatchJob& job, const DispatchS
         needs.missing_blocks = sums.blocks_touched - sums.blocks[slot];
         needs.coming_bytes = bytes_unit * sums.coming_64[slot];
         needs.memory_bytes =
-            (sums.triangles_touched - sums.triangles[slot]) * limits::subtree_bytes_per_triangle;
+            (sums.triangles_touched - sums.triangles[slot]) * limits::wide_bytes_per_triangle;
         const double seconds = estimate_finish(powers_of(*proxy), needs).total();
         // Equals go to the worker with the fewest scenarios, then to the smallest id.
         const std::uint64_t scenarios = proxy->buffered() + proxy->working();
@@ -156,7 +156,7 @@ FinishTerms Dispatcher::State::finish_on(const WorkerProxy& proxy,
             const std::uint64_t bytes = bytes_unit * tree.bytes_64[root.root];
             if (!tree.held.holds(proxy.slot(), root.root)) {
                 needs.missing_bytes += bytes;
-                needs.memory_bytes += root.weight * limits::subtree_bytes_per_triangle;
+                needs.memory_bytes += root.weight * limits::wide_bytes_per_triangle;
                 ++needs.missing_blocks;
             } else if (tree.coming.holds(proxy.slot(), root.root)) {
                 needs.coming_bytes += bytes;

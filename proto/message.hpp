@@ -151,8 +151,8 @@ struct WantSubtrees {
     std::vector<RootIndex> roots;
 };
 
-/// Results of some of a task's scenarios, in bulk: canonical records, each behind its length as
-/// u32, compressed together.
+/// Results of some of a task's scenarios, in bulk: canonical records, packed together
+/// (packed_records.hpp).
 struct Results {
     TaskId task;
     JobId job;

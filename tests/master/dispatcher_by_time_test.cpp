@@ -135,8 +135,8 @@ TEST_F(ByTime, TheLinkIsLearned) {
 
 TEST_F(ByTime, WhatDoesNotFitACacheCosts) {
     open();
-    join(worker_1, 1, 50 * limits::subtree_bytes_per_triangle);
-    join(worker_2, 1, 200 * limits::subtree_bytes_per_triangle);
+    join(worker_1, 1, 50 * limits::wide_bytes_per_triangle);
+    join(worker_2, 1, 200 * limits::wide_bytes_per_triangle);
     feed(1, 0);
     EXPECT_EQ(has(worker_2), 1u);
 }
@@ -251,7 +251,7 @@ TEST_F(ByTime, TheIndexMakesTheChoiceOfAskingWorkerByWorker) {
     for (std::uint64_t id = 1; id <= 70; ++id) {
         join(WorkerId{id},
              0.5 + 0.1 * static_cast<double>(random() % 10),
-             random() % 3 * 150 * limits::subtree_bytes_per_triangle);
+             random() % 3 * 150 * limits::wide_bytes_per_triangle);
     }
     std::set<WorkerId> chosen;
     for (int step = 0; step < 600; ++step) {
