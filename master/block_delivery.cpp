@@ -25,6 +25,14 @@ bool BlockDelivery::knows(WorkerId worker, TreeId tree) const {
     return links_.contains(worker) && trees_.find(tree) != nullptr;
 }
 
+Status BlockDelivery::check_roots(TreeId tree, const std::vector<RootIndex>& roots) const {
+    // They ascend.
+    if (!roots.empty() && roots.back() >= trees_.find(tree)->root_count()) {
+        return Error{ErrorCode::BadFrame, "it speaks of a root that does not exist"};
+    }
+    return Done{};
+}
+
 void BlockDelivery::worker_joined(WorkerId worker,
                                   std::shared_ptr<Channel> channel,
                                   const PeerKey& key,
@@ -47,17 +55,22 @@ Status BlockDelivery::wanted(WorkerId worker, const WantSubtrees& want) {
     if (!knows(worker, want.tree)) {
         return Done{};
     }
-    if (!want.roots.empty() && want.roots.back() >= trees_.find(want.tree)->root_count()) {
-        return Error{ErrorCode::BadFrame, "it wants a root that does not exist"};
+    Status there = check_roots(want.tree, want.roots);
+    if (there) {
+        act(director_.wanted(worker, want.tree, want.roots, now()));
     }
-    act(director_.wanted(worker, want.tree, want.roots, now()));
-    return Done{};
+    return there;
 }
 
-void BlockDelivery::held(WorkerId worker, const Held& held) {
-    if (knows(worker, held.tree)) {
+Status BlockDelivery::held(WorkerId worker, const Held& held) {
+    if (!knows(worker, held.tree)) {
+        return Done{};
+    }
+    Status there = check_roots(held.tree, held.roots);
+    if (there) {
         act(director_.held(worker, held.tree, held.roots, now()));
     }
+    return there;
 }
 
 void BlockDelivery::evicted(WorkerId worker, const Evicted& evicted) {

@@ -35,7 +35,7 @@ class BlockDelivery {
 
     /// Errors: BadFrame for a root that the tree does not have.
     [[nodiscard]] Status wanted(WorkerId worker, const WantSubtrees& want);
-    void held(WorkerId worker, const Held& held);
+    [[nodiscard]] Status held(WorkerId worker, const Held& held);
     void evicted(WorkerId worker, const Evicted& evicted);
     void failed(WorkerId worker, const FetchFailed& failed);
     void tree_removed(TreeId tree);
@@ -60,6 +60,8 @@ class BlockDelivery {
     };
 
     [[nodiscard]] bool knows(WorkerId worker, TreeId tree) const;
+    /// The tree is known.
+    [[nodiscard]] Status check_roots(TreeId tree, const std::vector<RootIndex>& roots) const;
     void act(const BlockActions& actions);
     void send(const SendBlock& action);
     void direct(const SendToPeers& action);

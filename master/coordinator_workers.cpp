@@ -89,7 +89,9 @@ void Coordinator::blocks_wanted(WorkerId worker, const WantSubtrees& want) {
 }
 
 void Coordinator::blocks_held(WorkerId worker, const Held& held) {
-    blocks_.held(worker, held);
+    if (const Status known = blocks_.held(worker, held); !known) {
+        return cut_off(worker, known.error());
+    }
     dispatcher().roots_arrived(worker, held.tree, held.roots);
 }
 

@@ -78,7 +78,8 @@ class FakeWorker {
         std::uint64_t dies_at_batch = 0; ///< Counted from 1; 0 lives on.
         bool answers_twice = false;
         bool sends_rubbish = false;
-        bool forgets_one = false; ///< Once, it ends a task without an answer.
+        bool forgets_one = false;    ///< Once, it ends a task without an answer.
+        bool holds_too_much = false; ///< Roots that the tree does not have.
     };
 
     FakeWorker(Master& master, Habits habits) : master_(master), habits_(habits) {
@@ -155,6 +156,9 @@ class FakeWorker {
         const Batch& batch = waiting_.back();
         const auto a = missing(batch.tree_a, roots_of_a(batch.pairs));
         const auto b = missing(batch.tree_b, roots_of_b(batch.pairs));
+        if (habits_.holds_too_much) {
+            channel_->send(Held{batch.tree_a, {1u << 30}});
+        }
         // Twice, as a worker might: the master sends each once, or twice, but never fails.
         channel_->send(WantSubtrees{batch.tree_a, a});
         channel_->send(WantSubtrees{batch.tree_a, a});
@@ -426,6 +430,17 @@ TEST(Server, RepeatedAndForgottenAnswersDoNoHarm) {
 TEST(Server, AWorkerWhoseResultsAreRubbishIsCutOff) {
     Master master;
     FakeWorker bad(master, {.sends_rubbish = true});
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return bad.ended; });
+    FakeWorker good(master, {});
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+}
+
+TEST(Server, AWorkerThatHoldsWhatDoesNotExistIsCutOff) {
+    Master master;
+    FakeWorker bad(master, {.holds_too_much = true});
     Client client(master);
     client.start(reference().submission());
     master.run_until([&] { return bad.ended; });
