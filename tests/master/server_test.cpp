@@ -427,26 +427,18 @@ TEST(Server, RepeatedAndForgottenAnswersDoNoHarm) {
     expect_right(client);
 }
 
-TEST(Server, AWorkerWhoseResultsAreRubbishIsCutOff) {
-    Master master;
-    FakeWorker bad(master, {.sends_rubbish = true});
-    Client client(master);
-    client.start(reference().submission());
-    master.run_until([&] { return bad.ended; });
-    FakeWorker good(master, {});
-    master.run_until([&] { return client.done; });
-    expect_right(client);
-}
-
-TEST(Server, AWorkerThatHoldsWhatDoesNotExistIsCutOff) {
-    Master master;
-    FakeWorker bad(master, {.holds_too_much = true});
-    Client client(master);
-    client.start(reference().submission());
-    master.run_until([&] { return bad.ended; });
-    FakeWorker good(master, {});
-    master.run_until([&] { return client.done; });
-    expect_right(client);
+TEST(Server, AWorkerThatSendsRubbishOrHoldsWhatDoesNotExistIsCutOff) {
+    for (const FakeWorker::Habits habits :
+         {FakeWorker::Habits{.sends_rubbish = true}, FakeWorker::Habits{.holds_too_much = true}}) {
+        Master master;
+        FakeWorker bad(master, habits);
+        Client client(master);
+        client.start(reference().submission());
+        master.run_until([&] { return bad.ended; });
+        FakeWorker good(master, {});
+        master.run_until([&] { return client.done; });
+        expect_right(client);
+    }
 }
 
 TEST(Server, JobsOfSeveralClientsRunSideBySideAndMeshesAreSentOnce) {
