@@ -31,8 +31,12 @@ Coordinator::Coordinator(CoordinatorParts parts)
       }) {}
 Coordinator::~Coordinator() = default;
 
+double Coordinator::now() const {
+    return std::chrono::duration<double>(Clock::now() - started_).count();
+}
+
 Dispatcher& Coordinator::dispatcher() {
-    dispatcher_.time_is(std::chrono::duration<double>(Clock::now() - started_).count());
+    dispatcher_.time_is(now());
     return dispatcher_;
 }
 
@@ -106,7 +110,7 @@ void Coordinator::give_up(const GiveUp& action) {
 ClusterStatus Coordinator::cluster_status() {
     ClusterStatus status;
     status.build = version;
-    status.uptime_seconds = std::chrono::duration<double>(Clock::now() - started_).count();
+    status.uptime_seconds = now();
     status.cpu_seconds = cpu_seconds();
     for (const auto& [id, link] : workers_) {
         status.workers.push_back(worker_status(id, link));

@@ -6,6 +6,7 @@
 #include "master/dispatcher.hpp"
 #include "master/geometry_store.hpp"
 #include "master/job_board.hpp"
+#include "master/transfer_meter.hpp"
 #include "master/tree_registry.hpp"
 #include "proto/asio.hpp"
 #include "proto/channel.hpp"
@@ -93,6 +94,7 @@ class Coordinator {
         std::uint64_t cached_bytes = 0;
         std::set<TreeId> trees; ///< That it has been told of.
         CacheTraffic cache;
+        TransferMeter transfers;
         Clock::duration busy{}; ///< With something to do, before `busy_since`.
         std::optional<Clock::time_point> busy_since;
     };
@@ -127,6 +129,8 @@ class Coordinator {
     /// Asks for more analyses where there is room for them; tells the dispatcher when none come.
     void feed();
 
+    /// In seconds, from whatever beginning.
+    [[nodiscard]] double now() const;
     /// The dispatcher, told what time it is.
     [[nodiscard]] Dispatcher& dispatcher();
     // The dispatcher's actions.

@@ -243,6 +243,7 @@ void Coordinator::release_tree(TreeId tree) {
     }
     blocks_.tree_removed(tree);
     for (auto& [id, link] : workers_) {
+        link.transfers.tree_removed(tree);
         if (link.trees.erase(tree) != 0) {
             link.channel->send(RemoveTree{tree});
         }

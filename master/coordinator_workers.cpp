@@ -84,13 +84,26 @@ void Coordinator::evicted(WorkerId worker, const Evicted& evicted) {
 
 void Coordinator::blocks_wanted(WorkerId worker, const WantSubtrees& want) {
     if (const Status known = blocks_.wanted(worker, want); !known) {
-        cut_off(worker, known.error());
+        return cut_off(worker, known.error());
+    }
+    const auto link = workers_.find(worker);
+    const auto geometry = trees_.find(want.tree);
+    if (link == workers_.end() || geometry == nullptr) {
+        return;
+    }
+    for (const RootIndex root : want.roots) {
+        link->second.transfers.wanted(want.tree, root, geometry->compressed_bytes(root), now());
     }
 }
 
 void Coordinator::blocks_held(WorkerId worker, const Held& held) {
     if (const Status known = blocks_.held(worker, held); !known) {
         return cut_off(worker, known.error());
+    }
+    if (const auto link = workers_.find(worker); link != workers_.end()) {
+        if (const auto measured = link->second.transfers.held(held.tree, held.roots, now())) {
+            dispatcher().transfer_measured(worker, measured->bytes, measured->seconds);
+        }
     }
     dispatcher().roots_arrived(worker, held.tree, held.roots);
 }

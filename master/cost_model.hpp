@@ -8,11 +8,12 @@
 
 namespace cd {
 
-/// For matching by time, where only how scenarios compare matters: what a worker makes of it is
+/// How much meets: over the pairs, the square roots of the smaller subtree's triangles.
+[[nodiscard]] double
+meeting_size(const TreeTop& a, const TreeTop& b, std::span<const RootPair> pairs);
+
+/// For matching by time, where mostly how scenarios compare matters: what a worker makes of it is
 /// measured. Never 0.
-[[nodiscard]] std::uint64_t predicted_ns(const TreeTop& a,
-                                         const TreeTop& b,
-                                         std::span<const RootPair> pairs,
-                                         std::uint64_t box_tests);
+[[nodiscard]] std::uint64_t predicted_ns(double meeting_size);
 
 } // namespace cd

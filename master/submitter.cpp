@@ -33,8 +33,8 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
         analysis.pairs = std::move(roots.value().pairs);
         analysis.roots_a = roots_of_a(analysis.pairs);
         analysis.roots_b = roots_of_b(analysis.pairs);
-        analysis.predicted_ns = predicted_ns(
-            *input.top_a, *input.top_b, analysis.pairs, analysis.cost.search.box_tests);
+        analysis.predicted_ns =
+            predicted_ns(meeting_size(*input.top_a, *input.top_b, analysis.pairs));
     }
     return analysis;
 }

@@ -80,6 +80,7 @@ class FakeWorker {
         bool sends_rubbish = false;
         bool forgets_one = false;    ///< Once, it ends a task without an answer.
         bool holds_too_much = false; ///< Roots that the tree does not have.
+        bool says_what_it_holds = false;
     };
 
     FakeWorker(Master& master, Habits habits) : master_(master), habits_(habits) {
@@ -138,6 +139,9 @@ class FakeWorker {
             EXPECT_EQ(sha256(bytes), block.hash);
             trees_.at(subtrees.tree)
                 .subtrees.emplace(block.root, std::move(decode_subtree(bytes).value()));
+            if (habits_.says_what_it_holds) {
+                channel_->send(Held{subtrees.tree, {block.root}});
+            }
             ++blocks;
         }
     }
@@ -439,6 +443,38 @@ TEST(Server, AWorkerThatSendsRubbishOrHoldsWhatDoesNotExistIsCutOff) {
         master.run_until([&] { return client.done; });
         expect_right(client);
     }
+}
+
+/// Seconds of the link that the worker of a master, which has done one job, has to expect for the
+/// first blocks of the next.
+double expected_transfer(bool says_what_it_holds) {
+    Master master;
+    FakeWorker worker(master, {.says_what_it_holds = says_what_it_holds});
+    for (const bool is_first : {true, false}) {
+        Client client(master);
+        Submit submit = reference().submission();
+        submit.cluster.strategy = Strategy::EarliestFinish;
+        client.start(submit);
+        if (is_first) {
+            master.run_until([&] { return client.done; });
+            continue;
+        }
+        master.run_until(
+            [&] { return client.job && master.coordinator.analysis_input(*client.job); });
+        Analysis analysis;
+        analysis.roots_a = {0};
+        analysis.roots_b = {0};
+        return master.coordinator.explain(*client.job, analysis).value().workers.at(0).transfer;
+    }
+    return 0;
+}
+
+TEST(Server, TransfersToAWorkerAreMeasured) {
+    const double assumed = expected_transfer(false);
+    const double measured = expected_transfer(true);
+    EXPECT_GT(assumed, 0);
+    EXPECT_GT(measured, 0);
+    EXPECT_NE(measured, assumed);
 }
 
 TEST(Server, JobsOfSeveralClientsRunSideBySideAndMeshesAreSentOnce) {
