@@ -6,6 +6,7 @@
 #include "common/job/run_scenario.hpp"
 #include "common/tree/search_cost.hpp"
 #include "master/blocks_file.hpp"
+#include "master/cost_model.hpp"
 #include "master/submitter.hpp"
 #include "proto/codec.hpp"
 #include "proto/frame.hpp"
@@ -187,6 +188,7 @@ class DepthRecorder {
             trace.analysis_seconds = times.median(i);
             trace.analysis_box_tests = analysis.cost.search.box_tests;
             trace.root_pairs = static_cast<std::uint32_t>(analysis.pairs.size());
+            trace.meeting_size = meeting_size(a_.top, b_.top, analysis.pairs);
             trace.batch_bytes = analysis.bytes;
             trace.roots_a = analysis.roots_a;
             trace.roots_b = analysis.roots_b;

@@ -10,44 +10,67 @@ namespace cd::bench {
 
 namespace {
 
-constexpr FileKind trace_kind{0x656361727463'6463, 1}; // "cdctrace"
+constexpr FileKind trace_kind{0x656361727463'6463, 2}; // "cdctrace"
 constexpr std::size_t trace_bytes_max = std::size_t{1} << 32;
 constexpr int compression_level = 3;
 
-/// Writes and reads the same members in the same order: `Stream` is a TraceWriter or a TraceReader.
+// Writes and reads the same members in the same order: `Stream` is a TraceWriter or a TraceReader.
+
+template <class Stream, class T>
+void exchange(Stream& stream, std::vector<T>& values) {
+    stream.size(values);
+    for (T& value : values) {
+        exchange(stream, value);
+    }
+}
+
+/// They ascend: the first, and the steps from each to the next.
+template <class Stream>
+void exchange_roots(Stream& stream, std::vector<RootIndex>& roots) {
+    stream.size(roots);
+    RootIndex before = 0;
+    for (RootIndex& root : roots) {
+        RootIndex step = root - before;
+        stream.whole(step);
+        root = before + step;
+        before = root;
+    }
+}
+
 template <class Stream>
 void exchange(Stream& stream, RootTrace& root) {
     stream.whole(root.triangles);
     stream.whole(root.bytes);
     stream.whole(root.compressed_bytes);
     stream.whole(root.memory_bytes);
-    stream.seconds(root.open_seconds);
+    stream.real(root.open_seconds);
 }
 
 template <class Stream>
 void exchange(Stream& stream, CutTrace& cut) {
     stream.whole(cut.depth);
     stream.whole(cut.top_bytes);
-    stream.list(cut.roots);
+    exchange(stream, cut.roots);
 }
 
 template <class Stream>
 void exchange(Stream& stream, ScenarioTrace& scenario) {
-    stream.seconds(scenario.analysis_seconds);
+    stream.real(scenario.analysis_seconds);
     stream.whole(scenario.analysis_box_tests);
     stream.whole(scenario.root_pairs);
-    stream.seconds(scenario.work_seconds);
-    stream.seconds(scenario.binary_seconds);
+    stream.real(scenario.meeting_size);
+    stream.real(scenario.work_seconds);
+    stream.real(scenario.binary_seconds);
     stream.whole(scenario.batch_bytes);
     stream.whole(scenario.result_bytes);
-    stream.roots(scenario.roots_a);
-    stream.roots(scenario.roots_b);
+    exchange_roots(stream, scenario.roots_a);
+    exchange_roots(stream, scenario.roots_b);
 }
 
 template <class Stream>
 void exchange(Stream& stream, WholeTrace& whole) {
-    stream.seconds(whole.seconds);
-    stream.seconds(whole.binary_seconds);
+    stream.real(whole.seconds);
+    stream.real(whole.binary_seconds);
     stream.whole(whole.box_tests);
     stream.whole(whole.triangle_tests);
     stream.whole(whole.wide_box_tests);
@@ -57,7 +80,7 @@ void exchange(Stream& stream, WholeTrace& whole) {
 template <class Stream>
 void exchange(Stream& stream, DepthTrace& depth) {
     exchange(stream, depth.a);
-    stream.list(depth.scenarios);
+    exchange(stream, depth.scenarios);
 }
 
 template <class Stream>
@@ -65,11 +88,11 @@ void exchange(Stream& stream, Trace& trace) {
     stream.text(trace.name);
     stream.whole(trace.triangles_a);
     stream.whole(trace.triangles_b);
-    stream.seconds(trace.box_test_ns);
-    stream.seconds(trace.triangle_test_ns);
-    stream.list(trace.whole);
+    stream.real(trace.box_test_ns);
+    stream.real(trace.triangle_test_ns);
+    exchange(stream, trace.whole);
     exchange(stream, trace.b);
-    stream.list(trace.depths);
+    exchange(stream, trace.depths);
 }
 
 class TraceWriter {
@@ -78,22 +101,11 @@ class TraceWriter {
     void whole(const T& value) {
         put_varint(out_, value);
     }
-    void seconds(double value) { out_.put(value); }
+    void real(double value) { out_.put(value); }
     void text(const std::string& value) { out_.put_text(value); }
-    void roots(const std::vector<RootIndex>& roots) {
-        whole(roots.size());
-        RootIndex before = 0;
-        for (const RootIndex root : roots) {
-            whole(root - before);
-            before = root;
-        }
-    }
     template <class T>
-    void list(std::vector<T>& values) {
+    void size(const std::vector<T>& values) {
         whole(values.size());
-        for (T& value : values) {
-            exchange(*this, value);
-        }
     }
     [[nodiscard]] Bytes take() { return out_.take(); }
 
@@ -109,32 +121,16 @@ class TraceReader {
     void whole(T& value) {
         value = static_cast<T>(get_varint(in_).value_or(0));
     }
-    void seconds(double& value) { value = in_.get<double>(); }
+    void real(double& value) { value = in_.get<double>(); }
     void text(std::string& value) { value = in_.get_text(); }
-    void roots(std::vector<RootIndex>& roots) {
-        roots.resize(size());
-        RootIndex before = 0;
-        for (RootIndex& root : roots) {
-            whole(root);
-            root += before;
-            before = root;
-        }
-    }
+    /// Each element takes a byte at least.
     template <class T>
-    void list(std::vector<T>& values) {
-        values.resize(size());
-        for (T& value : values) {
-            exchange(*this, value);
-        }
+    void size(std::vector<T>& values) {
+        values.resize(std::min<std::uint64_t>(get_varint(in_).value_or(0), in_.remaining()));
     }
     [[nodiscard]] bool complete() const { return in_.complete(); }
 
   private:
-    /// Each element takes a byte at least.
-    [[nodiscard]] std::size_t size() {
-        return std::min<std::uint64_t>(get_varint(in_).value_or(0), in_.remaining());
-    }
-
     ByteReader in_;
 };
 

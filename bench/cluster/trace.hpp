@@ -34,6 +34,7 @@ struct ScenarioTrace {
     double analysis_seconds = 0; ///< The master's step,
     std::uint64_t analysis_box_tests = 0;
     std::uint32_t root_pairs = 0;
+    double meeting_size = 0;       ///< What the master's model of costs goes by (cost_model.hpp).
     double work_seconds = 0;       ///< The worker's step as it is: wide trees, and the record.
     double binary_seconds = 0;     ///< The same search in the paper's form of tree, the binary one.
     std::uint64_t batch_bytes = 0; ///< What the scenario adds to a batch,
@@ -58,8 +59,8 @@ struct DepthTrace {
 };
 
 /// Numbers little-endian, compressed as one zstd frame inside a checked file (disk_file.hpp): the
-/// members in the order in which they are declared; counts and whole numbers as varints, seconds as
-/// f64, a list of roots as its length and the steps from root to root.
+/// members in the order in which they are declared; counts and whole numbers as varints, seconds
+/// and sizes as f64, a list of roots as its length and the steps from root to root.
 struct Trace {
     std::string name;
     std::uint64_t triangles_a = 0;

@@ -31,7 +31,7 @@ Trace make_trace(std::size_t scenarios) {
     for (std::size_t i = 0; i < scenarios; ++i) {
         trace.whole.push_back({seconds(), seconds(), 100 + i, 20, 300, 40});
         depth.scenarios.push_back(
-            {seconds(), i, 3, seconds(), seconds(), 250, 90 + i, {0, 1}, {1}});
+            {seconds(), i, 3, 7.5, seconds(), seconds(), 250, 90 + i, {0, 1}, {1}});
     }
     trace.depths = {depth};
     return trace;
@@ -54,6 +54,7 @@ TEST(Workload, ATraceComesBackFromItsFile) {
     const DepthTrace* depth = read.value().at(10);
     ASSERT_NE(depth, nullptr);
     EXPECT_EQ(depth->scenarios[39].result_bytes, 129u);
+    EXPECT_EQ(depth->scenarios[39].meeting_size, 7.5);
     EXPECT_EQ(depth->scenarios[39].roots_a, (std::vector<RootIndex>{0, 1}));
     EXPECT_EQ(read.value().at(9), nullptr);
 }
