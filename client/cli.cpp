@@ -41,8 +41,9 @@ class ExamplesFirst final : public CLI::Formatter {
 };
 
 const std::vector<std::string> levels{"any", "count", "pairs", "contacts"};
-const std::vector<std::string> strategies{
-    "best-match", "best-match-load", "random", "lowest", "best-match-pull", "earliest-finish"};
+std::vector<std::string> words_of(std::span<const std::string_view> names) {
+    return {names.begin(), names.end()};
+}
 const std::map<std::string, FailOn> fail_on_words{{"touch", FailOn::Touch},
                                                   {"cross", FailOn::Cross}};
 
@@ -112,8 +113,13 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
 
     const std::string cluster = "On the cluster";
     verb.add_option("--strategy", job.strategy, "How workers are chosen (best-match)")
-        ->check(CLI::IsMember(strategies))
+        ->check(CLI::IsMember(words_of(strategy_names())))
         ->type_name("NAME")
+        ->group(cluster);
+    verb.add_option(
+            "--analysis", job.analysis, "By the master for each scenario, or by workers (auto)")
+        ->check(CLI::IsMember(words_of(analysis_mode_names())))
+        ->type_name("WHEN")
         ->group(cluster);
     verb.add_option("--depth-a", job.depth_a, "Distribution depth of A (12)")
         ->check(CLI::Range(0u, limits::distribution_depth_max))

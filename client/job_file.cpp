@@ -17,8 +17,6 @@ namespace cd {
 namespace {
 
 constexpr std::array<std::string_view, 4> level_names{"any", "count", "pairs", "contacts"};
-constexpr std::array<std::string_view, 6> strategy_names{
-    "best-match", "best-match-load", "random", "lowest", "best-match-pull", "earliest-finish"};
 constexpr std::array<std::string_view, 4> format_names{"text", "json", "csv", "npz"};
 constexpr std::array<std::string_view, 2> quat_orders{"xyzw", "wxyz"};
 constexpr std::array<std::string_view, 2> pose_owners{"b", "both"};
@@ -241,10 +239,12 @@ void read_cluster(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
     if (table == nullptr) {
         return;
     }
-    const TomlFields fields(
-        *table, "[cluster]", problem, {"strategy", "depth", "q", "v_kb", "claim", "seed"});
+    const TomlFields fields(*table,
+                            "[cluster]",
+                            problem,
+                            {"strategy", "depth", "q", "v_kb", "claim", "seed", "analysis"});
     ClusterOptions& options = spec.cluster;
-    if (const auto strategy = fields.word("strategy", strategy_names)) {
+    if (const auto strategy = fields.word("strategy", strategy_names())) {
         options.strategy = strategy_from_text(*strategy).value_or(options.strategy);
     }
     read_depth(fields, problem, spec);
@@ -254,6 +254,9 @@ void read_cluster(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         fields.integer("v_kb", 1, std::numeric_limits<std::uint32_t>::max())
             .value_or(options.v_kb));
     options.claim = fields.boolean("claim").value_or(options.claim);
+    if (const auto analysis = fields.word("analysis", analysis_mode_names())) {
+        options.analysis = analysis_mode_from_text(*analysis).value_or(options.analysis);
+    }
     options.seed =
         fields.integer("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(options.seed);
 }

@@ -106,6 +106,13 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         }
         spec.cluster.strategy = *strategy;
     }
+    if (!options.analysis.empty()) {
+        const auto analysis = analysis_mode_from_text(options.analysis);
+        if (!analysis) {
+            return usage("--analysis \"" + options.analysis + "\" is none of auto, always, never");
+        }
+        spec.cluster.analysis = *analysis;
+    }
     replace(spec.cluster.depth_a, options.depth_a);
     replace(spec.cluster.depth_b, options.depth_b);
     spec.gives_depth = spec.gives_depth || options.depth_a || options.depth_b;

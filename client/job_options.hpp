@@ -37,6 +37,7 @@ struct JobOptions {
     std::string out;
     std::vector<std::string> formats;
     std::string strategy;
+    std::string analysis;
     std::optional<std::uint32_t> depth_a;
     std::optional<std::uint32_t> depth_b;
     std::optional<std::uint32_t> q;

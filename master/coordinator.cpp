@@ -50,16 +50,12 @@ void Coordinator::act(Actions actions) {
     while (!actions_.empty()) {
         const Action action = std::move(actions_.front());
         actions_.pop_front();
-        if (const auto* batch = std::get_if<SendBatch>(&action)) {
-            send_batch(*batch);
-        } else {
-            give_up(std::get<GiveUp>(action));
-        }
+        std::visit([this](const auto& one) { perform(one); }, action);
     }
     acting_ = false;
 }
 
-void Coordinator::send_batch(const SendBatch& action) {
+void Coordinator::perform(const SendBatch& action) {
     const auto link = workers_.find(action.worker);
     if (link == workers_.end()) {
         return; // It left; the dispatcher knows.
@@ -72,7 +68,7 @@ void Coordinator::send_batch(const SendBatch& action) {
     auto content = std::make_shared<TaskContent>();
     content->job = job->id;
     content->material = job->material;
-    Batch batch{action.task, job->id, job->tree_a, job->tree_b, job->submit.query, {}, {0}, {}};
+    Batch batch{action.task, job->id, {}, {0}, {}};
     std::vector<Scenario> scenarios;
     for (const std::uint64_t index : action.scenarios) {
         const auto& analysis = job->open.at(index);
@@ -82,14 +78,13 @@ void Coordinator::send_batch(const SendBatch& action) {
         content->scenarios.push_back(analysis);
     }
     batch.scenarios = pack_scenarios(scenarios);
-    add_tree_to(link->second, job->tree_a);
-    add_tree_to(link->second, job->tree_b);
+    add_job_to(link->second, *job);
     link->second.channel->send(batch);
     tasks_.emplace(action.task, RunningTask{action.worker, std::move(content)});
     note_work(action.worker);
 }
 
-void Coordinator::give_up(const GiveUp& action) {
+void Coordinator::perform(const GiveUp& action) {
     MasterJob* job = jobs_.find_running(action.job);
     if (job == nullptr) {
         return;

@@ -92,7 +92,9 @@ class Coordinator {
         std::string name;
         std::uint64_t cache_bytes = 0;
         std::uint64_t cached_bytes = 0;
-        std::set<TreeId> trees; ///< That it has been told of.
+        std::uint32_t threads = 1;
+        std::set<TreeId> trees; ///< That it has been told of,
+        std::set<JobId> jobs;   ///< and jobs.
         CacheTraffic cache;
         TransferMeter transfers;
         Clock::duration busy{}; ///< With something to do, before `busy_since`.
@@ -112,6 +114,7 @@ class Coordinator {
                        const Results& results,
                        const Result<std::vector<TakenResult>>& taken);
     void end_task_if_complete(TaskId task);
+    void add_job_to(WorkerLink& link, const MasterJob& job);
     void add_tree_to(WorkerLink& link, TreeId tree);
     void note_work(WorkerId worker);
     [[nodiscard]] WorkerStatus worker_status(WorkerId worker, const WorkerLink& link) const;
@@ -126,8 +129,23 @@ class Coordinator {
     void release_tree(TreeId tree);
     /// A block of the tree cannot be read: the jobs that use it end.
     void tree_failed(TreeId tree, const Error& why);
-    /// Asks for more analyses where there is room for them; tells the dispatcher when none come.
+
+    // What is handed out next (coordinator_feed.cpp).
+    /// Asks for more analyses where there is room for them, and gives places; tells the dispatcher
+    /// when nothing comes.
     void feed();
+    [[nodiscard]] bool has_room_for_analysis(std::uint64_t under_way) const;
+    [[nodiscard]] bool prefers_ranges_now(const MasterJob& job) const;
+    /// Gives the job's next places to the dispatcher until that has enough.
+    void give_places(MasterJob& job);
+    void places_came(JobId job,
+                     const PlaceRange& places,
+                     const Result<std::shared_ptr<const PoseWindow>>& window);
+    void give_unmerged(MasterJob& job, const GivenPlaces& given);
+    void take_places_back(MasterJob& job);
+    /// Of these places, those whose scenarios have no result.
+    [[nodiscard]] static std::vector<PlaceRange> unmerged(const MasterJob& job,
+                                                          const GivenPlaces& given);
 
     /// In seconds, from whatever beginning.
     [[nodiscard]] double now() const;
@@ -135,8 +153,10 @@ class Coordinator {
     [[nodiscard]] Dispatcher& dispatcher();
     // The dispatcher's actions.
     void act(Actions actions);
-    void send_batch(const SendBatch& batch);
-    void give_up(const GiveUp& action);
+    void perform(const SendBatch& batch);
+    void perform(const GiveUp& action);
+    void perform(const SendRange& range);
+    void perform(const RangeEnded& ended);
 
     CoordinatorParts parts_;
     Clock::time_point started_ = Clock::now();

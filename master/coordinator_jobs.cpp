@@ -128,6 +128,9 @@ void Coordinator::start_job(MasterJob& job,
                    [this, id, block, finished] { block_came(id, std::move(*block), *finished); });
     };
     job.analysis_input = input;
+    job.order = std::make_shared<OrderedPoses>(std::move(input.poses));
+    job.todo = PlaceQueue(job.order->count());
+    input.poses = job.order;
     job.submitter =
         std::make_unique<Submitter>(parts_.compute, std::move(input), std::move(deliver));
     act(dispatcher().job_opened(job.id,
@@ -151,18 +154,28 @@ void Coordinator::block_came(JobId id,
         end_job(*job, JobState::Failed, block.error->detail);
         return feed();
     }
+    const auto begin = Clock::now();
+    std::uint64_t handed_out = 0;
     for (Analysis& analysis : block.scenarios) {
-        if (analysis.finished) {
+        // Of what came back, the answer may have come meanwhile.
+        if (analysis.finished || job->merger.has(analysis.scenario.index)) {
             continue;
         }
         AnalysedScenario scenario{analysis.scenario.index,
                                   std::move(analysis.roots_a),
                                   std::move(analysis.roots_b),
                                   analysis.bytes,
-                                  analysis.predicted_ns};
+                                  analysis.predicted_ns,
+                                  block.losses};
         open_bytes_ += analysis.bytes;
         job->open.emplace(scenario.index, std::make_shared<const Analysis>(std::move(analysis)));
         act(dispatcher().scenario_analysed(id, std::move(scenario)));
+        ++handed_out;
+    }
+    job->analysis_seconds.add(block.seconds, static_cast<double>(block.places.count));
+    if (handed_out != 0) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        job->matching_seconds.add(seconds, static_cast<double>(handed_out));
     }
     for (const TakenResult& taken : finished) {
         ++job->answered_by_master;
@@ -224,6 +237,11 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
                  status.digest ? to_short_hex(*status.digest) : "none",
                  failure.empty() ? "" : " reason=\"" + failure + "\"");
     act(dispatcher().job_closed(job.id));
+    for (auto& [worker, link] : workers_) {
+        if (link.jobs.erase(job.id) != 0) {
+            link.channel->send(RemoveJob{job.id});
+        }
+    }
     if (has_trees) {
         release_tree(job.tree_a);
         release_tree(job.tree_b);
@@ -258,43 +276,6 @@ void Coordinator::tree_failed(TreeId tree, const Error& why) {
         }
     }
     feed();
-}
-
-void Coordinator::feed() {
-    std::vector<std::pair<JobId, Submitter*>> submitters;
-    std::uint64_t under_way = 0;
-    for (const JobId id : jobs_.running()) {
-        if (Submitter* submitter = jobs_.at(id).submitter.get()) {
-            submitters.emplace_back(id, submitter);
-            under_way += submitter->under_way();
-        }
-    }
-    // In turns: first the job after the one that was fed last.
-    std::rotate(submitters.begin(),
-                std::find_if(submitters.begin(),
-                             submitters.end(),
-                             [&](const auto& entry) { return entry.first > fed_last_; }),
-                submitters.end());
-    // As many blocks as keep the pool busy; more would only keep results waiting.
-    const std::uint64_t under_way_max = parts_.compute.size() + 2;
-    const auto has_room = [&] {
-        return under_way < under_way_max && open_bytes_ < limits::open_analyses_bytes_max &&
-               dispatcher_.unsent() + under_way * limits::analysis_block_scenarios <
-                   dispatcher_.unsent_enough();
-    };
-    for (bool any_started = true; any_started;) {
-        any_started = false;
-        for (const auto& [id, submitter] : submitters) {
-            if (has_room() && submitter->start(1) == 1) {
-                fed_last_ = id;
-                ++under_way;
-                any_started = true;
-            }
-        }
-    }
-    if (under_way == 0) {
-        act(dispatcher().input_paused());
-    }
 }
 
 // ---- Questions

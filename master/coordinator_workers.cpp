@@ -37,6 +37,7 @@ void Coordinator::worker_joined(WorkerId worker,
     WorkerLink link;
     link.channel = std::move(channel);
     link.name = hello.name;
+    link.threads = std::max(1u, hello.threads);
     link.cache_bytes = hello.cache_bytes;
     workers_.emplace(worker, std::move(link));
     act(dispatcher().worker_joined(
@@ -48,7 +49,10 @@ void Coordinator::worker_left(WorkerId worker, const std::string& why) {
     spdlog::info("worker left: worker={} reason=\"{}\"", worker.value, why);
     workers_.erase(worker);
     blocks_.worker_left(worker);
-    std::erase_if(tasks_, [&](const auto& task) { return task.second.worker == worker; });
+    // Ranges are still to be handed back.
+    std::erase_if(tasks_, [&](const auto& task) {
+        return task.second.worker == worker && !task.second.content->range;
+    });
     act(dispatcher().worker_lost(worker));
     feed();
 }
@@ -86,6 +90,7 @@ void Coordinator::blocks_wanted(WorkerId worker, const WantSubtrees& want) {
     if (const Status known = blocks_.wanted(worker, want); !known) {
         return cut_off(worker, known.error());
     }
+    dispatcher().roots_wanted(worker, want.tree, want.roots);
     const auto link = workers_.find(worker);
     const auto geometry = trees_.find(want.tree);
     if (link == workers_.end() || geometry == nullptr) {
@@ -145,10 +150,18 @@ void Coordinator::results_taken(WorkerId worker,
     if (MasterJob* job = jobs_.find_running(content.job)) {
         job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;
-        dispatcher().work_measured(worker, measured_work(*job, results, taken.value()));
+        const std::size_t count = taken.value().size();
+        job->work_seconds.add(results.compute_seconds, static_cast<double>(count));
+        if (content.range) {
+            act(dispatcher().places_answered(worker, results.task, count, results.compute_seconds));
+        } else {
+            dispatcher().work_measured(worker, measured_work(*job, results, taken.value()));
+        }
         for (const TakenResult& one : taken.value()) {
             job->statistics += one.cost;
-            act(dispatcher().scenario_answered(worker, job->id, one.result.index));
+            if (!content.range) {
+                act(dispatcher().scenario_answered(worker, job->id, one.result.index));
+            }
             merge(*job, one, worker);
             if (!job->is_running()) {
                 break;
@@ -183,9 +196,24 @@ void Coordinator::end_task_if_complete(TaskId id) {
         return;
     }
     const WorkerId worker = task->second.worker;
-    tasks_.erase(task);
+    if (!task->second.content->range) {
+        tasks_.erase(task);
+    }
     act(dispatcher().task_ended(worker, id));
     note_work(worker);
+}
+
+void Coordinator::add_job_to(WorkerLink& link, const MasterJob& job) {
+    if (!link.jobs.insert(job.id).second) {
+        return;
+    }
+    add_tree_to(link, job.tree_a);
+    add_tree_to(link, job.tree_b);
+    AddJob add{job.id, job.tree_a, job.tree_b, job.submit.query, std::nullopt};
+    if (const Grid* grid = job.order->grid()) {
+        add.grid = encode_grid(*grid);
+    }
+    link.channel->send(add);
 }
 
 void Coordinator::add_tree_to(WorkerLink& link, TreeId tree) {

@@ -56,9 +56,11 @@ Actions Dispatcher::worker_lost(WorkerId worker) {
     state_->take_back_buffers(*proxy);
     // The newest task first, so that the oldest ends up first in line.
     while (!proxy->tasks().empty()) {
-        const auto& [task, content] = *proxy->tasks().rbegin();
-        const JobId job = content.job;
-        state_->take_back(job, proxy->end_task(TaskId(task)).scenarios, true, actions);
+        const TaskId task = proxy->tasks().rbegin()->first;
+        state_->end_task(task, proxy->end_task(task), true, actions);
+    }
+    for (auto& [id, job] : state_->jobs) {
+        job.place_rates.erase(worker);
     }
     state_->pool.remove(worker);
     state_->settle(actions);
@@ -86,7 +88,7 @@ Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
     const ProxyTask ended = proxy->end_task(task);
     proxy->judge_batch(ended, state_->now);
     Actions actions;
-    state_->take_back(ended.job, ended.scenarios, !handed_back, actions);
+    state_->end_task(task, ended, !handed_back, actions);
     state_->settle(actions);
     return actions;
 }
@@ -115,6 +117,8 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     DispatchJob* job = state_->find_job(job_id);
     CD_CHECK(job != nullptr);
     DispatchScenario scenario = make_dispatch_scenario(*job, analysed);
+    CD_CHECK(analysed.losses + 1 < limits::scenario_losses_max);
+    scenario.losses = analysed.losses;
     state_->mean_cost_ns.add(static_cast<double>(scenario.weight.cost_ns), 1);
     const bool is_new = job->scenarios.emplace(analysed.index, std::move(scenario)).second;
     CD_CHECK(is_new);

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "common/core/id.hpp"
+#include "common/job/ordered_poses.hpp"
 #include "master/dispatch_tree.hpp"
 #include "master/finish_estimate.hpp"
+#include "master/range_choice.hpp"
 #include "master/worker_proxy.hpp"
 #include "proto/message.hpp"
 
@@ -26,6 +28,28 @@ struct SendBatch {
     friend bool operator==(const SendBatch&, const SendBatch&) = default;
 };
 
+/// Send these places of the job's order to this worker as one task; it finds the colliding roots
+/// itself.
+struct SendRange {
+    WorkerId worker;
+    TaskId task;
+    JobId job;
+    PlaceRange places;
+
+    friend bool operator==(const SendRange&, const SendRange&) = default;
+};
+
+/// The task of a range is over. What of it is not answered is to be analysed now, and counts as
+/// lost once if `are_lost`; else it was handed back.
+struct RangeEnded {
+    TaskId task;
+    JobId job;
+    PlaceRange places;
+    bool are_lost = false;
+
+    friend bool operator==(const RangeEnded&, const RangeEnded&) = default;
+};
+
 /// This scenario has been lost with `limits::scenario_losses_max` workers; it fails.
 struct GiveUp {
     JobId job;
@@ -34,7 +58,7 @@ struct GiveUp {
     friend bool operator==(const GiveUp&, const GiveUp&) = default;
 };
 
-using Action = std::variant<SendBatch, GiveUp>;
+using Action = std::variant<SendBatch, GiveUp, SendRange, RangeEnded>;
 using Actions = std::vector<Action>;
 
 /// A scenario that needs a worker: it has at least one pair of colliding roots.
@@ -45,6 +69,7 @@ struct AnalysedScenario {
     std::uint64_t bytes = 0; ///< What it adds to a batch on the wire.
     /// Predicted, of one thread; only how scenarios compare matters. 0: not known.
     std::uint64_t predicted_ns = 0;
+    std::uint32_t losses = 0; ///< It was in ranges that were lost with their workers.
 };
 
 /// What a worker's threads did for scenarios of a task that it has answered.
@@ -55,7 +80,8 @@ struct MeasuredWork {
 };
 
 /// Every scenario that came in is, at any time, in exactly one place: waiting, in one worker's
-/// buffer, in one task at one worker, or answered. Each event returns what has to be done now.
+/// buffer, in one task at one worker, or answered. Places that came in wait, are in one task, or
+/// have ended with it. Each event returns what has to be done now.
 class Dispatcher {
   public:
     Dispatcher();
@@ -73,14 +99,24 @@ class Dispatcher {
     Actions scenario_analysed(JobId job, AnalysedScenario scenario);
     /// Nothing more comes at once: workers that would run dry get what is in their buffers.
     Actions input_paused();
+    /// These places of the job may go out without an analysis, to whoever runs dry first; after
+    /// them come `after` more scenarios of the job.
+    Actions places_given(JobId job, const PlaceRange& places, std::uint64_t after);
+    /// Those given and not sent, back again.
+    [[nodiscard]] std::vector<PlaceRange> take_places(JobId job);
     /// Forgets the job's scenarios, wherever they are. Late results of it are ignored.
     Actions job_closed(JobId job);
 
     /// The scenario is answered, by whichever worker. Of a scenario already answered: nothing.
     Actions scenario_answered(WorkerId worker, JobId job, std::uint64_t scenario);
+    /// So many scenarios of a range are answered; they took its threads that long. Of a task that
+    /// is not here: nothing.
+    Actions places_answered(WorkerId worker, TaskId task, std::uint64_t count, double busy_seconds);
     /// The worker has sent all results of the task. Scenarios of it that are not answered go back:
     /// those of a draining worker are handed back, those of another one count as lost with it.
     Actions task_ended(WorkerId worker, TaskId task);
+    /// It asks for these: from now on it holds them, as far as is known.
+    void roots_wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
     Actions roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
 
     // ---- What matching by time learns from. Without these events it goes by what it assumes ----
@@ -96,6 +132,12 @@ class Dispatcher {
     [[nodiscard]] std::uint64_t unsent() const;
     /// How many unsent scenarios are enough to choose from; more only take memory.
     [[nodiscard]] std::uint64_t unsent_enough() const;
+    /// Places given and not sent, and how many are enough for all workers. The job is open.
+    [[nodiscard]] std::uint64_t places_unsent(JobId job) const;
+    [[nodiscard]] std::uint64_t places_enough(JobId job) const;
+    /// What analysed scenarios of the job lack where they are sent, and what would be lacking with
+    /// any worker, in seconds each; and what it takes until all hold all. The job is open.
+    [[nodiscard]] MissingCosts missing_costs(JobId job) const;
     /// The parts of a WorkerStatus that the dispatcher knows (claimed, draining, buffered, working,
     /// tasks, scenarios).
     [[nodiscard]] WorkerStatus worker_status(WorkerId worker) const;

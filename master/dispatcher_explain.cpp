@@ -44,7 +44,7 @@ std::string reason(Strategy strategy, bool is_anyone) {
 std::string Dispatcher::State::whereabouts(const DispatchJob& job, std::uint64_t index) const {
     const auto found = job.scenarios.find(index);
     if (found == job.scenarios.end()) {
-        return "answered, or not analysed yet";
+        return "answered, not analysed yet, or in a range at a worker";
     }
     const auto name_of = [&](WorkerId worker) { return pool.find(worker)->facts().name; };
     switch (found->second.where) {

@@ -25,6 +25,7 @@ void Dispatcher::State::settle(Actions& actions) {
         flush_ripe(proxy, actions);
     }
     rebalance(actions);
+    give_places(actions);
 }
 
 bool Dispatcher::State::allocate_next(Actions& actions) {
@@ -107,17 +108,24 @@ void Dispatcher::State::score_candidates(const DispatchJob& job, const DispatchS
     }
 }
 
-void Dispatcher::State::hold_roots(const DispatchJob& job,
+void Dispatcher::State::hold_roots(DispatchJob& job,
                                    DispatchScenario& scenario,
                                    WorkerProxy& proxy) {
-    const WorkerPool::Missing a = pool.hold(proxy, job.a.tree, scenario.roots.a);
-    const WorkerPool::Missing b = pool.hold(proxy, job.b.tree, scenario.roots.b);
-    scenario.fetches = a.blocks + b.blocks != 0;
+    measure_missing(job, scenario);
+    WorkerPool::Missing missing = pool.hold(proxy, job.a.tree, scenario.roots.a);
+    missing += pool.hold(proxy, job.b.tree, scenario.roots.b);
+    scenario.fetches = missing.blocks != 0;
+    const double seconds = seconds_of(missing, proxy);
+    job.missing_seconds += seconds;
     if (scenario.fetches) {
-        const double seconds = static_cast<double>(a.bytes + b.bytes) / link_of(proxy) +
-                               static_cast<double>(a.blocks + b.blocks) * limits::block_seconds;
         proxy.add_transfer(now, seconds);
     }
+}
+
+double Dispatcher::State::seconds_of(const WorkerPool::Missing& missing,
+                                     const WorkerProxy& proxy) const {
+    return static_cast<double>(missing.bytes) / link_of(proxy) +
+           static_cast<double>(missing.blocks) * limits::block_seconds;
 }
 
 void Dispatcher::State::give_suspects(Actions& actions) {
@@ -205,6 +213,7 @@ void Dispatcher::State::refill(WorkerProxy& proxy, Actions& actions) {
             pull(proxy, job, actions);
         }
     }
+    give_places_to(proxy, actions);
 }
 
 void Dispatcher::State::flush(WorkerProxy& proxy, DispatchJob& job, Actions& actions) {
@@ -239,6 +248,17 @@ void Dispatcher::State::take_back_buffers(WorkerProxy& proxy) {
     while (!proxy.buffers().empty()) {
         DispatchJob& job = jobs.at(proxy.buffers().begin()->first);
         wait_first(job, proxy.take_buffer(job.id).scenarios);
+    }
+}
+
+void Dispatcher::State::end_task(TaskId task,
+                                 const ProxyTask& ended,
+                                 bool are_lost,
+                                 Actions& actions) {
+    if (ended.is_range()) {
+        actions.push_back(RangeEnded{task, ended.job, ended.places, are_lost});
+    } else {
+        take_back(ended.job, ended.scenarios, are_lost, actions);
     }
 }
 

@@ -29,7 +29,10 @@ void Dispatcher::State::check_counts() const {
         not_sent += job.waiting.size();
     }
     for (const auto& [id, proxy] : pool.all()) {
-        placed += proxy.buffered() + proxy.working();
+        placed += proxy.buffered();
+        for (const auto& [task_id, task] : proxy.tasks()) {
+            placed += task.scenarios.size();
+        }
         not_sent += proxy.buffered();
     }
     // Each is somewhere (check_job), and there are no more places taken than scenarios.
@@ -41,6 +44,12 @@ void Dispatcher::State::check_job(const DispatchJob& job) const {
     const auto holds = [](const auto& list, std::uint64_t index) {
         return std::count(list.begin(), list.end(), index) == 1;
     };
+    std::uint64_t unsent_places = 0;
+    for (const PlaceRange& range : job.places) {
+        CD_CHECK(range.count != 0);
+        unsent_places += range.count;
+    }
+    CD_CHECK(unsent_places == job.places_unsent);
     for (const auto& [index, scenario] : job.scenarios) {
         CD_CHECK(scenario.losses < limits::scenario_losses_max);
         switch (scenario.where) {
@@ -91,10 +100,14 @@ void Dispatcher::State::check_worker(const WorkerProxy& proxy) const {
     std::size_t claiming = 0;
     for (const auto& [id, task] : proxy.tasks()) {
         CD_CHECK(id.value <= task_last);
-        working += task.scenarios.size();
+        working += task.left();
         claiming += task.claims ? 1 : 0;
-        CD_CHECK(task.cost_ns ==
-                 (task.scenarios.empty() ? 0 : cost_of(jobs.at(task.job), task.scenarios)));
+        CD_CHECK(task.places_left <= task.places.count);
+        CD_CHECK(
+            task.is_range()
+                ? task.scenarios.empty()
+                : task.cost_ns ==
+                      (task.scenarios.empty() ? 0 : cost_of(jobs.at(task.job), task.scenarios)));
         working_ns += task.cost_ns;
     }
     CD_CHECK(working_ns == proxy.working_ns());
@@ -112,6 +125,8 @@ void Dispatcher::State::check_progress() const {
         }
         CD_CHECK(suspects.empty() || !proxy.is_idle());
         for (const auto& [job_id, job] : jobs) {
+            // How many places go to it at once depends on what others do; but it has something.
+            CD_CHECK(!takes_places(proxy, job) || !proxy.tasks().empty());
             if (job.is_pulled()) {
                 CD_CHECK(!can_pull(proxy, job));
                 continue;

@@ -54,6 +54,18 @@ struct DispatchJob {
     Matchmaker matchmaker;
     std::unordered_map<std::uint64_t, DispatchScenario> scenarios; ///< The unanswered ones.
     std::deque<std::uint64_t> waiting;
+
+    std::deque<PlaceRange> places;   ///< Given, not sent.
+    std::uint64_t places_unsent = 0; ///< Of these.
+    std::uint64_t places_after = 0;  ///< Scenarios of the job that come after them.
+    LearnedRate place_rate;          ///< Scenarios of ranges that one thread does in a second,
+    std::map<WorkerId, LearnedRate> place_rates; ///< and each worker's.
+
+    LearnedRate missing_matched;      ///< Seconds a scenario, of those that were matched,
+    LearnedRate missing_any;          ///< and with any worker, or of ranges.
+    std::uint64_t scenarios_held = 0; ///< By workers that were chosen for them.
+    double missing_seconds = 0;       ///< Of the last of these,
+    double missing_in_ranges = 0;     ///< and of ranges, since answers came.
 };
 
 [[nodiscard]] DispatchScenario make_dispatch_scenario(const DispatchJob& job,
@@ -95,7 +107,7 @@ struct Dispatcher::State {
     /// Who may get a scenario of the job now.
     void gather_candidates(const DispatchJob& job);
     void score_candidates(const DispatchJob& job, const DispatchScenario& scenario);
-    void hold_roots(const DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy);
+    void hold_roots(DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy);
     void give_suspects(Actions& actions);
     /// The worker that is being emptied for suspects; null without suspects.
     [[nodiscard]] const WorkerProxy* reserved() const;
@@ -115,6 +127,26 @@ struct Dispatcher::State {
               std::vector<std::uint64_t> scenarios,
               bool claims,
               Actions& actions);
+
+    // ---- Ranges (dispatcher_ranges.cpp) ---------------------------------------------------------
+    /// Workers that would run dry get places.
+    void give_places(Actions& actions);
+    void give_places_to(WorkerProxy& proxy, Actions& actions);
+    [[nodiscard]] DispatchJob* next_with_places(const WorkerProxy& proxy);
+    [[nodiscard]] bool takes_places(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// Scenarios of the job's ranges that the worker's threads do in a second.
+    [[nodiscard]] double places_per_second(const WorkerProxy& proxy, const DispatchJob& job) const;
+    [[nodiscard]] std::uint64_t places_at_once(const WorkerProxy& proxy,
+                                               const DispatchJob& job) const;
+    void send_places(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
+    /// Of the roots of both trees, what the worker does not hold.
+    [[nodiscard]] double missing_share(const WorkerProxy& proxy, const DispatchJob& job) const;
+    [[nodiscard]] double missing_with_any(const DispatchJob& job, const DispatchScenario& scenario);
+    /// Before a worker holds the scenario: now and then notes what lacks.
+    void measure_missing(DispatchJob& job, const DispatchScenario& scenario);
+    /// Until the blocks are there.
+    [[nodiscard]] double seconds_of(const WorkerPool::Missing& missing,
+                                    const WorkerProxy& proxy) const;
 
     // ---- A free worker takes what is most similar (dispatcher_pull.cpp) -------------------------
     /// Some worker pulls a task's worth. False when none can.
@@ -163,6 +195,8 @@ struct Dispatcher::State {
     /// suspected or given up.
     void
     take_back(JobId job, std::span<const std::uint64_t> scenarios, bool are_lost, Actions& actions);
+    /// What of the task, which has ended, is not answered has to be done again.
+    void end_task(TaskId task, const ProxyTask& ended, bool are_lost, Actions& actions);
     /// Removes the scenario from where it is; its entry stays.
     void withdraw(DispatchJob& job, std::uint64_t index, DispatchScenario& scenario, WorkerId by);
     void wait_first(DispatchJob& job, std::span<const std::uint64_t> scenarios);

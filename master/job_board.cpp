@@ -69,6 +69,9 @@ void JobBoard::end(MasterJob& job,
     job.analysis_input.reset();
     job.material.reset();
     job.open.clear();
+    job.given.clear();
+    job.todo = PlaceQueue();
+    job.order.reset();
     ++job.changes;
     running_.erase(job.id);
     drop_oldest_ended();

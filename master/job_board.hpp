@@ -3,10 +3,13 @@
 
 #include "common/core/result.hpp"
 #include "common/job/merge.hpp"
+#include "common/job/ordered_poses.hpp"
 #include "common/job/pose_source.hpp"
+#include "master/place_queue.hpp"
 #include "master/result_intake.hpp"
 #include "master/result_store.hpp"
 #include "master/submitter.hpp"
+#include "master/worker_pace.hpp"
 #include "proto/message.hpp"
 
 #include <chrono>
@@ -22,6 +25,12 @@
 namespace cd {
 
 using Clock = std::chrono::steady_clock;
+
+/// Places that go out in ranges, and their window; null for a grid.
+struct GivenPlaces {
+    PlaceRange places;
+    std::shared_ptr<const PoseWindow> window;
+};
 
 /// One job. While it runs, `open` holds what was analysed for the workers and is not merged yet.
 struct MasterJob {
@@ -50,6 +59,14 @@ struct MasterJob {
     std::unique_ptr<Submitter> submitter;
     std::optional<AnalysisInput> analysis_input; ///< The submitter's.
     std::unordered_map<std::uint64_t, std::shared_ptr<const Analysis>> open;
+    std::shared_ptr<OrderedPoses> order;
+    PlaceQueue todo;
+    /// By first place: what the dispatcher was given and has not sent whole.
+    std::map<std::uint64_t, GivenPlaces> given;
+    std::uint64_t places_loading = 0; ///< Taken from `todo` to be given.
+    LearnedRate analysis_seconds;     ///< Of a scenario,
+    LearnedRate matching_seconds;     ///< and what handing it out took after that,
+    LearnedRate work_seconds;         ///< and a worker's.
 
     // Once it has ended.
     Clock::time_point ended;

@@ -10,7 +10,36 @@ namespace cd {
 
 namespace {
 
-using ByIndex = std::unordered_map<std::uint64_t, const Analysis*>;
+/// A scenario of a task, and what it has cost the master.
+struct TaskScenario {
+    Scenario scenario;
+    JobStatistics cost;
+};
+
+/// Finds a task's scenarios by index.
+class TaskIndex {
+  public:
+    explicit TaskIndex(const TaskContent& task) : task_(task) {
+        for (const auto& analysis : task.scenarios) {
+            analyses_.emplace(analysis->scenario.index, analysis.get());
+        }
+    }
+
+    [[nodiscard]] std::optional<TaskScenario> find(std::uint64_t index) const {
+        if (task_.range) {
+            const auto scenario = task_.range->scenario(index);
+            return scenario ? std::optional(TaskScenario{*scenario, {}}) : std::nullopt;
+        }
+        const auto found = analyses_.find(index);
+        return found == analyses_.end()
+                   ? std::nullopt
+                   : std::optional(TaskScenario{found->second->scenario, found->second->cost});
+    }
+
+  private:
+    const TaskContent& task_;
+    std::unordered_map<std::uint64_t, const Analysis*> analyses_;
+};
 
 bool are_triangles_of(const JobMaterial& material, std::span<const ContactPair> pairs) {
     const std::size_t count_a = material.a->mesh().triangles().size();
@@ -21,7 +50,7 @@ bool are_triangles_of(const JobMaterial& material, std::span<const ContactPair> 
 }
 
 Result<TakenResult> take_record(const JobMaterial& material,
-                                const ByIndex& scenarios,
+                                const TaskIndex& scenarios,
                                 std::span<const std::byte> bytes) {
     Result<ScenarioResult> decoded = decode_result(bytes);
     if (!decoded) {
@@ -29,12 +58,12 @@ Result<TakenResult> take_record(const JobMaterial& material,
     }
     ScenarioResult& result = decoded.value();
     const auto found = scenarios.find(result.index);
-    if (found == scenarios.end()) {
+    if (!found) {
         return Error{ErrorCode::BadFrame,
                      "a result of scenario " + std::to_string(result.index) +
                          ", which is not in the task"};
     }
-    const Scenario& scenario = found->second->scenario;
+    const Scenario& scenario = found->scenario;
     if (result.level != material.query.level || result.body_a != scenario.body_a ||
         result.body_b != scenario.body_b) {
         return Error{ErrorCode::BadFrame,
@@ -51,12 +80,26 @@ Result<TakenResult> take_record(const JobMaterial& material,
                      "the result of scenario " + std::to_string(result.index) +
                          " is undecided, and no tolerance was asked for"};
     }
-    JobStatistics cost = found->second->cost;
+    JobStatistics cost = found->cost;
     cost.inside += settle_with_cost(*material.a, *material.b, scenario, material.query, result);
     return take_result(std::move(result), cost);
 }
 
 } // namespace
+
+std::optional<Scenario> RangeContent::scenario(std::uint64_t index) const {
+    const auto is_in = [this](std::uint64_t place) {
+        return place >= places.first && place < places.end();
+    };
+    if (window == nullptr) {
+        return is_in(index) ? std::optional(scenario_on(*order->grid(), index)) : std::nullopt;
+    }
+    if (!window->has(index)) {
+        return std::nullopt;
+    }
+    const std::uint64_t place = window->place_of(index);
+    return is_in(place) ? std::optional(window->at({place, 1}).front()) : std::nullopt;
+}
 
 TakenResult take_result(ScenarioResult result, const JobStatistics& cost) {
     Bytes record = encode_result(result);
@@ -69,10 +112,7 @@ Result<std::vector<TakenResult>> take_results(const TaskContent& task, const Res
     if (!records) {
         return records.error();
     }
-    ByIndex scenarios;
-    for (const auto& analysis : task.scenarios) {
-        scenarios.emplace(analysis->scenario.index, analysis.get());
-    }
+    const TaskIndex scenarios(task);
     std::vector<TakenResult> taken;
     ByteReader reader(records.value());
     for (std::uint32_t i = 0; i < results.count; ++i) {

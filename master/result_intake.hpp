@@ -3,6 +3,7 @@
 
 #include "common/core/hash.hpp"
 #include "common/core/result.hpp"
+#include "common/job/ordered_poses.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
 #include "common/job/statistics.hpp"
@@ -11,6 +12,7 @@
 #include "proto/message.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace cd {
@@ -22,11 +24,22 @@ struct JobMaterial {
     Query query;
 };
 
-/// A task's scenarios, in the order sent.
+/// The scenarios of a range: places on a grid, or of a window.
+struct RangeContent {
+    PlaceRange places;
+    std::shared_ptr<const PoseWindow> window; ///< Null: on the grid.
+    std::shared_ptr<OrderedPoses> order;
+
+    /// Nothing for a scenario that is not among them.
+    [[nodiscard]] std::optional<Scenario> scenario(std::uint64_t index) const;
+};
+
+/// What a task consists of.
 struct TaskContent {
     JobId job;
     std::shared_ptr<const JobMaterial> material;
-    std::vector<std::shared_ptr<const Analysis>> scenarios;
+    std::vector<std::shared_ptr<const Analysis>> scenarios; ///< In the order sent.
+    std::optional<RangeContent> range;                      ///< Instead of these.
 };
 
 /// A result with its canonical record and the record's hash.

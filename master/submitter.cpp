@@ -1,10 +1,11 @@
 #include "master/submitter.hpp"
 
+#include "common/core/check.hpp"
 #include "common/core/limits.hpp"
 #include "common/job/run_scenario.hpp"
 #include "master/cost_model.hpp"
 
-#include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <map>
 #include <mutex>
@@ -43,21 +44,21 @@ std::uint64_t bytes_in_batch(const Analysis& analysis, std::uint64_t pose_bytes)
     return pose_bytes + sizeof(std::uint32_t) + analysis.pairs.size() * sizeof(RootPair);
 }
 
-AnalysedBlock analyse_block(const AnalysisInput& input, std::uint64_t first, std::uint64_t count) {
-    AnalysedBlock block;
-    block.first = first;
-    const Result<std::vector<Scenario>> scenarios = input.poses->read(first, count);
+void analyse_block(const AnalysisInput& input, AnalysedBlock& block) {
+    const auto begin = std::chrono::steady_clock::now();
+    const PlaceRange& places = block.places;
+    const Result<std::vector<Scenario>> scenarios = input.poses->read(places.first, places.count);
     if (!scenarios) {
         block.error = scenarios.error();
-        return block;
+        return;
     }
-    const std::uint64_t pose_bytes = pack_scenarios(scenarios.value()).size() / count;
-    block.scenarios.reserve(count);
+    const std::uint64_t pose_bytes = pack_scenarios(scenarios.value()).size() / places.count;
+    block.scenarios.reserve(places.count);
     for (const Scenario& scenario : scenarios.value()) {
         block.scenarios.push_back(analyse_uncounted(input, scenario));
         block.scenarios.back().bytes = bytes_in_batch(block.scenarios.back(), pose_bytes);
     }
-    return block;
+    block.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 } // namespace
@@ -76,32 +77,24 @@ struct Submitter::State {
 
     mutable std::mutex mutex;
     std::condition_variable changed;
-    std::uint64_t started = 0;                    ///< Blocks
-    std::uint64_t delivered = 0;                  ///< of the job.
+    std::uint64_t started = 0; ///< Blocks.
+    std::uint64_t delivered = 0;
     std::map<std::uint64_t, AnalysedBlock> ready; ///< Analysed, waiting for those before them.
     bool delivering = false;
     bool stopped = false;
 
-    [[nodiscard]] std::uint64_t blocks_total() const {
-        const std::uint64_t count = input.poses->count();
-        return count / limits::analysis_block_scenarios +
-               (count % limits::analysis_block_scenarios != 0 ? 1 : 0);
-    }
-    void run_block(std::uint64_t number);
+    void run_block(std::uint64_t number, AnalysedBlock block);
     void deliver_ready();
 };
 
-void Submitter::State::run_block(std::uint64_t number) {
+void Submitter::State::run_block(std::uint64_t number, AnalysedBlock block) {
     {
         const std::lock_guard lock(mutex);
         if (stopped) {
             return;
         }
     }
-    const std::uint64_t first = number * limits::analysis_block_scenarios;
-    const std::uint64_t count =
-        std::min(limits::analysis_block_scenarios, input.poses->count() - first);
-    AnalysedBlock block = analyse_block(input, first, count);
+    analyse_block(input, block);
     {
         const std::lock_guard lock(mutex);
         ready.emplace(number, std::move(block));
@@ -143,32 +136,24 @@ Submitter::~Submitter() {
     state_->changed.wait(lock, [this] { return !state_->delivering; });
 }
 
-std::uint64_t Submitter::start(std::uint64_t blocks) {
-    std::uint64_t begin = 0;
-    std::uint64_t end = 0;
+void Submitter::start(const PlaceRange& places, std::uint32_t losses) {
+    CD_CHECK(places.count != 0 && places.count <= limits::analysis_block_scenarios);
+    std::uint64_t number = 0;
     {
         const std::lock_guard lock(state_->mutex);
         if (state_->stopped) {
-            return 0;
+            return;
         }
-        begin = state_->started;
-        end = begin + std::min(blocks, state_->blocks_total() - begin);
-        state_->started = end;
+        number = state_->started++;
     }
-    for (std::uint64_t number = begin; number < end; ++number) {
-        pool_.post([state = state_, number] { state->run_block(number); });
-    }
-    return end - begin;
+    pool_.post([state = state_, number, places, losses] {
+        state->run_block(number, {places, losses, {}, 0, std::nullopt});
+    });
 }
 
 std::uint64_t Submitter::under_way() const {
     const std::lock_guard lock(state_->mutex);
     return state_->stopped ? 0 : state_->started - state_->delivered;
-}
-
-bool Submitter::all_started() const {
-    const std::lock_guard lock(state_->mutex);
-    return state_->stopped || state_->started == state_->blocks_total();
 }
 
 } // namespace cd

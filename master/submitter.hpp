@@ -3,6 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "common/core/thread_pool.hpp"
+#include "common/job/ordered_poses.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
@@ -46,20 +47,22 @@ struct Analysis {
 /// The analysis of one scenario. Pure. A failure of it is a `finished` result that names it.
 [[nodiscard]] Analysis analyse(const AnalysisInput& input, const Scenario& scenario);
 
-/// The scenarios [first, first + count) of a job, in order. With an error (of reading the poses)
-/// there are none, and no block after this one comes.
+/// The scenarios at some places of a job. With an error (of reading the poses) there are none, and
+/// no block after this one comes.
 struct AnalysedBlock {
-    std::uint64_t first = 0;
+    PlaceRange places;
+    std::uint32_t losses = 0; ///< As it was said when the block was started.
     std::vector<Analysis> scenarios;
+    double seconds = 0; ///< Of a thread.
     std::optional<Error> error;
 };
 
-/// Analyses one job in blocks of `limits::analysis_block_scenarios` on a pool, several at once, no
-/// more of them than the owner asked for.
+/// Analyses a job in blocks on a pool, several at once, no more of them than the owner asked for.
 class Submitter {
   public:
-    /// Blocks are delivered in order and one at a time, on threads of the pool. `deliver` must
-    /// neither throw nor destroy the submitter. The pool must outlive the work posted to it.
+    /// The places are those of `input.poses`. Blocks are delivered in the order in which they were
+    /// started, one at a time, on threads of the pool. `deliver` must neither throw nor destroy the
+    /// submitter. The pool must outlive the work posted to it.
     Submitter(ThreadPool& pool, AnalysisInput input, std::function<void(AnalysedBlock)> deliver);
     Submitter(const Submitter&) = delete;
     Submitter& operator=(const Submitter&) = delete;
@@ -67,13 +70,12 @@ class Submitter {
     /// started are dropped.
     ~Submitter();
 
-    /// Starts the next `blocks` blocks; fewer where the job ends before. Returns how many.
-    std::uint64_t start(std::uint64_t blocks);
+    /// Starts a block of at most `limits::analysis_block_scenarios` places. After an error or the
+    /// end: nothing.
+    void start(const PlaceRange& places, std::uint32_t losses = 0);
 
     /// Blocks started and not yet delivered.
     [[nodiscard]] std::uint64_t under_way() const;
-    /// Every block has been started.
-    [[nodiscard]] bool all_started() const;
 
   private:
     struct State;

@@ -115,18 +115,32 @@ WorkerPool::Missing
 WorkerPool::hold(WorkerProxy& proxy, TreeId id, std::span<const WeightedRoot> roots) {
     const auto found = trees_.find(id);
     CD_CHECK(found != trees_.end());
-    PooledTree& tree = found->second;
     Missing missing;
     for (const WeightedRoot& root : roots) {
-        CD_CHECK(root.root < tree.triangles.size());
-        if (tree.held.set(proxy.slot(), root.root)) {
-            tree.coming.set(proxy.slot(), root.root);
-            proxy.add_held(tree.triangles[root.root]);
-            ++missing.blocks;
-            missing.bytes += bytes_unit * tree.bytes_64[root.root];
-        }
+        hold_root(proxy, found->second, root.root, missing);
     }
     return missing;
+}
+
+WorkerPool::Missing
+WorkerPool::hold(WorkerProxy& proxy, TreeId id, std::span<const RootIndex> roots) {
+    const auto found = trees_.find(id);
+    CD_CHECK(found != trees_.end());
+    Missing missing;
+    for (const RootIndex root : roots) {
+        hold_root(proxy, found->second, root, missing);
+    }
+    return missing;
+}
+
+void WorkerPool::hold_root(WorkerProxy& proxy, PooledTree& tree, RootIndex root, Missing& missing) {
+    CD_CHECK(root < tree.triangles.size());
+    if (tree.held.set(proxy.slot(), root)) {
+        tree.coming.set(proxy.slot(), root);
+        proxy.add_held(tree.triangles[root]);
+        ++missing.blocks;
+        missing.bytes += bytes_unit * tree.bytes_64[root];
+    }
 }
 
 void WorkerPool::arrived(const WorkerProxy& proxy, TreeId id, std::span<const WeightedRoot> roots) {

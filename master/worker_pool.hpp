@@ -54,9 +54,16 @@ class WorkerPool {
     struct Missing {
         std::uint64_t blocks = 0;
         std::uint64_t bytes = 0;
+
+        Missing& operator+=(const Missing& other) {
+            blocks += other.blocks;
+            bytes += other.bytes;
+            return *this;
+        }
     };
     /// From now on the worker holds these; what it did not hold is coming.
     Missing hold(WorkerProxy& proxy, TreeId tree, std::span<const WeightedRoot> roots);
+    Missing hold(WorkerProxy& proxy, TreeId tree, std::span<const RootIndex> roots);
     /// Its blocks of these are there. Of a tree that is not here, or roots out of range: nothing.
     void arrived(const WorkerProxy& proxy, TreeId tree, std::span<const RootIndex> roots);
     void arrived(const WorkerProxy& proxy, TreeId tree, std::span<const WeightedRoot> roots);
@@ -69,6 +76,7 @@ class WorkerPool {
 
   private:
     [[nodiscard]] std::uint32_t free_slot();
+    static void hold_root(WorkerProxy& proxy, PooledTree& tree, RootIndex root, Missing& missing);
     void check_tree(const PooledTree& tree) const;
 
     std::map<WorkerId, WorkerProxy> proxies_;

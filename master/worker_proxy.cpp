@@ -85,7 +85,7 @@ std::size_t WorkerProxy::tasks_of(JobId job) const {
 }
 
 void WorkerProxy::start_task(TaskId task, ProxyTask content) {
-    working_ += content.scenarios.size();
+    working_ += content.left();
     working_ns_ += content.cost_ns;
     claiming_tasks_ += content.claims ? 1 : 0;
     ++tasks_sent_;
@@ -110,10 +110,31 @@ void WorkerProxy::answer(TaskId task, std::uint64_t scenario, std::uint64_t cost
 void WorkerProxy::forget_scenarios(TaskId task) {
     const auto found = tasks_.find(task);
     CD_CHECK(found != tasks_.end());
-    working_ -= found->second.scenarios.size();
+    working_ -= found->second.left();
     working_ns_ -= found->second.cost_ns;
     found->second.scenarios.clear();
+    found->second.places_left = 0;
     found->second.cost_ns = 0;
+}
+
+void WorkerProxy::answer_places(TaskId id, std::uint64_t count) {
+    const auto found = tasks_.find(id);
+    CD_CHECK(found != tasks_.end());
+    ProxyTask& task = found->second;
+    CD_CHECK(count <= task.places_left);
+    if (count == 0) {
+        return;
+    }
+    const auto share = static_cast<double>(count) / static_cast<double>(task.places_left);
+    const auto cost_ns =
+        count == task.places_left
+            ? task.cost_ns
+            : static_cast<std::uint64_t>(share * static_cast<double>(task.cost_ns));
+    task.places_left -= count;
+    task.cost_ns -= cost_ns;
+    working_ -= count;
+    working_ns_ -= cost_ns;
+    scenarios_answered_ += count;
 }
 
 void WorkerProxy::note_busy(TaskId task, double seconds) {
@@ -142,7 +163,7 @@ void WorkerProxy::judge_batch(const ProxyTask& ended, double now) {
 ProxyTask WorkerProxy::end_task(TaskId task) {
     auto node = tasks_.extract(task);
     CD_CHECK(!node.empty());
-    working_ -= node.mapped().scenarios.size();
+    working_ -= node.mapped().left();
     working_ns_ -= node.mapped().cost_ns;
     claiming_tasks_ -= node.mapped().claims ? 1 : 0;
     return std::move(node.mapped());

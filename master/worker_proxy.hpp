@@ -3,6 +3,7 @@
 
 #include "common/core/id.hpp"
 #include "common/core/limits.hpp"
+#include "common/job/ordered_poses.hpp"
 #include "master/worker_pace.hpp"
 #include "proto/message.hpp"
 
@@ -47,6 +48,11 @@ struct ProxyTask {
     double sent = 0;                      ///< When, in seconds.
     bool fetches = false;                 ///< Not all of its blocks were there when it was sent.
     double busy_seconds = 0;              ///< Measured so far, over the worker's threads.
+    PlaceRange places = {};               ///< Of a range; it has no `scenarios`.
+    std::uint64_t places_left = 0;        ///< Of these, not yet answered.
+
+    [[nodiscard]] bool is_range() const { return places.count != 0; }
+    [[nodiscard]] std::uint64_t left() const { return scenarios.size() + places_left; }
 };
 
 /// Buffers, tasks and counts. Decides nothing.
@@ -119,6 +125,8 @@ class WorkerProxy {
     [[nodiscard]] JobId flushed_last() const { return flushed_last_; }
     /// The scenario is in the task. `here`: this worker answered it.
     void answer(TaskId task, std::uint64_t scenario, std::uint64_t cost_ns, bool here);
+    /// So many places of the task, which is a range, are answered; no more than are left.
+    void answer_places(TaskId task, std::uint64_t count);
     /// Of a task that is not here: nothing.
     void note_busy(TaskId task, double seconds);
     /// The task's scenarios are no longer of interest; the task itself lasts until it ends.

@@ -39,10 +39,21 @@ Problem problem_of(const Hello& hello) {
     return nullptr;
 }
 
-Problem problem_of(const Batch& batch) {
-    if (batch.query.tolerance < 0) {
-        return "a negative tolerance";
+Problem problem_of(const AddJob& add) {
+    return add.query.tolerance < 0 ? "a negative tolerance" : nullptr;
+}
+
+Problem problem_of(const ScenarioRange& range) {
+    if (range.count == 0 || range.count > limits::range_scenarios_max) {
+        return "no scenarios, or too many";
     }
+    if (range.first > limits::scenarios_max) {
+        return "a place that no job has";
+    }
+    return nullptr;
+}
+
+Problem problem_of(const Batch& batch) {
     const auto& offsets = batch.pair_offsets;
     if (offsets.empty() || offsets.front() != 0 || offsets.back() != batch.pairs.size()) {
         return "offsets of pairs that do not span the pairs";

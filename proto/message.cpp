@@ -3,7 +3,9 @@
 #include "common/core/limits.hpp"
 #include "proto/codec.hpp"
 
+#include <algorithm>
 #include <array>
+#include <span>
 
 namespace cd {
 namespace {
@@ -56,6 +58,9 @@ constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"peer fetched", Lane::Data, limits::message_roots_bytes_max},
     {"explain"},
     {"explained", Lane::Control, limits::message_data_bytes_max},
+    {"add job", Lane::Data, limits::message_data_bytes_max},
+    {"remove job", Lane::Data},
+    {"scenario range", Lane::Data, limits::message_data_bytes_max},
 }};
 static_assert(!kinds.back().name.empty(), "a message without a row");
 
@@ -63,11 +68,19 @@ const Kind* kind_of(std::uint16_t type) {
     return type >= 1 && type <= kinds.size() ? &kinds[type - 1u] : nullptr;
 }
 
-constexpr std::array<std::string_view, 6> strategy_names{
+constexpr std::array<std::string_view, 6> names_of_strategies{
     "best-match", "best-match-load", "random", "lowest", "best-match-pull", "earliest-finish"};
+constexpr std::array<std::string_view, 3> names_of_modes{"auto", "always", "never"};
 constexpr std::array<std::string_view, 4> state_names{"running", "done", "cancelled", "failed"};
 constexpr std::array<std::string_view, 6> outcome_names{
     "given", "busy", "missing", "unreachable", "damaged", "refused"};
+
+template <class Enum>
+std::optional<Enum> from_text(std::string_view text, std::span<const std::string_view> names) {
+    const auto found = std::find(names.begin(), names.end(), text);
+    return found == names.end() ? std::nullopt
+                                : std::optional(static_cast<Enum>(found - names.begin()));
+}
 
 } // namespace
 
@@ -91,16 +104,27 @@ bool travels_as_data(std::uint16_t type) {
 }
 
 std::string_view to_text(Strategy strategy) {
-    return strategy_names[static_cast<std::size_t>(strategy)];
+    return names_of_strategies[static_cast<std::size_t>(strategy)];
 }
 
 std::optional<Strategy> strategy_from_text(std::string_view text) {
-    for (std::size_t i = 0; i < strategy_names.size(); ++i) {
-        if (strategy_names[i] == text) {
-            return static_cast<Strategy>(i);
-        }
-    }
-    return std::nullopt;
+    return from_text<Strategy>(text, names_of_strategies);
+}
+
+std::span<const std::string_view> strategy_names() {
+    return names_of_strategies;
+}
+
+std::string_view to_text(AnalysisMode mode) {
+    return names_of_modes[static_cast<std::size_t>(mode)];
+}
+
+std::optional<AnalysisMode> analysis_mode_from_text(std::string_view text) {
+    return from_text<AnalysisMode>(text, names_of_modes);
+}
+
+std::span<const std::string_view> analysis_mode_names() {
+    return names_of_modes;
 }
 
 std::string_view to_text(JobState state) {

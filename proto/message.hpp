@@ -14,14 +14,15 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace cd {
 
-inline constexpr std::uint16_t protocol_version_min = 3;
-inline constexpr std::uint16_t protocol_version_max = 3;
+inline constexpr std::uint16_t protocol_version_min = 4;
+inline constexpr std::uint16_t protocol_version_max = 4;
 
 /// A tree cut at a depth, as the master numbers them while it runs.
 using TreeId = Id<struct TreeTag>;
@@ -105,16 +106,36 @@ struct Subtrees {
     std::vector<SubtreeBlock> blocks;
 };
 
-/// A task: scenarios that one worker gets together (paper, 6.4.3).
-struct Batch {
-    TaskId task;
+/// From now on tasks of this job may come. Its trees have been added.
+struct AddJob {
     JobId job;
     TreeId tree_a;
     TreeId tree_b;
     Query query;
+    std::optional<Bytes> grid; ///< `encode_grid`, of a job whose poses it tells.
+};
+
+/// Frees the job, and drops what waits or runs for it. Its trees may stay.
+struct RemoveJob {
+    JobId job;
+};
+
+/// A task: scenarios that one worker gets together (paper, 6.4.3), analysed by the master.
+struct Batch {
+    TaskId task;
+    JobId job;
     Bytes scenarios;                         ///< `pack_scenarios`.
     std::vector<std::uint32_t> pair_offsets; ///< scenarios + 1 entries, from 0.
     std::vector<RootPair> pairs;             ///< The colliding distribution roots.
+};
+
+/// A task whose worker finds the colliding roots itself.
+struct ScenarioRange {
+    TaskId task;
+    JobId job;
+    std::uint64_t first = 0; ///< Of a job with a grid: these places on it.
+    std::uint64_t count = 0;
+    Bytes scenarios; ///< Of a job without: `pack_scenarios`, so many; `first` is 0.
 };
 
 /// To a worker: nothing more comes, finish what is there, then close. From a worker that its own
@@ -238,6 +259,18 @@ struct MeshStored {
     Sha256 mesh;
 };
 
+/// Whether the master analyses a scenario before it goes to a worker (paper, 6.4.6), or the worker
+/// finds the colliding roots of a whole range of scenarios itself.
+enum class AnalysisMode : std::uint8_t {
+    Auto = 0, ///< Whichever costs less, as measured.
+    Always = 1,
+    Never = 2, ///< But for scenarios that were lost with a worker.
+};
+
+[[nodiscard]] std::string_view to_text(AnalysisMode mode);
+[[nodiscard]] std::optional<AnalysisMode> analysis_mode_from_text(std::string_view text);
+[[nodiscard]] std::span<const std::string_view> analysis_mode_names();
+
 enum class Strategy : std::uint8_t {
     BestMatch = 0,
     BestMatchLoad = 1,
@@ -249,6 +282,8 @@ enum class Strategy : std::uint8_t {
 
 [[nodiscard]] std::string_view to_text(Strategy strategy);
 [[nodiscard]] std::optional<Strategy> strategy_from_text(std::string_view text);
+/// In the order of their numbers.
+[[nodiscard]] std::span<const std::string_view> strategy_names();
 
 /// The [cluster] table of a job. Under a tolerance the depths are `tolerance_depth` of the trees,
 /// and those given here are not looked at.
@@ -260,6 +295,8 @@ struct ClusterOptions {
     std::uint32_t v_kb = 4096;  ///< or V kB.
     bool claim = false;         ///< The paper's strict claiming: one task at a worker at a time.
     std::uint64_t seed = 1;     ///< Of the random strategy.
+    /// With strict claiming it is Always.
+    AnalysisMode analysis = AnalysisMode::Auto;
 };
 
 /// A new job. With a grid it is complete and answered by Accepted; otherwise poses follow in
@@ -442,6 +479,9 @@ using Message = std::variant<Hello,
                              PeerFetch,
                              PeerFetched,
                              Explain,
-                             Explained>;
+                             Explained,
+                             AddJob,
+                             RemoveJob,
+                             ScenarioRange>;
 
 } // namespace cd

@@ -91,7 +91,22 @@ void serialize(Archive& archive, Subtrees& m) {
 
 template <class Archive>
 void serialize(Archive& archive, Batch& m) {
-    archive(m.task, m.job, m.tree_a, m.tree_b, m.query, m.scenarios, m.pair_offsets, m.pairs);
+    archive(m.task, m.job, m.scenarios, m.pair_offsets, m.pairs);
+}
+
+template <class Archive>
+void serialize(Archive& archive, AddJob& m) {
+    archive(m.job, m.tree_a, m.tree_b, m.query, m.grid);
+}
+
+template <class Archive>
+void serialize(Archive& archive, RemoveJob& m) {
+    archive(m.job);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ScenarioRange& m) {
+    archive(m.task, m.job, m.first, m.count, m.scenarios);
 }
 
 template <class Archive>
@@ -175,6 +190,7 @@ template <class Archive>
 void serialize(Archive& archive, ClusterOptions& o) {
     enumeration(archive, o.strategy, Strategy::BestMatch, Strategy::EarliestFinish);
     archive(o.depth_a, o.depth_b, o.q, o.v_kb, o.claim, o.seed);
+    enumeration(archive, o.analysis, AnalysisMode::Auto, AnalysisMode::Never);
 }
 
 template <class Archive>

@@ -45,7 +45,7 @@ void Executor::hand_over() {
     }
 }
 
-FinishedScenario execute(const ReadyScenario& ready, const StopCheck& stop) {
+std::optional<FinishedScenarios> execute(const ReadyScenario& ready, const StopCheck& stop) {
     const auto begin = std::chrono::steady_clock::now();
     std::vector<SubtreePair> pairs;
     pairs.reserve(ready.pairs.size());
@@ -56,10 +56,11 @@ FinishedScenario execute(const ReadyScenario& ready, const StopCheck& stop) {
     RunOptions options;
     options.stop = stop;
     const ScenarioRun run = run_on_subtrees(pairs, ready.scenario, *ready.query, options);
-
-    FinishedScenario finished;
-    finished.is_stopped = run.is_stopped;
-    finished.record = encode_result(run.result);
+    if (run.is_stopped) {
+        return std::nullopt;
+    }
+    FinishedScenarios finished;
+    finished.add(encode_result(run.result));
     finished.statistics = run.statistics;
     finished.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -4,10 +4,12 @@
 #include "common/core/thread_pool.hpp"
 #include "common/job/run_scenario.hpp"
 #include "proto/asio.hpp"
+#include "worker/walk.hpp"
 
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace cd {
@@ -47,13 +49,8 @@ struct ReadyScenario {
     std::vector<std::shared_ptr<const Subtree>> subtrees_b;
 };
 
-struct FinishedScenario {
-    Bytes record; ///< `encode_result`.
-    QueryStatistics statistics;
-    double seconds = 0;      ///< Of one thread.
-    bool is_stopped = false; ///< There is no answer.
-};
-
-[[nodiscard]] FinishedScenario execute(const ReadyScenario& ready, const StopCheck& stop);
+/// Nothing when it was told to stop: there is no answer.
+[[nodiscard]] std::optional<FinishedScenarios> execute(const ReadyScenario& ready,
+                                                       const StopCheck& stop);
 
 } // namespace cd

@@ -9,6 +9,14 @@
 
 namespace cd {
 
+namespace {
+
+Error came_twice(TaskId task) {
+    return {ErrorCode::BadFrame, "task " + std::to_string(task.value) + " came twice"};
+}
+
+} // namespace
+
 Session::Session(std::shared_ptr<Channel> channel,
                  Executor& executor,
                  std::uint64_t cache_bytes,
@@ -74,7 +82,15 @@ void Session::send_heartbeat() {
     traffic.misses = fetcher_.misses();
     traffic.evictions = cache_.evictions();
     traffic.uploaded_bytes = peers_.server == nullptr ? 0 : peers_.server->uploaded_bytes();
-    channel_->send(Heartbeat{++heartbeats_, cache_.bytes(), places_.size(), traffic});
+    channel_->send(Heartbeat{++heartbeats_, cache_.bytes(), unanswered(), traffic});
+}
+
+std::uint64_t Session::unanswered() const {
+    std::uint64_t unanswered = 0;
+    for (const auto& [id, task] : tasks_) {
+        unanswered += task.unanswered();
+    }
+    return unanswered;
 }
 
 void Session::stop() {
@@ -83,7 +99,7 @@ void Session::stop() {
     }
     stopping_ = true;
     draining_ = true;
-    spdlog::info("draining: running={} waiting={}", running_, places_.size() - running_);
+    spdlog::info("draining: running={} unanswered={}", running_, unanswered());
     channel_->send(Drain{});
     drop_unstarted([](const Task&) { return true; });
     settle_soon();
@@ -106,15 +122,31 @@ Status Session::handle(AddTree& add) {
 
 Status Session::handle(RemoveTree& remove) {
     const TreeId tree = remove.tree;
-    drop_unstarted([tree](const Task& task) { return task.uses(tree); });
-    for (auto& [id, task] : tasks_) {
-        if (task.uses(tree)) {
-            task.abandon(); // What runs ends soon, without an answer.
-        }
-    }
+    abandon([tree](const Task& task) { return task.job().uses(tree); });
+    std::erase_if(jobs_, [tree](const auto& job) { return job.second->uses(tree); });
     fetcher_.forget_requests(tree);
     cache_.remove_tree(tree);
     spdlog::info("tree removed: tree={} cached_bytes={}", tree.value, cache_.bytes());
+    settle_soon();
+    return Done{};
+}
+
+Status Session::handle(AddJob& add) {
+    const JobId id = add.job;
+    Result<std::shared_ptr<const WorkerJob>> job = make_worker_job(std::move(add), cache_);
+    if (!job) {
+        return job.error();
+    }
+    if (!jobs_.emplace(id, std::move(job.value())).second) {
+        return Error{ErrorCode::BadFrame, "job " + std::to_string(id.value) + " was added already"};
+    }
+    return Done{};
+}
+
+Status Session::handle(RemoveJob& remove) {
+    const JobId id = remove.job;
+    abandon([id](const Task& task) { return task.job().id == id; });
+    jobs_.erase(id);
     settle_soon();
     return Done{};
 }
@@ -133,26 +165,68 @@ Status Session::handle(FetchFromPeers& directions) {
 }
 
 Status Session::handle(Batch& batch) {
-    Result<Task> made = Task::make(std::move(batch), cache_);
+    const auto job = find_job(batch.task, batch.job);
+    if (!job) {
+        return job.error();
+    }
+    Result<Task> made = Task::make(std::move(batch), job.value(), cache_);
     if (!made) {
         return made.error();
     }
     const TaskId id = made.value().id();
-    const auto [place, is_new] = tasks_.emplace(id, std::move(made.value()));
-    if (!is_new) {
-        return Error{ErrorCode::BadFrame, "task " + std::to_string(id.value) + " came twice"};
+    Task* const task = take_task(std::move(made.value()));
+    if (task == nullptr) {
+        return came_twice(id);
     }
-    Task& task = place->second;
-    for (std::size_t scenario = 0; scenario < task.scenario_count(); ++scenario) {
-        const Token token = next_token_++;
-        places_.emplace(token, Place{id, scenario, false});
-        fetcher_.add(token, task.roots_of(scenario));
+    for (std::size_t scenario = 0; scenario < task->scenario_count(); ++scenario) {
+        wait_for_subtrees(*task, scenario);
     }
     if (stopping_) {
         drop_unstarted([id](const Task& candidate) { return candidate.id() == id; });
     }
     settle_soon();
     return Done{};
+}
+
+Status Session::handle(ScenarioRange& range) {
+    const auto job = find_job(range.task, range.job);
+    if (!job) {
+        return job.error();
+    }
+    Result<Task> made = Task::make(range, job.value());
+    if (!made) {
+        return made.error();
+    }
+    Task* const task = take_task(std::move(made.value()));
+    if (task == nullptr) {
+        return came_twice(range.task);
+    }
+    if (stopping_) {
+        task->drop_unwalked();
+    }
+    settle_soon();
+    return Done{};
+}
+
+Result<std::shared_ptr<const WorkerJob>> Session::find_job(TaskId task, JobId job) const {
+    const auto found = jobs_.find(job);
+    if (found == jobs_.end()) {
+        return Error{ErrorCode::BadFrame,
+                     "task " + std::to_string(task.value) + " names a job that is not here"};
+    }
+    return found->second;
+}
+
+Task* Session::take_task(Task task) {
+    const TaskId id = task.id();
+    const auto [place, is_new] = tasks_.emplace(id, std::move(task));
+    return is_new ? &place->second : nullptr;
+}
+
+void Session::wait_for_subtrees(const Task& task, std::size_t scenario) {
+    const Token token = next_token_++;
+    places_.emplace(token, Place{task.id(), scenario, false});
+    fetcher_.add(token, task.roots_of(scenario));
 }
 
 Status Session::handle(Drain& /*drain*/) {
@@ -198,23 +272,47 @@ void Session::refuse(const Error& error) {
 
 // ---- What comes back from the threads -------------------------------------------------------
 
-void Session::scenario_ran(Token token, const FinishedScenario& finished) {
+void Session::scenario_ran(Token token, const std::optional<FinishedScenarios>& finished) {
     --running_;
     const auto place = places_.find(token);
     Task& task = tasks_.at(place->second.task);
     places_.erase(place);
     fetcher_.finished(token);
-    if (finished.is_stopped) {
+    if (finished) {
+        add_results(task, *finished);
+    } else {
         task.drop();
-        return settle_soon();
     }
+    settle_soon();
+}
+
+void Session::walked(TaskId id, Walked walked) {
+    --running_;
+    Task& task = tasks_.at(id);
+    for (const SubtreeKey& key : walked.used) {
+        cache_.touch(key);
+    }
+    task.drop(walked.left);
+    if (stopping_ || task.abandoned()->load()) {
+        task.drop(walked.waiting.size());
+    } else {
+        for (Walked::Waiting& waiting : walked.waiting) {
+            const std::size_t scenario = waiting.scenario;
+            task.keep_roots(std::move(waiting));
+            wait_for_subtrees(task, scenario);
+        }
+    }
+    add_results(task, walked.finished);
+    settle_soon();
+}
+
+void Session::add_results(Task& task, const FinishedScenarios& finished) {
     task.add(finished);
     if (task.result_bytes() >= limits::results_flush_bytes) {
         flush(task);
     } else {
         flush_soon();
     }
-    settle_soon();
 }
 
 // ---- What follows from it -------------------------------------------------------------------
@@ -252,7 +350,7 @@ void Session::settle() {
 
 void Session::start_ready() {
     const std::size_t running_max = limits::jobs_per_thread_max * executor_.threads();
-    while (!ready_.empty() && running_ < running_max) {
+    while (running_ < running_max) {
         // A master that does not take results gets no more of them.
         if (channel_->queued_bytes() >= limits::write_queue_bytes_max) {
             if (!std::exchange(waiting_for_queue_, true)) {
@@ -260,10 +358,33 @@ void Session::start_ready() {
             }
             return;
         }
+        if (!start_next()) {
+            return;
+        }
+    }
+}
+
+bool Session::start_next() {
+    if (!ready_.empty()) {
         const Token token = ready_.front();
         ready_.pop_front();
         start(token);
+        return true;
     }
+    Task* const task = places_.size() < limits::walked_waiting_max ? next_to_walk() : nullptr;
+    if (task != nullptr) {
+        start_walk(*task);
+    }
+    return task != nullptr;
+}
+
+Task* Session::next_to_walk() {
+    for (auto& [id, task] : tasks_) {
+        if (task.has_unwalked()) {
+            return &task;
+        }
+    }
+    return nullptr;
 }
 
 asio::awaitable<void> Session::resume_when_sent() {
@@ -296,6 +417,25 @@ void Session::start(Token token) {
         });
 }
 
+void Session::start_walk(Task& task) {
+    ++running_;
+    const auto stop = [abandoned = abandoned_, task_abandoned = task.abandoned()] {
+        return abandoned->load() || task_abandoned->load();
+    };
+    const auto part = std::make_shared<const Walk>(task.next_walk(cache_, executor_.threads()));
+    executor_.submit([weak = weak_from_this(), abandoned = abandoned_, id = task.id(), stop, part] {
+        if (abandoned->load()) {
+            return Executor::Continuation([] {});
+        }
+        auto found = std::make_shared<Walked>(walk(*part, stop));
+        return Executor::Continuation([weak, id, found] {
+            if (const auto session = weak.lock()) {
+                session->walked(id, std::move(*found));
+            }
+        });
+    });
+}
+
 void Session::drop_unstarted(const std::function<bool(const Task&)>& concerned) {
     const auto is_dropped = [&](Token token) {
         const Place& place = places_.at(token);
@@ -312,6 +452,20 @@ void Session::drop_unstarted(const std::function<bool(const Task&)>& concerned) 
         tasks_.at(places_.at(token).task).drop();
         places_.erase(token);
         fetcher_.finished(token);
+    }
+    for (auto& [id, task] : tasks_) {
+        if (concerned(task)) {
+            task.drop_unwalked();
+        }
+    }
+}
+
+void Session::abandon(const std::function<bool(const Task&)>& concerned) {
+    drop_unstarted(concerned);
+    for (auto& [id, task] : tasks_) {
+        if (concerned(task)) {
+            task.abandon(); // What runs ends soon, without an answer.
+        }
     }
 }
 

@@ -8,12 +8,14 @@
 #include "worker/peer_server.hpp"
 #include "worker/subtree_cache.hpp"
 #include "worker/task.hpp"
+#include "worker/worker_job.hpp"
 
 #include <atomic>
 #include <deque>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace cd {
@@ -65,13 +67,17 @@ class Session : public std::enable_shared_from_this<Session> {
 
     asio::awaitable<void> send_heartbeats();
     void send_heartbeat();
+    [[nodiscard]] std::uint64_t unanswered() const; ///< Scenarios of all tasks.
     asio::awaitable<void> resume_when_sent();
 
     Status handle(AddTree& add);
     Status handle(RemoveTree& remove);
     Status handle(Subtrees& subtrees);
     Status handle(FetchFromPeers& directions);
+    Status handle(AddJob& add);
+    Status handle(RemoveJob& remove);
     Status handle(Batch& batch);
+    Status handle(ScenarioRange& range);
     Status handle(Drain& drain);
     Status handle(Terminate& terminate);
     Status handle(Heartbeat& heartbeat);
@@ -87,8 +93,17 @@ class Session : public std::enable_shared_from_this<Session> {
                       WorkerId source);
     asio::awaitable<void> fetch_from_peers(FetchFromPeers directions);
     void serve_peers();
-    void scenario_ran(Token token, const FinishedScenario& finished);
+    /// Errors: BadFrame for a job that is not here.
+    [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> find_job(TaskId task, JobId job) const;
+    /// Null when a task of that number is here.
+    Task* take_task(Task task);
+    /// A scenario whose roots are known joins those that wait for subtrees, or for a thread.
+    void wait_for_subtrees(const Task& task, std::size_t scenario);
+    void scenario_ran(Token token, const std::optional<FinishedScenarios>& finished);
+    void walked(TaskId task, Walked walked);
+    void add_results(Task& task, const FinishedScenarios& finished);
     void drop_unstarted(const std::function<bool(const Task&)>& concerned);
+    void abandon(const std::function<bool(const Task&)>& concerned);
     void refuse(const Error& error);
 
     void settle_soon();
@@ -97,7 +112,11 @@ class Session : public std::enable_shared_from_this<Session> {
     void send_held();
     void send_wants(const std::vector<SubtreeKey>& want);
     void start_ready();
+    [[nodiscard]] bool start_next();
     void start(Token token);
+    void start_walk(Task& task);
+    /// Null when none has anything to be walked.
+    [[nodiscard]] Task* next_to_walk();
     void flush_soon();
     void flush(Task& task);
     void flush_all();
@@ -112,8 +131,9 @@ class Session : public std::enable_shared_from_this<Session> {
     std::map<TreeId, std::vector<RootIndex>> held_; ///< Filled since the master was told.
     CacheTraffic traffic_;                          ///< The bytes of it.
     std::uint64_t heartbeats_ = 0;
+    std::map<JobId, std::shared_ptr<const WorkerJob>> jobs_;
     std::map<TaskId, Task> tasks_;
-    std::map<Token, Place> places_; ///< Of each scenario not yet answered.
+    std::map<Token, Place> places_; ///< Of each scenario not yet answered, but those to be walked.
     std::deque<Token> ready_;       ///< Have their subtrees, wait for a thread.
     std::size_t running_ = 0;       ///< At the threads.
     Token next_token_ = 1;

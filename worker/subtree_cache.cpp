@@ -56,6 +56,24 @@ const PartialObbTree* SubtreeCache::find(TreeId tree) const {
     return found == trees_.end() ? nullptr : &found->second.partial;
 }
 
+std::shared_ptr<const PartialObbTree> SubtreeCache::snapshot(TreeId tree) {
+    const auto found = trees_.find(tree);
+    if (found == trees_.end()) {
+        return nullptr;
+    }
+    if (found->second.snapshot == nullptr) {
+        found->second.snapshot = std::make_shared<const PartialObbTree>(found->second.partial);
+    }
+    return found->second.snapshot;
+}
+
+void SubtreeCache::touch(const SubtreeKey& key) {
+    const Tree* const tree = find_tree(key);
+    if (tree != nullptr && tree->slots[key.root].is_idle) {
+        idle_.splice(idle_.end(), idle_, tree->slots[key.root].place);
+    }
+}
+
 SubtreeCache::Tree* SubtreeCache::find_tree(const SubtreeKey& key) {
     const auto found = trees_.find(key.tree);
     const bool is_there = found != trees_.end() && key.root < found->second.slots.size();
@@ -95,6 +113,7 @@ Status SubtreeCache::insert(const SubtreeKey& key,
                          " has another number of triangles than the tree's top says"};
     }
     tree->partial.fill(key.root, std::move(subtree));
+    tree->snapshot.reset();
     Slot& slot = tree->slots[key.root];
     slot.block = std::move(block);
     bytes_ += bytes_of(*tree, key.root);
@@ -157,6 +176,7 @@ void SubtreeCache::evict_beyond_limit() {
         tree.slots[key.root].is_idle = false;
         bytes_ -= bytes_of(tree, key.root);
         tree.partial.empty(key.root);
+        tree.snapshot.reset();
         tree.slots[key.root].block.reset();
         evicted_.push_back(key);
         ++evictions_;

@@ -48,6 +48,11 @@ class SubtreeCache {
     [[nodiscard]] Status insert(const SubtreeKey& key,
                                 std::shared_ptr<const Subtree> subtree,
                                 std::shared_ptr<const SubtreeBlock> block = nullptr);
+    /// The tree with what is here now, whatever leaves later; what has left stays in memory until
+    /// all of it have gone. Null for an unknown tree.
+    [[nodiscard]] std::shared_ptr<const PartialObbTree> snapshot(TreeId tree);
+    /// Counts as a use of a subtree, if it is here.
+    void touch(const SubtreeKey& key);
     /// Null while it is not here.
     [[nodiscard]] std::shared_ptr<const Subtree> at(const SubtreeKey& key) const;
     /// Null while it is not here, or was not kept.
@@ -78,6 +83,7 @@ class SubtreeCache {
         Tree(TreeTop top, SubtreeForm form_of_slots)
             : partial(std::move(top)), form(form_of_slots), slots(partial.top().root_count()) {}
         PartialObbTree partial;
+        std::shared_ptr<const PartialObbTree> snapshot; ///< Of `partial`; null when it has changed.
         SubtreeForm form;
         std::vector<Slot> slots;
     };

@@ -1,5 +1,6 @@
 #include "worker/task.hpp"
 
+#include "common/core/limits.hpp"
 #include "common/job/packed_records.hpp"
 
 #include <algorithm>
@@ -8,8 +9,16 @@
 namespace cd {
 namespace {
 
-Error bad_batch(const Batch& batch, const std::string& why) {
-    return {ErrorCode::BadFrame, "task " + std::to_string(batch.task.value) + " " + why};
+Error bad_task(TaskId task, const std::string& why) {
+    return {ErrorCode::BadFrame, "task " + std::to_string(task.value) + " " + why};
+}
+
+Result<std::vector<Scenario>> unpack(TaskId task, const Bytes& packed) {
+    auto scenarios = unpack_scenarios(packed);
+    if (!scenarios) {
+        return bad_task(task, "has bad scenarios: " + scenarios.error().detail);
+    }
+    return scenarios;
 }
 
 std::vector<std::shared_ptr<const Subtree>>
@@ -24,55 +33,73 @@ subtrees_of(const SubtreeCache& cache, TreeId tree, std::span<const RootIndex> r
 
 } // namespace
 
-Result<Task> Task::make(Batch batch, const SubtreeCache& cache) {
-    const PartialObbTree* const a = cache.find(batch.tree_a);
-    const PartialObbTree* const b = cache.find(batch.tree_b);
-    if (a == nullptr || b == nullptr) {
-        return bad_batch(batch, "names a tree that is not here");
-    }
-    const SubtreeForm form = cache.form_of(batch.tree_a);
-    if (form != cache.form_of(batch.tree_b) ||
-        (batch.query.tolerance > 0 && form != SubtreeForm::Binary)) {
-        return bad_batch(batch, "has trees whose forms do not suit");
-    }
-    const std::uint32_t roots_a = a->top().root_count();
-    const std::uint32_t roots_b = b->top().root_count();
+Result<Task>
+Task::make(Batch batch, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache) {
+    const std::uint32_t roots_a = cache.find(job->tree_a)->top().root_count();
+    const std::uint32_t roots_b = cache.find(job->tree_b)->top().root_count();
     const bool in_range = std::all_of(batch.pairs.begin(), batch.pairs.end(), [&](RootPair pair) {
         return pair.a < roots_a && pair.b < roots_b;
     });
     if (!in_range) {
-        return bad_batch(batch, "names a root that its tree does not have");
+        return bad_task(batch.task, "names a root that its tree does not have");
     }
-    auto scenarios = unpack_scenarios(batch.scenarios);
+    auto scenarios = unpack(batch.task, batch.scenarios);
     if (!scenarios) {
-        return bad_batch(batch, "has bad scenarios: " + scenarios.error().detail);
+        return scenarios.error();
     }
     if (scenarios.value().size() + 1 != batch.pair_offsets.size()) {
-        return bad_batch(batch, "has pairs for another number of scenarios");
+        return bad_task(batch.task, "has pairs for another number of scenarios");
     }
-    return Task(std::move(batch), std::move(scenarios.value()));
+    Task task(batch.task, std::move(job), TaskScenarios(std::move(scenarios.value())));
+    task.pair_offsets_ = std::move(batch.pair_offsets);
+    task.pairs_ = std::move(batch.pairs);
+    return task;
 }
 
-Task::Task(Batch batch, std::vector<Scenario> scenarios)
-    : batch_(std::move(batch)),
-      query_(std::make_shared<const Query>(std::move(batch_.query))),
-      scenarios_(std::move(scenarios)),
-      unanswered_(scenarios_.size()) {
-    batch_.scenarios = {};
+Result<Task> Task::make(const ScenarioRange& range, std::shared_ptr<const WorkerJob> job) {
+    std::optional<TaskScenarios> scenarios;
+    if (job->grid) {
+        const std::uint64_t count = job->grid->count();
+        if (range.count > count || range.first > count - range.count || !range.scenarios.empty()) {
+            return bad_task(range.task, "names places that the job's grid does not have");
+        }
+        scenarios.emplace(job, range.first, range.count);
+    } else {
+        auto list = unpack(range.task, range.scenarios);
+        if (!list) {
+            return list.error();
+        }
+        if (list.value().size() != range.count) {
+            return bad_task(range.task, "has another number of scenarios than it says");
+        }
+        scenarios.emplace(std::move(list.value()));
+    }
+    Task task(range.task, std::move(job), std::move(*scenarios));
+    task.unwalked_end_ = range.count;
+    return task;
 }
+
+Task::Task(TaskId id, std::shared_ptr<const WorkerJob> job, TaskScenarios scenarios)
+    : id_(id),
+      job_(std::move(job)),
+      scenarios_(std::move(scenarios)),
+      unanswered_(scenarios_.size()) {}
 
 std::span<const RootPair> Task::pairs_of(std::size_t scenario) const {
-    const std::uint32_t begin = batch_.pair_offsets[scenario];
-    return std::span(batch_.pairs).subspan(begin, batch_.pair_offsets[scenario + 1] - begin);
+    if (pair_offsets_.empty()) {
+        return found_pairs_.at(scenario);
+    }
+    const std::uint32_t begin = pair_offsets_[scenario];
+    return std::span(pairs_).subspan(begin, pair_offsets_[scenario + 1] - begin);
 }
 
 std::vector<SubtreeKey> Task::roots_of(std::size_t scenario) const {
     std::vector<SubtreeKey> keys;
     for (const RootIndex root : roots_of_a(pairs_of(scenario))) {
-        keys.push_back({batch_.tree_a, root});
+        keys.push_back({job_->tree_a, root});
     }
     for (const RootIndex root : roots_of_b(pairs_of(scenario))) {
-        keys.push_back({batch_.tree_b, root});
+        keys.push_back({job_->tree_b, root});
     }
     // The bodies may share a mesh.
     std::sort(keys.begin(), keys.end());
@@ -83,36 +110,65 @@ std::vector<SubtreeKey> Task::roots_of(std::size_t scenario) const {
 ReadyScenario Task::ready(std::size_t scenario, const SubtreeCache& cache) const {
     const auto pairs = pairs_of(scenario);
     ReadyScenario ready;
-    ready.scenario = scenarios_[scenario];
-    ready.query = query_;
+    ready.scenario = scenarios_.at(scenario);
+    ready.query = {job_, &job_->query};
     ready.pairs.assign(pairs.begin(), pairs.end());
     ready.roots_a = roots_of_a(pairs);
     ready.roots_b = roots_of_b(pairs);
-    ready.subtrees_a = subtrees_of(cache, batch_.tree_a, ready.roots_a);
-    ready.subtrees_b = subtrees_of(cache, batch_.tree_b, ready.roots_b);
+    ready.subtrees_a = subtrees_of(cache, job_->tree_a, ready.roots_a);
+    ready.subtrees_b = subtrees_of(cache, job_->tree_b, ready.roots_b);
     return ready;
 }
 
-void Task::add(const FinishedScenario& finished) {
-    const auto size = static_cast<std::uint32_t>(finished.record.size());
-    const auto size_bytes = std::as_bytes(std::span(&size, 1));
-    records_.insert(records_.end(), size_bytes.begin(), size_bytes.end());
-    records_.insert(records_.end(), finished.record.begin(), finished.record.end());
-    ++results_.count;
+Walk Task::next_walk(SubtreeCache& cache, unsigned threads) {
+    const std::size_t unwalked = unwalked_end_ - walked_;
+    const std::size_t share = unwalked / (2 * std::size_t{threads}) + 1;
+    const double fits = scenario_seconds_ > 0 ? limits::walk_seconds / scenario_seconds_ : 1;
+    const auto most = static_cast<std::size_t>(
+        std::clamp(fits, 1.0, static_cast<double>(limits::walk_scenarios_max)));
+    const std::size_t begin = walked_;
+    walked_ += std::min({unwalked, share, most});
+    return {job_,
+            scenarios_,
+            begin,
+            walked_,
+            cache.snapshot(job_->tree_a),
+            cache.snapshot(job_->tree_b)};
+}
+
+void Task::keep_roots(Walked::Waiting waiting) {
+    found_pairs_.emplace(waiting.scenario, std::move(waiting.pairs));
+}
+
+void Task::drop_unwalked() {
+    drop(unwalked_end_ - walked_);
+    unwalked_end_ = walked_;
+}
+
+void Task::add(const FinishedScenarios& finished) {
+    results_.records.insert(
+        results_.records.end(), finished.records.begin(), finished.records.end());
+    results_.count += finished.count;
     results_.statistics += finished.statistics;
-    results_.compute_seconds += finished.seconds;
-    --unanswered_;
+    results_.seconds += finished.seconds;
+    unanswered_ -= finished.count;
+    if (finished.count != 0) {
+        scenario_seconds_ = finished.seconds / finished.count;
+    }
 }
 
 std::optional<Results> Task::take_results() {
     if (results_.count == 0) {
         return std::nullopt;
     }
-    Results results = std::exchange(results_, {});
-    results.task = batch_.task;
-    results.job = batch_.job;
-    results.records = pack_records(records_);
-    records_.clear();
+    const FinishedScenarios finished = std::exchange(results_, {});
+    Results results;
+    results.task = id_;
+    results.job = job_->id;
+    results.count = finished.count;
+    results.records = pack_records(finished.records);
+    results.statistics = finished.statistics;
+    results.compute_seconds = finished.seconds;
     return results;
 }
 

@@ -4,58 +4,85 @@
 #include "proto/message.hpp"
 #include "worker/executor.hpp"
 #include "worker/subtree_cache.hpp"
+#include "worker/walk.hpp"
+#include "worker/worker_job.hpp"
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace cd {
 
+/// Of a Batch the colliding roots of each scenario are known; those of a ScenarioRange are found by
+/// walks over parts of it.
 class Task {
   public:
-    /// Errors: BadFrame when the batch names a tree that is not there, a root that the tree does
-    /// not have, trees of unlike forms, wide ones under a tolerance, or poses that are none.
-    [[nodiscard]] static Result<Task> make(Batch batch, const SubtreeCache& cache);
+    /// Errors: BadFrame when the batch names a root that its tree does not have, or its poses are
+    /// none.
+    [[nodiscard]] static Result<Task>
+    make(Batch batch, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache);
+    /// Errors: BadFrame for places that the grid does not have, or poses that are not as many as
+    /// announced.
+    [[nodiscard]] static Result<Task> make(const ScenarioRange& range,
+                                           std::shared_ptr<const WorkerJob> job);
 
-    [[nodiscard]] TaskId id() const { return batch_.task; }
-    [[nodiscard]] bool uses(TreeId tree) const {
-        return batch_.tree_a == tree || batch_.tree_b == tree;
-    }
+    [[nodiscard]] TaskId id() const { return id_; }
+    [[nodiscard]] const WorkerJob& job() const { return *job_; }
     [[nodiscard]] std::size_t scenario_count() const { return scenarios_.size(); }
 
+    // ---- Of scenarios whose roots are known ----------------------------------------------------
     /// The distinct subtrees that a scenario needs, ascending.
     [[nodiscard]] std::vector<SubtreeKey> roots_of(std::size_t scenario) const;
     /// The cache holds all of `roots_of(scenario)`.
     [[nodiscard]] ReadyScenario ready(std::size_t scenario, const SubtreeCache& cache) const;
 
-    void add(const FinishedScenario& finished);
+    // ---- Of scenarios whose roots are not known ------------------------------------------------
+    /// Some are neither walked nor in a walk.
+    [[nodiscard]] bool has_unwalked() const { return walked_ < unwalked_end_; }
+    /// The next of them, of which there are: as many as take about `limits::walk_seconds`, and
+    /// leave something for each of the worker's threads.
+    [[nodiscard]] Walk next_walk(SubtreeCache& cache, unsigned threads);
+    /// The scenario waits for subtrees now.
+    void keep_roots(Walked::Waiting waiting);
+    /// Those that are in no walk end without a result.
+    void drop_unwalked();
+
+    void add(const FinishedScenarios& finished);
     /// Nobody waits for it any more. Threads that run its scenarios look at the flag.
     void abandon() { abandoned_->store(true); }
     [[nodiscard]] std::shared_ptr<const std::atomic<bool>> abandoned() const { return abandoned_; }
 
-    /// A scenario of it ends without a result.
-    void drop() { --unanswered_; }
+    /// So many scenarios of it end without a result.
+    void drop(std::size_t scenarios = 1) { unanswered_ -= scenarios; }
 
     [[nodiscard]] std::uint64_t unanswered() const { return unanswered_; }
     /// Uncompressed, of results not yet taken.
-    [[nodiscard]] std::size_t result_bytes() const { return records_.size(); }
+    [[nodiscard]] std::size_t result_bytes() const { return results_.records.size(); }
     /// Nothing when there are no new results.
     [[nodiscard]] std::optional<Results> take_results();
 
   private:
-    Task(Batch batch, std::vector<Scenario> scenarios);
+    Task(TaskId id, std::shared_ptr<const WorkerJob> job, TaskScenarios scenarios);
     [[nodiscard]] std::span<const RootPair> pairs_of(std::size_t scenario) const;
 
-    Batch batch_;
-    std::shared_ptr<const Query> query_;
-    std::vector<Scenario> scenarios_;
+    TaskId id_;
+    std::shared_ptr<const WorkerJob> job_;
+    TaskScenarios scenarios_;
     std::uint64_t unanswered_ = 0;
     std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false);
-    Bytes records_;   ///< Each behind its length as u32.
-    Results results_; ///< Counts of what is in `records_`.
+    FinishedScenarios results_; ///< Not yet taken.
+
+    std::vector<std::uint32_t> pair_offsets_; ///< Of a batch.
+    std::vector<RootPair> pairs_;
+
+    std::unordered_map<std::size_t, std::vector<RootPair>> found_pairs_; ///< By walks.
+    std::size_t walked_ = 0;                                             ///< Or in a walk.
+    std::size_t unwalked_end_ = 0;
+    double scenario_seconds_ = 0; ///< Of those that came back last, each.
 };
 
 } // namespace cd

@@ -147,13 +147,6 @@ ready_scenario(const CutBody& a, const CutBody& b, const Analysis& analysis, con
     return ready;
 }
 
-std::size_t packed_bytes(const Bytes& record) {
-    ByteWriter records;
-    records.put(static_cast<std::uint32_t>(record.size()));
-    put_bytes(records, record);
-    return pack_records(records.bytes()).size();
-}
-
 /// All scenarios of one depth of A's cut.
 class DepthRecorder {
   public:
@@ -213,9 +206,9 @@ class DepthRecorder {
             for (std::size_t i = 0; i < scenarios_.size(); ++i) {
                 const ReadyScenario ready = ready_scenario(a_, b_, analyses_[i], {});
                 const double start = cpu_seconds();
-                const FinishedScenario finished = execute(ready, {});
+                const auto finished = execute(ready, {});
                 times.set(i, pass, cpu_seconds() - start);
-                traces_[i].result_bytes = packed_bytes(finished.record);
+                traces_[i].result_bytes = pack_records(finished->records).size();
             }
         }
         for (std::size_t i = 0; i < scenarios_.size(); ++i) {

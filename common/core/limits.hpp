@@ -39,6 +39,10 @@ inline constexpr std::uint64_t scenarios_max = 1ull << 40;
 inline constexpr std::uint32_t root_pairs_max = 1u << 22; ///< Per scenario; more is an error.
 inline constexpr std::uint64_t result_record_bytes_max = 1ull << 28; ///< Fits a message.
 inline constexpr std::uint32_t q_max = 1u << 16;
+/// Within such a window neighbours are handed out that touch the same parts.
+inline constexpr std::uint64_t order_window_scenarios = 1u << 16;
+inline constexpr std::uint64_t range_scenarios_max = 1u
+                                                     << 14; ///< Sent without an analysis, at once.
 inline constexpr std::uint64_t analysis_block_scenarios = 256;
 inline constexpr std::uint64_t spool_run_scenarios = analysis_block_scenarios; ///< Read together.
 inline constexpr std::size_t result_buffer_bytes_max = 1u << 20; ///< Not yet written to a file.
@@ -80,7 +84,10 @@ inline constexpr std::uint64_t wide_bytes_per_triangle = 48;    ///< In memory; 
 inline constexpr std::uint64_t binary_bytes_per_triangle = 128; ///< Of the other form of subtrees.
 inline constexpr std::size_t results_flush_bytes = 1u << 20;    ///< Uncompressed, of one task.
 inline constexpr std::chrono::milliseconds results_flush_period{50};
-inline constexpr std::size_t jobs_per_thread_max = 4; ///< Begun or queued for the threads.
+inline constexpr double walk_seconds = 0.001; ///< What a thread walks at once.
+inline constexpr std::size_t walk_scenarios_max = 256;
+inline constexpr std::size_t walked_waiting_max = 4096; ///< For subtrees; then nothing is walked.
+inline constexpr std::size_t jobs_per_thread_max = 4;   ///< Begun or queued for the threads.
 inline constexpr std::uint32_t worker_threads_max = 4096;
 inline constexpr std::size_t peer_uploads_max = 2;        ///< That one worker serves at a time.
 inline constexpr std::size_t peer_connections_max = 64;   ///< From other workers; then they wait.

@@ -74,11 +74,12 @@ class GridSource : public PoseSource {
         CD_CHECK(count <= count_ - first);
         std::vector<Scenario> scenarios(count);
         for (std::uint64_t i = 0; i < count; ++i) {
-            scenarios[i].index = first + i;
-            scenarios[i].poses.b = grid_.at(first + i);
+            scenarios[i] = scenario_on(grid_, first + i);
         }
         return scenarios;
     }
+
+    const Grid* grid() const override { return &grid_; }
 
   private:
     Grid grid_;
@@ -148,6 +149,13 @@ Pose Grid::at(std::uint64_t place) const {
         rest /= position[i].count;
     }
     return Pose::from_quaternion(turned, translation);
+}
+
+Scenario scenario_on(const Grid& grid, std::uint64_t place) {
+    Scenario scenario;
+    scenario.index = place;
+    scenario.poses.b = grid.at(place);
+    return scenario;
 }
 
 std::vector<Quaternion> rotation_axis(const GridAxis& degrees, int axis) {

@@ -15,6 +15,8 @@
 
 namespace cd {
 
+struct Grid;
+
 /// The scenarios of a job by index. A seam: files (client), generators, and the master's spool.
 class PoseSource {
   public:
@@ -28,6 +30,8 @@ class PoseSource {
     /// Errors: Io, BadInput naming the row.
     [[nodiscard]] virtual Result<std::vector<Scenario>> read(std::uint64_t first,
                                                              std::uint64_t count) = 0;
+    /// The grid whose places the scenarios are; null where that is not so.
+    [[nodiscard]] virtual const Grid* grid() const { return nullptr; }
 };
 
 /// Evenly spaced values from `first` to `last`, both included; a count of 1 gives `first`.
@@ -65,7 +69,8 @@ struct Grid {
 /// Roll about x first, then pitch about y, then yaw about z, in degrees (R = Rz Ry Rx).
 [[nodiscard]] Quaternion quaternion_from_euler(double roll_deg, double pitch_deg, double yaw_deg);
 
-/// B on the grid, A at the identity.
+/// The scenario at a place of the grid: B on it, A at the identity.
+[[nodiscard]] Scenario scenario_on(const Grid& grid, std::uint64_t place);
 [[nodiscard]] std::unique_ptr<PoseSource> make_grid_source(Grid grid);
 
 [[nodiscard]] Bytes encode_grid(const Grid& grid);

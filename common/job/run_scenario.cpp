@@ -123,12 +123,20 @@ ScenarioRun stopped_run(const Scenario& scenario, const Query& query) {
     return run;
 }
 
-/// `run_on_subtrees` with a search that is kept.
-ScenarioRun run_with(KeptSearch& kept,
-                     std::span<const SubtreePair> pairs,
-                     const Scenario& scenario,
-                     const Query& query,
-                     const RunOptions& options) {
+} // namespace
+
+ScenarioResult failed_result(const Scenario& scenario, const Query& query, const Error& why) {
+    ScenarioResult result = empty_result(scenario, query);
+    result.kind = ScenarioClass::Failed;
+    result.failure = "scenario " + std::to_string(scenario.index) + ": " + why.detail;
+    return result;
+}
+
+ScenarioRun run_on_subtrees(KeptSearch& kept,
+                            std::span<const SubtreePair> pairs,
+                            const Scenario& scenario,
+                            const Query& query,
+                            const RunOptions& options) {
     ScenarioRun run;
     run.result = empty_result(scenario, query);
     if (pairs.empty()) {
@@ -164,21 +172,12 @@ ScenarioRun run_with(KeptSearch& kept,
     return run;
 }
 
-} // namespace
-
-ScenarioResult failed_result(const Scenario& scenario, const Query& query, const Error& why) {
-    ScenarioResult result = empty_result(scenario, query);
-    result.kind = ScenarioClass::Failed;
-    result.failure = "scenario " + std::to_string(scenario.index) + ": " + why.detail;
-    return result;
-}
-
 ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
                             const Scenario& scenario,
                             const Query& query,
                             const RunOptions& options) {
     KeptSearch search;
-    return run_with(search, pairs, scenario, query, options);
+    return run_on_subtrees(search, pairs, scenario, query, options);
 }
 
 ScenarioRunner::ScenarioRunner(
@@ -215,7 +214,7 @@ ScenarioRun ScenarioRunner::run_on_cuts(const Scenario& scenario, KeptSearch& ke
     for (const RootPair& pair : roots.value().pairs) {
         pairs.push_back({cut_a_->subtrees[pair.a].view(), cut_b_->subtrees[pair.b].view()});
     }
-    ScenarioRun run = run_with(kept, pairs, scenario, query_, options_);
+    ScenarioRun run = run_on_subtrees(kept, pairs, scenario, query_, options_);
     run.statistics.box_tests += roots.value().box_tests;
     return run;
 }
@@ -223,7 +222,7 @@ ScenarioRun ScenarioRunner::run_on_cuts(const Scenario& scenario, KeptSearch& ke
 ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& kept) const {
     const SubtreePair whole{a_.view(), b_.view()};
     ScenarioRun run = cut_a_ ? run_on_cuts(scenario, kept)
-                             : run_with(kept, {&whole, 1}, scenario, query_, options_);
+                             : run_on_subtrees(kept, {&whole, 1}, scenario, query_, options_);
     if (!run.is_stopped) {
         run.inside =
             settle_with_cost(a_, b_, scenario, query_, run.result, {run.touches, options_.stop});

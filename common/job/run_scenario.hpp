@@ -58,15 +58,23 @@ struct RunOptions {
                                           const Query& query,
                                           const RunOptions& options = {});
 
-/// The failed result of a scenario, naming it.
-[[nodiscard]] ScenarioResult
-failed_result(const Scenario& scenario, const Query& query, const Error& why);
-
 /// A search that keeps its memory from one scenario to the next of the same query.
 struct KeptSearch {
     std::optional<ContactSearch> search; ///< Made by the first.
     ContactSearch::LastContact last_contact = ContactSearch::LastContact::Forget;
 };
+
+/// The same with a search that is kept; the query and the options are those of the scenarios
+/// before.
+[[nodiscard]] ScenarioRun run_on_subtrees(KeptSearch& kept,
+                                          std::span<const SubtreePair> pairs,
+                                          const Scenario& scenario,
+                                          const Query& query,
+                                          const RunOptions& options = {});
+
+/// The failed result of a scenario, naming it.
+[[nodiscard]] ScenarioResult
+failed_result(const Scenario& scenario, const Query& query, const Error& why);
 
 /// Answers scenarios of two whole trees as the cluster does: `run_on_subtrees` and `settle_class`
 /// (settle.hpp) in one. Under a tolerance the trees are cut at `tolerance_depth` (tolerance.hpp),

@@ -13,9 +13,11 @@ namespace cd {
 /// that it uses by shared pointers, so a slot may be emptied while one runs.
 class PartialObbTree {
   public:
-    explicit PartialObbTree(TreeTop top) : top_(std::move(top)), slots_(top_.root_count()) {}
+    explicit PartialObbTree(TreeTop top)
+        : top_(std::make_shared<const TreeTop>(std::move(top))), slots_(top_->root_count()) {}
 
-    [[nodiscard]] const TreeTop& top() const { return top_; }
+    /// Copies share it.
+    [[nodiscard]] const TreeTop& top() const { return *top_; }
     /// Null while the subtree is not here.
     [[nodiscard]] const std::shared_ptr<const Subtree>& at(RootIndex root) const {
         return slots_[root];
@@ -29,7 +31,7 @@ class PartialObbTree {
     [[nodiscard]] std::vector<RootIndex> missing(std::span<const RootIndex> roots) const;
 
   private:
-    TreeTop top_;
+    std::shared_ptr<const TreeTop> top_;
     std::vector<std::shared_ptr<const Subtree>> slots_;
 };
 

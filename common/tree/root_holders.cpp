@@ -23,6 +23,7 @@ RootHolders::RootHolders(std::uint32_t root_count, std::uint32_t holder_count)
 void RootHolders::grow(std::uint32_t holder_count) {
     CD_CHECK(holder_count >= holder_count_);
     holder_count_ = holder_count;
+    roots_.resize(holder_count, 0);
     const std::size_t words = (std::size_t{holder_count} + 63) / 64;
     if (words == row_words_) {
         return;
@@ -47,6 +48,7 @@ bool RootHolders::set(std::uint32_t holder, RootIndex root) {
     }
     bits_[word_of(holder, root)] |= bit_of(holder);
     ++counts_[root];
+    ++roots_[holder];
     ++set_count_;
     return true;
 }
@@ -57,6 +59,7 @@ bool RootHolders::clear(std::uint32_t holder, RootIndex root) {
     }
     bits_[word_of(holder, root)] &= ~bit_of(holder);
     --counts_[root];
+    --roots_[holder];
     --set_count_;
     return true;
 }

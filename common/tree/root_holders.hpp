@@ -36,6 +36,8 @@ class RootHolders {
     void clear_all(std::uint32_t holder);
     /// How many hold it.
     [[nodiscard]] std::uint32_t holders_of(RootIndex root) const { return counts_[root]; }
+    /// How many it holds.
+    [[nodiscard]] std::uint32_t roots_of(std::uint32_t holder) const { return roots_[holder]; }
     /// Somebody holds something.
     [[nodiscard]] bool any() const { return set_count_ != 0; }
 
@@ -57,6 +59,7 @@ class RootHolders {
     std::size_t row_words_ = 0;
     std::vector<std::uint64_t> bits_; ///< Row by row; holder h is bit h % 64 of word h / 64.
     std::vector<std::uint32_t> counts_;
+    std::vector<std::uint32_t> roots_; ///< Of each holder.
     std::uint64_t set_count_ = 0;
 };
 

@@ -36,6 +36,7 @@ dir = "results"
 formats = ["json", "npz"]
 [cluster]
 strategy = "lowest"
+analysis = "never"
 depth = { a = 10, b = 4 }
 q = 7
 v_kb = 64
@@ -82,6 +83,7 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(job.output.dir, "folder/results");
     EXPECT_EQ(job.output.formats, (std::vector<std::string>{"json", "npz"}));
     EXPECT_EQ(job.cluster.strategy, Strategy::Lowest);
+    EXPECT_EQ(job.cluster.analysis, AnalysisMode::Never);
     EXPECT_EQ(job.cluster.depth_a, 10u);
     EXPECT_EQ(job.cluster.depth_b, 4u);
     EXPECT_EQ(job.cluster.q, 7u);

@@ -134,6 +134,30 @@ TEST_F(Cluster, StrategyBufferAndClaimingDoNotShow) {
     }
 }
 
+TEST_F(Cluster, WhoFindsTheCollidingRootsDoesNotShow) {
+    const Job job = make_job(1500);
+    start_worker(1);
+    start_worker(2);
+    for (const Level level : {Level::Any, Level::Count, Level::Pairs}) {
+        const Query query = at_level(level);
+        const Sha256 expected = job.digest_in_one_process(query);
+        for (const AnalysisMode mode :
+             {AnalysisMode::Auto, AnalysisMode::Always, AnalysisMode::Never}) {
+            ClusterOptions options;
+            options.analysis = mode;
+            const JobStatus status = run(job, query, options);
+            EXPECT_EQ(status.digest, expected) << to_text(level) << ", " << to_text(mode);
+            // Only a master that analyses answers what collides nowhere.
+            EXPECT_EQ(status.answered_by_master == 0, mode == AnalysisMode::Never);
+        }
+    }
+    Query tolerant = at_level(Level::Count);
+    tolerant.tolerance = 0.3;
+    ClusterOptions ranges;
+    ranges.analysis = AnalysisMode::Never;
+    EXPECT_EQ(run(job, tolerant, ranges).digest, job.digest_in_one_process(tolerant));
+}
+
 TEST_F(Cluster, TheDistributionDepthDoesNotShow) {
     const Job job = make_job(200);
     const Query query = at_level(Level::Contacts);
@@ -168,21 +192,26 @@ TEST_F(Cluster, AWorkerThatJoinsInTheMiddleTakesItsShare) {
 TEST_F(Cluster, AWorkerKilledInTheMiddleLosesNothing) {
     const Job job = make_job(6000);
     const Query query = at_level(Level::Pairs);
+    const Sha256 expected = job.digest_in_one_process(query);
     start_worker();
-    Process& victim = start_worker();
-    const JobId id = submit(job, query, {});
-    std::uint64_t merged_at_death = 0;
-    const JobStatus status = finish(id, [&](const JobStatus& now) {
-        if (merged_at_death == 0 && now.summary.merged() > now.answered_by_master) {
-            victim.signal(SIGKILL);
-            merged_at_death = now.summary.merged();
-        }
-    });
-    EXPECT_EQ(status.state, JobState::Done);
-    EXPECT_EQ(status.digest, job.digest_in_one_process(query));
-    EXPECT_GT(merged_at_death, 0u);
-    EXPECT_LT(merged_at_death, 6000u);
-    EXPECT_EQ(victim.wait(), 128 + SIGKILL);
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        Process& victim = start_worker();
+        ClusterOptions options;
+        options.analysis = mode;
+        const JobId id = submit(job, query, options);
+        std::uint64_t merged_at_death = 0;
+        const JobStatus status = finish(id, [&](const JobStatus& now) {
+            if (merged_at_death == 0 && now.summary.merged() > now.answered_by_master) {
+                victim.signal(SIGKILL);
+                merged_at_death = now.summary.merged();
+            }
+        });
+        EXPECT_EQ(status.state, JobState::Done);
+        EXPECT_EQ(status.digest, expected) << to_text(mode);
+        EXPECT_GT(merged_at_death, 0u);
+        EXPECT_LT(merged_at_death, 6000u);
+        EXPECT_EQ(victim.wait(), 128 + SIGKILL);
+    }
 }
 
 TEST_F(Cluster, AJobOutlivesAllItsWorkers) {

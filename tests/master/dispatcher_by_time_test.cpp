@@ -236,7 +236,7 @@ TEST_F(ByTime, ExplainNamesEachTermAndWhoIsChosen) {
     EXPECT_DOUBLE_EQ(explained.workers[1].blocks, 2 * limits::block_seconds);
     EXPECT_DOUBLE_EQ(explained.workers[1].work, 0.01);
     EXPECT_EQ(explained.workers[1].missing_triangles, 101u);
-    EXPECT_EQ(explained.where, "answered, or not analysed yet");
+    EXPECT_EQ(explained.where, "answered, not analysed yet, or in a range at a worker");
     EXPECT_EQ(dispatcher_.explain(job, {0, {0}, {0}, 100, 0}).where, "in the buffer of w");
 }
 

@@ -76,6 +76,7 @@ class FakeWorker {
   public:
     struct Habits {
         std::uint64_t dies_at_batch = 0; ///< Counted from 1; 0 lives on.
+        std::uint64_t dies_at_range = 0; ///< The same.
         bool answers_twice = false;
         bool sends_rubbish = false;
         bool forgets_one = false;    ///< Once, it ends a task without an answer.
@@ -89,13 +90,14 @@ class FakeWorker {
     ~FakeWorker() { hang_up(master_, channel_, ended); }
 
     std::uint64_t batches = 0;
+    std::uint64_t ranges = 0;
     std::uint64_t blocks = 0;
     std::uint64_t trees_removed = 0;
     bool ended = false;
 
   private:
     struct Tree {
-        std::uint32_t roots = 0;
+        TreeTop top;
         std::map<RootIndex, Subtree> subtrees;
     };
 
@@ -115,11 +117,17 @@ class FakeWorker {
                 break;
             }
             if (auto* add = std::get_if<AddTree>(&message.value())) {
-                trees_[add->tree].roots = make_tree_top(add->top).value().root_count();
+                trees_[add->tree].top = make_tree_top(add->top).value();
+            } else if (auto* add_job = std::get_if<AddJob>(&message.value())) {
+                jobs_[add_job->job] = *add_job;
             } else if (const auto* remove = std::get_if<RemoveTree>(&message.value())) {
                 trees_removed += trees_.erase(remove->tree);
             } else if (const auto* subtrees = std::get_if<Subtrees>(&message.value())) {
                 keep(*subtrees);
+            } else if (auto* range = std::get_if<ScenarioRange>(&message.value())) {
+                ++ranges;
+                waiting_.push_back(analysed(*range));
+                ask();
             } else if (auto* batch = std::get_if<Batch>(&message.value())) {
                 if (++batches == habits_.dies_at_batch) {
                     channel_->close();
@@ -127,6 +135,10 @@ class FakeWorker {
                 }
                 waiting_.push_back(std::move(*batch));
                 ask();
+            }
+            if (ranges != 0 && ranges == habits_.dies_at_range) {
+                channel_->close();
+                break;
             }
             work();
         }
@@ -146,6 +158,29 @@ class FakeWorker {
         }
     }
 
+    /// A range as the batch that an analysis would make of it.
+    [[nodiscard]] Batch analysed(const ScenarioRange& range) {
+        const AddJob& job = jobs_.at(range.job);
+        std::vector<Scenario> scenarios;
+        if (job.grid) {
+            const Grid grid = decode_grid(*job.grid).value();
+            for (std::uint64_t place = 0; place < range.count; ++place) {
+                scenarios.push_back(scenario_on(grid, range.first + place));
+            }
+        } else {
+            scenarios = unpack_scenarios(range.scenarios).value();
+            EXPECT_EQ(scenarios.size(), range.count);
+        }
+        Batch batch{range.task, range.job, pack_scenarios(scenarios), {0}, {}};
+        for (const Scenario& scenario : scenarios) {
+            const auto pairs = colliding_roots(
+                trees_.at(job.tree_a).top, trees_.at(job.tree_b).top, scenario.poses);
+            batch.pairs.insert(batch.pairs.end(), pairs.value().begin(), pairs.value().end());
+            batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
+        }
+        return batch;
+    }
+
     [[nodiscard]] std::vector<RootIndex> missing(TreeId tree, const std::vector<RootIndex>& roots) {
         std::vector<RootIndex> lacking;
         for (const RootIndex root : roots) {
@@ -158,30 +193,32 @@ class FakeWorker {
 
     void ask() {
         const Batch& batch = waiting_.back();
-        const auto a = missing(batch.tree_a, roots_of_a(batch.pairs));
-        const auto b = missing(batch.tree_b, roots_of_b(batch.pairs));
+        const AddJob& job = jobs_.at(batch.job);
+        const auto a = missing(job.tree_a, roots_of_a(batch.pairs));
+        const auto b = missing(job.tree_b, roots_of_b(batch.pairs));
         if (habits_.holds_too_much) {
-            channel_->send(Held{batch.tree_a, {1u << 30}});
+            channel_->send(Held{job.tree_a, {1u << 30}});
         }
         // Twice, as a worker might: the master sends each once, or twice, but never fails.
-        channel_->send(WantSubtrees{batch.tree_a, a});
-        channel_->send(WantSubtrees{batch.tree_a, a});
-        channel_->send(WantSubtrees{batch.tree_b, b});
+        channel_->send(WantSubtrees{job.tree_a, a});
+        channel_->send(WantSubtrees{job.tree_a, a});
+        channel_->send(WantSubtrees{job.tree_b, b});
     }
 
     void work() {
         while (!waiting_.empty()) {
             const Batch& batch = waiting_.front();
-            if (!missing(batch.tree_a, roots_of_a(batch.pairs)).empty() ||
-                !missing(batch.tree_b, roots_of_b(batch.pairs)).empty()) {
+            const AddJob& job = jobs_.at(batch.job);
+            if (!missing(job.tree_a, roots_of_a(batch.pairs)).empty() ||
+                !missing(job.tree_b, roots_of_b(batch.pairs)).empty()) {
                 return;
             }
-            compute(batch);
+            compute(batch, job);
             waiting_.erase(waiting_.begin());
         }
     }
 
-    void compute(const Batch& batch) {
+    void compute(const Batch& batch, const AddJob& job) {
         const auto scenarios = unpack_scenarios(batch.scenarios).value();
         Results results;
         results.task = batch.task;
@@ -191,10 +228,10 @@ class FakeWorker {
         for (std::size_t i = left_out; i < scenarios.size(); ++i) {
             std::vector<SubtreePair> pairs;
             for (std::uint32_t p = batch.pair_offsets[i]; p < batch.pair_offsets[i + 1]; ++p) {
-                pairs.push_back({trees_.at(batch.tree_a).subtrees.at(batch.pairs[p].a).view(),
-                                 trees_.at(batch.tree_b).subtrees.at(batch.pairs[p].b).view()});
+                pairs.push_back({trees_.at(job.tree_a).subtrees.at(batch.pairs[p].a).view(),
+                                 trees_.at(job.tree_b).subtrees.at(batch.pairs[p].b).view()});
             }
-            const ScenarioRun run = run_on_subtrees(pairs, scenarios[i], batch.query);
+            const ScenarioRun run = run_on_subtrees(pairs, scenarios[i], job.query);
             const Bytes record = encode_result(run.result);
             records.put(static_cast<std::uint32_t>(record.size()));
             records.put_array(
@@ -217,6 +254,7 @@ class FakeWorker {
     Habits habits_;
     std::shared_ptr<Channel> channel_;
     std::map<TreeId, Tree> trees_;
+    std::map<JobId, AddJob> jobs_;
     std::vector<Batch> waiting_;
 };
 
@@ -398,6 +436,40 @@ TEST(Server, AJobHasTheDigestOfTheSameScenariosWithoutACluster) {
         EXPECT_GT(client.statuses.back().statistics.search.box_tests, 0u);
         // Nothing uses the trees any more.
         master.run_until([&] { return one.trees_removed + two.trees_removed >= 2; });
+    }
+}
+
+TEST(Server, WhoeverFindsTheCollidingRootsTheDigestIsTheSame) {
+    for (const AnalysisMode mode :
+         {AnalysisMode::Auto, AnalysisMode::Always, AnalysisMode::Never}) {
+        Master master;
+        FakeWorker one(master, {});
+        FakeWorker two(master, {.answers_twice = true});
+        Client client(master);
+        Submit submit = reference().submission();
+        submit.cluster.analysis = mode;
+        client.start(submit);
+        master.run_until([&] { return client.done; });
+        expect_right(client);
+        EXPECT_EQ(one.ranges + two.ranges != 0, mode == AnalysisMode::Never) << to_text(mode);
+        EXPECT_EQ(one.batches + two.batches == 0, mode == AnalysisMode::Never) << to_text(mode);
+    }
+}
+
+TEST(Server, RangesOfAWorkerThatDiesOrForgetsAreAnalysedAndDoneByAnother) {
+    for (const FakeWorker::Habits habits :
+         {FakeWorker::Habits{.dies_at_range = 2}, FakeWorker::Habits{.forgets_one = true}}) {
+        Master master;
+        FakeWorker bad(master, habits);
+        Client client(master);
+        Submit submit = reference().submission();
+        submit.cluster.analysis = AnalysisMode::Never;
+        client.start(submit);
+        master.run_until([&] { return bad.ranges >= 2; });
+        FakeWorker other(master, {});
+        master.run_until([&] { return client.done; });
+        expect_right(client);
+        EXPECT_GT(bad.batches + other.batches, 0u);
     }
 }
 

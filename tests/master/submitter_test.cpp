@@ -80,6 +80,12 @@ class SubmitterTest : public testing::Test {
     ThreadPool pool_{3};
 };
 
+void start_blocks(Submitter& submitter, std::uint64_t first, std::uint64_t end) {
+    for (; first < end; first += limits::analysis_block_scenarios) {
+        submitter.start({first, std::min(limits::analysis_block_scenarios, end - first)}, 2);
+    }
+}
+
 ScenarioResult finish(const AnalysisInput& input, const Analysis& analysis, std::uint32_t depth) {
     if (analysis.finished) {
         return *analysis.finished;
@@ -129,19 +135,17 @@ TEST_F(SubmitterTest, BlocksComeInOrderAndOnlyThoseAskedFor) {
     Collected collected;
     Submitter submitter(pool_, input, collected.taker());
 
-    EXPECT_EQ(submitter.start(4), 4u);
+    start_blocks(submitter, 0, 4 * limits::analysis_block_scenarios);
     collected.wait_for(4);
     EXPECT_EQ(submitter.under_way(), 0u);
-    EXPECT_FALSE(submitter.all_started());
-    EXPECT_EQ(submitter.start(100), 7u);
-    EXPECT_TRUE(submitter.all_started());
-    EXPECT_EQ(submitter.start(1), 0u);
+    start_blocks(submitter, 4 * limits::analysis_block_scenarios, count);
     const auto blocks = collected.wait_for(11);
 
     std::uint64_t next = 0;
     for (const AnalysedBlock& block : blocks) {
         EXPECT_FALSE(block.error);
-        EXPECT_EQ(block.first, next);
+        EXPECT_EQ(block.places.first, next);
+        EXPECT_EQ(block.losses, 2u);
         for (const Analysis& analysis : block.scenarios) {
             ASSERT_EQ(analysis.scenario, scenarios[next]);
             const Analysis expected = analyse(input, scenarios[next]);
@@ -154,23 +158,16 @@ TEST_F(SubmitterTest, BlocksComeInOrderAndOnlyThoseAskedFor) {
     EXPECT_EQ(next, count);
 }
 
-TEST_F(SubmitterTest, AnEmptyJobHasNothingToStart) {
-    AnalysisInput input = make_input(make_sphere(1), make_sphere(1), 2);
-    input.poses = make_list_source({});
-    Submitter submitter(pool_, input, [](AnalysedBlock) { FAIL(); });
-    EXPECT_EQ(submitter.start(5), 0u);
-    EXPECT_TRUE(submitter.all_started());
-}
-
 TEST_F(SubmitterTest, PosesThatCannotBeReadEndTheAnalysisInOrder) {
     AnalysisInput input = make_input(make_sphere(1), make_sphere(1), 2);
     input.poses = std::make_shared<BrokenSource>();
     Collected collected;
     {
         Submitter submitter(pool_, input, collected.taker());
-        submitter.start(4);
+        start_blocks(submitter, 0, 1000);
         collected.wait_for(3);
-        EXPECT_EQ(submitter.start(1), 0u);
+        submitter.start({0, 1});
+        EXPECT_EQ(submitter.under_way(), 0u);
     }
     const auto blocks = collected.wait_for(3);
     ASSERT_EQ(blocks.size(), 3u);
@@ -187,7 +184,7 @@ TEST_F(SubmitterTest, NothingIsDeliveredAfterTheEnd) {
         auto alive = std::make_unique<bool>(true);
         auto submitter = std::make_unique<Submitter>(
             pool_, input, [&alive](AnalysedBlock) { EXPECT_TRUE(*alive); });
-        submitter->start(20);
+        start_blocks(*submitter, 0, 20 * limits::analysis_block_scenarios);
         submitter.reset();
         alive.reset();
     }

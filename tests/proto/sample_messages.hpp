@@ -93,9 +93,6 @@ inline Batch some_batch() {
     Batch batch;
     batch.task = TaskId{1};
     batch.job = JobId{2};
-    batch.tree_a = TreeId{3};
-    batch.tree_b = TreeId{4};
-    batch.query = some_query();
     batch.scenarios = some_bytes(50);
     batch.pair_offsets = {0, 2, 2, 3};
     batch.pairs = {{0, 5}, {1, 0}, {0, 5}};
@@ -107,7 +104,7 @@ inline Submit some_submit() {
     submit.name = "job";
     submit.bodies = {some_hash(1), some_hash(2)};
     submit.query = some_query();
-    submit.cluster = {Strategy::Lowest, 10, 5, 21, 4097, true, 6};
+    submit.cluster = {Strategy::Lowest, 10, 5, 21, 4097, true, 6, AnalysisMode::Never};
     submit.scenarios = 1000;
     submit.grid = some_bytes(9);
     return submit;
@@ -167,6 +164,9 @@ inline std::vector<Message> sample_messages() {
                   11,
                   12,
                   {{WorkerId{1}, "node-1", true, false, 13, 0.5, 14, 15, 1, 2, 3, 4, 5, 6}}},
+        AddJob{JobId{2}, TreeId{3}, TreeId{4}, some_query(), some_bytes(9)},
+        RemoveJob{JobId{2}},
+        ScenarioRange{TaskId{1}, JobId{2}, 3, 4, some_bytes(20)},
     };
 }
 

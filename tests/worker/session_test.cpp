@@ -48,8 +48,6 @@ Batch make_batch(TaskId task, std::span<const Scenario> scenarios) {
     Batch batch;
     batch.task = task;
     batch.job = JobId{1};
-    batch.tree_a = tree_a;
-    batch.tree_b = tree_b;
     batch.scenarios = pack_scenarios(scenarios);
     batch.pair_offsets = {0};
     for (const Scenario& scenario : scenarios) {
@@ -58,6 +56,10 @@ Batch make_batch(TaskId task, std::span<const Scenario> scenarios) {
         batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
     }
     return batch;
+}
+
+ScenarioRange make_range(TaskId task, std::span<const Scenario> scenarios) {
+    return {task, JobId{1}, 0, scenarios.size(), pack_scenarios(scenarios)};
 }
 
 /// What one process says, before `inside` is settled: that takes whole bodies.
@@ -71,9 +73,10 @@ class FakeMaster {
   public:
     explicit FakeMaster(std::shared_ptr<Channel> to_worker) : channel(std::move(to_worker)) {}
 
-    void add_trees() {
+    void add_job(std::optional<Bytes> grid = std::nullopt) {
         channel->send(bodies().a.add(tree_a));
         channel->send(bodies().b.add(tree_b));
+        channel->send(AddJob{JobId{1}, tree_a, tree_b, {}, std::move(grid)});
     }
 
     /// Serves until so many tasks have ended, or the connection has.
@@ -166,6 +169,7 @@ asio::awaitable<void> play_on(asio::io_context& context,
                               Executor& executor,
                               std::uint64_t cache_bytes,
                               const Play& play,
+                              bool adds_job,
                               std::optional<SessionEnd>& how) {
     Ends ends = co_await connect_greeted_ends();
     Stage stage{std::make_shared<Session>(std::move(ends.left), executor, cache_bytes),
@@ -173,18 +177,21 @@ asio::awaitable<void> play_on(asio::io_context& context,
                 how,
                 executor};
     spawn(context.get_executor(), "session", run_session(stage.session, how));
-    stage.master.add_trees();
+    if (adds_job) {
+        stage.master.add_job();
+    }
     co_await play(stage);
     stage.master.channel->close();
 }
 
 /// Runs to the end of the play and of the session; says how the session ended.
-std::optional<SessionEnd> perform(std::uint64_t cache_bytes, unsigned threads, const Play& play) {
+std::optional<SessionEnd>
+perform(std::uint64_t cache_bytes, unsigned threads, const Play& play, bool adds_job = true) {
     asio::io_context context;
     Executor executor(context.get_executor(), threads);
     std::optional<SessionEnd> how;
     asio::co_spawn(context,
-                   play_on(context, executor, cache_bytes, play, how),
+                   play_on(context, executor, cache_bytes, play, adds_job, how),
                    [](const std::exception_ptr& thrown) { EXPECT_FALSE(thrown); });
     context.run_for(patience);
     EXPECT_TRUE(context.stopped()) << "something is still under way";
@@ -234,6 +241,75 @@ TEST(Session, ACacheTooSmallForAScenarioStillGivesEveryResult) {
     });
 }
 
+TEST(Session, AnswersRangesAsWholeTreesDoWithCachesColdWarmOrTooSmall) {
+    for (const std::uint64_t cache_bytes : {unlimited, std::uint64_t{1}}) {
+        perform(cache_bytes, 2, [](Stage& stage) -> asio::awaitable<void> {
+            FakeMaster& master = stage.master;
+            const auto scenarios = make_scenarios(0, 120);
+            master.channel->send(make_range(TaskId{1}, std::span(scenarios).first(50)));
+            master.channel->send(make_batch(TaskId{2}, std::span(scenarios).subspan(50, 20)));
+            co_await master.serve_until_ended(2);
+            master.channel->send(make_range(TaskId{3}, std::span(scenarios).subspan(70)));
+            co_await master.serve_until_ended(3);
+            expect_all_right(master, scenarios);
+        });
+    }
+}
+
+TEST(Session, ARangeOfAGridNeedsNoPoses) {
+    Grid grid;
+    grid.position[0] = {-1.5, 1.5, 9};
+    grid.position[1] = {-1, 1, 5};
+    grid.rotation[2] = rotation_axis({0, 90, 3}, 2);
+    const auto play = [&](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        master.add_job(encode_grid(grid));
+        master.channel->send(ScenarioRange{TaskId{1}, JobId{1}, 5, 100, {}});
+        co_await master.serve_until_ended(1);
+        std::vector<Scenario> scenarios;
+        for (std::uint64_t place = 5; place < 105; ++place) {
+            scenarios.push_back(scenario_on(grid, place));
+        }
+        expect_all_right(master, scenarios);
+    };
+    perform(unlimited, 2, play, false);
+}
+
+TEST(Session, WhatWaitsForARemovedJobIsDroppedAndItsTreesStay) {
+    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(600, 400);
+        master.channel->send(make_range(TaskId{1}, scenarios));
+        master.channel->send(RemoveJob{JobId{1}});
+        master.channel->send(AddJob{JobId{1}, tree_a, tree_b, {}, {}});
+        co_await master.serve_until_ended(1);
+        EXPECT_LT(master.records.size(), scenarios.size());
+        master.records.clear();
+        master.channel->send(make_range(TaskId{2}, std::span(scenarios).first(30)));
+        co_await master.serve_until_ended(2);
+        expect_all_right(master, std::span(scenarios).first(30));
+    });
+}
+
+TEST(Session, StopHandsBackTheRestOfARange) {
+    const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(500, 3000);
+        master.channel->send(make_range(TaskId{1}, scenarios));
+        while (master.results_messages == 0) {
+            Result<Message> message = co_await master.channel->receive(patience);
+            std::visit([&](auto& content) { master.on(content); }, message.value());
+        }
+        stage.session->stop();
+        co_await master.serve_until_ended(2);
+        EXPECT_TRUE(master.ended.contains(TaskId{1}));
+        for (const auto& [index, record] : master.records) {
+            EXPECT_EQ(record, expected_record(scenarios[index - 500]));
+        }
+    });
+    EXPECT_EQ(how, SessionEnd::Drained);
+}
+
 TEST(Session, RemovedTreesAreFreedAndMayComeAgain) {
     perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
         FakeMaster& master = stage.master;
@@ -245,7 +321,7 @@ TEST(Session, RemovedTreesAreFreedAndMayComeAgain) {
 
         master.channel->send(RemoveTree{tree_a});
         master.channel->send(RemoveTree{tree_b});
-        master.add_trees();
+        master.add_job();
         master.held.clear();
         master.records.clear();
         master.channel->send(make_batch(TaskId{2}, scenarios));
@@ -365,9 +441,15 @@ std::string complaint_about(const Message& message) {
 
 TEST(Session, DisagreementEndsTheConnectionWithAReason) {
     const auto scenarios = make_scenarios(0, 2);
-    Batch unknown_tree = make_batch(TaskId{1}, scenarios);
-    unknown_tree.tree_b = TreeId{99};
-    EXPECT_THAT(complaint_about(unknown_tree), testing::HasSubstr("tree that is not here"));
+    EXPECT_THAT(complaint_about(AddJob{JobId{2}, tree_a, TreeId{99}, {}, {}}),
+                testing::HasSubstr("tree that is not here"));
+    EXPECT_THAT(complaint_about(AddJob{JobId{1}, tree_a, tree_b, {}, {}}),
+                testing::HasSubstr("already"));
+    Batch unknown_job = make_batch(TaskId{1}, scenarios);
+    unknown_job.job = JobId{99};
+    EXPECT_THAT(complaint_about(unknown_job), testing::HasSubstr("job that is not here"));
+    EXPECT_THAT(complaint_about(ScenarioRange{TaskId{1}, JobId{99}, 0, 1, {}}),
+                testing::HasSubstr("job that is not here"));
 
     Batch unknown_root = make_batch(TaskId{1}, std::span(scenarios).first(1));
     unknown_root.pairs = {{0, 1u << 30}};

@@ -1,0 +1,191 @@
+// What of the jobs is handed out next: analyses to be made, or places that go out without one.
+#include "common/core/limits.hpp"
+#include "master/coordinator.hpp"
+#include "master/range_choice.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+void Coordinator::feed() {
+    std::vector<MasterJob*> jobs;
+    std::uint64_t under_way = 0;
+    for (const JobId id : jobs_.running()) {
+        MasterJob& job = *jobs_.find(id);
+        if (job.submitter != nullptr) {
+            jobs.push_back(&job);
+            under_way += job.submitter->under_way();
+        }
+    }
+    // In turns: first the job after the one that was fed last.
+    std::rotate(jobs.begin(),
+                std::find_if(jobs.begin(),
+                             jobs.end(),
+                             [&](const MasterJob* job) { return job->id > fed_last_; }),
+                jobs.end());
+    std::erase_if(jobs, [this](MasterJob* job) {
+        if (!prefers_ranges_now(*job)) {
+            take_places_back(*job);
+            return false;
+        }
+        give_places(*job);
+        // What was lost is analysed all the same.
+        return job->todo.empty() || job->todo.front().losses == 0;
+    });
+    for (bool any_started = true; any_started;) {
+        any_started = false;
+        for (MasterJob* job : jobs) {
+            if (job->todo.empty() || !has_room_for_analysis(under_way)) {
+                continue;
+            }
+            const auto piece = job->todo.take(limits::analysis_block_scenarios);
+            job->submitter->start(piece.places, piece.losses);
+            fed_last_ = job->id;
+            ++under_way;
+            any_started = true;
+        }
+    }
+    if (under_way == 0) {
+        act(dispatcher().input_paused());
+    }
+}
+
+bool Coordinator::has_room_for_analysis(std::uint64_t under_way) const {
+    // As many blocks as keep the pool busy; more would only keep results waiting.
+    return under_way < parts_.compute.size() + 2 && open_bytes_ < limits::open_analyses_bytes_max &&
+           dispatcher_.unsent() + under_way * limits::analysis_block_scenarios <
+               dispatcher_.unsent_enough();
+}
+
+// ---- Ranges ---------------------------------------------------------------------------------
+
+bool Coordinator::prefers_ranges_now(const MasterJob& job) const {
+    const ClusterOptions& options = job.submit.cluster;
+    if (options.claim || options.analysis == AnalysisMode::Always) {
+        return false;
+    }
+    if (options.analysis == AnalysisMode::Never) {
+        return true;
+    }
+    RangeCosts costs;
+    costs.scenarios_left = job.merger.summary().total - job.merger.summary().merged();
+    costs.analysis = job.analysis_seconds.value_or(0);
+    costs.matching = job.matching_seconds.value_or(0);
+    costs.work = job.work_seconds.value_or(0);
+    costs.threads_master = parts_.compute.size();
+    costs.threads_workers = 0;
+    for (const auto& [id, link] : workers_) {
+        costs.threads_workers += link.threads;
+    }
+    costs.missing = dispatcher_.missing_costs(job.id);
+    return prefers_ranges(costs);
+}
+
+void Coordinator::give_places(MasterJob& job) {
+    while (!job.todo.empty() && job.todo.front().losses == 0 &&
+           dispatcher_.places_unsent(job.id) + job.places_loading <
+               dispatcher_.places_enough(job.id)) {
+        const PlaceRange places = job.todo.take(limits::range_scenarios_max).places;
+        if (job.order->grid() != nullptr) {
+            give_unmerged(job, {places, nullptr});
+            continue;
+        }
+        job.places_loading += places.count;
+        parts_.compute.post(
+            [this, executor = parts_.executor, id = job.id, order = job.order, places] {
+                asio::post(executor, [this, id, places, window = order->window_of(places.first)] {
+                    places_came(id, places, window);
+                });
+            });
+    }
+}
+
+void Coordinator::places_came(JobId id,
+                              const PlaceRange& places,
+                              const Result<std::shared_ptr<const PoseWindow>>& window) {
+    MasterJob* job = jobs_.find_running(id);
+    if (job == nullptr) {
+        return;
+    }
+    job->places_loading -= places.count;
+    if (window) {
+        give_unmerged(*job, {places, window.value()});
+    } else {
+        end_job(*job, JobState::Failed, window.error().detail);
+    }
+    feed();
+}
+
+void Coordinator::give_unmerged(MasterJob& job, const GivenPlaces& given) {
+    for (const PlaceRange& run : unmerged(job, given)) {
+        job.given.emplace(run.first, GivenPlaces{run, given.window});
+        act(dispatcher().places_given(job.id, run, job.todo.left() + job.places_loading));
+    }
+}
+
+std::vector<PlaceRange> Coordinator::unmerged(const MasterJob& job, const GivenPlaces& given) {
+    std::vector<PlaceRange> runs;
+    for (std::uint64_t place = given.places.first; place < given.places.end(); ++place) {
+        const std::uint64_t index =
+            given.window == nullptr ? place : given.window->at({place, 1}).front().index;
+        if (job.merger.has(index)) {
+            continue;
+        }
+        if (runs.empty() || runs.back().end() != place) {
+            runs.push_back({place, 0});
+        }
+        ++runs.back().count;
+    }
+    return runs;
+}
+
+void Coordinator::take_places_back(MasterJob& job) {
+    if (dispatcher_.places_unsent(job.id) == 0) {
+        return;
+    }
+    for (const PlaceRange& places : dispatcher_.take_places(job.id)) {
+        job.todo.put_back({places, 0});
+    }
+    job.given.clear();
+}
+
+void Coordinator::perform(const SendRange& action) {
+    MasterJob* job = jobs_.find_running(action.job);
+    if (job == nullptr) {
+        return act(dispatcher().task_ended(action.worker, action.task));
+    }
+    const auto given = std::prev(job->given.upper_bound(action.places.first));
+    auto content = std::make_shared<TaskContent>();
+    content->job = job->id;
+    content->material = job->material;
+    content->range = RangeContent{action.places, given->second.window, job->order};
+    if (action.places.end() == given->second.places.end()) {
+        job->given.erase(given);
+    }
+    ScenarioRange range{action.task, job->id, action.places.first, action.places.count, {}};
+    if (content->range->window != nullptr) {
+        range.first = 0;
+        range.scenarios = pack_scenarios(content->range->window->at(action.places));
+    }
+    tasks_.emplace(action.task, RunningTask{action.worker, std::move(content)});
+    // If the worker has left, the dispatcher knows, and the range ends.
+    if (const auto link = workers_.find(action.worker); link != workers_.end()) {
+        add_job_to(link->second, *job);
+        link->second.channel->send(range);
+        note_work(action.worker);
+    }
+}
+
+void Coordinator::perform(const RangeEnded& action) {
+    const auto task = tasks_.extract(action.task);
+    MasterJob* job = jobs_.find_running(action.job);
+    if (task.empty() || job == nullptr) {
+        return;
+    }
+    const GivenPlaces ended{action.places, task.mapped().content->range->window};
+    for (const PlaceRange& run : unmerged(*job, ended)) {
+        job->todo.put_back({run, action.are_lost ? 1u : 0u});
+    }
+}
+
+} // namespace cd

@@ -1,0 +1,38 @@
+#include "master/place_queue.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+PlaceQueue::PlaceQueue(std::uint64_t scenarios) {
+    if (scenarios != 0) {
+        put_back({{0, scenarios}, 0});
+    }
+}
+
+PlaceQueue::Piece PlaceQueue::take(std::uint64_t most) {
+    CD_CHECK(!empty() && most != 0);
+    Piece& front = pieces_.front();
+    const std::uint64_t window = limits::order_window_scenarios;
+    const std::uint64_t window_end = front.places.first - front.places.first % window + window;
+    const std::uint64_t count =
+        std::min({most, front.places.count, window_end - front.places.first});
+    const Piece taken{{front.places.first, count}, front.losses};
+    left_ -= count;
+    front.places = {taken.places.end(), front.places.count - count};
+    if (front.places.count == 0) {
+        pieces_.pop_front();
+    }
+    return taken;
+}
+
+void PlaceQueue::put_back(const Piece& piece) {
+    CD_CHECK(piece.places.count != 0);
+    pieces_.push_front(piece);
+    left_ += piece.places.count;
+}
+
+} // namespace cd

@@ -1,0 +1,34 @@
+// What of a job has not been handed out yet.
+#pragma once
+
+#include "common/job/ordered_poses.hpp"
+
+#include <cstdint>
+#include <deque>
+
+namespace cd {
+
+/// Places of a job's order, each once; first those that came back.
+class PlaceQueue {
+  public:
+    explicit PlaceQueue(std::uint64_t scenarios = 0);
+
+    struct Piece {
+        PlaceRange places;
+        std::uint32_t losses = 0; ///< How often these were lost with a worker.
+    };
+
+    [[nodiscard]] bool empty() const { return pieces_.empty(); }
+    [[nodiscard]] std::uint64_t left() const { return left_; }
+    /// There is one.
+    [[nodiscard]] const Piece& front() const { return pieces_.front(); }
+    /// Up to `most` of the first piece, all of one window.
+    [[nodiscard]] Piece take(std::uint64_t most);
+    void put_back(const Piece& piece);
+
+  private:
+    std::deque<Piece> pieces_; ///< None empty.
+    std::uint64_t left_ = 0;
+};
+
+} // namespace cd

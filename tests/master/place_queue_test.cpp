@@ -1,0 +1,47 @@
+// Proves that every place of a job is handed out once, and again what came back, first and with
+// its losses.
+#include "master/place_queue.hpp"
+
+#include "common/core/limits.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+TEST(PlaceQueue, HandsOutEveryPlaceOnceAndNoPieceLeavesItsWindow) {
+    const std::uint64_t window = limits::order_window_scenarios;
+    PlaceQueue queue(2 * window + 5);
+    std::uint64_t next = 0;
+    while (!queue.empty()) {
+        EXPECT_EQ(queue.left(), 2 * window + 5 - next);
+        const auto piece = queue.take(10'000);
+        EXPECT_EQ(piece.places.first, next);
+        EXPECT_LE(piece.places.count, 10'000u);
+        EXPECT_EQ(piece.places.first / window, (piece.places.end() - 1) / window);
+        EXPECT_EQ(piece.losses, 0u);
+        next = piece.places.end();
+    }
+    EXPECT_EQ(next, 2 * window + 5);
+    EXPECT_EQ(queue.left(), 0u);
+}
+
+TEST(PlaceQueue, WhatCameBackIsFirst) {
+    PlaceQueue queue(100);
+    const auto first = queue.take(10);
+    queue.put_back({{3, 4}, 1});
+    EXPECT_EQ(queue.left(), 94u);
+    EXPECT_EQ(queue.front().losses, 1u);
+    const auto again = queue.take(100);
+    EXPECT_EQ(again.places, (PlaceRange{3, 4}));
+    EXPECT_EQ(again.losses, 1u);
+    EXPECT_EQ(queue.take(1).places.first, first.places.end());
+}
+
+TEST(PlaceQueue, OfNoScenariosIsEmpty) {
+    EXPECT_TRUE(PlaceQueue(0).empty());
+    EXPECT_TRUE(PlaceQueue().empty());
+}
+
+} // namespace
+} // namespace cd::tests

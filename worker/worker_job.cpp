@@ -1,0 +1,28 @@
+#include "worker/worker_job.hpp"
+
+#include <utility>
+
+namespace cd {
+
+Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const SubtreeCache& cache) {
+    const std::string name = "job " + std::to_string(add.job.value) + " ";
+    if (cache.find(add.tree_a) == nullptr || cache.find(add.tree_b) == nullptr) {
+        return Error{ErrorCode::BadFrame, name + "names a tree that is not here"};
+    }
+    const SubtreeForm form = cache.form_of(add.tree_a);
+    if (form != cache.form_of(add.tree_b) ||
+        (add.query.tolerance > 0 && form != SubtreeForm::Binary)) {
+        return Error{ErrorCode::BadFrame, name + "has trees whose forms do not suit"};
+    }
+    WorkerJob job{add.job, add.tree_a, add.tree_b, std::move(add.query), std::nullopt};
+    if (add.grid) {
+        Result<Grid> grid = decode_grid(*add.grid);
+        if (!grid) {
+            return Error{ErrorCode::BadFrame, name + "has a bad grid: " + grid.error().detail};
+        }
+        job.grid = std::move(grid.value());
+    }
+    return std::make_shared<const WorkerJob>(std::move(job));
+}
+
+} // namespace cd
