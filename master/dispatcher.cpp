@@ -6,6 +6,7 @@
 #include "master/dispatcher_state.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace cd {
 
@@ -124,13 +125,19 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     CD_CHECK(is_new);
     job->waiting.push_back(analysed.index);
     ++state_->unsent;
-    state_->input_is_paused = false;
+    const bool resumes = std::exchange(state_->input_is_paused, false);
 
     // Others wait before it: then nobody can take a scenario of this job now, and nothing changed,
     // unless a task's worth is taken together.
     Actions actions;
     if (job->waiting.size() == 1 || job->is_pulled()) {
         state_->allocate_one(*job, actions);
+    }
+    if (resumes) {
+        // What is kept back at the end, of whatever job, may go now.
+        for (auto& [id, proxy] : state_->pool.all()) {
+            state_->flush_ripe(proxy, actions);
+        }
     }
     return actions;
 }

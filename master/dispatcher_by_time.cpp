@@ -180,10 +180,12 @@ void Dispatcher::State::set_batches() {
     const double share = power > 0 && unsent_ns > 0
                              ? 1e-9 * static_cast<double>(unsent_ns) / (2 * power)
                              : limits::batch_seconds_max;
+    const double mean_ns = mean_cost_ns.value_or(limits::scenario_ns_unknown);
     for (WorkerProxy* proxy : pool.in_order()) {
         const double seconds =
             std::max(std::min(proxy->batch_seconds(), share), limits::batch_seconds_min);
         proxy->set_batch_ns(static_cast<std::uint64_t>(1e9 * seconds * power_of(*proxy)));
+        proxy->set_are_long(mean_ns > 1e9 * limits::scenario_seconds_long * speed_of(*proxy));
     }
 }
 
@@ -198,8 +200,35 @@ std::uint64_t Dispatcher::State::enough_by_time() const {
         std::min(wanted_ns / mean_ns, static_cast<double>(limits::unsent_by_time_max)));
 }
 
+// At the end nothing waits at a worker behind a long scenario, where another worker, which has
+// nothing to do, could not have it.
+bool Dispatcher::State::has_room_by_time(const WorkerProxy& proxy, const DispatchJob& job) const {
+    if (proxy.is_claimed()) {
+        return false;
+    }
+    if (proxy.working() < proxy.facts().threads) {
+        return true;
+    }
+    return proxy.tasks_of(job.id) < limits::batches_at_worker && !ends_with_long_ones(proxy, job);
+}
+
+bool Dispatcher::State::runs_dry_by_time(const WorkerProxy& proxy) const {
+    return proxy.working_ns() < proxy.batch_ns() || proxy.working() < proxy.facts().threads;
+}
+
+bool Dispatcher::State::ends_with_long_ones(const WorkerProxy& proxy,
+                                            const DispatchJob& job) const {
+    return input_is_paused && job.waiting.empty() && proxy.are_long();
+}
+
 std::vector<std::uint64_t> Dispatcher::State::take_batch(WorkerProxy& proxy,
                                                          const DispatchJob& job) {
+    if (ends_with_long_ones(proxy, job)) {
+        // The long ones first, so that the workers end together.
+        proxy.order_buffer(job.id, [&](std::uint64_t one, std::uint64_t other) {
+            return job.scenarios.at(one).weight.cost_ns > job.scenarios.at(other).weight.cost_ns;
+        });
+    }
     std::vector<std::uint64_t> batch;
     std::uint64_t cost_ns = 0;
     std::uint64_t bytes = 0;
@@ -238,7 +267,7 @@ void Dispatcher::State::rebalance(Actions& actions) {
         return;
     }
     for (WorkerProxy* proxy : pool.in_order()) {
-        const bool runs_dry = proxy->buffered() == 0 && proxy->working_ns() < proxy->batch_ns();
+        const bool runs_dry = proxy->buffered() == 0 && runs_dry_by_time(*proxy);
         if (runs_dry && takes_by_time(*proxy) && !proxy->is_claimed()) {
             move_towards(*proxy);
             flush_ripe(*proxy, actions);
@@ -272,8 +301,23 @@ bool Dispatcher::State::move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob
     if (buffer.scenarios.empty()) {
         return false;
     }
+    if (ends_with_long_ones(from, job)) {
+        const auto cost = [&](std::uint64_t index) {
+            return job.scenarios.at(index).weight.cost_ns;
+        };
+        const auto longest = std::ranges::max_element(buffer.scenarios, {}, cost);
+        if (move_if_earlier(from, to, job, *longest)) {
+            return true;
+        }
+    }
     // The last one: it would be done when all that `from` has is done.
-    const std::uint64_t index = buffer.scenarios.back();
+    return move_if_earlier(from, to, job, buffer.scenarios.back());
+}
+
+bool Dispatcher::State::move_if_earlier(WorkerProxy& from,
+                                        WorkerProxy& to,
+                                        DispatchJob& job,
+                                        std::uint64_t index) {
     DispatchScenario& scenario = job.scenarios.at(index);
     const double seconds_there = 1e-9 * static_cast<double>(from.backlog_ns()) / power_of(from);
     if (finish_on(to, job, scenario).total() >= seconds_there) {

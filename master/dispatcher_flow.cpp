@@ -196,14 +196,13 @@ bool Dispatcher::State::is_full(const WorkerProxy& proxy, const DispatchJob& job
 
 bool Dispatcher::State::has_room_for_task(const WorkerProxy& proxy, const DispatchJob& job) const {
     if (job.is_by_time()) {
-        return !proxy.is_claimed() && proxy.tasks_of(job.id) < limits::batches_at_worker;
+        return has_room_by_time(proxy, job);
     }
     return proxy.has_room_for_task(job.id, job.options);
 }
 
 bool Dispatcher::State::would_run_dry(const WorkerProxy& proxy, const DispatchJob& job) const {
-    return job.is_by_time() ? proxy.working_ns() < proxy.batch_ns()
-                            : proxy.would_run_dry(job.options);
+    return job.is_by_time() ? runs_dry_by_time(proxy) : proxy.would_run_dry(job.options);
 }
 
 void Dispatcher::State::refill(WorkerProxy& proxy, Actions& actions) {

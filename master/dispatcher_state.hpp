@@ -168,6 +168,10 @@ struct Dispatcher::State {
                                         const DispatchScenario& scenario) const;
     /// Says to each worker how much goes to it together from now on.
     void set_batches();
+    [[nodiscard]] bool has_room_by_time(const WorkerProxy& proxy, const DispatchJob& job) const;
+    [[nodiscard]] bool runs_dry_by_time(const WorkerProxy& proxy) const;
+    /// Its scenarios are so long that each is a batch, and all of them are known.
+    [[nodiscard]] bool ends_with_long_ones(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Unsent scenarios for the batches of all workers.
     [[nodiscard]] std::uint64_t enough_by_time() const;
     /// The first of a buffer, as much as goes together.
@@ -178,6 +182,8 @@ struct Dispatcher::State {
     void rebalance(Actions& actions);
     void move_towards(WorkerProxy& proxy);
     [[nodiscard]] bool move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob& job);
+    [[nodiscard]] bool
+    move_if_earlier(WorkerProxy& from, WorkerProxy& to, DispatchJob& job, std::uint64_t index);
 
     // ---- Explaining (dispatcher_explain.cpp) ----------------------------------------------------
     [[nodiscard]] std::string whereabouts(const DispatchJob& job, std::uint64_t index) const;

@@ -69,6 +69,15 @@ void WorkerProxy::remove_first(JobId job, std::size_t count, const ScenarioWeigh
     }
 }
 
+void WorkerProxy::order_buffer(JobId job,
+                               const std::function<bool(std::uint64_t, std::uint64_t)>& before) {
+    const auto found = buffers_.find(job);
+    // What is taken is taken from the front, so that mostly it is in order.
+    if (found != buffers_.end() && !std::ranges::is_sorted(found->second.scenarios, before)) {
+        std::ranges::stable_sort(found->second.scenarios, before);
+    }
+}
+
 ScenarioBuffer WorkerProxy::take_buffer(JobId job) {
     auto node = buffers_.extract(job);
     if (node.empty()) {

@@ -8,6 +8,7 @@
 #include "proto/message.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -103,6 +104,9 @@ class WorkerProxy {
     /// How much of a job goes together. It changes only when it is set.
     [[nodiscard]] std::uint64_t batch_ns() const { return batch_ns_; }
     void set_batch_ns(std::uint64_t batch_ns) { batch_ns_ = batch_ns; }
+    /// Scenarios take it so long that a round trip is nothing against one. The same.
+    [[nodiscard]] bool are_long() const { return are_long_; }
+    void set_are_long(bool are_long) { are_long_ = are_long; }
     /// Lets batches grow if this one, which has ended, cost too much beside its work. Says nothing
     /// where nothing stood behind it, or where it had to wait for blocks.
     void judge_batch(const ProxyTask& ended, double now);
@@ -115,6 +119,8 @@ class WorkerProxy {
     void remove_from_buffer(JobId job, std::uint64_t scenario, const ScenarioWeight& weight);
     /// The first `count` of the buffer, which weigh that together.
     void remove_first(JobId job, std::size_t count, const ScenarioWeight& weight);
+    /// Equals stay in their order.
+    void order_buffer(JobId job, const std::function<bool(std::uint64_t, std::uint64_t)>& before);
     /// What was buffered, in order; nothing is left of it.
     ScenarioBuffer take_buffer(JobId job);
 
@@ -159,6 +165,7 @@ class WorkerProxy {
     double task_ended_ = 0; ///< The last one.
     double batch_seconds_ = limits::batch_seconds_start;
     std::uint64_t batch_ns_ = 0;
+    bool are_long_ = false;
 };
 
 } // namespace cd

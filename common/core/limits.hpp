@@ -76,6 +76,7 @@ inline constexpr double batch_seconds_min = 0.001;
 inline constexpr double batch_seconds_max = 1;
 inline constexpr double batch_overhead_max = 0.02; ///< Above it batches grow.
 inline constexpr std::size_t batches_at_worker = 2;
+inline constexpr double scenario_seconds_long = 0.05; ///< Against which a round trip is nothing.
 inline constexpr std::size_t moves_tried_max = 64; ///< At a time, towards one worker that runs dry.
 inline constexpr std::uint64_t unsent_by_time_max = 1u << 18; ///< Analysed ahead of the workers.
 

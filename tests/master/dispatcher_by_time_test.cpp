@@ -180,6 +180,35 @@ TEST_F(ByTime, BatchesLastATenthOfASecondAndShrinkAtTheEnd) {
     EXPECT_LT(batches_.back().scenarios.size(), 5u);
 }
 
+TEST_F(ByTime, AtTheEndLongScenariosGoOneByOneTheLongestFirst) {
+    open(0);
+    join(worker_1);
+    for (const std::uint64_t seconds : {3, 1, 5, 2, 4}) {
+        feed(1, 0, seconds * 1000 * ms);
+    }
+    // Two are there: the first, and one that waits behind it while more may come.
+    ASSERT_EQ(batches_.size(), 2u);
+    keep(dispatcher_.input_paused());
+    for (std::size_t i = 0; i < batches_.size(); ++i) {
+        ASSERT_EQ(batches_[i].scenarios.size(), 1u);
+        finish(SendBatch(batches_[i]));
+        // Nothing waits behind one that could be done elsewhere.
+        EXPECT_LE(batches_.size(), std::max<std::size_t>(2, i + 2));
+    }
+    ASSERT_EQ(batches_.size(), 5u);
+    EXPECT_EQ(batches_[2].scenarios[0], 2u); // 5 s,
+    EXPECT_EQ(batches_[3].scenarios[0], 4u); // 4 s,
+    EXPECT_EQ(batches_[4].scenarios[0], 3u); // 2 s.
+}
+
+TEST_F(ByTime, EachThreadHasALongScenario) {
+    open(0);
+    keep(dispatcher_.worker_joined(worker_1, {"w", 4, 1, 0}));
+    feed(9, 0, 10'000 * ms);
+    keep(dispatcher_.input_paused());
+    EXPECT_EQ(dispatcher_.worker_status(worker_1).working, 4u);
+}
+
 TEST_F(ByTime, BatchesGrowWhereTheyCostMoreThanTheirWork) {
     for (const double share : {0.95, 0.99}) {
         SCOPED_TRACE(share);
