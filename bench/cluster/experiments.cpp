@@ -36,6 +36,10 @@ const std::vector<std::string> columns{"setting",
                                        "memory_sum_mb",
                                        "master_share",
                                        "worker_share",
+                                       "start_share",
+                                       "between_share",
+                                       "tail_share",
+                                       "peer_mb",
                                        "dispatcher_us",
                                        "batches"};
 
@@ -65,7 +69,7 @@ std::vector<std::string> row_of(const Setting& setting,
             scene.trace->name,
             point.experiment,
             cell(point.x),
-            std::string(to_text(strategy.strategy)),
+            strategy.name(),
             cell(seed),
             cell(workload.count()),
             cell(std::uint64_t{point.depth}),
@@ -87,6 +91,10 @@ std::vector<std::string> row_of(const Setting& setting,
             cell(megabytes(outcome.memory_bytes_sum)),
             cell(outcome.master_seconds / outcome.seconds),
             cell(outcome.work_seconds / outcome.seconds / bound),
+            cell(outcome.start_share),
+            cell(outcome.between_share),
+            cell(outcome.tail_share),
+            cell(megabytes(outcome.peer_bytes)),
             cell(outcome.dispatcher_us),
             cell(outcome.batches)};
 }
@@ -113,7 +121,7 @@ Setting measured_setting() {
     setting.may_claim = false;
     setting.seeds_max = 1;
     setting.options.cluster.worker_per_computer = true;
-    setting.options.ahead = limits::unsent_scenarios_max;
+    setting.options.ahead = 0;
     setting.options.analysts = setting.options.cluster.fast_cores_each - 1;
     setting.options.results_period =
         std::chrono::duration<double>(limits::results_flush_period).count();
@@ -142,7 +150,7 @@ void Experiments::run(const Setting& setting, const Scene& scene, const Point& p
                              scene.trace->name.c_str(),
                              point.experiment.c_str(),
                              point.x,
-                             std::string(to_text(strategy.strategy)).c_str());
+                             strategy.name().c_str());
                 continue;
             }
             csv_.row(row_of(setting, scene, point, strategy, seed, workload, *outcome));
@@ -175,6 +183,10 @@ std::optional<Outcome> Experiments::simulate_one(const Setting& setting,
     options.dispatch.v_kb = limits::v_kb_max;
     options.dispatch.claim = setting.may_claim && strategy.claims;
     options.dispatch.seed = seed;
+    options.peers = strategy.peers;
+    if (strategy.sees_queue) {
+        options.ahead = 0;
+    }
     if (setting.costs == Costs::Measured) {
         options.dispatch_seconds = dispatch_seconds(scene, workload, point, options);
     }
@@ -185,7 +197,8 @@ double Experiments::dispatch_seconds(const Scene& scene,
                                      const Workload& workload,
                                      const Point& point,
                                      const SimulationOptions& uncharged) {
-    const std::tuple key(scene.trace->name, uncharged.dispatch.strategy, point.depth);
+    const std::tuple key(
+        scene.trace->name, uncharged.dispatch.strategy, uncharged.peers, point.depth);
     const auto known = dispatch_seconds_.find(key);
     if (known != dispatch_seconds_.end()) {
         return known->second;
@@ -292,7 +305,7 @@ double Experiments::mean_lowest(const Setting& setting, const Scene& scene) {
         const Workload workload =
             make_workload(*scene.trace, *scene.table, {setting.costs, point.depth, 0, seed});
         const auto outcome =
-            simulate_one(setting, scene, workload, {Strategy::Lowest, true}, point, seed);
+            simulate_one(setting, scene, workload, {Strategy::Lowest, true, false}, point, seed);
         sum += outcome ? outcome->seconds : 0;
     }
     return sum / static_cast<double>(seeds(setting));

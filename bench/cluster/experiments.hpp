@@ -111,8 +111,8 @@ class Experiments {
 
     ExperimentOptions options_;
     CsvFile csv_;
-    /// By scene, strategy and depth.
-    std::map<std::tuple<std::string, Strategy, std::uint32_t>, double> dispatch_seconds_;
+    /// By scene, strategy, whether there are peers, and depth.
+    std::map<std::tuple<std::string, Strategy, bool, std::uint32_t>, double> dispatch_seconds_;
     double best_match_seconds_ = 0; ///< Of the point run last, mean of the seeds.
 };
 

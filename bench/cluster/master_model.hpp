@@ -4,12 +4,16 @@
 
 #include "bench/cluster/messages.hpp"
 #include "bench/cluster/workload.hpp"
+#include "master/block_director.hpp"
 #include "master/dispatcher.hpp"
+#include "master/transfer_meter.hpp"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cd::bench {
@@ -35,10 +39,18 @@ struct MasterCounts {
 
 class MasterModel {
   public:
-    /// `ahead`: how many analysed scenarios may wait for a worker beside those in buffers; one at
-    /// least.
-    /// The workload outlives the model.
-    MasterModel(const Workload& workload, const ClusterOptions& options, std::uint64_t ahead);
+    /// `peers`: workers give each other blocks, as the master directs.
+    /// `ahead`: how many analysed scenarios may wait for a worker beside those in buffers; 0: as
+    /// many as the coordinator lets. `cache_bytes`: of each worker; 0: no limit. The workload
+    /// outlives the model.
+    MasterModel(const Workload& workload,
+                const ClusterOptions& options,
+                std::uint64_t ahead,
+                bool peers,
+                std::uint64_t cache_bytes = 0);
+
+    /// To be called before whatever happens then. In seconds; never less than before.
+    std::vector<Letter> time_is(double now);
 
     /// The job is opened, and workers of so many threads are there, numbered from 1.
     std::vector<Letter> start(std::span<const std::uint32_t> worker_threads);
@@ -46,8 +58,13 @@ class MasterModel {
     /// The next scenario to be analysed; nothing when all have been given out, or while enough wait
     /// for workers.
     std::optional<std::uint64_t> next_to_analyse();
+    /// The same of neighbours at once, at most so many: the first, and how many.
+    std::pair<std::uint64_t, std::uint64_t> next_block_to_analyse(std::uint64_t count_max);
     std::vector<Letter> take(const Analysed& message);
     std::vector<Letter> take(const BlocksWanted& message);
+    std::vector<Letter> take(const BlocksHeld& message);
+    std::vector<Letter> take(const BlocksEvicted& message);
+    std::vector<Letter> take(const PeerFailed& message);
     std::vector<Letter> take(const ResultsSent& message);
 
     [[nodiscard]] bool is_done() const { return counts_.answered == workload_.count(); }
@@ -56,10 +73,19 @@ class MasterModel {
   private:
     template <class Event>
     std::vector<Letter> dispatch(const Event& event);
+    /// Of an event without actions.
+    template <class Event>
+    void report(const Event& event);
     void perform(const Action& action, std::vector<Letter>& letters);
+    /// The director's decisions. Blocks are gathered into messages as the real master does: of one
+    /// tree, until they are large enough.
+    std::vector<Letter> deliver(const BlockActions& actions);
     void post(WorkerId to, ToWorker content, std::vector<Letter>& letters);
+    /// As the coordinator reports what a worker did.
+    void report_work(const ResultsSent& message);
     /// Analysed, and in no buffer.
     [[nodiscard]] std::uint64_t waiting() const;
+    [[nodiscard]] bool has_enough() const;
     /// As the coordinator does when nothing more is being analysed.
     void pause_at_end(std::vector<Letter>& letters);
 
@@ -73,6 +99,12 @@ class MasterModel {
     std::uint64_t ahead_;
     std::vector<bool> is_answered_;
     std::set<WorkerId> knows_trees_;
+    double now_ = 0;
+    std::map<WorkerId, TransferMeter> transfers_;
+    bool peers_;
+    std::uint64_t cache_bytes_; ///< Of a worker.
+    BlockDirector director_;
+    double director_told_ = 0; ///< The time.
 };
 
 } // namespace cd::bench

@@ -24,7 +24,12 @@ struct Overheads {
     std::uint64_t batch = on_wire(empty_batch());
     std::uint64_t blocks = on_wire(Subtrees{});
     std::uint64_t block = on_wire(Subtrees{TreeId{}, {SubtreeBlock{}}}) - blocks;
+    std::uint64_t directed = on_wire(FetchFromPeers{TreeId{}, {}, {}, {PeerSource{}}});
+    std::uint64_t asked = on_wire(PeerFetch{});
     std::uint64_t want = on_wire(WantSubtrees{});
+    std::uint64_t held = on_wire(Held{});
+    std::uint64_t evicted = on_wire(Evicted{});
+    std::uint64_t failed = on_wire(FetchFailed{});
     std::uint64_t results = on_wire(Results{});
     std::uint64_t end_of_task = on_wire(EndOfTask{});
     std::uint64_t terminate = on_wire(Terminate{});
@@ -59,12 +64,33 @@ std::uint64_t bytes_in(const BlocksSent& message, const Workload& workload) {
     return bytes;
 }
 
+std::uint64_t bytes_in(const FetchDirected& message, const Workload& /*workload*/) {
+    return overheads().directed + message.blocks.size() * (sizeof(RootIndex) + sizeof(Sha256));
+}
+
+std::uint64_t bytes_in(const PeerAsked& message, const Workload& /*workload*/) {
+    return overheads().asked + message.blocks.size() * sizeof(RootIndex);
+}
+
 std::uint64_t bytes_in(const Ended& /*message*/, const Workload& /*workload*/) {
     return overheads().terminate;
 }
 
 std::uint64_t bytes_in(const BlocksWanted& message, const Workload& /*workload*/) {
     return trees_in(message.blocks) * overheads().want + message.blocks.size() * sizeof(RootIndex);
+}
+
+std::uint64_t bytes_in(const BlocksHeld& message, const Workload& /*workload*/) {
+    return trees_in(message.blocks) * overheads().held + message.blocks.size() * sizeof(RootIndex);
+}
+
+std::uint64_t bytes_in(const BlocksEvicted& message, const Workload& /*workload*/) {
+    return trees_in(message.blocks) * overheads().evicted +
+           message.blocks.size() * sizeof(RootIndex);
+}
+
+std::uint64_t bytes_in(const PeerFailed& message, const Workload& /*workload*/) {
+    return overheads().failed + message.blocks.size() * sizeof(RootIndex);
 }
 
 std::uint64_t bytes_in(const ResultsSent& message, const Workload& workload) {

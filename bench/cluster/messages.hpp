@@ -21,8 +21,21 @@ struct BatchSent {
 struct BlocksSent {
     std::vector<BlockId> blocks;
 };
+/// To be fetched from another worker.
+struct FetchDirected {
+    WorkerId source;
+    std::vector<BlockId> blocks; ///< Of one tree.
+};
 struct Ended {};
-using ToWorker = std::variant<BatchSent, BlocksSent, Ended>;
+
+// ---- Worker to worker -----------------------------------------------------------------------
+
+/// Answered by BlocksSent.
+struct PeerAsked {
+    WorkerId asker;
+    std::vector<BlockId> blocks; ///< Of one tree.
+};
+using ToWorker = std::variant<BatchSent, BlocksSent, FetchDirected, PeerAsked, Ended>;
 
 // ---- Worker to master -----------------------------------------------------------------------
 
@@ -30,17 +43,35 @@ struct BlocksWanted {
     WorkerId worker;
     std::vector<BlockId> blocks; ///< Ascending.
 };
+/// The worker has these no longer.
+struct BlocksEvicted {
+    WorkerId worker;
+    std::vector<BlockId> blocks; ///< Ascending.
+};
+/// The source did not have these.
+struct PeerFailed {
+    WorkerId worker;
+    WorkerId source;
+    std::vector<BlockId> blocks; ///< Of one tree, ascending.
+};
 struct ResultsSent {
     WorkerId worker;
     TaskId task;
     std::vector<std::uint64_t> scenarios;
+    double compute_seconds = 0; ///< That the worker's threads took for them.
     bool ends_task = false;
+};
+/// From now on the worker has these.
+struct BlocksHeld {
+    WorkerId worker;
+    std::vector<BlockId> blocks; ///< Ascending.
 };
 /// Not on the wire: another core of the master's host has analysed it.
 struct Analysed {
     std::uint64_t scenario = 0;
 };
-using ToMaster = std::variant<BlocksWanted, ResultsSent, Analysed>;
+using ToMaster =
+    std::variant<BlocksWanted, BlocksHeld, BlocksEvicted, PeerFailed, ResultsSent, Analysed>;
 
 /// By the codec of the real messages, their frames included; records, poses and blocks as the
 /// workload says.

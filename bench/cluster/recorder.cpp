@@ -16,20 +16,32 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <deque>
+#include <functional>
 #include <numeric>
+#include <span>
+#include <utility>
 
 namespace cd::bench {
 
 namespace {
 
-/// A row a scenario, a column a pass.
-class PassTimes {
-  public:
-    PassTimes(std::size_t scenarios, unsigned passes)
-        : passes_(passes), seconds_(scenarios * passes) {}
+template <class Work>
+double seconds_of(const Work& work) {
+    const double start = cpu_seconds();
+    work();
+    return cpu_seconds() - start;
+}
 
-    void set(std::size_t scenario, unsigned pass, double seconds) {
-        seconds_[scenario * passes_ + pass] = seconds;
+/// Something that is done for each scenario, and the seconds that it says it took: a row a
+/// scenario, a column a pass.
+class TimedStep {
+  public:
+    TimedStep(std::size_t scenarios, unsigned passes, std::function<double(std::size_t)> step)
+        : passes_(passes), step_(std::move(step)), seconds_(scenarios * passes) {}
+
+    void run(std::size_t scenario, unsigned pass) {
+        seconds_[scenario * passes_ + pass] = step_(scenario);
     }
     [[nodiscard]] double median(std::size_t scenario) const {
         const auto begin = seconds_.begin() + static_cast<std::ptrdiff_t>(scenario * passes_);
@@ -40,8 +52,25 @@ class PassTimes {
 
   private:
     unsigned passes_;
+    std::function<double(std::size_t)> step_;
     std::vector<double> seconds_;
 };
+
+/// All steps on some scenarios, then on the next ones: how fast the machine is changes with what
+/// else it does, and steps are compared with each other.
+void run_in_turns(std::span<TimedStep* const> steps, std::size_t scenarios, unsigned passes) {
+    constexpr std::size_t together = 128;
+    for (std::size_t begin = 0; begin < scenarios; begin += together) {
+        const std::size_t end = std::min(begin + together, scenarios);
+        for (unsigned pass = 0; pass < passes; ++pass) {
+            for (TimedStep* step : steps) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    step->run(i, pass);
+                }
+            }
+        }
+    }
+}
 
 /// A body cut at a depth, with all its subtrees.
 struct CutBody {
@@ -113,18 +142,18 @@ std::vector<std::shared_ptr<const Subtree>> subtrees_of(const CutBody& body,
 }
 
 /// The paper's form of the search.
-double binary_seconds(const CutBody& a,
-                      const CutBody& b,
-                      const std::vector<RootPair>& roots,
-                      const Scenario& scenario) {
-    const double start = cpu_seconds();
-    std::vector<SubtreePair> pairs;
-    pairs.reserve(roots.size());
-    for (const RootPair& pair : roots) {
-        pairs.push_back({a.binary[pair.a].view(), b.binary[pair.b].view()});
-    }
-    static_cast<void>(run_on_subtrees(pairs, scenario, {}));
-    return cpu_seconds() - start;
+double search_binary(const CutBody& a,
+                     const CutBody& b,
+                     const std::vector<RootPair>& roots,
+                     const Scenario& scenario) {
+    return seconds_of([&] {
+        std::vector<SubtreePair> pairs;
+        pairs.reserve(roots.size());
+        for (const RootPair& pair : roots) {
+            pairs.push_back({a.binary[pair.a].view(), b.binary[pair.b].view()});
+        }
+        static_cast<void>(run_on_subtrees(pairs, scenario, {}));
+    });
 }
 
 AnalysisInput analysis_input(const CutBody& a, const CutBody& b) {
@@ -147,140 +176,155 @@ ready_scenario(const CutBody& a, const CutBody& b, const Analysis& analysis, con
     return ready;
 }
 
-/// All scenarios of one depth of A's cut.
+/// All scenarios at one depth of A's cut.
 class DepthRecorder {
   public:
+    /// All of these outlive it.
     DepthRecorder(const CutBody& a,
                   const CutBody& b,
                   const std::vector<Scenario>& scenarios,
                   unsigned passes)
-        : a_(a), b_(b), scenarios_(scenarios), passes_(passes), traces_(scenarios.size()) {}
+        : a_(a),
+          b_(b),
+          scenarios_(scenarios),
+          input_(analysis_input(a, b)),
+          analyses_(scenarios.size()),
+          result_bytes_(scenarios.size()),
+          analysis_(scenarios.size(), passes, [this](std::size_t i) { return analyse_one(i); }),
+          binary_(scenarios.size(),
+                  passes,
+                  [this](std::size_t i) {
+                      return search_binary(a_, b_, analyses_[i].pairs, scenarios_[i]);
+                  }),
+          wide_(scenarios.size(), passes, [this](std::size_t i) { return search_wide(i); }) {}
+    DepthRecorder(const DepthRecorder&) = delete;
+    DepthRecorder& operator=(const DepthRecorder&) = delete;
 
-    std::vector<ScenarioTrace> record() {
-        analyse_all();
-        search_binary();
-        search_wide();
-        return std::move(traces_);
+    void add_steps(std::vector<TimedStep*>& steps) {
+        steps.insert(steps.end(), {&analysis_, &binary_, &wide_});
     }
 
-  private:
-    void analyse_all() {
-        const AnalysisInput input = analysis_input(a_, b_);
-        analyses_.resize(scenarios_.size());
-        PassTimes times(scenarios_.size(), passes_);
-        for (unsigned pass = 0; pass < passes_; ++pass) {
-            for (std::size_t i = 0; i < scenarios_.size(); ++i) {
-                const double start = cpu_seconds();
-                analyses_[i] = analyse(input, scenarios_[i]);
-                times.set(i, pass, cpu_seconds() - start);
-            }
-        }
+    [[nodiscard]] DepthTrace trace() const {
+        DepthTrace depth{a_.trace, std::vector<ScenarioTrace>(scenarios_.size())};
         for (std::size_t i = 0; i < scenarios_.size(); ++i) {
             const Analysis& analysis = analyses_[i];
-            ScenarioTrace& trace = traces_[i];
-            trace.analysis_seconds = times.median(i);
+            ScenarioTrace& trace = depth.scenarios[i];
+            trace.analysis_seconds = analysis_.median(i);
             trace.analysis_box_tests = analysis.cost.search.box_tests;
             trace.root_pairs = static_cast<std::uint32_t>(analysis.pairs.size());
             trace.meeting_size = meeting_size(a_.top, b_.top, analysis.pairs);
+            trace.work_seconds = wide_.median(i);
+            trace.binary_seconds = binary_.median(i);
             trace.batch_bytes = analysis.bytes;
+            trace.result_bytes = result_bytes_[i];
             trace.roots_a = analysis.roots_a;
             trace.roots_b = analysis.roots_b;
         }
+        return depth;
     }
 
-    void search_binary() {
-        PassTimes times(scenarios_.size(), passes_);
-        for (unsigned pass = 0; pass < passes_; ++pass) {
-            for (std::size_t i = 0; i < scenarios_.size(); ++i) {
-                times.set(i, pass, binary_seconds(a_, b_, analyses_[i].pairs, scenarios_[i]));
-            }
-        }
-        for (std::size_t i = 0; i < scenarios_.size(); ++i) {
-            traces_[i].binary_seconds = times.median(i);
-        }
+  private:
+    double analyse_one(std::size_t i) {
+        return seconds_of([&] { analyses_[i] = analyse(input_, scenarios_[i]); });
     }
 
-    void search_wide() {
-        PassTimes times(scenarios_.size(), passes_);
-        for (unsigned pass = 0; pass < passes_; ++pass) {
-            for (std::size_t i = 0; i < scenarios_.size(); ++i) {
-                const ReadyScenario ready = ready_scenario(a_, b_, analyses_[i], {});
-                const double start = cpu_seconds();
-                const auto finished = execute(ready, {});
-                times.set(i, pass, cpu_seconds() - start);
-                traces_[i].result_bytes = pack_records(finished->records).size();
-            }
-        }
-        for (std::size_t i = 0; i < scenarios_.size(); ++i) {
-            traces_[i].work_seconds = times.median(i);
-        }
+    double search_wide(std::size_t i) {
+        const ReadyScenario ready = ready_scenario(a_, b_, analyses_[i], {});
+        const double start = cpu_seconds();
+        const auto finished = execute(ready, {});
+        const double seconds = cpu_seconds() - start;
+        result_bytes_[i] = pack_records(finished->records).size();
+        return seconds;
     }
 
     const CutBody& a_;
     const CutBody& b_;
     const std::vector<Scenario>& scenarios_;
-    unsigned passes_;
-    std::vector<ScenarioTrace> traces_;
+    AnalysisInput input_;
     std::vector<Analysis> analyses_;
+    std::vector<std::size_t> result_bytes_;
+    TimedStep analysis_;
+    TimedStep binary_;
+    TimedStep wide_;
 };
 
 /// The search in one process; with wide trees also the record.
-std::vector<WholeTrace> record_whole(const ObbTree& a,
-                                     const ObbTree& b,
-                                     const std::vector<Scenario>& scenarios,
-                                     unsigned passes,
-                                     bool is_wide) {
-    PassTimes times(scenarios.size(), passes);
-    std::vector<WholeTrace> traces(scenarios.size());
-    for (unsigned pass = 0; pass < passes; ++pass) {
-        for (std::size_t i = 0; i < scenarios.size(); ++i) {
-            const double start = cpu_seconds();
-            const SubtreePair pair{a.view(), b.view()};
-            const ScenarioRun run = run_on_subtrees({&pair, 1}, scenarios[i], {});
-            if (is_wide) {
-                static_cast<void>(encode_result(run.result));
-            }
-            times.set(i, pass, cpu_seconds() - start);
-            traces[i].box_tests = run.statistics.box_tests;
-            traces[i].triangle_tests = run.statistics.triangle_tests;
-        }
-    }
-    for (std::size_t i = 0; i < scenarios.size(); ++i) {
-        traces[i].seconds = times.median(i);
-    }
-    return traces;
-}
-
-void record_whole(const ObbTree& a,
+class WholeRecorder {
+  public:
+    /// All of these outlive it.
+    WholeRecorder(const ObbTree& a,
                   const ObbTree& b,
                   const std::vector<Scenario>& scenarios,
-                  unsigned passes,
-                  Trace& trace) {
-    const auto binary = record_whole(a, b, scenarios, passes, false);
-    ObbTree wide_a = a;
-    ObbTree wide_b = b;
-    wide_a.prepare_search();
-    wide_b.prepare_search();
-    const auto wide = record_whole(wide_a, wide_b, scenarios, passes, true);
-    for (std::size_t i = 0; i < scenarios.size(); ++i) {
-        trace.whole.push_back({wide[i].seconds,
-                               binary[i].seconds,
-                               binary[i].box_tests,
-                               binary[i].triangle_tests,
-                               wide[i].box_tests,
-                               wide[i].triangle_tests});
+                  unsigned passes)
+        : a_(a),
+          b_(b),
+          wide_a_(a),
+          wide_b_(b),
+          scenarios_(scenarios),
+          traces_(scenarios.size()),
+          binary_(scenarios.size(), passes, [this](std::size_t i) { return search_binary(i); }),
+          wide_(scenarios.size(), passes, [this](std::size_t i) { return search_wide(i); }) {
+        wide_a_.prepare_search();
+        wide_b_.prepare_search();
     }
-    std::vector<PosePair> poses;
-    for (const Scenario& scenario : scenarios) {
-        poses.push_back(scenario.poses);
+    WholeRecorder(const WholeRecorder&) = delete;
+    WholeRecorder& operator=(const WholeRecorder&) = delete;
+
+    void add_steps(std::vector<TimedStep*>& steps) {
+        steps.insert(steps.end(), {&binary_, &wide_});
     }
-    SearchCostOptions options;
-    options.time_max = std::chrono::seconds(1);
-    if (const auto cost = measure_search_cost(wide_a.view(), wide_b.view(), poses, options)) {
-        trace.box_test_ns = cost->box_test_ns;
-        trace.triangle_test_ns = cost->triangle_test_ns;
+
+    void fill(Trace& trace) const {
+        trace.whole = traces_;
+        for (std::size_t i = 0; i < traces_.size(); ++i) {
+            trace.whole[i].binary_seconds = binary_.median(i);
+            trace.whole[i].seconds = wide_.median(i);
+        }
+        std::vector<PosePair> poses;
+        for (const Scenario& scenario : scenarios_) {
+            poses.push_back(scenario.poses);
+        }
+        SearchCostOptions options;
+        options.time_max = std::chrono::seconds(1);
+        if (const auto cost = measure_search_cost(wide_a_.view(), wide_b_.view(), poses, options)) {
+            trace.box_test_ns = cost->box_test_ns;
+            trace.triangle_test_ns = cost->triangle_test_ns;
+        }
     }
-}
+
+  private:
+    double search_binary(std::size_t i) {
+        const SubtreePair pair{a_.view(), b_.view()};
+        ScenarioRun run;
+        const double seconds = seconds_of([&] {
+            run = run_on_subtrees({&pair, 1}, scenarios_[i], {});
+        });
+        traces_[i].box_tests = run.statistics.box_tests;
+        traces_[i].triangle_tests = run.statistics.triangle_tests;
+        return seconds;
+    }
+
+    double search_wide(std::size_t i) {
+        const SubtreePair pair{wide_a_.view(), wide_b_.view()};
+        ScenarioRun run;
+        const double seconds = seconds_of([&] {
+            run = run_on_subtrees({&pair, 1}, scenarios_[i], {});
+            static_cast<void>(encode_result(run.result));
+        });
+        traces_[i].wide_box_tests = run.statistics.box_tests;
+        traces_[i].wide_triangle_tests = run.statistics.triangle_tests;
+        return seconds;
+    }
+
+    const ObbTree& a_;
+    const ObbTree& b_;
+    ObbTree wide_a_;
+    ObbTree wide_b_;
+    const std::vector<Scenario>& scenarios_;
+    std::vector<WholeTrace> traces_;
+    TimedStep binary_;
+    TimedStep wide_;
+};
 
 void print_depth(const Trace& trace, const DepthTrace& depth) {
     const auto mean_us = [&](auto member) {
@@ -311,18 +355,29 @@ Result<Trace> record_trace(const std::shared_ptr<const ObbTree>& a,
     trace.name = options.name;
     trace.triangles_a = a->mesh().triangles().size();
     trace.triangles_b = b->mesh().triangles().size();
-    record_whole(*a, *b, scenarios, options.passes, trace);
     const auto cut_b = cut_body(*b, options.depth_b, options.scratch / "b.blocks");
+    if (!cut_b) {
+        return cut_b.error();
+    }
+    trace.b = cut_b.value().trace;
+    WholeRecorder whole(*a, *b, scenarios, options.passes);
+    std::deque<CutBody> cuts_a;
+    std::deque<DepthRecorder> depths;
+    std::vector<TimedStep*> steps;
+    whole.add_steps(steps);
     for (const std::uint32_t depth : options.depths_a) {
-        const auto cut_a = cut_body(*a, depth, options.scratch / "a.blocks");
-        for (const auto* cut : {&cut_a, &cut_b}) {
-            if (!*cut) {
-                return cut->error();
-            }
+        auto cut_a = cut_body(*a, depth, options.scratch / "a.blocks");
+        if (!cut_a) {
+            return cut_a.error();
         }
-        trace.b = cut_b.value().trace;
-        DepthRecorder recorder(cut_a.value(), cut_b.value(), scenarios, options.passes);
-        trace.depths.push_back({cut_a.value().trace, recorder.record()});
+        cuts_a.push_back(std::move(cut_a.value()));
+        depths.emplace_back(cuts_a.back(), cut_b.value(), scenarios, options.passes)
+            .add_steps(steps);
+    }
+    run_in_turns(steps, scenarios.size(), options.passes);
+    whole.fill(trace);
+    for (const DepthRecorder& depth : depths) {
+        trace.depths.push_back(depth.trace());
         print_depth(trace, trace.depths.back());
     }
     return trace;

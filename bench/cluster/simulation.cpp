@@ -139,7 +139,7 @@ class Simulation {
     Simulation(const Workload& workload, const SimulationOptions& options)
         : workload_(workload),
           options_(options),
-          master_(workload, options.dispatch, options.ahead),
+          master_(workload, options.dispatch, options.ahead, options.peers),
           to_master_("master"),
           work_available_(s4u::ConditionVariable::create()),
           analysts_lock_(s4u::Mutex::create()) {}
@@ -192,6 +192,7 @@ class Simulation {
         if (std::holds_alternative<Analysed>(*message)) {
             master_spends(options_.dispatch_seconds);
         }
+        tell_time();
         send(std::visit([this](const auto& content) { return master_.take(content); }, *message));
     }
 
@@ -201,9 +202,12 @@ class Simulation {
             return false;
         }
         master_spends(workload_.scenario(*scenario).analysis_seconds + options_.dispatch_seconds);
+        tell_time();
         send(master_.take(Analysed{*scenario}));
         return true;
     }
+
+    void tell_time() { send(master_.time_is(s4u::Engine::get_clock())); }
 
     void send(std::vector<Letter> letters) {
         for (Letter& letter : letters) {
@@ -267,6 +271,14 @@ class Simulation {
         bool is_over = false;
     };
 
+    /// Of one thread of a worker.
+    struct ThreadTimes {
+        double first = 0; ///< When its first scenario begins, and its last ends.
+        double last = 0;
+        double busy = 0;
+        double speed = 1;
+    };
+
     static void post(Worker& worker, Letter letter) {
         worker.outbox.push_back(std::move(letter));
         worker.posted->release();
@@ -303,10 +315,12 @@ class Simulation {
 
     void take(Worker& worker, const BatchSent& batch) {
         const std::size_t ready_before = worker.model.ready_count();
-        if (auto wanted = worker.model.take(batch)) {
+        auto wanted = worker.model.take(batch);
+        // Before anything else: whatever waits lets threads of this worker run.
+        offer(worker, worker.model.ready_count() - ready_before);
+        if (wanted) {
             put_to_master(std::move(*wanted));
         }
-        offer(worker, worker.model.ready_count() - ready_before);
     }
 
     /// The threads share the opening.
@@ -324,6 +338,20 @@ class Simulation {
         }
     }
 
+    void take(Worker& worker, const FetchDirected& directed) {
+        ToWorker asked = PeerAsked{worker.model.id(), directed.blocks};
+        const std::uint64_t bytes = bytes_of(asked, workload_);
+        workers_[directed.source.value - 1]->inbox.put(std::move(asked), bytes);
+    }
+
+    /// The source's uploads share its link.
+    void take(Worker& /*source*/, const PeerAsked& asked) {
+        ToWorker blocks = BlocksSent{asked.blocks};
+        const std::uint64_t bytes = bytes_of(blocks, workload_);
+        outcome_.peer_bytes += bytes;
+        workers_[asked.asker.value - 1]->inbox.put(std::move(blocks), bytes);
+    }
+
     void take(Worker& worker, const Ended& /*message*/) {
         worker.is_over = true;
         offer(worker, worker.threads);
@@ -338,13 +366,15 @@ class Simulation {
     }
 
     void run_thread(Worker& worker) {
+        ThreadTimes& times = thread_times_.emplace_back();
+        times.speed = s4u::this_actor::get_host()->get_speed() / fast_speed;
         for (worker.work->acquire(); !worker.is_over; worker.work->acquire()) {
             if (!worker.unopened.empty()) {
                 const BlocksSent blocks = std::move(worker.unopened.front());
                 worker.unopened.pop_front();
                 open(worker, blocks);
             } else {
-                run_scenario(worker, worker.model.next());
+                run_scenario(worker, worker.model.next(), times);
             }
         }
     }
@@ -352,15 +382,21 @@ class Simulation {
     void open(Worker& worker, const BlocksSent& blocks) {
         spend(worker.model.open_seconds(blocks));
         const std::size_t ready_before = worker.model.ready_count();
-        worker.model.opened(blocks);
+        BlocksHeld held = worker.model.opened(blocks);
         offer(worker, worker.model.ready_count() - ready_before);
+        put_to_master(std::move(held));
     }
 
-    void run_scenario(Worker& worker, std::uint64_t scenario) {
+    void run_scenario(Worker& worker, std::uint64_t scenario, ThreadTimes& times) {
         const double seconds = workload_.scenario(scenario).work_seconds;
+        const double begin = s4u::Engine::get_clock();
         spend(seconds);
         outcome_.work_seconds += seconds;
-        worker.model.ran(scenario, s4u::Engine::get_clock());
+        const double now = s4u::Engine::get_clock();
+        times.first = times.busy == 0 ? begin : times.first;
+        times.last = now;
+        times.busy += now - begin;
+        worker.model.ran(scenario, now, now - begin);
         send_results(worker.model);
     }
 
@@ -399,6 +435,7 @@ class Simulation {
         outcome.sent_bytes = counts.sent_bytes;
         outcome.dispatcher_us = 1e6 * counts.dispatcher_seconds /
                                 static_cast<double>(std::max<std::size_t>(workload_.count(), 1));
+        add_idle_shares(outcome);
         for (const auto& worker : workers_) {
             const WorkerModel& model = worker->model;
             outcome.blocks_received += model.received_blocks();
@@ -406,6 +443,20 @@ class Simulation {
             outcome.memory_bytes_sum += model.memory_bytes();
         }
         return outcome;
+    }
+
+    void add_idle_shares(Outcome& outcome) const {
+        double all = 0;
+        for (const ThreadTimes& times : thread_times_) {
+            all += times.speed * outcome.seconds;
+        }
+        for (const ThreadTimes& times : thread_times_) {
+            const double last = times.busy > 0 ? times.last : outcome.seconds;
+            const double first = times.busy > 0 ? times.first : outcome.seconds;
+            outcome.start_share += times.speed * first / all;
+            outcome.between_share += times.speed * (last - first - times.busy) / all;
+            outcome.tail_share += times.speed * (outcome.seconds - last) / all;
+        }
     }
 
     const Workload& workload_;
@@ -416,6 +467,7 @@ class Simulation {
     s4u::ConditionVariablePtr work_available_;
     s4u::MutexPtr analysts_lock_;
     bool is_over_ = false;
+    std::deque<ThreadTimes> thread_times_;
     Outcome outcome_;
 };
 

@@ -33,8 +33,9 @@ struct ClusterSpec {
 struct SimulationOptions {
     ClusterSpec cluster;
     ClusterOptions dispatch; ///< Its depths are the workload's.
-    /// Analysed scenarios that may wait for a worker beside those in buffers.
+    /// Analysed scenarios that may wait for a worker beside those in buffers; 0: as the product.
     std::uint64_t ahead = 1;
+    bool peers = false; ///< Workers give each other blocks.
     /// Cores of the master's computer that analyse; 0: the master's one thread does.
     std::uint32_t analysts = 0;
     /// For each scenario, of the master's thread: the dispatcher's decisions.
@@ -55,12 +56,17 @@ struct Outcome {
     std::uint64_t block_bytes = 0;
     std::uint64_t sent_bytes = 0;     ///< By the master, all.
     std::uint64_t received_bytes = 0; ///< By the master, all.
+    std::uint64_t peer_bytes = 0;     ///< Of blocks, from worker to worker.
     std::uint64_t blocks_received = 0;
     std::uint64_t memory_bytes_max = 0; ///< Of the worker that holds most, at the end: its peak,
     std::uint64_t memory_bytes_sum = 0; ///< and of all.
     double master_seconds = 0;          ///< In which its thread was busy.
     double work_seconds = 0;            ///< Of all workers with scenarios, as fast cores.
     double dispatcher_us = 0;           ///< Really spent in the dispatcher, for each scenario.
+    // Shares of what all cores could have worked, in which they did no scenario:
+    double start_share = 0;   ///< before their first,
+    double between_share = 0; ///< between two,
+    double tail_share = 0;    ///< after their last.
 };
 
 /// In this process, which can do that once. The same arguments give the same outcome, but for the

@@ -28,8 +28,8 @@ struct CutTrace {
     std::vector<RootTrace> roots;
 };
 
-/// A scenario at one depth of A's cut. Seconds are of processor time, medians of passes over all
-/// scenarios, so that each finds in the caches what the one before it left there.
+/// A scenario at one depth of A's cut. Seconds are of processor time, medians of passes over
+/// neighbouring scenarios, so that each finds in the caches what the one before it left there.
 struct ScenarioTrace {
     double analysis_seconds = 0; ///< The master's step,
     std::uint64_t analysis_box_tests = 0;

@@ -7,7 +7,8 @@
 
 namespace cd::bench {
 
-WorkerModel::WorkerModel(WorkerId id, const Workload& workload) : id_(id), workload_(workload) {
+WorkerModel::WorkerModel(WorkerId id, const Workload& workload, std::uint64_t cache_bytes)
+    : id_(id), workload_(workload), cache_bytes_(cache_bytes) {
     for (std::size_t tree = 0; tree < slots_.size(); ++tree) {
         slots_[tree].resize(workload.trees[tree].size(), Slot::Absent);
     }
@@ -20,6 +21,7 @@ std::optional<BlocksWanted> WorkerModel::take(const BatchSent& batch) {
         std::size_t missing = 0;
         for (const BlockId& block : workload_.scenario(scenario).blocks) {
             Slot& slot = slots_[block.tree][block.root];
+            pin(block);
             if (slot == Slot::Here) {
                 continue;
             }
@@ -48,7 +50,7 @@ double WorkerModel::open_seconds(const BlocksSent& message) const {
     return seconds;
 }
 
-void WorkerModel::opened(const BlocksSent& message) {
+BlocksHeld WorkerModel::opened(const BlocksSent& message) {
     for (const BlockId& block : message.blocks) {
         Slot& slot = slots_[block.tree][block.root];
         CD_CHECK(slot == Slot::Wanted);
@@ -62,6 +64,47 @@ void WorkerModel::opened(const BlocksSent& message) {
             }
         }
     }
+    evict();
+    return {id_, message.blocks};
+}
+
+std::optional<BlocksEvicted> WorkerModel::evicted() {
+    if (evicted_.empty()) {
+        return std::nullopt;
+    }
+    BlocksEvicted evicted{id_, std::exchange(evicted_, {})};
+    std::ranges::sort(evicted.blocks);
+    return evicted;
+}
+
+void WorkerModel::pin(const BlockId& block) {
+    if (cache_bytes_ == 0 || ++pins_[block] != 1) {
+        return;
+    }
+    if (const auto idle = last_use_.find(block); idle != last_use_.end()) {
+        idle_.erase({idle->second, block});
+        last_use_.erase(idle);
+    }
+}
+
+void WorkerModel::unpin(const BlockId& block) {
+    if (cache_bytes_ == 0 || --pins_.at(block) != 0) {
+        return;
+    }
+    pins_.erase(block);
+    idle_.emplace(++uses_, block);
+    last_use_.emplace(block, uses_);
+}
+
+void WorkerModel::evict() {
+    while (cache_bytes_ != 0 && memory_bytes_ > cache_bytes_ && !idle_.empty()) {
+        const BlockId block = idle_.begin()->second;
+        idle_.erase(idle_.begin());
+        last_use_.erase(block);
+        slots_[block.tree][block.root] = Slot::Absent;
+        memory_bytes_ -= workload_.block(block).memory_bytes;
+        evicted_.push_back(block);
+    }
 }
 
 std::uint64_t WorkerModel::next() {
@@ -71,16 +114,21 @@ std::uint64_t WorkerModel::next() {
     return scenario;
 }
 
-void WorkerModel::ran(std::uint64_t scenario, double now) {
+void WorkerModel::ran(std::uint64_t scenario, double now, double seconds) {
     const auto place = scenarios_.find(scenario);
     CD_CHECK(place != scenarios_.end());
     Task& task = tasks_.at(place->second.task);
+    for (const BlockId& block : workload_.scenario(scenario).blocks) {
+        unpin(block);
+    }
+    evict();
     scenarios_.erase(place);
     --task.open;
     if (task.unsent.empty()) {
         task.unsent_since = now;
     }
     task.unsent.push_back(scenario);
+    task.compute_seconds += seconds;
 }
 
 std::vector<ResultsSent> WorkerModel::due(double now, double period) {
@@ -90,7 +138,11 @@ std::vector<ResultsSent> WorkerModel::due(double now, double period) {
         const bool has_ended = task.open == 0;
         const bool is_old = !task.unsent.empty() && now - task.unsent_since >= period;
         if (has_ended || is_old) {
-            due.push_back({id_, id, std::exchange(task.unsent, {}), has_ended});
+            due.push_back({id_,
+                           id,
+                           std::exchange(task.unsent, {}),
+                           std::exchange(task.compute_seconds, 0),
+                           has_ended});
         }
         place = has_ended ? tasks_.erase(place) : std::next(place);
     }

@@ -10,30 +10,41 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace cd::bench {
 
-/// Nothing that came leaves: the paper's clients never drop a subtree. A block is asked
-/// for once; a scenario is ready when its blocks are here, and those that are ready run in the
-/// order in which they became so.
+/// A block is asked for once, and stays: the paper's clients never drop a subtree. But with a limit
+/// of the cache, those that no scenario here waits for or runs with leave, the one unused longest
+/// first. A scenario is ready when its blocks are here, and those that are ready run in the order
+/// in which they became so.
 class WorkerModel {
   public:
     /// The workload outlives the model.
-    WorkerModel(WorkerId id, const Workload& workload);
+    /// `cache_bytes`: of memory; 0: no limit.
+    WorkerModel(WorkerId id, const Workload& workload, std::uint64_t cache_bytes = 0);
 
+    [[nodiscard]] WorkerId id() const { return id_; }
     /// What to ask the master for, if anything.
     std::optional<BlocksWanted> take(const BatchSent& batch);
     /// Of the blocks, on a fast core.
     [[nodiscard]] double open_seconds(const BlocksSent& message) const;
-    /// From now on these blocks are here.
-    void opened(const BlocksSent& message);
+    /// From now on these blocks are here; what to say of that.
+    BlocksHeld opened(const BlocksSent& message);
 
+    /// What left since it was asked last, if anything did.
+    std::optional<BlocksEvicted> evicted();
+
+    [[nodiscard]] bool has(const BlockId& block) const {
+        return slots_[block.tree][block.root] == Slot::Here;
+    }
     [[nodiscard]] std::size_t ready_count() const { return ready_.size(); }
     /// Of those that are ready the first, which is not ready any more.
     std::uint64_t next();
-    /// The scenario has run.
-    void ran(std::uint64_t scenario, double now);
+    /// The scenario has run, and took so long here.
+    void ran(std::uint64_t scenario, double now, double seconds);
     /// The results to be sent: all of tasks that ended, and of the others those whose oldest is as
     /// old as `period`.
     std::vector<ResultsSent> due(double now, double period);
@@ -47,14 +58,27 @@ class WorkerModel {
         std::uint64_t open = 0; ///< Not yet run.
         std::vector<std::uint64_t> unsent;
         double unsent_since = 0;
+        double compute_seconds = 0; ///< Of the unsent ones.
     };
     struct Waiting {
         TaskId task;
         std::size_t missing = 0;
     };
 
+    void pin(const BlockId& block);
+    void unpin(const BlockId& block);
+    void evict();
+
     WorkerId id_;
     const Workload& workload_;
+    std::uint64_t cache_bytes_;
+    // With a limit only:
+    std::map<BlockId, std::uint32_t> pins_;            ///< Scenarios here that need it.
+    std::set<std::pair<std::uint64_t, BlockId>> idle_; ///< Here and not pinned, by last use.
+    std::map<BlockId, std::uint64_t> last_use_;        ///< Of the idle ones.
+    std::uint64_t uses_ = 0;
+    std::vector<BlockId> evicted_;
+
     std::array<std::vector<Slot>, 2> slots_;
     std::map<BlockId, std::vector<std::uint64_t>> waiting_for_; ///< Scenarios.
     std::map<std::uint64_t, Waiting> scenarios_;                ///< Not yet run.

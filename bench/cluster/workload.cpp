@@ -1,6 +1,7 @@
 #include "bench/cluster/workload.hpp"
 
 #include "common/core/check.hpp"
+#include "master/cost_model.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -88,13 +89,17 @@ std::vector<BlockId> blocks_of(const ScenarioTrace& scenario) {
     return blocks;
 }
 
+/// `master_factor`: of what the master does and expects.
 ScenarioCost
-scenario_cost(const ScenarioTrace& from, Costs costs, double analysis_factor, double work_factor) {
+scenario_cost(const ScenarioTrace& from, Costs costs, double master_factor, double work_factor) {
     const double work = costs == Costs::Paper ? from.binary_seconds : from.work_seconds;
-    return {analysis_factor * from.analysis_seconds,
+    const double predicted_ns =
+        master_factor * static_cast<double>(cd::predicted_ns(from.meeting_size));
+    return {master_factor * from.analysis_seconds,
             work_factor * work,
             from.batch_bytes,
             from.result_bytes,
+            static_cast<std::uint64_t>(predicted_ns),
             blocks_of(from)};
 }
 

@@ -30,7 +30,8 @@ struct ScenarioCost {
     double work_seconds = 0; ///< On a fast core.
     std::uint64_t batch_bytes = 0;
     std::uint64_t result_bytes = 0;
-    std::vector<BlockId> blocks; ///< Ascending.
+    std::uint64_t predicted_ns = 0; ///< By the master's model of costs.
+    std::vector<BlockId> blocks;    ///< Ascending.
 };
 
 struct Workload {
@@ -64,7 +65,8 @@ extern const PaperTable paper_table_cars;  ///< Table 3.
 enum class Costs : std::uint8_t {
     /// Searches in binary trees as measured, with one factor for each fifth of the scenarios, by
     /// which one process takes the seconds of the paper's table; analyses (the same box tests) with
-    /// one factor for all; 207 bytes for each triangle on the wire and in memory; tops and opening
+    /// one factor for all, and predictions with the same; 207 bytes for each triangle on the wire
+    /// and in memory; tops and opening
     /// cost nothing.
     Paper,
     /// As measured: wide trees, compressed blocks with their tops, opening, memory.

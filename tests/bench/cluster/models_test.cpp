@@ -1,6 +1,6 @@
 // Proves the simulated cluster's bookkeeping without a clock: under every strategy each scenario is
-// answered once, a worker is sent each block that its scenarios touch once, and the bytes are those
-// of these blocks.
+// answered once, a worker gets each block that its scenarios touch once, from the master or from
+// who has it, and the bytes are those of these blocks.
 #include "bench/cluster/master_model.hpp"
 #include "bench/cluster/strategies.hpp"
 #include "bench/cluster/worker_model.hpp"
@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <set>
@@ -21,8 +22,11 @@ using namespace cd::bench;
 /// Delivers letters in the order of sending; workers run what is ready at once.
 class InstantCluster {
   public:
-    InstantCluster(const Workload& workload, const ClusterOptions& options)
-        : workload_(workload), master_(workload, options, 1) {
+    InstantCluster(const Workload& workload,
+                   const ClusterOptions& options,
+                   const ComparedStrategy& compared)
+        : workload_(workload),
+          master_(workload, options, compared.sees_queue ? 0 : 1, compared.peers) {
         for (std::uint64_t id = 1; id <= 5; ++id) {
             workers_.emplace_back(WorkerId{id}, workload);
         }
@@ -42,6 +46,7 @@ class InstantCluster {
     }
 
     [[nodiscard]] const MasterCounts& counts() const { return master_.counts(); }
+    [[nodiscard]] std::uint64_t from_peers() const { return from_peers_; }
     /// By worker, as the batches say.
     [[nodiscard]] const std::map<WorkerId, std::set<BlockId>>& touched() const { return touched_; }
     [[nodiscard]] const std::map<std::uint64_t, int>& given() const { return given_; }
@@ -62,8 +67,14 @@ class InstantCluster {
                 if (const auto wanted = worker.take(*batch)) {
                     send(master_.take(*wanted));
                 }
+            } else if (const auto* directed = std::get_if<FetchDirected>(&letter.content)) {
+                const WorkerModel& source = workers_[directed->source.value - 1];
+                EXPECT_TRUE(std::ranges::all_of(
+                    directed->blocks, [&](const BlockId& block) { return source.has(block); }));
+                from_peers_ += directed->blocks.size();
+                send(master_.take(worker.opened(BlocksSent{directed->blocks})));
             } else {
-                worker.opened(std::get<BlocksSent>(letter.content));
+                send(master_.take(worker.opened(std::get<BlocksSent>(letter.content))));
             }
             work(worker);
         }
@@ -79,7 +90,7 @@ class InstantCluster {
 
     void work(WorkerModel& worker) {
         while (worker.ready_count() != 0) {
-            worker.ran(worker.next(), 0);
+            worker.ran(worker.next(), 0, 0.1);
             for (const ResultsSent& results : worker.due(0, 1)) {
                 send(master_.take(results));
             }
@@ -93,6 +104,7 @@ class InstantCluster {
     std::deque<Letter> letters_;
     std::map<WorkerId, std::set<BlockId>> touched_;
     std::map<std::uint64_t, int> given_;
+    std::uint64_t from_peers_ = 0;
 };
 
 TEST(ClusterModels, EveryScenarioIsAnsweredOnceAndEachMissingBlockIsSentOnce) {
@@ -100,14 +112,14 @@ TEST(ClusterModels, EveryScenarioIsAnsweredOnceAndEachMissingBlockIsSentOnce) {
         const Workload workload = make_synthetic_workload(seed, 90 + seed);
         for (const ComparedStrategy& compared : compared_strategies) {
             for (const bool claims : {false, true}) {
-                SCOPED_TRACE(testing::Message() << "seed " << seed << " "
-                                                << to_text(compared.strategy) << " " << claims);
+                SCOPED_TRACE(testing::Message()
+                             << "seed " << seed << " " << compared.name() << " " << claims);
                 ClusterOptions options;
                 options.strategy = compared.strategy;
                 options.claim = claims;
                 options.q = static_cast<std::uint32_t>(1 + seed % 7);
                 options.seed = seed;
-                InstantCluster cluster(workload, options);
+                InstantCluster cluster(workload, options, compared);
                 cluster.run();
 
                 EXPECT_EQ(cluster.counts().answered, workload.count());
@@ -121,9 +133,13 @@ TEST(ClusterModels, EveryScenarioIsAnsweredOnceAndEachMissingBlockIsSentOnce) {
                         bytes += workload.block(block).bytes;
                     }
                 }
-                EXPECT_EQ(cluster.counts().blocks, blocks);
-                EXPECT_EQ(cluster.counts().block_bytes, bytes);
-                EXPECT_GT(cluster.counts().sent_bytes, bytes);
+                EXPECT_EQ(cluster.counts().blocks + cluster.from_peers(), blocks);
+                EXPECT_GT(cluster.counts().sent_bytes, cluster.counts().block_bytes);
+                if (compared.peers) {
+                    EXPECT_LE(cluster.counts().block_bytes, workload.geometry_bytes);
+                } else {
+                    EXPECT_EQ(cluster.counts().block_bytes, bytes);
+                }
             }
         }
     }
@@ -134,7 +150,8 @@ TEST(ClusterModels, OneWantIsAnsweredInMessagesOfBoundedSize) {
     for (BlockCost& block : workload.trees[0]) {
         block.bytes = 300'000;
     }
-    MasterModel master(workload, {}, 1);
+    MasterModel master(workload, {}, 1, false);
+    (void)master.start(std::vector<std::uint32_t>{1});
     BlocksWanted wanted{WorkerId{1}, {}};
     for (RootIndex root = 0; root < 40; ++root) {
         wanted.blocks.push_back({0, root});
@@ -159,14 +176,15 @@ TEST(ClusterModels, ResultsLeaveWithTheirTaskOrWhenTheyAreOld) {
     worker.opened(BlocksSent{wanted->blocks});
     ASSERT_EQ(worker.ready_count(), 3u);
 
-    worker.ran(worker.next(), 1.0);
+    worker.ran(worker.next(), 1.0, 0.25);
     EXPECT_TRUE(worker.due(1.5, 1).empty());
     ASSERT_EQ(worker.due(2.0, 1).size(), 1u);
-    worker.ran(worker.next(), 3.0);
-    worker.ran(worker.next(), 3.0);
+    worker.ran(worker.next(), 3.0, 0.5);
+    worker.ran(worker.next(), 3.0, 0.25);
     const auto last = worker.due(3.0, 1);
     ASSERT_EQ(last.size(), 1u);
     EXPECT_EQ(last[0].scenarios.size(), 2u);
+    EXPECT_EQ(last[0].compute_seconds, 0.75);
     EXPECT_TRUE(last[0].ends_task);
     EXPECT_TRUE(worker.due(9.0, 1).empty());
 }

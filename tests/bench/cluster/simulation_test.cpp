@@ -36,20 +36,22 @@ TEST(ClusterSimulation, IsWholeWithinItsBoundsAndTheSameEachTime) {
     const Workload workload = make_synthetic_workload(3, 400);
     for (const ComparedStrategy& compared : compared_strategies) {
         for (const bool is_product : {false, true}) {
-            SCOPED_TRACE(testing::Message() << to_text(compared.strategy) << " " << is_product);
+            SCOPED_TRACE(testing::Message() << compared.name() << " " << is_product);
             SimulationOptions options = small_cluster();
             options.dispatch.strategy = compared.strategy;
             options.dispatch.claim = !is_product;
             options.cluster.worker_per_computer = is_product;
             options.analysts = is_product ? 2 : 0;
-            options.ahead = is_product ? 50 : 1;
+            options.ahead = is_product || compared.sees_queue ? 0 : 1;
+            options.peers = compared.peers;
             const auto first = simulate_apart(workload, options, limit);
             const auto second = simulate_apart(workload, options, limit);
             ASSERT_TRUE(first && second);
 
             EXPECT_EQ(first->answered, workload.count());
             EXPECT_EQ(first->answered_again, 0u);
-            EXPECT_EQ(first->blocks_received, first->blocks);
+            EXPECT_EQ(first->blocks_received == first->blocks, !compared.peers);
+            EXPECT_EQ(first->peer_bytes != 0, compared.peers);
             EXPECT_GT(first->sent_bytes, first->block_bytes);
             EXPECT_NEAR(first->work_seconds, workload.serial_seconds, 1e-9);
             const double bound = options.cluster.weighted_cores(workload.slow_ratio);

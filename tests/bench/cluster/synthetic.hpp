@@ -21,7 +21,13 @@ inline bench::Workload make_synthetic_workload(std::uint64_t seed, std::size_t s
     workload.top_bytes = {4000, 800};
     workload.slow_ratio = 1.6;
     for (std::size_t i = 0; i < scenarios; ++i) {
-        bench::ScenarioCost cost{1e-3, 1e-2 * static_cast<double>(1 + random() % 9), 300, 900, {}};
+        const std::uint64_t centiseconds = 1 + random() % 9;
+        bench::ScenarioCost cost{1e-3,
+                                 1e-2 * static_cast<double>(centiseconds),
+                                 300,
+                                 900,
+                                 centiseconds * 8'000'000, // Less than it takes.
+                                 {}};
         for (RootIndex root = 0; root < 40; ++root) {
             if (random() % 8 == 0) {
                 cost.blocks.push_back({0, root});
