@@ -254,6 +254,47 @@ def measured_section(runs):
     return "\n".join(parts)
 
 
+def beyond_section(rows):
+    if not rows:
+        return ""
+    parts = ["## Beyond the paper's cluster\n",
+             "Hosts of one core, every second one with a tenth of the speed; a fleet of 100 million "
+             "triangles (copies of the heavy vehicle) against the car, in groups of 1,000 neighbouring "
+             "scenarios, counted and not listed; 2 GB of cache at each host. README.md says how it is "
+             "scaled. The last three ways are counted and not simulated, each in its own favour; *fits*: "
+             "no host needs more than its cache.\n"]
+    for hosts, gigabits in sorted({(number(r, "hosts"), number(r, "gigabits")) for r in rows}):
+        mine = [r for r in rows if (number(r, "hosts"), number(r, "gigabits")) == (hosts, gigabits)]
+        first = mine[0]
+        parts.append(f"{show(hosts)} hosts, {show(gigabits)} Gb/s; {show(number(first, 'scenarios'))} "
+                     f"scenarios, geometry {show(number(first, 'geometry_mb'))} MB, bound "
+                     f"{show(number(first, 'bound'))}:\n")
+        parts.append(table(
+            ["way", "seconds", "speed-up", "sent MB", "by geometry", "between workers MB",
+             "to the master MB", "evicted blocks", "start", "between", "tail",
+             "dispatcher us / scenario", "fits"],
+            [[r["way"], *(show(number(r, c)) for c in ("seconds", "speedup", "sent_mb",
+                                                       "sent_by_geometry")),
+              *(("" if number(r, "dispatcher_us") == 0 else show(number(r, c))) for c in (
+                  "peer_mb", "received_mb", "evictions", "start_share", "between_share",
+                  "tail_share", "dispatcher_us")), r["fits"]] for r in mine]))
+    return "\n".join(parts)
+
+
+def related_section(folder):
+    rows = [row for scene in SCENES
+            if os.path.exists(os.path.join(folder, f"related_{scene}.csv"))
+            for row in read(folder, f"related_{scene}")]
+    if not rows:
+        return ""
+    return ("## Box and triangle tests of other ways\n\nOf one scenario, means; counted for the same "
+            "poses by `related_counts`, which says what each way is taken to be. Building, and placing "
+            "boxes anew for a pose, is not counted.\n\n" + table(
+                ["scene", "scenarios", "way", "box tests", "triangle tests"],
+                [[r["scene"], r["scenarios"], r["way"], show(number(r, "box_tests")),
+                  show(number(r, "triangle_tests"))] for r in rows]))
+
+
 def costs_section(data):
     whole = [[row["scene"], show(number(row, "scenarios")), *(show(number(row, c)) for c in (
         "us", "binary_us", "box_tests", "triangle_tests", "wide_box_tests", "wide_triangle_tests",
@@ -293,6 +334,8 @@ def dispatcher_section(runs):
 def main():
     folder = sys.argv[1]
     data = {name: read(folder, name) for name in ("machine", "whole", "costs", "fit", "runs")}
+    has_beyond = os.path.exists(os.path.join(folder, "beyond.csv"))
+    data["beyond"] = read(folder, "beyond") if has_beyond else []
     runs = data["runs"]
     print("# The paper's experiments, simulated\n")
     print("Made by `bench/cluster/run`; README.md beside it says how, and what the settings are.\n")
@@ -306,7 +349,16 @@ def main():
     print(memory_section(runs))
     print(measured_section(runs))
     print(dispatcher_section(runs))
+    print(beyond_section(data["beyond"]))
+    print(related_section(folder))
     print(costs_section(data))
+    fitted = os.path.join(folder, "fit_costs.txt")
+    if os.path.exists(fitted):
+        print("The master's model of costs (`master/cost_model.cpp`) against these traces: by depth, the "
+              "sum predicted by the sum measured, and the standard deviation of the logarithm of a "
+              "scenario's ratio:\n")
+        with open(fitted, encoding="utf-8") as lines:
+            print("```\n" + lines.read() + "```")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 #include "bench/accuracy/isolate.hpp"
 #include "bench/cluster/master_model.hpp"
+#include "bench/cluster/platform.hpp"
 #include "bench/cluster/worker_model.hpp"
 
 #include <simgrid/s4u.hpp>
@@ -20,120 +21,6 @@ namespace {
 
 namespace s4u = simgrid::s4u;
 
-/// A fast core does so much in a second, so costs in seconds become SimGrid's operations.
-constexpr double fast_speed = 1e9;
-
-struct WorkerPlace {
-    s4u::Host* host = nullptr;
-    std::uint32_t threads = 1;
-};
-
-struct Platform {
-    s4u::Host* master = nullptr;
-    std::vector<WorkerPlace> workers; ///< Fast ones first.
-};
-
-class PlatformBuilder {
-  public:
-    explicit PlatformBuilder(const ClusterSpec& spec)
-        : spec_(spec), zone_(s4u::create_star_zone("cluster")) {}
-
-    Platform build(double slow_ratio, std::uint32_t master_cores) {
-        Platform platform;
-        platform.master = add_computer("master", fast_speed, master_cores);
-        add_loopback(platform.master);
-        add_kind("fast", spec_.fast_cores, spec_.fast_cores_each, fast_speed, platform);
-        add_kind(
-            "slow", spec_.slow_cores, spec_.slow_cores_each, fast_speed / slow_ratio, platform);
-        zone_->seal();
-        return platform;
-    }
-
-  private:
-    s4u::Host* add_computer(const std::string& name, double speed, std::uint32_t cores) {
-        s4u::Host* host = zone_->create_host(name, speed)->set_core_count(static_cast<int>(cores));
-        s4u::SplitDuplexLink* link =
-            zone_->create_split_duplex_link(name + " link", spec_.bytes_per_second);
-        link->set_latency(spec_.latency_seconds);
-        link->seal();
-        host->seal();
-        zone_->add_route(host->get_netpoint(),
-                         nullptr,
-                         nullptr,
-                         nullptr,
-                         {{link, s4u::LinkInRoute::Direction::UP}},
-                         true);
-        return host;
-    }
-
-    /// What the analysing cores say to the master takes no time.
-    void add_loopback(s4u::Host* host) {
-        s4u::Link* link = zone_->create_link("loopback", 1e12);
-        link->set_latency(0)->set_sharing_policy(s4u::Link::SharingPolicy::FATPIPE)->seal();
-        zone_->add_route(host->get_netpoint(),
-                         host->get_netpoint(),
-                         nullptr,
-                         nullptr,
-                         {s4u::LinkInRoute(link)},
-                         true);
-    }
-
-    void add_kind(const std::string& kind,
-                  std::uint32_t cores,
-                  std::uint32_t cores_each,
-                  double speed,
-                  Platform& platform) {
-        for (std::uint32_t first = 0; first < cores; first += cores_each) {
-            const std::string name = kind + " " + std::to_string(first / cores_each);
-            s4u::Host* host = add_computer(name, speed, cores_each);
-            const std::uint32_t here = std::min(cores_each, cores - first);
-            if (spec_.worker_per_computer) {
-                platform.workers.push_back({host, here});
-            } else {
-                platform.workers.insert(platform.workers.end(), here, {host, 1});
-            }
-        }
-    }
-
-    const ClusterSpec& spec_;
-    s4u::NetZone* zone_;
-};
-
-/// Computes on the actor's host.
-void spend(double fast_seconds) {
-    if (fast_seconds > 0) {
-        s4u::this_actor::execute(fast_seconds * fast_speed);
-    }
-}
-
-/// A mailbox whose messages travel while its owner computes.
-template <class Message>
-class Inbox {
-  public:
-    explicit Inbox(const std::string& name) : mailbox_(s4u::Mailbox::by_name(name)) {}
-
-    /// Called by its owner.
-    void open() { mailbox_->set_receiver(s4u::Actor::self()); }
-    void close() { mailbox_->set_receiver(nullptr); }
-    /// The sender goes on at once.
-    void put(Message message, std::uint64_t bytes) {
-        auto owned = std::make_unique<Message>(std::move(message));
-        mailbox_->put_init(owned.release(), bytes)->detach([](void* lost) {
-            delete static_cast<Message*>(lost); // NOLINT: SimGrid's mailboxes hold bare pointers.
-        });
-    }
-    /// The sender waits until it has come.
-    void put_and_wait(Message message, std::uint64_t bytes) {
-        auto owned = std::make_unique<Message>(std::move(message));
-        mailbox_->put(owned.release(), bytes);
-    }
-    [[nodiscard]] bool has_message() const { return mailbox_->ready(); }
-    [[nodiscard]] std::unique_ptr<Message> get() { return mailbox_->get_unique<Message>(); }
-
-  private:
-    s4u::Mailbox* mailbox_;
-};
-
 class Simulation {
   public:
     Simulation(const Workload& workload, const SimulationOptions& options)
@@ -146,8 +33,7 @@ class Simulation {
 
     Outcome run(s4u::Engine& engine) {
         const auto cores = 1 + options_.analysts;
-        const Platform platform =
-            PlatformBuilder(options_.cluster).build(workload_.slow_ratio, cores);
+        const Platform platform = build_platform(options_.cluster, workload_.slow_ratio, cores);
         std::vector<std::uint32_t> threads;
         for (const WorkerPlace& place : platform.workers) {
             threads.push_back(place.threads);
