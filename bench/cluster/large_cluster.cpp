@@ -238,7 +238,9 @@ class LargeCluster {
     void opened(std::size_t number, const BlocksSent& blocks) {
         Host& here = host(number);
         here.is_busy = false;
-        tell_master(number, here.model.opened(blocks));
+        if (BlocksHeld held = here.model.opened(blocks); !held.blocks.empty()) {
+            tell_master(number, std::move(held));
+        }
         tell_evicted(number);
         work(number);
     }

@@ -270,7 +270,9 @@ class Simulation {
         const std::size_t ready_before = worker.model.ready_count();
         BlocksHeld held = worker.model.opened(blocks);
         offer(worker, worker.model.ready_count() - ready_before);
-        put_to_master(std::move(held));
+        if (!held.blocks.empty()) {
+            put_to_master(std::move(held));
+        }
     }
 
     void run_scenario(Worker& worker, std::uint64_t scenario, ThreadTimes& times) {

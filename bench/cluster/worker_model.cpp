@@ -51,10 +51,15 @@ double WorkerModel::open_seconds(const BlocksSent& message) const {
 }
 
 BlocksHeld WorkerModel::opened(const BlocksSent& message) {
+    BlocksHeld held{id_, {}};
     for (const BlockId& block : message.blocks) {
         Slot& slot = slots_[block.tree][block.root];
-        CD_CHECK(slot == Slot::Wanted);
+        // One that a peer is slow to give comes from the master as well.
+        if (slot != Slot::Wanted) {
+            continue;
+        }
         slot = Slot::Here;
+        held.blocks.push_back(block);
         ++received_blocks_;
         memory_bytes_ += workload_.block(block).memory_bytes;
         const auto waiting = waiting_for_.extract(block);
@@ -65,7 +70,7 @@ BlocksHeld WorkerModel::opened(const BlocksSent& message) {
         }
     }
     evict();
-    return {id_, message.blocks};
+    return held;
 }
 
 std::optional<BlocksEvicted> WorkerModel::evicted() {

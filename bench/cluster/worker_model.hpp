@@ -31,7 +31,8 @@ class WorkerModel {
     std::optional<BlocksWanted> take(const BatchSent& batch);
     /// Of the blocks, on a fast core.
     [[nodiscard]] double open_seconds(const BlocksSent& message) const;
-    /// From now on these blocks are here; what to say of that.
+    /// From now on these blocks are here; what to say of that. Those that were here already, or
+    /// that nobody wants, are of no use.
     BlocksHeld opened(const BlocksSent& message);
 
     /// What left since it was asked last, if anything did.

@@ -173,7 +173,9 @@ TEST(ClusterModels, ResultsLeaveWithTheirTaskOrWhenTheyAreOld) {
     const auto wanted = worker.take(BatchSent{TaskId{7}, {0, 1, 2}, true});
     ASSERT_TRUE(wanted);
     EXPECT_EQ(worker.ready_count(), 0u);
-    worker.opened(BlocksSent{wanted->blocks});
+    EXPECT_EQ(worker.opened(BlocksSent{wanted->blocks}).blocks, wanted->blocks);
+    ASSERT_EQ(worker.ready_count(), 3u);
+    EXPECT_TRUE(worker.opened(BlocksSent{wanted->blocks}).blocks.empty()); // Twice is once.
     ASSERT_EQ(worker.ready_count(), 3u);
 
     worker.ran(worker.next(), 1.0, 0.25);
