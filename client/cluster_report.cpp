@@ -24,6 +24,9 @@ std::string worker_name(const WorkerStatus& worker) {
 }
 
 std::string worker_state(const WorkerStatus& worker) {
+    if (worker.quarantined) {
+        return "quarantined";
+    }
     if (worker.draining) {
         return "draining";
     }
@@ -106,7 +109,7 @@ Table jobs_table(const ClusterStatus& status) {
     for (const JobStatus& job : status.jobs) {
         table.rows.push_back({job_id_text(job.job, ids),
                               job.name,
-                              std::string(to_text(job.state)),
+                              std::string(job.paused.empty() ? to_text(job.state) : "paused"),
                               job.summary.total,
                               job.summary.merged(),
                               contacts_of(job.summary),
@@ -218,6 +221,20 @@ std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& af
            counted(workers, "worker") + " are busy, more would help (master: " + share + ")";
 }
 
+namespace {
+
+/// Why jobs wait; empty: none does.
+std::string paused_text(const ClusterStatus& status) {
+    for (const JobStatus& job : status.jobs) {
+        if (!job.paused.empty()) {
+            return job.paused;
+        }
+    }
+    return "";
+}
+
+} // namespace
+
 std::string status_text(const ClusterStatus& before, const ClusterStatus& after) {
     const std::size_t running = count_running(after);
     std::string text = "cdmaster " + after.build + "   up " +
@@ -237,12 +254,18 @@ std::string status_text(const ClusterStatus& before, const ClusterStatus& after)
     if (!after.workers.empty()) {
         text += table_text(workers_table(after), false, "  ");
     }
+    for (const std::string& alarm : after.alarms) {
+        text += "ALARM: " + alarm + "\n";
+    }
     std::uint64_t bytes = 0;
     for (const MeshStatus& mesh : after.meshes) {
         bytes += mesh.bytes;
     }
     text += std::to_string(after.meshes.size()) + (after.meshes.size() == 1 ? " mesh" : " meshes") +
             "   " + cell_text(bytes, CellKind::Size) + "\n";
+    if (const std::string paused = paused_text(after); !paused.empty()) {
+        text += "jobs wait, and go on by themselves when it can be written: " + paused + "\n";
+    }
     return text + "bottleneck: " + bottleneck_text(before, after) + "\n";
 }
 
@@ -254,6 +277,8 @@ std::string status_json(const ClusterStatus& before, const ClusterStatus& after)
     document["jobs"] = nlohmann::ordered_json::parse(table_json(jobs_table(after)));
     document["workers"] = nlohmann::ordered_json::parse(table_json(workers_table(after)));
     document["meshes"] = nlohmann::ordered_json::parse(table_json(meshes_table(after)));
+    document["alarms"] = after.alarms;
+    document["paused"] = paused_text(after);
     document["bottleneck"] = bottleneck_text(before, after);
     return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

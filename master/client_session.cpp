@@ -129,7 +129,7 @@ asio::awaitable<Status> ClientSession::begin_poses(Submit message) {
                                 " scenarios, and " + std::to_string(message.scenarios) +
                                 " were announced"};
         }
-        open_job(std::move(message), make_grid_source(std::move(grid.value())));
+        co_await open_job(std::move(message), nullptr);
         co_return Done{};
     }
     auto spool = PoseSpool::create(coordinator_.directory(), message.scenarios);
@@ -168,7 +168,7 @@ asio::awaitable<void> ClientSession::on(PosesEnd /*message*/) {
                 std::to_string(spool->count()) + " poses came, and " +
                     std::to_string(submit_.scenarios) + " were announced"});
     } else {
-        open_job(std::move(submit_), spool);
+        co_await open_job(std::move(submit_), spool);
     }
 }
 
@@ -178,8 +178,8 @@ void ClientSession::refuse_poses(const Error& error) {
     refuse(error);
 }
 
-void ClientSession::open_job(Submit submit, std::shared_ptr<PoseSource> poses) {
-    const Result<JobId> job = coordinator_.open_job(std::move(submit), std::move(poses));
+asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<PoseSpool> poses) {
+    const Result<JobId> job = co_await coordinator_.open_job(std::move(submit), std::move(poses));
     if (job) {
         channel_->send(Accepted{job.value()});
     } else {
@@ -195,8 +195,7 @@ asio::awaitable<void> ClientSession::on(StatusQuery /*message*/) {
 }
 
 asio::awaitable<void> ClientSession::on(Cancel message) {
-    answer(coordinator_.cancel_job(message.job));
-    co_return;
+    answer(co_await coordinator_.cancel_job(message.job));
 }
 
 asio::awaitable<void> ClientSession::on(ResultsQuery message) {

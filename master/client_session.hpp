@@ -39,7 +39,8 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
 
     [[nodiscard]] asio::awaitable<Status> take_mesh_part(MeshPart message);
     [[nodiscard]] asio::awaitable<Status> begin_poses(Submit message);
-    void open_job(Submit submit, std::shared_ptr<PoseSource> poses);
+    /// No poses with a grid.
+    [[nodiscard]] asio::awaitable<void> open_job(Submit submit, std::shared_ptr<PoseSpool> poses);
     [[nodiscard]] asio::awaitable<void> watch(JobId job);
 
     void refuse(const Error& error);

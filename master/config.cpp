@@ -19,6 +19,7 @@ constexpr const char* help =
     "  cdmaster                                   on this machine alone, port 7600\n"
     "  cdmaster --listen 127.0.0.1:0 --port-file port   the system chooses the port\n"
     "  cdmaster --listen 0.0.0.0:7600 --insecure  for a network that you trust\n"
+    "  cdmaster check --state DIR                 tells what is wrong with a state directory\n"
     "  cdmaster --config /etc/cdcluster/cdmaster.toml\n"
     "\n"
     "Takes jobs from cdctl and has them done by cdworkers. Prints the line with which a worker\n"
@@ -26,9 +27,8 @@ constexpr const char* help =
     "in\n"
     "the environment, as in CDMASTER_LISTEN.\n"
     "\n"
-    "Exit codes: 0 ended by SIGINT or SIGTERM; 2 wrong usage, or cannot start; 5 refused to "
-    "listen\n"
-    "beyond loopback without --insecure.";
+    "Exit codes: 0 ended by SIGINT or SIGTERM; 2 wrong usage, cannot start, or a damaged state; 5\n"
+    "refused to listen beyond loopback without --insecure.";
 
 constexpr const char* environment_prefix = "CDMASTER_";
 
@@ -55,13 +55,19 @@ void add_options(CLI::App& app, MasterConfig& config, std::string& listen, std::
     };
     option(app.add_option("--listen", listen, "Where workers and clients connect"), "HOST:PORT")
         ->capture_default_str();
-    option(app.add_option("--state", state, "Folder of meshes, trees and results"), "DIR")
+    option(app.add_option(
+               "--state", state, "Folder of all that outlives the master: meshes, jobs, results"),
+           "DIR")
         ->capture_default_str();
     option(app.add_option("--threads", config.threads, "For trees and analysis; 0 is one per core"),
            "N")
         ->check(CLI::Range(0u, 4096u))
         ->capture_default_str();
     option(app.add_flag("--insecure", config.insecure, "Allow to listen beyond loopback"), "");
+    option(app.add_flag("--no-sync",
+                        config.no_sync,
+                        "For a state that may be lost with the power, as a temporary one"),
+           "");
     option(app.add_option("--log-level", config.log_level, "How much is logged"), "LEVEL")
         ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
         ->capture_default_str();
@@ -92,11 +98,15 @@ MasterCommandLine parse_master_command_line(int count, const char* const* argume
     app.set_version_flag("--version", "cdmaster " + std::string(version));
     app.set_help_flag("-h,--help", "This text");
     add_options(app, config, listen, state);
+    app.fallthrough(); // So that --state may follow the word.
+    const CLI::App* const check =
+        app.add_subcommand("check", "Look through the state directory, change nothing, and report");
     try {
         app.parse(count, arguments);
     } catch (const CLI::ParseError& error) {
         return refused(app, error);
     }
+    config.check = check->parsed();
     const Result<Endpoint> endpoint = parse_endpoint(listen);
     if (!endpoint) {
         return {std::nullopt, "cdmaster: --listen: " + endpoint.error().detail + "\n", 2};

@@ -15,6 +15,8 @@ struct MasterConfig {
     std::filesystem::path state;
     unsigned threads = 0; ///< 0: one for each core.
     bool insecure = false;
+    bool check = false;   ///< Look through the state instead of serving.
+    bool no_sync = false; ///< For a state that need not survive a loss of power.
     std::string log_level = "info";
     std::string port_file; ///< Gets the port, for scripts. Empty: none.
 };

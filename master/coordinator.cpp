@@ -99,7 +99,10 @@ void Coordinator::perform(const GiveUp& action) {
     result.failure = "scenario " + std::to_string(scenario.index) + ": lost with " +
                      std::to_string(limits::scenario_losses_max) + " workers, one after the other";
     spdlog::error("scenario given up: job={} scenario={}", job->id.value, scenario.index);
-    merge(*job, take_result(std::move(result), {}), WorkerId{});
+    std::vector<TakenResult> taken;
+    taken.push_back(take_result(std::move(result), {}));
+    merge(*job, std::move(taken), WorkerId{});
+    end_if_complete(*job);
 }
 
 ClusterStatus Coordinator::cluster_status() {
@@ -111,6 +114,10 @@ ClusterStatus Coordinator::cluster_status() {
         status.workers.push_back(worker_status(id, link));
     }
     status.jobs = jobs_.statuses(Clock::now());
+    for (JobStatus& job : status.jobs) {
+        job.paused = job.state == JobState::Running ? paused_ : "";
+    }
+    status.alarms.assign(alarms_.begin(), alarms_.end());
     status.meshes = parts_.geometry.meshes();
     return status;
 }

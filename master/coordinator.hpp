@@ -6,6 +6,9 @@
 #include "master/dispatcher.hpp"
 #include "master/geometry_store.hpp"
 #include "master/job_board.hpp"
+#include "master/journal.hpp"
+#include "master/ledger.hpp"
+#include "master/pose_spool.hpp"
 #include "master/transfer_meter.hpp"
 #include "master/tree_registry.hpp"
 #include "proto/asio.hpp"
@@ -26,18 +29,27 @@ namespace cd {
 struct CoordinatorParts {
     asio::any_io_executor executor; ///< Its one thread owns all state.
     GeometryStore& geometry;
-    ThreadPool& compute;             ///< Analysis, and the checking of results.
-    ThreadPool& blocking;            ///< For what waits for the disk or for `compute`.
-    std::filesystem::path directory; ///< Of job files.
+    ThreadPool& compute;  ///< Analysis, and the checking of results.
+    ThreadPool& blocking; ///< For what waits for the disk or for `compute`.
+    /// Not started. Ends before the executor's context does, and after the coordinator.
+    Journal& journal;
+    std::filesystem::path directory; ///< Of the poses that come.
+    Durability durability = Durability::Synced;
 };
 
 /// All jobs and all workers. Every member runs on the executor's thread.
 class Coordinator {
   public:
+    /// Goes on with the jobs that the journal holds. Call `restore` before anything else.
     explicit Coordinator(CoordinatorParts parts);
     Coordinator(const Coordinator&) = delete;
     Coordinator& operator=(const Coordinator&) = delete;
     ~Coordinator();
+
+    /// Takes the jobs of earlier lives over, and starts the journal. Blocks for the disk. Errors:
+    /// Io, naming a file of poses that is damaged.
+    [[nodiscard]] Status restore(Recovered recovered);
+    [[nodiscard]] const Sha256& cluster() const { return cluster_; }
 
     [[nodiscard]] const asio::any_io_executor& executor() const { return parts_.executor; }
     [[nodiscard]] GeometryStore& geometry() { return parts_.geometry; }
@@ -54,11 +66,13 @@ class Coordinator {
     void worker_left(WorkerId worker, const std::string& why);
     void heartbeat_came(WorkerId worker, const Heartbeat& heartbeat);
     void evicted(WorkerId worker, const Evicted& evicted);
+    void cuts_held(WorkerId worker, const Holding& holding);
     void blocks_wanted(WorkerId worker, const WantSubtrees& want);
     void blocks_held(WorkerId worker, const Held& held);
     void peer_failed(WorkerId worker, const FetchFailed& failed);
-    /// Checks the results on the pool and merges them; then calls `done`. A worker whose results
-    /// are none is cut off.
+    /// Checks the results on the pool and merges them; then calls `done`, when the journal has room
+    /// for more. They are acknowledged once they are durable. A worker whose results are none is
+    /// cut off.
     void results_came(WorkerId worker, Results results, std::function<void()> done);
     void task_ended(WorkerId worker, TaskId task);
     /// The worker takes no more, and leaves when it has finished what it has.
@@ -68,10 +82,13 @@ class Coordinator {
 
     // ---- Jobs (coordinator_jobs.cpp)
     // --------------------------------------------------------------
-    /// The submission has been checked, and the poses are complete.
-    [[nodiscard]] Result<JobId> open_job(Submit submit, std::shared_ptr<PoseSource> poses);
-    /// Nothing to do for a job that has ended. Errors: NotFound.
-    [[nodiscard]] Result<JobStatus> cancel_job(JobId job);
+    /// The submission has been checked, and the poses are complete; none with a grid. Returns when
+    /// the job is in the journal. Errors: Refused; Io.
+    [[nodiscard]] asio::awaitable<Result<JobId>> open_job(Submit submit,
+                                                          std::shared_ptr<PoseSpool> poses);
+    /// Returns when that is in the journal. Nothing to do for a job that has ended. Errors:
+    /// NotFound.
+    [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel_job(JobId job);
     /// Errors: NotFound.
     [[nodiscard]] Result<JobStatus> job_status(JobId job);
     /// Grows when the status of the job changes; 0 for no job.
@@ -95,6 +112,9 @@ class Coordinator {
         std::uint32_t threads = 1;
         std::set<TreeId> trees; ///< That it has been told of,
         std::set<JobId> jobs;   ///< and jobs.
+        std::uint64_t instance = 0;
+        bool quarantined = false;
+        std::set<Sha256> cuts; ///< Of which it kept blocks from a session before.
         CacheTraffic cache;
         TransferMeter transfers;
         Clock::duration busy{}; ///< With something to do, before `busy_since`.
@@ -107,12 +127,24 @@ class Coordinator {
         bool ended = false;      ///< The worker says that it has sent all.
     };
     struct Preparation;
+    /// Results that cannot be checked yet: the geometry of their job is being prepared.
+    struct EarlyResults {
+        WorkerId worker;
+        Results results;
+        std::function<void()> done;
+    };
 
     // Workers.
+    void forget_tasks(WorkerId worker);
+    /// `task`: null for what came late.
     void results_taken(WorkerId worker,
-                       const TaskContent& content,
+                       const TaskContent* task,
                        const Results& results,
-                       const Result<std::vector<TakenResult>>& taken);
+                       Result<std::vector<TakenResult>> taken);
+    /// Of a task that is not known (any more), but maybe of a job that is.
+    void late_results_came(WorkerId worker, Results results, std::function<void()> done);
+    void check_late_results(const MasterJob& job, EarlyResults early);
+    void add_held_trees(WorkerLink& link);
     void end_task_if_complete(TaskId task);
     void add_job_to(WorkerLink& link, const MasterJob& job);
     void add_tree_to(WorkerLink& link, TreeId tree);
@@ -120,11 +152,33 @@ class Coordinator {
     [[nodiscard]] WorkerStatus worker_status(WorkerId worker, const WorkerLink& link) const;
 
     // Jobs.
-    asio::awaitable<void> prepare_job(JobId job, std::shared_ptr<PoseSource> poses);
-    void start_job(MasterJob& job, const Preparation& made, std::shared_ptr<PoseSource> poses);
-    void block_came(JobId job, AnalysedBlock block, const std::vector<TakenResult>& finished);
-    /// The only place where a result enters a job. `worker`: who computed it; 0 is the master.
-    void merge(MasterJob& job, const TakenResult& taken, WorkerId worker);
+    using DoneScenarios = std::shared_ptr<const std::vector<bool>>;
+    /// `done`: as `AnalysisInput` has it.
+    asio::awaitable<void> prepare_job(JobId job, DoneScenarios done);
+    void start_job(MasterJob& job, const Preparation& made, DoneScenarios done);
+    void block_came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
+    /// The only place where results enter a job, and the journal. `worker`: who computed them; 0 is
+    /// the master.
+    void merge(MasterJob& job, std::vector<TakenResult> taken, WorkerId worker);
+    /// False: it is not the first of its scenario.
+    [[nodiscard]] bool merge_one(MasterJob& job, const TakenResult& taken, WorkerId worker);
+    void end_if_complete(MasterJob& job);
+
+    // Results that differ (coordinator_disputes.cpp).
+    struct Dispute {
+        JobId job;
+        std::uint64_t scenario = 0;
+        WorkerId second; ///< Who brought the result that differs from the one that was merged,
+        Sha256 digest;   ///< and that one.
+    };
+    /// The master computes the scenario itself.
+    void open_dispute(MasterJob& job, const Dispute& dispute);
+    asio::awaitable<void> settle_dispute(Dispute dispute);
+    void
+    judge(MasterJob& job, const Dispute& dispute, TakenResult right, const ScenarioFacts& first);
+    void quarantine(WorkerId worker);
+    void alarm(const std::string& text);
+
     void end_job(MasterJob& job, JobState state, const std::string& failure);
     void release_tree(TreeId tree);
     /// A block of the tree cannot be read: the jobs that use it end.
@@ -149,6 +203,17 @@ class Coordinator {
 
     /// In seconds, from whatever beginning.
     [[nodiscard]] double now() const;
+    // What is durable (coordinator_journal.cpp).
+    [[nodiscard]] JournalEvents journal_events();
+    std::uint64_t write(JournalEntry entry);
+    void journal_committed(std::uint64_t position);
+    [[nodiscard]] bool journal_has_room() const;
+    void keep_promises();
+    void job_ended(JobId job);
+    /// Now, or when the journal has room.
+    void go_on(std::function<void()> done);
+    [[nodiscard]] JobStatus status_of(const MasterJob& job) const;
+
     /// The dispatcher, told what time it is.
     [[nodiscard]] Dispatcher& dispatcher();
     // The dispatcher's actions.
@@ -172,6 +237,15 @@ class Coordinator {
     JobId fed_last_;
     std::uint64_t open_bytes_ = 0; ///< Of all jobs' open analyses.
     std::multimap<JobId, std::weak_ptr<asio::steady_timer>> waiting_for_end_;
+    Ledger ledger_;
+    Sha256 cluster_;
+    std::uint64_t written_ = 0; ///< The position of the last entry.
+    std::string paused_;        ///< Why the journal does not write; empty: it does.
+    std::map<JobId, std::shared_ptr<asio::steady_timer>> waiting_for_acceptance_;
+    std::multimap<JobId, EarlyResults> early_results_;
+    std::vector<std::function<void()>> waiting_for_room_; ///< In the journal.
+    std::deque<std::string> alarms_;                      ///< The last ones.
+    std::set<std::uint64_t> quarantined_;                 ///< Instances of workers.
 };
 
 } // namespace cd

@@ -52,7 +52,8 @@ void Coordinator::feed() {
 
 bool Coordinator::has_room_for_analysis(std::uint64_t under_way) const {
     // As many blocks as keep the pool busy; more would only keep results waiting.
-    return under_way < parts_.compute.size() + 2 && open_bytes_ < limits::open_analyses_bytes_max &&
+    return journal_has_room() && under_way < parts_.compute.size() + 2 &&
+           open_bytes_ < limits::open_analyses_bytes_max &&
            dispatcher_.unsent() + under_way * limits::analysis_block_scenarios <
                dispatcher_.unsent_enough();
 }
@@ -82,7 +83,7 @@ bool Coordinator::prefers_ranges_now(const MasterJob& job) const {
 }
 
 void Coordinator::give_places(MasterJob& job) {
-    while (!job.todo.empty() && job.todo.front().losses == 0 &&
+    while (journal_has_room() && !job.todo.empty() && job.todo.front().losses == 0 &&
            dispatcher_.places_unsent(job.id) + job.places_loading <
                dispatcher_.places_enough(job.id)) {
         const PlaceRange places = job.todo.take(limits::range_scenarios_max).places;

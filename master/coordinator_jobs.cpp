@@ -58,35 +58,113 @@ DispatchTree dispatch_tree(TreeId id, const CutGeometry& cut) {
     return tree;
 }
 
+/// Of a job that the journal holds.
+Result<std::shared_ptr<PoseSource>> open_poses(const Submit& submit,
+                                               const std::filesystem::path& path) {
+    if (submit.grid) {
+        Result<Grid> grid = decode_grid(*submit.grid);
+        if (!grid) {
+            return grid.error();
+        }
+        return std::shared_ptr<PoseSource>(make_grid_source(std::move(grid.value())));
+    }
+    Result<std::unique_ptr<PoseSpool>> spool = PoseSpool::open(path, submit.scenarios);
+    if (!spool) {
+        return spool.error();
+    }
+    if (const Status whole = spool.value()->verify(); !whole) {
+        return whole.error();
+    }
+    return std::shared_ptr<PoseSource>(std::move(spool.value()));
+}
+
+/// Up to the last of them.
+std::shared_ptr<const std::vector<bool>> done_scenarios(const std::vector<std::uint64_t>& done) {
+    auto bits = std::make_shared<std::vector<bool>>();
+    for (const std::uint64_t scenario : done) {
+        bits->resize(std::max<std::size_t>(bits->size(), scenario + 1));
+        (*bits)[scenario] = true;
+    }
+    return bits;
+}
+
 std::shared_ptr<const TreeTop> top_of(const std::shared_ptr<const CutGeometry>& cut) {
     return {cut, &cut->top()};
 }
 
 } // namespace
 
-Result<JobId> Coordinator::open_job(Submit submit, std::shared_ptr<PoseSource> poses) {
-    submit.grid.reset(); // The source has it.
-    Result<std::unique_ptr<ResultStore>> results =
-        ResultStore::create(parts_.directory, submit.scenarios);
-    if (!results) {
-        return results.error();
+Status Coordinator::restore(Recovered recovered) {
+    cluster_ = recovered.cluster;
+    jobs_.reserve(recovered.last_job);
+    for (RecoveredJob& found : recovered.jobs) {
+        const std::vector<std::uint64_t> done = std::move(found.done);
+        MasterJob& job = jobs_.add(MasterJob(std::move(found), Clock::now()));
+        if (!job.is_running()) {
+            continue;
+        }
+        const auto poses = open_poses(job.submit, parts_.journal.poses_path(job.id));
+        if (!poses) {
+            return poses.error();
+        }
+        job.poses = poses.value();
+        ledger_.open_job(job.id);
+        for (const std::uint64_t scenario : done) {
+            ledger_.restore(job.id, scenario);
+        }
+        spdlog::info("job goes on: job={} name=\"{}\" done={} scenarios={}",
+                     job.id.value,
+                     job.submit.name,
+                     done.size(),
+                     job.submit.scenarios);
+        spawn(parts_.executor, "prepare job", prepare_job(job.id, done_scenarios(done)));
     }
-    const Result<MasterJob*> job =
-        jobs_.add(std::move(submit), std::move(results.value()), Clock::now());
-    if (!job) {
-        return job.error();
-    }
-    const JobId id = job.value()->id;
-    spdlog::info("job accepted: job={} name=\"{}\" scenarios={} strategy={}",
-                 id.value,
-                 job.value()->submit.name,
-                 job.value()->submit.scenarios,
-                 to_text(job.value()->submit.cluster.strategy));
-    spawn(parts_.executor, "prepare job", prepare_job(id, std::move(poses)));
-    return id;
+    parts_.journal.start(journal_events());
+    return Done{};
 }
 
-asio::awaitable<void> Coordinator::prepare_job(JobId id, std::shared_ptr<PoseSource> poses) {
+asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
+                                                     std::shared_ptr<PoseSpool> spool) {
+    if (!paused_.empty()) {
+        co_return Error{ErrorCode::Io, "the master takes no jobs now: " + paused_};
+    }
+    const Result<JobId> next = jobs_.next();
+    if (!next) {
+        co_return next.error();
+    }
+    const JobId id = next.value();
+    if (spool != nullptr) {
+        auto seal = [this, id, spool] {
+            return spool->seal(parts_.journal.poses_path(id), parts_.durability);
+        };
+        if (const Status sealed = co_await run_on(parts_.blocking, seal); !sealed) {
+            co_return sealed.error();
+        }
+    }
+    auto results = ResultStore::create(parts_.journal.results_path(id), id, submit.scenarios);
+    const auto accepted = std::make_shared<asio::steady_timer>(
+        parts_.executor, asio::steady_timer::time_point::max());
+    waiting_for_acceptance_.emplace(id, accepted);
+    ledger_.open_job(id);
+    ledger_.promise(JobAccepted{id}, write(AcceptJob{{id, submit}}));
+    boost::system::error_code ignored;
+    co_await accepted->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+
+    MasterJob& job = jobs_.add(MasterJob(id, submit, std::move(results), Clock::now()));
+    job.poses = spool;
+    if (submit.grid) {
+        job.poses = make_grid_source(decode_grid(*submit.grid).value());
+    }
+    spdlog::info("job accepted: job={} name=\"{}\" scenarios={} strategy={}",
+                 id.value,
+                 submit.name,
+                 submit.scenarios,
+                 to_text(submit.cluster.strategy));
+    spawn(parts_.executor, "prepare job", prepare_job(id, nullptr));
+    co_return id;
+}
+
+asio::awaitable<void> Coordinator::prepare_job(JobId id, DoneScenarios done) {
     const Submit submit = jobs_.find(id)->submit;
     auto make = [&store = parts_.geometry, &submit] { return Preparation::make(store, submit); };
     const Result<Preparation> made = co_await run_on(parts_.blocking, make);
@@ -98,23 +176,27 @@ asio::awaitable<void> Coordinator::prepare_job(JobId id, std::shared_ptr<PoseSou
         end_job(*job, JobState::Failed, made.error().detail);
         co_return;
     }
-    start_job(*job, made.value(), std::move(poses));
+    start_job(*job, made.value(), std::move(done));
 }
 
-void Coordinator::start_job(MasterJob& job,
-                            const Preparation& made,
-                            std::shared_ptr<PoseSource> poses) {
+void Coordinator::start_job(MasterJob& job, const Preparation& made, DoneScenarios done) {
     const Submit& submit = job.submit;
     job.material =
         std::make_shared<const JobMaterial>(JobMaterial{made.tree_a, made.tree_b, submit.query});
     job.tree_a = trees_.acquire(submit.bodies[0], made.cut_a);
     job.tree_b = trees_.acquire(submit.bodies[1], made.cut_b);
+    for (auto& [worker, link] : workers_) {
+        if (!link.quarantined) {
+            add_held_trees(link);
+        }
+    }
     AnalysisInput input{made.tree_a,
                         made.tree_b,
                         top_of(made.cut_a),
                         top_of(made.cut_b),
                         submit.query,
-                        std::move(poses)};
+                        job.poses,
+                        std::move(done)};
     // On a thread of the pool; the records are made there, too.
     auto deliver = [this, executor = parts_.executor, id = job.id](AnalysedBlock came) {
         auto finished = std::make_shared<std::vector<TakenResult>>();
@@ -124,8 +206,9 @@ void Coordinator::start_job(MasterJob& job,
             }
         }
         auto block = std::make_shared<AnalysedBlock>(std::move(came));
-        asio::post(executor,
-                   [this, id, block, finished] { block_came(id, std::move(*block), *finished); });
+        asio::post(executor, [this, id, block, finished] {
+            block_came(id, std::move(*block), std::move(*finished));
+        });
     };
     job.analysis_input = input;
     job.order = std::make_shared<OrderedPoses>(std::move(input.poses));
@@ -137,15 +220,16 @@ void Coordinator::start_job(MasterJob& job,
                                 submit.cluster,
                                 dispatch_tree(job.tree_a, *made.cut_a),
                                 dispatch_tree(job.tree_b, *made.cut_b)));
-    if (job.merger.summary().is_complete()) {
-        end_job(job, JobState::Done, ""); // A job without scenarios.
+    const auto [begin, end] = early_results_.equal_range(job.id);
+    for (auto early = begin; early != end; ++early) {
+        check_late_results(job, std::move(early->second));
     }
+    early_results_.erase(begin, end);
+    end_if_complete(job); // A job without scenarios, or without any that were left.
     feed();
 }
 
-void Coordinator::block_came(JobId id,
-                             AnalysedBlock block,
-                             const std::vector<TakenResult>& finished) {
+void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenResult> finished) {
     MasterJob* job = jobs_.find_running(id);
     if (job == nullptr) {
         return;
@@ -157,7 +241,7 @@ void Coordinator::block_came(JobId id,
     const auto begin = Clock::now();
     std::uint64_t handed_out = 0;
     for (Analysis& analysis : block.scenarios) {
-        // Of what came back, the answer may have come meanwhile.
+        // Of what came back, or from before a restart, the answer may have come meanwhile.
         if (analysis.finished || job->merger.has(analysis.scenario.index)) {
             continue;
         }
@@ -177,46 +261,68 @@ void Coordinator::block_came(JobId id,
         const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
         job->matching_seconds.add(seconds, static_cast<double>(handed_out));
     }
-    for (const TakenResult& taken : finished) {
-        ++job->answered_by_master;
-        job->statistics += taken.cost;
-        merge(*job, taken, WorkerId{});
-        if (!job->is_running()) {
-            break;
-        }
-    }
+    job->answered_by_master += finished.size();
+    merge(*job, std::move(finished), WorkerId{});
+    end_if_complete(*job);
     feed();
 }
 
-void Coordinator::merge(MasterJob& job, const TakenResult& taken, WorkerId worker) {
+void Coordinator::merge(MasterJob& job, std::vector<TakenResult> taken, WorkerId worker) {
+    AddResults add{job.id, job.results, {}, {}};
+    for (TakenResult& one : taken) {
+        job.statistics += one.cost;
+        if (one.record.size() > limits::result_record_bytes_max) {
+            const std::string scenario = std::to_string(one.result.index);
+            return end_job(job,
+                           JobState::Failed,
+                           "the result of scenario " + scenario + " takes " +
+                               std::to_string(one.record.size()) +
+                               " bytes; ask for a lower level or set limit_pairs");
+        }
+        if (merge_one(job, one, worker)) {
+            const ResultRow row{
+                one.result.index, one.record.size(), facts_of(one.result), one.digest};
+            ledger_.write(job.id, row.scenario, written_ + 1);
+            add.results.push_back({row, std::move(one.record)});
+        }
+    }
+    if (!add.results.empty()) {
+        ++job.changes;
+        add.progress = job.progress(Clock::now());
+        write(std::move(add));
+    }
+}
+
+bool Coordinator::merge_one(MasterJob& job, const TakenResult& taken, WorkerId worker) {
     const std::uint64_t index = taken.result.index;
     switch (job.merger.add(taken.result, taken.digest)) {
     case ResultMerger::Outcome::Added:
         break;
     case ResultMerger::Outcome::Repeated:
-        return;
+        return false;
     case ResultMerger::Outcome::Differs:
-        spdlog::error("results differ, the first one stays: job={} scenario={} worker={}",
-                      job.id.value,
-                      index,
-                      worker.value);
-        return;
+        open_dispute(job, {job.id, index, worker, taken.digest});
+        return false;
     case ResultMerger::Outcome::Foreign:
         spdlog::error("result of no scenario: job={} scenario={} worker={}",
                       job.id.value,
                       index,
                       worker.value);
-        return;
+        return false;
+    }
+    if (worker != WorkerId{}) {
+        job.authors.resize(std::max<std::size_t>(job.authors.size(), index + 1));
+        job.authors[index] = static_cast<std::uint32_t>(worker.value);
     }
     if (const auto open = job.open.find(index); open != job.open.end()) {
         open_bytes_ -= open->second->bytes;
         job.open.erase(open);
     }
-    ++job.changes;
-    if (const Status stored = job.results->add(index, taken.record); !stored) {
-        return end_job(job, JobState::Failed, stored.error().detail);
-    }
-    if (job.merger.summary().is_complete()) {
+    return true;
+}
+
+void Coordinator::end_if_complete(MasterJob& job) {
+    if (job.is_running() && job.disputes == 0 && job.merger.summary().is_complete()) {
         end_job(job, JobState::Done, "");
     }
 }
@@ -227,16 +333,12 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
     }
     const bool has_trees = job.material != nullptr;
     jobs_.end(job, state, failure, Clock::now());
-    const JobStatus status = job.status(Clock::now());
-    spdlog::info("job ended: job={} state={} merged={} total={} seconds={:.3f} digest={}{}",
-                 job.id.value,
-                 to_text(state),
-                 status.summary.merged(),
-                 status.summary.total,
-                 status.seconds,
-                 status.digest ? to_short_hex(*status.digest) : "none",
-                 failure.empty() ? "" : " reason=\"" + failure + "\"");
     act(dispatcher().job_closed(job.id));
+    for (auto& [worker, link] : workers_) {
+        if (link.jobs.erase(job.id) != 0) {
+            link.channel->send(RemoveJob{job.id});
+        }
+    }
     for (auto& [worker, link] : workers_) {
         if (link.jobs.erase(job.id) != 0) {
             link.channel->send(RemoveJob{job.id});
@@ -246,13 +348,13 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
         release_tree(job.tree_a);
         release_tree(job.tree_b);
     }
-    const auto [begin, end] = waiting_for_end_.equal_range(job.id);
-    for (auto waiting = begin; waiting != end; ++waiting) {
-        if (const auto timer = waiting->second.lock()) {
-            timer->cancel();
-        }
+    ledger_.promise(JobEnded{job.id}, write(EndJob{job.id, *job.end, job.progress(Clock::now())}));
+    const auto [begin, end] = early_results_.equal_range(job.id);
+    for (auto early = begin; early != end; ++early) {
+        ledger_.promise(Delivery{early->second.worker, early->second.results.sequence}, written_);
+        early->second.done();
     }
-    waiting_for_end_.erase(begin, end);
+    early_results_.erase(begin, end);
 }
 
 void Coordinator::release_tree(TreeId tree) {
@@ -281,16 +383,24 @@ void Coordinator::tree_failed(TreeId tree, const Error& why) {
 // ---- Questions
 // ------------------------------------------------------------------------------------
 
-Result<JobStatus> Coordinator::cancel_job(JobId id) {
+asio::awaitable<Result<JobStatus>> Coordinator::cancel_job(JobId id) {
     MasterJob* job = jobs_.find(id);
     if (job == nullptr) {
-        return no_job(id);
+        co_return no_job(id);
     }
     if (job->is_running()) {
         end_job(*job, JobState::Cancelled, "cancelled");
         feed();
     }
-    return job->status(Clock::now());
+    if (job->state == JobState::Running) {
+        // Nobody hears of an end that is not on the disk; nor waits for ever where it is full.
+        const auto ended =
+            std::make_shared<asio::steady_timer>(parts_.executor, limits::cancel_wait_max);
+        notify_at_end(id, ended);
+        boost::system::error_code ignored;
+        co_await ended->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+    co_return job_status(id);
 }
 
 Result<JobStatus> Coordinator::job_status(JobId id) {
@@ -298,7 +408,7 @@ Result<JobStatus> Coordinator::job_status(JobId id) {
     if (job == nullptr) {
         return no_job(id);
     }
-    return job->status(Clock::now());
+    return status_of(*job);
 }
 
 Result<AnalysisInput> Coordinator::analysis_input(JobId id) {

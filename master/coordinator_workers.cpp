@@ -33,13 +33,20 @@ void Coordinator::worker_joined(WorkerId worker,
                  hello.threads,
                  hello.cache_bytes,
                  channel->peer());
-    blocks_.worker_joined(worker, channel, key, hello.peer_port);
     WorkerLink link;
-    link.channel = std::move(channel);
+    link.channel = channel;
     link.name = hello.name;
     link.threads = std::max(1u, hello.threads);
     link.cache_bytes = hello.cache_bytes;
+    link.instance = hello.instance;
+    link.quarantined = hello.instance != 0 && quarantined_.contains(hello.instance);
+    const bool is_trusted = !link.quarantined;
     workers_.emplace(worker, std::move(link));
+    if (!is_trusted) {
+        spdlog::error("worker stays in quarantine: worker={} name={}", worker.value, hello.name);
+        return;
+    }
+    blocks_.worker_joined(worker, std::move(channel), key, hello.peer_port);
     act(dispatcher().worker_joined(
         worker, {hello.name, std::max(1u, hello.threads), hello.weight, hello.cache_bytes}));
     feed();
@@ -49,12 +56,18 @@ void Coordinator::worker_left(WorkerId worker, const std::string& why) {
     spdlog::info("worker left: worker={} reason=\"{}\"", worker.value, why);
     workers_.erase(worker);
     blocks_.worker_left(worker);
-    // Ranges are still to be handed back.
+    ledger_.forget(worker);
+    std::erase_if(early_results_, [&](const auto& early) { return early.second.worker == worker; });
+    forget_tasks(worker);
+    act(dispatcher().worker_lost(worker));
+    feed();
+}
+
+/// Ranges are still to be handed back.
+void Coordinator::forget_tasks(WorkerId worker) {
     std::erase_if(tasks_, [&](const auto& task) {
         return task.second.worker == worker && !task.second.content->range;
     });
-    act(dispatcher().worker_lost(worker));
-    feed();
 }
 
 void Coordinator::worker_draining(WorkerId worker) {
@@ -117,11 +130,32 @@ void Coordinator::peer_failed(WorkerId worker, const FetchFailed& failed) {
     blocks_.failed(worker, failed);
 }
 
+void Coordinator::cuts_held(WorkerId worker, const Holding& holding) {
+    const auto link = workers_.find(worker);
+    if (link != workers_.end() && !link->second.quarantined) {
+        link->second.cuts.insert(holding.cuts.begin(), holding.cuts.end());
+        add_held_trees(link->second);
+    }
+}
+
+void Coordinator::add_held_trees(WorkerLink& link) {
+    for (const TreeId tree : trees_.all()) {
+        if (link.cuts.contains(trees_.cut(tree))) {
+            add_tree_to(link, tree);
+        }
+    }
+}
+
 void Coordinator::results_came(WorkerId worker, Results results, std::function<void()> done) {
+    if (const auto link = workers_.find(worker);
+        link != workers_.end() && link->second.quarantined) {
+        ledger_.promise(Delivery{worker, results.sequence}, written_); // It may forget them.
+        keep_promises();
+        return done();
+    }
     const auto task = tasks_.find(results.task);
     if (task == tasks_.end() || task->second.worker != worker) {
-        spdlog::warn("results of no task: worker={} task={}", worker.value, results.task.value);
-        return done();
+        return late_results_came(worker, std::move(results), std::move(done));
     }
     ++task->second.in_hand;
     parts_.compute.post([this,
@@ -131,47 +165,86 @@ void Coordinator::results_came(WorkerId worker, Results results, std::function<v
                          came = std::make_shared<const Results>(std::move(results)),
                          done = std::move(done)]() mutable {
         auto taken =
-            std::make_shared<const Result<std::vector<TakenResult>>>(take_results(*content, *came));
+            std::make_shared<Result<std::vector<TakenResult>>>(take_results(*content, *came));
         asio::post(executor, [this, worker, content, came, taken, done = std::move(done)] {
-            results_taken(worker, *content, *came, *taken);
-            done();
+            results_taken(worker, content.get(), *came, std::move(*taken));
+            go_on(done);
+        });
+    });
+}
+
+void Coordinator::late_results_came(WorkerId worker, Results results, std::function<void()> done) {
+    const MasterJob* job = jobs_.find_running(results.job);
+    if (job == nullptr) {
+        // Of a job that has ended, or that nobody was ever told of: nobody wants them.
+        ledger_.promise(Delivery{worker, results.sequence}, written_);
+        keep_promises();
+        return done();
+    }
+    EarlyResults early{worker, std::move(results), std::move(done)};
+    if (job->material == nullptr) {
+        early_results_.emplace(job->id, std::move(early));
+    } else {
+        check_late_results(*job, std::move(early));
+    }
+}
+
+void Coordinator::check_late_results(const MasterJob& job, EarlyResults early) {
+    parts_.blocking.post([this,
+                          executor = parts_.executor,
+                          id = job.id,
+                          material = job.material,
+                          poses = job.poses,
+                          early = std::make_shared<EarlyResults>(std::move(early))] {
+        auto taken = std::make_shared<Result<std::vector<TakenResult>>>(
+            take_late_results(id, material, *poses, early->results));
+        asio::post(executor, [this, early, taken] {
+            results_taken(early->worker, nullptr, early->results, std::move(*taken));
+            go_on(early->done);
         });
     });
 }
 
 void Coordinator::results_taken(WorkerId worker,
-                                const TaskContent& content,
+                                const TaskContent* task,
                                 const Results& results,
-                                const Result<std::vector<TakenResult>>& taken) {
+                                Result<std::vector<TakenResult>> taken) {
     if (!taken) {
         cut_off(worker, taken.error());
         return;
     }
-    if (MasterJob* job = jobs_.find_running(content.job)) {
+    const JobId id = task == nullptr ? results.job : task->job;
+    const Delivery delivery{worker, results.sequence};
+    if (MasterJob* job = jobs_.find_running(id)) {
         job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;
         const std::size_t count = taken.value().size();
         job->work_seconds.add(results.compute_seconds, static_cast<double>(count));
-        if (content.range) {
+        if (task == nullptr) {
+            // Of an earlier session: no task's measure.
+        } else if (task->range) {
             act(dispatcher().places_answered(worker, results.task, count, results.compute_seconds));
         } else {
             dispatcher().work_measured(worker, measured_work(*job, results, taken.value()));
         }
+        std::vector<std::uint64_t> scenarios;
         for (const TakenResult& one : taken.value()) {
-            job->statistics += one.cost;
-            if (!content.range) {
-                act(dispatcher().scenario_answered(worker, job->id, one.result.index));
-            }
-            merge(*job, one, worker);
-            if (!job->is_running()) {
-                break;
+            scenarios.push_back(one.result.index);
+            if (task == nullptr || !task->range) {
+                act(dispatcher().scenario_answered(worker, id, one.result.index));
             }
         }
+        merge(*job, std::move(taken.value()), worker);
+        ledger_.promise(delivery, id, scenarios);
+        end_if_complete(*job);
+    } else {
+        ledger_.promise(delivery, written_);
     }
+    keep_promises();
     // The task is gone already if its worker is.
-    const auto task = tasks_.find(results.task);
-    if (task != tasks_.end()) {
-        --task->second.in_hand;
+    if (const auto running = tasks_.find(results.task);
+        task != nullptr && running != tasks_.end()) {
+        --running->second.in_hand;
         end_task_if_complete(results.task);
     }
     note_work(worker);
@@ -220,7 +293,8 @@ void Coordinator::add_tree_to(WorkerLink& link, TreeId tree) {
     if (link.trees.insert(tree).second) {
         const auto geometry = trees_.find(tree);
         CD_CHECK(geometry != nullptr);
-        link.channel->send(AddTree{tree, geometry->form(), geometry->top().nodes});
+        link.channel->send(
+            AddTree{tree, geometry->form(), trees_.cut(tree), geometry->top().nodes});
     }
 }
 
@@ -241,6 +315,9 @@ void Coordinator::note_work(WorkerId worker) {
 
 WorkerStatus Coordinator::worker_status(WorkerId worker, const WorkerLink& link) const {
     WorkerStatus status = dispatcher_.worker_status(worker);
+    status.worker = worker;
+    status.name = link.name;
+    status.quarantined = link.quarantined;
     status.cache_bytes = link.cache_bytes;
     status.cached_bytes = link.cached_bytes;
     const auto busy =

@@ -8,19 +8,39 @@
 
 namespace cd {
 
+MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
+    : id(recovered.record.id),
+      submit(std::move(recovered.record.submit)),
+      started(now),
+      seconds_before(recovered.progress.seconds),
+      state(recovered.end ? recovered.end->state : JobState::Running),
+      merger(std::move(recovered.merger)),
+      results(std::move(recovered.results)),
+      end(std::move(recovered.end)),
+      ended(now),
+      answered_by_master(recovered.progress.answered_by_master),
+      statistics(recovered.progress.statistics),
+      compute_seconds(recovered.progress.compute_seconds) {}
+
+JobProgress MasterJob::progress(Clock::time_point now) const {
+    const std::chrono::duration<double> running = (is_running() ? now : ended) - started;
+    return {seconds_before + running.count(), answered_by_master, statistics, compute_seconds};
+}
+
 JobStatus MasterJob::status(Clock::time_point now) const {
     JobStatus status;
     status.job = id;
     status.name = submit.name;
     status.state = state;
     status.summary = merger.summary();
-    status.digest = digest;
-    const auto duration = (is_running() ? now : ended) - accepted;
-    status.seconds = std::chrono::duration<double>(duration).count();
+    status.seconds = progress(now).seconds;
     if (status.seconds > 0) {
         status.scenarios_per_second = static_cast<double>(status.summary.merged()) / status.seconds;
     }
-    status.failure = failure;
+    if (state != JobState::Running) {
+        status.digest = end->digest;
+        status.failure = end->failure;
+    }
     std::copy_n(submit.bodies.begin(),
                 std::min<std::size_t>(2, submit.bodies.size()),
                 status.bodies.begin());
@@ -30,16 +50,23 @@ JobStatus MasterJob::status(Clock::time_point now) const {
     return status;
 }
 
-Result<MasterJob*>
-JobBoard::add(Submit submit, std::shared_ptr<ResultStore> results, Clock::time_point now) {
+Result<JobId> JobBoard::next() {
     if (running_.size() >= limits::jobs_running_max) {
         return Error{ErrorCode::Refused,
                      std::to_string(running_.size()) + " jobs are running; submit again later"};
     }
-    const JobId id{++last_};
-    const auto place = jobs_.try_emplace(id, id, std::move(submit), std::move(results), now).first;
-    running_.insert(id);
-    return &place->second;
+    return JobId{++last_};
+}
+
+MasterJob& JobBoard::add(MasterJob job) {
+    const JobId id = job.id;
+    reserve(id);
+    const auto [place, is_new] = jobs_.emplace(id, std::move(job));
+    CD_CHECK(is_new);
+    if (place->second.is_running()) {
+        running_.insert(id);
+    }
+    return place->second;
 }
 
 MasterJob* JobBoard::find(JobId job) {
@@ -58,33 +85,38 @@ void JobBoard::end(MasterJob& job,
                    Clock::time_point now) {
     CD_CHECK(job.is_running());
     CD_CHECK(state != JobState::Running);
-    job.state = state;
-    job.failure = failure;
     job.ended = now;
+    job.end = JobEnd{state, failure, {}};
     if (state == JobState::Done) {
-        job.digest = job.merger.digest();
-        CD_CHECK(job.digest.has_value());
+        job.end->digest = job.merger.digest();
+        CD_CHECK(job.end->digest.has_value());
     }
     job.submitter.reset();
     job.analysis_input.reset();
     job.material.reset();
+    job.poses.reset();
     job.open.clear();
     job.given.clear();
     job.todo = PlaceQueue();
     job.order.reset();
-    ++job.changes;
+    job.authors = {};
     running_.erase(job.id);
-    drop_oldest_ended();
 }
 
-void JobBoard::drop_oldest_ended() {
-    if (jobs_.size() - running_.size() <= limits::jobs_ended_kept_max) {
-        return;
+std::vector<JobId> JobBoard::announce(MasterJob& job) {
+    CD_CHECK(!job.is_running());
+    job.state = job.end->state;
+    ++job.changes;
+    std::vector<JobId> dropped;
+    while (jobs_.size() - running_.size() > limits::jobs_ended_kept_max) {
+        const auto oldest = std::find_if(jobs_.begin(), jobs_.end(), [](const auto& entry) {
+            return entry.second.state != JobState::Running;
+        });
+        spdlog::info("results dropped: job={} reason=\"newer jobs\"", oldest->first.value);
+        dropped.push_back(oldest->first);
+        jobs_.erase(oldest);
     }
-    const auto oldest = std::find_if(
-        jobs_.begin(), jobs_.end(), [](const auto& entry) { return !entry.second.is_running(); });
-    spdlog::info("results dropped: job={} reason=\"newer jobs\"", oldest->first.value);
-    jobs_.erase(oldest);
+    return dropped;
 }
 
 std::vector<JobStatus> JobBoard::statuses(Clock::time_point now) const {

@@ -5,6 +5,7 @@
 #include "common/job/merge.hpp"
 #include "common/job/ordered_poses.hpp"
 #include "common/job/pose_source.hpp"
+#include "master/journal.hpp"
 #include "master/place_queue.hpp"
 #include "master/result_intake.hpp"
 #include "master/result_store.hpp"
@@ -12,6 +13,7 @@
 #include "master/worker_pace.hpp"
 #include "proto/message.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <map>
@@ -40,17 +42,22 @@ struct MasterJob {
               Clock::time_point now)
         : id(job),
           submit(std::move(submission)),
-          accepted(now),
+          started(now),
           merger(submit.scenarios),
           results(std::move(store)) {}
+    /// One that an earlier life of the master has left.
+    MasterJob(RecoveredJob recovered, Clock::time_point now);
 
     JobId id;
     Submit submit;
-    Clock::time_point accepted;
-    JobState state = JobState::Running;
+    Clock::time_point started;
+    double seconds_before = 0;          ///< In earlier lives of the master.
+    JobState state = JobState::Running; ///< As clients are told.
     ResultMerger merger;
     std::shared_ptr<ResultStore> results;
     std::uint64_t changes = 0; ///< Grows with whatever a status shows, but time.
+
+    std::shared_ptr<PoseSource> poses; ///< Only while it runs: all of them.
 
     // Only while it runs, and only after its geometry is there.
     std::shared_ptr<const JobMaterial> material;
@@ -67,17 +74,22 @@ struct MasterJob {
     LearnedRate analysis_seconds;     ///< Of a scenario,
     LearnedRate matching_seconds;     ///< and what handing it out took after that,
     LearnedRate work_seconds;         ///< and a worker's.
+    /// Whose result of a scenario was merged, up to the last that came; 0 is the master, or nobody
+    /// knows any more.
+    std::vector<std::uint32_t> authors;
+    std::uint64_t disputes = 0; ///< Scenarios whose right result is being looked for.
 
-    // Once it has ended.
+    // Once it has ended. Clients are told when that is in the journal.
+    std::optional<JobEnd> end;
     Clock::time_point ended;
-    std::string failure;
-    std::optional<Sha256> digest;
 
     std::uint64_t answered_by_master = 0;
     JobStatistics statistics;
     double compute_seconds = 0;
 
-    [[nodiscard]] bool is_running() const { return state == JobState::Running; }
+    [[nodiscard]] bool is_running() const { return !end; }
+    /// For the journal.
+    [[nodiscard]] JobProgress progress(Clock::time_point now) const;
     [[nodiscard]] JobStatus status(Clock::time_point now) const;
 };
 
@@ -85,9 +97,12 @@ struct MasterJob {
 /// `limits::jobs_ended_kept_max` of them.
 class JobBoard {
   public:
-    /// Errors: Refused with too many jobs running.
-    [[nodiscard]] Result<MasterJob*>
-    add(Submit submit, std::shared_ptr<ResultStore> results, Clock::time_point now);
+    /// The number of a new job. Errors: Refused with too many jobs running.
+    [[nodiscard]] Result<JobId> next();
+    /// The number is new.
+    MasterJob& add(MasterJob job);
+    /// No job gets this number, or a lesser one, any more.
+    void reserve(JobId last) { last_ = std::max(last_, last.value); }
     /// Null where there is none.
     [[nodiscard]] MasterJob* find(JobId job);
     /// The job is here.
@@ -95,16 +110,16 @@ class JobBoard {
     /// Null also when it has ended.
     [[nodiscard]] MasterJob* find_running(JobId job);
 
-    /// Writes down how it ended and frees what only a running job needs.
+    /// Writes down how it ended and frees what only a running job needs. Done takes a digest.
     void end(MasterJob& job, JobState state, const std::string& failure, Clock::time_point now);
+    /// From now on clients see that it has ended. The jobs that are dropped for it.
+    [[nodiscard]] std::vector<JobId> announce(MasterJob& job);
 
     /// Those that run.
     [[nodiscard]] const std::set<JobId>& running() const { return running_; }
     [[nodiscard]] std::vector<JobStatus> statuses(Clock::time_point now) const;
 
   private:
-    void drop_oldest_ended();
-
     std::map<JobId, MasterJob> jobs_;
     std::set<JobId> running_;
     std::uint64_t last_ = 0;

@@ -1,5 +1,6 @@
 // cdmaster: takes jobs from clients and has them done by workers.
 #include "common/core/log.hpp"
+#include "master/check_state.hpp"
 #include "master/config.hpp"
 #include "master/run_master.hpp"
 
@@ -10,6 +11,13 @@ int main(int count, char** arguments) {
     if (!line.config) {
         std::fputs(line.text.c_str(), line.exit_code == 0 ? stdout : stderr);
         return line.exit_code;
+    }
+    if (line.config->check) {
+        const cd::StateReport report = cd::check_state(line.config->state);
+        for (const std::string& text : report.lines) {
+            std::puts(text.c_str());
+        }
+        return report.is_sound ? 0 : 2;
     }
     cd::start_logging("cdmaster", line.config->log_level);
     const cd::Status status = cd::run_master(*line.config);

@@ -1,7 +1,7 @@
 #include "master/pose_spool.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/disk_file.hpp"
+#include "common/core/hash.hpp"
 #include "common/core/limits.hpp"
 
 #include <algorithm>
@@ -10,6 +10,13 @@
 namespace cd {
 
 namespace {
+
+constexpr std::uint64_t magic = 0x31'53'4f'50'44'43'00'00; // "\0\0CDPOS1"
+constexpr std::uint64_t footer_bytes = 4 * sizeof(std::uint64_t);
+
+Error damaged(const DiskFile& file, const std::string& why) {
+    return {ErrorCode::Io, file.path().string() + " is damaged: " + why};
+}
 
 /// What a job of two bodies can be asked.
 Status check_scenario(const Scenario& scenario, std::uint64_t expected) {
@@ -35,13 +42,17 @@ struct PoseSpool::State {
     mutable std::mutex mutex;
     DiskFile file;
     std::uint64_t announced = 0;
-    std::vector<std::uint64_t> run_ends; ///< In bytes, of each run on disk.
+    std::vector<std::uint64_t> run_ends; ///< In bytes, of each run on disk,
+    std::vector<std::uint64_t> run_sums; ///< and its checksum.
     std::vector<Scenario> last;          ///< Fewer than a run, not on disk.
+    bool is_sealed = false;              ///< Then the last run may be a short one.
 
     [[nodiscard]] std::uint64_t count() const {
-        return run_ends.size() * limits::spool_run_scenarios + last.size();
+        return is_sealed ? announced : run_ends.size() * limits::spool_run_scenarios + last.size();
     }
     [[nodiscard]] Status write_run(std::span<const Scenario> run);
+    [[nodiscard]] Status write_index();
+    [[nodiscard]] Status read_index();
     [[nodiscard]] Result<std::vector<Scenario>> read_run(std::uint64_t run) const;
 };
 
@@ -52,12 +63,59 @@ Status PoseSpool::State::write_run(std::span<const Scenario> run) {
         return status;
     }
     run_ends.push_back(offset + packed.size());
+    run_sums.push_back(checksum(packed));
+    return Done{};
+}
+
+/// The runs' ends and checksums; then the kind of file, how many scenarios and runs it has, and the
+/// checksum of all that.
+Status PoseSpool::State::write_index() {
+    ByteWriter out;
+    out.put_array(std::span<const std::uint64_t>(run_ends));
+    out.put_array(std::span<const std::uint64_t>(run_sums));
+    out.put(magic);
+    out.put(announced);
+    out.put(std::uint64_t{run_ends.size()});
+    out.put(checksum(out.bytes()));
+    return file.write_at(run_ends.empty() ? 0 : run_ends.back(), out.bytes());
+}
+
+Status PoseSpool::State::read_index() {
+    const Result<std::uint64_t> size = file.size();
+    if (!size) {
+        return size.error();
+    }
+    const std::uint64_t runs =
+        (announced + limits::spool_run_scenarios - 1) / limits::spool_run_scenarios;
+    const std::uint64_t index_bytes = 2 * runs * sizeof(std::uint64_t) + footer_bytes;
+    if (size.value() < index_bytes) {
+        return damaged(file, "it is cut short");
+    }
+    const std::uint64_t begin = size.value() - index_bytes;
+    const Result<Bytes> bytes = file.read_at(begin, index_bytes);
+    if (!bytes) {
+        return bytes.error();
+    }
+    ByteReader in(bytes.value());
+    run_ends = in.get_array<std::uint64_t>(runs);
+    run_sums = in.get_array<std::uint64_t>(runs);
+    const bool is_whole = in.get<std::uint64_t>() == magic &&
+                          in.get<std::uint64_t>() == announced && in.get<std::uint64_t>() == runs &&
+                          in.get<std::uint64_t>() ==
+                              checksum(std::span(bytes.value()).first(index_bytes - sizeof runs));
+    const bool fits = std::is_sorted(run_ends.begin(), run_ends.end()) &&
+                      (run_ends.empty() ? begin == 0 : run_ends.back() == begin);
+    if (!is_whole || !fits) {
+        return damaged(file, "its index has a wrong checksum, or is of another job");
+    }
+    is_sealed = true;
     return Done{};
 }
 
 Result<std::vector<Scenario>> PoseSpool::State::read_run(std::uint64_t run) const {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
+    std::uint64_t sum = 0;
     {
         const std::lock_guard lock(mutex);
         if (run == run_ends.size()) {
@@ -65,15 +123,18 @@ Result<std::vector<Scenario>> PoseSpool::State::read_run(std::uint64_t run) cons
         }
         begin = run == 0 ? 0 : run_ends[run - 1];
         end = run_ends[run];
+        sum = run_sums[run];
     }
     const Result<Bytes> packed = file.read_at(begin, end - begin);
     if (!packed) {
         return packed.error();
     }
+    if (checksum(packed.value()) != sum) {
+        return damaged(file, "a run of poses has a wrong checksum");
+    }
     Result<std::vector<Scenario>> scenarios = unpack_scenarios(packed.value());
     if (!scenarios) {
-        return Error{ErrorCode::Io,
-                     file.path().string() + " is damaged: " + scenarios.error().detail};
+        return damaged(file, scenarios.error().detail);
     }
     return scenarios;
 }
@@ -91,12 +152,52 @@ Result<std::unique_ptr<PoseSpool>> PoseSpool::create(const std::filesystem::path
     if (const Status status = make_directories(directory); !status) {
         return status.error();
     }
-    Result<DiskFile> file = DiskFile::create_nameless(directory);
+    Result<DiskFile> file = DiskFile::create_for(directory / "poses");
     if (!file) {
         return file.error();
     }
     return std::unique_ptr<PoseSpool>(
         new PoseSpool(std::make_unique<State>(std::move(file.value()), scenarios)));
+}
+
+Result<std::unique_ptr<PoseSpool>> PoseSpool::open(const std::filesystem::path& path,
+                                                   std::uint64_t scenarios) {
+    Result<DiskFile> file = DiskFile::open(path);
+    if (!file) {
+        return Error{ErrorCode::Io, file.error().detail};
+    }
+    auto state = std::make_unique<State>(std::move(file.value()), scenarios);
+    if (const Status read = state->read_index(); !read) {
+        return read.error();
+    }
+    return std::unique_ptr<PoseSpool>(new PoseSpool(std::move(state)));
+}
+
+Status PoseSpool::seal(const std::filesystem::path& path, Durability durability) {
+    CD_CHECK(is_complete());
+    const std::lock_guard lock(state_->mutex);
+    CD_CHECK(!state_->is_sealed);
+    if (!state_->last.empty()) {
+        if (Status status = state_->write_run(state_->last); !status) {
+            return status;
+        }
+        state_->last.clear();
+    }
+    if (Status status = state_->write_index(); !status) {
+        return status;
+    }
+    state_->is_sealed = true;
+    return state_->file.commit_as(path, durability);
+}
+
+Status PoseSpool::verify() const {
+    const std::size_t runs = state_->run_ends.size();
+    for (std::size_t run = 0; run < runs; ++run) {
+        if (const auto scenarios = state_->read_run(run); !scenarios) {
+            return scenarios.error();
+        }
+    }
+    return Done{};
 }
 
 Status PoseSpool::append(std::span<const std::byte> packed) {
@@ -123,6 +224,7 @@ Status PoseSpool::append(std::span<const std::byte> packed) {
     while (rest.size() >= limits::spool_run_scenarios) {
         if (Status status = state_->write_run(rest.first(limits::spool_run_scenarios)); !status) {
             state_->run_ends.resize(runs_before);
+            state_->run_sums.resize(runs_before);
             return status;
         }
         rest = rest.subspan(limits::spool_run_scenarios);

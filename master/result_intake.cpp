@@ -133,4 +133,35 @@ Result<std::vector<TakenResult>> take_results(const TaskContent& task, const Res
     return taken;
 }
 
+Result<std::vector<TakenResult>> take_late_results(JobId job,
+                                                   std::shared_ptr<const JobMaterial> material,
+                                                   PoseSource& poses,
+                                                   const Results& results) {
+    const Result<Bytes> records = unpack_records(results.records, limits::results_bytes_max);
+    if (!records) {
+        return records.error();
+    }
+    TaskContent content{job, std::move(material), {}, {}};
+    ByteReader reader(records.value());
+    for (std::uint32_t i = 0; i < results.count && !reader.failed(); ++i) {
+        const Result<ScenarioResult> result =
+            decode_result(reader.get_bytes(reader.get<std::uint32_t>()));
+        if (!result) {
+            return result.error();
+        }
+        const std::uint64_t index = result.value().index;
+        if (index >= poses.count()) {
+            return Error{ErrorCode::BadFrame, "a result of a scenario that the job does not have"};
+        }
+        Result<std::vector<Scenario>> scenario = poses.read(index, 1);
+        if (!scenario) {
+            return scenario.error();
+        }
+        Analysis known;
+        known.scenario = scenario.value().front();
+        content.scenarios.push_back(std::make_shared<const Analysis>(std::move(known)));
+    }
+    return take_results(content, results);
+}
+
 } // namespace cd

@@ -58,4 +58,11 @@ struct TakenResult {
 [[nodiscard]] Result<std::vector<TakenResult>> take_results(const TaskContent& task,
                                                             const Results& results);
 
+/// The same of a task that is not known: poses are looked up among all those of the job.
+[[nodiscard]] Result<std::vector<TakenResult>>
+take_late_results(JobId job,
+                  std::shared_ptr<const JobMaterial> material,
+                  PoseSource& poses,
+                  const Results& results);
+
 } // namespace cd

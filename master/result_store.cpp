@@ -10,42 +10,68 @@
 #include <array>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <unordered_map>
+#include <vector>
 
 namespace cd {
 
 namespace {
 
 static_assert(limits::result_record_bytes_max <= std::numeric_limits<std::uint32_t>::max());
-constexpr std::uint64_t header_bytes = 2 * sizeof(std::uint64_t); // Length and checksum.
-
-/// Where a record stands; a length of 0 is no record.
-struct RecordPlace {
-    std::uint64_t offset = 0;
-    std::uint64_t length = 0;
-};
+constexpr std::uint64_t magic = 0x31'47'45'53'52'44'43'00; // "\0CDRSEG1"
+constexpr std::uint32_t version = 1;
+constexpr std::uint64_t file_header_bytes =
+    sizeof magic + sizeof version + 2 * sizeof(std::uint64_t);
+constexpr std::uint64_t record_header_bytes = 2 * sizeof(std::uint64_t); // Length and scenario.
+constexpr std::uint64_t record_footer_bytes = sizeof(std::uint64_t);     // Their checksum.
 
 constexpr std::uint64_t places_together = 256;
 using Places = std::array<RecordPlace, places_together>;
 
+Bytes file_header(JobId job) {
+    ByteWriter out;
+    out.put(magic);
+    out.put(version);
+    out.put(job.value);
+    out.put(checksum(out.bytes()));
+    return out.take();
+}
+
+Error damaged(const std::filesystem::path& path, const std::string& why) {
+    return {ErrorCode::Io, path.string() + " is damaged: " + why};
+}
+
 } // namespace
 
 struct ResultStore::State {
-    State(DiskFile segment, std::uint64_t count) : file(std::move(segment)), scenarios(count) {}
+    State(std::filesystem::path where,
+          JobId of,
+          std::optional<DiskFile> segment,
+          std::uint64_t count,
+          std::uint64_t committed)
+        : path(std::move(where)),
+          job(of),
+          file(std::move(segment)),
+          scenarios(count),
+          end(committed) {}
 
-    mutable std::mutex mutex;
-    DiskFile file;
+    mutable std::mutex mutex; ///< Guards what is read by any thread.
+    std::filesystem::path path;
+    JobId job;
+    std::optional<DiskFile> file; ///< Nothing before the first write.
     std::uint64_t scenarios = 0;
-    std::uint64_t written = 0; ///< Bytes of the file.
-    ByteWriter buffer;         ///< What comes after them.
+    std::uint64_t end = 0; ///< Of what is committed.
     std::uint64_t records = 0;
     /// In pieces, made when first needed: the number of scenarios is a client's word.
     std::unordered_map<std::uint64_t, std::unique_ptr<Places>> places;
+    std::vector<std::pair<std::uint64_t, RecordPlace>> written; ///< And not committed.
+    std::uint64_t written_end = 0;
 
     [[nodiscard]] RecordPlace find(std::uint64_t scenario) const;
-    [[nodiscard]] RecordPlace& find_or_add(std::uint64_t scenario);
-    [[nodiscard]] Status flush();
+    void set(std::uint64_t scenario, const RecordPlace& place);
     [[nodiscard]] Result<Bytes> read(std::uint64_t scenario, const RecordPlace& place) const;
+    [[nodiscard]] Status make_file();
 };
 
 RecordPlace ResultStore::State::find(std::uint64_t scenario) const {
@@ -53,81 +79,197 @@ RecordPlace ResultStore::State::find(std::uint64_t scenario) const {
     return found == places.end() ? RecordPlace{} : (*found->second)[scenario % places_together];
 }
 
-RecordPlace& ResultStore::State::find_or_add(std::uint64_t scenario) {
+void ResultStore::State::set(std::uint64_t scenario, const RecordPlace& place) {
     std::unique_ptr<Places>& piece = places[scenario / places_together];
     if (piece == nullptr) {
         piece = std::make_unique<Places>();
     }
-    return (*piece)[scenario % places_together];
-}
-
-Status ResultStore::State::flush() {
-    if (Status status = file.write_at(written, buffer.bytes()); !status) {
-        return status;
-    }
-    written += buffer.size();
-    buffer = ByteWriter();
-    return Done{};
+    RecordPlace& kept = (*piece)[scenario % places_together];
+    records += kept.length == 0 ? 1 : 0;
+    kept = place;
 }
 
 Result<Bytes> ResultStore::State::read(std::uint64_t scenario, const RecordPlace& place) const {
-    Result<Bytes> bytes = file.read_at(place.offset, header_bytes + place.length);
+    Result<Bytes> bytes = file->read_at(place.offset - record_header_bytes,
+                                        record_header_bytes + place.length + record_footer_bytes);
     if (!bytes) {
         return bytes;
     }
-    ByteReader in(bytes.value());
+    const std::span<const std::byte> whole(bytes.value());
+    ByteReader in(whole);
     const auto length = in.get<std::uint64_t>();
+    const auto index = in.get<std::uint64_t>();
+    const auto record = in.get_bytes(place.length);
     const auto sum = in.get<std::uint64_t>();
-    const std::span<const std::byte> record = std::span(bytes.value()).subspan(header_bytes);
-    if (length != place.length || sum != checksum(record)) {
-        return Error{ErrorCode::Io,
-                     file.path().string() + " is damaged: the result of scenario " +
-                         std::to_string(scenario) + " has a wrong checksum"};
+    if (length != place.length || index != scenario ||
+        sum != checksum(whole.first(whole.size() - record_footer_bytes))) {
+        return damaged(
+            path, "the result of scenario " + std::to_string(scenario) + " has a wrong checksum");
     }
     return Bytes(record.begin(), record.end());
 }
 
+// ---- The file -----------------------------------------------------------------------------------
+
 ResultStore::ResultStore(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ResultStore::~ResultStore() = default;
 
-Result<std::unique_ptr<ResultStore>> ResultStore::create(const std::filesystem::path& directory,
-                                                         std::uint64_t scenarios) {
-    if (const Status status = make_directories(directory); !status) {
-        return status.error();
+std::unique_ptr<ResultStore>
+ResultStore::create(const std::filesystem::path& path, JobId job, std::uint64_t scenarios) {
+    return std::unique_ptr<ResultStore>(new ResultStore(
+        std::make_unique<State>(path, job, std::nullopt, scenarios, file_header_bytes)));
+}
+
+Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::filesystem::path& path,
+                                                       JobId job,
+                                                       std::uint64_t scenarios,
+                                                       std::uint64_t end) {
+    if (end <= file_header_bytes) {
+        return create(path, job, scenarios);
     }
-    Result<DiskFile> file = DiskFile::create_nameless(directory);
+    Result<DiskFile> file = DiskFile::open(path); // It must be there.
+    if (!file) {
+        return Error{ErrorCode::Io, file.error().detail};
+    }
+    file = DiskFile::open_to_write(path);
     if (!file) {
         return file.error();
     }
-    return std::unique_ptr<ResultStore>(
-        new ResultStore(std::make_unique<State>(std::move(file.value()), scenarios)));
+    const Result<Bytes> header = file.value().read_at(0, file_header_bytes);
+    if (!header) {
+        return header.error();
+    }
+    if (header.value() != file_header(job)) {
+        return damaged(path, "its header is not that of the results of this job");
+    }
+    const Result<std::uint64_t> size = file.value().size();
+    if (!size) {
+        return size.error();
+    }
+    if (size.value() < end) {
+        return damaged(
+            path, "it has " + std::to_string(size.value()) + " bytes of " + std::to_string(end));
+    }
+    return std::unique_ptr<ResultStore>(new ResultStore(
+        std::make_unique<State>(path, job, std::move(file.value()), scenarios, end)));
 }
 
-Status ResultStore::add(std::uint64_t scenario, std::span<const std::byte> record) {
-    CD_CHECK(scenario < state_->scenarios);
-    CD_CHECK(!record.empty());
-    if (record.size() > limits::result_record_bytes_max) {
-        return Error{ErrorCode::TooLarge,
-                     "the result of scenario " + std::to_string(scenario) + " takes " +
-                         std::to_string(record.size()) +
-                         " bytes; ask for a lower level or set "
-                         "limit_pairs"};
+bool ResultStore::has_file() const {
+    return state_->file.has_value();
+}
+
+std::uint64_t ResultStore::end() const {
+    return state_->end;
+}
+
+RecordPlace ResultStore::place_at(std::uint64_t end, std::uint64_t length) {
+    return {end + record_header_bytes, length};
+}
+
+std::uint64_t ResultStore::end_of(const RecordPlace& place) {
+    return place.offset + place.length + record_footer_bytes;
+}
+
+Status ResultStore::State::make_file() {
+    Result<DiskFile> made = DiskFile::open_to_write(path);
+    if (!made) {
+        return made.error();
     }
-    const std::lock_guard lock(state_->mutex);
-    RecordPlace& place = state_->find_or_add(scenario);
-    CD_CHECK(place.length == 0);
-    if (state_->buffer.size() >= limits::result_buffer_bytes_max) {
-        if (Status status = state_->flush(); !status) {
+    if (Status status = made.value().write_at(0, file_header(job)); !status) {
+        return status;
+    }
+    const std::lock_guard lock(mutex);
+    file = std::move(made.value());
+    return Done{};
+}
+
+Status ResultStore::write(std::span<const StoredRecord> records) {
+    if (!state_->file) {
+        if (Status status = state_->make_file(); !status) {
             return status;
         }
     }
-    place = {state_->written + state_->buffer.size(), record.size()};
-    state_->buffer.put(place.length);
-    state_->buffer.put(checksum(record));
-    put_bytes(state_->buffer, record);
-    ++state_->records;
+    state_->written.clear();
+    state_->written_end = state_->end;
+    std::uint64_t flushed = state_->end;
+    Bytes buffer;
+    const auto flush = [&] {
+        const Status status = state_->file->write_at(flushed, buffer);
+        flushed += buffer.size();
+        buffer.clear();
+        return status;
+    };
+    for (const StoredRecord& each : records) {
+        CD_CHECK(each.scenario < state_->scenarios);
+        CD_CHECK(!each.record.empty());
+        CD_CHECK(each.record.size() <= limits::result_record_bytes_max);
+        ByteWriter out;
+        out.put(std::uint64_t{each.record.size()});
+        out.put(each.scenario);
+        put_bytes(out, each.record);
+        out.put(checksum(out.bytes()));
+        buffer.insert(buffer.end(), out.bytes().begin(), out.bytes().end());
+        const RecordPlace place = place_at(state_->written_end, each.record.size());
+        state_->written.emplace_back(each.scenario, place);
+        state_->written_end = end_of(place);
+        if (buffer.size() >= limits::result_buffer_bytes_max) {
+            if (Status status = flush(); !status) {
+                return status;
+            }
+        }
+    }
+    return flush();
+}
+
+Status ResultStore::sync() const {
+    return state_->file->sync();
+}
+
+void ResultStore::commit() {
+    const std::lock_guard lock(state_->mutex);
+    for (const auto& [scenario, place] : state_->written) {
+        state_->set(scenario, place);
+    }
+    state_->written.clear();
+    state_->end = std::max(state_->end, state_->written_end);
+}
+
+Status ResultStore::restore(std::uint64_t scenario, const RecordPlace& place) {
+    const std::lock_guard lock(state_->mutex);
+    const bool is_inside = scenario < state_->scenarios && place.length != 0 &&
+                           place.length <= limits::result_record_bytes_max &&
+                           place.offset >= file_header_bytes + record_header_bytes &&
+                           place.offset <= state_->end && end_of(place) <= state_->end;
+    if (!is_inside) {
+        return damaged(state_->path,
+                       "the result of scenario " + std::to_string(scenario) + " is not in it");
+    }
+    state_->set(scenario, place);
     return Done{};
 }
+
+Status ResultStore::verify() const {
+    const std::lock_guard lock(state_->mutex);
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> in_file_order; // Offset, scenario.
+    in_file_order.reserve(state_->records);
+    for (const auto& [number, piece] : state_->places) {
+        for (std::uint64_t i = 0; i < places_together; ++i) {
+            if ((*piece)[i].length != 0) {
+                in_file_order.emplace_back((*piece)[i].offset, number * places_together + i);
+            }
+        }
+    }
+    std::sort(in_file_order.begin(), in_file_order.end());
+    for (const auto& [offset, scenario] : in_file_order) {
+        const Result<Bytes> record = state_->read(scenario, state_->find(scenario));
+        if (!record) {
+            return record.error();
+        }
+    }
+    return Done{};
+}
+
+// ---- Reading ------------------------------------------------------------------------------------
 
 bool ResultStore::has(std::uint64_t scenario) const {
     const std::lock_guard lock(state_->mutex);
@@ -142,9 +284,6 @@ std::uint64_t ResultStore::count() const {
 Result<ResultsPart>
 ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_max) const {
     const std::lock_guard lock(state_->mutex);
-    if (const Status status = state_->flush(); !status) {
-        return status.error();
-    }
     const std::uint64_t begin = std::min(first, state_->scenarios);
     const std::uint64_t end = begin + std::min(count, state_->scenarios - begin);
     ByteWriter records;

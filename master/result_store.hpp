@@ -1,6 +1,7 @@
-// A job's results on disk, in the order in which they came, found by scenario.
+// A job's results on disk: an append-only segment of canonical records, found by scenario.
 #pragma once
 
+#include "common/core/id.hpp"
 #include "common/core/result.hpp"
 #include "proto/message.hpp"
 
@@ -11,23 +12,65 @@
 
 namespace cd {
 
-/// An append-only file of canonical records, each behind its length and checksum. The file goes
-/// when this does. Memory: 16 bytes for each scenario answered. Any thread may call any member; all
-/// block for the disk, `add` mostly for a copy into a buffer.
+/// A record on its way into the segment.
+struct StoredRecord {
+    std::uint64_t scenario = 0;
+    std::span<const std::byte> record;
+};
+
+/// Where a record stands in the segment; a length of 0 is no record.
+struct RecordPlace {
+    std::uint64_t offset = 0; ///< Of the record's own bytes.
+    std::uint64_t length = 0;
+
+    friend bool operator==(const RecordPlace&, const RecordPlace&) = default;
+};
+
+/// The file starts with its kind, its version, its job and their checksum; then, of each record:
+///
+///     u64 length    u64 scenario    the record    u64 XXH3 of all three
+///
+/// What stands behind the committed end is of no account, and is written over. Memory: 16 bytes for
+/// each scenario answered. Any thread may call `has`, `count` and `read`; one at a time the others.
+/// All block for the disk.
 class ResultStore {
   public:
-    /// A new file in `directory`, which is made if missing. Errors: Io.
+    /// For a job that is new: the file is made by the first `write`, and what it may hold before is
+    /// of none.
+    [[nodiscard]] static std::unique_ptr<ResultStore>
+    create(const std::filesystem::path& path, JobId job, std::uint64_t scenarios);
+    /// With `end` committed bytes, whose records are told by `restore`; 0: the file need not be
+    /// there. Errors: Io, naming the file, when it is of another kind or job, or shorter.
     [[nodiscard]] static Result<std::unique_ptr<ResultStore>>
-    create(const std::filesystem::path& directory, std::uint64_t scenarios);
+    open(const std::filesystem::path& path, JobId job, std::uint64_t scenarios, std::uint64_t end);
     ResultStore(const ResultStore&) = delete;
     ResultStore& operator=(const ResultStore&) = delete;
     ~ResultStore();
 
-    /// The record of a scenario that has none yet (`has`). Errors: TooLarge, Io.
-    [[nodiscard]] Status add(std::uint64_t scenario, std::span<const std::byte> record);
+    [[nodiscard]] bool has_file() const;
+    /// Where `write` would put its first record.
+    [[nodiscard]] std::uint64_t end() const;
+    /// Where a record stands that comes behind `end`, and where the next one would.
+    [[nodiscard]] static RecordPlace place_at(std::uint64_t end, std::uint64_t length);
+    [[nodiscard]] static std::uint64_t end_of(const RecordPlace& place);
+
+    /// Writes behind the committed end, one after the other; without `commit` the next call writes
+    /// there again. A record is at least one byte and at most `limits::result_record_bytes_max`.
+    /// Errors: Io.
+    [[nodiscard]] Status write(std::span<const StoredRecord> records);
+    /// Brings what was written to the disk. Errors: Io.
+    [[nodiscard]] Status sync() const;
+    /// What was written last can be read from now on. Of several records of a scenario the last one
+    /// counts.
+    void commit();
+
+    /// A committed record. Errors: Io, when it would not lie within the committed bytes.
+    [[nodiscard]] Status restore(std::uint64_t scenario, const RecordPlace& place);
+    /// Reads all committed records against their checksums. Errors: Io, naming file and scenario.
+    [[nodiscard]] Status verify() const;
 
     [[nodiscard]] bool has(std::uint64_t scenario) const;
-    [[nodiscard]] std::uint64_t count() const; ///< Records that are here.
+    [[nodiscard]] std::uint64_t count() const; ///< Scenarios whose records can be read.
 
     /// The records of scenarios [first, first + count) up to the first that is not here or would
     /// bring the uncompressed records over `bytes_max`; one that is there is given whatever its

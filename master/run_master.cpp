@@ -8,6 +8,7 @@
 #include "master/server.hpp"
 #include "proto/signals.hpp"
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -40,6 +41,8 @@ Status run_master(const MasterConfig& config) {
     if (Status exposed = check_exposure(config.listen, config.insecure, true); !exposed) {
         return exposed;
     }
+    // A full disk or a limit of files is an error to wait with, not a reason to be killed.
+    std::signal(SIGXFSZ, SIG_IGN);
     // What is declared first ends last: whatever runs on the pools may post to the context.
     asio::io_context context(1);
     ThreadPool compute(config.threads);
@@ -47,9 +50,21 @@ Status run_master(const MasterConfig& config) {
     if (!geometry) {
         return geometry.error();
     }
+    auto journal = Journal::open({config.state, !config.no_sync});
+    if (!journal) {
+        return journal.error();
+    }
     ThreadPool blocking(blocking_threads);
-    Coordinator coordinator(
-        {context.get_executor(), *geometry.value(), compute, blocking, config.state / "jobs"});
+    Coordinator coordinator({context.get_executor(),
+                             *geometry.value(),
+                             compute,
+                             blocking,
+                             *journal.value(),
+                             config.state / "jobs",
+                             config.no_sync ? Durability::Unsynced : Durability::Synced});
+    if (Status restored = coordinator.restore(journal.value()->take_recovered()); !restored) {
+        return restored;
+    }
     const auto server = Server::listen(context.get_executor(), config.listen, coordinator);
     if (!server) {
         return server.error();

@@ -56,6 +56,7 @@ asio::awaitable<void> Server::converse(std::shared_ptr<Channel> channel) {
         co_return;
     }
     Welcome welcome;
+    welcome.cluster = coordinator_.cluster();
     welcome.version = negotiate(hello.value()).value();
     welcome.build = version;
     if (hello.value().role == Role::Peer) {

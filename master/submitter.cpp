@@ -55,6 +55,10 @@ void analyse_block(const AnalysisInput& input, AnalysedBlock& block) {
     const std::uint64_t pose_bytes = pack_scenarios(scenarios.value()).size() / places.count;
     block.scenarios.reserve(places.count);
     for (const Scenario& scenario : scenarios.value()) {
+        if (input.done != nullptr && scenario.index < input.done->size() &&
+            (*input.done)[scenario.index]) {
+            continue;
+        }
         block.scenarios.push_back(analyse_uncounted(input, scenario));
         block.scenarios.back().bytes = bytes_in_batch(block.scenarios.back(), pose_bytes);
     }

@@ -27,6 +27,9 @@ struct AnalysisInput {
     std::shared_ptr<const TreeTop> top_b;
     Query query;
     std::shared_ptr<PoseSource> poses; ///< Its `read` must bear several threads at once.
+    /// By index, up to the last: scenarios that have results since an earlier life of the master;
+    /// they are passed over. Null: none.
+    std::shared_ptr<const std::vector<bool>> done;
 };
 
 /// One scenario after the analysis: either with work for a worker, or finished.

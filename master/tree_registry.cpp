@@ -1,15 +1,31 @@
 #include "master/tree_registry.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/disk_file.hpp"
 
 namespace cd {
+
+namespace {
+
+/// Equal for equal blocks under equal roots alone.
+Sha256 name_of(const CutGeometry& geometry) {
+    ByteWriter out;
+    out.put(static_cast<std::uint8_t>(geometry.form()));
+    for (RootIndex root = 0; root < geometry.root_count(); ++root) {
+        put_hash(out, geometry.hash(root));
+    }
+    return sha256(out.bytes());
+}
+
+} // namespace
 
 TreeId TreeRegistry::acquire(const Sha256& mesh, std::shared_ptr<const CutGeometry> geometry) {
     const Key key{mesh, geometry->depth(), geometry->form()};
     const auto [place, is_new] = ids_.try_emplace(key, TreeId{last_ + 1});
     if (is_new) {
         ++last_;
-        trees_.emplace(place->second, Used{key, std::move(geometry), 0});
+        const Sha256 cut = name_of(*geometry);
+        trees_.emplace(place->second, Used{key, std::move(geometry), cut, 0});
     }
     ++trees_.at(place->second).users;
     return place->second;
@@ -24,6 +40,14 @@ bool TreeRegistry::release(TreeId tree) {
     ids_.erase(found->second.key);
     trees_.erase(found);
     return true;
+}
+
+std::vector<TreeId> TreeRegistry::all() const {
+    std::vector<TreeId> all;
+    for (const auto& [tree, used] : trees_) {
+        all.push_back(tree);
+    }
+    return all;
 }
 
 std::shared_ptr<const CutGeometry> TreeRegistry::find(TreeId tree) const {

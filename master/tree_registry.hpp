@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <vector>
 
 namespace cd {
 
@@ -21,6 +22,10 @@ class TreeRegistry {
     /// One user less. True when that was the last one: the tree is gone.
     bool release(TreeId tree);
 
+    /// The name of the tree's cut, the same in every life of the master. The tree is used.
+    [[nodiscard]] const Sha256& cut(TreeId tree) const { return trees_.at(tree).cut; }
+    /// The trees that are used.
+    [[nodiscard]] std::vector<TreeId> all() const;
     /// Null for a tree that nobody uses (any more).
     [[nodiscard]] std::shared_ptr<const CutGeometry> find(TreeId tree) const;
 
@@ -29,6 +34,7 @@ class TreeRegistry {
     struct Used {
         Key key;
         std::shared_ptr<const CutGeometry> geometry;
+        Sha256 cut;
         std::uint64_t users = 0;
     };
     std::map<Key, TreeId> ids_;

@@ -57,6 +57,10 @@ void WorkerSession::on(const Evicted& message) {
     coordinator_.evicted(worker_, message);
 }
 
+void WorkerSession::on(const Holding& message) {
+    coordinator_.cuts_held(worker_, message);
+}
+
 void WorkerSession::on(const Drain& /*message*/) {
     coordinator_.worker_draining(worker_);
 }

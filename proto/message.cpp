@@ -61,6 +61,8 @@ constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"add job", Lane::Data, limits::message_data_bytes_max},
     {"remove job", Lane::Data},
     {"scenario range", Lane::Data, limits::message_data_bytes_max},
+    {"results kept"},
+    {"holding", Lane::Control, limits::message_roots_bytes_max},
 }};
 static_assert(!kinds.back().name.empty(), "a message without a row");
 

@@ -42,6 +42,7 @@ struct Hello {
     std::uint64_t cache_bytes = 0; ///< Of a worker: the limit of its subtree cache.
     std::uint16_t peer_port = 0;   ///< Of a worker: where others fetch blocks from it; 0: nowhere.
     double weight = 1;             ///< Of a worker: multiplies its speed, where that counts.
+    std::uint64_t instance = 0;    ///< Of a worker: drawn when its process started, kept since.
 };
 
 /// A secret of the master and one worker, by which the worker knows the master's tickets.
@@ -53,6 +54,7 @@ struct Welcome {
     std::uint64_t id = 0;                         ///< A WorkerId, or the client's number.
     std::string build;
     PeerKey peer_key; ///< Of a worker; else zeros.
+    Sha256 cluster; ///< Names the master's state: numbers of jobs mean the same as long as it does.
 };
 
 /// The other side cannot or will not. To a client it answers the request before it.
@@ -82,10 +84,12 @@ struct Heartbeat {
 
 // ---- Master to worker -----------------------------------------------------------------------
 
-/// From now on the worker may be asked about this tree. Its slots are empty.
+/// From now on the worker may be asked about this tree. Its slots are empty, but for what the
+/// worker kept of the same cut from a session before.
 struct AddTree {
     TreeId tree;
     SubtreeForm form = SubtreeForm::Wide; ///< Of its blocks.
+    Sha256 cut;                           ///< Names all of its blocks; the same in every session.
     std::vector<ObbNode> top;             ///< The nodes of a `TreeTop`.
 };
 
@@ -175,12 +179,25 @@ struct WantSubtrees {
 /// Results of some of a task's scenarios, in bulk: canonical records, packed together
 /// (packed_records.hpp).
 struct Results {
-    TaskId task;
+    TaskId task; ///< 0: of a task of an earlier session.
     JobId job;
     std::uint32_t count = 0;
     Bytes records;
     QueryStatistics statistics;
     double compute_seconds = 0; ///< Summed over the worker's threads.
+    std::uint64_t sequence = 0; ///< The worker's number for the message, until it is acknowledged.
+};
+
+/// These messages of results are on the master's disk, or nobody wants them: the worker drops them.
+/// Others it sends again in its next session.
+struct ResultsKept {
+    std::vector<std::uint64_t> sequences;
+};
+
+/// First in a session: of these cuts the worker still has blocks. The master adds those trees that
+/// it uses, and the worker says Held.
+struct Holding {
+    std::vector<Sha256> cuts;
 };
 
 /// All results of the task have been sent.
@@ -337,6 +354,7 @@ struct JobStatus {
     std::uint64_t answered_by_master = 0; ///< No pair of distribution roots: no worker was asked.
     JobStatistics statistics; ///< Of the scenarios whose results came, also those that came twice.
     double compute_seconds = 0;
+    std::string paused; ///< Why it waits; empty: it does not.
 };
 
 /// Answered by JobStatus at once and whenever something changed, at most some five times a second,
@@ -366,6 +384,7 @@ struct WorkerStatus {
     std::uint64_t subtrees_sent = 0;
     std::uint64_t subtree_bytes_sent = 0;
     CacheTraffic cache;
+    bool quarantined = false; ///< A result of it was wrong: it gets nothing more.
 };
 
 struct MeshStatus {
@@ -383,6 +402,7 @@ struct ClusterStatus {
     std::vector<WorkerStatus> workers;
     std::vector<JobStatus> jobs;
     std::vector<MeshStatus> meshes;
+    std::vector<std::string> alarms; ///< What somebody has to look at, the last ones.
 };
 
 /// Answered by ResultsPart. Records exist for scenarios already merged.
@@ -482,6 +502,8 @@ using Message = std::variant<Hello,
                              Explained,
                              AddJob,
                              RemoveJob,
-                             ScenarioRange>;
+                             ScenarioRange,
+                             ResultsKept,
+                             Holding>;
 
 } // namespace cd

@@ -38,11 +38,12 @@ void serialize(Archive& archive, Hello& m) {
     archive(m.version_min, m.version_max);
     enumeration(archive, m.role, Role::Worker, Role::Peer);
     archive(m.name, m.build, m.threads, m.cache_bytes, m.peer_port, m.weight);
+    archive(m.instance);
 }
 
 template <class Archive>
 void serialize(Archive& archive, Welcome& m) {
-    archive(m.version, m.id, m.build, m.peer_key);
+    archive(m.version, m.id, m.build, m.peer_key, m.cluster);
 }
 
 template <class Archive>
@@ -71,7 +72,7 @@ template <class Archive>
 void serialize(Archive& archive, AddTree& m) {
     archive(m.tree);
     enumeration(archive, m.form, SubtreeForm::Binary, SubtreeForm::Wide);
-    archive(m.top);
+    archive(m.cut, m.top);
 }
 
 template <class Archive>
@@ -122,6 +123,17 @@ void serialize(Archive& archive, WantSubtrees& m) {
 template <class Archive>
 void serialize(Archive& archive, Results& m) {
     archive(m.task, m.job, m.count, m.records, m.statistics, m.compute_seconds);
+    archive(m.sequence);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ResultsKept& m) {
+    archive(m.sequences);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Holding& m) {
+    archive(m.cuts);
 }
 
 template <class Archive>
@@ -213,7 +225,7 @@ void serialize(Archive& archive, JobStatus& m) {
     archive(m.job, m.name);
     enumeration(archive, m.state, JobState::Running, JobState::Failed);
     archive(m.summary, m.digest, m.seconds, m.scenarios_per_second, m.failure, m.bodies);
-    archive(m.answered_by_master, m.statistics, m.compute_seconds);
+    archive(m.answered_by_master, m.statistics, m.compute_seconds, m.paused);
 }
 
 template <class Archive>
@@ -226,6 +238,7 @@ void serialize(Archive& archive, WorkerStatus& s) {
     archive(s.worker, s.name, s.threads, s.cache_bytes, s.cached_bytes, s.claimed, s.draining);
     archive(s.buffered, s.working, s.tasks, s.scenarios, s.scenarios_per_second);
     archive(s.bytes_sent, s.bytes_received, s.subtrees_sent, s.subtree_bytes_sent, s.cache);
+    archive(s.quarantined);
 }
 
 template <class Archive>
@@ -236,6 +249,7 @@ void serialize(Archive& archive, MeshStatus& s) {
 template <class Archive>
 void serialize(Archive& archive, ClusterStatus& m) {
     archive(m.build, m.uptime_seconds, m.cpu_seconds, m.workers, m.jobs, m.meshes);
+    archive(m.alarms);
 }
 
 template <class Archive>

@@ -67,6 +67,7 @@ class Daemon {
         listen_to_peers(*channel);
         hello.peer_port = peer_server_ == nullptr ? std::uint16_t{0} : peer_server_->port();
         hello.weight = config_.weight;
+        hello.instance = instance_;
         const Result<Welcome> welcome = co_await greet(channel, hello);
         if (!welcome) {
             spdlog::error("not welcome: error=\"{}\"", welcome.error().detail);
@@ -80,11 +81,13 @@ class Daemon {
                      config_.cache_bytes);
         was_welcome_ = true;
         backoff_.reset();
+        keep_->enter(welcome.value().cluster);
         session_ = std::make_shared<Session>(
             channel,
             executor_,
             config_.cache_bytes,
-            PeerParts{peer_server_, welcome.value().peer_key, config_.name});
+            PeerParts{peer_server_, welcome.value().peer_key, config_.name},
+            keep_);
         const SessionEnd how = co_await session_->run();
         const std::shared_ptr<Session> session = std::move(session_);
         if (how != SessionEnd::Lost || stopping_) {
@@ -138,7 +141,10 @@ class Daemon {
     asio::steady_timer pause_;
     Backoff backoff_;
     std::shared_ptr<PeerServer> peer_server_; ///< Null where others get nothing.
-    std::shared_ptr<Session> session_;        ///< Null while there is no master.
+    std::shared_ptr<WorkerKeep> keep_ = std::make_shared<WorkerKeep>(config_.cache_bytes);
+    const std::uint64_t instance_ = std::random_device{}() | std::uint64_t{std::random_device{}()}
+                                                                 << 32;
+    std::shared_ptr<Session> session_; ///< Null while there is no master.
     bool was_welcome_ = false;
     bool stopping_ = false;
     int exit_code_ = exit_done;

@@ -20,16 +20,19 @@ Error came_twice(TaskId task) {
 Session::Session(std::shared_ptr<Channel> channel,
                  Executor& executor,
                  std::uint64_t cache_bytes,
-                 PeerParts peers)
+                 PeerParts peers,
+                 std::shared_ptr<WorkerKeep> keep)
     : channel_(std::move(channel)),
       executor_(executor),
-      cache_(cache_bytes),
+      keep_(keep == nullptr ? std::make_shared<WorkerKeep>(cache_bytes) : std::move(keep)),
+      cache_(std::exchange(keep_->cache, SubtreeCache(cache_bytes))),
       fetcher_(cache_),
       peers_(std::move(peers)),
       links_(peers_.name),
       abandoned_(std::make_shared<std::atomic<bool>>(false)),
       heartbeat_timer_(executor_.home()),
-      flush_timer_(executor_.home()) {}
+      flush_timer_(executor_.home()),
+      last_results_timer_(executor_.home()) {}
 
 Session::~Session() {
     abandoned_->store(true);
@@ -37,6 +40,7 @@ Session::~Session() {
 
 asio::awaitable<SessionEnd> Session::run() {
     const std::shared_ptr<Session> self = shared_from_this();
+    take_up();
     spawn(executor_.home(), "heartbeats", send_heartbeats());
     serve_peers();
     while (channel_->is_open()) {
@@ -59,11 +63,34 @@ asio::awaitable<SessionEnd> Session::run() {
     }
     heartbeat_timer_.cancel();
     flush_timer_.cancel();
+    last_results_timer_.cancel();
     // One that was closed with a last word still sends it.
     if (channel_->is_open()) {
         channel_->close();
     }
+    leave();
     co_return end_;
+}
+
+/// What was kept from a session before.
+void Session::take_up() {
+    if (auto cuts = cache_.parked(); !cuts.empty()) {
+        channel_->send(Holding{std::move(cuts)});
+    }
+    const std::vector<Results> again = keep_->results.again();
+    if (!again.empty()) {
+        spdlog::info("results sent again: messages={}", again.size());
+    }
+    for (const Results& results : again) {
+        channel_->send(results);
+    }
+}
+
+/// Whatever comes back from the threads from now on finds nothing that it could change.
+void Session::leave() {
+    flush_all();
+    cache_.park();
+    keep_->cache = std::exchange(cache_, SubtreeCache(0));
 }
 
 asio::awaitable<void> Session::send_heartbeats() {
@@ -83,6 +110,9 @@ void Session::send_heartbeat() {
     traffic.evictions = cache_.evictions();
     traffic.uploaded_bytes = peers_.server == nullptr ? 0 : peers_.server->uploaded_bytes();
     channel_->send(Heartbeat{++heartbeats_, cache_.bytes(), unanswered(), traffic});
+    if (std::chrono::steady_clock::now() - began_ > limits::parked_trees_kept) {
+        cache_.drop_parked();
+    }
 }
 
 std::uint64_t Session::unanswered() const {
@@ -113,9 +143,13 @@ Status Session::handle(AddTree& add) {
         return top.error();
     }
     const std::uint32_t roots = top.value().root_count();
-    Status added = cache_.add_tree(add.tree, std::move(top.value()), add.form);
+    Status added = cache_.add_tree(add.tree, std::move(top.value()), add.form, add.cut);
     if (added) {
-        spdlog::info("tree added: tree={} roots={}", add.tree.value, roots);
+        std::vector<RootIndex> held = cache_.held(add.tree);
+        spdlog::info("tree added: tree={} roots={} held={}", add.tree.value, roots, held.size());
+        if (!held.empty()) {
+            channel_->send(Held{add.tree, std::move(held)});
+        }
     }
     return added;
 }
@@ -229,6 +263,12 @@ void Session::wait_for_subtrees(const Task& task, std::size_t scenario) {
     fetcher_.add(token, task.roots_of(scenario));
 }
 
+Status Session::handle(ResultsKept& kept) {
+    keep_->results.kept(kept.sequences);
+    settle_soon(); // There may be room for more, or nothing left to wait for.
+    return Done{};
+}
+
 Status Session::handle(Drain& /*drain*/) {
     spdlog::info("draining: the master said so");
     draining_ = true;
@@ -273,6 +313,9 @@ void Session::refuse(const Error& error) {
 // ---- What comes back from the threads -------------------------------------------------------
 
 void Session::scenario_ran(Token token, const std::optional<FinishedScenarios>& finished) {
+    if (abandoned_->load()) {
+        return; // The session is over.
+    }
     --running_;
     const auto place = places_.find(token);
     Task& task = tasks_.at(place->second.task);
@@ -287,6 +330,9 @@ void Session::scenario_ran(Token token, const std::optional<FinishedScenarios>& 
 }
 
 void Session::walked(TaskId id, Walked walked) {
+    if (abandoned_->load()) {
+        return; // The session is over.
+    }
     --running_;
     Task& task = tasks_.at(id);
     for (const SubtreeKey& key : walked.used) {
@@ -343,14 +389,34 @@ void Session::settle() {
     start_ready();
     end_finished_tasks();
     if (draining_ && tasks_.empty()) {
-        end_ = SessionEnd::Drained;
-        channel_->close(true);
+        end_when_drained();
     }
+}
+
+/// Not before the master has the last results on its disk, unless that takes too long.
+void Session::end_when_drained() {
+    if (keep_->results.empty()) {
+        end_ = SessionEnd::Drained;
+        return channel_->close(true);
+    }
+    if (std::exchange(waits_for_last_results_, true)) {
+        return;
+    }
+    last_results_timer_.expires_after(limits::results_kept_wait_max);
+    last_results_timer_.async_wait(
+        [weak = weak_from_this()](const boost::system::error_code& error) {
+            const auto session = weak.lock();
+            if (session != nullptr && !error) {
+                spdlog::warn("ending with results that the master has not acknowledged");
+                session->end_ = SessionEnd::Drained;
+                session->channel_->close(true);
+            }
+        });
 }
 
 void Session::start_ready() {
     const std::size_t running_max = limits::jobs_per_thread_max * executor_.threads();
-    while (running_ < running_max) {
+    while (running_ < running_max && keep_->results.has_room()) {
         // A master that does not take results gets no more of them.
         if (channel_->queued_bytes() >= limits::write_queue_bytes_max) {
             if (!std::exchange(waiting_for_queue_, true)) {
@@ -488,7 +554,8 @@ void Session::flush_soon() {
 }
 
 void Session::flush(Task& task) {
-    if (const auto results = task.take_results()) {
+    if (auto results = task.take_results()) {
+        keep_->results.add(*results);
         channel_->send(*results);
     }
 }

@@ -9,8 +9,10 @@
 #include "worker/subtree_cache.hpp"
 #include "worker/task.hpp"
 #include "worker/worker_job.hpp"
+#include "worker/worker_keep.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <map>
@@ -34,15 +36,16 @@ struct PeerParts {
     std::string name;                   ///< Of this worker, for the others' logs.
 };
 
-/// Holds what one master has given to this worker: trees, subtrees, tasks. All of it goes when the
-/// session ends; threads that still run for it are told to skip the rest. All members run on the
-/// channel's thread.
+/// Holds what one master has given to this worker: trees, subtrees, tasks. Subtrees, and results
+/// that are not acknowledged, stay with the worker when the session ends; threads that still run
+/// for it are told to skip the rest. All members run on the channel's thread.
 class Session : public std::enable_shared_from_this<Session> {
   public:
     Session(std::shared_ptr<Channel> channel,
             Executor& executor,
             std::uint64_t cache_bytes,
-            PeerParts peers = {});
+            PeerParts peers = {},
+            std::shared_ptr<WorkerKeep> keep = nullptr); ///< Null: nothing comes from before.
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
     ~Session();
@@ -65,6 +68,8 @@ class Session : public std::enable_shared_from_this<Session> {
         bool is_running = false; ///< At the threads.
     };
 
+    void take_up();
+    void leave();
     asio::awaitable<void> send_heartbeats();
     void send_heartbeat();
     [[nodiscard]] std::uint64_t unanswered() const; ///< Scenarios of all tasks.
@@ -78,6 +83,7 @@ class Session : public std::enable_shared_from_this<Session> {
     Status handle(RemoveJob& remove);
     Status handle(Batch& batch);
     Status handle(ScenarioRange& range);
+    Status handle(ResultsKept& kept);
     Status handle(Drain& drain);
     Status handle(Terminate& terminate);
     Status handle(Heartbeat& heartbeat);
@@ -121,10 +127,12 @@ class Session : public std::enable_shared_from_this<Session> {
     void flush(Task& task);
     void flush_all();
     void end_finished_tasks();
+    void end_when_drained();
 
     std::shared_ptr<Channel> channel_;
     Executor& executor_;
-    SubtreeCache cache_;
+    std::shared_ptr<WorkerKeep> keep_;
+    SubtreeCache cache_; ///< Taken from `keep_`, and given back.
     Fetcher fetcher_;
     PeerParts peers_;
     PeerLinks links_;
@@ -148,6 +156,9 @@ class Session : public std::enable_shared_from_this<Session> {
     std::string reason_;
     asio::steady_timer heartbeat_timer_;
     asio::steady_timer flush_timer_;
+    asio::steady_timer last_results_timer_; ///< Runs when nothing but acknowledgements is awaited.
+    bool waits_for_last_results_ = false;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 } // namespace cd

@@ -4,6 +4,7 @@
 #include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace cd {
@@ -25,11 +26,97 @@ Result<std::shared_ptr<const Subtree>> open_block(const SubtreeBlock& block) {
         std::make_shared<const Subtree>(std::move(subtree.value())));
 }
 
-Status SubtreeCache::add_tree(TreeId tree, TreeTop top, SubtreeForm form) {
-    if (!trees_.try_emplace(tree, std::move(top), form).second) {
+namespace {
+
+/// No master comes to such numbers of trees.
+constexpr std::uint64_t parked_first = std::uint64_t{1} << 63;
+
+} // namespace
+
+bool SubtreeCache::is_parked(TreeId tree) {
+    return tree.value >= parked_first;
+}
+
+void SubtreeCache::rename(TreeId from, TreeId to) {
+    auto node = trees_.extract(from);
+    node.key() = to;
+    for (Slot& slot : node.mapped().slots) {
+        if (slot.is_idle) {
+            slot.place->tree = to;
+        }
+    }
+    const bool is_new = trees_.insert(std::move(node)).inserted;
+    CD_CHECK(is_new);
+}
+
+void SubtreeCache::park() {
+    std::vector<TreeId> present;
+    for (auto& [id, tree] : trees_) {
+        for (RootIndex root = 0; root < tree.slots.size(); ++root) {
+            tree.slots[root].is_pinned = false;
+            if (tree.partial.at(root) != nullptr && !tree.slots[root].is_idle) {
+                set_idle(tree.slots[root], {id, root});
+            }
+        }
+        if (!is_parked(id)) {
+            present.push_back(id);
+        }
+    }
+    for (const TreeId id : present) {
+        rename(id, TreeId{parked_first + parked_last_++});
+    }
+    evict_beyond_limit();
+    evicted_.clear();
+}
+
+std::vector<Sha256> SubtreeCache::parked() const {
+    std::vector<Sha256> names;
+    for (const auto& [id, tree] : trees_) {
+        if (is_parked(id) && !held(id).empty()) {
+            names.push_back(tree.cut);
+        }
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+void SubtreeCache::drop_parked() {
+    while (!trees_.empty() && is_parked(trees_.rbegin()->first)) {
+        remove_tree(trees_.rbegin()->first);
+    }
+}
+
+std::vector<RootIndex> SubtreeCache::held(TreeId tree) const {
+    std::vector<RootIndex> roots;
+    if (const PartialObbTree* const partial = find(tree)) {
+        for (RootIndex root = 0; root < partial->top().root_count(); ++root) {
+            if (partial->at(root) != nullptr) {
+                roots.push_back(root);
+            }
+        }
+    }
+    return roots;
+}
+
+Status SubtreeCache::add_tree(TreeId tree, TreeTop top, SubtreeForm form, const Sha256& cut) {
+    for (const auto& [id, parked] : trees_) {
+        // The name says that the blocks are the same; whether it was given rightly is not believed.
+        if (is_parked(id) && !is_parked(tree) && parked.cut == cut && parked.form == form &&
+            parked.partial.top().nodes == top.nodes) {
+            if (trees_.contains(tree)) {
+                break;
+            }
+            rename(id, tree);
+            return Done{};
+        }
+    }
+    const auto [place, is_new] = trees_.try_emplace(tree, std::move(top), form);
+    if (!is_new || is_parked(tree)) {
         return Error{ErrorCode::BadFrame,
                      "tree " + std::to_string(tree.value) + " was added already"};
     }
+    place->second.cut = cut;
     return Done{};
 }
 
@@ -178,7 +265,9 @@ void SubtreeCache::evict_beyond_limit() {
         tree.partial.empty(key.root);
         tree.snapshot.reset();
         tree.slots[key.root].block.reset();
-        evicted_.push_back(key);
+        if (!is_parked(key.tree)) {
+            evicted_.push_back(key); // Of the others nobody was told.
+        }
         ++evictions_;
     }
 }

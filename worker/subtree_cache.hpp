@@ -32,8 +32,18 @@ class SubtreeCache {
   public:
     explicit SubtreeCache(std::uint64_t bytes_max) : bytes_max_(bytes_max) {}
 
-    /// Errors: BadFrame for a tree that is there already.
-    [[nodiscard]] Status add_tree(TreeId tree, TreeTop top, SubtreeForm form);
+    /// What is parked under this name of its blocks is there at once. Errors: BadFrame for a tree
+    /// that is there already.
+    [[nodiscard]] Status
+    add_tree(TreeId tree, TreeTop top, SubtreeForm form, const Sha256& cut = {});
+    /// The numbers of all trees mean nothing any more: they wait under their names for a tree of
+    /// the same name, and may leave like any others. Nothing is pinned.
+    void park();
+    /// The names of parked trees of which blocks are here, ascending.
+    [[nodiscard]] std::vector<Sha256> parked() const;
+    void drop_parked();
+    /// The roots whose subtrees are here, ascending.
+    [[nodiscard]] std::vector<RootIndex> held(TreeId tree) const;
     /// Frees the tree with its blocks. Unknown trees are ignored.
     void remove_tree(TreeId tree);
     /// Null for an unknown tree.
@@ -82,6 +92,7 @@ class SubtreeCache {
     struct Tree {
         Tree(TreeTop top, SubtreeForm form_of_slots)
             : partial(std::move(top)), form(form_of_slots), slots(partial.top().root_count()) {}
+        Sha256 cut;
         PartialObbTree partial;
         std::shared_ptr<const PartialObbTree> snapshot; ///< Of `partial`; null when it has changed.
         SubtreeForm form;
@@ -90,6 +101,8 @@ class SubtreeCache {
 
     /// Of a slot that is filled.
     [[nodiscard]] static std::uint64_t bytes_of(const Tree& tree, RootIndex root);
+    [[nodiscard]] static bool is_parked(TreeId tree);
+    void rename(TreeId from, TreeId to);
     Tree* find_tree(const SubtreeKey& key); ///< Null also for a root out of range.
     void set_idle(Slot& slot, const SubtreeKey& key);
     void evict_beyond_limit();
@@ -100,6 +113,7 @@ class SubtreeCache {
     std::list<SubtreeKey> idle_; ///< Filled and not pinned; the longest unused first.
     std::vector<SubtreeKey> evicted_;
     std::uint64_t evictions_ = 0;
+    std::uint64_t parked_last_ = 0; ///< Parked trees have numbers of their own.
 };
 
 } // namespace cd

@@ -82,7 +82,7 @@ struct CutBody {
 
 std::uint64_t top_message_bytes(const TreeTop& top) {
     return frame_header_bytes +
-           encode_message(AddTree{TreeId{1}, SubtreeForm::Wide, top.nodes}).size();
+           encode_message(AddTree{TreeId{1}, SubtreeForm::Wide, {}, top.nodes}).size();
 }
 
 /// Opens the block as a worker does, and measures that.

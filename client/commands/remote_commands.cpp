@@ -135,8 +135,8 @@ int execute(const WatchCommand& command) {
         return fail(job.error());
     }
     const auto style = ProgressPrinter::style_for(command.quiet || command.only_wait);
-    const auto status =
-        watch_job(*connection.value(), job.value().status.job, job.value().id, style);
+    const auto status = watch_job(
+        command.master, connection.value(), job.value().status.job, job.value().id, style);
     if (!status) {
         return fail(status.error());
     }

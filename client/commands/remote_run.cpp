@@ -80,8 +80,11 @@ int run_on_master(const RunCommand& command, PreparedJob& job) {
         return fail(id.error());
     }
     const std::string text = job_id_text(id.value());
-    const auto status =
-        watch_job(*connection.value(), id.value(), text, ProgressPrinter::style_for(command.quiet));
+    const auto status = watch_job(command.master,
+                                  connection.value(),
+                                  id.value(),
+                                  text,
+                                  ProgressPrinter::style_for(command.quiet));
     if (!status) {
         return fail_and_cancel(*connection.value(), id.value(), status.error());
     }

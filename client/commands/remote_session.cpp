@@ -5,7 +5,9 @@
 #include "client/words.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <thread>
 
 namespace cd {
 
@@ -18,6 +20,21 @@ std::string mesh_name(const ClusterStatus& status, const Sha256& mesh) {
                                     status.meshes.end(),
                                     [&](const MeshStatus& each) { return each.mesh == mesh; });
     return found == status.meshes.end() || found->name.empty() ? to_short_hex(mesh) : found->name;
+}
+
+constexpr std::chrono::seconds come_back_max{60};
+constexpr std::chrono::milliseconds come_back_poll{300};
+
+Result<std::unique_ptr<Connection>> open_again(const MasterOptions& master) {
+    const auto give_up_at = std::chrono::steady_clock::now() + come_back_max;
+    for (;;) {
+        auto opened = open_master(master);
+        if (opened || opened.error().code != ErrorCode::Disconnected ||
+            std::chrono::steady_clock::now() > give_up_at) {
+            return opened;
+        }
+        std::this_thread::sleep_for(come_back_poll);
+    }
 }
 
 } // namespace
@@ -81,19 +98,32 @@ Result<KnownJob> find_known_job(Connection& connection, const std::string& text)
     return known;
 }
 
-Result<JobStatus> watch_job(Connection& connection,
+Result<JobStatus> watch_job(const MasterOptions& master,
+                            std::unique_ptr<Connection>& connection,
                             JobId job,
                             const std::string& id,
                             ProgressPrinter::Style progress) {
     ProgressPrinter printer(progress);
-    return connection.watch(job, [&](const JobStatus& status) {
+    const auto show = [&](const JobStatus& status) {
         const ProgressState state{id, status.summary, status.seconds};
         if (status.state == JobState::Running) {
             printer.update(state);
         } else {
             printer.finish(state);
         }
-    });
+    };
+    for (;;) {
+        Result<JobStatus> status = connection->watch(job, show);
+        if (status || status.error().code != ErrorCode::Disconnected) {
+            return status;
+        }
+        std::fprintf(stderr, "cdctl: the master is gone; waiting for it to come back\n");
+        auto again = open_again(master);
+        if (!again) {
+            return again.error();
+        }
+        connection = std::move(again.value());
+    }
 }
 
 Status fetch_results(Connection& connection,

@@ -39,18 +39,6 @@ int make_unique(std::string& stem) {
     return ::mkostemp(stem.data(), O_CLOEXEC);
 }
 
-/// A name is on the disk only once its directory is.
-Status sync_directory(const std::filesystem::path& directory) {
-    const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) {
-        return io_failure("open", directory);
-    }
-    const bool failed = ::fsync(descriptor) != 0;
-    const Error error = io_failure("sync", directory);
-    ::close(descriptor);
-    return failed ? Status(error) : Status(Done{});
-}
-
 } // namespace
 
 FileMapping::~FileMapping() {
@@ -106,6 +94,14 @@ Result<DiskFile> DiskFile::create_for(const std::filesystem::path& path) {
         return io_failure("create", name);
     }
     return DiskFile(descriptor, path, name);
+}
+
+Result<DiskFile> DiskFile::open_to_write(const std::filesystem::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0) {
+        return io_failure("open", path);
+    }
+    return DiskFile(descriptor, path, {});
 }
 
 Result<DiskFile> DiskFile::create_nameless(const std::filesystem::path& directory) {
@@ -185,6 +181,20 @@ Result<std::uint64_t> DiskFile::size() const {
     return static_cast<std::uint64_t>(facts.st_size);
 }
 
+Status DiskFile::resize(std::uint64_t size) const {
+    if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) {
+        return io_failure("resize", path_);
+    }
+    return Done{};
+}
+
+Status DiskFile::sync() const {
+    if (::fdatasync(descriptor_) != 0) {
+        return io_failure("sync", path_);
+    }
+    return Done{};
+}
+
 Result<FileMapping> DiskFile::map() const {
     const Result<std::uint64_t> size = this->size();
     if (!size) {
@@ -214,6 +224,11 @@ Status DiskFile::commit(Durability durability) {
     return synced ? sync_directory(path_.parent_path()) : Status(Done{});
 }
 
+Status DiskFile::commit_as(const std::filesystem::path& path, Durability durability) {
+    path_ = path;
+    return commit(durability);
+}
+
 Status make_directories(const std::filesystem::path& directory) {
     std::error_code error;
     std::filesystem::create_directories(directory, error);
@@ -221,6 +236,17 @@ Status make_directories(const std::filesystem::path& directory) {
         return Error{ErrorCode::Io, "cannot create " + directory.string() + ": " + error.message()};
     }
     return Done{};
+}
+
+Status sync_directory(const std::filesystem::path& directory) {
+    const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) {
+        return io_failure("open", directory);
+    }
+    const bool failed = ::fsync(descriptor) != 0;
+    const Error error = io_failure("sync", directory);
+    ::close(descriptor);
+    return failed ? Status(error) : Status(Done{});
 }
 
 Status set_aside(const std::filesystem::path& path, const std::string& why) {

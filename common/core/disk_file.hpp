@@ -40,6 +40,8 @@ class DiskFile {
     [[nodiscard]] static Result<DiskFile> open(const std::filesystem::path& path);
     /// To write and read: a temporary file beside `path`, gone with this object unless `commit`ted.
     [[nodiscard]] static Result<DiskFile> create_for(const std::filesystem::path& path);
+    /// To write and read: the file of that name, made if missing.
+    [[nodiscard]] static Result<DiskFile> open_to_write(const std::filesystem::path& path);
     /// To write and read: a file in `directory` that has no name, and so goes with this object or
     /// with the process.
     [[nodiscard]] static Result<DiskFile> create_nameless(const std::filesystem::path& directory);
@@ -57,12 +59,20 @@ class DiskFile {
     [[nodiscard]] Result<Bytes> read_at(std::uint64_t offset, std::uint64_t size) const;
     [[nodiscard]] Result<std::uint64_t> size() const;
 
+    /// Cuts the file off, or fills it with zeros, so that it has this size.
+    [[nodiscard]] Status resize(std::uint64_t size) const;
+    /// Brings all that was written to the disk.
+    [[nodiscard]] Status sync() const;
+
     /// All of it, also after this object is gone.
     [[nodiscard]] Result<FileMapping> map() const;
 
     /// Brings the bytes to the disk if they are to be synced, then gives the file its name, in one
     /// step.
     [[nodiscard]] Status commit(Durability durability = Durability::Synced);
+    /// The same under another name in the same folder.
+    [[nodiscard]] Status commit_as(const std::filesystem::path& path,
+                                   Durability durability = Durability::Synced);
 
     /// The name, also while the file does not have it yet.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -80,6 +90,8 @@ class DiskFile {
 inline constexpr std::string_view temporary_marker = ".tmp-";
 
 [[nodiscard]] Status make_directories(const std::filesystem::path& directory);
+/// Brings the names of a folder's files to the disk.
+[[nodiscard]] Status sync_directory(const std::filesystem::path& directory);
 
 /// Moves a damaged file out of the way, to the first free name `PATH.damaged-N`, and logs it.
 [[nodiscard]] Status set_aside(const std::filesystem::path& path, const std::string& why);

@@ -66,6 +66,15 @@ inline constexpr std::size_t watches_max = 64;                       ///< Of one
 inline constexpr std::size_t peer_sources_max = 3;                   ///< Named for one fetch.
 inline constexpr std::size_t peer_unreachable_by_max = 2; ///< Then nobody is sent there any more.
 
+// The journal.
+inline constexpr std::size_t journal_group_rows = 256; ///< Then a commit waits no longer.
+inline constexpr std::chrono::milliseconds journal_group_period{5};  ///< Between two commits.
+inline constexpr std::size_t journal_commit_rows_max = 8192;         ///< In one commit,
+inline constexpr std::uint64_t journal_commit_bytes_max = 64u << 20; ///< and of records.
+inline constexpr std::uint64_t journal_queue_bytes_max = 256u
+                                                         << 20; ///< Then workers are read later.
+inline constexpr std::chrono::milliseconds journal_retry_period{500}; ///< With a full disk.
+
 // Matching by time. What is not measured yet is taken to be so.
 inline constexpr double link_bytes_per_second_start = 125e6;  ///< 1 Gb/s.
 inline constexpr double block_seconds = 20e-6;                ///< To ask for a block and open it.
@@ -88,7 +97,11 @@ inline constexpr std::chrono::milliseconds results_flush_period{50};
 inline constexpr double walk_seconds = 0.001; ///< What a thread walks at once.
 inline constexpr std::size_t walk_scenarios_max = 256;
 inline constexpr std::size_t walked_waiting_max = 4096; ///< For subtrees; then nothing is walked.
-inline constexpr std::size_t jobs_per_thread_max = 4;   ///< Begun or queued for the threads.
+inline constexpr std::uint64_t results_unkept_bytes_max = 64u << 20; ///< Not acknowledged;
+inline constexpr std::size_t results_unkept_messages_max = 1u << 14; ///< then it begins nothing.
+inline constexpr std::chrono::seconds results_kept_wait_max{5};      ///< When it drains.
+inline constexpr std::chrono::minutes parked_trees_kept{10}; ///< Of a session before, unused.
+inline constexpr std::size_t jobs_per_thread_max = 4;        ///< Begun or queued for the threads.
 inline constexpr std::uint32_t worker_threads_max = 4096;
 inline constexpr std::size_t peer_uploads_max = 2;        ///< That one worker serves at a time.
 inline constexpr std::size_t peer_connections_max = 64;   ///< From other workers; then they wait.
@@ -112,6 +125,7 @@ inline constexpr std::chrono::seconds answer_timeout{30}; ///< A client's, for w
 inline constexpr std::chrono::seconds mesh_stored_timeout{3600}; ///< And for what does.
 inline constexpr std::chrono::hours client_idle_max{24};
 inline constexpr std::chrono::milliseconds watch_period{200};
+inline constexpr std::chrono::seconds cancel_wait_max{10}; ///< For the disk.
 inline constexpr std::chrono::milliseconds accept_retry_period{100};
 inline constexpr std::chrono::seconds stop_grace{5}; ///< For what is under way when a program ends.
 inline constexpr std::chrono::seconds write_stall_max{30}; ///< One frame; then the peer is lost.

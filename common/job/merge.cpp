@@ -4,28 +4,37 @@
 
 namespace cd {
 
+ScenarioFacts facts_of(const ScenarioResult& result) {
+    return {result.kind, result.surfaces_only, result.is_cut(), result.pair_count};
+}
+
 ResultMerger::ResultMerger(std::uint64_t scenarios) {
     summary_.total = scenarios;
 }
 
 ResultMerger::Outcome ResultMerger::add(const ScenarioResult& result) {
-    return add(result, digest_of(result));
+    return add(result, cd::digest_of(result));
 }
 
 ResultMerger::Outcome ResultMerger::add(const ScenarioResult& result, const Sha256& digest) {
-    if (result.index >= summary_.total) {
+    return add(result.index, facts_of(result), digest);
+}
+
+ResultMerger::Outcome
+ResultMerger::add(std::uint64_t index, const ScenarioFacts& facts, const Sha256& digest) {
+    if (index >= summary_.total) {
         return Outcome::Foreign;
     }
-    if (has(result.index)) {
-        return digests_[result.index] == digest ? Outcome::Repeated : Outcome::Differs;
+    if (has(index)) {
+        return digests_[index] == digest ? Outcome::Repeated : Outcome::Differs;
     }
-    if (result.index >= digests_.size()) {
-        digests_.resize(result.index + 1);
-        merged_.resize(result.index + 1);
+    if (index >= digests_.size()) {
+        digests_.resize(index + 1);
+        merged_.resize(index + 1);
     }
-    digests_[result.index] = digest;
-    merged_[result.index] = true;
-    count(result);
+    digests_[index] = digest;
+    merged_[index] = true;
+    count(facts);
     return Outcome::Added;
 }
 
@@ -33,33 +42,44 @@ bool ResultMerger::has(std::uint64_t index) const {
     return index < merged_.size() && merged_[index];
 }
 
-void ResultMerger::count(const ScenarioResult& result) {
-    switch (result.kind) {
+void ResultMerger::correct(std::uint64_t index,
+                           const ScenarioFacts& wrong,
+                           const ScenarioFacts& right,
+                           const Sha256& digest) {
+    CD_CHECK(has(index));
+    digests_[index] = digest;
+    --count_of(wrong.kind);
+    summary_.pairs -= wrong.pair_count;
+    summary_.surfaces_only -= wrong.surfaces_only ? 1 : 0;
+    summary_.cut -= wrong.is_cut ? 1 : 0;
+    count(right);
+}
+
+std::uint64_t& ResultMerger::count_of(ScenarioClass kind) {
+    switch (kind) {
     case ScenarioClass::Separate:
-        ++summary_.separate;
-        break;
+        return summary_.separate;
     case ScenarioClass::Touch:
-        ++summary_.touch;
-        break;
+        return summary_.touch;
     case ScenarioClass::Cross:
-        ++summary_.cross;
-        break;
+        return summary_.cross;
     case ScenarioClass::Inside:
-        ++summary_.inside;
-        break;
+        return summary_.inside;
     case ScenarioClass::Contact:
-        ++summary_.contact;
-        break;
+        return summary_.contact;
     case ScenarioClass::Undecided:
-        ++summary_.undecided;
-        break;
+        return summary_.undecided;
     case ScenarioClass::Failed:
-        ++summary_.failed;
         break;
     }
-    summary_.pairs += result.pair_count;
-    summary_.surfaces_only += result.surfaces_only ? 1 : 0;
-    summary_.cut += result.is_cut() ? 1 : 0;
+    return summary_.failed;
+}
+
+void ResultMerger::count(const ScenarioFacts& facts) {
+    ++count_of(facts.kind);
+    summary_.pairs += facts.pair_count;
+    summary_.surfaces_only += facts.surfaces_only ? 1 : 0;
+    summary_.cut += facts.is_cut ? 1 : 0;
 }
 
 std::optional<Sha256> ResultMerger::digest() const {

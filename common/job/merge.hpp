@@ -32,6 +32,17 @@ struct Summary {
     [[nodiscard]] bool is_complete() const { return merged() == total; }
 };
 
+/// What a summary counts of a result.
+struct ScenarioFacts {
+    ScenarioClass kind = ScenarioClass::Separate;
+    bool surfaces_only = false;
+    bool is_cut = false;
+    std::uint64_t pair_count = 0;
+
+    friend bool operator==(const ScenarioFacts&, const ScenarioFacts&) = default;
+};
+[[nodiscard]] ScenarioFacts facts_of(const ScenarioResult& result);
+
 /// The merge is idempotent by scenario: of several results for one, the first counts and later ones
 /// are compared with it. Memory: a hash for each scenario up to the last that came.
 class ResultMerger {
@@ -48,7 +59,18 @@ class ResultMerger {
     [[nodiscard]] Outcome add(const ScenarioResult& result);
     /// The same for a result whose record is at hand: `digest` is the record's SHA-256.
     [[nodiscard]] Outcome add(const ScenarioResult& result, const Sha256& digest);
+    /// The same for a result of which only this is known any more.
+    [[nodiscard]] Outcome
+    add(std::uint64_t index, const ScenarioFacts& facts, const Sha256& digest);
+    /// Replaces a result that turned out to be wrong. `wrong` are the facts of that one. It is
+    /// here.
+    void correct(std::uint64_t index,
+                 const ScenarioFacts& wrong,
+                 const ScenarioFacts& right,
+                 const Sha256& digest);
     [[nodiscard]] bool has(std::uint64_t index) const;
+    /// Of a result that is here.
+    [[nodiscard]] const Sha256& digest_of(std::uint64_t index) const { return digests_[index]; }
 
     [[nodiscard]] const Summary& summary() const { return summary_; }
 
@@ -56,7 +78,8 @@ class ResultMerger {
     [[nodiscard]] std::optional<Sha256> digest() const;
 
   private:
-    void count(const ScenarioResult& result);
+    [[nodiscard]] std::uint64_t& count_of(ScenarioClass kind);
+    void count(const ScenarioFacts& facts);
 
     // Both grow with the scenarios that came, so that a job's claimed size costs nothing.
     std::vector<Sha256> digests_;

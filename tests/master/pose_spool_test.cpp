@@ -104,10 +104,54 @@ TEST_F(PoseSpoolTest, RefusesBytesThatAreNoScenarios) {
     EXPECT_EQ(spool->count(), 0u);
 }
 
-TEST_F(PoseSpoolTest, LeavesNoFile) {
-    const auto spool = make_spool(10);
-    ASSERT_TRUE(spool->append(pack_scenarios(make_scenarios(10))));
+TEST_F(PoseSpoolTest, LeavesNoFileUnlessItWasSealed) {
+    {
+        const auto spool = make_spool(10);
+        ASSERT_TRUE(spool->append(pack_scenarios(make_scenarios(10))));
+    }
     EXPECT_TRUE(std::filesystem::is_empty(folder_ / "spool"));
+}
+
+TEST_F(PoseSpoolTest, ASealedOneComesBack) {
+    for (const std::uint64_t count : {std::uint64_t{0},
+                                      std::uint64_t{1},
+                                      limits::spool_run_scenarios,
+                                      3 * limits::spool_run_scenarios + 100}) {
+        const auto scenarios = make_scenarios(count);
+        {
+            const auto spool = make_spool(count);
+            ASSERT_TRUE(spool->append(pack_scenarios(scenarios)));
+            ASSERT_TRUE(spool->seal(folder_ / "spool/1.poses", Durability::Synced));
+            EXPECT_EQ(spool->count(), count);
+            EXPECT_EQ(spool->read(0, count).value(), scenarios);
+        }
+        const auto spool = PoseSpool::open(folder_ / "spool/1.poses", count);
+        ASSERT_TRUE(spool) << spool.error().detail;
+        EXPECT_TRUE(spool.value()->verify());
+        EXPECT_EQ(spool.value()->count(), count);
+        EXPECT_EQ(spool.value()->read(0, count).value(), scenarios);
+        EXPECT_FALSE(PoseSpool::open(folder_ / "spool/1.poses", count + 1));
+    }
+    EXPECT_FALSE(PoseSpool::open(folder_ / "spool/2.poses", 1));
+}
+
+TEST_F(PoseSpoolTest, EveryFlippedByteOfASealedOneIsSeen) {
+    const auto path = folder_ / "spool/1.poses";
+    {
+        const auto spool = make_spool(300);
+        ASSERT_TRUE(spool->append(pack_scenarios(make_scenarios(300))));
+        ASSERT_TRUE(spool->seal(path, Durability::Unsynced));
+    }
+    const std::string good = read_text(path);
+    for (std::size_t byte = 0; byte < good.size(); byte += byte + 200 < good.size() ? 37 : 1) {
+        std::string bad = good;
+        bad[byte] = static_cast<char>(bad[byte] ^ 4);
+        write_text(path, bad);
+        const auto spool = PoseSpool::open(path, 300);
+        const Status status = spool ? spool.value()->verify() : Status(spool.error());
+        ASSERT_FALSE(status) << "byte " << byte;
+        EXPECT_NE(status.error().detail.find("1.poses"), std::string::npos);
+    }
 }
 
 } // namespace

@@ -39,10 +39,20 @@ std::vector<Bytes> records_of(const ResultsPart& part) {
 class ResultStoreTest : public testing::Test {
   protected:
     std::unique_ptr<ResultStore> make_store(std::uint64_t scenarios) {
-        return std::move(ResultStore::create(folder_ / "results", scenarios).value());
+        return ResultStore::create(path(), JobId{7}, scenarios);
     }
+    [[nodiscard]] std::filesystem::path path() const { return folder_ / "7.results"; }
     TemporaryFolder folder_;
 };
+
+Status add(ResultStore& store, std::uint64_t scenario, const Bytes& record) {
+    const StoredRecord one{scenario, record};
+    Status written = store.write(std::span(&one, 1));
+    if (written) {
+        store.commit();
+    }
+    return written;
+}
 
 TEST_F(ResultStoreTest, GivesRecordsInTheOrderOfScenarios) {
     constexpr std::uint64_t count = 3000;
@@ -53,7 +63,7 @@ TEST_F(ResultStoreTest, GivesRecordsInTheOrderOfScenarios) {
     }
     for (const std::uint64_t i : order) {
         EXPECT_FALSE(store->has(i));
-        ASSERT_TRUE(store->add(i, make_record(i, 1 + i % 2000))); // Over one buffer in all.
+        ASSERT_TRUE(add(*store, i, make_record(i, 1 + i % 2000))); // Over one buffer in all.
         EXPECT_TRUE(store->has(i));
     }
     EXPECT_EQ(store->count(), count);
@@ -78,7 +88,7 @@ TEST_F(ResultStoreTest, GivesRecordsInTheOrderOfScenarios) {
 TEST_F(ResultStoreTest, StopsAtTheFirstThatIsMissing) {
     const auto store = make_store(10);
     for (const std::uint64_t i : {0, 1, 2, 4, 9}) {
-        ASSERT_TRUE(store->add(i, make_record(i, 5)));
+        ASSERT_TRUE(add(*store, i, make_record(i, 5)));
     }
     EXPECT_EQ(store->read(0, 10, 1000).value().count, 3u);
     EXPECT_EQ(store->read(1, 1, 1000).value().count, 1u);
@@ -91,9 +101,9 @@ TEST_F(ResultStoreTest, StopsAtTheFirstThatIsMissing) {
 
 TEST_F(ResultStoreTest, OneRecordOverTheLimitIsGivenAlone) {
     const auto store = make_store(3);
-    ASSERT_TRUE(store->add(0, make_record(0, 10)));
-    ASSERT_TRUE(store->add(1, make_record(1, 3 * limits::result_buffer_bytes_max)));
-    ASSERT_TRUE(store->add(2, make_record(2, 10)));
+    ASSERT_TRUE(add(*store, 0, make_record(0, 10)));
+    ASSERT_TRUE(add(*store, 1, make_record(1, 3 * limits::result_buffer_bytes_max)));
+    ASSERT_TRUE(add(*store, 2, make_record(2, 10)));
     EXPECT_EQ(store->read(0, 3, 100).value().count, 1u);
     const auto part = store->read(1, 3, 100).value();
     ASSERT_EQ(part.count, 1u);
@@ -102,15 +112,87 @@ TEST_F(ResultStoreTest, OneRecordOverTheLimitIsGivenAlone) {
 
 TEST_F(ResultStoreTest, AJobOfAnAbsurdSizeTakesNoMemoryUntilItHasResults) {
     const auto store = make_store(limits::scenarios_max);
-    ASSERT_TRUE(store->add(limits::scenarios_max - 1, make_record(1, 10)));
+    ASSERT_TRUE(add(*store, limits::scenarios_max - 1, make_record(1, 10)));
     EXPECT_EQ(store->count(), 1u);
     EXPECT_EQ(store->read(limits::scenarios_max - 1, 5, 100).value().count, 1u);
 }
 
-TEST_F(ResultStoreTest, LeavesNoFile) {
-    const auto store = make_store(1);
-    ASSERT_TRUE(store->add(0, make_record(0, 10)));
-    EXPECT_TRUE(std::filesystem::is_empty(folder_ / "results"));
+TEST_F(ResultStoreTest, WhatIsNotCommittedIsNotThereAndIsWrittenOver) {
+    const auto store = make_store(3);
+    const Bytes first = make_record(0, 100);
+    const Bytes second = make_record(1, 60);
+    const StoredRecord dropped{0, first};
+    ASSERT_TRUE(store->write(std::span(&dropped, 1)));
+    EXPECT_FALSE(store->has(0));
+    ASSERT_TRUE(add(*store, 1, second));
+    EXPECT_EQ(store->count(), 1u);
+    EXPECT_EQ(records_of(store->read(1, 1, 1000).value())[0], second);
+    EXPECT_TRUE(store->verify());
+}
+
+TEST_F(ResultStoreTest, TheLastOfSeveralRecordsOfAScenarioCounts) {
+    const auto store = make_store(3);
+    ASSERT_TRUE(add(*store, 1, make_record(0, 100)));
+    ASSERT_TRUE(add(*store, 1, make_record(1, 60)));
+    EXPECT_EQ(store->count(), 1u);
+    EXPECT_EQ(records_of(store->read(1, 1, 1000).value())[0], make_record(1, 60));
+}
+
+TEST_F(ResultStoreTest, ComesBackAsItWasUpToWhatWasCommitted) {
+    std::uint64_t end = 0;
+    {
+        const auto store = make_store(100);
+        for (std::uint64_t i = 0; i < 50; ++i) {
+            ASSERT_TRUE(add(*store, i, make_record(i, 1 + 7 * i)));
+        }
+        end = store->end();
+        const Bytes lost = make_record(70, 30);
+        const StoredRecord uncommitted{70, lost};
+        ASSERT_TRUE(store->write(std::span(&uncommitted, 1)));
+    }
+    const auto store = std::move(ResultStore::open(path(), JobId{7}, 100, end).value());
+    std::uint64_t at = ResultStore::create(folder_ / "empty", JobId{7}, 1)->end();
+    for (std::uint64_t i = 0; i < 50; ++i) {
+        const RecordPlace place = ResultStore::place_at(at, 1 + 7 * i);
+        ASSERT_TRUE(store->restore(i, place));
+        at = ResultStore::end_of(place);
+    }
+    EXPECT_EQ(at, end);
+    EXPECT_TRUE(store->verify());
+    EXPECT_EQ(store->count(), 50u);
+    EXPECT_EQ(records_of(store->read(0, 100, 1u << 20).value())[49], make_record(49, 1 + 7 * 49));
+    EXPECT_FALSE(store->restore(60, {end, 5})) << "a record behind the end";
+    EXPECT_FALSE(ResultStore::open(path(), JobId{8}, 100, end)) << "of another job";
+    EXPECT_FALSE(ResultStore::open(path(), JobId{7}, 100, end + 1000)) << "cut short";
+    EXPECT_FALSE(ResultStore::open(folder_ / "none", JobId{7}, 100, end)) << "not there";
+}
+
+TEST_F(ResultStoreTest, EveryFlippedByteIsSeenAndNamed) {
+    std::uint64_t end = 0;
+    {
+        const auto store = make_store(4);
+        for (std::uint64_t i = 0; i < 4; ++i) {
+            ASSERT_TRUE(add(*store, i, make_record(i, 10 + i)));
+        }
+        end = store->end();
+    }
+    const std::string good = read_text(path());
+    for (std::size_t byte = 0; byte < good.size(); ++byte) {
+        std::string bad = good;
+        bad[byte] = static_cast<char>(bad[byte] ^ 0x10);
+        write_text(path(), bad);
+        const auto store = ResultStore::open(path(), JobId{7}, 4, end);
+        Status status = store ? Status(Done{}) : Status(store.error());
+        std::uint64_t at = 28; // The header.
+        for (std::uint64_t i = 0; status && i < 4; ++i) {
+            const RecordPlace place = ResultStore::place_at(at, 10 + i);
+            status = store.value()->restore(i, place);
+            at = ResultStore::end_of(place);
+        }
+        status = status ? store.value()->verify() : status;
+        ASSERT_FALSE(status) << "byte " << byte;
+        EXPECT_NE(status.error().detail.find("7.results"), std::string::npos);
+    }
 }
 
 } // namespace

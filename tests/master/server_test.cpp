@@ -27,7 +27,10 @@ constexpr auto patience = 60s;
 /// A whole master on one context, which the test runs.
 class Master {
   public:
-    Master() { server->start(); }
+    Master() {
+        EXPECT_TRUE(coordinator.restore(journal->take_recovered()));
+        server->start();
+    }
     ~Master() {
         server->close();
         context.run_for(patience);
@@ -49,9 +52,11 @@ class Master {
     ThreadPool compute{2};
     std::unique_ptr<GeometryStore> store =
         std::move(GeometryStore::open(folder.path(), compute).value());
+    std::unique_ptr<Journal> journal =
+        std::move(Journal::open({.directory = folder.path(), .synced = false}).value());
     ThreadPool blocking{2};
     Coordinator coordinator{
-        {context.get_executor(), *store, compute, blocking, folder.path() / "jobs"}};
+        {context.get_executor(), *store, compute, blocking, *journal, folder.path() / "jobs"}};
     std::unique_ptr<Server> server =
         std::move(Server::listen(context.get_executor(), {"127.0.0.1", 0}, coordinator).value());
 };
@@ -78,6 +83,8 @@ class FakeWorker {
         std::uint64_t dies_at_batch = 0; ///< Counted from 1; 0 lives on.
         std::uint64_t dies_at_range = 0; ///< The same.
         bool answers_twice = false;
+        bool lies_first = false;  ///< It answers wrongly, then rightly;
+        bool lies_second = false; ///< or the other way round.
         bool sends_rubbish = false;
         bool forgets_one = false;    ///< Once, it ends a task without an answer.
         bool holds_too_much = false; ///< Roots that the tree does not have.
@@ -218,6 +225,24 @@ class FakeWorker {
         }
     }
 
+    /// As if nothing had touched anything.
+    static Results false_results(Results results) {
+        const Bytes records = unpack_records(results.records, 1u << 30).value();
+        ByteReader in(records);
+        ByteWriter out;
+        for (std::uint32_t i = 0; i < results.count; ++i) {
+            ScenarioResult result = decode_result(in.get_bytes(in.get<std::uint32_t>())).value();
+            result.kind = ScenarioClass::Separate;
+            result.pair_count = 0;
+            result.pairs.clear();
+            const Bytes record = encode_result(result);
+            out.put(static_cast<std::uint32_t>(record.size()));
+            out.put_array(std::span(reinterpret_cast<const char*>(record.data()), record.size()));
+        }
+        results.records = pack_records(out.bytes());
+        return results;
+    }
+
     void compute(const Batch& batch, const AddJob& job) {
         const auto scenarios = unpack_scenarios(batch.scenarios).value();
         Results results;
@@ -243,7 +268,13 @@ class FakeWorker {
         if (habits_.sends_rubbish) {
             results.records.resize(results.records.size() / 2);
         }
+        if (habits_.lies_first) {
+            channel_->send(false_results(results));
+        }
         channel_->send(results);
+        if (habits_.lies_second) {
+            channel_->send(false_results(results));
+        }
         if (habits_.answers_twice) {
             channel_->send(results);
         }
@@ -501,6 +532,24 @@ TEST(Server, RepeatedAndForgottenAnswersDoNoHarm) {
     client.start(reference().submission());
     master.run_until([&] { return client.done; });
     expect_right(client);
+}
+
+TEST(Server, OfResultsThatDifferTheRightOneStaysAndTheWorkerIsQuarantined) {
+    for (const FakeWorker::Habits habits :
+         {FakeWorker::Habits{.lies_first = true}, FakeWorker::Habits{.lies_second = true}}) {
+        Master master;
+        FakeWorker liar(master, habits);
+        Client client(master);
+        client.start(reference().submission());
+        master.run_until([&] {
+            const ClusterStatus status = master.coordinator.cluster_status();
+            return status.workers.size() == 1 && status.workers[0].quarantined;
+        });
+        EXPECT_FALSE(master.coordinator.cluster_status().alarms.empty());
+        FakeWorker good(master, {});
+        master.run_until([&] { return client.done; });
+        expect_right(client);
+    }
 }
 
 TEST(Server, AWorkerThatSendsRubbishOrHoldsWhatDoesNotExistIsCutOff) {

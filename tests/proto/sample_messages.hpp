@@ -65,6 +65,7 @@ inline JobStatus some_job_status() {
     status.answered_by_master = 12;
     status.statistics = {some_statistics(), {21, 4.5, {}}};
     status.compute_seconds = 3.5;
+    status.paused = "no space";
     return status;
 }
 
@@ -86,6 +87,7 @@ inline WorkerStatus some_worker_status() {
     status.subtrees_sent = 18;
     status.subtree_bytes_sent = 19;
     status.cache = {20, 21, 22, 23, 24, 25};
+    status.quarantined = true;
     return status;
 }
 
@@ -113,18 +115,18 @@ inline Submit some_submit() {
 /// In the order of their numbers.
 inline std::vector<Message> sample_messages() {
     return {
-        Hello{1, 4, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321, 1.5},
-        Welcome{1, 42, "0.1.0", some_hash(17)},
+        Hello{1, 4, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321, 1.5, 99},
+        Welcome{1, 42, "0.1.0", some_hash(17), some_hash(18)},
         Failure{ErrorCode::NotFound, "no job 7"},
         Heartbeat{1, 2, 3, {4, 5, 6, 7, 8, 9}},
-        AddTree{TreeId{1}, SubtreeForm::Wide, {some_node(1), some_node(2)}},
+        AddTree{TreeId{1}, SubtreeForm::Wide, some_hash(6), {some_node(1), some_node(2)}},
         RemoveTree{TreeId{5}},
         Subtrees{TreeId{6}, {{3, some_hash(9), some_bytes(40)}, {4, some_hash(8), {}}}},
         some_batch(),
         Drain{},
         Terminate{"the operator said so"},
         WantSubtrees{TreeId{2}, {1, 5, 9}},
-        Results{TaskId{1}, JobId{2}, 3, some_bytes(30), some_statistics(), 0.25},
+        Results{TaskId{1}, JobId{2}, 3, some_bytes(30), some_statistics(), 0.25, 17},
         EndOfTask{TaskId{7}},
         Evicted{TreeId{2}, {0, 8}},
         MeshesQuery{{some_hash(1), some_hash(2)}},
@@ -143,7 +145,8 @@ inline std::vector<Message> sample_messages() {
                       3.25,
                       {some_worker_status()},
                       {some_job_status()},
-                      {{some_hash(1), "sedan.obj", 5, 6, 0.5}}},
+                      {{some_hash(1), "sedan.obj", 5, 6, 0.5}},
+                      {"results differ"}},
         ResultsQuery{JobId{1}, 2, 3},
         ResultsPart{JobId{1}, 2, 3, some_bytes(30)},
         Cancel{JobId{8}},
@@ -167,6 +170,8 @@ inline std::vector<Message> sample_messages() {
         AddJob{JobId{2}, TreeId{3}, TreeId{4}, some_query(), some_bytes(9)},
         RemoveJob{JobId{2}},
         ScenarioRange{TaskId{1}, JobId{2}, 3, 4, some_bytes(20)},
+        ResultsKept{{3, 5, 4}},
+        Holding{{some_hash(1), some_hash(2)}},
     };
 }
 

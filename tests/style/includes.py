@@ -21,6 +21,7 @@ LAYERS = {
 DOORS = {
     r"Eigen/": ["common/geometry", "common/tree", "common/job", "client"],
     r"openssl/": ["common/core/hash.cpp"],
+    r"sqlite3\.h": ["master/journal_database.cpp"],
     r"xxhash\.h": ["common/core/hash.cpp"],
     r"zstd\.h": ["common/core/compress.cpp"],
     r"spdlog/(?!fmt/)": ["common/core"],

@@ -25,6 +25,7 @@ class Process {
     ~Process();
 
     void signal(int number) const;
+    [[nodiscard]] pid_t id() const { return pid_; }
     /// Its exit code, or 128 + the signal that ended it. Waits; killed (and nothing returned) when
     /// `limit` passes.
     [[nodiscard]] std::optional<int> wait(std::chrono::seconds limit = std::chrono::seconds(120));

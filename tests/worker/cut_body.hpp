@@ -25,6 +25,7 @@ struct CutBody {
         AddTree message;
         message.tree = id;
         message.form = form;
+        message.cut = blocks.front().hash;
         message.top = top.nodes;
         return message;
     }

@@ -6,6 +6,7 @@
 #include "common/core/limits.hpp"
 #include "common/job/packed_records.hpp"
 #include "tests/proto/loopback.hpp"
+#include "tests/proto/sample_messages.hpp"
 #include "tests/worker/cut_body.hpp"
 
 #include <gmock/gmock.h>
@@ -116,6 +117,10 @@ class FakeMaster {
     void on(const Results& results) {
         EXPECT_FALSE(ended.contains(results.task));
         ++results_messages;
+        tasks_of_results.insert(results.task);
+        if (acknowledges) {
+            channel->send(ResultsKept{{results.sequence}});
+        }
         const Bytes bytes = unpack_records(results.records, limits::results_bytes_max).value();
         ByteReader in(bytes);
         for (std::uint32_t i = 0; i < results.count; ++i) {
@@ -129,6 +134,7 @@ class FakeMaster {
         EXPECT_TRUE(in.complete());
     }
     void on(const EndOfTask& end_of_task) { EXPECT_TRUE(ended.insert(end_of_task.task).second); }
+    void on(const Holding& holding) { cuts_held = holding.cuts; }
     void on(const Heartbeat&) { ++heartbeats; }
     void on(const Drain&) { worker_drains = true; }
     void on(const Failure& failure) { complaint = failure.detail; }
@@ -141,6 +147,9 @@ class FakeMaster {
     std::set<SubtreeKey> held;
     std::map<std::uint64_t, Bytes> records;
     std::set<TaskId> ended;
+    std::set<TaskId> tasks_of_results;
+    std::vector<Sha256> cuts_held; ///< That it named at its start.
+    bool acknowledges = true;
     std::size_t subtrees_sent = 0;
     std::size_t subtrees_evicted = 0;
     std::size_t results_messages = 0;
@@ -170,12 +179,14 @@ asio::awaitable<void> play_on(asio::io_context& context,
                               std::uint64_t cache_bytes,
                               const Play& play,
                               bool adds_job,
+                              const std::shared_ptr<WorkerKeep>& keep,
                               std::optional<SessionEnd>& how) {
     Ends ends = co_await connect_greeted_ends();
-    Stage stage{std::make_shared<Session>(std::move(ends.left), executor, cache_bytes),
-                FakeMaster(std::move(ends.right)),
-                how,
-                executor};
+    Stage stage{
+        std::make_shared<Session>(std::move(ends.left), executor, cache_bytes, PeerParts{}, keep),
+        FakeMaster(std::move(ends.right)),
+        how,
+        executor};
     spawn(context.get_executor(), "session", run_session(stage.session, how));
     if (adds_job) {
         stage.master.add_job();
@@ -185,13 +196,16 @@ asio::awaitable<void> play_on(asio::io_context& context,
 }
 
 /// Runs to the end of the play and of the session; says how the session ended.
-std::optional<SessionEnd>
-perform(std::uint64_t cache_bytes, unsigned threads, const Play& play, bool adds_job = true) {
+std::optional<SessionEnd> perform(std::uint64_t cache_bytes,
+                                  unsigned threads,
+                                  const Play& play,
+                                  bool adds_job = true,
+                                  const std::shared_ptr<WorkerKeep>& keep = nullptr) {
     asio::io_context context;
     Executor executor(context.get_executor(), threads);
     std::optional<SessionEnd> how;
     asio::co_spawn(context,
-                   play_on(context, executor, cache_bytes, play, adds_job, how),
+                   play_on(context, executor, cache_bytes, play, adds_job, keep, how),
                    [](const std::exception_ptr& thrown) { EXPECT_FALSE(thrown); });
     context.run_for(patience);
     EXPECT_TRUE(context.stopped()) << "something is still under way";
@@ -352,6 +366,56 @@ TEST(Session, WhatWaitsForARemovedTreeIsDroppedWithIt) {
     });
 }
 
+TEST(Session, WhatIsNotAcknowledgedIsSentAgainAndSubtreesAreKept) {
+    const auto keep = std::make_shared<WorkerKeep>(unlimited);
+    keep->enter(some_hash(1));
+    const auto scenarios = make_scenarios(600, 30);
+    std::map<std::uint64_t, Bytes> first_time;
+    const Play first = [&](Stage& stage) -> asio::awaitable<void> {
+        stage.master.acknowledges = false;
+        stage.master.channel->send(make_batch(TaskId{1}, scenarios));
+        co_await stage.master.serve_until_ended(1);
+        EXPECT_TRUE(stage.master.cuts_held.empty());
+        first_time = stage.master.records;
+    };
+    perform(unlimited, 1, first, true, keep);
+    keep->enter(some_hash(1));
+
+    const auto more = make_scenarios(630, 10);
+    const Play second = [&](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        for (RootIndex root = 0; root < bodies().a.blocks.size(); ++root) {
+            master.held.insert({tree_a, root}); // So that asking for one is an error.
+        }
+        for (RootIndex root = 0; root < bodies().b.blocks.size(); ++root) {
+            master.held.insert({tree_b, root});
+        }
+        master.channel->send(make_batch(TaskId{1}, scenarios));
+        // The results of before come first, and count for no task of now.
+        while (master.records.size() < scenarios.size()) {
+            Result<Message> message = co_await master.channel->receive(patience);
+            EXPECT_TRUE(message);
+            if (!message) {
+                co_return;
+            }
+            std::visit([&](auto& content) { master.on(content); }, message.value());
+        }
+        EXPECT_EQ(master.records, first_time);
+        EXPECT_EQ(master.tasks_of_results, std::set<TaskId>{TaskId{0}});
+        EXPECT_EQ(master.cuts_held.size(), 2u);
+        master.records.clear();
+        co_await master.serve_until_ended(1);
+        expect_all_right(master, scenarios);
+        EXPECT_EQ(master.subtrees_sent, 0u);
+    };
+    perform(unlimited, 1, second, true, keep);
+    keep->enter(some_hash(1));
+    EXPECT_TRUE(keep->results.empty()) << "all were acknowledged";
+    EXPECT_EQ(keep->cache.parked().size(), 2u);
+    keep->enter(some_hash(2));
+    EXPECT_TRUE(keep->cache.parked().empty()) << "of another cluster";
+}
+
 TEST(Session, DrainAnswersAllThenCloses) {
     const auto how = perform(unlimited, 2, [](Stage& stage) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(400, 20);
@@ -461,7 +525,8 @@ TEST(Session, DisagreementEndsTheConnectionWithAReason) {
     few_offsets.pair_offsets = {0};
     EXPECT_THAT(complaint_about(few_offsets), testing::HasSubstr("number of scenarios"));
 
-    EXPECT_NE(complaint_about(AddTree{TreeId{9}, SubtreeForm::Wide, {ObbNode{}, ObbNode{}}}), "");
+    EXPECT_NE(complaint_about(AddTree{TreeId{9}, SubtreeForm::Wide, {}, {ObbNode{}, ObbNode{}}}),
+              "");
     EXPECT_NE(complaint_about(bodies().a.add(tree_a)), "") << "twice";
     EXPECT_THAT(complaint_about(Accepted{JobId{1}}), testing::HasSubstr("accepted"));
 

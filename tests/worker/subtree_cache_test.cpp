@@ -13,6 +13,12 @@ namespace {
 constexpr TreeId tree{7};
 constexpr std::uint64_t unlimited = std::uint64_t{1} << 40;
 
+Sha256 some_name(unsigned char number) {
+    Sha256 name;
+    name.bytes[7] = std::byte{number};
+    return name;
+}
+
 /// Eight or so subtrees of about the same size.
 class SubtreeCacheTest : public testing::Test {
   protected:
@@ -148,6 +154,64 @@ TEST_F(SubtreeCacheTest, BytesThatAreNoBlockAreRefusedWhateverTheirHash) {
     block.compressed = compress(nonsense, compression_level_fast);
     block.hash = sha256(nonsense);
     EXPECT_FALSE(open_block(block)) << "no subtree";
+}
+
+TEST_F(SubtreeCacheTest, AParkedTreeComesBackUnderAnotherNumberWithWhatItHad) {
+    const Sha256 cut = some_name(1);
+    SubtreeCache cache(unlimited);
+    ASSERT_TRUE(cache.add_tree(tree, body.top, body.form, cut));
+    for (const RootIndex root : {1u, 3u, 4u}) {
+        insert(cache, root);
+    }
+    cache.pin({tree, 3});
+    cache.park();
+    EXPECT_EQ(cache.find(tree), nullptr);
+    EXPECT_EQ(cache.parked(), std::vector<Sha256>{cut});
+
+    const TreeId other{1};
+    ASSERT_TRUE(cache.add_tree(other, body.top, body.form, cut));
+    EXPECT_EQ(cache.held(other), (std::vector<RootIndex>{1, 3, 4}));
+    EXPECT_NE(cache.at({other, 3}), nullptr);
+    EXPECT_TRUE(cache.parked().empty());
+    cache.pin({other, 3});
+    cache.unpin({other, 3});
+    cache.remove_tree(other);
+    EXPECT_EQ(cache.bytes(), 0u);
+}
+
+TEST_F(SubtreeCacheTest, OnlyTheSameCutInTheSameFormBringsAParkedTreeBack) {
+    const Sha256 cut = some_name(1);
+    SubtreeCache cache(unlimited);
+    ASSERT_TRUE(cache.add_tree(tree, body.top, body.form, cut));
+    insert(cache, 1);
+    cache.park();
+    ASSERT_TRUE(cache.add_tree(TreeId{1}, body.top, body.form, some_name(2)));
+    ASSERT_TRUE(cache.add_tree(TreeId{2}, body.top, SubtreeForm::Binary, cut));
+    const CutBody larger = cut_body(make_sphere(3), 4);
+    ASSERT_TRUE(cache.add_tree(TreeId{3}, larger.top, larger.form, cut));
+    for (const TreeId id : {TreeId{1}, TreeId{2}, TreeId{3}}) {
+        EXPECT_TRUE(cache.held(id).empty());
+    }
+    EXPECT_EQ(cache.parked().size(), 1u);
+    cache.drop_parked();
+    EXPECT_TRUE(cache.parked().empty());
+    EXPECT_EQ(cache.bytes(), 0u);
+}
+
+TEST_F(SubtreeCacheTest, ParkedSubtreesLeaveFirstAndNobodyIsTold) {
+    SubtreeCache cache(bytes_of({0, 1, 2}));
+    ASSERT_TRUE(cache.add_tree(tree, body.top, body.form, some_name(1)));
+    insert(cache, 0);
+    insert(cache, 1);
+    cache.park();
+    ASSERT_TRUE(cache.add_tree(tree, body.top, body.form, some_name(2)));
+    for (const RootIndex root : {2u, 3u, 4u}) {
+        insert(cache, root);
+    }
+    EXPECT_LE(cache.bytes(), cache.bytes_max());
+    EXPECT_TRUE(cache.take_evicted().empty());
+    EXPECT_EQ(cache.held(tree), (std::vector<RootIndex>{2, 3, 4}));
+    EXPECT_TRUE(cache.parked().empty());
 }
 
 } // namespace

@@ -1,0 +1,109 @@
+#include "master/check_state.hpp"
+
+#include "common/core/disk_file.hpp"
+#include "master/journal.hpp"
+#include "master/mesh_file.hpp"
+#include "master/pose_spool.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+namespace {
+
+class Check {
+  public:
+    explicit Check(const std::filesystem::path& directory) : directory_(directory) {}
+
+    StateReport run() {
+        std::error_code ignored;
+        if (!std::filesystem::is_directory(directory_, ignored)) {
+            problem(directory_.string() + " is no directory");
+            return std::move(report_);
+        }
+        // Held until the end: no master starts meanwhile.
+        const Result<DiskFile> lock = DiskFile::lock(directory_ / "lock");
+        if (!lock) {
+            problem(lock.error().detail);
+            return std::move(report_);
+        }
+        check_journal();
+        check_meshes();
+        report_.lines.push_back(report_.is_sound ? "the state is sound"
+                                                 : "the state is damaged; nothing was changed");
+        return std::move(report_);
+    }
+
+  private:
+    void problem(const std::string& text) {
+        report_.is_sound = false;
+        report_.lines.push_back("PROBLEM: " + text);
+    }
+    void note(const Status& status) {
+        if (!status) {
+            problem(status.error().detail);
+        }
+    }
+
+    void check_journal() {
+        const auto journal = Journal::open(
+            {.directory = directory_, .synced = true, .create = false, .check_records = false});
+        if (!journal) {
+            return problem(journal.error().detail);
+        }
+        std::uint64_t running = 0;
+        std::uint64_t results = 0;
+        const Recovered recovered = journal.value()->take_recovered();
+        for (const RecoveredJob& job : recovered.jobs) {
+            results += job.results->count();
+            note(job.results->verify());
+            if (!job.end) {
+                ++running;
+                check_poses(job.record, journal.value()->poses_path(job.record.id));
+            }
+        }
+        report_.lines.push_back("journal: " + std::to_string(recovered.jobs.size()) + " jobs, " +
+                                std::to_string(running) + " of them unfinished, " +
+                                std::to_string(results) + " results");
+    }
+
+    void check_poses(const JobRecord& job, const std::filesystem::path& path) {
+        if (job.submit.grid) {
+            return;
+        }
+        const auto spool = PoseSpool::open(path, job.submit.scenarios);
+        note(spool ? spool.value()->verify() : Status(spool.error()));
+    }
+
+    void check_meshes() {
+        std::vector<std::filesystem::path> paths;
+        std::error_code ignored;
+        for (const auto& file :
+             std::filesystem::directory_iterator(directory_ / "meshes", ignored)) {
+            if (file.path().extension() == mesh_suffix) {
+                paths.push_back(file.path());
+            }
+        }
+        std::sort(paths.begin(), paths.end());
+        for (const auto& path : paths) {
+            const std::optional<Sha256> hash = sha256_from_hex(path.stem().string());
+            if (!hash) {
+                problem(path.string() + " is not named by a hash");
+            } else if (const auto mesh = read_mesh(path, *hash); !mesh) {
+                problem(mesh.error().detail);
+            }
+        }
+        report_.lines.push_back("meshes: " + std::to_string(paths.size()));
+    }
+
+    const std::filesystem::path& directory_;
+    StateReport report_;
+};
+
+} // namespace
+
+StateReport check_state(const std::filesystem::path& directory) {
+    return Check(directory).run();
+}
+
+} // namespace cd

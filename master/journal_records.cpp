@@ -1,0 +1,266 @@
+#include "master/journal_records.hpp"
+
+#include "common/core/disk_file.hpp"
+#include "common/core/varint.hpp"
+
+namespace cd {
+
+namespace {
+
+constexpr std::uint8_t flag_surfaces_only = 1;
+constexpr std::uint8_t flag_cut = 2;
+
+Error damaged(const char* what) {
+    return {ErrorCode::BadFrame, std::string(what) + " that is none"};
+}
+
+/// False where the bytes end before that many could be there, so that a damaged count costs
+/// nothing.
+bool may_hold(const ByteReader& in, std::uint64_t count, std::uint64_t bytes_each) {
+    return count <= in.remaining() / bytes_each;
+}
+
+template <class Enumeration>
+bool get_enumeration(ByteReader& in, Enumeration& value, Enumeration last) {
+    const auto number = in.get<std::uint8_t>();
+    value = static_cast<Enumeration>(number);
+    return number <= static_cast<std::uint8_t>(last);
+}
+
+template <class Enumeration>
+void put_enumeration(ByteWriter& out, Enumeration value) {
+    out.put(static_cast<std::uint8_t>(value));
+}
+
+void put_query(ByteWriter& out, const Query& query) {
+    put_enumeration(out, query.level);
+    out.put(query.tolerance);
+    out.put(query.limit_pairs);
+    out.put(std::uint64_t{query.ignored.size()});
+    for (const IgnoredRange& range : query.ignored) {
+        for (const std::uint32_t value : {range.a_begin, range.a_end, range.b_begin, range.b_end}) {
+            out.put(value);
+        }
+    }
+}
+
+bool get_query(ByteReader& in, Query& query) {
+    const bool is_level = get_enumeration(in, query.level, Level::Contacts);
+    query.tolerance = in.get<double>();
+    query.limit_pairs = in.get<std::uint64_t>();
+    const auto count = in.get<std::uint64_t>();
+    if (!is_level || !may_hold(in, count, 4 * sizeof(std::uint32_t))) {
+        return false;
+    }
+    for (std::uint64_t i = 0; i < count; ++i) {
+        IgnoredRange range;
+        for (std::uint32_t* value : {&range.a_begin, &range.a_end, &range.b_begin, &range.b_end}) {
+            *value = in.get<std::uint32_t>();
+        }
+        query.ignored.push_back(range);
+    }
+    return true;
+}
+
+void put_cluster(ByteWriter& out, const ClusterOptions& cluster) {
+    put_enumeration(out, cluster.strategy);
+    for (const std::uint32_t value : {cluster.depth_a, cluster.depth_b, cluster.q, cluster.v_kb}) {
+        out.put(value);
+    }
+    out.put(cluster.claim);
+    out.put(cluster.seed);
+    put_enumeration(out, cluster.analysis);
+}
+
+bool get_cluster(ByteReader& in, ClusterOptions& cluster) {
+    const bool is_strategy = get_enumeration(in, cluster.strategy, Strategy::EarliestFinish);
+    for (std::uint32_t* value : {&cluster.depth_a, &cluster.depth_b, &cluster.q, &cluster.v_kb}) {
+        *value = in.get<std::uint32_t>();
+    }
+    cluster.claim = in.get<std::uint8_t>() != 0;
+    cluster.seed = in.get<std::uint64_t>();
+    return is_strategy && get_enumeration(in, cluster.analysis, AnalysisMode::Never);
+}
+
+void put_statistics(ByteWriter& out, const JobStatistics& statistics) {
+    out.put(statistics.search.box_tests);
+    out.put(statistics.search.triangle_tests);
+    for (const std::uint64_t settled : statistics.search.decisions.settled) {
+        out.put(settled);
+    }
+    out.put(statistics.inside.scenarios);
+    out.put(statistics.inside.seconds);
+}
+
+JobStatistics get_statistics(ByteReader& in) {
+    JobStatistics statistics;
+    statistics.search.box_tests = in.get<std::uint64_t>();
+    statistics.search.triangle_tests = in.get<std::uint64_t>();
+    for (auto& settled : statistics.search.decisions.settled) {
+        settled = in.get<std::uint64_t>();
+    }
+    statistics.inside.scenarios = in.get<std::uint64_t>();
+    statistics.inside.seconds = in.get<double>();
+    return statistics;
+}
+
+void put_row(ByteWriter& out, const ResultRow& row, std::uint64_t before) {
+    put_varint(out, zigzag(static_cast<std::int64_t>(row.scenario - before)));
+    put_varint(out, row.length);
+    put_enumeration(out, row.facts.kind);
+    const int flags =
+        (row.facts.surfaces_only ? flag_surfaces_only : 0) | (row.facts.is_cut ? flag_cut : 0);
+    out.put(static_cast<std::uint8_t>(flags));
+    put_varint(out, row.facts.pair_count);
+    put_hash(out, row.digest);
+}
+
+bool get_row(ByteReader& in, ResultRow& row, std::uint64_t before) {
+    const auto step = get_varint(in);
+    const auto length = get_varint(in);
+    const bool is_class = get_enumeration(in, row.facts.kind, ScenarioClass::Failed);
+    const auto flags = in.get<std::uint8_t>();
+    const auto pairs = get_varint(in);
+    row.digest = get_hash(in);
+    if (!step || !length || !pairs || !is_class || flags > (flag_surfaces_only | flag_cut)) {
+        return false;
+    }
+    row.scenario = before + static_cast<std::uint64_t>(unzigzag(*step));
+    row.length = *length;
+    row.facts.surfaces_only = (flags & flag_surfaces_only) != 0;
+    row.facts.is_cut = (flags & flag_cut) != 0;
+    row.facts.pair_count = *pairs;
+    return !in.failed();
+}
+
+} // namespace
+
+Bytes encode_job(const JobRecord& job) {
+    const Submit& submit = job.submit;
+    ByteWriter out;
+    out.put(job.id.value);
+    out.put_text(submit.name);
+    out.put(std::uint64_t{submit.bodies.size()});
+    for (const Sha256& body : submit.bodies) {
+        put_hash(out, body);
+    }
+    put_query(out, submit.query);
+    put_cluster(out, submit.cluster);
+    out.put(submit.scenarios);
+    out.put(submit.grid.has_value());
+    if (submit.grid) {
+        out.put(std::uint64_t{submit.grid->size()});
+        put_bytes(out, *submit.grid);
+    }
+    return out.take();
+}
+
+Result<JobRecord> decode_job(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    JobRecord job;
+    job.id = JobId{in.get<std::uint64_t>()};
+    job.submit.name = in.get_text();
+    const auto bodies = in.get<std::uint64_t>();
+    if (!may_hold(in, bodies, sizeof(Sha256))) {
+        return damaged("a job");
+    }
+    for (std::uint64_t i = 0; i < bodies; ++i) {
+        job.submit.bodies.push_back(get_hash(in));
+    }
+    if (!get_query(in, job.submit.query) || !get_cluster(in, job.submit.cluster)) {
+        return damaged("a job");
+    }
+    job.submit.scenarios = in.get<std::uint64_t>();
+    if (in.get<std::uint8_t>() != 0) {
+        const auto grid = in.get_bytes(in.get<std::uint64_t>());
+        job.submit.grid.emplace(grid.begin(), grid.end());
+    }
+    if (!in.complete()) {
+        return damaged("a job");
+    }
+    return job;
+}
+
+Bytes encode_progress(const JobProgress& progress) {
+    ByteWriter out;
+    out.put(progress.seconds);
+    out.put(progress.answered_by_master);
+    put_statistics(out, progress.statistics);
+    out.put(progress.compute_seconds);
+    return out.take();
+}
+
+Result<JobProgress> decode_progress(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    JobProgress progress;
+    progress.seconds = in.get<double>();
+    progress.answered_by_master = in.get<std::uint64_t>();
+    progress.statistics = get_statistics(in);
+    progress.compute_seconds = in.get<double>();
+    if (!in.complete()) {
+        return damaged("a job's progress");
+    }
+    return progress;
+}
+
+Bytes encode_end(const JobEnd& end) {
+    ByteWriter out;
+    put_enumeration(out, end.state);
+    out.put_text(end.failure);
+    out.put(end.digest.has_value());
+    if (end.digest) {
+        put_hash(out, *end.digest);
+    }
+    return out.take();
+}
+
+Result<JobEnd> decode_end(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    JobEnd end;
+    const bool is_state = get_enumeration(in, end.state, JobState::Failed);
+    end.failure = in.get_text();
+    if (in.get<std::uint8_t>() != 0) {
+        end.digest = get_hash(in);
+    }
+    if (!is_state || !in.complete()) {
+        return damaged("the end of a job");
+    }
+    return end;
+}
+
+Bytes encode_group(const ResultGroup& group) {
+    ByteWriter out;
+    out.put(group.begin);
+    put_varint(out, group.rows.size());
+    std::uint64_t before = 0;
+    for (const ResultRow& row : group.rows) {
+        put_row(out, row, before);
+        before = row.scenario;
+    }
+    return out.take();
+}
+
+Result<ResultGroup> decode_group(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    ResultGroup group;
+    group.begin = in.get<std::uint64_t>();
+    const auto count = get_varint(in);
+    if (!count || !may_hold(in, *count, sizeof(Sha256))) {
+        return damaged("a group of results");
+    }
+    std::uint64_t before = 0;
+    for (std::uint64_t i = 0; i < *count; ++i) {
+        ResultRow row;
+        if (!get_row(in, row, before)) {
+            return damaged("a group of results");
+        }
+        before = row.scenario;
+        group.rows.push_back(row);
+    }
+    if (!in.complete()) {
+        return damaged("a group of results");
+    }
+    return group;
+}
+
+} // namespace cd

@@ -1,0 +1,422 @@
+// Proves that a master killed at any moment loses nothing: started again on the same state it goes
+// on, workers come back by themselves with what they hold and what was not acknowledged, nothing
+// that is done is done again, and the digest is that of one process.
+#include "client/job_id.hpp"
+#include "tests/cluster/cluster_fixture.hpp"
+
+#include <sys/resource.h>
+
+#include <csignal>
+#include <functional>
+#include <set>
+#include <thread>
+
+namespace cd::tests {
+namespace {
+
+/// A master that is killed and started again, always on the port that the system chose first.
+class MortalMaster {
+  public:
+    explicit MortalMaster(const TemporaryFolder& folder) : folder_(folder) { start(); }
+
+    void start(const std::vector<std::string>& options = {}) {
+        std::filesystem::remove(folder_ / "port");
+        std::vector<std::string> command{program("cdmaster").string(),
+                                         "--listen",
+                                         "127.0.0.1:" + std::to_string(port_),
+                                         "--port-file",
+                                         folder_ / "port",
+                                         "--state",
+                                         folder_ / "state"};
+        command.insert(command.end(), options.begin(), options.end());
+        ++lives;
+        process_ = std::make_unique<Process>(command, folder_ / ("life" + std::to_string(lives)));
+        while (!std::filesystem::exists(folder_ / "port") && process_->is_running()) {
+            std::this_thread::yield();
+        }
+        ASSERT_TRUE(process_->is_running()) << process_->errors();
+        port_ = static_cast<std::uint16_t>(std::stoi(read_text(folder_ / "port")));
+    }
+
+    void kill() {
+        process_->signal(SIGKILL);
+        EXPECT_EQ(process_->wait(), 128 + SIGKILL);
+    }
+
+    [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
+    [[nodiscard]] Process& process() { return *process_; }
+    /// What the master of the present life has logged.
+    [[nodiscard]] std::string log() const { return process_->errors(); }
+
+    int lives = 0;
+
+  private:
+    const TemporaryFolder& folder_;
+    std::uint16_t port_ = 0;
+    std::unique_ptr<Process> process_;
+};
+
+class Restart : public testing::Test {
+  protected:
+    [[nodiscard]] std::unique_ptr<Connection> connect() {
+        auto opened = Connection::open(master_.address(), false, [] { return false; });
+        EXPECT_TRUE(opened) << opened.error().detail;
+        return opened ? std::move(opened.value()) : nullptr;
+    }
+
+    Process& start_worker(unsigned threads = 1, const std::vector<std::string>& options = {}) {
+        const std::string name = "worker" + std::to_string(workers_.size());
+        std::vector<std::string> command{program("cdworker").string(),
+                                         "--master",
+                                         master_.address(),
+                                         "--threads",
+                                         std::to_string(threads),
+                                         "--name",
+                                         name};
+        command.insert(command.end(), options.begin(), options.end());
+        workers_.push_back(std::make_unique<Process>(std::move(command), folder_ / name));
+        return *workers_.back();
+    }
+
+    static JobId submit(Connection& connection, const Job& job, const Query& query) {
+        const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()},
+                                            {"b", job.b->mesh_pointer()}};
+        const Status uploaded = connection.upload(meshes, [](auto&&...) {});
+        EXPECT_TRUE(uploaded) << uploaded.error().detail;
+        Submit message;
+        message.name = "test";
+        message.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+        message.query = query;
+        const auto poses = make_list_source(job.scenarios);
+        const auto accepted = connection.submit(message, *poses);
+        EXPECT_TRUE(accepted) << accepted.error().detail;
+        return accepted ? accepted.value() : JobId{};
+    }
+
+    /// Watches until so many scenarios are merged, or the job has ended.
+    static JobStatus watch_until(Connection& connection, JobId job, std::uint64_t merged) {
+        JobStatus last;
+        for (;;) {
+            const auto status = connection.status();
+            EXPECT_TRUE(status) << status.error().detail;
+            if (!status) {
+                return last;
+            }
+            for (const JobStatus& each : status.value().jobs) {
+                if (each.job == job) {
+                    last = each;
+                }
+            }
+            if (last.summary.merged() >= merged || last.state != JobState::Running) {
+                return last;
+            }
+        }
+    }
+
+    static JobStatus finish(Connection& connection, JobId job) {
+        const auto status = connection.watch(job, [](const JobStatus&) {});
+        EXPECT_TRUE(status) << status.error().detail;
+        return status ? status.value() : JobStatus{};
+    }
+
+    static std::uint64_t fetched(Connection& connection, const JobStatus& job) {
+        ResultMerger merger(job.summary.total);
+        const Status fetched =
+            connection.fetch(job.job, 0, job.summary.total, [&](const ScenarioResult& result) {
+                (void)merger.add(result);
+                return Status(Done{});
+            });
+        EXPECT_TRUE(fetched) << fetched.error().detail;
+        EXPECT_EQ(merger.digest(), job.digest);
+        return merger.summary().merged();
+    }
+
+    TemporaryFolder folder_;
+    MortalMaster master_{folder_};
+    std::vector<std::unique_ptr<Process>> workers_;
+};
+
+TEST_F(Restart, AJobGoesOnHoweverOftenTheMasterIsKilled) {
+    const Job job = make_job(6000);
+    const Query query;
+    start_worker();
+    start_worker();
+    auto connection = connect();
+    const JobId id = submit(*connection, job, query);
+    std::uint64_t before = 0;
+    int killed = 0;
+    for (const std::uint64_t point : {1u, 1200u, 2500u, 4000u, 5500u}) {
+        const JobStatus status = watch_until(*connection, id, point);
+        if (status.state != JobState::Running) {
+            break;
+        }
+        EXPECT_GE(status.summary.merged(), before);
+        connection.reset();
+        master_.kill();
+        ++killed;
+        master_.start();
+        connection = connect();
+        const auto now = connection->status();
+        ASSERT_TRUE(now);
+        ASSERT_EQ(now.value().jobs.size(), 1u);
+        EXPECT_EQ(now.value().jobs[0].job, id);
+        before = now.value().jobs[0].summary.merged();
+    }
+    EXPECT_GE(killed, 3);
+    const JobStatus status = finish(*connection, id);
+    EXPECT_EQ(status.state, JobState::Done) << status.failure;
+    EXPECT_EQ(status.digest, job.digest_in_one_process(query));
+    EXPECT_EQ(fetched(*connection, status), 6000u);
+    EXPECT_TRUE(workers_[0]->is_running());
+    EXPECT_TRUE(workers_[1]->is_running());
+}
+
+TEST_F(Restart, WhatIsDoneIsNotDoneAgainAndNoSubtreeIsSentAgain) {
+    const Job job = make_job(4000);
+    const Query query;
+    start_worker();
+    start_worker();
+    auto connection = connect();
+    const JobId id = submit(*connection, job, query);
+    const JobStatus before = watch_until(*connection, id, 2500);
+    ASSERT_EQ(before.state, JobState::Running);
+    connection.reset();
+    master_.kill();
+    master_.start();
+    connection = connect();
+    const JobStatus status = finish(*connection, id);
+    EXPECT_EQ(status.digest, job.digest_in_one_process(query));
+    const auto cluster = connection->status();
+    ASSERT_TRUE(cluster);
+    ASSERT_EQ(cluster.value().workers.size(), 2u);
+    std::uint64_t answered = 0;
+    for (const WorkerStatus& worker : cluster.value().workers) {
+        EXPECT_EQ(worker.subtrees_sent, 0u) << "a subtree was sent again";
+        EXPECT_EQ(worker.cache.peer_bytes, 0u);
+        answered += worker.scenarios;
+    }
+    // Of what was seen as merged, at most what two groups of commits hold was not on the disk.
+    EXPECT_LE(answered, 4000 - 2500 + 600u);
+    EXPECT_GT(answered, 0u);
+}
+
+/// Does something before the poses of one place are read.
+class InterruptedPoses final : public PoseSource {
+  public:
+    InterruptedPoses(std::vector<Scenario> scenarios,
+                     std::uint64_t place,
+                     std::function<void()> action)
+        : all_(make_list_source(std::move(scenarios))), place_(place), action_(std::move(action)) {}
+
+    [[nodiscard]] std::uint64_t count() const override { return all_->count(); }
+    [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
+                                                     std::uint64_t count) override {
+        if (first <= place_ && place_ < first + count) {
+            action_();
+        }
+        return all_->read(first, count);
+    }
+
+  private:
+    std::unique_ptr<PoseSource> all_;
+    std::uint64_t place_;
+    std::function<void()> action_;
+};
+
+TEST_F(Restart, KilledWhileAJobIsSubmittedItKnowsTheJobOrNothing) {
+    constexpr std::uint64_t scenarios = 9000; // Three messages of poses.
+    const Job job = make_job(scenarios);
+    const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()}, {"b", job.b->mesh_pointer()}};
+    Submit message;
+    message.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+    std::set<JobId> promised;
+    // Killed at the start and in the middle of an upload; before the first poses, and the last;
+    // and as soon as the job is accepted.
+    for (const int moment : {0, 1, 2, 3, 4}) {
+        auto connection = connect();
+        int pieces = 0;
+        const Status uploaded = connection->upload(meshes, [&](auto&&...) {
+            if (moment < 2 && pieces++ == moment) {
+                master_.kill();
+            }
+        });
+        EXPECT_EQ(bool(uploaded), moment >= 2);
+        if (uploaded) {
+            const std::uint64_t place = moment == 2 ? 0 : moment == 3 ? scenarios - 1 : scenarios;
+            InterruptedPoses poses(job.scenarios, place, [&] { master_.kill(); });
+            const auto accepted = connection->submit(message, poses);
+            EXPECT_EQ(bool(accepted), moment == 4);
+            if (accepted) {
+                promised.insert(accepted.value());
+                master_.kill();
+            }
+        }
+        master_.start();
+        const auto status = connect()->status();
+        ASSERT_TRUE(status) << status.error().detail;
+        std::set<JobId> known;
+        for (const JobStatus& each : status.value().jobs) {
+            EXPECT_EQ(each.summary.total, scenarios);
+            known.insert(each.job);
+        }
+        EXPECT_EQ(known, promised);
+    }
+    start_worker(2);
+    auto connection = connect();
+    for (const JobId id : promised) {
+        EXPECT_EQ(finish(*connection, id).digest, job.digest_in_one_process(Query{}));
+    }
+}
+
+TEST_F(Restart, AJobWhoseEndAClientHeardOfStaysEnded) {
+    const Job job = make_job(300);
+    start_worker();
+    auto connection = connect();
+    for (int round = 0; round < 3; ++round) {
+        const JobId id = submit(*connection, job, Query{});
+        const JobStatus ended = finish(*connection, id);
+        ASSERT_EQ(ended.state, JobState::Done);
+        connection.reset();
+        master_.kill();
+        master_.start();
+        connection = connect();
+        const JobStatus again = finish(*connection, id);
+        EXPECT_EQ(again.state, JobState::Done);
+        EXPECT_EQ(again.digest, ended.digest);
+        EXPECT_EQ(again.summary.pairs, ended.summary.pairs);
+        EXPECT_EQ(fetched(*connection, again), 300u);
+    }
+}
+
+TEST_F(Restart, ACancelledJobStaysCancelled) {
+    auto connection = connect();
+    const JobId id = submit(*connection, make_job(100), Query{});
+    ASSERT_EQ(connection->cancel(id).value().state, JobState::Cancelled);
+    connection.reset();
+    master_.kill();
+    master_.start();
+    connection = connect();
+    EXPECT_EQ(finish(*connection, id).state, JobState::Cancelled);
+}
+
+TEST_F(Restart, WorkersLeftAloneKeepTheirResultsForTheNextMaster) {
+    const Job job = make_job(3000);
+    Process& worker = start_worker();
+    auto connection = connect();
+    const JobId id = submit(*connection, job, Query{});
+    (void)watch_until(*connection, id, 500);
+    connection.reset();
+    // Halted, the worker has tasks; the master is gone when it goes on.
+    worker.signal(SIGSTOP);
+    master_.kill();
+    worker.signal(SIGCONT);
+    master_.start();
+    connection = connect();
+    const JobStatus status = finish(*connection, id);
+    EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
+}
+
+/// Files of a process cannot grow beyond a size from now on, as on a disk that is full.
+void limit_files(const Process& process, rlim_t bytes) {
+    rlimit limit{};
+    ASSERT_EQ(::prlimit(process.id(), RLIMIT_FSIZE, nullptr, &limit), 0);
+    limit.rlim_cur = bytes;
+    ASSERT_EQ(::prlimit(process.id(), RLIMIT_FSIZE, &limit, nullptr), 0);
+}
+
+TEST_F(Restart, WithAFullDiskJobsWaitVisiblyAndGoOnWhenThereIsRoom) {
+    const Job job = make_job(4000);
+    start_worker();
+    auto connection = connect();
+    const JobId id = submit(*connection, job, Query{});
+    (void)watch_until(*connection, id, 500);
+    limit_files(master_.process(), 64 << 10);
+    JobStatus status;
+    do {
+        const auto now = connection->status();
+        ASSERT_TRUE(now) << now.error().detail;
+        status = now.value().jobs.at(0);
+    } while (status.paused.empty() && status.state == JobState::Running);
+    EXPECT_EQ(status.state, JobState::Running);
+    const Ran told = run({program("cdctl").string(), "status", "--master", master_.address()});
+    EXPECT_NE(told.output.find("paused"), std::string::npos) << told.output;
+    Submit another;
+    another.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+    const auto poses = make_list_source(job.scenarios);
+    EXPECT_FALSE(connect()->submit(another, *poses)) << "what cannot be kept is not accepted";
+    limit_files(master_.process(), RLIM_INFINITY);
+    status = finish(*connection, id);
+    EXPECT_EQ(status.state, JobState::Done);
+    EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
+    EXPECT_EQ(fetched(*connection, status), 4000u);
+}
+
+TEST_F(Restart, ADamagedStateIsNamedNotUsedAndNotChanged) {
+    const Job job = make_job(2000);
+    start_worker();
+    auto connection = connect();
+    const JobId id = submit(*connection, job, Query{});
+    (void)watch_until(*connection, id, 1000);
+    connection.reset();
+    master_.kill();
+    const std::vector<std::string> check{
+        program("cdmaster").string(), "check", "--state", (folder_ / "state").string()};
+    const Ran sound = run(check);
+    EXPECT_EQ(sound.exit_code, 0) << sound.output << sound.errors;
+    EXPECT_NE(sound.output.find("1 jobs, 1 of them unfinished"), std::string::npos) << sound.output;
+
+    const auto results = folder_ / "state/jobs/1.results";
+    const std::string good = read_text(results);
+    std::string bad = good;
+    bad[1000] = static_cast<char>(bad[1000] ^ 1);
+    write_text(results, bad);
+    const Ran damaged = run(check);
+    EXPECT_EQ(damaged.exit_code, 2);
+    EXPECT_NE(damaged.output.find("1.results"), std::string::npos) << damaged.output;
+    const Ran refused = run({program("cdmaster").string(),
+                             "--listen",
+                             "127.0.0.1:0",
+                             "--state",
+                             (folder_ / "state").string()});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.errors.find("1.results"), std::string::npos) << refused.errors;
+    EXPECT_EQ(read_text(results), bad);
+
+    write_text(results, good);
+    master_.start();
+    connection = connect();
+    EXPECT_EQ(finish(*connection, id).digest, job.digest_in_one_process(Query{}));
+}
+
+TEST_F(Restart, CdctlWaitsForAMasterThatComesBack) {
+    const Job job = make_job(3000);
+    auto connection = connect();
+    const JobId id = submit(*connection, job, Query{});
+    Process waiting({program("cdctl").string(),
+                     "wait",
+                     job_id_text(id),
+                     "--master",
+                     master_.address()},
+                    folder_ / "wait");
+    start_worker();
+    (void)watch_until(*connection, id, 800);
+    connection.reset();
+    master_.kill();
+    master_.start();
+    EXPECT_EQ(waiting.wait(), 0) << waiting.errors();
+    EXPECT_EQ(finish(*connect(), id).digest, job.digest_in_one_process(Query{}));
+}
+
+TEST_F(Restart, ASecondMasterOnTheSameStateIsRefused) {
+    const Ran second = run({program("cdmaster").string(),
+                            "--listen",
+                            "127.0.0.1:0",
+                            "--state",
+                            (folder_ / "state").string()});
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_NE(second.errors.find("in use by another process"), std::string::npos) << second.errors;
+    EXPECT_TRUE(connect()->status());
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,141 @@
+// Proves that a look through a state directory finds all that is damaged, names every file, changes
+// nothing, and says of a sound one that it is.
+#include "master/check_state.hpp"
+
+#include "master/geometry_store.hpp"
+#include "master/journal.hpp"
+#include "master/pose_spool.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+JournalResult result_of(std::uint64_t scenario) {
+    ScenarioResult result;
+    result.index = scenario;
+    result.kind = ScenarioClass::Failed;
+    result.failure = "why not";
+    JournalResult made;
+    made.record = encode_result(result);
+    made.row = {scenario, made.record.size(), facts_of(result), sha256(made.record)};
+    return made;
+}
+
+/// A mesh; an unfinished job with poses and results, and one that has ended, with results.
+class CheckState : public testing::Test {
+  protected:
+    void SetUp() override {
+        ThreadPool pool(1);
+        const auto store = std::move(GeometryStore::open(folder_.path(), pool).value());
+        const Bytes bytes = mesh_.canonical_bytes();
+        auto upload = std::move(store->begin_upload(mesh_.hash(), "ball", bytes.size()).value());
+        ASSERT_TRUE(upload->append(0, bytes));
+        ASSERT_TRUE(store->finish_upload(std::move(upload)));
+
+        const auto journal =
+            std::move(Journal::open({.directory = folder_.path(), .synced = false}).value());
+        journal->start({[](std::uint64_t) {}, [](const std::string&) {}});
+        for (const JobId id : {JobId{1}, JobId{2}}) {
+            JobRecord job;
+            job.id = id;
+            job.submit.scenarios = 5;
+            const auto spool = std::move(PoseSpool::create(folder_ / "jobs", 5).value());
+            std::vector<Scenario> scenarios(5);
+            for (std::uint64_t i = 0; i < 5; ++i) {
+                scenarios[i].index = i;
+            }
+            ASSERT_TRUE(spool->append(pack_scenarios(scenarios)));
+            ASSERT_TRUE(spool->seal(journal->poses_path(id), Durability::Unsynced));
+            journal->add(AcceptJob{job});
+            AddResults add{id, ResultStore::create(journal->results_path(id), id, 5), {}, {}};
+            add.results.push_back(result_of(3));
+            journal->add(std::move(add));
+        }
+        journal->add(EndJob{JobId{2}, {JobState::Cancelled, "cancelled", {}}, {}});
+    }
+
+    void flip(const std::filesystem::path& path, std::size_t byte) const {
+        std::string content = read_text(path);
+        content.at(byte) = static_cast<char>(content.at(byte) ^ 1);
+        write_text(path, content);
+    }
+    [[nodiscard]] std::filesystem::path mesh_path() const {
+        for (const auto& file : std::filesystem::directory_iterator(folder_ / "meshes")) {
+            if (file.path().extension() == ".mesh") {
+                return file.path();
+            }
+        }
+        return {};
+    }
+
+    TemporaryFolder folder_;
+    Mesh mesh_ = make_sphere(2);
+};
+
+std::string text_of(const StateReport& report) {
+    std::string text;
+    for (const std::string& line : report.lines) {
+        text += line + "\n";
+    }
+    return text;
+}
+
+TEST_F(CheckState, ASoundOneIsSaidToBeSo) {
+    const StateReport report = check_state(folder_.path());
+    EXPECT_TRUE(report.is_sound) << text_of(report);
+    EXPECT_THAT(report.lines,
+                testing::Contains("journal: 2 jobs, 1 of them unfinished, 2 results"));
+    EXPECT_THAT(report.lines, testing::Contains("meshes: 1"));
+}
+
+TEST_F(CheckState, EveryDamagedFileIsNamedAtOnce) {
+    ASSERT_FALSE(mesh_path().empty());
+    flip(mesh_path(), 50);
+    flip(folder_ / "jobs/1.results", 60);
+    flip(folder_ / "jobs/2.results", 60);
+    flip(folder_ / "jobs/1.poses", 3);
+    const StateReport report = check_state(folder_.path());
+    EXPECT_FALSE(report.is_sound);
+    const std::string text = text_of(report);
+    for (const std::string& name : {std::string("1.results"),
+                                    std::string("2.results"),
+                                    std::string("1.poses"),
+                                    mesh_path().filename().string()}) {
+        EXPECT_NE(text.find(name), std::string::npos) << text;
+    }
+}
+
+TEST_F(CheckState, NothingIsChanged) {
+    flip(folder_ / "journal.mark", 9);
+    std::map<std::string, std::string> before;
+    const auto each_file = [&](const auto& visit) {
+        for (const auto& file : std::filesystem::recursive_directory_iterator(folder_.path())) {
+            // SQLite makes an empty log where there is none; that says nothing.
+            if (file.is_regular_file() && file.file_size() != 0) {
+                visit(file.path().string());
+            }
+        }
+    };
+    each_file([&](const std::string& path) { before[path] = read_text(path); });
+    EXPECT_FALSE(check_state(folder_.path()).is_sound);
+    std::size_t files = 0;
+    each_file([&](const std::string& path) {
+        EXPECT_EQ(read_text(path), before[path]) << path;
+        ++files;
+    });
+    EXPECT_EQ(files, before.size());
+}
+
+TEST_F(CheckState, WhatAMasterUsesOrWhatIsNoStateIsNotChecked) {
+    ThreadPool pool(1);
+    const auto store = std::move(GeometryStore::open(folder_.path(), pool).value());
+    EXPECT_NE(text_of(check_state(folder_.path())).find("in use"), std::string::npos);
+    EXPECT_FALSE(check_state(folder_ / "none").is_sound);
+}
+
+} // namespace
+} // namespace cd::tests

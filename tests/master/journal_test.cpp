@@ -1,0 +1,380 @@
+// Proves that the journal gives back all that it said was on the disk, and nothing that was never
+// added; that it stops at a damaged file, names it and changes nothing; that two do not share a
+// directory; and that with a full disk it waits, and goes on when there is room.
+#include "master/journal.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/job/pose_source.hpp"
+#include "proto/codec.hpp"
+#include "tests/proto/sample_messages.hpp"
+#include "tests/support/process.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <condition_variable>
+#include <csignal>
+#include <mutex>
+#include <random>
+
+namespace cd::tests {
+namespace {
+
+JobRecord job_record(JobId job, std::uint64_t scenarios) {
+    JobRecord record{job, some_submit()};
+    record.submit.scenarios = scenarios;
+    return record;
+}
+
+/// A separate scenario, with a record of that size or larger.
+JournalResult result_of(std::uint64_t scenario, std::size_t size = 40) {
+    ScenarioResult result;
+    result.index = scenario;
+    result.level = Level::Count;
+    result.kind = ScenarioClass::Failed;
+    result.failure = std::string(size, 'x');
+    JournalResult journalled;
+    journalled.record = encode_result(result);
+    journalled.row = {
+        scenario, journalled.record.size(), facts_of(result), sha256(journalled.record)};
+    return journalled;
+}
+
+/// A journal that is written to, and what it has said.
+class Writer {
+  public:
+    explicit Writer(std::filesystem::path directory, bool synced = false)
+        : directory_(std::move(directory)) {
+        auto opened = Journal::open({.directory = directory_, .synced = synced});
+        EXPECT_TRUE(opened) << opened.error().detail;
+        journal = std::move(opened.value());
+        recovered = journal->take_recovered();
+        journal->start({[this](std::uint64_t position) {
+                            const std::lock_guard lock(mutex_);
+                            committed_ = position;
+                            changed_.notify_all();
+                        },
+                        [this](const std::string& why) {
+                            const std::lock_guard lock(mutex_);
+                            paused_ = why;
+                            changed_.notify_all();
+                        }});
+    }
+
+    void wait_for(std::uint64_t position) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return committed_ >= position; });
+    }
+    std::string wait_until_paused() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return !paused_.empty(); });
+        return paused_;
+    }
+    [[nodiscard]] std::uint64_t committed() {
+        const std::lock_guard lock(mutex_);
+        return committed_;
+    }
+
+    std::shared_ptr<ResultStore> accept(JobId job, std::uint64_t scenarios) {
+        std::shared_ptr<ResultStore> store =
+            ResultStore::create(journal->results_path(job), job, scenarios);
+        journal->add(AcceptJob{job_record(job, scenarios)});
+        return store;
+    }
+
+  private:
+    std::filesystem::path directory_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::uint64_t committed_ = 0;
+    std::string paused_;
+
+  public:
+    Recovered recovered;
+    std::unique_ptr<Journal> journal; ///< Ends first: it still calls.
+};
+
+AddResults results_of(JobId job,
+                      const std::shared_ptr<ResultStore>& store,
+                      std::uint64_t first,
+                      std::uint64_t count,
+                      std::size_t size = 40) {
+    AddResults add{job, store, {}, {}};
+    for (std::uint64_t i = first; i < first + count; ++i) {
+        add.results.push_back(result_of(i, size));
+    }
+    add.progress.answered_by_master = first + count;
+    return add;
+}
+
+TEST(Journal, ANewOneIsEmptyAndHasANameOfItsOwn) {
+    const TemporaryFolder one;
+    const TemporaryFolder two;
+    const Writer first(one.path());
+    const Writer second(two.path());
+    EXPECT_TRUE(first.recovered.jobs.empty());
+    EXPECT_NE(first.recovered.cluster, second.recovered.cluster);
+}
+
+TEST(Journal, WhatItSaidIsWrittenComesBack) {
+    const TemporaryFolder folder;
+    Sha256 cluster;
+    {
+        Writer writer(folder.path(), true);
+        cluster = writer.recovered.cluster;
+        const auto store = writer.accept(JobId{5}, 1000);
+        writer.journal->add(results_of(JobId{5}, store, 100, 300));
+        writer.wait_for(writer.journal->add(results_of(JobId{5}, store, 0, 50)));
+        EXPECT_TRUE(store->has(120));
+        EXPECT_EQ(store->count(), 350u);
+        EXPECT_EQ(writer.journal->queued_bytes(), 0u);
+    }
+    const Writer again(folder.path());
+    EXPECT_EQ(again.recovered.cluster, cluster);
+    EXPECT_EQ(again.recovered.last_job, JobId{5});
+    ASSERT_EQ(again.recovered.jobs.size(), 1u);
+    const RecoveredJob& job = again.recovered.jobs[0];
+    // Every member of a submission is kept.
+    EXPECT_EQ(encode_message(job.record.submit), encode_message(job_record(JobId{5}, 1000).submit));
+    EXPECT_FALSE(job.end);
+    EXPECT_EQ(job.done.size(), 350u);
+    EXPECT_EQ(job.merger.summary().failed, 350u);
+    EXPECT_EQ(job.progress.answered_by_master, 50u);
+    EXPECT_EQ(job.results->count(), 350u);
+    EXPECT_EQ(job.results->read(0, 1000, 1u << 20).value().count, 50u);
+}
+
+TEST(Journal, AnEndedJobComesBackWithItsDigest) {
+    const TemporaryFolder folder;
+    std::optional<Sha256> digest;
+    {
+        Writer writer(folder.path());
+        const auto store = writer.accept(JobId{1}, 20);
+        ResultMerger merger(20);
+        for (std::uint64_t i = 0; i < 20; ++i) {
+            const JournalResult result = result_of(i);
+            (void)merger.add(i, result.row.facts, result.row.digest);
+        }
+        digest = merger.digest();
+        writer.journal->add(results_of(JobId{1}, store, 0, 20));
+        writer.journal->add(EndJob{JobId{1}, {JobState::Done, "", digest}, {}});
+        (void)writer.accept(JobId{2}, 20);
+        writer.journal->add(EndJob{JobId{2}, {JobState::Failed, "why not", {}}, {}});
+        (void)writer.accept(JobId{3}, 20);
+        writer.wait_for(writer.journal->add(DropJob{JobId{3}}));
+    }
+    const Writer again(folder.path());
+    ASSERT_EQ(again.recovered.jobs.size(), 2u);
+    EXPECT_EQ(again.recovered.last_job, JobId{3});
+    EXPECT_EQ(again.recovered.jobs[0].end->digest, digest);
+    EXPECT_EQ(again.recovered.jobs[1].end->failure, "why not");
+    EXPECT_EQ(again.recovered.jobs[1].end->state, JobState::Failed);
+}
+
+TEST(Journal, GoesOnWhereItEndedAnyNumberOfTimes) {
+    const TemporaryFolder folder;
+    for (std::uint64_t round = 0; round < 5; ++round) {
+        Writer writer(folder.path());
+        std::shared_ptr<ResultStore> store;
+        if (round == 0) {
+            store = writer.accept(JobId{1}, 100);
+        } else {
+            ASSERT_EQ(writer.recovered.jobs.size(), 1u);
+            EXPECT_EQ(writer.recovered.jobs[0].done.size(), 10 * round);
+            store = writer.recovered.jobs[0].results;
+        }
+        // The destructor writes what was added.
+        writer.journal->add(results_of(JobId{1}, store, 10 * round, 10));
+    }
+}
+
+TEST(Journal, ManyEntriesShareACommit) {
+    const TemporaryFolder folder;
+    Writer writer(folder.path(), true);
+    const auto store = writer.accept(JobId{1}, 100'000);
+    std::uint64_t last = 0;
+    for (std::uint64_t i = 0; i < 20'000; ++i) {
+        last = writer.journal->add(results_of(JobId{1}, store, i, 1));
+    }
+    writer.wait_for(last);
+    EXPECT_EQ(store->count(), 20'000u);
+}
+
+TEST(Journal, ASecondOneOnTheSameDirectoryIsRefused) {
+    const TemporaryFolder folder;
+    const Writer writer(folder.path());
+    const auto second = Journal::open({.directory = folder.path()});
+    ASSERT_FALSE(second);
+    EXPECT_NE(second.error().detail.find("journal.db"), std::string::npos);
+}
+
+// ---- Damage -------------------------------------------------------------------------------------
+
+/// A directory with a job whose results stand in several commits, as a killed master leaves it: the
+/// write-ahead log is there.
+void fill(const std::filesystem::path& directory) {
+    Writer writer(directory / "live");
+    const auto store = writer.accept(JobId{1}, 500);
+    for (std::uint64_t i = 0; i < 5; ++i) {
+        writer.wait_for(writer.journal->add(results_of(JobId{1}, store, 20 * i, 20)));
+    }
+    std::filesystem::copy(
+        directory / "live", directory / "left", std::filesystem::copy_options::recursive);
+}
+
+std::string name_in(const std::filesystem::path& path) {
+    return path.filename().string();
+}
+
+TEST(Journal, AKilledOneIsWhole) {
+    const TemporaryFolder folder;
+    fill(folder.path());
+    ASSERT_TRUE(std::filesystem::exists(folder / "left/journal.db-wal"));
+    const Writer again(folder / "left");
+    ASSERT_EQ(again.recovered.jobs.size(), 1u);
+    EXPECT_EQ(again.recovered.jobs[0].done.size(), 100u);
+}
+
+TEST(Journal, FlippedBytesAreFoundNamedAndLeftAsTheyAre) {
+    const TemporaryFolder folder;
+    fill(folder.path());
+    { const Writer closed(folder / "live"); } // Leaves one file without a log.
+    std::mt19937_64 random(3);
+    std::size_t found = 0;
+    for (const char* which : {"left/journal.db-wal",
+                              "left/journal.mark",
+                              "left/jobs/1.results",
+                              "live/journal.db",
+                              "live/journal.mark",
+                              "live/jobs/1.results"}) {
+        const std::filesystem::path original = folder / which;
+        const std::string good = read_text(original);
+        for (int round = 0; round < 20; ++round) {
+            const std::filesystem::path copy = folder / "copy";
+            std::filesystem::remove_all(copy);
+            std::filesystem::copy(original.parent_path().filename() == "jobs"
+                                      ? original.parent_path().parent_path()
+                                      : original.parent_path(),
+                                  copy,
+                                  std::filesystem::copy_options::recursive);
+            const std::filesystem::path hit =
+                copy / std::filesystem::relative(original,
+                                                 folder.path() / std::string(which).substr(0, 4));
+            std::string bad = good;
+            const std::size_t byte = random() % bad.size();
+            bad[byte] = static_cast<char>(bad[byte] ^ (1 << (random() % 8)));
+            write_text(hit, bad);
+            const auto opened = Journal::open({.directory = copy, .synced = false});
+            if (opened) {
+                // Only what nothing depends on: no result may be lost or changed.
+                const Recovered recovered = opened.value()->take_recovered();
+                ASSERT_EQ(recovered.jobs.size(), 1u) << which << " byte " << byte;
+                ASSERT_EQ(recovered.jobs[0].done.size(), 100u) << which << " byte " << byte;
+                ASSERT_TRUE(recovered.jobs[0].results->verify());
+                continue;
+            }
+            ++found;
+            EXPECT_NE(opened.error().detail.find(name_in(original).substr(0, 7)), std::string::npos)
+                << opened.error().detail;
+            ASSERT_EQ(read_text(hit), bad) << "it was changed";
+        }
+    }
+    EXPECT_GT(found, 60u);
+}
+
+TEST(Journal, MissingFilesAreNamed) {
+    for (const char* gone : {"journal.db", "journal.db-wal", "jobs/1.results"}) {
+        const TemporaryFolder folder;
+        fill(folder.path());
+        std::filesystem::remove(folder / "left" / gone);
+        const auto opened = Journal::open({.directory = folder / "left"});
+        ASSERT_FALSE(opened) << gone;
+        EXPECT_NE(opened.error().detail.find(gone), std::string::npos) << opened.error().detail;
+    }
+    const TemporaryFolder folder;
+    fill(folder.path());
+    for (const char* gone : {"journal.db", "journal.db-wal", "journal.mark"}) {
+        std::filesystem::remove(folder / "left" / gone);
+    }
+    const auto opened = Journal::open({.directory = folder / "left"});
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().detail.find("journal.db is missing"), std::string::npos);
+}
+
+TEST(Journal, ASegmentMayBeLongerThanWhatWasCommittedAndNotShorter) {
+    const TemporaryFolder folder;
+    fill(folder.path());
+    const std::string whole = read_text(folder / "left/jobs/1.results");
+    write_text(folder / "left/jobs/1.results", whole + "half a rec");
+    { EXPECT_TRUE(Journal::open({.directory = folder / "left"})); }
+    write_text(folder / "left/jobs/1.results", whole.substr(0, whole.size() - 1));
+    const auto opened = Journal::open({.directory = folder / "left"});
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().detail.find("1.results"), std::string::npos);
+}
+
+// ---- A full disk --------------------------------------------------------------------------------
+
+/// Files of this process cannot grow beyond a size, as on a disk that is full.
+class FileSizeLimit {
+  public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limited{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limited);
+    }
+    ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+  private:
+    rlimit before_{};
+};
+
+TEST(Journal, WithAFullDiskItWaitsAndGoesOnWhenThereIsRoom) {
+    const TemporaryFolder folder;
+    {
+        Writer writer(folder.path());
+        const auto store = writer.accept(JobId{1}, 10'000);
+        writer.wait_for(1);
+        std::uint64_t last = 0;
+        {
+            const FileSizeLimit full(200'000);
+            for (std::uint64_t i = 0; i < 40; ++i) {
+                last = writer.journal->add(results_of(JobId{1}, store, 20 * i, 20, 2000));
+            }
+            const std::string why = writer.wait_until_paused();
+            EXPECT_FALSE(why.empty());
+            EXPECT_LT(writer.committed(), last);
+            EXPECT_GT(writer.journal->queued_bytes(), 0u);
+        }
+        writer.wait_for(last);
+        EXPECT_EQ(store->count(), 800u);
+    }
+    const Writer again(folder.path());
+    EXPECT_EQ(again.recovered.jobs.at(0).done.size(), 800u);
+    EXPECT_TRUE(again.recovered.jobs.at(0).results->verify());
+}
+
+TEST(Journal, EndedWhileItWaitsItHasLostOnlyWhatItNeverConfirmed) {
+    const TemporaryFolder folder;
+    std::uint64_t committed = 0;
+    {
+        Writer writer(folder.path());
+        const auto store = writer.accept(JobId{1}, 10'000);
+        writer.wait_for(1);
+        const FileSizeLimit full(200'000);
+        for (std::uint64_t i = 0; i < 40; ++i) {
+            writer.journal->add(results_of(JobId{1}, store, 20 * i, 20, 2000));
+        }
+        (void)writer.wait_until_paused();
+        committed = writer.committed();
+    }
+    const Writer again(folder.path());
+    EXPECT_GE(again.recovered.jobs.at(0).done.size(), 20 * (committed - 1));
+    EXPECT_TRUE(again.recovered.jobs.at(0).results->verify());
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,50 @@
+#include "worker/worker_keep.hpp"
+
+#include "common/core/limits.hpp"
+
+namespace cd {
+
+void UnkeptResults::add(Results& results) {
+    results.sequence = ++last_;
+    bytes_ += results.records.size();
+    messages_.emplace(results.sequence, results);
+}
+
+void UnkeptResults::kept(std::span<const std::uint64_t> sequences) {
+    for (const std::uint64_t sequence : sequences) {
+        const auto found = messages_.find(sequence);
+        if (found != messages_.end()) {
+            bytes_ -= found->second.records.size();
+            messages_.erase(found);
+        }
+    }
+}
+
+void UnkeptResults::clear() {
+    messages_.clear();
+    bytes_ = 0;
+}
+
+std::vector<Results> UnkeptResults::again() const {
+    std::vector<Results> again;
+    for (const auto& [sequence, message] : messages_) {
+        again.push_back(message);
+        again.back().task = TaskId{};
+    }
+    return again;
+}
+
+bool UnkeptResults::has_room() const {
+    return bytes_ < limits::results_unkept_bytes_max &&
+           messages_.size() < limits::results_unkept_messages_max;
+}
+
+void WorkerKeep::enter(const Sha256& its_cluster) {
+    if (cluster != its_cluster) {
+        results.clear();
+        cache.drop_parked();
+    }
+    cluster = its_cluster;
+}
+
+} // namespace cd

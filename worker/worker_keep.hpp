@@ -1,0 +1,49 @@
+// What a worker keeps from one session to the next: results that are not acknowledged, and
+// subtrees.
+#pragma once
+
+#include "common/core/hash.hpp"
+#include "proto/message.hpp"
+#include "worker/subtree_cache.hpp"
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// Messages of results that the master has not acknowledged yet.
+class UnkeptResults {
+  public:
+    /// Gives the message its number.
+    void add(Results& results);
+    /// The master has them. Unknown numbers are ignored.
+    void kept(std::span<const std::uint64_t> sequences);
+    void clear();
+
+    /// To be sent again in a new session, in the order in which they were added; of no task.
+    [[nodiscard]] std::vector<Results> again() const;
+    [[nodiscard]] bool empty() const { return messages_.empty(); }
+    /// False: nothing new is to be begun.
+    [[nodiscard]] bool has_room() const;
+
+  private:
+    std::map<std::uint64_t, Results> messages_;
+    std::uint64_t last_ = 0;
+    std::uint64_t bytes_ = 0; ///< Of their records.
+};
+
+/// Between two sessions it holds both; during one the cache is the session's.
+struct WorkerKeep {
+    explicit WorkerKeep(std::uint64_t cache_bytes) : cache(cache_bytes) {}
+
+    /// Of another cluster nothing that was kept means anything: it goes.
+    void enter(const Sha256& its_cluster);
+
+    UnkeptResults results;
+    SubtreeCache cache;
+    Sha256 cluster; ///< Of the last session; zeros before the first.
+};
+
+} // namespace cd
