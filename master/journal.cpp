@@ -12,6 +12,7 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 
 namespace cd {
@@ -329,6 +330,32 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
     return check_records ? job.results->verify() : Status(Done{});
 }
 
+/// What a master that was killed has left half-made, and files of jobs that are no more. The
+/// journal has been found to be sound.
+void remove_leftovers(const std::filesystem::path& folder, const Recovered& recovered) {
+    std::set<std::string> known;
+    for (const RecoveredJob& job : recovered.jobs) {
+        const std::string number = std::to_string(job.record.id.value);
+        known.insert(number + ".results");
+        if (!job.end) {
+            known.insert(number + ".poses");
+        }
+    }
+    std::error_code ignored;
+    std::vector<std::filesystem::path> leftovers;
+    for (const auto& file : std::filesystem::directory_iterator(folder, ignored)) {
+        const std::string name = file.path().filename().string();
+        const bool is_ours = name.ends_with(".results") || name.ends_with(".poses") ||
+                             name.find(temporary_marker) != std::string::npos;
+        if (is_ours && !known.contains(name)) {
+            leftovers.push_back(file.path());
+        }
+    }
+    for (const auto& path : leftovers) {
+        std::filesystem::remove(path, ignored);
+    }
+}
+
 /// Results without a journal would be written over.
 Status check_none_left(const std::filesystem::path& folder) {
     std::error_code ignored;
@@ -381,6 +408,9 @@ Result<std::unique_ptr<Journal>> Journal::open(const JournalOptions& options) {
             return status.error();
         }
         recovered.jobs.push_back(std::move(found.job));
+    }
+    if (options.create) {
+        remove_leftovers(journal->state_->jobs_folder(), recovered);
     }
     return journal;
 }

@@ -8,6 +8,8 @@
 #include "master/server.hpp"
 #include "proto/signals.hpp"
 
+#include <sys/resource.h>
+
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -35,6 +37,15 @@ Status write_port(const std::string& path, std::uint16_t port) {
     return Done{};
 }
 
+/// Connections and the results of jobs are a file each.
+void allow_many_files() {
+    rlimit files{};
+    if (getrlimit(RLIMIT_NOFILE, &files) == 0) {
+        files.rlim_cur = files.rlim_max;
+        (void)setrlimit(RLIMIT_NOFILE, &files); // Fewer will do for fewer jobs.
+    }
+}
+
 } // namespace
 
 Status run_master(const MasterConfig& config) {
@@ -43,6 +54,7 @@ Status run_master(const MasterConfig& config) {
     }
     // A full disk or a limit of files is an error to wait with, not a reason to be killed.
     std::signal(SIGXFSZ, SIG_IGN);
+    allow_many_files();
     // What is declared first ends last: whatever runs on the pools may post to the context.
     asio::io_context context(1);
     ThreadPool compute(config.threads);

@@ -16,6 +16,7 @@
 #include <csignal>
 #include <mutex>
 #include <random>
+#include <set>
 
 namespace cd::tests {
 namespace {
@@ -186,6 +187,28 @@ TEST(Journal, GoesOnWhereItEndedAnyNumberOfTimes) {
         // The destructor writes what was added.
         writer.journal->add(results_of(JobId{1}, store, 10 * round, 10));
     }
+}
+
+TEST(Journal, FilesOfNoJobAreClearedAway) {
+    const TemporaryFolder folder;
+    {
+        Writer writer(folder.path());
+        for (const JobId job : {JobId{1}, JobId{2}}) {
+            const auto store = writer.accept(job, 10);
+            writer.journal->add(results_of(job, store, 0, 3));
+            write_text(writer.journal->poses_path(job), "poses");
+        }
+        writer.journal->add(EndJob{JobId{2}, {JobState::Cancelled, "cancelled", {}}, {}});
+        for (const char* name : {"3.poses", "4.results", "poses.tmp-abc", "notes.txt"}) {
+            write_text(folder.path() / "jobs" / name, "left");
+        }
+    }
+    const Writer again(folder.path());
+    std::set<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(folder / "jobs")) {
+        names.insert(file.path().filename().string());
+    }
+    EXPECT_EQ(names, (std::set<std::string>{"1.poses", "1.results", "2.results", "notes.txt"}));
 }
 
 TEST(Journal, ManyEntriesShareACommit) {
