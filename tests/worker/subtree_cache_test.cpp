@@ -199,7 +199,7 @@ TEST_F(SubtreeCacheTest, OnlyTheSameCutInTheSameFormBringsAParkedTreeBack) {
 }
 
 TEST_F(SubtreeCacheTest, ParkedSubtreesLeaveFirstAndNobodyIsTold) {
-    SubtreeCache cache(bytes_of({0, 1, 2}));
+    SubtreeCache cache(bytes_of({2, 3, 4}));
     ASSERT_TRUE(cache.add_tree(tree, body.top, body.form, some_name(1)));
     insert(cache, 0);
     insert(cache, 1);
