@@ -110,7 +110,8 @@ class ReplayWorker {
         return indices;
     }
 
-    asio::awaitable<void> answer(TaskId task, JobId job, const std::vector<std::uint64_t>& indices) {
+    asio::awaitable<void>
+    answer(TaskId task, JobId job, const std::vector<std::uint64_t>& indices) {
         std::span<const std::uint64_t> left(indices);
         while (!left.empty()) {
             Results results;
@@ -179,8 +180,8 @@ Status run(const Options& options) {
     asio::io_context context(1);
     std::vector<std::unique_ptr<ReplayWorker>> workers;
     for (unsigned i = 0; i < options.workers; ++i) {
-        workers.push_back(std::make_unique<ReplayWorker>(
-            context.get_executor(), recorded.value(), options));
+        workers.push_back(
+            std::make_unique<ReplayWorker>(context.get_executor(), recorded.value(), options));
         spawn(context.get_executor(),
               "worker",
               workers.back()->run(endpoint.value(), "replay-" + std::to_string(i)));
