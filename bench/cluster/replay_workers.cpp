@@ -95,8 +95,9 @@ class ReplayWorker {
 
   private:
     static std::vector<std::uint64_t> indices_of(const Bytes& packed) {
+        const Result<std::vector<Scenario>> scenarios = unpack_scenarios(packed);
         std::vector<std::uint64_t> indices;
-        for (const Scenario& scenario : unpack_scenarios(packed).value()) {
+        for (const Scenario& scenario : scenarios.value()) {
             indices.push_back(scenario.index);
         }
         return indices;

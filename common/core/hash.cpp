@@ -12,16 +12,45 @@
 
 namespace cd {
 
-struct Sha256Stream::State {
-    EVP_MD_CTX* context = EVP_MD_CTX_new();
+namespace {
 
-    State() {
-        CD_CHECK(context != nullptr);
-        CD_CHECK(EVP_DigestInit_ex(context, EVP_sha256(), nullptr) == 1);
+/// Looked up once: OpenSSL 3 otherwise does so for each hash, which takes longer than hashing a
+/// record.
+const EVP_MD* sha256_method() {
+    static const EVP_MD* const method = EVP_MD_fetch(nullptr, "SHA256", nullptr);
+    CD_CHECK(method != nullptr);
+    return method;
+}
+
+/// One hash after the other.
+class Hashing {
+  public:
+    Hashing() { CD_CHECK(context_ != nullptr); }
+    Hashing(const Hashing&) = delete;
+    Hashing& operator=(const Hashing&) = delete;
+    ~Hashing() { EVP_MD_CTX_free(context_); }
+
+    void start() { CD_CHECK(EVP_DigestInit_ex2(context_, sha256_method(), nullptr) == 1); }
+    void update(std::span<const std::byte> bytes) {
+        CD_CHECK(EVP_DigestUpdate(context_, bytes.data(), bytes.size()) == 1);
     }
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
-    ~State() { EVP_MD_CTX_free(context); }
+    Sha256 finish() {
+        Sha256 hash;
+        unsigned size = 0;
+        auto* out = reinterpret_cast<unsigned char*>(hash.bytes.data());
+        CD_CHECK(EVP_DigestFinal_ex(context_, out, &size) == 1);
+        CD_CHECK(size == hash.bytes.size());
+        return hash;
+    }
+
+  private:
+    EVP_MD_CTX* context_ = EVP_MD_CTX_new();
+};
+
+} // namespace
+
+struct Sha256Stream::State : Hashing {
+    State() { start(); }
 };
 
 Sha256Stream::Sha256Stream() : state_(std::make_unique<State>()) {}
@@ -30,22 +59,18 @@ Sha256Stream& Sha256Stream::operator=(Sha256Stream&&) noexcept = default;
 Sha256Stream::~Sha256Stream() = default;
 
 void Sha256Stream::update(std::span<const std::byte> bytes) {
-    CD_CHECK(EVP_DigestUpdate(state_->context, bytes.data(), bytes.size()) == 1);
+    state_->update(bytes);
 }
 
 Sha256 Sha256Stream::finish() {
-    Sha256 hash;
-    unsigned size = 0;
-    auto* out = reinterpret_cast<unsigned char*>(hash.bytes.data());
-    CD_CHECK(EVP_DigestFinal_ex(state_->context, out, &size) == 1);
-    CD_CHECK(size == hash.bytes.size());
-    return hash;
+    return state_->finish();
 }
 
 Sha256 sha256(std::span<const std::byte> bytes) {
-    Sha256Stream stream;
-    stream.update(bytes);
-    return stream.finish();
+    thread_local Hashing hashing;
+    hashing.start();
+    hashing.update(bytes);
+    return hashing.finish();
 }
 
 Sha256 hmac_sha256(const Sha256& key, std::span<const std::byte> bytes) {
