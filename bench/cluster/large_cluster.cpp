@@ -59,8 +59,8 @@ class LargeCluster {
           idle_analysts_(options.analysts) {
         hosts_.reserve(options.speeds.size());
         for (const double speed : options.speeds) {
-            hosts_.push_back(
-                {WorkerModel(WorkerId{hosts_.size() + 1}, workload, options.cache_bytes), speed});
+            hosts_.emplace_back(
+                WorkerModel(WorkerId{hosts_.size() + 1}, workload, options.cache_bytes), speed);
         }
         links_.resize(hosts_.size() + 1);
     }
@@ -76,6 +76,9 @@ class LargeCluster {
 
   private:
     struct Host {
+        Host(WorkerModel worker, double against_fast)
+            : model(std::move(worker)), speed(against_fast) {}
+
         WorkerModel model;
         double speed = 1;
         std::deque<BlocksSent> unopened;
