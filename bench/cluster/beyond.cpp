@@ -1,6 +1,6 @@
 // Clusters far beyond the paper's, over recorded traces. See README.md.
 //
-//   beyond TRACE --out FOLDER [--depth 8] [--quick]
+//   beyond TRACE --out FOLDER [--depth 8] [--quick] [--many]
 #include "bench/accuracy/csv.hpp"
 #include "bench/cluster/baselines.hpp"
 #include "bench/cluster/fleet.hpp"
@@ -27,6 +27,7 @@ struct Options {
     std::filesystem::path out;
     std::uint32_t depth = 8;
     bool quick = false;
+    bool many = false;
 };
 
 /// One cluster and its job.
@@ -168,7 +169,10 @@ class Beyond {
 void run(const Options& options, const Trace& trace) {
     std::filesystem::create_directories(options.out);
     Beyond beyond(options);
-    const std::vector<Case> all{{1000, 20, 1}, {1000, 20, 10}, {10'000, 5, 1}, {10'000, 5, 10}};
+    std::vector<Case> all{{1000, 20, 1}, {1000, 20, 10}};
+    if (options.many) {
+        all.insert(all.end(), {{10'000, 5, 1}, {10'000, 5, 10}});
+    }
     const std::vector<Case> few{{100, 20, 1}};
     for (const Case& one : options.quick ? few : all) {
         beyond.run(trace, one);
@@ -185,6 +189,7 @@ int main(int argc, char** argv) {
     app.add_option("TRACE", options.trace, "Of a heavy vehicle against a car")->required();
     app.add_option("--out", options.out, "A folder for beyond.csv")->required();
     app.add_option("--depth", options.depth, "At which the bodies are cut");
+    app.add_flag("--many", options.many, "10,000 hosts as well; takes long");
     app.add_flag("--quick", options.quick, "One small cluster");
     CLI11_PARSE(app, argc, argv);
     try {
