@@ -173,7 +173,8 @@ asio::awaitable<Result<T>> Connection::State::ask(Message question) {
 // ---- Conversations --------------------------------------------------------------------------
 
 asio::awaitable<Status> Connection::State::open(Endpoint endpoint) {
-    Result<std::shared_ptr<Channel>> connected = co_await connect(std::move(endpoint));
+    Target target{std::move(endpoint), nullptr};
+    Result<std::shared_ptr<Channel>> connected = co_await connect(std::move(target));
     if (!connected) {
         co_return connected.error();
     }
@@ -315,7 +316,8 @@ Connection::open(const std::string& address, bool insecure, std::function<bool()
     if (!endpoint) {
         return endpoint.error();
     }
-    if (const Status exposed = check_exposure(endpoint.value(), insecure, false); !exposed) {
+    const Exposure exposure{false, insecure, false};
+    if (const Status exposed = check_exposure(endpoint.value(), exposure); !exposed) {
         return exposed.error();
     }
     auto state = std::make_unique<State>();

@@ -49,7 +49,7 @@ void allow_many_files() {
 } // namespace
 
 Status run_master(const MasterConfig& config) {
-    if (Status exposed = check_exposure(config.listen, config.insecure, true); !exposed) {
+    if (Status exposed = check_exposure(config.listen, {false, config.insecure, true}); !exposed) {
         return exposed;
     }
     // A full disk or a limit of files is an error to wait with, not a reason to be killed.

@@ -8,18 +8,32 @@
 
 namespace cd {
 
+namespace {
+
+std::string peer_name(const asio::ip::tcp::socket& socket) {
+    boost::system::error_code ignored;
+    const auto end = socket.remote_endpoint(ignored);
+    return end.address().to_string() + ":" + std::to_string(end.port());
+}
+
+} // namespace
+
 Result<std::unique_ptr<Server>> Server::listen(const asio::any_io_executor& executor,
                                                const Endpoint& endpoint,
-                                               Coordinator& coordinator) {
+                                               Coordinator& coordinator,
+                                               std::shared_ptr<const TlsSlot> tls) {
     Result<std::unique_ptr<Listener>> listener = Listener::open(executor, endpoint);
     if (!listener) {
         return listener.error();
     }
-    return std::unique_ptr<Server>(new Server(std::move(listener.value()), coordinator));
+    return std::unique_ptr<Server>(
+        new Server(std::move(listener.value()), coordinator, std::move(tls)));
 }
 
-Server::Server(std::unique_ptr<Listener> listener, Coordinator& coordinator)
-    : listener_(std::move(listener)), coordinator_(coordinator) {}
+Server::Server(std::unique_ptr<Listener> listener,
+               Coordinator& coordinator,
+               std::shared_ptr<const TlsSlot> tls)
+    : listener_(std::move(listener)), coordinator_(coordinator), tls_(std::move(tls)) {}
 
 void Server::start() {
     listener_->start([this](asio::ip::tcp::socket socket) { accept(std::move(socket)); });
@@ -28,7 +42,9 @@ void Server::start() {
 void Server::close() {
     listener_->close();
     for (const auto& [connection, channel] : connections_) {
-        channel->close();
+        if (channel != nullptr) {
+            channel->close();
+        }
     }
 }
 
@@ -38,13 +54,20 @@ void Server::accept(asio::ip::tcp::socket socket) {
         return;
     }
     const std::uint64_t connection = ++connection_last_;
-    auto channel = Channel::make(std::move(socket));
-    connections_.emplace(connection, channel);
-    spawn(coordinator_.executor(), "session", serve(connection, std::move(channel)));
+    connections_.emplace(connection, nullptr);
+    spawn(coordinator_.executor(), "session", serve(connection, std::move(socket)));
 }
 
-asio::awaitable<void> Server::serve(std::uint64_t connection, std::shared_ptr<Channel> channel) {
-    co_await converse(std::move(channel));
+asio::awaitable<void> Server::serve(std::uint64_t connection, asio::ip::tcp::socket socket) {
+    const std::string peer = peer_name(socket);
+    const Result<std::shared_ptr<Channel>> channel =
+        co_await accept_channel(std::move(socket), tls_->now);
+    if (channel) {
+        connections_[connection] = channel.value();
+        co_await converse(channel.value());
+    } else {
+        spdlog::warn("connection refused: peer={} reason=\"{}\"", peer, channel.error().detail);
+    }
     connections_.erase(connection);
 }
 

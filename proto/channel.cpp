@@ -8,12 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <deque>
-#include <limits>
+#include <utility>
 
 namespace cd {
 namespace {
 
 using boost::system::error_code;
+using Clock = std::chrono::steady_clock;
 
 enum class Phase {
     Open,
@@ -42,11 +43,6 @@ bool may_come_first(std::uint16_t type) {
     return std::find(types.begin(), types.end(), type) != types.end();
 }
 
-/// All of the buffer, in as few system calls as it takes.
-std::size_t whole(const error_code& error, std::size_t /*transferred*/) {
-    return error ? 0 : std::numeric_limits<std::size_t>::max();
-}
-
 asio::ip::tcp::endpoint remote_end(const asio::ip::tcp::socket& socket) {
     error_code ignored; // Of a socket that is not connected any more: 0.0.0.0:0.
     return socket.remote_endpoint(ignored);
@@ -62,23 +58,29 @@ std::string own_address(const asio::ip::tcp::socket& socket) {
 // The operations under way share the state, so it outlives the channel until they have ended. All
 // handlers run on the socket's executor.
 struct Channel::State : std::enable_shared_from_this<State> {
-    explicit State(asio::ip::tcp::socket connected)
-        : socket(std::move(connected)),
-          peer_host(remote_end(socket).address().to_string()),
-          peer(peer_host + ":" + std::to_string(remote_end(socket).port())),
-          own_host(own_address(socket)),
-          received(socket.get_executor()),
-          written(socket.get_executor()),
-          write_deadline(socket.get_executor()),
-          flush_deadline(socket.get_executor()) {
-        written.expires_at(std::chrono::steady_clock::time_point::max());
+    State(std::unique_ptr<Stream> connected, Clock::duration longest_stall)
+        : stream(std::move(connected)),
+          peer_host(remote_end(stream->socket()).address().to_string()),
+          peer(peer_host + ":" + std::to_string(remote_end(stream->socket()).port())),
+          own_host(own_address(stream->socket())),
+          stall_max(longest_stall),
+          received(stream->socket().get_executor()),
+          read_deadline(stream->socket().get_executor()),
+          written(stream->socket().get_executor()),
+          write_deadline(stream->socket().get_executor()),
+          flush_deadline(stream->socket().get_executor()) {
+        written.expires_at(Clock::time_point::max());
         error_code ignored;
-        socket.set_option(asio::ip::tcp::no_delay(true), ignored);
+        stream->socket().set_option(asio::ip::tcp::no_delay(true), ignored);
     }
 
     void read_next();
-    void header_came(const error_code& error);
-    void payload_came(const error_code& error);
+    void read_part(asio::mutable_buffer rest, void (State::*next)());
+    void read_header();
+    void read_payload();
+    void header_came();
+    void payload_came();
+    void watch_read();
     void deliver(const MessageAssembler::Whole& whole_message);
     void read_failed(const error_code& error);
     void drop_incoming();
@@ -92,23 +94,28 @@ struct Channel::State : std::enable_shared_from_this<State> {
     void fail(Error error);
     void shut();
 
-    asio::ip::tcp::socket socket;
+    std::unique_ptr<Stream> stream;
     std::string peer_host;
     std::string peer;
     std::string own_host;
+    Clock::duration stall_max;
     Phase phase = Phase::Open;
     Traffic traffic;
     std::optional<Error> failure; ///< Why the channel is no longer open.
 
     std::array<std::byte, frame_header_bytes> header_bytes{};
     FrameHeader header;
-    Bytes frame; ///< Grows to the largest frame seen.
+    Bytes frame;          ///< Grows to the largest frame seen.
+    std::size_t came = 0; ///< Bytes of the header, or of the payload.
     MessageAssembler assembler;
+    std::optional<Clock::time_point> rest_due; ///< Of what has begun to come.
+    bool watching_read = false;
     std::optional<Message> incoming; ///< The one message that has come and nobody has taken.
     bool reading = false;
     bool receiving = false;
     bool greeted = false;
     asio::steady_timer received; ///< Ends early when `incoming` or `failure` is there.
+    asio::steady_timer read_deadline;
 
     std::array<std::deque<Outgoing>, 2> lanes;
     std::size_t queued_bytes = 0;
@@ -125,19 +132,40 @@ void Channel::State::read_next() {
     if (reading || phase != Phase::Open) {
         return;
     }
-    reading = true;
-    asio::async_read(socket,
-                     asio::buffer(header_bytes),
-                     [self = shared_from_this()](const error_code& error, std::size_t bytes) {
-                         self->traffic.bytes_received += bytes;
-                         self->header_came(error);
-                     });
+    came = 0;
+    if (assembler.has_begun()) {
+        watch_read();
+    }
+    read_header();
 }
 
-void Channel::State::header_came(const error_code& error) {
-    reading = false;
-    if (error || phase != Phase::Open) {
-        return read_failed(error);
+void Channel::State::read_header() {
+    read_part(asio::buffer(header_bytes) + came, &State::header_came);
+}
+
+void Channel::State::read_payload() {
+    read_part(asio::buffer(frame.data(), header.payload_bytes) + came, &State::payload_came);
+}
+
+/// Reads some of the rest, and then does what is next.
+void Channel::State::read_part(asio::mutable_buffer rest, void (State::*next)()) {
+    reading = true;
+    stream->read_some(
+        rest, [self = shared_from_this(), next](const error_code& error, std::size_t bytes) {
+            self->reading = false;
+            self->traffic.bytes_received += bytes;
+            self->came += bytes;
+            if (error || self->phase != Phase::Open) {
+                return self->read_failed(error);
+            }
+            (self.get()->*next)();
+        });
+}
+
+void Channel::State::header_came() {
+    if (came < header_bytes.size()) {
+        watch_read();
+        return read_header();
     }
     auto decoded = decode_header(header_bytes);
     if (!decoded) {
@@ -151,21 +179,19 @@ void Channel::State::header_came(const error_code& error) {
     if (frame.size() < header.payload_bytes) {
         frame.resize(header.payload_bytes); // Bounded by decode_header.
     }
-    reading = true;
-    asio::async_read(socket,
-                     asio::buffer(frame.data(), header.payload_bytes),
-                     whole,
-                     [self = shared_from_this()](const error_code& failed, std::size_t bytes) {
-                         self->traffic.bytes_received += bytes;
-                         self->payload_came(failed);
-                     });
+    came = 0;
+    if (header.payload_bytes == 0) {
+        return payload_came();
+    }
+    watch_read();
+    read_payload();
 }
 
-void Channel::State::payload_came(const error_code& error) {
-    reading = false;
-    if (error || phase != Phase::Open) {
-        return read_failed(error);
+void Channel::State::payload_came() {
+    if (came < header.payload_bytes) {
+        return read_payload();
     }
+    rest_due.reset();
     auto added = assembler.add(header, std::span(frame).first(header.payload_bytes));
     if (!added) {
         return fail(added.error());
@@ -174,6 +200,29 @@ void Channel::State::payload_came(const error_code& error) {
         return read_next();
     }
     deliver(*added.value());
+}
+
+/// From now on, for this frame. One timer serves many frames: it looks how things are when it ends,
+/// and most often finds that the frame is there.
+void Channel::State::watch_read() {
+    if (!rest_due) {
+        rest_due = Clock::now() + stall_max;
+    }
+    if (std::exchange(watching_read, true)) {
+        return;
+    }
+    read_deadline.expires_at(*rest_due);
+    read_deadline.async_wait([self = shared_from_this()](const error_code& error) {
+        self->watching_read = false;
+        if (error || self->phase != Phase::Open || !self->rest_due) {
+            return;
+        }
+        if (*self->rest_due <= Clock::now()) {
+            self->fail({ErrorCode::Timeout, "a message that stands still midway"});
+        } else {
+            self->watch_read();
+        }
+    });
 }
 
 void Channel::State::deliver(const MessageAssembler::Whole& whole_message) {
@@ -191,9 +240,7 @@ void Channel::State::read_failed(const error_code& error) {
         return;
     }
     if (phase == Phase::Open) {
-        return fail(
-            {ErrorCode::Disconnected,
-             error == asio::error::eof ? "the peer closed the connection" : error.message()});
+        return fail(stream_error(error));
     }
     if (!error) {
         return drop_incoming();
@@ -212,12 +259,12 @@ void Channel::State::drop_incoming() {
     }
     reading = true;
     frame.resize(std::max<std::size_t>(frame.size(), 4096));
-    socket.async_read_some(asio::buffer(frame),
-                           [self = shared_from_this()](const error_code& error, std::size_t bytes) {
-                               self->reading = false;
-                               self->traffic.bytes_received += bytes;
-                               self->read_failed(error);
-                           });
+    stream->read_some(asio::buffer(frame),
+                      [self = shared_from_this()](const error_code& error, std::size_t bytes) {
+                          self->reading = false;
+                          self->traffic.bytes_received += bytes;
+                          self->read_failed(error);
+                      });
 }
 
 // ---- Writing --------------------------------------------------------------------------------
@@ -240,8 +287,7 @@ void Channel::State::write_next() {
     const std::size_t lane = lanes[lane_control].empty() ? lane_data : lane_control;
     if (lanes[lane].empty()) {
         if (phase == Phase::Flushing) {
-            error_code ignored;
-            socket.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+            stream->end_writing();
         }
         return;
     }
@@ -261,14 +307,12 @@ void Channel::State::write_next() {
         std::make_shared<const std::array<std::byte, frame_header_bytes>>(encode_header(out));
     const std::array<asio::const_buffer, 2> buffers{asio::buffer(*bytes),
                                                     asio::buffer(slice.data(), slice.size())};
-    asio::async_write(socket,
-                      buffers,
-                      whole,
-                      [self = shared_from_this(), bytes, lane, payload = slice.size()](
-                          const error_code& error, std::size_t transferred) {
-                          self->traffic.bytes_sent += transferred;
-                          self->frame_written(lane, payload, error);
-                      });
+    stream->write(buffers,
+                  [self = shared_from_this(), bytes, lane, payload = slice.size()](
+                      const error_code& error, std::size_t transferred) {
+                      self->traffic.bytes_sent += transferred;
+                      self->frame_written(lane, payload, error);
+                  });
     watch_write();
 }
 
@@ -280,7 +324,7 @@ void Channel::State::frame_written(std::size_t lane, std::size_t payload, const 
         return;
     }
     if (error) {
-        return fail({ErrorCode::Disconnected, error.message()});
+        return fail(stream_error(error));
     }
     Outgoing& message = lanes[lane].front();
     message.sent += payload;
@@ -335,14 +379,13 @@ void Channel::State::shut() {
     if (!failure) {
         failure = Error{ErrorCode::Disconnected, "closed on this side"};
     }
-    error_code ignored;
-    socket.shutdown(asio::ip::tcp::socket::shutdown_both, ignored);
-    socket.close(ignored);
+    stream->close();
     if (!writing) {
         lanes = {};
     }
     queued_bytes = 0;
     received.cancel();
+    read_deadline.cancel();
     written.cancel();
     write_deadline.cancel();
     flush_deadline.cancel();
@@ -350,8 +393,9 @@ void Channel::State::shut() {
 
 // ---- The channel ----------------------------------------------------------------------------
 
-std::shared_ptr<Channel> Channel::make(asio::ip::tcp::socket socket) {
-    return std::shared_ptr<Channel>(new Channel(std::make_shared<State>(std::move(socket))));
+std::shared_ptr<Channel> Channel::make(std::unique_ptr<Stream> stream, Clock::duration stall_max) {
+    return std::shared_ptr<Channel>(
+        new Channel(std::make_shared<State>(std::move(stream), stall_max)));
 }
 
 Channel::Channel(std::shared_ptr<State> state) : state_(std::move(state)) {}
@@ -426,6 +470,18 @@ const std::string& Channel::peer_host() const {
 
 const std::string& Channel::own_host() const {
     return state_->own_host;
+}
+
+bool Channel::is_secured() const {
+    return state_->stream->is_secured();
+}
+
+const std::optional<Identity>& Channel::peer_identity() const {
+    return state_->stream->peer_identity();
+}
+
+std::optional<Sha256> Channel::binding() const {
+    return state_->stream->binding();
 }
 
 } // namespace cd

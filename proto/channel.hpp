@@ -1,15 +1,18 @@
-// A connection that carries messages, over TCP for now and over TLS later.
+// A connection that carries messages, over TCP or TLS.
 #pragma once
 
 #include "common/core/limits.hpp"
 #include "common/core/result.hpp"
 #include "proto/asio.hpp"
 #include "proto/message.hpp"
+#include "proto/stream.hpp"
+#include "proto/tls.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace cd {
 
@@ -23,9 +26,16 @@ struct Endpoint {
 [[nodiscard]] Result<Endpoint> parse_endpoint(const std::string& text);
 /// True for 127.0.0.0/8, ::1 and "localhost".
 [[nodiscard]] bool is_loopback(const Endpoint& endpoint);
-/// Until TLS exists nothing leaves or enters beyond loopback unless `insecure` says so. Errors:
-/// Refused naming the option; with `insecure` beyond loopback a warning is logged.
-[[nodiscard]] Status check_exposure(const Endpoint& endpoint, bool insecure, bool listening);
+
+/// How a program is about to use an endpoint.
+struct Exposure {
+    bool secured = false;  ///< By TLS.
+    bool insecure = false; ///< --insecure was given.
+    bool listening = false;
+};
+/// Without TLS nothing leaves or enters beyond loopback unless `insecure` says so. Errors: Refused
+/// saying how TLS is had, and naming the option; with `insecure` a warning is logged.
+[[nodiscard]] Status check_exposure(const Endpoint& endpoint, const Exposure& exposure);
 
 /// Counts of one connection.
 struct Traffic {
@@ -37,14 +47,17 @@ struct Traffic {
 /// before data messages; a data message goes in frames, so that a heartbeat waits for one at most.
 class Channel : public std::enable_shared_from_this<Channel> {
   public:
-    /// The socket is connected. Starts the writer.
-    [[nodiscard]] static std::shared_ptr<Channel> make(asio::ip::tcp::socket socket);
+    /// The stream is connected, and secured if it is to be. Of a message that has begun to come,
+    /// the next frame must be there within `stall_max`, or the channel closes.
+    [[nodiscard]] static std::shared_ptr<Channel>
+    make(std::unique_ptr<Stream> stream,
+         std::chrono::steady_clock::duration stall_max = limits::read_stall_max);
 
     /// The next message. Nothing is read from the socket beyond one message that nobody awaits, so
     /// a slow caller slows the peer. Errors: Timeout when `timeout` passes without one (the channel
-    /// stays usable); Disconnected; BadFrame or TooLarge for bytes that are none, after which the
-    /// channel is closed. The first message must be a Hello, Welcome or Failure. One caller at a
-    /// time.
+    /// stays usable); Disconnected; Refused, by a peer that does not take this end's certificate;
+    /// BadFrame or TooLarge for bytes that are none, after which the channel is closed. The first
+    /// message must be a Hello, Welcome or Failure. One caller at a time.
     [[nodiscard]] asio::awaitable<Result<Message>>
     receive(std::chrono::steady_clock::duration timeout);
 
@@ -69,6 +82,10 @@ class Channel : public std::enable_shared_from_this<Channel> {
     /// The addresses of both ends, without their ports.
     [[nodiscard]] const std::string& peer_host() const;
     [[nodiscard]] const std::string& own_host() const;
+    /// Those of its stream.
+    [[nodiscard]] bool is_secured() const;
+    [[nodiscard]] const std::optional<Identity>& peer_identity() const;
+    [[nodiscard]] std::optional<Sha256> binding() const;
 
   private:
     struct State;
@@ -81,9 +98,30 @@ class Channel : public std::enable_shared_from_this<Channel> {
     ~Channel();
 };
 
-/// Connects within the timeout. Errors: Disconnected naming host and port.
+/// Whom a connection is made to.
+struct Target {
+    Target(Endpoint there, // Where plain TCP is meant, the endpoint says it all.
+           std::shared_ptr<const Tls> secured_by = nullptr,
+           CertifiedRole expected = CertifiedRole::Master)
+        : endpoint(std::move(there)), tls(std::move(secured_by)), role(expected) {}
+
+    Endpoint endpoint;
+    std::shared_ptr<const Tls> tls; ///< Null: plain.
+    CertifiedRole role;
+};
+
+/// Connects, each step within the timeout. Errors: Disconnected naming host and port; Refused when
+/// one end does not take the other's certificate, or the other end is of another role.
 [[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
-connect(Endpoint endpoint, std::chrono::seconds timeout = limits::connect_timeout);
+connect(Target target, std::chrono::seconds timeout = limits::connect_timeout);
+
+/// What follows when a socket was accepted, within the timeout. A peer that speaks TLS where `tls`
+/// is null, or does not where it is there, is told so in its own terms. Errors: those of
+/// `Stream::secure`.
+[[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
+accept_channel(asio::ip::tcp::socket socket,
+               std::shared_ptr<const Tls> tls,
+               std::chrono::steady_clock::duration timeout = limits::connect_timeout);
 
 /// Says hello and awaits the answer. Errors: Refused with the other side's reason, and those of
 /// `receive`.

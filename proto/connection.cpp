@@ -2,46 +2,22 @@
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
 #include "proto/channel.hpp"
+#include "proto/deadline.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace cd {
 namespace {
 
 using boost::system::error_code;
 
-/// While alive, cancels the pending operations of a socket or resolver once the time is up. Both
-/// and their coroutine share one thread.
-template <class Cancellable>
-class Deadline {
-  public:
-    Deadline(Cancellable& target, std::chrono::steady_clock::duration timeout)
-        : state_(std::make_shared<State>()), timer_(target.get_executor(), timeout) {
-        state_->target = &target;
-        timer_.async_wait([state = state_](const error_code&) {
-            // An expiry already queued is delivered even after the timer is gone.
-            if (state->target != nullptr) {
-                state->expired = true;
-                state->target->cancel();
-            }
-        });
-    }
-
-    Deadline(const Deadline&) = delete;
-    Deadline& operator=(const Deadline&) = delete;
-    ~Deadline() { state_->target = nullptr; }
-
-    [[nodiscard]] bool expired() const { return state_->expired; }
-
-  private:
-    struct State {
-        Cancellable* target = nullptr;
-        bool expired = false;
-    };
-
-    std::shared_ptr<State> state_;
-    asio::steady_timer timer_;
-};
+/// The first byte of a TLS record with a handshake in it (RFC 8446, section 5.1).
+constexpr std::byte tls_handshake{22};
+/// A fatal alert: the version is not spoken. OpenSSL's clients name it in their error.
+constexpr std::array<unsigned char, 7> tls_not_spoken{21, 3, 3, 0, 2, 2, 70};
+/// Of what still comes from a peer that was refused.
+constexpr std::size_t refused_bytes_max = 1u << 20;
 
 using Addresses = std::vector<asio::ip::tcp::endpoint>;
 
@@ -64,10 +40,63 @@ asio::awaitable<Addresses> resolve(const Endpoint& endpoint, error_code& error) 
     co_return addresses;
 }
 
+std::string name_of(const Endpoint& endpoint) {
+    return endpoint.host + ":" + std::to_string(endpoint.port);
+}
+
 Error unreachable(const Endpoint& endpoint, const std::string& why) {
-    return {ErrorCode::Disconnected,
-            "cannot connect to " + endpoint.host + ":" + std::to_string(endpoint.port) + ": " +
-                why};
+    return {ErrorCode::Disconnected, "cannot connect to " + name_of(endpoint) + ": " + why};
+}
+
+/// TLS at the connecting end, where there is to be one.
+asio::awaitable<Status> secure(Stream& stream, const Target& target, std::chrono::seconds timeout) {
+    if (target.tls == nullptr) {
+        co_return Done{};
+    }
+    const Status secured = co_await stream.secure(target.tls, TlsEnd::Connecting, timeout);
+    if (!secured) {
+        co_return Error{secured.error().code,
+                        name_of(target.endpoint) + ": " + secured.error().detail};
+    }
+    const std::optional<Identity>& peer = stream.peer_identity();
+    if (!peer || peer->role != target.role) {
+        co_return Error{ErrorCode::Refused,
+                        name_of(target.endpoint) + " shows the certificate of a " +
+                            (peer ? std::string(to_text(peer->role)) : "nobody") + ", not of a " +
+                            std::string(to_text(target.role))};
+    }
+    co_return Done{};
+}
+
+/// Closes so that the peer reads what was sent to it: unread bytes at a close would reset the
+/// connection.
+asio::awaitable<void> end_gently(asio::ip::tcp::socket& socket) {
+    error_code error;
+    socket.shutdown(asio::ip::tcp::socket::shutdown_send, error);
+    const Deadline deadline(socket, limits::close_flush_max);
+    std::array<std::byte, 4096> dropped{};
+    for (std::size_t bytes = 0; !error && bytes < refused_bytes_max;) {
+        bytes += co_await socket.async_read_some(asio::buffer(dropped),
+                                                 asio::redirect_error(asio::use_awaitable, error));
+    }
+}
+
+asio::awaitable<Error> refuse_tls(asio::ip::tcp::socket& socket) {
+    error_code ignored;
+    co_await asio::async_write(
+        socket, asio::buffer(tls_not_spoken), asio::redirect_error(asio::use_awaitable, ignored));
+    co_await end_gently(socket);
+    co_return Error{ErrorCode::Refused, "TLS at a port that does not speak it"};
+}
+
+Error refuse_plaintext(asio::ip::tcp::socket socket) {
+    Failure failure;
+    failure.code = ErrorCode::Refused;
+    failure.detail = "only TLS is spoken here: join with a token, or name a credential";
+    const auto channel = Channel::make(std::make_unique<Stream>(std::move(socket)));
+    channel->send(failure);
+    channel->close(true);
+    return {ErrorCode::Refused, "plaintext at a port of TLS"};
 }
 
 Error unexpected(const std::string& what) {
@@ -80,21 +109,66 @@ std::string versions(std::uint16_t min, std::uint16_t max) {
 
 } // namespace
 
-asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Endpoint endpoint,
+asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Target target,
                                                           std::chrono::seconds timeout) {
     error_code error;
-    const Addresses addresses = co_await resolve(endpoint, error);
+    const Addresses addresses = co_await resolve(target.endpoint, error);
     std::string why = error ? error.message() : "no such host";
     for (const auto& address : addresses) {
         asio::ip::tcp::socket socket(co_await asio::this_coro::executor);
-        const Deadline deadline(socket, timeout);
-        co_await socket.async_connect(address, asio::redirect_error(asio::use_awaitable, error));
-        if (!error) {
-            co_return Channel::make(std::move(socket));
+        {
+            const Deadline deadline(socket, timeout);
+            co_await socket.async_connect(address,
+                                          asio::redirect_error(asio::use_awaitable, error));
+            why = deadline.expired() ? "no answer in time" : error.message();
         }
-        why = deadline.expired() ? "no answer in time" : error.message();
+        if (error) {
+            continue;
+        }
+        auto stream = std::make_unique<Stream>(std::move(socket));
+        const Status secured = co_await secure(*stream, target, timeout);
+        if (!secured) {
+            co_return secured.error();
+        }
+        co_return Channel::make(std::move(stream));
     }
-    co_return unreachable(endpoint, why);
+    co_return unreachable(target.endpoint, why);
+}
+
+asio::awaitable<Result<std::shared_ptr<Channel>>>
+accept_channel(asio::ip::tcp::socket socket,
+               std::shared_ptr<const Tls> tls,
+               std::chrono::steady_clock::duration timeout) {
+    std::byte first{};
+    error_code error;
+    {
+        const Deadline deadline(socket, timeout);
+        co_await socket.async_receive(asio::buffer(&first, 1),
+                                      asio::socket_base::message_peek,
+                                      asio::redirect_error(asio::use_awaitable, error));
+        if (deadline.expired()) {
+            co_return Error{ErrorCode::Timeout, "nothing came in time"};
+        }
+    }
+    if (error) {
+        co_return stream_error(error);
+    }
+    const bool speaks_tls = first == tls_handshake;
+    if (tls == nullptr && speaks_tls) {
+        co_return co_await refuse_tls(socket);
+    }
+    if (tls != nullptr && !speaks_tls) {
+        co_return refuse_plaintext(std::move(socket));
+    }
+    auto stream = std::make_unique<Stream>(std::move(socket));
+    if (tls != nullptr) {
+        const Status secured = co_await stream->secure(tls, TlsEnd::Accepting, timeout);
+        if (!secured) {
+            co_await end_gently(stream->socket());
+            co_return secured.error();
+        }
+    }
+    co_return Channel::make(std::move(stream));
 }
 
 asio::awaitable<Result<Welcome>> greet(std::shared_ptr<Channel> channel, Hello hello) {

@@ -58,15 +58,18 @@ bool is_loopback(const Endpoint& endpoint) {
     return error ? endpoint.host == "localhost" : address.is_loopback();
 }
 
-Status check_exposure(const Endpoint& endpoint, bool insecure, bool listening) {
-    if (is_loopback(endpoint)) {
+Status check_exposure(const Endpoint& endpoint, const Exposure& exposure) {
+    if (exposure.secured || is_loopback(endpoint)) {
         return Done{};
     }
-    const std::string what = (listening ? "listening on " : "connecting to ") + to_text(endpoint);
-    if (!insecure) {
+    const std::string what =
+        (exposure.listening ? "listening on " : "connecting to ") + to_text(endpoint);
+    if (!exposure.insecure) {
         return Error{ErrorCode::Refused,
-                     what + " leaves this machine without encryption or authentication; give "
-                            "--insecure to allow it on a network that you trust"};
+                     what + " leaves this machine without encryption or authentication; " +
+                         (exposure.listening ? "make an identity with `cdmaster init`"
+                                             : "join the cluster with a token (`join`)") +
+                         ", or give --insecure on a network that you trust"};
     }
     spdlog::warn("insecure: {} without encryption or authentication", what);
     return Done{};

@@ -47,6 +47,9 @@ class MessageAssembler {
     [[nodiscard]] Result<std::optional<Whole>> add(const FrameHeader& header,
                                                    std::span<const std::byte> payload);
 
+    /// Some message has begun to come and is not whole.
+    [[nodiscard]] bool has_begun() const { return !open_.empty(); }
+
   private:
     struct Open {
         std::uint32_t stream = 0;

@@ -76,9 +76,9 @@ std::shared_ptr<Channel> PeerLinks::take_kept(const Address& address) {
 }
 
 asio::awaitable<std::shared_ptr<Channel>> PeerLinks::open(const Address& address) {
-    const Endpoint endpoint{address.first, address.second};
+    Target target{{address.first, address.second}, tls_->now, CertifiedRole::Worker};
     const Result<std::shared_ptr<Channel>> made =
-        co_await connect(endpoint, limits::peer_connect_timeout);
+        co_await connect(std::move(target), limits::peer_connect_timeout);
     if (!made) {
         co_return nullptr;
     }

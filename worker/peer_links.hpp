@@ -15,7 +15,9 @@ namespace cd {
 class PeerLinks {
   public:
     /// `name`: this worker's, for the others' logs.
-    explicit PeerLinks(std::string name) : name_(std::move(name)) {}
+    explicit PeerLinks(std::string name,
+                       std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>())
+        : name_(std::move(name)), tls_(std::move(tls)) {}
 
     /// Calls `on_block` for each block of the answer, as they come, none twice, with roots and
     /// hashes that were asked for; that their bytes have their hashes is not checked. Given means
@@ -41,6 +43,7 @@ class PeerLinks {
     void keep(const Address& address, std::shared_ptr<Channel> channel);
 
     std::string name_;
+    std::shared_ptr<const TlsSlot> tls_;
     std::multimap<Address, std::shared_ptr<Channel>> idle_;
 };
 

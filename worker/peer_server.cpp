@@ -8,13 +8,23 @@
 
 namespace cd {
 
+namespace {
+
+bool is_worker(const std::optional<Identity>& identity) {
+    return identity && identity->role == CertifiedRole::Worker;
+}
+
+} // namespace
+
 Result<std::shared_ptr<PeerServer>> PeerServer::listen(const asio::any_io_executor& executor,
-                                                       const Endpoint& endpoint) {
+                                                       const Endpoint& endpoint,
+                                                       std::shared_ptr<const TlsSlot> tls) {
     Result<std::unique_ptr<Listener>> listener = Listener::open(executor, endpoint);
     if (!listener) {
         return listener.error();
     }
-    std::shared_ptr<PeerServer> server(new PeerServer(executor, std::move(listener.value())));
+    std::shared_ptr<PeerServer> server(
+        new PeerServer(executor, std::move(listener.value()), std::move(tls)));
     server->listener_->start([weak = std::weak_ptr(server)](asio::ip::tcp::socket socket) {
         if (const auto self = weak.lock()) {
             self->accept(std::move(socket));
@@ -23,8 +33,10 @@ Result<std::shared_ptr<PeerServer>> PeerServer::listen(const asio::any_io_execut
     return server;
 }
 
-PeerServer::PeerServer(asio::any_io_executor executor, std::unique_ptr<Listener> listener)
-    : executor_(std::move(executor)), listener_(std::move(listener)) {}
+PeerServer::PeerServer(asio::any_io_executor executor,
+                       std::unique_ptr<Listener> listener,
+                       std::shared_ptr<const TlsSlot> tls)
+    : executor_(std::move(executor)), listener_(std::move(listener)), tls_(std::move(tls)) {}
 
 void PeerServer::serve(const PeerKey& key, Blocks blocks) {
     tickets_.emplace(key);
@@ -40,12 +52,26 @@ void PeerServer::accept(asio::ip::tcp::socket socket) {
     if (connections_ >= limits::peer_connections_max) {
         return; // It is closed, and the other worker goes to the next source.
     }
-    spawn(executor_, "a peer", converse(Channel::make(std::move(socket))));
+    spawn(executor_, "a peer", serve(std::move(socket)));
+}
+
+asio::awaitable<void> PeerServer::serve(asio::ip::tcp::socket socket) {
+    const auto self = shared_from_this();
+    ++connections_;
+    const Result<std::shared_ptr<Channel>> channel =
+        co_await accept_channel(std::move(socket), tls_->now);
+    if (!channel) {
+        spdlog::warn("peer refused: reason=\"{}\"", channel.error().detail);
+    } else if (tls_->now != nullptr && !is_worker(channel.value()->peer_identity())) {
+        spdlog::warn("peer refused: peer={} reason=\"not the certificate of a worker\"",
+                     channel.value()->peer());
+    } else {
+        co_await converse(channel.value());
+    }
+    --connections_;
 }
 
 asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel) {
-    const auto self = shared_from_this();
-    ++connections_;
     const Result<Hello> hello = co_await accept_hello(channel);
     if (hello && hello.value().role == Role::Peer) {
         Welcome welcome;
@@ -62,7 +88,6 @@ asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel) {
         }
     }
     channel->close();
-    --connections_;
 }
 
 asio::awaitable<void> PeerServer::answer(std::shared_ptr<Channel> channel, PeerFetch fetch) {

@@ -21,7 +21,9 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
 
     /// Listens at once. Errors: those of `Listener::open`.
     [[nodiscard]] static Result<std::shared_ptr<PeerServer>>
-    listen(const asio::any_io_executor& executor, const Endpoint& endpoint);
+    listen(const asio::any_io_executor& executor,
+           const Endpoint& endpoint,
+           std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>());
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
 
@@ -34,15 +36,19 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
     [[nodiscard]] std::uint64_t uploaded_bytes() const { return uploaded_bytes_; }
 
   private:
-    PeerServer(asio::any_io_executor executor, std::unique_ptr<Listener> listener);
+    PeerServer(asio::any_io_executor executor,
+               std::unique_ptr<Listener> listener,
+               std::shared_ptr<const TlsSlot> tls);
 
     void accept(asio::ip::tcp::socket socket);
+    [[nodiscard]] asio::awaitable<void> serve(asio::ip::tcp::socket socket);
     [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel);
     [[nodiscard]] asio::awaitable<void> answer(std::shared_ptr<Channel> channel, PeerFetch fetch);
     [[nodiscard]] asio::awaitable<void> upload(std::shared_ptr<Channel> channel, PeerFetch fetch);
 
     asio::any_io_executor executor_;
     std::unique_ptr<Listener> listener_;
+    std::shared_ptr<const TlsSlot> tls_;
     std::optional<TicketCheck> tickets_;
     Blocks blocks_;
     std::size_t connections_ = 0;

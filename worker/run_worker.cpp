@@ -33,7 +33,8 @@ class Daemon {
     asio::awaitable<void> run() {
         const auto give_up_at = std::chrono::steady_clock::now() + config_.connect_for;
         for (;;) {
-            const Result<std::shared_ptr<Channel>> channel = co_await connect(config_.master);
+            Target target{config_.master, tls_->now};
+            const Result<std::shared_ptr<Channel>> channel = co_await connect(std::move(target));
             if (channel) {
                 const std::optional<int> code = co_await serve(channel.value());
                 if (code) {
@@ -86,7 +87,7 @@ class Daemon {
             channel,
             executor_,
             config_.cache_bytes,
-            PeerParts{peer_server_, welcome.value().peer_key, config_.name},
+            PeerParts{peer_server_, welcome.value().peer_key, config_.name, tls_},
             keep_);
         const SessionEnd how = co_await session_->run();
         const std::shared_ptr<Session> session = std::move(session_);
@@ -101,11 +102,11 @@ class Daemon {
     void listen_to_peers(const Channel& channel) {
         const Endpoint endpoint{channel.own_host(), config_.peer_port};
         if (config_.no_peers || peer_server_ != nullptr ||
-            !check_exposure(endpoint, config_.insecure, true)) {
+            !check_exposure(endpoint, {tls_->now != nullptr, config_.insecure, true})) {
             return;
         }
         Result<std::shared_ptr<PeerServer>> server =
-            PeerServer::listen(context_.get_executor(), endpoint);
+            PeerServer::listen(context_.get_executor(), endpoint, tls_);
         if (server) {
             peer_server_ = std::move(server.value());
         } else {
@@ -137,6 +138,7 @@ class Daemon {
     const WorkerConfig& config_;
     asio::io_context& context_;
     Executor executor_;
+    std::shared_ptr<TlsSlot> tls_ = std::make_shared<TlsSlot>();
     StopSignals signals_;
     asio::steady_timer pause_;
     Backoff backoff_;
@@ -165,7 +167,8 @@ void Backoff::reset() {
 }
 
 int run_worker(const WorkerConfig& config) {
-    if (const Status allowed = check_exposure(config.master, config.insecure, false); !allowed) {
+    const Exposure exposure{false, config.insecure, false};
+    if (const Status allowed = check_exposure(config.master, exposure); !allowed) {
         spdlog::error("refused: {}", allowed.error().detail);
         return exit_refused;
     }

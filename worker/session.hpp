@@ -34,6 +34,7 @@ struct PeerParts {
     std::shared_ptr<PeerServer> server; ///< Null: others get nothing here.
     PeerKey key;                        ///< From the welcome.
     std::string name;                   ///< Of this worker, for the others' logs.
+    std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>();
 };
 
 /// Holds what one master has given to this worker: trees, subtrees, tasks. Subtrees, and results

@@ -18,6 +18,13 @@ inline constexpr std::size_t streams_max = 4; ///< Messages that one peer may ha
 inline constexpr std::size_t hello_text_bytes_max = 256;
 inline constexpr std::size_t write_queue_bytes_max = 64u << 20; ///< Then the sender waits.
 
+// Identity.
+inline constexpr std::size_t certificate_bytes_max = 16u << 10; ///< One PEM text.
+inline constexpr std::size_t certified_name_bytes_max = 64;     ///< RFC 5280's bound, too.
+inline constexpr std::chrono::hours authority_life{24 * 3650};
+inline constexpr std::chrono::minutes clock_difference_max{5};  ///< Of two hosts; for certificates.
+inline constexpr std::uint64_t tls_key_bytes_max = 64ull << 30; ///< Then a new key is agreed on.
+
 // Files.
 inline constexpr std::uint64_t npz_array_bytes_max = 16ull << 30; ///< One array, unpacked.
 inline constexpr std::uint64_t tree_cache_bytes_max = 4ull << 30; ///< Trees kept between runs.
@@ -130,5 +137,6 @@ inline constexpr std::chrono::milliseconds accept_retry_period{100};
 inline constexpr std::chrono::seconds stop_grace{5}; ///< For what is under way when a program ends.
 inline constexpr std::chrono::seconds write_stall_max{30}; ///< One frame; then the peer is lost.
 inline constexpr std::chrono::seconds close_flush_max{5};  ///< For what is queued at a close.
+inline constexpr std::chrono::seconds read_stall_max{30};  ///< For the rest of a begun frame.
 
 } // namespace cd::limits

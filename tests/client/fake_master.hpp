@@ -70,7 +70,7 @@ class FakeMaster {
             if (error) {
                 co_return;
             }
-            channels_.push_back(Channel::make(std::move(socket)));
+            channels_.push_back(Channel::make(std::make_unique<Stream>(std::move(socket))));
             spawn(context_.get_executor(), "fake conversation", converse(channels_.back()));
         }
     }

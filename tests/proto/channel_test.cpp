@@ -167,7 +167,8 @@ asio::awaitable<ErrorCode> verdict_on(Bytes bytes) {
     asio::ip::tcp::socket raw(executor);
     co_await raw.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
     asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
-    const std::shared_ptr<Channel> channel = Channel::make(std::move(socket));
+    const std::shared_ptr<Channel> channel =
+        Channel::make(std::make_unique<Stream>(std::move(socket)));
     co_await asio::async_write(raw, asio::buffer(bytes), asio::use_awaitable);
     raw.close();
     const Result<Message> message = co_await channel->receive(patience);
@@ -209,6 +210,74 @@ TEST(Channel, APeerThatClosesMidFrameIsDisconnected) {
             Bytes piece(frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size));
             EXPECT_EQ(co_await verdict_on(piece), ErrorCode::Disconnected);
         }
+    });
+}
+
+/// Connects, says these bytes and no more, and waits until the other end has had enough.
+asio::awaitable<Error> verdict_on_standstill_after(Bytes bytes) {
+    const auto executor = co_await asio::this_coro::executor;
+    const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
+    asio::ip::tcp::acceptor acceptor(executor, any_port);
+    asio::ip::tcp::socket slow(executor);
+    co_await slow.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
+    asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
+    const std::shared_ptr<Channel> channel =
+        Channel::make(std::make_unique<Stream>(std::move(socket)), 20ms);
+    co_await asio::async_write(slow, asio::buffer(bytes), asio::use_awaitable);
+    Result<Message> message = co_await channel->receive(patience);
+    EXPECT_FALSE(channel->is_open());
+    co_return message.error();
+}
+
+TEST(Channel, AMessageThatStandsStillMidwayEndsTheConnection) {
+    run_conversation([]() -> asio::awaitable<void> {
+        const Bytes hello = frame_of(Hello{});
+        for (const std::size_t size :
+             {std::size_t{1}, frame_header_bytes - 1, frame_header_bytes, hello.size() - 1}) {
+            Bytes piece(hello.begin(), hello.begin() + static_cast<std::ptrdiff_t>(size));
+            const Error verdict = co_await verdict_on_standstill_after(std::move(piece));
+            EXPECT_EQ(verdict.code, ErrorCode::Timeout);
+            EXPECT_THAT(verdict.detail, testing::HasSubstr("midway"));
+        }
+    });
+}
+
+TEST(Channel, AFrameThatPromisesMoreIsHeldToIt) {
+    run_conversation([]() -> asio::awaitable<void> {
+        FrameHeader header;
+        header.type = message_type(Hello{});
+        header.has_more = true;
+        header.payload_bytes = 1;
+        const Bytes payload(1);
+        header.payload_checksum = checksum(payload);
+        const auto head = encode_header(header);
+        Bytes begun(head.begin(), head.end());
+        begun.insert(begun.end(), payload.begin(), payload.end());
+        const Error verdict = co_await verdict_on_standstill_after(std::move(begun));
+        EXPECT_EQ(verdict.code, ErrorCode::Timeout);
+    });
+}
+
+TEST(Channel, BetweenMessagesOneMayBeSilent) {
+    run_conversation([]() -> asio::awaitable<void> {
+        const auto executor = co_await asio::this_coro::executor;
+        const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
+        asio::ip::tcp::acceptor acceptor(executor, any_port);
+        asio::ip::tcp::socket quiet(executor);
+        co_await quiet.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
+        asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
+        const std::shared_ptr<Channel> channel =
+            Channel::make(std::make_unique<Stream>(std::move(socket)), 500ms);
+        const Bytes hello = frame_of(Hello{});
+        for (int i = 0; i < 2; ++i) {
+            co_await asio::async_write(quiet, asio::buffer(hello), asio::use_awaitable);
+            const Result<Message> message = co_await channel->receive(patience);
+            EXPECT_TRUE(message);
+            const Result<Message> nothing = co_await channel->receive(600ms);
+            EXPECT_EQ(nothing.error().code, ErrorCode::Timeout);
+            EXPECT_TRUE(channel->is_open());
+        }
+        channel->close();
     });
 }
 
@@ -273,7 +342,7 @@ TEST(Connect, AClosedPortIsAnErrorThatNamesIt) {
         const auto executor = co_await asio::this_coro::executor;
         const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
         asio::ip::tcp::acceptor acceptor(executor, any_port);
-        Endpoint endpoint{"127.0.0.1", acceptor.local_endpoint().port()};
+        const Endpoint endpoint{"127.0.0.1", acceptor.local_endpoint().port()};
         acceptor.close();
         const Result<std::shared_ptr<Channel>> channel = co_await connect(endpoint);
         EXPECT_EQ(channel.error().code, ErrorCode::Disconnected);

@@ -50,13 +50,14 @@ TEST(Endpoint, KnowsLoopback) {
 }
 
 TEST(Endpoint, BeyondLoopbackTheOptionIsNeeded) {
-    EXPECT_TRUE(check_exposure({"127.0.0.1", 7600}, false, true));
+    EXPECT_TRUE(check_exposure({"127.0.0.1", 7600}, {false, false, true}));
     for (const bool listening : {false, true}) {
-        const auto refused = check_exposure({"0.0.0.0", 7600}, false, listening);
+        const auto refused = check_exposure({"0.0.0.0", 7600}, {false, false, listening});
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().code, ErrorCode::Refused);
         EXPECT_THAT(refused.error().detail, testing::HasSubstr("--insecure"));
-        EXPECT_TRUE(check_exposure({"0.0.0.0", 7600}, true, listening));
+        EXPECT_TRUE(check_exposure({"0.0.0.0", 7600}, {false, true, listening}));
+        EXPECT_TRUE(check_exposure({"0.0.0.0", 7600}, {true, false, listening}));
     }
 }
 

@@ -29,7 +29,7 @@ inline asio::awaitable<Ends> connect_ends() {
     asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
     Ends ends;
     ends.left = std::move(left.value());
-    ends.right = Channel::make(std::move(socket));
+    ends.right = Channel::make(std::make_unique<Stream>(std::move(socket)));
     co_return ends;
 }
 

@@ -20,12 +20,12 @@ LAYERS = {
 # A library may be included only from these files (prefixes of paths).
 DOORS = {
     r"Eigen/": ["common/geometry", "common/tree", "common/job", "client"],
-    r"openssl/": ["common/core/hash.cpp"],
+    r"openssl/": ["common/core/hash.cpp", "proto/openssl.hpp", "proto/certificate.cpp", "proto/tls.cpp", "proto/stream.cpp"],
     r"sqlite3\.h": ["master/journal_database.cpp"],
     r"xxhash\.h": ["common/core/hash.cpp"],
     r"zstd\.h": ["common/core/compress.cpp"],
     r"spdlog/(?!fmt/)": ["common/core"],
-    r"boost/asio": ["proto/asio.hpp"],
+    r"boost/asio": ["proto/asio.hpp", "proto/asio_tls.hpp"],
     r"boost/multiprecision": ["common/geometry", "common/tree"],
     r"boost/": ["proto", "common/geometry", "common/tree"],
     r"cereal/": ["proto"],
