@@ -152,6 +152,9 @@ void add_master_options(CLI::App& verb, MasterOptions& master, bool required_her
         address->envname("CDCTL_MASTER")->capture_default_str();
     }
     verb.add_flag("--insecure", master.insecure, "Allow a master beyond loopback, unencrypted");
+    verb.add_option("--credential", master.credential, "What is shown to it; else what `join` got")
+        ->type_name("FILE|none")
+        ->envname("CDCTL_CREDENTIAL");
 }
 
 void add_tree_cache(CLI::App& verb, std::string& folder) {
@@ -211,6 +214,8 @@ struct Verbs {
     StatusCommand status;
     CancelCommand cancel;
     ExplainCommand explain;
+    JoinCommand join;
+    TokenCommand token;
     InspectCommand inspect;
     std::optional<Command> chosen;
 };
@@ -390,6 +395,59 @@ void add_cluster_verbs(CLI::App& app, Verbs& verbs) {
     });
 }
 
+void add_identity_verbs(CLI::App& app, Verbs& verbs) {
+    CLI::App* join = add_verb(app,
+                              verbs,
+                              "join",
+                              "Gets a credential for a master with a token.\n"
+                              "Examples:\n"
+                              "  cdctl join node-1:7600 --token T\n"
+                              "  cdctl join node-1:7600 --token-file token --credential me.pem",
+                              verbs.join);
+    join->add_option("master", verbs.join.master.address, "The master's HOST:PORT")
+        ->required()
+        ->type_name("ADDRESS");
+    CLI::Option* token =
+        join->add_option("--token", verbs.join.token, "What `cdctl token create` printed")
+            ->type_name("TOKEN")
+            ->envname("CDCTL_TOKEN");
+    join->add_option("--token-file", verbs.join.token_file, "Its first line is the token")
+        ->excludes(token)
+        ->type_name("FILE");
+    join->add_option("--name", verbs.join.name, "For people; by default user and host")
+        ->type_name("TEXT");
+    join->add_option("--credential", verbs.join.master.credential, "Where to keep it")
+        ->type_name("FILE")
+        ->envname("CDCTL_CREDENTIAL");
+
+    CLI::App* tokens = app.add_subcommand("token",
+                                          "Tokens with which others join.\n"
+                                          "Examples:\n"
+                                          "  cdctl token create --ttl 1h --uses 50\n"
+                                          "  cdctl token create --role submitter");
+    tokens->require_subcommand(1);
+    CLI::App* create = add_verb(*tokens,
+                                verbs,
+                                "create",
+                                "Prints a token. Needs the credential of an admin.\n"
+                                "Examples:\n"
+                                "  cdctl token create --ttl 1h --uses 50\n"
+                                "  cdctl token create --role submitter --credential admin.pem",
+                                verbs.token);
+    create->add_option("--role", verbs.token.role, "What the joining may be")
+        ->check(CLI::IsMember(std::vector<std::string>{"worker", "submitter", "admin", "metrics"}))
+        ->type_name("worker|submitter|admin|metrics")
+        ->capture_default_str();
+    create->add_option("--ttl", verbs.token.ttl, "How long it is good")
+        ->type_name("DURATION")
+        ->capture_default_str();
+    create->add_option("--uses", verbs.token.uses, "How many may join with it")
+        ->check(CLI::Range(1u, limits::token_uses_max))
+        ->type_name("N")
+        ->capture_default_str();
+    add_master_options(*create, verbs.token.master, true);
+}
+
 /// CLI11's exit codes tell its own errors apart; ours is one for all wrong usage.
 CommandLine refused(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream out;
@@ -414,6 +472,7 @@ CommandLine parse_command_line(std::vector<std::string> arguments) {
     add_local_verbs(app, verbs);
     add_job_verbs(app, verbs);
     add_cluster_verbs(app, verbs);
+    add_identity_verbs(app, verbs);
     std::reverse(arguments.begin(), arguments.end()); // As CLI11 wants a vector.
     try {
         app.parse(std::move(arguments));

@@ -16,6 +16,7 @@ namespace cd {
 struct MasterOptions {
     std::string address; ///< HOST:PORT
     bool insecure = false;
+    std::string credential; ///< A file, or "none"; empty: that which `join` got, if any.
 };
 
 /// What decides exit code 1.
@@ -92,6 +93,22 @@ struct ExplainCommand {
     std::string output = "text"; ///< text, json
 };
 
+/// Gets a credential.
+struct JoinCommand {
+    MasterOptions master;
+    std::string token;
+    std::string token_file; ///< Or its first line.
+    std::string name;       ///< For people; empty: user and host.
+};
+
+/// `token create`
+struct TokenCommand {
+    MasterOptions master;
+    std::string role = "worker";
+    std::string ttl = "1h";
+    std::uint32_t uses = 1;
+};
+
 struct InspectCommand {
     std::vector<std::string> meshes;
     std::string unit;
@@ -110,6 +127,8 @@ using Command = std::variant<RunCommand,
                              StatusCommand,
                              CancelCommand,
                              ExplainCommand,
+                             JoinCommand,
+                             TokenCommand,
                              InspectCommand,
                              VersionCommand>;
 

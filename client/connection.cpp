@@ -58,7 +58,7 @@ struct Connection::State {
 
     [[nodiscard]] bool is_stopped() const { return heeds_stop && stopped(); }
 
-    asio::awaitable<Status> open(Endpoint endpoint);
+    asio::awaitable<Status> open(Target target);
     asio::awaitable<Result<Message>> receive(Clock::duration timeout);
     asio::awaitable<Status> make_room();
     template <class T>
@@ -172,8 +172,7 @@ asio::awaitable<Result<T>> Connection::State::ask(Message question) {
 
 // ---- Conversations --------------------------------------------------------------------------
 
-asio::awaitable<Status> Connection::State::open(Endpoint endpoint) {
-    Target target{std::move(endpoint), nullptr};
+asio::awaitable<Status> Connection::State::open(Target target) {
     Result<std::shared_ptr<Channel>> connected = co_await connect(std::move(target));
     if (!connected) {
         co_return connected.error();
@@ -310,20 +309,23 @@ Connection::~Connection() {
     state_->context.poll();
 }
 
-Result<std::unique_ptr<Connection>>
-Connection::open(const std::string& address, bool insecure, std::function<bool()> stopped) {
+Result<std::unique_ptr<Connection>> Connection::open(const std::string& address,
+                                                     bool insecure,
+                                                     std::function<bool()> stopped,
+                                                     std::shared_ptr<const Tls> tls) {
     const Result<Endpoint> endpoint = parse_endpoint(address);
     if (!endpoint) {
         return endpoint.error();
     }
-    const Exposure exposure{false, insecure, false};
+    const Exposure exposure{tls != nullptr, insecure, false};
     if (const Status exposed = check_exposure(endpoint.value(), exposure); !exposed) {
         return exposed.error();
     }
     auto state = std::make_unique<State>();
     state->address = address;
     state->stopped = std::move(stopped);
-    if (const Status opened = state->run(state->open(endpoint.value())); !opened) {
+    if (const Status opened = state->run(state->open({endpoint.value(), std::move(tls)}));
+        !opened) {
         return opened.error();
     }
     return std::unique_ptr<Connection>(new Connection(std::move(state)));
@@ -387,6 +389,10 @@ Result<JobStatus> Connection::cancel(JobId job) {
 
 Result<Explained> Connection::explain(JobId job, std::uint64_t scenario) {
     return state_->run(state_->ask<Explained>(Explain{job, scenario}));
+}
+
+Result<TokenCreated> Connection::create_token(const TokenCreate& terms) {
+    return state_->run(state_->ask<TokenCreated>(terms));
 }
 
 Status Connection::pause(std::chrono::milliseconds time) {

@@ -6,6 +6,7 @@
 #include "common/job/pose_source.hpp"
 #include "common/job/result.hpp"
 #include "proto/message.hpp"
+#include "proto/tls.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -28,10 +29,13 @@ struct NamedMesh {
 class Connection {
   public:
     /// `address` as a user writes it. `stopped` is asked some times a second while a call waits.
-    /// Errors: BadInput for the address; Refused beyond loopback without `insecure`, or by the
-    /// master.
+    /// `tls`: null is plain. Errors: BadInput for the address; Refused beyond loopback without TLS
+    /// or `insecure`, or by the master.
     [[nodiscard]] static Result<std::unique_ptr<Connection>>
-    open(const std::string& address, bool insecure, std::function<bool()> stopped);
+    open(const std::string& address,
+         bool insecure,
+         std::function<bool()> stopped,
+         std::shared_ptr<const Tls> tls = nullptr);
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
     ~Connection();
@@ -64,6 +68,8 @@ class Connection {
     [[nodiscard]] Result<JobStatus> cancel(JobId job);
     /// How the workers score for a scenario of a running job.
     [[nodiscard]] Result<Explained> explain(JobId job, std::uint64_t scenario);
+    /// A token with which others join. Errors: Refused to who is no admin.
+    [[nodiscard]] Result<TokenCreated> create_token(const TokenCreate& terms);
     /// Waits, with an ear for interrupts.
     [[nodiscard]] Status pause(std::chrono::milliseconds time);
 

@@ -2,14 +2,21 @@
 
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
+#include "master/identity.hpp"
 #include "master/run_on.hpp"
 #include "master/submission.hpp"
 #include "proto/codec.hpp"
 
 namespace cd {
 
-ClientSession::ClientSession(Coordinator& coordinator, std::shared_ptr<Channel> channel)
-    : coordinator_(coordinator), channel_(std::move(channel)) {}
+ClientSession::ClientSession(Coordinator& coordinator,
+                             std::shared_ptr<Channel> channel,
+                             Access access,
+                             ClientQuota quota)
+    : coordinator_(coordinator),
+      channel_(std::move(channel)),
+      access_(std::move(access)),
+      quota_(std::move(quota)) {}
 
 asio::awaitable<void> ClientSession::run() {
     const auto self = shared_from_this();
@@ -18,6 +25,11 @@ asio::awaitable<void> ClientSession::run() {
         if (!message) {
             spdlog::debug(
                 "client left: peer={} reason=\"{}\"", channel_->peer(), message.error().detail);
+            break;
+        }
+        if (const Status allowed = access_.check(message.value()); !allowed) {
+            refuse(allowed.error());
+            channel_->close(true);
             break;
         }
         co_await std::visit([this](auto& content) { return on(std::move(content)); },
@@ -80,7 +92,14 @@ asio::awaitable<void> ClientSession::on(MeshPart message) {
     }
 }
 
+Status ClientSession::take_bytes(std::uint64_t bytes) {
+    return quota_.quotas->take_bytes(quota_.client, bytes, std::chrono::steady_clock::now());
+}
+
 asio::awaitable<Status> ClientSession::take_mesh_part(MeshPart message) {
+    if (const Status taken = take_bytes(message.bytes.size()); !taken) {
+        co_return taken;
+    }
     GeometryStore& store = coordinator_.geometry();
     if (message.offset == 0) {
         upload_.reset(); // One at a time; its temporary file goes.
@@ -149,6 +168,10 @@ asio::awaitable<void> ClientSession::on(PosesPart message) {
         refuse_poses({ErrorCode::BadInput, "poses without a job before them"});
         co_return;
     }
+    if (const Status taken = take_bytes(message.scenarios.size()); !taken) {
+        refuse_poses(taken.error());
+        co_return;
+    }
     auto append = [spool = spool_, &message] { return spool->append(message.scenarios); };
     const Status appended = co_await run_on(coordinator_.blocking(), append);
     if (!appended) {
@@ -179,8 +202,17 @@ void ClientSession::refuse_poses(const Error& error) {
 }
 
 asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<PoseSpool> poses) {
+    const auto is_running = [this](JobId earlier) {
+        const Result<JobStatus> status = coordinator_.job_status(earlier);
+        return status && status.value().state == JobState::Running;
+    };
+    if (const Status allowed = quota_.quotas->check_jobs(quota_.client, is_running); !allowed) {
+        refuse(allowed.error());
+        co_return;
+    }
     const Result<JobId> job = co_await coordinator_.open_job(std::move(submit), std::move(poses));
     if (job) {
+        quota_.quotas->add_job(quota_.client, job.value());
         channel_->send(Accepted{job.value()});
     } else {
         refuse(job.error());
@@ -192,6 +224,26 @@ asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<Pos
 asio::awaitable<void> ClientSession::on(StatusQuery /*message*/) {
     channel_->send(coordinator_.cluster_status());
     co_return;
+}
+
+asio::awaitable<void> ClientSession::on(TokenCreate message) {
+    if (access_.identity() == nullptr) {
+        refuse({ErrorCode::Refused,
+                "this master speaks without TLS, and needs no tokens; `cdmaster init` makes it an "
+                "identity"});
+        co_return;
+    }
+    const Result<TokenCreated> token = access_.identity()->create_token(message);
+    if (token) {
+        spdlog::info("token created: peer={} role={} uses={} seconds={}",
+                     channel_->peer(),
+                     to_text(message.role),
+                     message.uses,
+                     message.seconds);
+        channel_->send(token.value());
+    } else {
+        refuse(token.error());
+    }
 }
 
 asio::awaitable<void> ClientSession::on(Cancel message) {

@@ -1,9 +1,11 @@
 // One client's conversation with the master.
 #pragma once
 
+#include "master/access.hpp"
 #include "master/coordinator.hpp"
 #include "master/mesh_upload.hpp"
 #include "master/pose_spool.hpp"
+#include "master/quotas.hpp"
 #include "proto/asio.hpp"
 #include "proto/channel.hpp"
 
@@ -12,11 +14,22 @@
 
 namespace cd {
 
+/// One client's part of the quotas.
+struct ClientQuota {
+    Quotas* quotas; ///< Outlives the session.
+    std::string client;
+};
+
 /// Answers a client's requests, one after the other; watches go on beside them. What a client did
 /// not finish (a mesh, a job's poses) goes with its connection.
 class ClientSession : public std::enable_shared_from_this<ClientSession> {
   public:
-    ClientSession(Coordinator& coordinator, std::shared_ptr<Channel> channel);
+    /// Who asks for more than `access` allows is told so, and the connection ends; for more than
+    /// `quota` allows, and the request fails.
+    ClientSession(Coordinator& coordinator,
+                  std::shared_ptr<Channel> channel,
+                  Access access,
+                  ClientQuota quota);
 
     /// The whole conversation after the welcome. Ends when the connection does.
     [[nodiscard]] asio::awaitable<void> run();
@@ -33,6 +46,7 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     asio::awaitable<void> on(ResultsQuery message);
     asio::awaitable<void> on(Cancel message);
     asio::awaitable<void> on(Explain message);
+    asio::awaitable<void> on(TokenCreate message);
     asio::awaitable<void> on(Heartbeat message);
     template <class Other>
     asio::awaitable<void> on(Other message);
@@ -43,12 +57,15 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     [[nodiscard]] asio::awaitable<void> open_job(Submit submit, std::shared_ptr<PoseSpool> poses);
     [[nodiscard]] asio::awaitable<void> watch(JobId job);
 
+    [[nodiscard]] Status take_bytes(std::uint64_t bytes);
     void refuse(const Error& error);
     void refuse_poses(const Error& error);
     void answer(const Result<JobStatus>& status);
 
     Coordinator& coordinator_;
     std::shared_ptr<Channel> channel_;
+    Access access_;
+    ClientQuota quota_;
     std::unique_ptr<MeshUpload> upload_;
     /// A submitted job whose poses are coming.
     Submit submit_;

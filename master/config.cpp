@@ -1,13 +1,14 @@
 #include "master/config.hpp"
 
 #include "common/core/daemon_options.hpp"
+#include "common/core/duration.hpp"
+#include "common/core/state_folder.hpp"
 #include "common/core/version.hpp"
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include <array>
-#include <cstdlib>
 #include <sstream>
 
 namespace cd {
@@ -18,7 +19,9 @@ constexpr const char* help =
     "Examples:\n"
     "  cdmaster                                   on this machine alone, port 7600\n"
     "  cdmaster --listen 127.0.0.1:0 --port-file port   the system chooses the port\n"
-    "  cdmaster --listen 0.0.0.0:7600 --insecure  for a network that you trust\n"
+    "  cdmaster init                              makes an identity: from then on TLS alone\n"
+    "  cdmaster --listen 0.0.0.0:7600             beyond this machine, with an identity\n"
+    "  cdmaster --listen 0.0.0.0:7600 --insecure  without one, for a network that you trust\n"
     "  cdmaster check --state DIR                 tells what is wrong with a state directory\n"
     "  cdmaster --config /etc/cdcluster/cdmaster.toml\n"
     "\n"
@@ -27,8 +30,12 @@ constexpr const char* help =
     "in\n"
     "the environment, as in CDMASTER_LISTEN.\n"
     "\n"
+    "With an identity, everyone needs a certificate: `cdctl token create` gives a token, with "
+    "which\n"
+    "`cdworker join` and `cdctl join` get one. They renew it by themselves.\n"
+    "\n"
     "Exit codes: 0 ended by SIGINT or SIGTERM; 2 wrong usage, cannot start, or a damaged state; 5\n"
-    "refused to listen beyond loopback without --insecure.";
+    "refused to listen beyond loopback without an identity or --insecure.";
 
 constexpr const char* environment_prefix = "CDMASTER_";
 
@@ -37,37 +44,43 @@ std::string this_host() {
     return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "HOST";
 }
 
-std::filesystem::path default_state() {
-    if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != 0) {
-        return std::filesystem::path(state) / "cdcluster";
-    }
-    if (const char* home = std::getenv("HOME"); home != nullptr && *home != 0) {
-        return std::filesystem::path(home) / ".local" / "state" / "cdcluster";
-    }
-    return "cdcluster-state";
-}
+/// What CLI11 reads as text and this file gives a meaning.
+struct Texts {
+    std::string listen = "127.0.0.1:7600";
+    std::string state = state_folder().string();
+    std::string certificate_life = "7d";
+};
 
-void add_options(CLI::App& app, MasterConfig& config, std::string& listen, std::string& state) {
+void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
     const auto option = [](CLI::Option* added, const char* type) {
         added->envname(environment_name(environment_prefix, added->get_lnames().front()))
             ->type_name(type);
         return added;
     };
-    option(app.add_option("--listen", listen, "Where workers and clients connect"), "HOST:PORT")
+    option(app.add_option("--listen", texts.listen, "Where workers and clients connect"),
+           "HOST:PORT")
         ->capture_default_str();
-    option(app.add_option(
-               "--state", state, "Folder of all that outlives the master: meshes, jobs, results"),
+    option(app.add_option("--state",
+                          texts.state,
+                          "Folder of all that outlives the master: meshes, jobs, results"),
            "DIR")
         ->capture_default_str();
     option(app.add_option("--threads", config.threads, "For trees and analysis; 0 is one per core"),
            "N")
         ->check(CLI::Range(0u, 4096u))
         ->capture_default_str();
-    option(app.add_flag("--insecure", config.insecure, "Allow to listen beyond loopback"), "");
+    option(
+        app.add_flag("--insecure", config.insecure, "Allow to listen beyond loopback, unsecured"),
+        "");
     option(app.add_flag("--no-sync",
                         config.no_sync,
                         "For a state that may be lost with the power, as a temporary one"),
            "");
+    option(app.add_option("--certificate-ttl",
+                          texts.certificate_life,
+                          "How long certificates are good; they are renewed from half on"),
+           "DURATION")
+        ->capture_default_str();
     option(app.add_option("--log-level", config.log_level, "How much is logged"), "LEVEL")
         ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
         ->capture_default_str();
@@ -91,40 +104,54 @@ MasterCommandLine refused(const CLI::App& app, const CLI::ParseError& error) {
 
 MasterCommandLine parse_master_command_line(int count, const char* const* arguments) {
     MasterConfig config;
-    std::string listen = "127.0.0.1:7600";
-    std::string state = default_state().string();
+    Texts texts;
     CLI::App app(help, "cdmaster");
     app.formatter(make_examples_first());
     app.set_version_flag("--version", "cdmaster " + std::string(version));
     app.set_help_flag("-h,--help", "This text");
-    add_options(app, config, listen, state);
+    add_options(app, config, texts);
     app.fallthrough(); // So that --state may follow the word.
     const CLI::App* const check =
         app.add_subcommand("check", "Look through the state directory, change nothing, and report");
+    const CLI::App* const init =
+        app.add_subcommand("init", "Make an identity in the state directory, and end");
+    app.require_subcommand(0, 1);
     try {
         app.parse(count, arguments);
     } catch (const CLI::ParseError& error) {
         return refused(app, error);
     }
     config.check = check->parsed();
-    const Result<Endpoint> endpoint = parse_endpoint(listen);
+    const Result<Endpoint> endpoint = parse_endpoint(texts.listen);
     if (!endpoint) {
         return {std::nullopt, "cdmaster: --listen: " + endpoint.error().detail + "\n", 2};
     }
+    const Result<std::chrono::seconds> life = parse_duration(texts.certificate_life);
+    if (!life || life.value() < limits::certificate_life_min) {
+        return {std::nullopt,
+                "cdmaster: --certificate-ttl: " +
+                    (life ? "too short for a renewal" : life.error().detail) + "\n",
+                2};
+    }
+    config.init = init->parsed();
+    config.certificate_life = life.value();
     config.listen = endpoint.value();
-    config.state = state;
+    config.state = texts.state;
     return {std::move(config), "", 0};
 }
 
-std::string join_line(const Endpoint& listening) {
+std::string join_line(const Endpoint& listening, bool secured) {
     std::string host = listening.host;
     if (host == "0.0.0.0" || host == "::") {
         host = this_host();
     } else if (host.find(':') != std::string::npos) {
         host = "[" + host + "]";
     }
-    return "cdworker --master " + host + ":" + std::to_string(listening.port) +
-           (is_loopback(listening) ? "" : " --insecure");
+    const std::string master = host + ":" + std::to_string(listening.port);
+    if (secured) {
+        return "cdworker join " + master + " --token TOKEN && cdworker --master " + master;
+    }
+    return "cdworker --master " + master + (is_loopback(listening) ? "" : " --insecure");
 }
 
 } // namespace cd

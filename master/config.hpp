@@ -1,8 +1,10 @@
 // What cdmaster is told: by its command line, CDMASTER_* in the environment, and a TOML file.
 #pragma once
 
+#include "common/core/limits.hpp"
 #include "proto/channel.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,6 +21,8 @@ struct MasterConfig {
     bool no_sync = false; ///< For a state that need not survive a loss of power.
     std::string log_level = "info";
     std::string port_file; ///< Gets the port, for scripts. Empty: none.
+    bool init = false;     ///< Make an identity in the state, and end.
+    std::chrono::seconds certificate_life = limits::certificate_life;
 };
 
 /// A configuration; or none, with what to print instead (help on stdout, an error on stderr) and
@@ -33,6 +37,6 @@ struct MasterCommandLine {
 [[nodiscard]] MasterCommandLine parse_master_command_line(int count, const char* const* arguments);
 
 /// The one line with which a worker joins a master that listens there.
-[[nodiscard]] std::string join_line(const Endpoint& listening);
+[[nodiscard]] std::string join_line(const Endpoint& listening, bool secured = false);
 
 } // namespace cd

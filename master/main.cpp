@@ -20,7 +20,8 @@ int main(int count, char** arguments) {
         return report.is_sound ? 0 : 2;
     }
     cd::start_logging("cdmaster", line.config->log_level);
-    const cd::Status status = cd::run_master(*line.config);
+    const cd::Status status =
+        line.config->init ? cd::init_master(*line.config) : cd::run_master(*line.config);
     if (!status) {
         std::fprintf(stderr, "cdmaster: %s\n", status.error().detail.c_str());
         return status.error().code == cd::ErrorCode::Refused ? 5 : 2;

@@ -5,6 +5,7 @@
 #include "common/core/thread_pool.hpp"
 #include "master/coordinator.hpp"
 #include "master/geometry_store.hpp"
+#include "master/identity.hpp"
 #include "master/server.hpp"
 #include "proto/signals.hpp"
 
@@ -46,10 +47,51 @@ void allow_many_files() {
     }
 }
 
+/// The master's own certificate ends, too.
+asio::awaitable<void>
+keep_valid(MasterIdentity& identity, asio::steady_timer& pause, const bool& stopping) {
+    while (!stopping) {
+        pause.expires_after(limits::renewal_check_period);
+        boost::system::error_code ignored;
+        co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        if (const Status valid = identity.keep_valid(); !valid) {
+            spdlog::error("certificate not renewed: error=\"{}\"", valid.error().detail);
+        }
+    }
+}
+
 } // namespace
 
+Status init_master(const MasterConfig& config) {
+    const MasterIdentity::Options options{config.certificate_life};
+    if (Status made = MasterIdentity::init(config.state, options); !made) {
+        return made;
+    }
+    const auto identity = MasterIdentity::open(config.state, options);
+    if (!identity) {
+        return identity.error();
+    }
+    const std::string admin = MasterIdentity::admin_path(config.state).string();
+    std::printf("identity    %s\n"
+                "authority   %s\n"
+                "admin       %s\n"
+                "Start cdmaster with this state, and let others in:\n"
+                "  cdctl token create --role worker --uses 50 --credential %s\n",
+                (config.state / "identity").c_str(),
+                to_hex(identity.value()->fingerprint()).c_str(),
+                admin.c_str(),
+                admin.c_str());
+    return Done{};
+}
+
 Status run_master(const MasterConfig& config) {
-    if (Status exposed = check_exposure(config.listen, {false, config.insecure, true}); !exposed) {
+    const auto identity = MasterIdentity::open(config.state, {config.certificate_life});
+    if (!identity) {
+        return identity.error();
+    }
+    const bool secured = identity.value() != nullptr;
+    if (Status exposed = check_exposure(config.listen, {secured, config.insecure, true});
+        !exposed) {
         return exposed;
     }
     // A full disk or a limit of files is an error to wait with, not a reason to be killed.
@@ -77,14 +119,20 @@ Status run_master(const MasterConfig& config) {
     if (Status restored = coordinator.restore(journal.value()->take_recovered()); !restored) {
         return restored;
     }
-    const auto server = Server::listen(context.get_executor(), config.listen, coordinator);
+    const auto server =
+        Server::listen(context.get_executor(), config.listen, coordinator, identity.value().get());
     if (!server) {
         return server.error();
     }
     const std::uint16_t port = server.value()->port();
     bool stopping = false;
+    asio::steady_timer renewal(context);
+    if (secured) {
+        spawn(context.get_executor(), "renewal", keep_valid(*identity.value(), renewal, stopping));
+    }
     StopSignals signals(context.get_executor(), [&](unsigned) {
         stopping = true;
+        renewal.cancel();
         server.value()->close();
         signals.cancel();
     });
@@ -95,9 +143,12 @@ Status run_master(const MasterConfig& config) {
         }
     }
     server.value()->start();
-    spdlog::info(
-        "listening: host={} port={} state={}", config.listen.host, port, config.state.string());
-    std::printf("%s\n", join_line({config.listen.host, port}).c_str());
+    spdlog::info("listening: host={} port={} state={} tls={}",
+                 config.listen.host,
+                 port,
+                 config.state.string(),
+                 secured);
+    std::printf("%s\n", join_line({config.listen.host, port}, secured).c_str());
     std::fflush(stdout);
 
     while (!stopping) {

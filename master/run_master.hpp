@@ -10,4 +10,8 @@ namespace cd {
 /// why it could not start.
 [[nodiscard]] Status run_master(const MasterConfig& config);
 
+/// `cdmaster init`: makes an identity in the state folder where there is none, and a new credential
+/// for an admin; prints where. Errors: those of `MasterIdentity::init`.
+[[nodiscard]] Status init_master(const MasterConfig& config);
+
 } // namespace cd

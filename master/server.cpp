@@ -3,6 +3,7 @@
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
 #include "common/core/version.hpp"
+#include "master/admission.hpp"
 #include "master/client_session.hpp"
 #include "master/worker_session.hpp"
 
@@ -16,24 +17,32 @@ std::string peer_name(const asio::ip::tcp::socket& socket) {
     return end.address().to_string() + ":" + std::to_string(end.port());
 }
 
+void refuse_greeting(Channel& channel, const Error& error) {
+    spdlog::warn("greeting refused: peer={} reason=\"{}\"", channel.peer(), error.detail);
+    Failure failure;
+    failure.code = ErrorCode::Refused;
+    failure.detail = error.detail;
+    channel.send(failure);
+    channel.close(true);
+}
+
 } // namespace
 
 Result<std::unique_ptr<Server>> Server::listen(const asio::any_io_executor& executor,
                                                const Endpoint& endpoint,
                                                Coordinator& coordinator,
-                                               std::shared_ptr<const TlsSlot> tls) {
+                                               MasterIdentity* identity) {
     Result<std::unique_ptr<Listener>> listener = Listener::open(executor, endpoint);
     if (!listener) {
         return listener.error();
     }
-    return std::unique_ptr<Server>(
-        new Server(std::move(listener.value()), coordinator, std::move(tls)));
+    return std::unique_ptr<Server>(new Server(std::move(listener.value()), coordinator, identity));
 }
 
 Server::Server(std::unique_ptr<Listener> listener,
                Coordinator& coordinator,
-               std::shared_ptr<const TlsSlot> tls)
-    : listener_(std::move(listener)), coordinator_(coordinator), tls_(std::move(tls)) {}
+               MasterIdentity* identity)
+    : listener_(std::move(listener)), coordinator_(coordinator), identity_(identity) {}
 
 void Server::start() {
     listener_->start([this](asio::ip::tcp::socket socket) { accept(std::move(socket)); });
@@ -49,10 +58,13 @@ void Server::close() {
 }
 
 void Server::accept(asio::ip::tcp::socket socket) {
-    if (connections_.size() >= limits::connections_max) {
-        spdlog::warn("connection refused: reason=\"{} are open\"", connections_.size());
+    if (connections_.size() >= limits::connections_max || greetings_ >= limits::greetings_max) {
+        spdlog::warn("connection refused: reason=\"{} are open, {} not yet greeted\"",
+                     connections_.size(),
+                     greetings_);
         return;
     }
+    ++greetings_;
     const std::uint64_t connection = ++connection_last_;
     connections_.emplace(connection, nullptr);
     spawn(coordinator_.executor(), "session", serve(connection, std::move(socket)));
@@ -60,12 +72,14 @@ void Server::accept(asio::ip::tcp::socket socket) {
 
 asio::awaitable<void> Server::serve(std::uint64_t connection, asio::ip::tcp::socket socket) {
     const std::string peer = peer_name(socket);
+    std::shared_ptr<const Tls> tls = identity_ == nullptr ? nullptr : identity_->tls()->now;
     const Result<std::shared_ptr<Channel>> channel =
-        co_await accept_channel(std::move(socket), tls_->now);
+        co_await accept_channel(std::move(socket), std::move(tls));
     if (channel) {
         connections_[connection] = channel.value();
         co_await converse(channel.value());
     } else {
+        --greetings_;
         spdlog::warn("connection refused: peer={} reason=\"{}\"", peer, channel.error().detail);
     }
     connections_.erase(connection);
@@ -73,32 +87,58 @@ asio::awaitable<void> Server::serve(std::uint64_t connection, asio::ip::tcp::soc
 
 asio::awaitable<void> Server::converse(std::shared_ptr<Channel> channel) {
     const Result<Hello> hello = co_await accept_hello(channel);
+    --greetings_;
     if (!hello) {
         spdlog::info(
             "greeting failed: peer={} error=\"{}\"", channel->peer(), hello.error().detail);
         co_return;
     }
+    const Access access =
+        identity_ == nullptr ? Access() : Access(*identity_, channel->peer_identity());
+    Status allowed = access.check(hello.value().role);
+    if (hello.value().role == Role::Peer) {
+        allowed = Error{ErrorCode::Refused, "this is a master; workers fetch from each other"};
+    }
+    if (allowed) {
+        co_return co_await welcome_as(channel, hello.value(), access);
+    }
+    refuse_greeting(*channel, allowed.error());
+}
+
+asio::awaitable<void>
+Server::welcome_as(std::shared_ptr<Channel> channel, Hello hello, Access access) {
     Welcome welcome;
     welcome.cluster = coordinator_.cluster();
-    welcome.version = negotiate(hello.value()).value();
+    welcome.version = negotiate(hello).value();
     welcome.build = version;
-    if (hello.value().role == Role::Peer) {
-        Failure failure;
-        failure.detail = "this is a master; workers fetch from each other";
-        channel->send(failure);
-        channel->close(true);
-    } else if (hello.value().role == Role::Worker) {
+    if (hello.role == Role::Worker) {
         const WorkerId worker = coordinator_.new_worker_id();
         welcome.id = worker.value;
         welcome.peer_key = random_secret();
         channel->send(welcome);
         const auto session = std::make_shared<WorkerSession>(coordinator_, channel, worker);
-        co_await session->run(hello.value(), welcome.peer_key);
+        co_await session->run(hello, welcome.peer_key);
+    } else if (hello.role == Role::Joiner) {
+        channel->send(welcome);
+        co_await admit(channel, access);
     } else {
         welcome.id = connection_last_;
-        channel->send(welcome);
-        co_await std::make_shared<ClientSession>(coordinator_, channel)->run();
+        co_await serve_client(channel, welcome, access);
     }
+}
+
+asio::awaitable<void>
+Server::serve_client(std::shared_ptr<Channel> channel, Welcome welcome, Access access) {
+    const std::string client = access.holder() ? access.holder()->name : channel->peer_host();
+    if (const Status allowed = quotas_.connect(client); !allowed) {
+        refuse_greeting(*channel, allowed.error());
+        co_return;
+    }
+    channel->send(welcome);
+    const auto session = std::make_shared<ClientSession>(
+        coordinator_, channel, access, ClientQuota{&quotas_, client});
+    co_await session->run();
+    quotas_.disconnect(client);
 }
 
 } // namespace cd

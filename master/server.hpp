@@ -2,7 +2,10 @@
 #pragma once
 
 #include "common/core/result.hpp"
+#include "master/access.hpp"
 #include "master/coordinator.hpp"
+#include "master/identity.hpp"
+#include "master/quotas.hpp"
 #include "proto/asio.hpp"
 #include "proto/channel.hpp"
 #include "proto/listener.hpp"
@@ -16,12 +19,13 @@ namespace cd {
 class Server {
   public:
     /// Listens at once; port 0 lets the system choose one. Errors: BadInput for a host that is no
-    /// address of this machine; Io when the port is taken or may not be used.
+    /// address of this machine; Io when the port is taken or may not be used. With an `identity`,
+    /// which outlives the server, only TLS is spoken.
     [[nodiscard]] static Result<std::unique_ptr<Server>>
     listen(const asio::any_io_executor& executor,
            const Endpoint& endpoint,
            Coordinator& coordinator,
-           std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>());
+           MasterIdentity* identity = nullptr);
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
     /// Accepts connections from now on.
@@ -30,21 +34,25 @@ class Server {
     void close();
 
   private:
-    Server(std::unique_ptr<Listener> listener,
-           Coordinator& coordinator,
-           std::shared_ptr<const TlsSlot> tls);
+    Server(std::unique_ptr<Listener> listener, Coordinator& coordinator, MasterIdentity* identity);
 
     void accept(asio::ip::tcp::socket socket);
     [[nodiscard]] asio::awaitable<void> serve(std::uint64_t connection,
                                               asio::ip::tcp::socket socket);
     [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel);
+    [[nodiscard]] asio::awaitable<void>
+    serve_client(std::shared_ptr<Channel> channel, Welcome welcome, Access access);
+    [[nodiscard]] asio::awaitable<void>
+    welcome_as(std::shared_ptr<Channel> channel, Hello hello, Access access);
 
     std::unique_ptr<Listener> listener_;
     Coordinator& coordinator_;
-    std::shared_ptr<const TlsSlot> tls_;
+    MasterIdentity* identity_; ///< Null: plain.
     /// Null until it is secured, if it is to be.
     std::map<std::uint64_t, std::shared_ptr<Channel>> connections_;
     std::uint64_t connection_last_ = 0;
+    std::size_t greetings_ = 0; ///< Connections before the end of their greeting.
+    Quotas quotas_;
 };
 
 } // namespace cd

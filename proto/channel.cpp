@@ -81,6 +81,7 @@ struct Channel::State : std::enable_shared_from_this<State> {
     void header_came();
     void payload_came();
     void watch_read();
+    [[nodiscard]] bool may_be_large() const;
     void deliver(const MessageAssembler::Whole& whole_message);
     void read_failed(const error_code& error);
     void drop_incoming();
@@ -176,6 +177,11 @@ void Channel::State::header_came() {
         return fail({ErrorCode::BadFrame,
                      "message '" + std::string(message_name(header.type)) + "' before a greeting"});
     }
+    if (!may_be_large() && payload_bytes_max(header.type) > limits::message_control_bytes_max) {
+        return fail({ErrorCode::BadFrame,
+                     "message '" + std::string(message_name(header.type)) +
+                         "' of a peer that has shown no certificate"});
+    }
     if (frame.size() < header.payload_bytes) {
         frame.resize(header.payload_bytes); // Bounded by decode_header.
     }
@@ -200,6 +206,11 @@ void Channel::State::payload_came() {
         return read_next();
     }
     deliver(*added.value());
+}
+
+/// Where all have certificates, nobody's messages take much memory before one was shown.
+bool Channel::State::may_be_large() const {
+    return !stream->is_secured() || stream->peer_identity();
 }
 
 /// From now on, for this frame. One timer serves many frames: it looks how things are when it ends,

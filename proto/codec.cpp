@@ -123,6 +123,30 @@ Problem problem_of(const Results& results) {
     return results.compute_seconds < 0 ? "a negative time" : nullptr;
 }
 
+Problem problem_of_pem(const std::string& text) {
+    return text.size() > limits::certificate_bytes_max ? "a certificate that is too long" : nullptr;
+}
+
+Problem problem_of(const Join& join) {
+    if (join.name.empty() || join.name.size() > limits::certified_name_bytes_max ||
+        !is_printable(join.name)) {
+        return "a name that is empty, too long or not printable";
+    }
+    return problem_of_pem(join.request);
+}
+Problem problem_of(const Renew& renew) {
+    return problem_of_pem(renew.request);
+}
+Problem problem_of(const Certified& certified) {
+    const Problem problem = problem_of_pem(certified.certificate);
+    return problem == nullptr ? problem_of_pem(certified.authority) : problem;
+}
+Problem problem_of(const TokenCreated& created) {
+    return created.token.size() > limits::hello_text_bytes_max || !is_printable(created.token)
+               ? "a token that is too long or not printable"
+               : nullptr;
+}
+
 /// Spares large messages the growth of their buffer.
 template <class T>
 std::size_t bytes_expected(const T& /*message*/) {

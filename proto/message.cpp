@@ -63,6 +63,11 @@ constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"scenario range", Lane::Data, limits::message_data_bytes_max},
     {"results kept"},
     {"holding", Lane::Control, limits::message_roots_bytes_max},
+    {"join"},
+    {"renew"},
+    {"certified"},
+    {"token create"},
+    {"token created"},
 }};
 static_assert(!kinds.back().name.empty(), "a message without a row");
 

@@ -11,6 +11,7 @@
 #include "common/job/statistics.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/subtree.hpp"
+#include "proto/certificate.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -27,7 +28,12 @@ inline constexpr std::uint16_t protocol_version_max = 4;
 /// A tree cut at a depth, as the master numbers them while it runs.
 using TreeId = Id<struct TreeTag>;
 
-enum class Role : std::uint8_t { Worker = 1, Client = 2, Peer = 3 };
+enum class Role : std::uint8_t {
+    Worker = 1,
+    Client = 2,
+    Peer = 3,
+    Joiner = 4, ///< Wants a certificate, and nothing else.
+};
 
 // ---- Both kinds of peer ---------------------------------------------------------------------
 
@@ -463,6 +469,37 @@ struct Explained {
     std::vector<WorkerScore> workers; ///< Ascending.
 };
 
+// ---- Who wants to belong to the cluster; over TLS alone ---------------------------------------
+
+/// Of a Joiner without a certificate. Answered by Certified.
+struct Join {
+    std::uint64_t token = 0; ///< Its number.
+    Sha256 proof;            ///< `join_proof` (join_token.hpp).
+    std::string name;        ///< For people: what the certificate will call its holder.
+    std::string request;     ///< PEM, of `make_certificate_request`.
+};
+
+/// Of a Joiner with a certificate: another one like it. Answered by Certified.
+struct Renew {
+    std::string request; ///< PEM.
+};
+
+struct Certified {
+    std::string certificate; ///< PEM, like
+    std::string authority;   ///< the certificate that it is signed with.
+};
+
+/// Of an admin, as a client. Answered by TokenCreated.
+struct TokenCreate {
+    CertifiedRole role = CertifiedRole::Worker;
+    std::uint64_t seconds = 0; ///< From now on.
+    std::uint32_t uses = 1;
+};
+
+struct TokenCreated {
+    std::string token; ///< As `to_text` writes it.
+};
+
 /// In the order of their numbers on the wire, which start at 1 and never change.
 using Message = std::variant<Hello,
                              Welcome,
@@ -504,6 +541,11 @@ using Message = std::variant<Hello,
                              RemoveJob,
                              ScenarioRange,
                              ResultsKept,
-                             Holding>;
+                             Holding,
+                             Join,
+                             Renew,
+                             Certified,
+                             TokenCreate,
+                             TokenCreated>;
 
 } // namespace cd

@@ -36,7 +36,7 @@ void serialize(Archive& archive, Summary& s) {
 template <class Archive>
 void serialize(Archive& archive, Hello& m) {
     archive(m.version_min, m.version_max);
-    enumeration(archive, m.role, Role::Worker, Role::Peer);
+    enumeration(archive, m.role, Role::Worker, Role::Joiner);
     archive(m.name, m.build, m.threads, m.cache_bytes, m.peer_port, m.weight);
     archive(m.instance);
 }
@@ -284,6 +284,32 @@ void serialize(Archive& archive, Explained& m) {
     archive(m.job, m.scenario);
     enumeration(archive, m.strategy, Strategy::BestMatch, Strategy::EarliestFinish);
     archive(m.where, m.why, m.roots_a, m.roots_b, m.workers);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Join& m) {
+    archive(m.token, m.proof, m.name, m.request);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Renew& m) {
+    archive(m.request);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Certified& m) {
+    archive(m.certificate, m.authority);
+}
+
+template <class Archive>
+void serialize(Archive& archive, TokenCreate& m) {
+    enumeration(archive, m.role, CertifiedRole::Master, CertifiedRole::Metrics);
+    archive(m.seconds, m.uses);
+}
+
+template <class Archive>
+void serialize(Archive& archive, TokenCreated& m) {
+    archive(m.token);
 }
 
 } // namespace cd

@@ -3,6 +3,7 @@
 #include "common/core/daemon_options.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/memory_limit.hpp"
+#include "common/core/state_folder.hpp"
 #include "common/core/version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <sstream>
 #include <utility>
@@ -22,7 +24,9 @@ namespace {
 constexpr const char* help =
     "Examples:\n"
     "  cdworker                                          a master on this machine, all cores\n"
-    "  cdworker --master node-1:7600 --insecure          on a network that you trust\n"
+    "  cdworker join node-1:7600 --token T               once; T is of `cdctl token create`\n"
+    "  cdworker --master node-1:7600                     then, with TLS\n"
+    "  cdworker --master node-1:7600 --insecure          without, on a network that you trust\n"
     "  cdworker --threads 8 --cache 16GiB --name blade-3\n"
     "  CDWORKER_MASTER=127.0.0.1:7600 cdworker --config /etc/cdcluster/cdworker.toml\n"
     "\n"
@@ -34,7 +38,7 @@ constexpr const char* help =
     "once.\n"
     "\n"
     "Exit codes: 0 ended as asked; 2 wrong usage; 4 no master within --connect-for; 5 refused, by\n"
-    "the master, or for want of --insecure; 130 ended at once by a second signal.";
+    "the master, or for want of a credential; 130 ended at once by a second signal.";
 
 constexpr const char* environment_prefix = "CDWORKER_";
 
@@ -49,6 +53,9 @@ struct Texts {
     std::string master = "127.0.0.1:7600";
     std::string cache = "auto";
     std::int64_t connect_for = 30;
+    std::string state = (state_folder() / "worker").string();
+    std::string token;
+    std::string token_file;
 };
 
 void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
@@ -80,7 +87,12 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
                        config.simd,
                        "Instructions used: avx512, avx2, sse4, neon, scalar, auto; same answers"),
         "TARGET");
-    option(app.add_flag("--insecure", config.insecure, "Allow a master beyond loopback"), "");
+    option(app.add_option("--state", texts.state, "Folder of the credential that `join` got"),
+           "DIR")
+        ->capture_default_str();
+    option(
+        app.add_flag("--insecure", config.insecure, "Allow a master beyond loopback without TLS"),
+        "");
     option(app.add_flag("--no-peers",
                         config.no_peers,
                         "Give no geometry to other workers; they get it from the master"),
@@ -102,6 +114,34 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
         ->type_name("FILE");
     app.config_formatter(make_toml_config(environment_prefix));
     app.allow_config_extras(false);
+}
+
+CLI::App* add_join(CLI::App& app, Texts& texts) {
+    CLI::App* join =
+        app.add_subcommand("join", "Gets a certificate from a master with a token, and ends");
+    join->fallthrough();
+    join->add_option("master", texts.master, "The master to join")
+        ->required()
+        ->type_name("HOST:PORT");
+    CLI::Option* token = join->add_option("--token", texts.token, "Of `cdctl token create`")
+                             ->envname("CDWORKER_TOKEN")
+                             ->type_name("TOKEN");
+    join->add_option("--token-file", texts.token_file, "Its first line is the token")
+        ->excludes(token)
+        ->type_name("FILE");
+    return join;
+}
+
+Result<JoinToken> token_of(const Texts& texts) {
+    if (texts.token_file.empty()) {
+        return parse_join_token(texts.token);
+    }
+    std::ifstream file(texts.token_file);
+    std::string line;
+    if (!std::getline(file, line)) {
+        return Error{ErrorCode::BadInput, "cannot read a token from '" + texts.token_file + "'"};
+    }
+    return parse_join_token(line);
 }
 
 WorkerCommandLine refused(const CLI::App& app, const CLI::ParseError& error) {
@@ -137,6 +177,7 @@ WorkerCommandLine parse_worker_command_line(int count, const char* const* argume
     app.set_version_flag("--version", "cdworker " + std::string(version));
     app.set_help_flag("-h,--help", "This text");
     add_options(app, config, texts);
+    const CLI::App* join = add_join(app, texts);
     try {
         app.parse(count, arguments);
     } catch (const CLI::ParseError& error) {
@@ -154,6 +195,14 @@ WorkerCommandLine parse_worker_command_line(int count, const char* const* argume
     if (const Status name = check_name(config.name); !name) {
         return wrong("--name", name.error());
     }
+    if (join->parsed()) {
+        const Result<JoinToken> token = token_of(texts);
+        if (!token) {
+            return wrong("--token", token.error());
+        }
+        config.join = token.value();
+    }
+    config.state = texts.state;
     config.master = master.value();
     config.cache_bytes = cache.value();
     config.connect_for = std::chrono::seconds(texts.connect_for);

@@ -3,9 +3,11 @@
 
 #include "common/core/result.hpp"
 #include "proto/channel.hpp"
+#include "proto/join_token.hpp"
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -23,6 +25,8 @@ struct WorkerConfig {
     std::uint16_t peer_port = 0; ///< Where they get it; 0 lets the system choose.
     std::string log_level = "info";
     std::chrono::seconds connect_for{30}; ///< How long the first connection is tried.
+    std::filesystem::path state;          ///< Where the credential is.
+    std::optional<JoinToken> join;        ///< Get a credential with it, and end.
 };
 
 /// A configuration; or none, with what to print instead (help on stdout, an error on stderr) and

@@ -12,5 +12,5 @@ int main(int count, char** arguments) {
         return line.exit_code;
     }
     cd::start_logging("cdworker", line.config->log_level);
-    return cd::run_worker(*line.config);
+    return line.config->join ? cd::join_as_worker(*line.config) : cd::run_worker(*line.config);
 }

@@ -4,12 +4,17 @@
 #include "common/core/log.hpp"
 #include "common/core/version.hpp"
 #include "common/geometry/simd_target.hpp"
+#include "proto/credential_file.hpp"
+#include "proto/join.hpp"
 #include "proto/signals.hpp"
+#include "worker/credential_keeper.hpp"
 #include "worker/session.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace cd {
 namespace {
@@ -22,15 +27,20 @@ constexpr int exit_at_once = 130;
 
 class Daemon {
   public:
-    Daemon(const WorkerConfig& config, asio::io_context& context)
+    Daemon(const WorkerConfig& config,
+           asio::io_context& context,
+           std::unique_ptr<CredentialKeeper> keeper)
         : config_(config),
           context_(context),
+          keeper_(std::move(keeper)),
+          tls_(keeper_->tls()),
           executor_(context.get_executor(), config.threads),
           signals_(context.get_executor(), [this](unsigned count) { stop(count); }),
           pause_(context),
           backoff_(std::random_device{}()) {}
 
     asio::awaitable<void> run() {
+        spawn(context_.get_executor(), "renewal", keeper_->keep());
         const auto give_up_at = std::chrono::steady_clock::now() + config_.connect_for;
         for (;;) {
             Target target{config_.master, tls_->now};
@@ -40,6 +50,9 @@ class Daemon {
                 if (code) {
                     co_return end(*code);
                 }
+            } else if (channel.error().code == ErrorCode::Refused) {
+                spdlog::error("refused: {}", channel.error().detail);
+                co_return end(exit_refused);
             } else {
                 spdlog::info("no master yet: reason=\"{}\"", channel.error().detail);
             }
@@ -132,13 +145,15 @@ class Daemon {
         spdlog::info("ended: exit_code={}", code);
         exit_code_ = code;
         peer_server_.reset();
+        keeper_->stop();
         signals_.cancel();
     }
 
     const WorkerConfig& config_;
     asio::io_context& context_;
+    std::unique_ptr<CredentialKeeper> keeper_;
+    std::shared_ptr<const TlsSlot> tls_;
     Executor executor_;
-    std::shared_ptr<TlsSlot> tls_ = std::make_shared<TlsSlot>();
     StopSignals signals_;
     asio::steady_timer pause_;
     Backoff backoff_;
@@ -152,7 +167,47 @@ class Daemon {
     int exit_code_ = exit_done;
 };
 
+asio::awaitable<void>
+join(const WorkerConfig& config, std::string name, std::optional<Result<Credential>>& result) {
+    Endpoint master = config.master;
+    JoinToken token = *config.join;
+    result = co_await join_cluster(std::move(master), std::move(token), std::move(name));
+}
+
+int exit_code_of(const Error& error) {
+    switch (error.code) {
+    case ErrorCode::Timeout:
+    case ErrorCode::Disconnected:
+        return exit_unreachable;
+    case ErrorCode::BadFrame:
+    case ErrorCode::Refused:
+        return exit_refused;
+    default:
+        return exit_usage;
+    }
+}
+
 } // namespace
+
+int join_as_worker(const WorkerConfig& config) {
+    asio::io_context context(1);
+    std::optional<Result<Credential>> credential;
+    std::string name = config.name.substr(0, limits::certified_name_bytes_max);
+    spawn(context.get_executor(), "join", join(config, std::move(name), credential));
+    context.run();
+    if (!credential) {
+        return exit_unreachable; // Logged by `spawn`.
+    }
+    const std::filesystem::path path = credential_path(config.state, config.master);
+    const Status done =
+        *credential ? write_credential(path, credential->value()) : Status(credential->error());
+    if (!done) {
+        spdlog::error("not joined: {}", done.error().detail);
+        return exit_code_of(done.error());
+    }
+    spdlog::info("joined: master={} credential={}", config.master.host, path.string());
+    return exit_done;
+}
 
 std::chrono::milliseconds Backoff::next() {
     const std::uint64_t min = limits::reconnect_after_min.count();
@@ -167,7 +222,14 @@ void Backoff::reset() {
 }
 
 int run_worker(const WorkerConfig& config) {
-    const Exposure exposure{false, config.insecure, false};
+    asio::io_context context(1);
+    auto keeper = CredentialKeeper::open(
+        context.get_executor(), credential_path(config.state, config.master), config.master);
+    if (!keeper) {
+        spdlog::error("no credential: {}", keeper.error().detail);
+        return keeper.error().code == ErrorCode::Refused ? exit_refused : exit_usage;
+    }
+    const Exposure exposure{keeper.value()->is_secured(), config.insecure, false};
     if (const Status allowed = check_exposure(config.master, exposure); !allowed) {
         spdlog::error("refused: {}", allowed.error().detail);
         return exit_refused;
@@ -179,8 +241,7 @@ int run_worker(const WorkerConfig& config) {
         return exit_usage;
     }
     spdlog::info("instructions chosen: simd={}", to_text(simd_target()));
-    asio::io_context context(1);
-    Daemon daemon(config, context);
+    Daemon daemon(config, context, std::move(keeper.value()));
     spawn(context.get_executor(), "worker", daemon.run());
     context.run();
     return daemon.exit_code();

@@ -26,4 +26,7 @@ class Backoff {
 /// Runs until the worker has drained or cannot work. Returns the exit code that --help tells.
 [[nodiscard]] int run_worker(const WorkerConfig& config);
 
+/// `cdworker join`: gets a credential with the token of the configuration. Returns the exit code.
+[[nodiscard]] int join_as_worker(const WorkerConfig& config);
+
 } // namespace cd

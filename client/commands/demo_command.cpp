@@ -63,6 +63,7 @@ int execute(const DemoCommand& command) {
         return fail(cluster.error());
     }
     run.master.address = cluster.value().address();
+    run.master.credential = "none";
     if (!command.quiet) {
         std::fprintf(stderr,
                      "  cluster  cdmaster on %s and %u workers; logs in %s\n",

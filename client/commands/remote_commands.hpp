@@ -13,6 +13,8 @@ namespace cd {
 [[nodiscard]] int execute(const StatusCommand& command);
 [[nodiscard]] int execute(const CancelCommand& command);
 [[nodiscard]] int execute(const ExplainCommand& command);
+[[nodiscard]] int execute(const JoinCommand& command);
+[[nodiscard]] int execute(const TokenCommand& command);
 
 /// `run --master`: submits, watches, fetches, reports. The job's header has been printed, and an
 /// InterruptGuard lives; an interrupt cancels the job.

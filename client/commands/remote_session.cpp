@@ -2,6 +2,7 @@
 
 #include "client/interrupt.hpp"
 #include "client/job_id.hpp"
+#include "client/membership.hpp"
 #include "client/words.hpp"
 
 #include <algorithm>
@@ -40,8 +41,19 @@ Result<std::unique_ptr<Connection>> open_again(const MasterOptions& master) {
 } // namespace
 
 Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options) {
+    const Result<Endpoint> master = parse_endpoint(options.address);
+    if (!master) {
+        return master.error();
+    }
+    auto tls = client_tls(options, master.value());
+    if (!tls) {
+        return tls.error();
+    }
     return Connection::open(
-        options.address, options.insecure, [] { return InterruptGuard::signal() != 0; });
+        options.address,
+        options.insecure,
+        [] { return InterruptGuard::signal() != 0; },
+        std::move(tls.value()));
 }
 
 Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {

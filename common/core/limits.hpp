@@ -22,7 +22,15 @@ inline constexpr std::size_t write_queue_bytes_max = 64u << 20; ///< Then the se
 inline constexpr std::size_t certificate_bytes_max = 16u << 10; ///< One PEM text.
 inline constexpr std::size_t certified_name_bytes_max = 64;     ///< RFC 5280's bound, too.
 inline constexpr std::chrono::hours authority_life{24 * 3650};
-inline constexpr std::chrono::minutes clock_difference_max{5};  ///< Of two hosts; for certificates.
+inline constexpr std::chrono::minutes clock_difference_max{5}; ///< Of two hosts; for certificates.
+inline constexpr std::chrono::hours master_certificate_life{24 * 30};
+inline constexpr std::chrono::hours certificate_life{24 * 7}; ///< Of others, unless told.
+inline constexpr std::chrono::seconds certificate_life_min{2};
+inline constexpr std::chrono::minutes renewal_check_period{1};
+inline constexpr std::chrono::seconds renewal_retry_min{1};
+inline constexpr std::size_t tokens_max = 1024; ///< Neither expired nor forgotten.
+inline constexpr std::uint32_t token_uses_max = 100'000;
+inline constexpr std::chrono::hours token_life_max{24 * 30};
 inline constexpr std::uint64_t tls_key_bytes_max = 64ull << 30; ///< Then a new key is agreed on.
 
 // Files.
@@ -57,6 +65,11 @@ inline constexpr std::uint32_t scenario_losses_max = 3; ///< Workers that a scen
 
 // The master.
 inline constexpr std::size_t connections_max = 8192;
+inline constexpr std::size_t greetings_max = 512; ///< Connections that nobody has greeted on yet.
+inline constexpr std::size_t client_connections_max = 64;
+inline constexpr std::size_t client_jobs_max = 64;
+inline constexpr std::uint64_t client_bytes_max = 256ull << 30; ///< Sent in a day.
+inline constexpr std::chrono::hours client_bytes_period{24};
 inline constexpr std::size_t jobs_running_max = 256;
 inline constexpr std::size_t jobs_ended_kept_max =
     1024;                                         ///< With their results; then the oldest goes.

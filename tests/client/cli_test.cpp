@@ -30,12 +30,30 @@ TEST(CommandLine, HelpStartsWithExamples) {
                              "get",
                              "status",
                              "inspect",
+                             "join",
+                             "token",
                              "cancel"}) {
         EXPECT_THAT(line.text, HasSubstr(std::string("\n  ") + verb + " "));
         const CommandLine help = parse_command_line({verb, "-h"});
         EXPECT_EQ(help.exit_code, exit_done);
         EXPECT_THAT(help.text, StartsWith("Examples:\n  ")) << verb;
     }
+}
+
+TEST(CommandLine, WhatJoinsAndLetsJoinIsRead) {
+    const auto join = parse_command_line({"join", "n:1", "--token", "t", "--credential", "c.pem"});
+    ASSERT_TRUE(join.command) << join.text;
+    const auto& joining = std::get<JoinCommand>(*join.command);
+    EXPECT_EQ(joining.master.address, "n:1");
+    EXPECT_EQ(joining.token, "t");
+    EXPECT_EQ(joining.master.credential, "c.pem");
+    const auto line = parse_command_line(
+        {"token", "create", "--role", "submitter", "--uses", "50", "--ttl", "2h"});
+    ASSERT_TRUE(line.command) << line.text;
+    const auto& token = std::get<TokenCommand>(*line.command);
+    EXPECT_EQ(token.role, "submitter");
+    EXPECT_EQ(token.uses, 50u);
+    EXPECT_EQ(token.ttl, "2h");
 }
 
 TEST(CommandLine, WrongUsageIsTwo) {
@@ -49,6 +67,10 @@ TEST(CommandLine, WrongUsageIsTwo) {
                                                       {"run", "j.toml", "--first-stage", "half"},
                                                       {"demo", "--a", "a.obj"},
                                                       {"get", "tea"},
+                                                      {"join"},
+                                                      {"token"},
+                                                      {"token", "create", "--role", "master"},
+                                                      {"token", "create", "--uses", "0"},
                                                       {"watch"}};
     for (const auto& arguments : wrong) {
         const CommandLine line = parse_command_line(arguments);

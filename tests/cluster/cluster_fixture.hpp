@@ -65,6 +65,7 @@ struct Job {
 class Cluster : public testing::Test {
   protected:
     void SetUp() override {
+        prepare();
         LocalClusterOptions options;
         options.programs = program("cdmaster").parent_path();
         options.state = folder_ / "state";
@@ -83,10 +84,16 @@ class Cluster : public testing::Test {
     }
 
     [[nodiscard]] std::unique_ptr<Connection> connect() const {
-        auto opened = Connection::open(master_->address(), false, [] { return false; });
+        auto opened = Connection::open(
+            master_->address(), false, [] { return false; }, tls());
         EXPECT_TRUE(opened) << opened.error().detail;
         return std::move(opened.value());
     }
+
+    /// Called before the master starts.
+    virtual void prepare() {}
+    /// With what the test connects; null is plain.
+    [[nodiscard]] virtual std::shared_ptr<const Tls> tls() const { return nullptr; }
 
     /// One more worker. It joins by itself.
     Process& start_worker(unsigned threads = 1, const std::vector<std::string>& options = {}) {

@@ -75,6 +75,24 @@ TEST(MasterConfig, TheJoinLineIsWhatAWorkerTypes) {
     EXPECT_EQ(join_line({"127.0.0.1", 7600}), "cdworker --master 127.0.0.1:7600");
     EXPECT_EQ(join_line({"::1", 1}), "cdworker --master [::1]:1");
     EXPECT_EQ(join_line({"10.0.0.1", 1}), "cdworker --master 10.0.0.1:1 --insecure");
+    EXPECT_EQ(join_line({"10.0.0.1", 1}, true),
+              "cdworker join 10.0.0.1:1 --token TOKEN && cdworker --master 10.0.0.1:1");
+}
+
+TEST(MasterConfig, InitTakesTheStateBeforeOrAfterIt) {
+    EXPECT_FALSE(parse({}).config->init);
+    for (const auto& line : {parse({"init", "--state", "s"}), parse({"--state", "s", "init"})}) {
+        ASSERT_TRUE(line.config) << line.text;
+        EXPECT_TRUE(line.config->init);
+        EXPECT_EQ(line.config->state, "s");
+    }
+}
+
+TEST(MasterConfig, CertificatesLiveAsLongAsItSays) {
+    EXPECT_EQ(parse({}).config->certificate_life, std::chrono::hours(24 * 7));
+    EXPECT_EQ(parse({"--certificate-ttl", "36h"}).config->certificate_life, std::chrono::hours(36));
+    EXPECT_EQ(parse({"--certificate-ttl", "1s"}).exit_code, 2);
+    EXPECT_EQ(parse({"--certificate-ttl", "soon"}).exit_code, 2);
 }
 
 } // namespace

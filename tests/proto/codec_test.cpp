@@ -46,7 +46,9 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"explain", 16, "609f0a17cfd7829b"},        {"explained", 180, "a91ceeff3b47116c"},
     {"add job", 99, "2bdd99e4817ed5e1"},        {"remove job", 8, "d86e8112f3c4c444"},
     {"scenario range", 60, "565e8897274530e3"}, {"results kept", 32, "85f896738b831cb7"},
-    {"holding", 72, "e1381bfba176d2ec"},
+    {"holding", 72, "e1381bfba176d2ec"},        {"join", 72, "dd181e348f65f2e4"},
+    {"renew", 15, "b8682712f5ce92e8"},          {"certified", 48, "d7f558c7fad6ff0a"},
+    {"token create", 13, "10083b346e6438bc"},   {"token created", 12, "58ed39fec02eb736"},
 }};
 
 void expect_refused(std::uint16_t type, std::span<const std::byte> payload) {
@@ -63,7 +65,7 @@ void expect_refused(std::uint16_t type, std::span<const std::byte> payload) {
 
 TEST(Codec, NumbersAndNamesFollowTheOrderOfTheVariant) {
     EXPECT_EQ(message_type(Hello{}), 1);
-    EXPECT_EQ(message_type(Holding{}), std::variant_size_v<Message>);
+    EXPECT_EQ(message_type(TokenCreated{}), std::variant_size_v<Message>);
     EXPECT_EQ(message_name(message_type(Batch{})), "batch");
     EXPECT_EQ(message_name(message_type(EndOfTask{})), "end of task");
     EXPECT_EQ(message_name(message_type(ResultsPart{})), "results part");

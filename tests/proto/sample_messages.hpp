@@ -172,6 +172,11 @@ inline std::vector<Message> sample_messages() {
         ScenarioRange{TaskId{1}, JobId{2}, 3, 4, some_bytes(20)},
         ResultsKept{{3, 5, 4}},
         Holding{{some_hash(1), some_hash(2)}},
+        Join{3, some_hash(1), "blade-3", "a request"},
+        Renew{"another"},
+        Certified{"a certificate", "and its authority's"},
+        TokenCreate{CertifiedRole::Submitter, 3600, 50},
+        TokenCreated{"cdt1"},
     };
 }
 

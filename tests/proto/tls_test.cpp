@@ -163,6 +163,25 @@ TEST(Tls, WithoutACertificateOneIsNobody) {
     });
 }
 
+TEST(Tls, NobodySendsLargeMessages) {
+    run_conversation([]() -> asio::awaitable<void> {
+        const Cluster cluster;
+        Attempt ends = co_await try_to_connect(Tls::make_joining(cluster.authority.fingerprint()),
+                                               cluster.tls(CertifiedRole::Master));
+        Channel& right = *ends.right.value();
+        const Result<Message> hello = co_await right.receive(patience);
+        EXPECT_TRUE(hello);
+        ends.left.value()->send(Heartbeat{});
+        const Result<Message> small = co_await right.receive(patience);
+        EXPECT_TRUE(small);
+        ends.left.value()->send(Subtrees{});
+        const Result<Message> large = co_await right.receive(patience);
+        EXPECT_EQ(large.error().code, ErrorCode::BadFrame);
+        EXPECT_THAT(large.error().detail, HasSubstr("no certificate"));
+        ends.left.value()->close();
+    });
+}
+
 TEST(Tls, APinOfAnotherAuthorityIsNoticedByWhoJoins) {
     run_conversation([]() -> asio::awaitable<void> {
         const Cluster cluster;

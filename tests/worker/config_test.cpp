@@ -178,5 +178,26 @@ TEST(RunWorker, GivesUpOnAMasterThatIsNotThere) {
     EXPECT_EQ(run_worker(config), 4);
 }
 
+TEST(WorkerConfig, JoinNamesAMasterAndAToken) {
+    EXPECT_FALSE(parse({}).config->join);
+    JoinToken token;
+    token.id = 7;
+    token.secret = random_secret();
+    const std::string text = to_text(token);
+    const auto line = parse({"join", "node-1:7600", "--token", text.c_str(), "--state", "here"});
+    ASSERT_TRUE(line.config) << line.text;
+    EXPECT_EQ(line.config->join->secret, token.secret);
+    EXPECT_EQ(line.config->master.host, "node-1");
+    EXPECT_EQ(line.config->state, "here");
+    const File file(text + "\n");
+    const auto from_file = parse({"join", "node-1:7600", "--token-file", file.path()});
+    ASSERT_TRUE(from_file.config) << from_file.text;
+    EXPECT_EQ(from_file.config->join->id, 7u);
+    EXPECT_EQ(parse({"join"}).exit_code, 2);
+    EXPECT_EQ(parse({"join", "node-1:7600"}).exit_code, 2);
+    EXPECT_EQ(parse({"join", "node-1:7600", "--token", "x"}).exit_code, 2);
+    EXPECT_EQ(parse({"join", "node-1:7600", "--token-file", "/no/file"}).exit_code, 2);
+}
+
 } // namespace
 } // namespace cd::tests

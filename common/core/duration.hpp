@@ -1,0 +1,15 @@
+// Durations as people write them.
+#pragma once
+
+#include "common/core/result.hpp"
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+namespace cd {
+
+/// "45s", "30m", "24h" or "7d". Errors: BadInput saying what is expected; also above 100 years.
+[[nodiscard]] Result<std::chrono::seconds> parse_duration(std::string_view text);
+
+} // namespace cd

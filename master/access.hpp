@@ -1,0 +1,37 @@
+// What one connection may ask of the master, by the certificate that it has shown.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "proto/certificate.hpp"
+#include "proto/message.hpp"
+
+#include <optional>
+
+namespace cd {
+
+class MasterIdentity;
+
+/// A connection without TLS, which only loopback or --insecure allow, may ask for all that there
+/// is.
+class Access {
+  public:
+    Access() = default;
+    Access(MasterIdentity& identity, std::optional<Identity> holder)
+        : identity_(&identity), holder_(std::move(holder)) {}
+
+    /// Null without TLS.
+    [[nodiscard]] MasterIdentity* identity() const { return identity_; }
+    /// Nobody, where no certificate was shown.
+    [[nodiscard]] const std::optional<Identity>& holder() const { return holder_; }
+
+    /// Whether the holder may greet in this role. Errors: Refused saying why not.
+    [[nodiscard]] Status check(Role role) const;
+    /// Whether the holder may send this, as a client. Errors: Refused saying why not.
+    [[nodiscard]] Status check(const Message& message) const;
+
+  private:
+    MasterIdentity* identity_ = nullptr;
+    std::optional<Identity> holder_;
+};
+
+} // namespace cd

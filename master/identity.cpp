@@ -1,0 +1,205 @@
+#include "master/identity.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits.hpp"
+#include "common/core/log.hpp"
+#include "proto/credential_file.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+std::filesystem::path folder_of(const std::filesystem::path& state) {
+    return state / "identity";
+}
+
+std::filesystem::path key_path(const std::filesystem::path& folder) {
+    return folder / "authority.key";
+}
+std::filesystem::path certificate_path(const std::filesystem::path& folder) {
+    return folder / "authority.pem";
+}
+std::filesystem::path tokens_path(const std::filesystem::path& folder) {
+    return folder / "tokens";
+}
+
+/// Errors: NotFound where there is none.
+Result<CertificateAuthority> read_authority(const std::filesystem::path& folder) {
+    const Result<std::string> certificate = read_private(certificate_path(folder));
+    if (!certificate) {
+        return certificate.error();
+    }
+    const Result<std::string> key = read_private(key_path(folder));
+    if (!key) {
+        return key.error().code == ErrorCode::NotFound ? Error{ErrorCode::Io, key.error().detail}
+                                                       : key.error();
+    }
+    auto authority = CertificateAuthority::parse(certificate.value(), key.value());
+    if (!authority) {
+        return Error{ErrorCode::BadInput, folder.string() + " holds " + authority.error().detail};
+    }
+    return authority;
+}
+
+/// The certificate last: where it is, all is.
+Status write_authority(const std::filesystem::path& folder, const CertificateAuthority& authority) {
+    if (Status key = write_private(key_path(folder), authority.key()); !key) {
+        return key;
+    }
+    return write_private(certificate_path(folder), authority.certificate());
+}
+
+Result<TokenBook> read_tokens(const std::filesystem::path& folder) {
+    const Result<std::string> text = read_private(tokens_path(folder));
+    if (!text) {
+        return text.error().code == ErrorCode::NotFound ? Result<TokenBook>(TokenBook())
+                                                        : Result<TokenBook>(text.error());
+    }
+    auto tokens = TokenBook::parse(text.value());
+    if (!tokens) {
+        return Error{ErrorCode::BadInput,
+                     tokens_path(folder).string() + ": " + tokens.error().detail};
+    }
+    return tokens;
+}
+
+} // namespace
+
+Status MasterIdentity::init(const std::filesystem::path& state, const Options& options) {
+    const std::filesystem::path folder = folder_of(state);
+    Result<CertificateAuthority> authority = read_authority(folder);
+    if (!authority && authority.error().code != ErrorCode::NotFound) {
+        return authority.error();
+    }
+    if (!authority) {
+        authority = CertificateAuthority::make(options.now());
+        if (Status written = write_authority(folder, authority.value()); !written) {
+            return written;
+        }
+    }
+    const MasterIdentity identity(folder, std::move(authority.value()), TokenBook(), options);
+    return identity.renew_admin();
+}
+
+Result<std::unique_ptr<MasterIdentity>> MasterIdentity::open(const std::filesystem::path& state,
+                                                             const Options& options) {
+    const std::filesystem::path folder = folder_of(state);
+    Result<CertificateAuthority> authority = read_authority(folder);
+    if (!authority) {
+        return authority.error().code == ErrorCode::NotFound
+                   ? Result<std::unique_ptr<MasterIdentity>>(nullptr)
+                   : Result<std::unique_ptr<MasterIdentity>>(authority.error());
+    }
+    Result<TokenBook> tokens = read_tokens(folder);
+    if (!tokens) {
+        return tokens.error();
+    }
+    std::unique_ptr<MasterIdentity> identity(new MasterIdentity(
+        folder, std::move(authority.value()), std::move(tokens.value()), options));
+    if (const Status valid = identity->keep_valid(); !valid) {
+        return valid.error();
+    }
+    return identity;
+}
+
+std::filesystem::path MasterIdentity::admin_path(const std::filesystem::path& state) {
+    return folder_of(state) / "admin.pem";
+}
+
+MasterIdentity::MasterIdentity(std::filesystem::path folder,
+                               CertificateAuthority authority,
+                               TokenBook tokens,
+                               Options options)
+    : folder_(std::move(folder)),
+      authority_(std::move(authority)),
+      tokens_(std::move(tokens)),
+      options_(std::move(options)) {}
+
+Status MasterIdentity::keep_valid() {
+    if (tls_->now == nullptr || renew_at(*tls_->now->identity()) <= options_.now()) {
+        renew_own();
+    }
+    const Result<Credential> admin = read_credential(folder_ / "admin.pem");
+    const Result<Identity> identity =
+        admin ? read_identity(admin.value().certificate) : Result<Identity>(admin.error());
+    // Who has taken it away does not want it there.
+    if (identity && renew_at(identity.value()) <= options_.now()) {
+        return renew_admin();
+    }
+    return Done{};
+}
+
+void MasterIdentity::renew_own() {
+    const Identity own =
+        identity_from_now(CertifiedRole::Master, "master", limits::master_certificate_life);
+    auto tls = Tls::make(authority_.issue(own));
+    CD_CHECK(tls.has_value());
+    tls_->now = std::move(tls.value());
+}
+
+Status MasterIdentity::renew_admin() const {
+    const Identity admin =
+        identity_from_now(CertifiedRole::Admin, "admin", limits::master_certificate_life);
+    return write_credential(folder_ / "admin.pem", authority_.issue(admin));
+}
+
+Identity MasterIdentity::identity_from_now(CertifiedRole role,
+                                           const std::string& name,
+                                           std::chrono::seconds life) const {
+    const WallTime now = options_.now();
+    // Another host's clock may be behind.
+    return {role, name, now - limits::clock_difference_max, now + life};
+}
+
+Result<Certified> MasterIdentity::certify(const std::string& request,
+                                          CertifiedRole role,
+                                          const std::string& name) const {
+    Result<std::string> certificate =
+        authority_.sign(request, identity_from_now(role, name, options_.certificate_life));
+    if (!certificate) {
+        return certificate.error();
+    }
+    return Certified{std::move(certificate.value()), authority_.certificate()};
+}
+
+Status MasterIdentity::save_tokens() const {
+    return write_private(tokens_path(folder_), tokens_.to_text());
+}
+
+Result<Certified> MasterIdentity::join(const Join& message, const Sha256& binding) {
+    const Result<CertifiedRole> role =
+        tokens_.redeem({message.token, message.proof, binding, message.request}, options_.now());
+    if (!role) {
+        return role.error();
+    }
+    if (const Status saved = save_tokens(); !saved) {
+        return saved.error();
+    }
+    return certify(message.request, role.value(), message.name);
+}
+
+Result<Certified> MasterIdentity::renew(const Renew& message, const Identity& holder) const {
+    return certify(message.request, holder.role, holder.name);
+}
+
+Result<TokenCreated> MasterIdentity::create_token(const TokenCreate& message) {
+    const WallTime now = options_.now();
+    const TokenBook::Terms terms{
+        message.role,
+        message.uses,
+        now + std::chrono::seconds(std::min<std::uint64_t>(
+                  message.seconds, 2 * std::chrono::seconds(limits::token_life_max).count()))};
+    const Result<JoinToken> token = tokens_.create(terms, authority_.fingerprint(), now);
+    if (!token) {
+        return token.error();
+    }
+    if (const Status saved = save_tokens(); !saved) {
+        return saved.error();
+    }
+    return TokenCreated{to_text(token.value())};
+}
+
+} // namespace cd

@@ -1,0 +1,34 @@
+// Credentials on disk.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "proto/certificate.hpp"
+#include "proto/channel.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace cd {
+
+/// Where a program keeps what it shows to this master.
+[[nodiscard]] std::filesystem::path credential_path(const std::filesystem::path& folder,
+                                                    const Endpoint& master);
+
+/// One PEM file: key, certificate, authority. For its owner alone (0600), and replaced whole. Makes
+/// its folder. Errors: Io.
+[[nodiscard]] Status write_credential(const std::filesystem::path& path,
+                                      const Credential& credential);
+
+/// Errors: NotFound; Io; BadInput for what is no such file; Refused for one that others may read.
+[[nodiscard]] Result<Credential> read_credential(const std::filesystem::path& path);
+
+/// A small file for its owner alone, replaced whole. Makes its folder. Errors: Io.
+[[nodiscard]] Status write_private(const std::filesystem::path& path, std::string_view text);
+/// Errors: NotFound; Io; TooLarge; Refused for one that others may read.
+[[nodiscard]] Result<std::string> read_private(const std::filesystem::path& path);
+
+/// From then on it is time for a new one.
+[[nodiscard]] WallTime renew_at(const Identity& identity);
+
+} // namespace cd

@@ -1,0 +1,64 @@
+// Proves that a real master gives one client its share of connections and no more, and drops who
+// connects and does not go on, while others are served.
+#include "common/core/limits.hpp"
+#include "proto/channel.hpp"
+#include "tests/cluster/cluster_fixture.hpp"
+
+#include <gmock/gmock.h>
+
+#include <array>
+
+namespace cd::tests {
+namespace {
+
+using testing::HasSubstr;
+
+TEST_F(Cluster, OneClientHasItsShareOfConnections) {
+    std::vector<std::unique_ptr<Connection>> connections; // Beside the fixture's own.
+    while (connections.size() + 1 < limits::client_connections_max) {
+        connections.push_back(connect());
+    }
+    const auto open = [&] {
+        return Connection::open(master_->address(), false, [] { return false; });
+    };
+    const auto one_more = open();
+    ASSERT_FALSE(one_more);
+    EXPECT_EQ(one_more.error().code, ErrorCode::Refused);
+    EXPECT_THAT(one_more.error().detail, HasSubstr("quota"));
+    EXPECT_THAT(read_text(folder_ / "master.log"), HasSubstr("greeting refused"));
+    EXPECT_TRUE(connection_->status());
+    const Ran ran =
+        tests::run({program("cdctl").string(), "status", "--master", master_->address()});
+    EXPECT_EQ(ran.exit_code, 5);
+    connections.clear();
+    // The master may not have noticed yet that they are gone.
+    auto again = open();
+    while (!again && again.error().code == ErrorCode::Refused) {
+        again = open();
+    }
+    EXPECT_TRUE(again);
+}
+
+TEST_F(Cluster, WhoDoesNotGoOnIsDropped) {
+    const Endpoint master = parse_endpoint(master_->address()).value();
+    asio::io_context context(1);
+    const asio::ip::tcp::endpoint there(asio::ip::make_address(master.host), master.port);
+    asio::ip::tcp::socket silent(context);
+    asio::ip::tcp::socket half(context);
+    silent.connect(there);
+    half.connect(there);
+    asio::write(half, asio::buffer(std::string("CDF1")));
+    EXPECT_TRUE(connection_->status()) << "others are served";
+    for (asio::ip::tcp::socket* socket : {&silent, &half}) {
+        std::array<char, 100> bytes{};
+        boost::system::error_code error;
+        while (!error) {
+            (void)socket->read_some(asio::buffer(bytes), error);
+        }
+    }
+    EXPECT_TRUE(connection_->status());
+    EXPECT_THAT(read_text(folder_ / "master.log"), HasSubstr("in time"));
+}
+
+} // namespace
+} // namespace cd::tests

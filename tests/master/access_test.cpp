@@ -1,0 +1,112 @@
+// Proves that each message of a client is allowed to the roles that may send it, and to no other.
+#include "master/access.hpp"
+
+#include "common/core/limits.hpp"
+#include "master/identity.hpp"
+#include "tests/proto/sample_messages.hpp"
+#include "tests/support/process.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace cd::tests {
+namespace {
+
+using namespace std::chrono_literals;
+
+class AccessOfRoles : public testing::Test {
+  protected:
+    void SetUp() override {
+        const MasterIdentity::Options options{1h};
+        ASSERT_TRUE(MasterIdentity::init(folder_.path(), options));
+        identity_ = std::move(MasterIdentity::open(folder_.path(), options).value());
+        ASSERT_NE(identity_, nullptr);
+    }
+
+    [[nodiscard]] Access of(CertifiedRole role) const {
+        return {*identity_, Identity{role, "someone", {}, {}}};
+    }
+
+    TemporaryFolder folder_;
+    std::unique_ptr<MasterIdentity> identity_;
+};
+
+TEST_F(AccessOfRoles, EachMessageIsForThoseWhoMaySendIt) {
+    const Message status{StatusQuery{}};
+    const Message submit{Submit{}};
+    const Message token{TokenCreate{}};
+    const auto may = [&](CertifiedRole role, const Message& message) {
+        return of(role).check(message).has_value();
+    };
+    EXPECT_TRUE(may(CertifiedRole::Metrics, status));
+    EXPECT_FALSE(may(CertifiedRole::Metrics, submit));
+    EXPECT_FALSE(may(CertifiedRole::Metrics, token));
+    EXPECT_TRUE(may(CertifiedRole::Submitter, status));
+    EXPECT_TRUE(may(CertifiedRole::Submitter, submit));
+    EXPECT_FALSE(may(CertifiedRole::Submitter, token));
+    EXPECT_TRUE(may(CertifiedRole::Admin, token));
+    EXPECT_TRUE(may(CertifiedRole::Admin, submit));
+    for (const Message& message : sample_messages()) {
+        // Who looks sees nothing of jobs but that they are there.
+        const bool looks = std::holds_alternative<StatusQuery>(message) ||
+                           std::holds_alternative<Heartbeat>(message);
+        EXPECT_EQ(may(CertifiedRole::Metrics, message), looks) << message.index();
+        EXPECT_FALSE(may(CertifiedRole::Worker, message)) << message.index();
+        EXPECT_FALSE(may(CertifiedRole::Master, message)) << message.index();
+        EXPECT_FALSE(Access(*identity_, std::nullopt).check(message)) << message.index();
+        EXPECT_TRUE(Access().check(message)) << "without TLS";
+    }
+}
+
+TEST_F(AccessOfRoles, OneGreetsAsWhatItsCertificateSays) {
+    EXPECT_TRUE(of(CertifiedRole::Worker).check(Role::Worker));
+    EXPECT_FALSE(of(CertifiedRole::Worker).check(Role::Client));
+    for (const CertifiedRole role :
+         {CertifiedRole::Submitter, CertifiedRole::Admin, CertifiedRole::Metrics}) {
+        EXPECT_TRUE(of(role).check(Role::Client));
+        EXPECT_FALSE(of(role).check(Role::Worker));
+    }
+    EXPECT_FALSE(of(CertifiedRole::Master).check(Role::Worker));
+    EXPECT_FALSE(of(CertifiedRole::Master).check(Role::Client));
+    const Access nobody(*identity_, std::nullopt);
+    EXPECT_TRUE(nobody.check(Role::Joiner));
+    EXPECT_FALSE(nobody.check(Role::Worker));
+    EXPECT_FALSE(nobody.check(Role::Client));
+    EXPECT_TRUE(Access().check(Role::Worker));
+    EXPECT_TRUE(Access().check(Role::Client));
+    EXPECT_FALSE(Access().check(Role::Joiner)) << "without TLS there is nothing to join";
+}
+
+TEST_F(AccessOfRoles, AnIdentityIsThereOnceItWasMadeAndStaysTheSame) {
+    const TemporaryFolder other;
+    const MasterIdentity::Options options{1h};
+    EXPECT_EQ(MasterIdentity::open(other.path(), options).value(), nullptr);
+    const auto admin = MasterIdentity::admin_path(folder_.path());
+    const std::string first = read_text(admin);
+    ASSERT_TRUE(MasterIdentity::init(folder_.path(), options));
+    EXPECT_NE(read_text(admin), first);
+    const auto again = MasterIdentity::open(folder_.path(), options);
+    EXPECT_EQ(again.value()->fingerprint(), identity_->fingerprint());
+    write_text(folder_ / "identity/authority.pem", "damaged");
+    EXPECT_EQ(MasterIdentity::open(folder_.path(), options).error().code, ErrorCode::BadInput);
+    EXPECT_FALSE(MasterIdentity::init(folder_.path(), options)) << "nothing is overwritten";
+    EXPECT_EQ(read_text(folder_ / "identity/authority.pem"), "damaged");
+}
+
+TEST_F(AccessOfRoles, TheMastersOwnCertificateIsRenewedInTime) {
+    WallTime now = std::chrono::system_clock::now();
+    const MasterIdentity::Options options{1h, [&now] { return now; }};
+    const auto identity = std::move(MasterIdentity::open(folder_.path(), options).value());
+    const auto first = identity->tls()->now;
+    ASSERT_TRUE(identity->keep_valid());
+    EXPECT_EQ(identity->tls()->now, first);
+    const std::string admin = read_text(MasterIdentity::admin_path(folder_.path()));
+    now += limits::master_certificate_life / 2 + 1h;
+    ASSERT_TRUE(identity->keep_valid());
+    EXPECT_NE(identity->tls()->now, first);
+    EXPECT_NE(read_text(MasterIdentity::admin_path(folder_.path())), admin);
+}
+
+} // namespace
+} // namespace cd::tests
