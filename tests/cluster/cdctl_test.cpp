@@ -120,6 +120,7 @@ TEST_F(Cluster, ExplainShowsEachWorkersScore) {
     for (const Strategy strategy : {Strategy::BestMatch, Strategy::EarliestFinish}) {
         ClusterOptions options;
         options.strategy = strategy;
+        options.q = 200; // So that no buffer is full, and somebody may take the scenario.
         signal_all(SIGSTOP);
         const JobId id = submit(job, {}, options);
         const auto ask = [&](const std::vector<std::string>& more) {
