@@ -81,6 +81,9 @@ std::string TokenBook::to_text() const {
 }
 
 Result<TokenBook> TokenBook::parse(const std::string& text) {
+    if (!text.empty() && text.back() != '\n') {
+        return Error{ErrorCode::BadInput, "a list of tokens that is cut short"};
+    }
     std::istringstream lines(text);
     std::string line;
     TokenBook book;

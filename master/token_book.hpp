@@ -36,7 +36,7 @@ class TokenBook {
     /// Counts one use. Errors: Refused with the reason.
     [[nodiscard]] Result<CertifiedRole> redeem(const Proof& proof, WallTime now);
 
-    /// All of it as text, without any secret; and back. Errors: BadInput naming the line.
+    /// All of it as text, without any secret; and back. Errors: BadInput.
     [[nodiscard]] std::string to_text() const;
     [[nodiscard]] static Result<TokenBook> parse(const std::string& text);
 

@@ -201,7 +201,7 @@ TEST(Codec, AnAbsurdSizeAllocatesNothing) {
 
 TEST(Codec, ValuesOutOfRangeAreRefused) {
     Bytes hello = encode_message(Hello{});
-    hello[4] = std::byte{4}; // The role, behind the two versions.
+    hello[4] = std::byte{5}; // The role, behind the two versions.
     EXPECT_FALSE(decode_message(message_type(Hello{}), hello));
 
     Bytes results = encode_message(Results{TaskId{1}, JobId{1}, 0, {}, {}, 1.0});
