@@ -339,11 +339,6 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
             link.channel->send(RemoveJob{job.id});
         }
     }
-    for (auto& [worker, link] : workers_) {
-        if (link.jobs.erase(job.id) != 0) {
-            link.channel->send(RemoveJob{job.id});
-        }
-    }
     if (has_trees) {
         release_tree(job.tree_a);
         release_tree(job.tree_b);
