@@ -13,8 +13,6 @@ namespace {
 
 /// Beyond, the bounds of wide_kernel.cpp do not hold.
 constexpr double pose_error_max = 0x1p-10;
-/// As many as come from memory at the same time without costing the order of the descent.
-constexpr std::size_t batch_for_first = 3;
 /// Less than a millisecond of work.
 constexpr std::uint32_t visits_at_once = 4096;
 
@@ -53,8 +51,10 @@ void WideDescent::restart(const RelativePose& b_to_a) {
                                 ? static_cast<float>(error_scale_ * 1.01 * (0x1p-17 + 6 * error))
                                 : std::numeric_limits<float>::infinity();
     walk_.waiting_count = 0;
+    walk_.ranked.clear();
     walk_.leaf_count = 0;
     walk_.box_tests = 0;
+    walk_.visits = 0;
 }
 
 void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
@@ -67,11 +67,17 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
                                                : std::numeric_limits<float>::infinity();
     walk_.a = body_of(a);
     walk_.b = body_of(b);
-    waiting_[0] = {0, 0};
-    walk_.waiting_count = 1;
+    aim_ = aim;
+    walk_.waiting_count = 0;
+    walk_.ranked.clear();
+    if (aim == Aim::All) {
+        waiting_[0] = {0, 0};
+        walk_.waiting_count = 1;
+    } else {
+        walk_.ranked.push({0, 0}, 0);
+    }
     walk_.leaf_count = 0;
-    walk_.batch = aim == Aim::All ? wide_batch_max : batch_for_first;
-    walk_.leaves_at_once = aim == Aim::All ? wide_leaves_max - wide_batch_max : 1;
+    walk_.visits_before = walk_.visits;
 }
 
 std::span<Candidate> WideDescent::next(std::size_t wanted) {
@@ -84,6 +90,10 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
     walk_.candidates_wanted = wanted;
     walk_.visits_left = visits_at_once;
     while (!is_done() && walk_.visits_left > 0 && walk_.candidate_count < wanted) {
+        if (aim_ == Aim::First) {
+            walk_wide_ranked(pose_, walk_);
+            continue;
+        }
         if (walk_.waiting_count + wide_pairs_slack > walk_.waiting_room) {
             grow();
         }

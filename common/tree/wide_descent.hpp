@@ -23,22 +23,27 @@ class WideDescent {
     void restart(const RelativePose& b_to_a);
 
     /// How the descent goes about it: for all candidates, many pairs of nodes are looked at
-    /// together; for a first contact, a few find it sooner.
+    /// together; for a first contact, the most promising ones first (`PairBuckets`).
     enum class Aim : std::uint8_t { All, First };
 
     /// Begins at the roots. The trees have nodes and outlive the descent.
     void start(const WideView& a, const WideView& b, Aim aim = Aim::All);
-    [[nodiscard]] bool is_done() const { return walk_.waiting_count + walk_.leaf_count == 0; }
+    [[nodiscard]] bool is_done() const {
+        return walk_.waiting_count + walk_.leaf_count + walk_.ranked.size() == 0;
+    }
     /// More candidates: as places in the blocks, `wanted` or some more, or fewer after much work
     /// without finding so many. Valid until the next call.
     [[nodiscard]] std::span<Candidate> next(std::size_t wanted);
 
     /// Tests of boxes so far.
     [[nodiscard]] std::uint64_t box_tests() const { return walk_.box_tests; }
+    /// Pairs of nodes looked at so far.
+    [[nodiscard]] std::uint64_t visits() const { return walk_.visits; }
 
   private:
     void grow();
 
+    Aim aim_ = Aim::All;
     RelativePose b_to_a_;
     double error_scale_;
     WidePose pose_;

@@ -42,6 +42,8 @@
 
 #include "common/geometry/highway_targets.hpp"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/tree/wide_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -51,6 +53,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
+
+/// Who looks for a first contact sees one pair of nodes at a time; after so many visits one more at
+/// a time than before, since then there may be none, and pairs come faster together.
+constexpr std::uint64_t patience = 16;
+
+/// Pairs of leaves put aside until they are looked at.
+constexpr std::size_t leaves_at_once = wide_leaves_max - wide_batch_max;
 
 /// A pair of nodes on its way through a batch.
 struct Visit {
@@ -84,11 +93,11 @@ HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {
 // the processor works on more than one. So that it need not guess how each goes on, all take one
 // step before any takes the next. Pairs of leaves are put aside until there are enough of them.
 
-/// Looks at as many pairs as have met; writes what is left of them. How many pairs.
+/// Looks at as many pairs as have met, from both sides; names those where both have children that
+/// may reach into the other. How many these are.
 template <bool kBothLeaves>
-HWY_INLINE std::size_t
-look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::uint32_t* to) {
-    std::size_t left[wide_batch_max];
+HWY_INLINE std::size_t see_both(
+    const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::size_t* left) {
     std::size_t left_count = 0;
     for (std::size_t i = 0; i < count; ++i) {
         Visit& now = visits[i];
@@ -111,26 +120,49 @@ look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, 
         left[both_count] = left[i];
         both_count += now.found_a != 0 ? 1 : 0;
     }
+    return both_count;
+}
+
+/// The sides of a visit: rows are of the one of which fewer children were found.
+struct Rows {
+    RowSide one;
+    RowSide others;
+    bool one_is_a;
+};
+
+HWY_INLINE Rows rows_of(const Visit& visit, std::uint64_t& box_tests) {
+    const RowSide of_a{visit.side_a, visit.seen_a, visit.found_a};
+    const RowSide of_b{visit.side_b, visit.seen_b, visit.found_b};
+    const int rows_a = __builtin_popcount(visit.found_a);
+    const int rows_b = __builtin_popcount(visit.found_b);
+    const bool by_a = rows_a <= rows_b;
+    box_tests += static_cast<std::uint64_t>(by_a ? rows_a : rows_b) *
+                 (by_a ? visit.side_b.count : visit.side_a.count);
+    return {by_a ? of_a : of_b, by_a ? of_b : of_a, by_a};
+}
+
+/// Looks at as many pairs as have met; writes what is left of them. How many pairs.
+template <bool kBothLeaves>
+HWY_INLINE std::size_t
+look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::uint32_t* to) {
+    std::size_t left[wide_batch_max];
+    const std::size_t left_count = see_both<kBothLeaves>(pose, walk, visits, count, left);
     std::size_t written = 0;
-    for (std::size_t i = 0; i < both_count; ++i) {
-        const Visit& now = visits[left[i]];
-        const RowSide of_a{now.side_a, now.seen_a, now.found_a};
-        const RowSide of_b{now.side_b, now.seen_b, now.found_b};
-        const int rows_a = __builtin_popcount(now.found_a);
-        const int rows_b = __builtin_popcount(now.found_b);
-        const bool by_a = rows_a <= rows_b;
-        walk.box_tests += static_cast<std::uint64_t>(by_a ? rows_a : rows_b) *
-                          (by_a ? now.side_b.count : now.side_a.count);
-        written += pair_up(by_a ? of_a : of_b, by_a ? of_b : of_a, by_a, to + 2 * written);
+    for (std::size_t i = 0; i < left_count; ++i) {
+        const Rows rows = rows_of(visits[left[i]], walk.box_tests);
+        written += pair_up(rows.one, rows.others, rows.one_is_a, to + 2 * written);
     }
     return written;
 }
 
-/// Looks at some of the pairs that wait.
-HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk, Visit* visits) {
-    const std::size_t count = walk.waiting_count < walk.batch ? walk.waiting_count : walk.batch;
-    walk.waiting_count -= count;
-    const WidePair* now = walk.waiting + walk.waiting_count;
+HWY_INLINE void count_visits(WideWalk& walk, std::size_t count) {
+    walk.visits += count;
+    walk.visits_left -= std::min(walk.visits_left, static_cast<std::uint32_t>(count));
+}
+
+/// Lets pairs meet, but puts those of leaves aside. How many have met.
+HWY_INLINE std::size_t meet_inner(
+    const WidePose& pose, WideWalk& walk, const WidePair* now, std::size_t count, Visit* visits) {
     for (std::size_t i = 0; i < count; ++i) {
         prefetch(walk.a.nodes + now[i].a, sizeof(WideNode));
         prefetch(walk.b.nodes + now[i].b, sizeof(WideNode));
@@ -147,15 +179,23 @@ HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk, Visit* visits)
             meet(pose, a, b, now[i], visits[inner++].meeting);
         }
     }
+    return inner;
+}
+
+/// Looks at some of the pairs that wait.
+HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk, Visit* visits) {
+    const std::size_t count = std::min(walk.waiting_count, wide_batch_max);
+    walk.waiting_count -= count;
+    const WidePair* now = walk.waiting + walk.waiting_count;
+    const std::size_t inner = meet_inner(pose, walk, now, count, visits);
     auto* to = reinterpret_cast<std::uint32_t*>(walk.waiting + walk.waiting_count);
     walk.waiting_count += look_at<false>(pose, walk, visits, inner, to);
-    walk.visits_left -=
-        inner < walk.visits_left ? static_cast<std::uint32_t>(inner) : walk.visits_left;
+    count_visits(walk, inner);
 }
 
 /// Looks at some of the pairs of leaves.
 HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk, Visit* visits) {
-    const std::size_t count = walk.leaf_count < wide_batch_max ? walk.leaf_count : wide_batch_max;
+    const std::size_t count = std::min(walk.leaf_count, wide_batch_max);
     walk.leaf_count -= count;
     for (std::size_t i = 0; i < count; ++i) {
         const WidePair now = walk.leaves[walk.leaf_count + i];
@@ -163,16 +203,44 @@ HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk, Visit* visits
     }
     auto* to = reinterpret_cast<std::uint32_t*>(walk.candidates + walk.candidate_count);
     walk.candidate_count += look_at<true>(pose, walk, visits, count, to);
-    walk.visits_left -=
-        count < walk.visits_left ? static_cast<std::uint32_t>(count) : walk.visits_left;
+    count_visits(walk, count);
+}
+
+/// Looks at the most promising pairs, each as far as it goes.
+HWY_INLINE void visit_ranked(const WidePose& pose, WideWalk& walk, Visit* visits) {
+    const auto sought = static_cast<std::size_t>((walk.visits - walk.visits_before) / patience);
+    const std::size_t batch = std::min(1 + sought, wide_batch_max);
+    const std::size_t count = std::min(walk.ranked.size(), batch);
+    WidePair now[wide_batch_max];
+    for (std::size_t i = 0; i < count; ++i) {
+        now[i] = walk.ranked.pop();
+    }
+    const std::size_t inner = meet_inner(pose, walk, now, count, visits);
+    std::size_t left[wide_batch_max];
+    const std::size_t left_count = see_both<false>(pose, walk, visits, inner, left);
+    for (std::size_t i = 0; i < left_count; ++i) {
+        const Rows rows = rows_of(visits[left[i]], walk.box_tests);
+        rank_pairs(rows.one, rows.others, rows.one_is_a, walk.ranked);
+    }
+    count_visits(walk, inner);
+    if (walk.leaf_count > 0) {
+        visit_leaves(pose, walk, visits);
+    }
+}
+
+void walk_ranked(const WidePose& pose, WideWalk& walk) {
+    Visit visits[wide_batch_max];
+    while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
+           walk.ranked.size() > 0) {
+        visit_ranked(pose, walk, visits);
+    }
 }
 
 void walk_all(const WidePose& pose, WideWalk& walk) {
     Visit visits[wide_batch_max];
     while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
            walk.waiting_count + wide_pairs_slack <= walk.waiting_room) {
-        if (walk.leaf_count >= walk.leaves_at_once ||
-            (walk.waiting_count == 0 && walk.leaf_count > 0)) {
+        if (walk.leaf_count >= leaves_at_once || (walk.waiting_count == 0 && walk.leaf_count > 0)) {
             visit_leaves(pose, walk, visits);
         } else if (walk.waiting_count > 0) {
             visit_inner(pose, walk, visits);
@@ -191,9 +259,14 @@ HWY_AFTER_NAMESPACE();
 namespace cd {
 
 HWY_EXPORT(walk_all);
+HWY_EXPORT(walk_ranked);
 
 void walk_wide(const WidePose& pose, WideWalk& walk) {
     HWY_DYNAMIC_DISPATCH(walk_all)(pose, walk);
+}
+
+void walk_wide_ranked(const WidePose& pose, WideWalk& walk) {
+    HWY_DYNAMIC_DISPATCH(walk_ranked)(pose, walk);
 }
 
 } // namespace cd

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/geometry/triangle_pair.hpp"
+#include "common/tree/pair_buckets.hpp"
 #include "common/tree/wide_tree.hpp"
 
 #include <array>
@@ -21,12 +22,6 @@ struct WidePose {
     alignas(16) std::array<std::array<float, 4>, 3> rows{}; ///< Of the same.
     float relative_margin = 0; ///< Times the sizes and distance of two nodes.
     float absolute_margin = 0;
-};
-
-/// A node of A and one of B, by their indices.
-struct WidePair {
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;
 };
 
 /// The most pairs of nodes that are looked at together.
@@ -57,18 +52,20 @@ struct WideWalk {
     Candidate* candidates = nullptr; ///< With room for `wide_pairs_slack` beyond those wanted.
     std::size_t candidate_count = 0;
     std::size_t candidates_wanted = 0;
-    /// Pairs looked at together, and pairs of leaves put aside until they are looked at: with
-    /// fewer, a first contact is found sooner.
-    std::size_t batch = wide_batch_max;
-    std::size_t leaves_at_once = wide_leaves_max - wide_batch_max;
     std::array<WidePair, wide_leaves_max> leaves;
     std::size_t leaf_count = 0;
-    std::uint32_t visits_left = 0; ///< Pairs of nodes to look at before the walk pauses.
+    PairBuckets ranked;              ///< What waits when a first contact is looked for.
+    std::uint32_t visits_left = 0;   ///< Pairs of nodes to look at before the walk pauses.
+    std::uint64_t visits = 0;        ///< Pairs of nodes looked at.
+    std::uint64_t visits_before = 0; ///< Of these, before this start.
     std::uint64_t box_tests = 0;
 };
 
 /// Goes on until nothing waits, enough candidates are found, no visits are left, or what waits
 /// lacks room for `wide_pairs_slack` more.
 void walk_wide(const WidePose& pose, WideWalk& walk);
+
+/// The same of the pairs in `ranked`: the most promising first.
+void walk_wide_ranked(const WidePose& pose, WideWalk& walk);
 
 } // namespace cd

@@ -8,6 +8,7 @@
 #define CD_WIDE_ROWS_INL_HPP
 #endif
 
+#include "common/tree/pair_buckets.hpp"
 #include "common/tree/wide_sides-inl.hpp"
 
 #include <hwy/highway.h>
@@ -35,9 +36,24 @@ struct RowSide {
     std::uint32_t found;   ///< Those that may reach into the other.
 };
 
-/// Which children of one side may overlap those of the other that it names.
-HWY_INLINE void find_rows(const RowSide& one, const RowSide& others, std::uint32_t* found) {
+/// How unlike a contact pairs of children look, of each row and lane; pair_buckets.hpp has the
+/// measure.
+struct Ranks {
+    alignas(64) std::int32_t of[children][children];
+};
+
+/// The distance of the middles of two intervals by the sum of half their sizes.
+HWY_INLINE V distance_ratio(V low, V high, V other_low, V other_high) {
+    const V apart = hn::Abs(hn::Sub(hn::Add(low, high), hn::Add(other_low, other_high)));
+    return hn::Div(apart, hn::Add(hn::Sub(high, low), hn::Sub(other_high, other_low)));
+}
+
+/// Which children of one side may overlap those of the other that it names. Ranks where asked for.
+template <bool kRanked>
+HWY_INLINE void
+find_rows(const RowSide& one, const RowSide& others, std::uint32_t* found, Ranks* ranks) {
     const Floats d;
+    const hn::RebindToSigned<Floats> di;
     const auto own = [](const WideNode::Bytes& bytes, std::size_t i)
                          HWY_ATTR { return hn::Set(Floats(), bytes_as_floats.values[bytes[i]]); };
     HWY_UNROLL(4)
@@ -57,13 +73,26 @@ HWY_INLINE void find_rows(const RowSide& one, const RowSide& others, std::uint32
         for (std::uint32_t rest = one.found; rest != 0; rest &= rest - 1) {
             const auto i = static_cast<std::size_t>(__builtin_ctz(rest));
             M apart = hn::FirstN(d, 0);
+            V ratio = hn::Zero(d);
             HWY_UNROLL(3)
             for (std::size_t k = 0; k < 3; ++k) {
-                const M in_one = hn::Or(hn::Gt(seen_low[k], own(one.children.high[k], i)),
-                                        hn::Lt(seen_high[k], own(one.children.low[k], i)));
-                const M in_others = hn::Or(hn::Lt(high[k], hn::Set(d, one.seen.low[k][i])),
-                                           hn::Gt(low[k], hn::Set(d, one.seen.high[k][i])));
+                const V own_low = own(one.children.low[k], i);
+                const V own_high = own(one.children.high[k], i);
+                const V one_low = hn::Set(d, one.seen.low[k][i]);
+                const V one_high = hn::Set(d, one.seen.high[k][i]);
+                const M in_one =
+                    hn::Or(hn::Gt(seen_low[k], own_high), hn::Lt(seen_high[k], own_low));
+                const M in_others = hn::Or(hn::Lt(high[k], one_low), hn::Gt(low[k], one_high));
                 apart = hn::Or(apart, hn::Or(in_one, in_others));
+                if constexpr (kRanked) {
+                    ratio = hn::Max(ratio,
+                                    distance_ratio(seen_low[k], seen_high[k], own_low, own_high));
+                    ratio = hn::Max(ratio, distance_ratio(low[k], high[k], one_low, one_high));
+                }
+            }
+            if constexpr (kRanked) {
+                const V scaled = hn::Mul(ratio, hn::Set(d, float{PairBuckets::count}));
+                hn::Store(hn::ConvertTo(di, scaled), di, ranks->of[row] + lane);
             }
             const std::uint32_t before = lane == 0 ? 0 : found[row];
             found[row++] = before | bits_of(hn::Not(apart)) << lane;
@@ -113,7 +142,7 @@ HWY_INLINE std::size_t append(bool is_of_a,
 HWY_INLINE std::size_t
 pair_up(const RowSide& one, const RowSide& others, bool one_is_a, std::uint32_t* to) {
     std::uint32_t found[children];
-    find_rows(one, others, found);
+    find_rows<false>(one, others, found, nullptr);
     std::size_t count = 0;
     std::size_t row = 0;
     for (std::uint32_t rest = one.found; rest != 0; rest &= rest - 1) {
@@ -125,6 +154,24 @@ pair_up(const RowSide& one, const RowSide& others, bool one_is_a, std::uint32_t*
                         to + 2 * count);
     }
     return count;
+}
+
+/// Puts the pairs of children that may overlap where they wait, by their ranks.
+HWY_INLINE void
+rank_pairs(const RowSide& one, const RowSide& others, bool one_is_a, PairBuckets& to) {
+    std::uint32_t found[children];
+    Ranks ranks;
+    find_rows<true>(one, others, found, &ranks);
+    std::size_t row = 0;
+    for (std::uint32_t rest = one.found; rest != 0; rest &= rest - 1, ++row) {
+        const std::uint32_t own =
+            one.children.first + static_cast<std::uint32_t>(__builtin_ctz(rest));
+        for (std::uint32_t bits = found[row] & others.found; bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::uint32_t>(__builtin_ctz(bits));
+            const std::uint32_t theirs = others.children.first + lane;
+            to.push(one_is_a ? WidePair{own, theirs} : WidePair{theirs, own}, ranks.of[row][lane]);
+        }
+    }
 }
 
 } // namespace HWY_NAMESPACE
