@@ -24,6 +24,10 @@ std::string worker_name(const WorkerStatus& worker) {
 }
 
 std::string worker_state(const WorkerStatus& worker) {
+    if (worker.state != WorkerState::Alive) {
+        return std::string(to_text(worker.state)) + " " +
+               cell_text(worker.silent_seconds, CellKind::Seconds);
+    }
     if (worker.quarantined) {
         return "quarantined";
     }
@@ -46,6 +50,13 @@ std::size_t count_running(const ClusterStatus& status) {
     return static_cast<std::size_t>(
         std::count_if(status.jobs.begin(), status.jobs.end(), [](const JobStatus& job) {
             return job.state == JobState::Running;
+        }));
+}
+
+std::size_t count_here(const ClusterStatus& status) {
+    return static_cast<std::size_t>(
+        std::count_if(status.workers.begin(), status.workers.end(), [](const WorkerStatus& worker) {
+            return worker.state != WorkerState::Lost;
         }));
 }
 
@@ -104,6 +115,7 @@ Table jobs_table(const ClusterStatus& status) {
                      {"compute_seconds", "COMPUTE", CellKind::Seconds, true},
                      {"inside_scenarios", "INSIDE?", CellKind::Count, true},
                      {"inside_seconds", "FOR INSIDE", CellKind::Seconds, true},
+                     {"doubted", "DOUBTED", CellKind::Count, true},
                      {"failure", "FAILURE", CellKind::Text, true}};
     const std::vector<JobId> ids = job_ids(status);
     for (const JobStatus& job : status.jobs) {
@@ -125,6 +137,7 @@ Table jobs_table(const ClusterStatus& status) {
                               job.compute_seconds,
                               job.statistics.inside.scenarios,
                               job.statistics.inside.seconds,
+                              job.doubted,
                               job.failure});
     }
     return table;
@@ -192,14 +205,14 @@ std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& af
     if (count_running(after) == 0) {
         return "none: no job is running";
     }
-    if (after.workers.empty()) {
+    if (count_here(after) == 0) {
         return "no worker is here: start `cdworker --master ...`";
     }
     std::uint64_t idle = 0;
     for (const WorkerStatus& worker : after.workers) {
-        idle += worker.working == 0 ? 1u : 0u;
+        idle += worker.state != WorkerState::Lost && worker.working == 0 ? 1u : 0u;
     }
-    const std::size_t workers = after.workers.size();
+    const std::size_t workers = count_here(after);
     const double master = master_share(before, after);
     const std::string share = cell_text(master, CellKind::Share) + " of a core";
     // The master's analysis has several threads, so it may well use more than one core.
@@ -233,6 +246,37 @@ std::string paused_text(const ClusterStatus& status) {
     return "";
 }
 
+/// What was lost since the master started; empty: nothing.
+std::string faults_text(const ClusterStatus& status) {
+    if (status.workers_lost + status.sessions_resumed == 0) {
+        return "";
+    }
+    return "connections that broke and came back: " + std::to_string(status.sessions_resumed) +
+           "   workers lost: " + std::to_string(status.workers_lost) +
+           "   scenarios given to others: " + std::to_string(status.scenarios_given_back) + "\n";
+}
+
+/// A line for each scenario that takes long, and for each job whose results are in doubt.
+std::string long_text(const ClusterStatus& status) {
+    const std::vector<JobId> ids = job_ids(status);
+    std::string text;
+    for (const JobStatus& job : status.jobs) {
+        const std::string id = job_id_text(job.job, ids);
+        for (const LongScenario& one : job.long_scenarios) {
+            const std::string scenario = std::to_string(one.scenario);
+            text += "scenario " + scenario + " of " + id + " runs for " +
+                    cell_text(one.seconds, CellKind::Seconds) + " on w-" +
+                    std::to_string(one.worker.value) + " (" + one.name + "); `cdctl cancel " + id +
+                    " --scenario " + scenario + "` ends it\n";
+        }
+        if (job.doubted != 0) {
+            text += counted(job.doubted, "result") + " of " + id +
+                    " came from a worker in quarantine and are done again\n";
+        }
+    }
+    return text;
+}
+
 } // namespace
 
 std::string status_text(const ClusterStatus& before, const ClusterStatus& after) {
@@ -246,7 +290,7 @@ std::string status_text(const ClusterStatus& before, const ClusterStatus& after)
         text += table_text(jobs_table(after), false, "  ");
     }
     text +=
-        counted(after.workers.size(), "worker") + "   " +
+        counted(count_here(after), "worker") + "   " +
         cell_text(rate_between(before, after, &WorkerStatus::scenarios), CellKind::Rate) +
         "   sent " + cell_text(sum_over_workers(after, &WorkerStatus::bytes_sent), CellKind::Size) +
         "   received " +
@@ -254,6 +298,7 @@ std::string status_text(const ClusterStatus& before, const ClusterStatus& after)
     if (!after.workers.empty()) {
         text += table_text(workers_table(after), false, "  ");
     }
+    text += faults_text(after) + long_text(after);
     for (const std::string& alarm : after.alarms) {
         text += "ALARM: " + alarm + "\n";
     }
@@ -269,6 +314,27 @@ std::string status_text(const ClusterStatus& before, const ClusterStatus& after)
     return text + "bottleneck: " + bottleneck_text(before, after) + "\n";
 }
 
+namespace {
+
+nlohmann::ordered_json long_scenarios_json(const ClusterStatus& status) {
+    const std::vector<JobId> ids = job_ids(status);
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const JobStatus& job : status.jobs) {
+        for (const LongScenario& one : job.long_scenarios) {
+            nlohmann::ordered_json entry;
+            entry["job"] = job_id_text(job.job, ids);
+            entry["scenario"] = one.scenario;
+            entry["worker"] = "w-" + std::to_string(one.worker.value);
+            entry["name"] = one.name;
+            entry["seconds"] = one.seconds;
+            list.push_back(std::move(entry));
+        }
+    }
+    return list;
+}
+
+} // namespace
+
 std::string status_json(const ClusterStatus& before, const ClusterStatus& after) {
     nlohmann::ordered_json document;
     document["build"] = after.build;
@@ -278,6 +344,11 @@ std::string status_json(const ClusterStatus& before, const ClusterStatus& after)
     document["workers"] = nlohmann::ordered_json::parse(table_json(workers_table(after)));
     document["meshes"] = nlohmann::ordered_json::parse(table_json(meshes_table(after)));
     document["alarms"] = after.alarms;
+    document["alarm_count"] = after.alarm_count;
+    document["workers_lost"] = after.workers_lost;
+    document["sessions_resumed"] = after.sessions_resumed;
+    document["scenarios_given_back"] = after.scenarios_given_back;
+    document["long_scenarios"] = long_scenarios_json(after);
     document["paused"] = paused_text(after);
     document["bottleneck"] = bottleneck_text(before, after);
     return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -62,7 +62,10 @@ Result<LocalCluster> LocalCluster::start(const LocalClusterOptions& options,
                                        "--port-file",
                                        port_file.string(),
                                        "--state",
-                                       options.state.string()},
+                                       options.state.string(),
+                                       // On one machine no network breaks: the process is gone.
+                                       "--return-within",
+                                       "1"},
                                       log);
     if (!master) {
         return master.error();

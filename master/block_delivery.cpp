@@ -51,6 +51,22 @@ void BlockDelivery::worker_left(WorkerId worker) {
     act(director_.worker_left(worker, now()));
 }
 
+void BlockDelivery::worker_detached(WorkerId worker) {
+    if (const auto link = links_.find(worker); link != links_.end()) {
+        link->second.queue.clear();
+        act(director_.worker_left(worker, now()));
+    }
+}
+
+void BlockDelivery::worker_returned(WorkerId worker, std::shared_ptr<Channel> channel) {
+    if (const auto link = links_.find(worker); link != links_.end()) {
+        worker_detached(worker);
+        link->second.host = channel->peer_host();
+        link->second.channel = std::move(channel);
+        director_.worker_joined(worker, link->second.port != 0);
+    }
+}
+
 Status BlockDelivery::wanted(WorkerId worker, const WantSubtrees& want) {
     if (!knows(worker, want.tree)) {
         return Done{};

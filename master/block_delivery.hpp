@@ -32,6 +32,10 @@ class BlockDelivery {
                        const PeerKey& key,
                        std::uint16_t port);
     void worker_left(WorkerId worker);
+    /// The connection broke: nothing more goes there, and nobody is sent there.
+    void worker_detached(WorkerId worker);
+    /// It has a connection again. What it holds it says, and what it still wants.
+    void worker_returned(WorkerId worker, std::shared_ptr<Channel> channel);
 
     /// Errors: BadFrame for a root that the tree does not have.
     [[nodiscard]] Status wanted(WorkerId worker, const WantSubtrees& want);

@@ -8,7 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 
 namespace cd {
@@ -44,12 +46,40 @@ std::string this_host() {
     return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "HOST";
 }
 
+double seconds(FailureTimes::Duration time) {
+    return std::chrono::duration<double>(time).count();
+}
+
 /// What CLI11 reads as text and this file gives a meaning.
 struct Texts {
     std::string listen = "127.0.0.1:7600";
     std::string state = state_folder().string();
     std::string certificate_life = "7d";
+    double heartbeat_seconds = seconds(FailureTimes().heartbeat);
+    double lost_after_seconds = seconds(FailureTimes().lost_after);
+    double return_within_seconds = seconds(FailureTimes().return_within);
 };
+
+/// Errors: BadInput for times that do not go together.
+Result<FailureTimes> failure_times(const Texts& texts) {
+    const auto milliseconds = [](double value) {
+        return FailureTimes::Duration(std::llround(1000 * value));
+    };
+    FailureTimes times;
+    times.heartbeat = milliseconds(texts.heartbeat_seconds);
+    times.lost_after = milliseconds(texts.lost_after_seconds);
+    times.return_within = milliseconds(texts.return_within_seconds);
+    times.forgotten_after = std::max(times.forgotten_after, times.lost_after);
+    if (times.heartbeat < limits::heartbeat_period_min) {
+        return Error{ErrorCode::BadInput, "--heartbeat: less than 0.01"};
+    }
+    if (times.lost_after < times.silent_after()) {
+        return Error{ErrorCode::BadInput,
+                     "--lost-after: less than " + std::to_string(limits::heartbeats_missed_max) +
+                         " heartbeats"};
+    }
+    return times;
+}
 
 void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
     const auto option = [](CLI::Option* added, const char* type) {
@@ -80,6 +110,26 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
                           texts.certificate_life,
                           "How long certificates are good; they are renewed from half on"),
            "DURATION")
+        ->capture_default_str();
+    const CLI::Range times(
+        0.0, std::chrono::duration<double>(limits::peer_lost_after_max).count(), "SECONDS");
+    option(app.add_option("--heartbeat",
+                          texts.heartbeat_seconds,
+                          "The period; after three missed ones a worker gets no new work"),
+           "SECONDS")
+        ->check(times)
+        ->capture_default_str();
+    option(app.add_option("--lost-after",
+                          texts.lost_after_seconds,
+                          "After so long a silence a worker is lost, and its work goes to others"),
+           "SECONDS")
+        ->check(times)
+        ->capture_default_str();
+    option(app.add_option("--return-within",
+                          texts.return_within_seconds,
+                          "So long the work of a worker waits for it when its connection broke"),
+           "SECONDS")
+        ->check(times)
         ->capture_default_str();
     option(app.add_option("--log-level", config.log_level, "How much is logged"), "LEVEL")
         ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
@@ -133,6 +183,11 @@ MasterCommandLine parse_master_command_line(int count, const char* const* argume
                     (life ? "too short for a renewal" : life.error().detail) + "\n",
                 2};
     }
+    const Result<FailureTimes> times = failure_times(texts);
+    if (!times) {
+        return {std::nullopt, "cdmaster: " + times.error().detail + "\n", 2};
+    }
+    config.times = times.value();
     config.init = init->parsed();
     config.certificate_life = life.value();
     config.listen = endpoint.value();

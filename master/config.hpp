@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/limits.hpp"
+#include "master/worker_watch.hpp"
 #include "proto/channel.hpp"
 
 #include <chrono>
@@ -23,6 +24,7 @@ struct MasterConfig {
     std::string port_file; ///< Gets the port, for scripts. Empty: none.
     bool init = false;     ///< Make an identity in the state, and end.
     std::chrono::seconds certificate_life = limits::certificate_life;
+    FailureTimes times;
 };
 
 /// A configuration; or none, with what to print instead (help on stdout, an error on stderr) and

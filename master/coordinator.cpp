@@ -8,6 +8,8 @@
 
 #include <sys/resource.h>
 
+#include <random>
+
 namespace cd {
 
 namespace {
@@ -26,6 +28,8 @@ double cpu_seconds() {
 
 Coordinator::Coordinator(CoordinatorParts parts)
     : parts_(std::move(parts)),
+      epoch_(std::random_device{}() | std::uint64_t{std::random_device{}()} << 32),
+      watch_(parts_.times),
       blocks_(parts_.executor, trees_, [this](TreeId tree, const Error& why) {
           tree_failed(tree, why);
       }) {}
@@ -113,11 +117,19 @@ ClusterStatus Coordinator::cluster_status() {
     for (const auto& [id, link] : workers_) {
         status.workers.push_back(worker_status(id, link));
     }
+    for (const auto& [id, lost] : lost_) {
+        status.workers.push_back(lost.status);
+        status.workers.back().silent_seconds = watch_.silence(id, Clock::now()).count();
+    }
     status.jobs = jobs_.statuses(Clock::now());
     for (JobStatus& job : status.jobs) {
         job.paused = job.state == JobState::Running ? paused_ : "";
     }
     status.alarms.assign(alarms_.begin(), alarms_.end());
+    status.alarm_count = alarm_count_;
+    status.workers_lost = workers_lost_;
+    status.sessions_resumed = sessions_resumed_;
+    status.scenarios_given_back = scenarios_given_back_;
     status.meshes = parts_.geometry.meshes();
     return status;
 }

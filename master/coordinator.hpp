@@ -11,6 +11,7 @@
 #include "master/pose_spool.hpp"
 #include "master/transfer_meter.hpp"
 #include "master/tree_registry.hpp"
+#include "master/worker_watch.hpp"
 #include "proto/asio.hpp"
 #include "proto/channel.hpp"
 
@@ -35,6 +36,14 @@ struct CoordinatorParts {
     Journal& journal;
     std::filesystem::path directory; ///< Of the poses that come.
     Durability durability = Durability::Synced;
+    FailureTimes times;
+};
+
+/// How a worker is let in.
+struct Reception {
+    WorkerId worker;
+    PeerKey key;
+    bool is_resumed = false; ///< Its session goes on.
 };
 
 /// All jobs and all workers. Every member runs on the executor's thread.
@@ -57,14 +66,26 @@ class Coordinator {
     [[nodiscard]] const std::filesystem::path& directory() const { return parts_.directory; }
 
     // ---- Workers (coordinator_workers.cpp) ------------------------------------------------------
-    [[nodiscard]] WorkerId new_worker_id() { return WorkerId{++worker_last_}; }
-    /// The worker has been welcomed, and gets work at once.
-    void worker_joined(WorkerId worker,
-                       const Hello& hello,
-                       std::shared_ptr<Channel> channel,
-                       const PeerKey& key);
-    void worker_left(WorkerId worker, const std::string& why);
+    [[nodiscard]] const FailureTimes& times() const { return parts_.times; }
+    [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
+    /// To be welcomed so. A session goes on if it is of this life of the master, and the worker not
+    /// lost since.
+    [[nodiscard]] Reception receive_worker(const Hello& hello);
+    /// The worker has been welcomed. A new one gets work at once; one that comes back, when it has
+    /// said how it stands.
+    void
+    worker_joined(const Reception& reception, const Hello& hello, std::shared_ptr<Channel> channel);
+    /// It speaks, whatever it says. False: it has another connection meanwhile, or is lost.
+    [[nodiscard]] bool worker_heard(WorkerId worker, const Channel& channel);
+    /// It is not listened to for now.
+    void worker_unheard(WorkerId worker, const Channel& channel);
+    /// The connection has ended, which is not a death; nothing happens if the worker has another
+    /// one meanwhile.
+    void connection_ended(WorkerId worker, const Channel& channel, const std::string& why);
     void heartbeat_came(WorkerId worker, const Heartbeat& heartbeat);
+    void worker_stands(WorkerId worker, const Standing& standing);
+    /// No worker is watched any more: all ends.
+    void close();
     void evicted(WorkerId worker, const Evicted& evicted);
     void cuts_held(WorkerId worker, const Holding& holding);
     void blocks_wanted(WorkerId worker, const WantSubtrees& want);
@@ -105,8 +126,14 @@ class Coordinator {
 
   private:
     struct WorkerLink {
-        std::shared_ptr<Channel> channel;
+        std::shared_ptr<Channel> channel; ///< Closed, between two connections.
+        PeerKey key;
         std::string name;
+        bool is_settled = true;         ///< What it has is known: nothing that was sent got lost.
+        bool is_cut_off = false;        ///< It has no session to come back to.
+        std::uint64_t results_last = 0; ///< The greatest number of its messages of results so far.
+        std::uint64_t bytes_seen = 0;   ///< Of its connection, when time was looked at last.
+        std::optional<RunningScenario> longest;
         std::uint64_t cache_bytes = 0;
         std::uint64_t cached_bytes = 0;
         std::uint32_t threads = 1;
@@ -120,11 +147,16 @@ class Coordinator {
         Clock::duration busy{}; ///< With something to do, before `busy_since`.
         std::optional<Clock::time_point> busy_since;
     };
+    struct LostWorker {
+        WorkerStatus status; ///< As it was.
+        std::uint64_t instance = 0;
+    };
     struct RunningTask {
         WorkerId worker;
         std::shared_ptr<const TaskContent> content;
         std::size_t in_hand = 0; ///< Messages of results that are being checked.
         bool ended = false;      ///< The worker says that it has sent all.
+        bool unbegun = false;    ///< It got lost on its way to the worker.
     };
     struct Preparation;
     /// Results that cannot be checked yet: the geometry of their job is being prepared.
@@ -135,6 +167,21 @@ class Coordinator {
     };
 
     // Workers.
+    void worker_returned(WorkerId worker, std::shared_ptr<Channel> channel);
+    /// It is gone for good, and what it had goes to others.
+    void worker_left(WorkerId worker, const std::string& why);
+    void worker_lost(WorkerId worker, const std::string& why);
+    [[nodiscard]] bool is_its_channel(WorkerId worker, const Channel& channel) const;
+    /// Of a process that is back, whatever it was before.
+    void end_earlier_sessions(std::uint64_t instance);
+    [[nodiscard]] Status check_standing(const Standing& standing) const;
+    asio::awaitable<void> watch_workers();
+    void check_workers();
+    void hear_bytes();
+    void note_life(WorkerId worker);
+    void take_lost_trees(WorkerId worker, WorkerLink& link, const Standing& standing);
+    void take_lost_jobs(WorkerLink& link, const Standing& standing);
+    void take_lost_tasks(WorkerId worker, const Standing& standing);
     void forget_tasks(WorkerId worker);
     /// `task`: null for what came late.
     void results_taken(WorkerId worker,
@@ -142,6 +189,8 @@ class Coordinator {
                        const Results& results,
                        Result<std::vector<TakenResult>> taken);
     /// Of a task that is not known (any more), but maybe of a job that is.
+    /// A message of that number has come before: it is no measure of anything.
+    [[nodiscard]] bool is_repeated(WorkerId worker, std::uint64_t sequence);
     void late_results_came(WorkerId worker, Results results, std::function<void()> done);
     void check_late_results(const MasterJob& job, EarlyResults early);
     void add_held_trees(WorkerLink& link);
@@ -230,6 +279,14 @@ class Coordinator {
     bool acting_ = false;
     std::map<WorkerId, WorkerLink> workers_;
     std::uint64_t worker_last_ = 0;
+    std::uint64_t epoch_; ///< Of this process.
+    WorkerWatch watch_;
+    std::map<WorkerId, LostWorker> lost_;             ///< Until they are forgotten.
+    std::shared_ptr<asio::steady_timer> watch_timer_; ///< Null while nobody is watched.
+    bool closed_ = false;
+    std::uint64_t workers_lost_ = 0;
+    std::uint64_t sessions_resumed_ = 0;
+    std::uint64_t scenarios_given_back_ = 0;
     std::map<TaskId, RunningTask> tasks_;
     TreeRegistry trees_;
     BlockDelivery blocks_;
@@ -245,7 +302,8 @@ class Coordinator {
     std::multimap<JobId, EarlyResults> early_results_;
     std::vector<std::function<void()>> waiting_for_room_; ///< In the journal.
     std::deque<std::string> alarms_;                      ///< The last ones.
-    std::set<std::uint64_t> quarantined_;                 ///< Instances of workers.
+    std::uint64_t alarm_count_ = 0;
+    std::set<std::uint64_t> quarantined_; ///< Instances of workers.
 };
 
 } // namespace cd

@@ -21,10 +21,12 @@ struct Evidence {
     ScenarioFacts first; ///< Of the result that was merged.
 };
 
-Result<Evidence> find_evidence(const JobMaterial& material,
-                               PoseSource& poses,
-                               const ResultStore& results,
-                               std::uint64_t index) {
+/// Nothing when a failure was merged: it stands. The scenario may be one that takes down whoever
+/// runs it, or that somebody has cancelled, and it would run here.
+Result<std::optional<Evidence>> find_evidence(const JobMaterial& material,
+                                              PoseSource& poses,
+                                              const ResultStore& results,
+                                              std::uint64_t index) {
     const Result<std::vector<Scenario>> scenario = poses.read(index, 1);
     if (!scenario) {
         return scenario.error();
@@ -42,15 +44,19 @@ Result<Evidence> find_evidence(const JobMaterial& material,
     if (!first) {
         return first.error();
     }
+    if (first.value().kind == ScenarioClass::Failed) {
+        return std::optional<Evidence>();
+    }
     const ScenarioRunner runner(*material.a, *material.b, material.query);
-    return Evidence{take_result(runner.run(scenario.value().front()).result, {}),
-                    facts_of(first.value())};
+    return std::optional(Evidence{take_result(runner.run(scenario.value().front()).result, {}),
+                                  facts_of(first.value())});
 }
 
 } // namespace
 
 void Coordinator::alarm(const std::string& text) {
     spdlog::critical("ALARM: {}", text);
+    ++alarm_count_;
     alarms_.push_back(text);
     if (alarms_.size() > alarms_kept) {
         alarms_.pop_front();
@@ -84,14 +90,16 @@ asio::awaitable<void> Coordinator::settle_dispute(Dispute dispute) {
                  index = dispute.scenario] {
         return find_evidence(*material, *poses, *results, index);
     };
-    Result<Evidence> evidence = co_await run_on(parts_.blocking, look);
+    Result<std::optional<Evidence>> evidence = co_await run_on(parts_.blocking, look);
     job = jobs_.find_running(dispute.job);
     if (job == nullptr) {
         co_return;
     }
     --job->disputes;
     if (evidence) {
-        judge(*job, dispute, std::move(evidence.value().right), evidence.value().first);
+        if (auto& found = evidence.value()) {
+            judge(*job, dispute, std::move(found->right), found->first);
+        }
         end_if_complete(*job);
     } else {
         end_job(*job, JobState::Failed, evidence.error().detail);

@@ -23,46 +23,6 @@ measured_work(const MasterJob& job, const Results& results, std::span<const Take
 
 } // namespace
 
-void Coordinator::worker_joined(WorkerId worker,
-                                const Hello& hello,
-                                std::shared_ptr<Channel> channel,
-                                const PeerKey& key) {
-    spdlog::info("worker joined: worker={} name={} threads={} cache_bytes={} peer={}",
-                 worker.value,
-                 hello.name,
-                 hello.threads,
-                 hello.cache_bytes,
-                 channel->peer());
-    WorkerLink link;
-    link.channel = channel;
-    link.name = hello.name;
-    link.threads = std::max(1u, hello.threads);
-    link.cache_bytes = hello.cache_bytes;
-    link.instance = hello.instance;
-    link.quarantined = hello.instance != 0 && quarantined_.contains(hello.instance);
-    const bool is_trusted = !link.quarantined;
-    workers_.emplace(worker, std::move(link));
-    if (!is_trusted) {
-        spdlog::error("worker stays in quarantine: worker={} name={}", worker.value, hello.name);
-        return;
-    }
-    blocks_.worker_joined(worker, std::move(channel), key, hello.peer_port);
-    act(dispatcher().worker_joined(
-        worker, {hello.name, std::max(1u, hello.threads), hello.weight, hello.cache_bytes}));
-    feed();
-}
-
-void Coordinator::worker_left(WorkerId worker, const std::string& why) {
-    spdlog::info("worker left: worker={} reason=\"{}\"", worker.value, why);
-    workers_.erase(worker);
-    blocks_.worker_left(worker);
-    ledger_.forget(worker);
-    std::erase_if(early_results_, [&](const auto& early) { return early.second.worker == worker; });
-    forget_tasks(worker);
-    act(dispatcher().worker_lost(worker));
-    feed();
-}
-
 /// Ranges are still to be handed back.
 void Coordinator::forget_tasks(WorkerId worker) {
     std::erase_if(tasks_, [&](const auto& task) {
@@ -70,27 +30,12 @@ void Coordinator::forget_tasks(WorkerId worker) {
     });
 }
 
-void Coordinator::worker_draining(WorkerId worker) {
-    spdlog::info("worker draining: worker={}", worker.value);
-    act(dispatcher().worker_draining(worker));
-    feed();
-}
-
-void Coordinator::cut_off(WorkerId worker, const Error& why) {
-    const auto link = workers_.find(worker);
-    if (link == workers_.end() || !link->second.channel->is_open()) {
-        return;
-    }
-    spdlog::error("worker cut off: worker={} error=\"{}\"", worker.value, why.detail);
-    // Its session ends with that, and reports it as gone.
-    link->second.channel->close();
-}
-
 void Coordinator::heartbeat_came(WorkerId worker, const Heartbeat& heartbeat) {
     const auto link = workers_.find(worker);
     if (link != workers_.end()) {
         link->second.cached_bytes = heartbeat.cached_bytes;
         link->second.cache = heartbeat.traffic;
+        link->second.longest = heartbeat.longest;
     }
 }
 
@@ -139,6 +84,9 @@ void Coordinator::cuts_held(WorkerId worker, const Holding& holding) {
 }
 
 void Coordinator::add_held_trees(WorkerLink& link) {
+    if (!link.is_settled) {
+        return; // Then it is done when that is known.
+    }
     for (const TreeId tree : trees_.all()) {
         if (link.cuts.contains(trees_.cut(tree))) {
             add_tree_to(link, tree);
@@ -154,7 +102,8 @@ void Coordinator::results_came(WorkerId worker, Results results, std::function<v
         return done();
     }
     const auto task = tasks_.find(results.task);
-    if (task == tasks_.end() || task->second.worker != worker) {
+    if (is_repeated(worker, results.sequence) || task == tasks_.end() ||
+        task->second.worker != worker) {
         return late_results_came(worker, std::move(results), std::move(done));
     }
     ++task->second.in_hand;
@@ -171,6 +120,15 @@ void Coordinator::results_came(WorkerId worker, Results results, std::function<v
             go_on(done);
         });
     });
+}
+
+bool Coordinator::is_repeated(WorkerId worker, std::uint64_t sequence) {
+    const auto link = workers_.find(worker);
+    if (link == workers_.end() || sequence == 0) {
+        return false;
+    }
+    std::uint64_t& last = link->second.results_last;
+    return std::exchange(last, std::max(last, sequence)) >= sequence;
 }
 
 void Coordinator::late_results_came(WorkerId worker, Results results, std::function<void()> done) {
@@ -269,10 +227,11 @@ void Coordinator::end_task_if_complete(TaskId id) {
         return;
     }
     const WorkerId worker = task->second.worker;
+    const bool unbegun = task->second.unbegun;
     if (!task->second.content->range) {
         tasks_.erase(task);
     }
-    act(dispatcher().task_ended(worker, id));
+    act(unbegun ? dispatcher().task_unbegun(worker, id) : dispatcher().task_ended(worker, id));
     note_work(worker);
 }
 
@@ -318,6 +277,9 @@ WorkerStatus Coordinator::worker_status(WorkerId worker, const WorkerLink& link)
     status.worker = worker;
     status.name = link.name;
     status.quarantined = link.quarantined;
+    status.state = watch_.state(worker).value_or(WorkerState::Alive);
+    status.silent_seconds = watch_.silence(worker, Clock::now()).count();
+    status.longest = link.longest;
     status.cache_bytes = link.cache_bytes;
     status.cached_bytes = link.cached_bytes;
     const auto busy =

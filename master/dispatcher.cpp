@@ -80,6 +80,40 @@ Actions Dispatcher::worker_draining(WorkerId worker) {
     return actions;
 }
 
+Actions Dispatcher::worker_silent(WorkerId worker) {
+    WorkerProxy* proxy = state_->pool.find(worker);
+    if (proxy == nullptr || proxy->is_silent()) {
+        return {};
+    }
+    proxy->set_silent(true);
+    state_->take_back_buffers(*proxy);
+    Actions actions;
+    state_->settle(actions);
+    return actions;
+}
+
+Actions Dispatcher::worker_heard(WorkerId worker) {
+    WorkerProxy* proxy = state_->pool.find(worker);
+    if (proxy == nullptr || !proxy->is_silent()) {
+        return {};
+    }
+    proxy->set_silent(false);
+    Actions actions;
+    state_->settle(actions);
+    return actions;
+}
+
+Actions Dispatcher::task_unbegun(WorkerId worker, TaskId task) {
+    WorkerProxy* proxy = state_->pool.find(worker);
+    if (proxy == nullptr || !proxy->tasks().contains(task)) {
+        return {};
+    }
+    Actions actions;
+    state_->end_task(task, proxy->end_task(task), false, actions);
+    state_->settle(actions);
+    return actions;
+}
+
 Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
     WorkerProxy* proxy = state_->pool.find(worker);
     if (proxy == nullptr || !proxy->tasks().contains(task)) {

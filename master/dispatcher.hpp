@@ -94,6 +94,10 @@ class Dispatcher {
     Actions worker_lost(WorkerId worker);
     /// It gets nothing more; what it has, it finishes.
     Actions worker_draining(WorkerId worker);
+    /// It may be lost: its buffer goes back, and it gets nothing until it is heard again. What was
+    /// sent stays with it.
+    Actions worker_silent(WorkerId worker);
+    Actions worker_heard(WorkerId worker);
 
     Actions job_opened(JobId job, const ClusterOptions& options, DispatchTree a, DispatchTree b);
     Actions scenario_analysed(JobId job, AnalysedScenario scenario);
@@ -115,6 +119,9 @@ class Dispatcher {
     /// The worker has sent all results of the task. Scenarios of it that are not answered go back:
     /// those of a draining worker are handed back, those of another one count as lost with it.
     Actions task_ended(WorkerId worker, TaskId task);
+    /// The task got lost on its way to the worker, which is well: what of it is not answered goes
+    /// back, and does not count as lost.
+    Actions task_unbegun(WorkerId worker, TaskId task);
     /// It asks for these: from now on it holds them, as far as is known.
     void roots_wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
     Actions roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);

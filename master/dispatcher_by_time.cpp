@@ -104,7 +104,7 @@ WorkerPowers Dispatcher::State::powers_of(const WorkerProxy& proxy) const {
 }
 
 bool Dispatcher::State::takes_by_time(const WorkerProxy& proxy) const {
-    return !proxy.is_draining() && &proxy != reserved();
+    return proxy.takes_work() && &proxy != reserved();
 }
 
 WorkerProxy* Dispatcher::State::earliest(const DispatchJob& job, const DispatchScenario& scenario) {
@@ -122,7 +122,7 @@ WorkerProxy* Dispatcher::State::earliest(const DispatchJob& job, const DispatchS
     WorkerProxy* best = nullptr;
     double best_seconds = 0;
     for (WorkerProxy* proxy : pool.in_order()) {
-        if (proxy->is_draining() || proxy == excluded) {
+        if (!proxy->takes_work() || proxy == excluded) {
             continue;
         }
         const std::uint32_t slot = proxy->slot();
@@ -173,7 +173,7 @@ void Dispatcher::State::set_batches() {
     double power = 0;
     for (const WorkerProxy* proxy : pool.in_order()) {
         unsent_ns += proxy->backlog_ns() - proxy->working_ns();
-        power += proxy->is_draining() ? 0 : power_of(*proxy);
+        power += proxy->takes_work() ? power_of(*proxy) : 0;
     }
     // What is left, in 2 W parts, of which a faster worker gets a larger one. Before anything has
     // come, nothing is known of what is left.

@@ -61,7 +61,7 @@ std::string Dispatcher::State::whereabouts(const DispatchJob& job, std::uint64_t
 }
 
 bool Dispatcher::State::may_take(const WorkerProxy& proxy, const DispatchJob& job) const {
-    if (proxy.is_draining() || &proxy == reserved()) {
+    if (!proxy.takes_work() || &proxy == reserved()) {
         return false;
     }
     if (job.is_by_time()) {

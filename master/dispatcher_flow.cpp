@@ -84,7 +84,7 @@ void Dispatcher::State::gather_candidates(const DispatchJob& job) {
     candidates.clear();
     slots.clear();
     for (const WorkerProxy* proxy : pool.in_order()) {
-        if (proxy->is_draining() || proxy->is_claimed() || proxy == excluded) {
+        if (!proxy->takes_work() || proxy->is_claimed() || proxy == excluded) {
             continue;
         }
         const ScenarioBuffer& buffer = proxy->buffer(job.id);
@@ -133,7 +133,7 @@ void Dispatcher::State::give_suspects(Actions& actions) {
         if (suspects.empty()) {
             return;
         }
-        if (proxy.is_draining() || !proxy.is_idle()) {
+        if (!proxy.takes_work() || !proxy.is_idle()) {
             continue;
         }
         const Suspect suspect = suspects.front();
@@ -149,7 +149,7 @@ const WorkerProxy* Dispatcher::State::reserved() const {
         return nullptr;
     }
     for (const auto& [id, proxy] : pool.all()) {
-        if (!proxy.is_draining()) {
+        if (proxy.takes_work()) {
             return &proxy;
         }
     }

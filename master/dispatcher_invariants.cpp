@@ -93,7 +93,7 @@ void Dispatcher::State::check_worker(const WorkerProxy& proxy) const {
         buffered += buffer.scenarios.size();
     }
     CD_CHECK(buffered == proxy.buffered());
-    CD_CHECK(!proxy.is_draining() || buffered == 0);
+    CD_CHECK(proxy.takes_work() || buffered == 0);
 
     std::uint64_t working = 0;
     std::uint64_t working_ns = 0;
@@ -120,7 +120,7 @@ void Dispatcher::State::check_worker(const WorkerProxy& proxy) const {
 void Dispatcher::State::check_progress() const {
     const WorkerProxy* excluded = reserved();
     for (const auto& [id, proxy] : pool.all()) {
-        if (proxy.is_draining()) {
+        if (!proxy.takes_work()) {
             continue;
         }
         CD_CHECK(suspects.empty() || !proxy.is_idle());

@@ -15,7 +15,7 @@ bool Dispatcher::State::pull_one(DispatchJob& job, Actions& actions) {
 }
 
 bool Dispatcher::State::can_pull(const WorkerProxy& proxy, const DispatchJob& job) const {
-    if (job.waiting.empty() || proxy.is_draining() || &proxy == reserved() ||
+    if (job.waiting.empty() || !proxy.takes_work() || &proxy == reserved() ||
         !proxy.has_room_for_task(job.id, job.options)) {
         return false;
     }

@@ -80,7 +80,7 @@ std::uint64_t Dispatcher::places_unsent(JobId job) const {
 std::uint64_t Dispatcher::places_enough(JobId job) const {
     std::uint64_t enough = 0;
     for (const WorkerProxy* proxy : state_->pool.in_order()) {
-        enough += proxy->is_draining() ? 0 : state_->places_at_once(*proxy, state_->jobs.at(job));
+        enough += proxy->takes_work() ? state_->places_at_once(*proxy, state_->jobs.at(job)) : 0;
     }
     return enough;
 }
@@ -145,7 +145,7 @@ DispatchJob* Dispatcher::State::next_with_places(const WorkerProxy& proxy) {
 }
 
 bool Dispatcher::State::takes_places(const WorkerProxy& proxy, const DispatchJob& job) const {
-    if (job.places.empty() || proxy.is_draining() || proxy.is_claimed() || &proxy == reserved() ||
+    if (job.places.empty() || !proxy.takes_work() || proxy.is_claimed() || &proxy == reserved() ||
         proxy.tasks_of(job.id) >= limits::batches_at_worker) {
         return false;
     }
@@ -169,7 +169,7 @@ std::uint64_t Dispatcher::State::places_at_once(const WorkerProxy& proxy,
     const double rate = places_per_second(proxy, job);
     double all = 0;
     for (const WorkerProxy* other : pool.in_order()) {
-        all += other->is_draining() ? 0 : places_per_second(*other, job);
+        all += other->takes_work() ? places_per_second(*other, job) : 0;
     }
     const double left = static_cast<double>(job.places_unsent + job.places_after);
     // Two such go to each worker, and what is left then is shared again.

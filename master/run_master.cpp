@@ -115,7 +115,8 @@ Status run_master(const MasterConfig& config) {
                              blocking,
                              *journal.value(),
                              config.state / "jobs",
-                             config.no_sync ? Durability::Unsynced : Durability::Synced});
+                             config.no_sync ? Durability::Unsynced : Durability::Synced,
+                             config.times});
     if (Status restored = coordinator.restore(journal.value()->take_recovered()); !restored) {
         return restored;
     }

@@ -50,6 +50,7 @@ void Server::start() {
 
 void Server::close() {
     listener_->close();
+    coordinator_.close();
     for (const auto& [connection, channel] : connections_) {
         if (channel != nullptr) {
             channel->close();
@@ -112,12 +113,16 @@ Server::welcome_as(std::shared_ptr<Channel> channel, Hello hello, Access access)
     welcome.version = negotiate(hello).value();
     welcome.build = version;
     if (hello.role == Role::Worker) {
-        const WorkerId worker = coordinator_.new_worker_id();
-        welcome.id = worker.value;
-        welcome.peer_key = random_secret();
+        const Reception reception = coordinator_.receive_worker(hello);
+        welcome.id = reception.worker.value;
+        welcome.peer_key = reception.key;
+        welcome.epoch = coordinator_.epoch();
+        welcome.is_resumed = reception.is_resumed;
+        welcome.heartbeat_ms = static_cast<std::uint32_t>(coordinator_.times().heartbeat.count());
+        welcome.lost_after_ms = static_cast<std::uint32_t>(coordinator_.times().lost_after.count());
         channel->send(welcome);
-        const auto session = std::make_shared<WorkerSession>(coordinator_, channel, worker);
-        co_await session->run(hello, welcome.peer_key);
+        const auto session = std::make_shared<WorkerSession>(coordinator_, channel, reception);
+        co_await session->run(hello);
     } else if (hello.role == Role::Joiner) {
         channel->send(welcome);
         co_await admit(channel, access);

@@ -30,7 +30,7 @@ class Server {
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
     /// Accepts connections from now on.
     void start();
-    /// Closes the listener and all connections.
+    /// Closes the listener, all connections, and the coordinator.
     void close();
 
   private:

@@ -69,6 +69,11 @@ class WorkerProxy {
 
     [[nodiscard]] bool is_draining() const { return draining_; }
     void set_draining() { draining_ = true; }
+    /// Nothing was heard of it for too long; what it has, it keeps.
+    [[nodiscard]] bool is_silent() const { return silent_; }
+    void set_silent(bool silent) { silent_ = silent; }
+    /// It may be given something.
+    [[nodiscard]] bool takes_work() const { return !draining_ && !silent_; }
     /// The paper's label: a task that claims the worker is not over.
     [[nodiscard]] bool is_claimed() const { return claiming_tasks_ != 0; }
     /// Nothing buffered and no task.
@@ -148,6 +153,7 @@ class WorkerProxy {
     std::uint32_t slot_ = 0;
     WorkerFacts facts_;
     bool draining_ = false;
+    bool silent_ = false;
     std::map<JobId, ScenarioBuffer> buffers_; ///< None of them empty.
     std::map<TaskId, ProxyTask> tasks_;
     std::uint64_t buffered_ = 0;

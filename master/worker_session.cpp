@@ -7,34 +7,42 @@ namespace cd {
 
 WorkerSession::WorkerSession(Coordinator& coordinator,
                              std::shared_ptr<Channel> channel,
-                             WorkerId worker)
+                             const Reception& reception)
     : coordinator_(coordinator),
       channel_(std::move(channel)),
-      worker_(worker),
+      reception_(reception),
+      worker_(reception.worker),
       heartbeat_(coordinator.executor()),
       room_(coordinator.executor(), asio::steady_timer::time_point::max()) {}
 
-asio::awaitable<void> WorkerSession::run(Hello hello, PeerKey key) {
+asio::awaitable<void> WorkerSession::run(Hello hello) {
     const auto self = shared_from_this();
-    coordinator_.worker_joined(worker_, hello, channel_, key);
+    coordinator_.worker_joined(reception_, hello, channel_);
     spawn(coordinator_.executor(), "heartbeats to a worker", send_heartbeats());
     std::string why;
     for (;;) {
-        Result<Message> message = co_await channel_->receive(limits::peer_lost_after);
+        Result<Message> message = co_await channel_->receive(coordinator_.times().lost_after);
+        if (!message && message.error().code == ErrorCode::Timeout && channel_->is_open()) {
+            continue; // Whether the worker is lost does not hang on whole messages.
+        }
         if (!message) {
             why = message.error().detail;
+            break;
+        }
+        if (!coordinator_.worker_heard(worker_, *channel_)) {
             break;
         }
         std::visit([this](auto& content) { on(content); }, message.value());
         // A worker that is faster than the merge is read more slowly.
         while (results_in_hand_ >= limits::results_in_hand_max) {
+            coordinator_.worker_unheard(worker_, *channel_);
             boost::system::error_code ignored;
             co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         }
     }
     channel_->close();
     heartbeat_.cancel();
-    coordinator_.worker_left(worker_, why);
+    coordinator_.connection_ended(worker_, *channel_, why);
 }
 
 asio::awaitable<void> WorkerSession::send_heartbeats() {
@@ -43,7 +51,7 @@ asio::awaitable<void> WorkerSession::send_heartbeats() {
     while (channel_->is_open()) {
         ++heartbeat.sequence;
         channel_->send(heartbeat);
-        heartbeat_.expires_after(limits::heartbeat_period);
+        heartbeat_.expires_after(coordinator_.times().heartbeat);
         boost::system::error_code ignored;
         co_await heartbeat_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
@@ -59,6 +67,10 @@ void WorkerSession::on(const Evicted& message) {
 
 void WorkerSession::on(const Holding& message) {
     coordinator_.cuts_held(worker_, message);
+}
+
+void WorkerSession::on(const Standing& message) {
+    coordinator_.worker_stands(worker_, message);
 }
 
 void WorkerSession::on(const Drain& /*message*/) {

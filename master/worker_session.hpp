@@ -11,15 +11,15 @@
 
 namespace cd {
 
-/// Reads what the worker says. A worker that says nothing for
-/// `limits::peer_lost_after` is lost.
+/// Reads what the worker says, on one connection: its session may outlive it.
 class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
   public:
-    WorkerSession(Coordinator& coordinator, std::shared_ptr<Channel> channel, WorkerId worker);
+    WorkerSession(Coordinator& coordinator,
+                  std::shared_ptr<Channel> channel,
+                  const Reception& reception);
 
     /// The whole conversation after the welcome. Ends when the connection does.
-    /// `key`: what it was told with the welcome.
-    [[nodiscard]] asio::awaitable<void> run(Hello hello, PeerKey key);
+    [[nodiscard]] asio::awaitable<void> run(Hello hello);
 
   private:
     // One for each message that a worker sends; all others end the connection.
@@ -28,6 +28,7 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     void on(const Evicted& message);
     void on(const Held& message);
     void on(const Holding& message);
+    void on(const Standing& message);
     void on(const FetchFailed& message);
     void on(const Drain& message);
     void on(const Failure& message);
@@ -40,6 +41,7 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
 
     Coordinator& coordinator_;
     std::shared_ptr<Channel> channel_;
+    Reception reception_;
     WorkerId worker_;
     asio::steady_timer heartbeat_;
     asio::steady_timer room_; ///< Cancelled when results have been merged.

@@ -123,9 +123,12 @@ accept_channel(asio::ip::tcp::socket socket,
                std::shared_ptr<const Tls> tls,
                std::chrono::steady_clock::duration timeout = limits::connect_timeout);
 
-/// Says hello and awaits the answer. Errors: Refused with the other side's reason, and those of
-/// `receive`.
-[[nodiscard]] asio::awaitable<Result<Welcome>> greet(std::shared_ptr<Channel> channel, Hello hello);
+/// Says hello and awaits the answer within the timeout. Errors: Refused with the other side's
+/// reason, and those of `receive`.
+[[nodiscard]] asio::awaitable<Result<Welcome>>
+greet(std::shared_ptr<Channel> channel,
+      Hello hello,
+      std::chrono::steady_clock::duration timeout = limits::connect_timeout);
 
 /// The greatest version that both sides speak. Errors: Refused naming both ranges.
 [[nodiscard]] Result<std::uint16_t> negotiate(const Hello& hello);

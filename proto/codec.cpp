@@ -89,6 +89,14 @@ Problem problem_of(const Held& held) {
 Problem problem_of(const FetchFailed& failed) {
     return problem_of_roots(failed.roots);
 }
+Problem problem_of(const Standing& standing) {
+    for (const StandingTree& tree : standing.trees) {
+        if (const Problem problem = problem_of_roots(tree.held)) {
+            return problem;
+        }
+    }
+    return nullptr;
+}
 Problem problem_of(const PeerFetch& fetch) {
     return problem_of_roots(fetch.roots);
 }

@@ -68,6 +68,8 @@ constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"certified"},
     {"token create"},
     {"token created"},
+    {"standing", Lane::Data, limits::message_roots_bytes_max},
+    {"drop scenario", Lane::Data},
 }};
 static_assert(!kinds.back().name.empty(), "a message without a row");
 
@@ -79,6 +81,7 @@ constexpr std::array<std::string_view, 6> names_of_strategies{
     "best-match", "best-match-load", "random", "lowest", "best-match-pull", "earliest-finish"};
 constexpr std::array<std::string_view, 3> names_of_modes{"auto", "always", "never"};
 constexpr std::array<std::string_view, 4> state_names{"running", "done", "cancelled", "failed"};
+constexpr std::array<std::string_view, 3> worker_state_names{"alive", "silent", "lost"};
 constexpr std::array<std::string_view, 6> outcome_names{
     "given", "busy", "missing", "unreachable", "damaged", "refused"};
 
@@ -136,6 +139,10 @@ std::span<const std::string_view> analysis_mode_names() {
 
 std::string_view to_text(JobState state) {
     return state_names[static_cast<std::size_t>(state)];
+}
+
+std::string_view to_text(WorkerState state) {
+    return worker_state_names[static_cast<std::size_t>(state)];
 }
 
 std::string_view to_text(PeerOutcome outcome) {

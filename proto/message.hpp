@@ -22,8 +22,8 @@
 
 namespace cd {
 
-inline constexpr std::uint16_t protocol_version_min = 4;
-inline constexpr std::uint16_t protocol_version_max = 4;
+inline constexpr std::uint16_t protocol_version_min = 5;
+inline constexpr std::uint16_t protocol_version_max = 5;
 
 /// A tree cut at a depth, as the master numbers them while it runs.
 using TreeId = Id<struct TreeTag>;
@@ -49,6 +49,9 @@ struct Hello {
     std::uint16_t peer_port = 0;   ///< Of a worker: where others fetch blocks from it; 0: nowhere.
     double weight = 1;             ///< Of a worker: multiplies its speed, where that counts.
     std::uint64_t instance = 0;    ///< Of a worker: drawn when its process started, kept since.
+    // Of a worker that would go on with a session whose connection broke: what its Welcome said.
+    std::uint64_t session = 0; ///< The WorkerId; 0: it has none to go on with.
+    std::uint64_t epoch = 0;
 };
 
 /// A secret of the master and one worker, by which the worker knows the master's tickets.
@@ -61,6 +64,10 @@ struct Welcome {
     std::string build;
     PeerKey peer_key; ///< Of a worker; else zeros.
     Sha256 cluster; ///< Names the master's state: numbers of jobs mean the same as long as it does.
+    std::uint64_t epoch = 0; ///< Names the master's process.
+    bool is_resumed = false; ///< The worker's session goes on: what both hold of it still counts.
+    std::uint32_t heartbeat_ms = 0;  ///< The period of heartbeats, which a worker keeps to, too;
+    std::uint32_t lost_after_ms = 0; ///< after so long a silence its work goes to others.
 };
 
 /// The other side cannot or will not. To a client it answers the request before it.
@@ -81,11 +88,21 @@ struct CacheTraffic {
     friend bool operator==(const CacheTraffic&, const CacheTraffic&) = default;
 };
 
+/// A scenario that a thread is busy with.
+struct RunningScenario {
+    JobId job;
+    std::uint64_t scenario = 0;
+    double seconds = 0; ///< Since it was begun.
+
+    friend bool operator==(const RunningScenario&, const RunningScenario&) = default;
+};
+
 struct Heartbeat {
     std::uint64_t sequence = 0;
-    std::uint64_t cached_bytes = 0; ///< Of a worker.
-    std::uint64_t waiting = 0;      ///< Scenarios at the worker not yet answered.
-    CacheTraffic traffic;           ///< Of a worker.
+    std::uint64_t cached_bytes = 0;              ///< Of a worker.
+    std::uint64_t waiting = 0;                   ///< Scenarios at the worker not yet answered.
+    CacheTraffic traffic;                        ///< Of a worker.
+    std::optional<RunningScenario> longest = {}; ///< Of those that run at the worker.
 };
 
 // ---- Master to worker -----------------------------------------------------------------------
@@ -128,6 +145,12 @@ struct AddJob {
 /// Frees the job, and drops what waits or runs for it. Its trees may stay.
 struct RemoveJob {
     JobId job;
+};
+
+/// The scenario is not to be answered: what runs for it stops, what waits for it goes.
+struct DropScenario {
+    JobId job;
+    std::uint64_t scenario = 0;
 };
 
 /// A task: scenarios that one worker gets together (paper, 6.4.3), analysed by the master.
@@ -204,6 +227,20 @@ struct ResultsKept {
 /// it uses, and the worker says Held.
 struct Holding {
     std::vector<Sha256> cuts;
+};
+
+/// A tree that the worker has, and which of its slots are filled; roots ascend.
+struct StandingTree {
+    TreeId tree;
+    std::vector<RootIndex> held;
+};
+
+/// What the worker has of a session that goes on, after the results that it sends again: what is
+/// not named got lost on its way, or has ended.
+struct Standing {
+    std::vector<StandingTree> trees;
+    std::vector<JobId> jobs;
+    std::vector<TaskId> tasks;
 };
 
 /// All results of the task have been sent.
@@ -347,6 +384,14 @@ enum class JobState : std::uint8_t { Running = 0, Done = 1, Cancelled = 2, Faile
 
 [[nodiscard]] std::string_view to_text(JobState state);
 
+/// A scenario that takes long, and where.
+struct LongScenario {
+    std::uint64_t scenario = 0;
+    WorkerId worker;
+    std::string name;   ///< Of the worker.
+    double seconds = 0; ///< Since it was begun.
+};
+
 struct JobStatus {
     JobId job;
     std::string name;
@@ -361,6 +406,8 @@ struct JobStatus {
     JobStatistics statistics; ///< Of the scenarios whose results came, also those that came twice.
     double compute_seconds = 0;
     std::string paused; ///< Why it waits; empty: it does not.
+    std::vector<LongScenario> long_scenarios;
+    std::uint64_t doubted = 0; ///< Results of a quarantined worker that are being computed again.
 };
 
 /// Answered by JobStatus at once and whenever something changed, at most some five times a second,
@@ -371,6 +418,15 @@ struct Watch {
 
 /// Answered by ClusterStatus.
 struct StatusQuery {};
+
+/// What is known of a worker by what it says, and when.
+enum class WorkerState : std::uint8_t {
+    Alive = 0,
+    Silent = 1, ///< Suspected to be lost: it gets no new work, and keeps what it has.
+    Lost = 2,   ///< Its work went to others.
+};
+
+[[nodiscard]] std::string_view to_text(WorkerState state);
 
 struct WorkerStatus {
     WorkerId worker;
@@ -391,6 +447,9 @@ struct WorkerStatus {
     std::uint64_t subtree_bytes_sent = 0;
     CacheTraffic cache;
     bool quarantined = false; ///< A result of it was wrong: it gets nothing more.
+    WorkerState state = WorkerState::Alive;
+    double silent_seconds = 0;              ///< Since it was heard of.
+    std::optional<RunningScenario> longest; ///< As its last heartbeat said.
 };
 
 struct MeshStatus {
@@ -408,7 +467,11 @@ struct ClusterStatus {
     std::vector<WorkerStatus> workers;
     std::vector<JobStatus> jobs;
     std::vector<MeshStatus> meshes;
-    std::vector<std::string> alarms; ///< What somebody has to look at, the last ones.
+    std::vector<std::string> alarms;        ///< What somebody has to look at, the last ones.
+    std::uint64_t alarm_count = 0;          ///< All of them, since the master started,
+    std::uint64_t workers_lost = 0;         ///< and workers that were lost,
+    std::uint64_t sessions_resumed = 0;     ///< and that came back in time,
+    std::uint64_t scenarios_given_back = 0; ///< and scenarios that stood at lost ones.
 };
 
 /// Answered by ResultsPart. Records exist for scenarios already merged.
@@ -427,9 +490,11 @@ struct ResultsPart {
     Bytes records;
 };
 
-/// Answered by JobStatus.
+/// Answered by JobStatus. With a scenario that has no result yet, only that one fails. Errors:
+/// NotFound; Refused for a scenario that has one.
 struct Cancel {
     JobId job;
+    std::optional<std::uint64_t> scenario = {};
 };
 
 /// Answered by Explained. Errors: NotFound; Refused for a job that does not run (any more).
@@ -546,6 +611,8 @@ using Message = std::variant<Hello,
                              Renew,
                              Certified,
                              TokenCreate,
-                             TokenCreated>;
+                             TokenCreated,
+                             Standing,
+                             DropScenario>;
 
 } // namespace cd

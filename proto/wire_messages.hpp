@@ -38,12 +38,13 @@ void serialize(Archive& archive, Hello& m) {
     archive(m.version_min, m.version_max);
     enumeration(archive, m.role, Role::Worker, Role::Joiner);
     archive(m.name, m.build, m.threads, m.cache_bytes, m.peer_port, m.weight);
-    archive(m.instance);
+    archive(m.instance, m.session, m.epoch);
 }
 
 template <class Archive>
 void serialize(Archive& archive, Welcome& m) {
     archive(m.version, m.id, m.build, m.peer_key, m.cluster);
+    archive(m.epoch, m.is_resumed, m.heartbeat_ms, m.lost_after_ms);
 }
 
 template <class Archive>
@@ -58,8 +59,13 @@ void serialize(Archive& archive, CacheTraffic& t) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, RunningScenario& s) {
+    archive(s.job, s.scenario, s.seconds);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Heartbeat& m) {
-    archive(m.sequence, m.cached_bytes, m.waiting, m.traffic);
+    archive(m.sequence, m.cached_bytes, m.waiting, m.traffic, m.longest);
 }
 
 template <class Archive>
@@ -106,6 +112,11 @@ void serialize(Archive& archive, RemoveJob& m) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, DropScenario& m) {
+    archive(m.job, m.scenario);
+}
+
+template <class Archive>
 void serialize(Archive& archive, ScenarioRange& m) {
     archive(m.task, m.job, m.first, m.count, m.scenarios);
 }
@@ -134,6 +145,16 @@ void serialize(Archive& archive, ResultsKept& m) {
 template <class Archive>
 void serialize(Archive& archive, Holding& m) {
     archive(m.cuts);
+}
+
+template <class Archive>
+void serialize(Archive& archive, StandingTree& t) {
+    archive(t.tree, t.held);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Standing& m) {
+    archive(m.trees, m.jobs, m.tasks);
 }
 
 template <class Archive>
@@ -221,11 +242,17 @@ void serialize(Archive& archive, Accepted& m) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, LongScenario& s) {
+    archive(s.scenario, s.worker, s.name, s.seconds);
+}
+
+template <class Archive>
 void serialize(Archive& archive, JobStatus& m) {
     archive(m.job, m.name);
     enumeration(archive, m.state, JobState::Running, JobState::Failed);
     archive(m.summary, m.digest, m.seconds, m.scenarios_per_second, m.failure, m.bodies);
     archive(m.answered_by_master, m.statistics, m.compute_seconds, m.paused);
+    archive(m.long_scenarios, m.doubted);
 }
 
 template <class Archive>
@@ -239,6 +266,8 @@ void serialize(Archive& archive, WorkerStatus& s) {
     archive(s.buffered, s.working, s.tasks, s.scenarios, s.scenarios_per_second);
     archive(s.bytes_sent, s.bytes_received, s.subtrees_sent, s.subtree_bytes_sent, s.cache);
     archive(s.quarantined);
+    enumeration(archive, s.state, WorkerState::Alive, WorkerState::Lost);
+    archive(s.silent_seconds, s.longest);
 }
 
 template <class Archive>
@@ -249,7 +278,7 @@ void serialize(Archive& archive, MeshStatus& s) {
 template <class Archive>
 void serialize(Archive& archive, ClusterStatus& m) {
     archive(m.build, m.uptime_seconds, m.cpu_seconds, m.workers, m.jobs, m.meshes);
-    archive(m.alarms);
+    archive(m.alarms, m.alarm_count, m.workers_lost, m.sessions_resumed, m.scenarios_given_back);
 }
 
 template <class Archive>
@@ -264,7 +293,7 @@ void serialize(Archive& archive, ResultsPart& m) {
 
 template <class Archive>
 void serialize(Archive& archive, Cancel& m) {
-    archive(m.job);
+    archive(m.job, m.scenario);
 }
 
 template <class Archive>

@@ -50,6 +50,14 @@ void Fetcher::finished(Token token) {
     }
 }
 
+std::vector<SubtreeKey> Fetcher::awaited() const {
+    std::vector<SubtreeKey> keys;
+    for (const auto& [key, tokens] : requested_) {
+        keys.push_back(key);
+    }
+    return keys;
+}
+
 Fetcher::Step Fetcher::advance() {
     Step step;
     while (!queue_.empty()) {

@@ -35,6 +35,9 @@ class Fetcher {
     /// The scenario needs its subtrees no longer: it has run, or is given up at whatever stage.
     void finished(Token token);
 
+    /// Asked for and not here, ascending.
+    [[nodiscard]] std::vector<SubtreeKey> awaited() const;
+
     /// What is to be done since the last call.
     [[nodiscard]] Step advance();
 

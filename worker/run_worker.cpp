@@ -44,7 +44,8 @@ class Daemon {
         const auto give_up_at = std::chrono::steady_clock::now() + config_.connect_for;
         for (;;) {
             Target target{config_.master, tls_->now};
-            const Result<std::shared_ptr<Channel>> channel = co_await connect(std::move(target));
+            const Result<std::shared_ptr<Channel>> channel = co_await connect(
+                std::move(target), std::chrono::ceil<std::chrono::seconds>(patience()));
             if (channel) {
                 const std::optional<int> code = co_await serve(channel.value());
                 if (code) {
@@ -70,6 +71,12 @@ class Daemon {
     [[nodiscard]] int exit_code() const { return exit_code_; }
 
   private:
+    /// With a step of the greeting: while a session can go on, its time is short.
+    [[nodiscard]] std::chrono::milliseconds patience() const {
+        const std::chrono::milliseconds longest = limits::connect_timeout;
+        return session_ == nullptr ? longest : std::min(longest, times_.silent_after);
+    }
+
     /// From the greeting to the end of the session; an exit code when it was the last one.
     asio::awaitable<std::optional<int>> serve(std::shared_ptr<Channel> channel) {
         Hello hello;
@@ -82,7 +89,11 @@ class Daemon {
         hello.peer_port = peer_server_ == nullptr ? std::uint16_t{0} : peer_server_->port();
         hello.weight = config_.weight;
         hello.instance = instance_;
-        const Result<Welcome> welcome = co_await greet(channel, hello);
+        if (session_ != nullptr) {
+            hello.session = session_id_;
+            hello.epoch = epoch_;
+        }
+        const Result<Welcome> welcome = co_await greet(channel, hello, patience());
         if (!welcome) {
             spdlog::error("not welcome: error=\"{}\"", welcome.error().detail);
             const bool refused = welcome.error().code == ErrorCode::Refused;
@@ -95,20 +106,34 @@ class Daemon {
                      config_.cache_bytes);
         was_welcome_ = true;
         backoff_.reset();
-        keep_->enter(welcome.value().cluster);
-        session_ = std::make_shared<Session>(
-            channel,
-            executor_,
-            config_.cache_bytes,
-            PeerParts{peer_server_, welcome.value().peer_key, config_.name, tls_},
-            keep_);
-        const SessionEnd how = co_await session_->run();
-        const std::shared_ptr<Session> session = std::move(session_);
-        if (how != SessionEnd::Lost || stopping_) {
+        is_connected_ = true;
+        const SessionEnd how = co_await converse(channel, welcome.value());
+        is_connected_ = false;
+        if (stopping_ || how == SessionEnd::Drained || how == SessionEnd::Terminated) {
             co_return exit_done;
         }
-        spdlog::warn("master lost: reason=\"{}\"", session->reason());
+        spdlog::warn("master lost: reason=\"{}\"", session_->reason());
+        if (how == SessionEnd::Disagreed) {
+            session_.reset();
+        }
         co_return std::nullopt;
+    }
+
+    asio::awaitable<SessionEnd> converse(std::shared_ptr<Channel> channel, Welcome welcome) {
+        if (welcome.is_resumed && session_ != nullptr) {
+            co_return co_await session_->resume(channel);
+        }
+        if (session_ != nullptr) {
+            session_->leave();
+        }
+        session_id_ = welcome.id;
+        epoch_ = welcome.epoch;
+        times_ = SessionTimes::of(welcome);
+        keep_->enter(welcome.cluster);
+        const PeerParts peers{peer_server_, welcome.peer_key, config_.name, tls_};
+        session_ = std::make_shared<Session>(
+            channel, executor_, config_.cache_bytes, peers, keep_, times_);
+        co_return co_await session_->run();
     }
 
     /// On the address by which the master sees this worker. Without it all works, too.
@@ -133,7 +158,7 @@ class Daemon {
             std::_Exit(exit_at_once);
         }
         stopping_ = true;
-        if (session_ != nullptr) {
+        if (is_connected_) {
             session_->stop();
         } else {
             spdlog::info("ended: nothing was under way");
@@ -161,7 +186,11 @@ class Daemon {
     std::shared_ptr<WorkerKeep> keep_ = std::make_shared<WorkerKeep>(config_.cache_bytes);
     const std::uint64_t instance_ = std::random_device{}() | std::uint64_t{std::random_device{}()}
                                                                  << 32;
-    std::shared_ptr<Session> session_; ///< Null while there is no master.
+    std::shared_ptr<Session> session_; ///< Also without a connection, as long as it may go on.
+    std::uint64_t session_id_ = 0;
+    std::uint64_t epoch_ = 0;
+    SessionTimes times_;
+    bool is_connected_ = false; ///< And welcome.
     bool was_welcome_ = false;
     bool stopping_ = false;
     int exit_code_ = exit_done;

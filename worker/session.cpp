@@ -21,7 +21,8 @@ Session::Session(std::shared_ptr<Channel> channel,
                  Executor& executor,
                  std::uint64_t cache_bytes,
                  PeerParts peers,
-                 std::shared_ptr<WorkerKeep> keep)
+                 std::shared_ptr<WorkerKeep> keep,
+                 const SessionTimes& times)
     : channel_(std::move(channel)),
       executor_(executor),
       keep_(keep == nullptr ? std::make_shared<WorkerKeep>(cache_bytes) : std::move(keep)),
@@ -29,6 +30,7 @@ Session::Session(std::shared_ptr<Channel> channel,
       fetcher_(cache_),
       peers_(std::move(peers)),
       links_(peers_.name, peers_.tls),
+      times_(times),
       abandoned_(std::make_shared<std::atomic<bool>>(false)),
       heartbeat_timer_(executor_.home()),
       flush_timer_(executor_.home()),
@@ -36,91 +38,6 @@ Session::Session(std::shared_ptr<Channel> channel,
 
 Session::~Session() {
     abandoned_->store(true);
-}
-
-asio::awaitable<SessionEnd> Session::run() {
-    const std::shared_ptr<Session> self = shared_from_this();
-    take_up();
-    spawn(executor_.home(), "heartbeats", send_heartbeats());
-    serve_peers();
-    while (channel_->is_open()) {
-        Result<Message> message = co_await channel_->receive(limits::peer_lost_after);
-        if (!message) {
-            if (reason_.empty()) {
-                reason_ = message.error().detail;
-            }
-            break;
-        }
-        const Status status =
-            std::visit([this](auto& content) { return handle(content); }, message.value());
-        if (!status) {
-            refuse(status.error());
-        }
-    }
-    abandoned_->store(true);
-    if (peers_.server != nullptr) {
-        peers_.server->stop_serving();
-    }
-    heartbeat_timer_.cancel();
-    flush_timer_.cancel();
-    last_results_timer_.cancel();
-    // One that was closed with a last word still sends it.
-    if (channel_->is_open()) {
-        channel_->close();
-    }
-    leave();
-    co_return end_;
-}
-
-/// What was kept from a session before.
-void Session::take_up() {
-    if (auto cuts = cache_.parked(); !cuts.empty()) {
-        channel_->send(Holding{std::move(cuts)});
-    }
-    const std::vector<Results> again = keep_->results.again();
-    if (!again.empty()) {
-        spdlog::info("results sent again: messages={}", again.size());
-    }
-    for (const Results& results : again) {
-        channel_->send(results);
-    }
-}
-
-/// Whatever comes back from the threads from now on finds nothing that it could change.
-void Session::leave() {
-    flush_all();
-    cache_.park();
-    keep_->cache = std::exchange(cache_, SubtreeCache(0));
-}
-
-asio::awaitable<void> Session::send_heartbeats() {
-    const std::shared_ptr<Session> self = shared_from_this();
-    while (channel_->is_open()) {
-        send_heartbeat();
-        heartbeat_timer_.expires_after(limits::heartbeat_period);
-        boost::system::error_code ignored;
-        co_await heartbeat_timer_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-    }
-}
-
-void Session::send_heartbeat() {
-    CacheTraffic traffic = traffic_;
-    traffic.hits = fetcher_.hits();
-    traffic.misses = fetcher_.misses();
-    traffic.evictions = cache_.evictions();
-    traffic.uploaded_bytes = peers_.server == nullptr ? 0 : peers_.server->uploaded_bytes();
-    channel_->send(Heartbeat{++heartbeats_, cache_.bytes(), unanswered(), traffic});
-    if (std::chrono::steady_clock::now() - began_ > limits::parked_trees_kept) {
-        cache_.drop_parked();
-    }
-}
-
-std::uint64_t Session::unanswered() const {
-    std::uint64_t unanswered = 0;
-    for (const auto& [id, task] : tasks_) {
-        unanswered += task.unanswered();
-    }
-    return unanswered;
 }
 
 void Session::stop() {
@@ -182,6 +99,14 @@ Status Session::handle(RemoveJob& remove) {
     abandon([id](const Task& task) { return task.job().id == id; });
     jobs_.erase(id);
     settle_soon();
+    return Done{};
+}
+
+Status Session::handle(DropScenario& drop) {
+    if (const auto job = jobs_.find(drop.job); job != jobs_.end()) {
+        spdlog::info("scenario dropped: job={} scenario={}", drop.job.value, drop.scenario);
+        job->second->dropped->add(drop.scenario);
+    }
     return Done{};
 }
 
@@ -289,6 +214,7 @@ Status Session::handle(Heartbeat& /*heartbeat*/) {
 
 Status Session::handle(Failure& failure) {
     reason_ = "the master says: " + failure.detail;
+    end_ = SessionEnd::Disagreed;
     channel_->close();
     return Done{};
 }
@@ -300,9 +226,14 @@ Status Session::handle(T& message) {
                  "message '" + std::string(message_name(type)) + "' is not for a worker"};
 }
 
+Status Session::handle(Message& message) {
+    return std::visit([this](auto& content) { return handle(content); }, message);
+}
+
 void Session::refuse(const Error& error) {
     spdlog::error("disagreement with the master: error=\"{}\"", error.detail);
     reason_ = error.detail;
+    end_ = SessionEnd::Disagreed;
     Failure failure;
     failure.code = error.code;
     failure.detail = error.detail;
@@ -377,7 +308,7 @@ void Session::settle_soon() {
 }
 
 void Session::settle() {
-    if (!channel_->is_open()) {
+    if (abandoned_->load() || end_ != SessionEnd::Lost) {
         return;
     }
     const Fetcher::Step step = fetcher_.advance();
@@ -469,12 +400,18 @@ void Session::start(Token token) {
         [weak = weak_from_this(),
          abandoned = abandoned_,
          task_abandoned = task.abandoned(),
+         clock = new_clock(task.job().id),
+         dropped = task.job().dropped,
          token,
          ready = std::make_shared<const ReadyScenario>(task.ready(place.scenario, cache_))]() {
             if (abandoned->load()) {
                 return Executor::Continuation([] {});
             }
-            const auto stop = [&] { return abandoned->load() || task_abandoned->load(); };
+            const std::uint64_t index = ready->scenario.index;
+            const auto stop = [&] {
+                return abandoned->load() || task_abandoned->load() || dropped->contains(index);
+            };
+            clock->begin(index);
             return Executor::Continuation([weak, token, finished = execute(*ready, stop)] {
                 if (const auto session = weak.lock()) {
                     session->scenario_ran(token, finished);
@@ -483,17 +420,29 @@ void Session::start(Token token) {
         });
 }
 
+std::shared_ptr<ScenarioClock> Session::new_clock(JobId job) {
+    std::erase_if(clocks_, [](const auto& clock) { return clock.expired(); });
+    auto clock = std::make_shared<ScenarioClock>(job);
+    clocks_.push_back(clock);
+    return clock;
+}
+
 void Session::start_walk(Task& task) {
     ++running_;
     const auto stop = [abandoned = abandoned_, task_abandoned = task.abandoned()] {
         return abandoned->load() || task_abandoned->load();
     };
     const auto part = std::make_shared<const Walk>(task.next_walk(cache_, executor_.threads()));
-    executor_.submit([weak = weak_from_this(), abandoned = abandoned_, id = task.id(), stop, part] {
+    executor_.submit([weak = weak_from_this(),
+                      abandoned = abandoned_,
+                      clock = new_clock(task.job().id),
+                      id = task.id(),
+                      stop,
+                      part] {
         if (abandoned->load()) {
             return Executor::Continuation([] {});
         }
-        auto found = std::make_shared<Walked>(walk(*part, stop));
+        auto found = std::make_shared<Walked>(walk(*part, stop, *clock));
         return Executor::Continuation([weak, id, found] {
             if (const auto session = weak.lock()) {
                 session->walked(id, std::move(*found));

@@ -6,6 +6,7 @@
 #include "worker/fetcher.hpp"
 #include "worker/peer_links.hpp"
 #include "worker/peer_server.hpp"
+#include "worker/scenario_clock.hpp"
 #include "worker/subtree_cache.hpp"
 #include "worker/task.hpp"
 #include "worker/worker_job.hpp"
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <deque>
 #include <functional>
+#include <list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,7 +26,8 @@ namespace cd {
 
 /// How a session ended, and what its worker does next.
 enum class SessionEnd {
-    Lost,       ///< Of the connection or of agreement: connect again.
+    Lost,       ///< Of the connection: the session may go on over another one.
+    Disagreed,  ///< About what the worker has: another session sets it right.
     Drained,    ///< All that was here is answered or handed back.
     Terminated, ///< The master said so.
 };
@@ -37,22 +40,39 @@ struct PeerParts {
     std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>();
 };
 
-/// Holds what one master has given to this worker: trees, subtrees, tasks. Subtrees, and results
-/// that are not acknowledged, stay with the worker when the session ends; threads that still run
-/// for it are told to skip the rest. All members run on the channel's thread.
+/// What the master says about heartbeats.
+struct SessionTimes {
+    std::chrono::milliseconds heartbeat = limits::heartbeat_period;
+    /// A connection on which nothing came for so long is taken for broken.
+    std::chrono::milliseconds silent_after =
+        limits::heartbeats_missed_max * std::chrono::milliseconds(limits::heartbeat_period);
+
+    [[nodiscard]] static SessionTimes of(const Welcome& welcome);
+};
+
+/// Holds what one master has given to this worker: trees, subtrees, tasks. It outlives its
+/// connection: threads go on, and all is as it was when another connection comes. Subtrees, and
+/// results that are not acknowledged, stay with the worker when the session ends; threads that
+/// still run for it are told to skip the rest. All members run on the channel's thread.
 class Session : public std::enable_shared_from_this<Session> {
   public:
     Session(std::shared_ptr<Channel> channel,
             Executor& executor,
             std::uint64_t cache_bytes,
             PeerParts peers = {},
-            std::shared_ptr<WorkerKeep> keep = nullptr); ///< Null: nothing comes from before.
+            std::shared_ptr<WorkerKeep> keep = nullptr, ///< Null: nothing comes from before.
+            const SessionTimes& times = {});
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
     ~Session();
 
-    /// Serves the master until the connection ends. Called once.
+    /// Serves the master until the connection ends. Called once. Lost: either `resume` or `leave`
+    /// follows.
     [[nodiscard]] asio::awaitable<SessionEnd> run();
+    /// Goes on over another connection, on which the master has said that it does, too.
+    [[nodiscard]] asio::awaitable<SessionEnd> resume(std::shared_ptr<Channel> channel);
+    /// Ends a session that has no connection.
+    void leave();
 
     /// Takes no more and begins nothing more; what runs is finished and sent, the rest of each task
     /// handed back. Then `run` returns Drained.
@@ -70,18 +90,22 @@ class Session : public std::enable_shared_from_this<Session> {
     };
 
     void take_up();
-    void leave();
+    void stand();
+    asio::awaitable<SessionEnd> serve();
     asio::awaitable<void> send_heartbeats();
+    [[nodiscard]] std::optional<RunningScenario> longest() const;
     void send_heartbeat();
     [[nodiscard]] std::uint64_t unanswered() const; ///< Scenarios of all tasks.
     asio::awaitable<void> resume_when_sent();
 
+    Status handle(Message& message);
     Status handle(AddTree& add);
     Status handle(RemoveTree& remove);
     Status handle(Subtrees& subtrees);
     Status handle(FetchFromPeers& directions);
     Status handle(AddJob& add);
     Status handle(RemoveJob& remove);
+    Status handle(DropScenario& drop);
     Status handle(Batch& batch);
     Status handle(ScenarioRange& range);
     Status handle(ResultsKept& kept);
@@ -90,7 +114,7 @@ class Session : public std::enable_shared_from_this<Session> {
     Status handle(Heartbeat& heartbeat);
     Status handle(Failure& failure);
     template <class T>
-    Status handle(T& message);
+    Status handle(T& message); ///< All others.
 
     /// Whoever gave a block; 0 is the master.
     void open_soon(TreeId tree, SubtreeBlock block, WorkerId source);
@@ -108,6 +132,7 @@ class Session : public std::enable_shared_from_this<Session> {
     void wait_for_subtrees(const Task& task, std::size_t scenario);
     void scenario_ran(Token token, const std::optional<FinishedScenarios>& finished);
     void walked(TaskId task, Walked walked);
+    [[nodiscard]] std::shared_ptr<ScenarioClock> new_clock(JobId job);
     void add_results(Task& task, const FinishedScenarios& finished);
     void drop_unstarted(const std::function<bool(const Task&)>& concerned);
     void abandon(const std::function<bool(const Task&)>& concerned);
@@ -146,14 +171,17 @@ class Session : public std::enable_shared_from_this<Session> {
     std::deque<Token> ready_;       ///< Have their subtrees, wait for a thread.
     std::size_t running_ = 0;       ///< At the threads.
     Token next_token_ = 1;
+    /// Of what is at the threads; gone with it.
+    std::list<std::weak_ptr<const ScenarioClock>> clocks_;
+    SessionTimes times_;
     std::shared_ptr<std::atomic<bool>> abandoned_; ///< Threads skip what nobody waits for.
 
     bool settling_ = false;
     bool waiting_for_queue_ = false;
     bool flushing_soon_ = false;
-    bool stopping_ = false; ///< This host wants to end.
-    bool draining_ = false; ///< The session ends when the last task has.
-    SessionEnd end_ = SessionEnd::Lost;
+    bool stopping_ = false;             ///< This host wants to end.
+    bool draining_ = false;             ///< The session ends when the last task has.
+    SessionEnd end_ = SessionEnd::Lost; ///< As far as is known.
     std::string reason_;
     asio::steady_timer heartbeat_timer_;
     asio::steady_timer flush_timer_;

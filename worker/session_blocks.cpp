@@ -67,7 +67,7 @@ void Session::block_opened(const SubtreeKey& key,
                            const Result<std::shared_ptr<const Subtree>>& subtree,
                            const std::shared_ptr<const SubtreeBlock>& block,
                            WorkerId source) {
-    if (!channel_->is_open()) {
+    if (abandoned_->load() || end_ != SessionEnd::Lost) {
         return;
     }
     if (!subtree && source != WorkerId{}) {

@@ -50,7 +50,6 @@ void SubtreeCache::rename(TreeId from, TreeId to) {
 }
 
 void SubtreeCache::park() {
-    std::vector<TreeId> present;
     for (auto& [id, tree] : trees_) {
         for (RootIndex root = 0; root < tree.slots.size(); ++root) {
             tree.slots[root].is_pinned = false;
@@ -58,11 +57,8 @@ void SubtreeCache::park() {
                 set_idle(tree.slots[root], {id, root});
             }
         }
-        if (!is_parked(id)) {
-            present.push_back(id);
-        }
     }
-    for (const TreeId id : present) {
+    for (const TreeId id : trees()) {
         rename(id, TreeId{parked_first + parked_last_++});
     }
     evict_beyond_limit();
@@ -85,6 +81,16 @@ void SubtreeCache::drop_parked() {
     while (!trees_.empty() && is_parked(trees_.rbegin()->first)) {
         remove_tree(trees_.rbegin()->first);
     }
+}
+
+std::vector<TreeId> SubtreeCache::trees() const {
+    std::vector<TreeId> present;
+    for (const auto& [id, tree] : trees_) {
+        if (!is_parked(id)) {
+            present.push_back(id);
+        }
+    }
+    return present;
 }
 
 std::vector<RootIndex> SubtreeCache::held(TreeId tree) const {

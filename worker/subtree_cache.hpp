@@ -42,6 +42,8 @@ class SubtreeCache {
     /// The names of parked trees of which blocks are here, ascending.
     [[nodiscard]] std::vector<Sha256> parked() const;
     void drop_parked();
+    /// Those that are not parked, ascending.
+    [[nodiscard]] std::vector<TreeId> trees() const;
     /// The roots whose subtrees are here, ascending.
     [[nodiscard]] std::vector<RootIndex> held(TreeId tree) const;
     /// Frees the tree with its blocks. Unknown trees are ignored.

@@ -33,8 +33,7 @@ class Walker {
         : walk_(walk), used_a_(walk.a->top().root_count()), used_b_(walk.b->top().root_count()) {}
 
     /// False when it was told to stop.
-    bool run(std::size_t place, const RunOptions& options) {
-        const Scenario scenario = walk_.scenarios.at(place);
+    bool run(std::size_t place, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
             counted_colliding_roots(walk_.a->top(), walk_.b->top(), scenario.poses);
         FinishedScenarios& finished = walked_.finished;
@@ -104,17 +103,23 @@ void FinishedScenarios::add(const Bytes& record) {
     ++count;
 }
 
-Walked walk(const Walk& walk, const StopCheck& stop) {
+Walked walk(const Walk& walk, const StopCheck& stop, ScenarioClock& clock) {
     const auto begin = std::chrono::steady_clock::now();
+    const DroppedScenarios& dropped = *walk.job->dropped;
     RunOptions options;
-    options.stop = stop;
+    options.stop = [&] { return (stop && stop()) || dropped.contains(clock.scenario()); };
     Walker walker(walk);
     std::size_t place = walk.begin;
-    while (place < walk.end && !(stop && stop()) && walker.run(place, options)) {
-        ++place;
+    std::size_t unanswered = 0;
+    for (; place < walk.end && !(stop && stop()); ++place) {
+        const Scenario scenario = walk.scenarios.at(place);
+        clock.begin(scenario.index);
+        unanswered +=
+            !dropped.contains(scenario.index) && walker.run(place, scenario, options) ? 0 : 1;
     }
+    clock.end();
     Walked walked = walker.take();
-    walked.left = walk.end - place;
+    walked.left = walk.end - place + unanswered;
     walked.finished.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return walked;

@@ -7,6 +7,7 @@
 #include "common/job/scenario.hpp"
 #include "common/job/statistics.hpp"
 #include "common/tree/partial_tree.hpp"
+#include "worker/scenario_clock.hpp"
 #include "worker/worker_job.hpp"
 
 #include <cstdint>
@@ -65,9 +66,10 @@ struct Walked {
     FinishedScenarios finished;
     std::vector<Waiting> waiting; ///< Lack subtrees.
     std::vector<SubtreeKey> used; ///< Subtrees that others had.
-    std::size_t left = 0;         ///< Not looked at: it was told to stop.
+    std::size_t left = 0;         ///< Not answered: it was told to stop, or they were dropped.
 };
 
-[[nodiscard]] Walked walk(const Walk& walk, const StopCheck& stop);
+/// `clock` is told which scenario runs.
+[[nodiscard]] Walked walk(const Walk& walk, const StopCheck& stop, ScenarioClock& clock);
 
 } // namespace cd

@@ -4,6 +4,20 @@
 
 namespace cd {
 
+void DroppedScenarios::add(std::uint64_t scenario) {
+    const std::lock_guard lock(mutex_);
+    scenarios_.insert(scenario);
+    any_.store(true);
+}
+
+bool DroppedScenarios::contains(std::uint64_t scenario) const {
+    if (!any_.load(std::memory_order_relaxed)) {
+        return false;
+    }
+    const std::lock_guard lock(mutex_);
+    return scenarios_.contains(scenario);
+}
+
 Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const SubtreeCache& cache) {
     const std::string name = "job " + std::to_string(add.job.value) + " ";
     if (cache.find(add.tree_a) == nullptr || cache.find(add.tree_b) == nullptr) {
@@ -14,7 +28,7 @@ Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const Subtr
         (add.query.tolerance > 0 && form != SubtreeForm::Binary)) {
         return Error{ErrorCode::BadFrame, name + "has trees whose forms do not suit"};
     }
-    WorkerJob job{add.job, add.tree_a, add.tree_b, std::move(add.query), std::nullopt};
+    WorkerJob job{add.job, add.tree_a, add.tree_b, std::move(add.query), {}};
     if (add.grid) {
         Result<Grid> grid = decode_grid(*add.grid);
         if (!grid) {

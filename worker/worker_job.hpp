@@ -6,10 +6,27 @@
 #include "proto/message.hpp"
 #include "worker/subtree_cache.hpp"
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <set>
 
 namespace cd {
+
+/// Scenarios of a job that are not to be answered. Any thread may ask, and one adds.
+class DroppedScenarios {
+  public:
+    void add(std::uint64_t scenario);
+    /// Cheap as long as there are none.
+    [[nodiscard]] bool contains(std::uint64_t scenario) const;
+
+  private:
+    std::atomic<bool> any_ = false;
+    mutable std::mutex mutex_;
+    std::set<std::uint64_t> scenarios_;
+};
 
 struct WorkerJob {
     JobId id;
@@ -17,6 +34,7 @@ struct WorkerJob {
     TreeId tree_b;
     Query query;
     std::optional<Grid> grid;
+    std::shared_ptr<DroppedScenarios> dropped = std::make_shared<DroppedScenarios>();
 
     [[nodiscard]] bool uses(TreeId tree) const { return tree_a == tree || tree_b == tree; }
 };

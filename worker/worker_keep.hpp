@@ -24,6 +24,8 @@ class UnkeptResults {
 
     /// To be sent again in a new session, in the order in which they were added; of no task.
     [[nodiscard]] std::vector<Results> again() const;
+    /// The same, in the session in which they were added.
+    [[nodiscard]] const std::map<std::uint64_t, Results>& messages() const { return messages_; }
     [[nodiscard]] bool empty() const { return messages_.empty(); }
     /// False: nothing new is to be begun.
     [[nodiscard]] bool has_room() const;

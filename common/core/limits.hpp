@@ -133,7 +133,14 @@ inline constexpr std::chrono::milliseconds reconnect_after_max{5000};
 
 // Time.
 inline constexpr std::chrono::seconds heartbeat_period{2};
+inline constexpr std::chrono::milliseconds heartbeat_period_min{10};
+inline constexpr unsigned heartbeats_missed_max = 3; ///< Then a worker gets no new work.
 inline constexpr std::chrono::seconds peer_lost_after{15};
+inline constexpr std::chrono::hours peer_lost_after_max{24};
+inline constexpr std::chrono::minutes worker_forgotten_after{10}; ///< From its last word on.
+inline constexpr std::size_t lost_workers_kept_max = 1024;        ///< Then the oldest goes.
+inline constexpr double scenario_seconds_shown = 10;    ///< Who takes longer is named in a status.
+inline constexpr std::size_t long_scenarios_shown = 16; ///< Of one job.
 inline constexpr std::chrono::seconds connect_timeout{10};
 inline constexpr std::chrono::seconds peer_connect_timeout{2}; ///< Workers; then the next source.
 inline constexpr std::chrono::seconds peer_answer_max{5};      ///< Between two messages of a peer.

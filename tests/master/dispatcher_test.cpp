@@ -258,6 +258,48 @@ TEST(Dispatcher, ADrainingWorkerFinishesItsTasksAndGetsNothingMore) {
     EXPECT_EQ(driver.batches[1].scenarios, (std::vector<std::uint64_t>{2}));
 }
 
+TEST(Dispatcher, ASilentWorkerKeepsItsTasksAndGetsNothingUntilItIsHeard) {
+    Driver driver;
+    driver.join(worker_1);
+    driver.join(worker_2);
+    driver.open(job_1, options_with(2, false));
+    driver.feed(job_1, 0, 2);
+    ASSERT_EQ(driver.batches.size(), 1u);
+    const WorkerId holder = driver.batches[0].worker;
+    driver.feed(job_1, 2, 1); // Into a buffer.
+    driver.keep(driver.dispatcher.worker_silent(holder));
+    driver.keep(driver.dispatcher.worker_silent(holder)); // Twice: nothing.
+    EXPECT_EQ(driver.dispatcher.worker_status(holder).working, 2u);
+    EXPECT_EQ(driver.dispatcher.worker_status(holder).buffered, 0u);
+    driver.batches.clear();
+    driver.feed(job_1, 3, 20);
+    driver.pause();
+    for (const SendBatch& batch : driver.batches) {
+        EXPECT_NE(batch.worker, holder);
+    }
+    EXPECT_FALSE(driver.batches.empty());
+    driver.batches.clear();
+    driver.keep(driver.dispatcher.worker_heard(holder));
+    ASSERT_FALSE(driver.batches.empty());
+    EXPECT_EQ(driver.batches[0].worker, holder);
+}
+
+TEST(Dispatcher, ATaskThatNeverCameGoesBackAndIsNoLoss) {
+    Driver driver;
+    driver.join(worker_1);
+    driver.open(job_1, options_with(2, false));
+    driver.feed(job_1, 0, 2);
+    for (unsigned round = 0; round < 2 * limits::scenario_losses_max; ++round) {
+        ASSERT_EQ(driver.batches.size(), 1u) << "it goes out again, and as one task";
+        const SendBatch batch = std::exchange(driver.batches, {}).front();
+        EXPECT_EQ(batch.scenarios, (std::vector<std::uint64_t>{0, 1}));
+        driver.keep(driver.dispatcher.task_unbegun(batch.worker, batch.task));
+        driver.keep(driver.dispatcher.task_unbegun(batch.worker, batch.task)); // Twice: nothing.
+        driver.pause();
+    }
+    EXPECT_TRUE(driver.given_up.empty());
+}
+
 TEST(Dispatcher, ATaskThatEndsWithoutAllAnswersHasTheRestDoneAgain) {
     Driver driver;
     driver.join(worker_1);

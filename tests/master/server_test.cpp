@@ -27,7 +27,9 @@ constexpr auto patience = 60s;
 /// A whole master on one context, which the test runs.
 class Master {
   public:
-    Master() {
+    /// Unless told, a worker whose connection breaks does not come back.
+    explicit Master(const FailureTimes& failure_times = {.return_within = 0ms})
+        : times(failure_times) {
         EXPECT_TRUE(coordinator.restore(journal->take_recovered()));
         server->start();
     }
@@ -55,8 +57,15 @@ class Master {
     std::unique_ptr<Journal> journal =
         std::move(Journal::open({.directory = folder.path(), .synced = false}).value());
     ThreadPool blocking{2};
-    Coordinator coordinator{
-        {context.get_executor(), *store, compute, blocking, *journal, folder.path() / "jobs"}};
+    FailureTimes times;
+    Coordinator coordinator{{context.get_executor(),
+                             *store,
+                             compute,
+                             blocking,
+                             *journal,
+                             folder.path() / "jobs",
+                             Durability::Unsynced,
+                             times}};
     std::unique_ptr<Server> server =
         std::move(Server::listen(context.get_executor(), {"127.0.0.1", 0}, coordinator).value());
 };

@@ -19,15 +19,15 @@
 namespace cd::tests {
 namespace {
 
-// What version 4 writes for `sample_messages`. A change here is a new protocol version.
+// What version 5 writes for `sample_messages`. A change here is a new protocol version.
 struct Golden {
     std::string_view name;
     std::size_t bytes;
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 62, "3804bd85488b6284"},          {"welcome", 87, "68b94809220eefa2"},
-    {"failure", 17, "b9807aeea9fe9795"},        {"heartbeat", 72, "ceb56e57db5af869"},
+    {"hello", 78, "4a099b733e8cccc1"},          {"welcome", 104, "114dd3be5caed5f1"},
+    {"failure", 17, "b9807aeea9fe9795"},        {"heartbeat", 97, "108542527f546749"},
     {"add tree", 217, "0838c9bfabcef993"},      {"remove tree", 8, "f13ee6ed54ea2aae"},
     {"subtrees", 144, "da0189eff0ecbd68"},      {"batch", 130, "e6bb6c38c24f85be"},
     {"drain", 0, "e3b0c44298fc1c14"},           {"terminate", 28, "d6d079848cb90ca3"},
@@ -37,10 +37,10 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"mesh part", 133, "2325c9eac764b872"},     {"mesh stored", 32, "ae216c2ef5247a37"},
     {"submit", 193, "01bc31200c082fc2"},        {"poses part", 72, "94b987f225392806"},
     {"poses end", 0, "e3b0c44298fc1c14"},       {"accepted", 8, "35be322d094f9d15"},
-    {"watch", 8, "f0a0278e4372459c"},           {"job status", 355, "22110f3c45930cad"},
-    {"status query", 0, "e3b0c44298fc1c14"},    {"cluster status", 676, "cb640cc74a032ce2"},
+    {"watch", 8, "f0a0278e4372459c"},           {"job status", 409, "8beab66160b1cf40"},
+    {"status query", 0, "e3b0c44298fc1c14"},    {"cluster status", 796, "38ecfe0c73fc4da7"},
     {"results query", 24, "e2e2033ae7e19d68"},  {"results part", 58, "d09bdf69823ebbe1"},
-    {"cancel", 8, "6cc16abd70eefb90"},          {"fetch from peers", 170, "a0d47f54a15913e3"},
+    {"cancel", 17, "6450d3157de527b9"},         {"fetch from peers", 170, "a0d47f54a15913e3"},
     {"held", 24, "ed580f119631830c"},           {"fetch failed", 33, "b221f708a2001c78"},
     {"peer fetch", 64, "1fa3b1fe14bda8bc"},     {"peer fetched", 21, "81af26b24d9034b4"},
     {"explain", 16, "609f0a17cfd7829b"},        {"explained", 180, "a91ceeff3b47116c"},
@@ -49,6 +49,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"holding", 72, "e1381bfba176d2ec"},        {"join", 72, "dd181e348f65f2e4"},
     {"renew", 15, "b8682712f5ce92e8"},          {"certified", 48, "d7f558c7fad6ff0a"},
     {"token create", 13, "10083b346e6438bc"},   {"token created", 12, "58ed39fec02eb736"},
+    {"standing", 72, "0697547a5b8be113"},       {"drop scenario", 16, "5ec0616dd54ea5b9"},
 }};
 
 void expect_refused(std::uint16_t type, std::span<const std::byte> payload) {
@@ -65,7 +66,7 @@ void expect_refused(std::uint16_t type, std::span<const std::byte> payload) {
 
 TEST(Codec, NumbersAndNamesFollowTheOrderOfTheVariant) {
     EXPECT_EQ(message_type(Hello{}), 1);
-    EXPECT_EQ(message_type(TokenCreated{}), std::variant_size_v<Message>);
+    EXPECT_EQ(message_type(DropScenario{}), std::variant_size_v<Message>);
     EXPECT_EQ(message_name(message_type(Batch{})), "batch");
     EXPECT_EQ(message_name(message_type(EndOfTask{})), "end of task");
     EXPECT_EQ(message_name(message_type(ResultsPart{})), "results part");
@@ -114,7 +115,7 @@ TEST(Codec, MembersComeBackInTheirPlaces) {
     EXPECT_EQ(batch.scenarios, some_batch().scenarios);
 }
 
-TEST(Codec, TheBytesOfEachMessageAreThoseOfVersionFour) {
+TEST(Codec, TheBytesOfEachMessageAreThoseOfVersionFive) {
     const auto samples = sample_messages();
     ASSERT_EQ(samples.size(), golden.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -289,10 +290,10 @@ TEST(Codec, AWeightIsAboveZeroAndBounded) {
         hello.weight = weight;
         EXPECT_TRUE(decode_message(message_type(hello), encode_message(hello)));
     }
-    // A refused message cannot be encoded either; its weight stands before the instance.
+    // A refused message cannot be encoded either; its weight stands before the last three numbers.
     Bytes bytes = encode_message(hello);
     for (const double weight : {0.0, -1.0, 1001.0}) {
-        std::memcpy(bytes.data() + bytes.size() - 2 * sizeof(weight), &weight, sizeof(weight));
+        std::memcpy(bytes.data() + bytes.size() - 4 * sizeof(weight), &weight, sizeof(weight));
         EXPECT_FALSE(decode_message(message_type(hello), bytes)) << weight;
     }
 }

@@ -66,6 +66,8 @@ inline JobStatus some_job_status() {
     status.statistics = {some_statistics(), {21, 4.5, {}}};
     status.compute_seconds = 3.5;
     status.paused = "no space";
+    status.long_scenarios = {{26, WorkerId{1}, "node-1", 27.5}};
+    status.doubted = 28;
     return status;
 }
 
@@ -88,6 +90,9 @@ inline WorkerStatus some_worker_status() {
     status.subtree_bytes_sent = 19;
     status.cache = {20, 21, 22, 23, 24, 25};
     status.quarantined = true;
+    status.state = WorkerState::Silent;
+    status.silent_seconds = 29.5;
+    status.longest = RunningScenario{JobId{30}, 31, 32.5};
     return status;
 }
 
@@ -115,10 +120,10 @@ inline Submit some_submit() {
 /// In the order of their numbers.
 inline std::vector<Message> sample_messages() {
     return {
-        Hello{1, 4, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321, 1.5, 99},
-        Welcome{1, 42, "0.1.0", some_hash(17), some_hash(18)},
+        Hello{1, 4, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321, 1.5, 99, 7, 8},
+        Welcome{1, 42, "0.1.0", some_hash(17), some_hash(18), 8, true, 2000, 15000},
         Failure{ErrorCode::NotFound, "no job 7"},
-        Heartbeat{1, 2, 3, {4, 5, 6, 7, 8, 9}},
+        Heartbeat{1, 2, 3, {4, 5, 6, 7, 8, 9}, RunningScenario{JobId{10}, 11, 12.5}},
         AddTree{TreeId{1}, SubtreeForm::Wide, some_hash(6), {some_node(1), some_node(2)}},
         RemoveTree{TreeId{5}},
         Subtrees{TreeId{6}, {{3, some_hash(9), some_bytes(40)}, {4, some_hash(8), {}}}},
@@ -146,10 +151,14 @@ inline std::vector<Message> sample_messages() {
                       {some_worker_status()},
                       {some_job_status()},
                       {{some_hash(1), "sedan.obj", 5, 6, 0.5}},
-                      {"results differ"}},
+                      {"results differ"},
+                      1,
+                      2,
+                      3,
+                      4},
         ResultsQuery{JobId{1}, 2, 3},
         ResultsPart{JobId{1}, 2, 3, some_bytes(30)},
-        Cancel{JobId{8}},
+        Cancel{JobId{8}, 9},
         FetchFromPeers{TreeId{2},
                        {1, 5},
                        {some_hash(1), some_hash(2)},
@@ -177,6 +186,8 @@ inline std::vector<Message> sample_messages() {
         Certified{"a certificate", "and its authority's"},
         TokenCreate{CertifiedRole::Submitter, 3600, 50},
         TokenCreated{"cdt1"},
+        Standing{{{TreeId{1}, {2, 3}}}, {JobId{4}}, {TaskId{5}, TaskId{6}}},
+        DropScenario{JobId{8}, 9},
     };
 }
 

@@ -21,6 +21,8 @@ namespace {
 
 constexpr TreeId tree_a{3};
 constexpr TreeId tree_b{4};
+/// So that several heartbeats come soon; nothing hangs on how soon.
+constexpr SessionTimes quick_times{std::chrono::milliseconds(10), patience};
 constexpr std::uint64_t unlimited = std::uint64_t{1} << 40;
 
 struct Bodies {
@@ -135,6 +137,7 @@ class FakeMaster {
     }
     void on(const EndOfTask& end_of_task) { EXPECT_TRUE(ended.insert(end_of_task.task).second); }
     void on(const Holding& holding) { cuts_held = holding.cuts; }
+    void on(const Standing& now) { standing = now; }
     void on(const Heartbeat&) { ++heartbeats; }
     void on(const Drain&) { worker_drains = true; }
     void on(const Failure& failure) { complaint = failure.detail; }
@@ -149,6 +152,7 @@ class FakeMaster {
     std::set<TaskId> ended;
     std::set<TaskId> tasks_of_results;
     std::vector<Sha256> cuts_held; ///< That it named at its start.
+    std::optional<Standing> standing;
     bool acknowledges = true;
     std::size_t subtrees_sent = 0;
     std::size_t subtrees_evicted = 0;
@@ -162,6 +166,9 @@ class FakeMaster {
 asio::awaitable<void> run_session(std::shared_ptr<Session> session,
                                   std::optional<SessionEnd>& how) {
     how = co_await session->run();
+    if (how == SessionEnd::Lost) {
+        session->leave();
+    }
 }
 
 /// A session with its threads, and the master that the test plays.
@@ -182,11 +189,11 @@ asio::awaitable<void> play_on(asio::io_context& context,
                               const std::shared_ptr<WorkerKeep>& keep,
                               std::optional<SessionEnd>& how) {
     Ends ends = co_await connect_greeted_ends();
-    Stage stage{
-        std::make_shared<Session>(std::move(ends.left), executor, cache_bytes, PeerParts{}, keep),
-        FakeMaster(std::move(ends.right)),
-        how,
-        executor};
+    Stage stage{std::make_shared<Session>(
+                    std::move(ends.left), executor, cache_bytes, PeerParts{}, keep, quick_times),
+                FakeMaster(std::move(ends.right)),
+                how,
+                executor};
     spawn(context.get_executor(), "session", run_session(stage.session, how));
     if (adds_job) {
         stage.master.add_job();
@@ -416,6 +423,135 @@ TEST(Session, WhatIsNotAcknowledgedIsSentAgainAndSubtreesAreKept) {
     EXPECT_TRUE(keep->cache.parked().empty()) << "of another cluster";
 }
 
+/// A session that outlives its connections. The master, which the test plays, keeps what it heard.
+asio::awaitable<void>
+lose_the_connection_again_and_again(asio::io_context& context, Executor& executor, int losses) {
+    Ends ends = co_await connect_greeted_ends();
+    const auto session = std::make_shared<Session>(
+        std::move(ends.left), executor, unlimited, PeerParts{}, nullptr, quick_times);
+    FakeMaster master(std::move(ends.right));
+    master.acknowledges = false;
+    const auto scenarios = make_scenarios(700, 200);
+    master.add_job();
+    for (std::uint64_t task = 1; task <= 4; ++task) {
+        const auto part = std::span(scenarios).subspan(50 * (task - 1), 50);
+        task % 2 == 0 ? master.channel->send(make_batch(TaskId{task}, part))
+                      : master.channel->send(make_range(TaskId{task}, part));
+    }
+    std::map<std::uint64_t, Bytes> records;
+    std::set<TaskId> standing{TaskId{1}, TaskId{2}, TaskId{3}, TaskId{4}};
+    for (int connection = 0; connection <= losses; ++connection) {
+        std::optional<SessionEnd> how;
+        const auto serve = [](std::shared_ptr<Session> of,
+                              std::shared_ptr<Channel> over,
+                              std::optional<SessionEnd>& end) -> asio::awaitable<void> {
+            if (over == nullptr) {
+                end = co_await of->run();
+            } else {
+                end = co_await of->resume(over);
+            }
+        };
+        std::shared_ptr<Channel> over;
+        if (connection != 0) {
+            Ends next = co_await connect_greeted_ends();
+            over = std::move(next.left);
+            master.channel = std::move(next.right);
+            master.records.clear();
+            master.ended.clear();
+            master.held.clear(); // What it awaits it asks for again.
+            master.standing.reset();
+        }
+        spawn(context.get_executor(), "session", serve(session, std::move(over), how));
+        // Some messages later the connection breaks, but for the last one.
+        const bool is_last = connection == losses;
+        for (int heard = 0; is_last ? !standing.empty() : heard < 12 + 5 * connection; ++heard) {
+            Result<Message> message = co_await master.channel->receive(patience);
+            EXPECT_TRUE(message);
+            if (!message) {
+                co_return;
+            }
+            std::visit([&](auto& content) { master.on(content); }, message.value());
+            for (const TaskId task : master.ended) {
+                standing.erase(task);
+            }
+            if (const auto* now = std::get_if<Standing>(&message.value())) {
+                EXPECT_EQ(now->trees.size(), 2u);
+                EXPECT_EQ(now->jobs, std::vector<JobId>{JobId{1}});
+                standing.clear(); // What is not named has ended; its results came before.
+                standing.insert(now->tasks.begin(), now->tasks.end());
+            }
+        }
+        for (const auto& [index, record] : master.records) {
+            const auto [place, is_new] = records.emplace(index, record);
+            EXPECT_EQ(place->second, record);
+        }
+        EXPECT_EQ(master.tasks_of_results.count(TaskId{0}), 0u) << "tasks are those of before";
+        master.channel->close();
+        while (!how) {
+            co_await asio::post(executor.home(), asio::use_awaitable);
+        }
+        EXPECT_EQ(how, SessionEnd::Lost);
+    }
+    master.records = records;
+    expect_all_right(master, scenarios);
+    session->leave();
+}
+
+TEST(Session, OutlivesItsConnectionAndDoesNothingTwice) {
+    for (const int losses : {1, 4}) {
+        asio::io_context context;
+        Executor executor(context.get_executor(), 2);
+        asio::co_spawn(context,
+                       lose_the_connection_again_and_again(context, executor, losses),
+                       [](const std::exception_ptr& thrown) { EXPECT_FALSE(thrown); });
+        context.run_for(patience);
+        EXPECT_TRUE(context.stopped()) << "something is still under way";
+    }
+}
+
+TEST(Session, HeartbeatsComeWhileEveryThreadIsBusyAndSayForHowLong) {
+    perform(unlimited, 2, [](Stage& stage) -> asio::awaitable<void> {
+        std::latch released(1);
+        for (int thread = 0; thread < 2; ++thread) {
+            stage.executor.submit([&released] {
+                released.wait();
+                return Executor::Continuation([] {});
+            });
+        }
+        stage.master.channel->send(make_batch(TaskId{1}, make_scenarios(0, 2)));
+        while (stage.master.heartbeats < 3) {
+            Result<Message> message = co_await stage.master.channel->receive(patience);
+            EXPECT_TRUE(message);
+            if (!message) {
+                break;
+            }
+            std::visit([&](auto& content) { stage.master.on(content); }, message.value());
+        }
+        EXPECT_TRUE(stage.master.records.empty());
+        released.count_down();
+        co_await stage.master.serve_until_ended(1);
+    });
+}
+
+TEST(Session, ADroppedScenarioIsNotAnsweredAndTheOthersAre) {
+    for (const bool is_range : {false, true}) {
+        perform(unlimited, 1, [is_range](Stage& stage) -> asio::awaitable<void> {
+            FakeMaster& master = stage.master;
+            const auto scenarios = make_scenarios(0, 40);
+            master.channel->send(DropScenario{JobId{1}, 7});
+            master.channel->send(DropScenario{JobId{99}, 8}); // Of no job: nothing happens.
+            if (is_range) {
+                master.channel->send(make_range(TaskId{1}, scenarios));
+            } else {
+                master.channel->send(make_batch(TaskId{1}, scenarios));
+            }
+            co_await master.serve_until_ended(1);
+            EXPECT_EQ(master.records.size(), 39u);
+            EXPECT_FALSE(master.records.contains(7));
+        });
+    }
+}
+
 TEST(Session, DrainAnswersAllThenCloses) {
     const auto how = perform(unlimited, 2, [](Stage& stage) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(400, 20);
@@ -499,7 +635,7 @@ std::string complaint_about(const Message& message) {
         co_await stage.master.serve_until_ended(1);
         complaint = stage.master.complaint;
     });
-    EXPECT_EQ(how, SessionEnd::Lost);
+    EXPECT_EQ(how, SessionEnd::Disagreed);
     return complaint;
 }
 

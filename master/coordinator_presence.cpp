@@ -1,0 +1,364 @@
+// Which workers are here: joining, coming back, falling silent, and leaving.
+#include "common/core/check.hpp"
+#include "common/core/hash.hpp"
+#include "common/core/log.hpp"
+#include "master/coordinator.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+namespace {
+
+template <class T>
+bool names(const std::vector<T>& list, const T& one) {
+    return std::find(list.begin(), list.end(), one) != list.end();
+}
+
+/// All roots below `count` that are not in `held`, which ascends.
+std::vector<RootIndex> others(std::uint32_t count, const std::vector<RootIndex>& held) {
+    std::vector<RootIndex> all;
+    auto next = held.begin();
+    for (RootIndex root = 0; root < count; ++root) {
+        if (next != held.end() && *next == root) {
+            ++next;
+        } else {
+            all.push_back(root);
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+// ---- Joining, and coming back -----------------------------------------------------------------
+
+Reception Coordinator::receive_worker(const Hello& hello) {
+    const WorkerId before{hello.session};
+    const auto link = workers_.find(before);
+    if (hello.epoch == epoch_ && link != workers_.end() && !link->second.is_cut_off &&
+        link->second.instance == hello.instance) {
+        return {before, link->second.key, true};
+    }
+    return {WorkerId{++worker_last_}, random_secret(), false};
+}
+
+void Coordinator::worker_joined(const Reception& reception,
+                                const Hello& hello,
+                                std::shared_ptr<Channel> channel) {
+    const WorkerId worker = reception.worker;
+    if (reception.is_resumed) {
+        return worker_returned(worker, std::move(channel));
+    }
+    if (hello.instance != 0) {
+        end_earlier_sessions(hello.instance);
+    }
+    spdlog::info("worker joined: worker={} name={} threads={} cache_bytes={} peer={}",
+                 worker.value,
+                 hello.name,
+                 hello.threads,
+                 hello.cache_bytes,
+                 channel->peer());
+    WorkerLink link;
+    link.channel = channel;
+    link.key = reception.key;
+    link.name = hello.name;
+    link.threads = std::max(1u, hello.threads);
+    link.cache_bytes = hello.cache_bytes;
+    link.instance = hello.instance;
+    link.quarantined = hello.instance != 0 && quarantined_.contains(hello.instance);
+    const bool is_trusted = !link.quarantined;
+    workers_.emplace(worker, std::move(link));
+    watch_.joined(worker, Clock::now());
+    if (watch_timer_ == nullptr && !closed_) {
+        watch_timer_ = std::make_shared<asio::steady_timer>(parts_.executor);
+        spawn(parts_.executor, "watch over workers", watch_workers());
+    }
+    if (!is_trusted) {
+        spdlog::error("worker stays in quarantine: worker={} name={}", worker.value, hello.name);
+        return;
+    }
+    blocks_.worker_joined(worker, std::move(channel), reception.key, hello.peer_port);
+    act(dispatcher().worker_joined(
+        worker, {hello.name, std::max(1u, hello.threads), hello.weight, hello.cache_bytes}));
+    feed();
+}
+
+void Coordinator::end_earlier_sessions(std::uint64_t instance) {
+    std::vector<WorkerId> earlier;
+    for (const auto& [id, link] : workers_) {
+        if (link.instance == instance) {
+            earlier.push_back(id);
+        }
+    }
+    for (const WorkerId id : earlier) {
+        worker_lost(id, "it has begun another session");
+    }
+    for (auto lost = lost_.begin(); lost != lost_.end();) {
+        if (lost->second.instance == instance) {
+            watch_.left(lost->first);
+            lost = lost_.erase(lost);
+        } else {
+            ++lost;
+        }
+    }
+}
+
+void Coordinator::worker_returned(WorkerId worker, std::shared_ptr<Channel> channel) {
+    const auto link = workers_.find(worker);
+    if (link == workers_.end()) {
+        return channel->close(); // It was lost between its greeting and now.
+    }
+    spdlog::info("worker came back: worker={} name={} peer={}",
+                 worker.value,
+                 link->second.name,
+                 channel->peer());
+    ++sessions_resumed_;
+    link->second.channel->close();
+    link->second.channel = channel;
+    link->second.is_settled = false;
+    watch_.heard(worker, Clock::now());
+    act(dispatcher().worker_silent(worker)); // Until it has said how it stands.
+    blocks_.worker_returned(worker, std::move(channel));
+}
+
+void Coordinator::worker_stands(WorkerId worker, const Standing& standing) {
+    const auto link = workers_.find(worker);
+    if (link == workers_.end() || link->second.is_settled) {
+        return;
+    }
+    if (const Status sound = check_standing(standing); !sound) {
+        return cut_off(worker, sound.error());
+    }
+    link->second.is_settled = true;
+    take_lost_trees(worker, link->second, standing);
+    take_lost_jobs(link->second, standing);
+    if (!link->second.quarantined) {
+        add_held_trees(link->second);
+    }
+    take_lost_tasks(worker, standing);
+    act(dispatcher().worker_heard(worker));
+    feed();
+}
+
+Status Coordinator::check_standing(const Standing& standing) const {
+    for (const StandingTree& tree : standing.trees) {
+        const auto geometry = trees_.find(tree.tree);
+        if (geometry != nullptr && !tree.held.empty() &&
+            tree.held.back() >= geometry->root_count()) {
+            return Error{ErrorCode::BadFrame, "it speaks of a root that does not exist"};
+        }
+    }
+    return Done{};
+}
+
+/// What the worker does not have has to be sent again, when it is needed; what it should not have
+/// has to go.
+void Coordinator::take_lost_trees(WorkerId worker, WorkerLink& link, const Standing& standing) {
+    std::set<TreeId> there;
+    for (const StandingTree& tree : standing.trees) {
+        there.insert(tree.tree);
+        const auto geometry = trees_.find(tree.tree);
+        if (geometry == nullptr || !link.trees.contains(tree.tree)) {
+            link.channel->send(RemoveTree{tree.tree});
+            continue;
+        }
+        blocks_held(worker, Held{tree.tree, tree.held});
+        const auto gone = others(geometry->root_count(), tree.held);
+        act(dispatcher().roots_evicted(worker, tree.tree, gone));
+    }
+    std::erase_if(link.trees, [&](TreeId tree) { return !there.contains(tree); });
+}
+
+void Coordinator::take_lost_jobs(WorkerLink& link, const Standing& standing) {
+    for (const JobId job : standing.jobs) {
+        if (!link.jobs.contains(job)) {
+            link.channel->send(RemoveJob{job});
+        }
+    }
+    std::erase_if(link.jobs, [&](JobId job) { return !names(standing.jobs, job); });
+}
+
+/// A task that is not there never came, or has ended: its results came before this.
+void Coordinator::take_lost_tasks(WorkerId worker, const Standing& standing) {
+    std::vector<TaskId> missing;
+    for (const auto& [id, task] : tasks_) {
+        if (task.worker == worker && !names(standing.tasks, id)) {
+            missing.push_back(id);
+        }
+    }
+    for (const TaskId id : missing) {
+        RunningTask& task = tasks_.at(id);
+        task.unbegun = !task.ended;
+        task.ended = true;
+        end_task_if_complete(id);
+    }
+}
+
+// ---- Silence ----------------------------------------------------------------------------------
+
+bool Coordinator::is_its_channel(WorkerId worker, const Channel& channel) const {
+    const auto link = workers_.find(worker);
+    return link != workers_.end() && link->second.channel.get() == &channel;
+}
+
+bool Coordinator::worker_heard(WorkerId worker, const Channel& channel) {
+    if (!is_its_channel(worker, channel)) {
+        return false;
+    }
+    note_life(worker);
+    return true;
+}
+
+void Coordinator::note_life(WorkerId worker) {
+    if (!watch_.heard(worker, Clock::now())) {
+        return;
+    }
+    spdlog::info("worker is heard again: worker={}", worker.value);
+    if (workers_.at(worker).is_settled) {
+        act(dispatcher().worker_heard(worker));
+        feed();
+    }
+}
+
+/// A message that takes long on its way is a sign of life, too.
+void Coordinator::hear_bytes() {
+    std::vector<WorkerId> heard;
+    for (auto& [id, link] : workers_) {
+        const std::uint64_t bytes = link.channel->traffic().bytes_received;
+        if (std::exchange(link.bytes_seen, bytes) != bytes && link.channel->is_open()) {
+            heard.push_back(id);
+        }
+    }
+    for (const WorkerId worker : heard) {
+        note_life(worker);
+    }
+}
+
+void Coordinator::worker_unheard(WorkerId worker, const Channel& channel) {
+    if (is_its_channel(worker, channel)) {
+        watch_.unheard(worker);
+    }
+}
+
+void Coordinator::connection_ended(WorkerId worker,
+                                   const Channel& channel,
+                                   const std::string& why) {
+    if (closed_ || !is_its_channel(worker, channel)) {
+        return;
+    }
+    const auto link = workers_.find(worker);
+    const WorkerStatus status = dispatcher_.worker_status(worker);
+    if ((status.draining && status.working == 0) || link->second.quarantined) {
+        return worker_left(worker, why);
+    }
+    if (link->second.is_cut_off) {
+        return worker_lost(worker, why);
+    }
+    spdlog::warn("connection broke: worker={} name={} working={} reason=\"{}\"",
+                 worker.value,
+                 link->second.name,
+                 status.working,
+                 why);
+    link->second.is_settled = false;
+    blocks_.worker_detached(worker);
+    watch_.detached(worker, Clock::now());
+    act(dispatcher().worker_silent(worker));
+    check_workers();
+    feed();
+}
+
+asio::awaitable<void> Coordinator::watch_workers() {
+    const auto timer = watch_timer_;
+    while (!closed_ && watch_.size() != 0) {
+        timer->expires_after(parts_.times.heartbeat / 2);
+        boost::system::error_code ignored;
+        co_await timer->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        if (!closed_) {
+            check_workers();
+        }
+    }
+    watch_timer_.reset();
+}
+
+void Coordinator::check_workers() {
+    hear_bytes();
+    for (const WorkerWatch::Change& change : watch_.time_is(Clock::now())) {
+        if (!change.state) {
+            spdlog::info("worker forgotten: worker={}", change.worker.value);
+            lost_.erase(change.worker);
+        } else if (*change.state == WorkerState::Lost) {
+            worker_lost(change.worker, "nothing was heard of it");
+        } else {
+            spdlog::warn("worker is silent: worker={}", change.worker.value);
+            act(dispatcher().worker_silent(change.worker));
+            feed();
+        }
+    }
+}
+
+void Coordinator::close() {
+    closed_ = true;
+    if (watch_timer_ != nullptr) {
+        watch_timer_->cancel();
+    }
+}
+
+// ---- Leaving ----------------------------------------------------------------------------------
+
+void Coordinator::worker_draining(WorkerId worker) {
+    spdlog::info("worker draining: worker={}", worker.value);
+    act(dispatcher().worker_draining(worker));
+    feed();
+}
+
+void Coordinator::cut_off(WorkerId worker, const Error& why) {
+    const auto link = workers_.find(worker);
+    if (link == workers_.end() || link->second.is_cut_off) {
+        return;
+    }
+    spdlog::error("worker cut off: worker={} error=\"{}\"", worker.value, why.detail);
+    link->second.is_cut_off = true;
+    // Its conversation ends with that, if it has not already, and it is lost.
+    if (link->second.channel->is_open()) {
+        link->second.channel->close();
+    } else {
+        worker_lost(worker, why.detail);
+    }
+}
+
+void Coordinator::worker_lost(WorkerId worker, const std::string& why) {
+    const auto link = workers_.find(worker);
+    if (link == workers_.end()) {
+        return;
+    }
+    WorkerStatus last = worker_status(worker, link->second);
+    spdlog::warn("worker lost: worker={} name={} given_back={} reason=\"{}\"",
+                 worker.value,
+                 last.name,
+                 last.working,
+                 why);
+    ++workers_lost_;
+    scenarios_given_back_ += last.working;
+    last.state = WorkerState::Lost;
+    lost_.emplace(worker, LostWorker{std::move(last), link->second.instance});
+    watch_.lost(worker);
+    link->second.channel->close();
+    worker_left(worker, why);
+}
+
+void Coordinator::worker_left(WorkerId worker, const std::string& why) {
+    spdlog::info("worker left: worker={} reason=\"{}\"", worker.value, why);
+    workers_.erase(worker);
+    if (!lost_.contains(worker)) {
+        watch_.left(worker);
+    }
+    blocks_.worker_left(worker);
+    ledger_.forget(worker);
+    std::erase_if(early_results_, [&](const auto& early) { return early.second.worker == worker; });
+    forget_tasks(worker);
+    act(dispatcher().worker_lost(worker));
+    feed();
+}
+
+} // namespace cd

@@ -1,0 +1,131 @@
+#include "tests/cluster/faulty_proxy.hpp"
+
+#include "proto/channel.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace cd::tests {
+namespace {
+
+using asio::ip::tcp;
+using boost::system::error_code;
+
+constexpr std::chrono::milliseconds delay{20};
+constexpr std::size_t trickle_bytes = 16;
+
+} // namespace
+
+FaultyProxy::FaultyProxy(std::uint16_t target)
+    : acceptor_(context_, tcp::endpoint(asio::ip::address_v4::loopback(), 0)),
+      target_(asio::ip::address_v4::loopback(), target) {
+    spawn(context_.get_executor(), "proxy", accept());
+    thread_ = std::thread([this] { context_.run(); });
+}
+
+FaultyProxy::~FaultyProxy() {
+    context_.stop();
+    thread_.join();
+}
+
+std::string FaultyProxy::address() const {
+    return "127.0.0.1:" + std::to_string(acceptor_.local_endpoint().port());
+}
+
+void FaultyProxy::cut() {
+    asio::post(context_, [this] {
+        for (const auto& weak : links_) {
+            if (const auto link = weak.lock()) {
+                link->close();
+            }
+        }
+        links_.clear();
+    });
+}
+
+void FaultyProxy::Link::close() {
+    error_code ignored;
+    client.close(ignored);
+    server.close(ignored);
+}
+
+asio::awaitable<void> FaultyProxy::accept() {
+    for (;;) {
+        auto link = std::make_shared<Link>(co_await acceptor_.async_accept(asio::use_awaitable));
+        ++connections_;
+        links_.push_back(link);
+        spawn(context_.get_executor(), "proxied connection", connect(std::move(link)));
+    }
+}
+
+asio::awaitable<void> FaultyProxy::connect(std::shared_ptr<Link> link) {
+    error_code error;
+    co_await link->server.async_connect(target_, asio::redirect_error(asio::use_awaitable, error));
+    if (error) {
+        link->close();
+        co_return;
+    }
+    link->client.set_option(tcp::no_delay(true), error);
+    link->server.set_option(tcp::no_delay(true), error);
+    spawn(context_.get_executor(), "proxied bytes", carry(link, true));
+    spawn(context_.get_executor(), "proxied bytes", carry(link, false));
+}
+
+asio::awaitable<void> FaultyProxy::carry(std::shared_ptr<Link> link, bool towards_target) {
+    tcp::socket& from = towards_target ? link->client : link->server;
+    tcp::socket& to = towards_target ? link->server : link->client;
+    std::atomic<bool>& damage = towards_target ? damage_there_ : damage_back_;
+    std::array<char, 16384> buffer{};
+    while (from.is_open() && to.is_open()) {
+        if (weather_.load() == Weather::Stalled) {
+            co_await pause(std::chrono::milliseconds(1));
+            continue;
+        }
+        error_code error;
+        const std::size_t bytes = co_await from.async_read_some(
+            asio::buffer(buffer), asio::redirect_error(asio::use_awaitable, error));
+        if (error) {
+            break;
+        }
+        std::string piece(buffer.data(), bytes);
+        if (damage.exchange(false)) {
+            piece[bytes / 2] = static_cast<char>(piece[bytes / 2] ^ 0x10);
+            ++damaged_;
+        }
+        if (weather_.load() == Weather::Delayed) {
+            co_await pause(delay);
+        }
+        if (weather_.load() != Weather::Swallowed) {
+            co_await deliver(to, std::move(piece));
+        }
+    }
+    link->close();
+}
+
+asio::awaitable<void> FaultyProxy::deliver(tcp::socket& to, std::string piece) {
+    std::size_t sent = 0;
+    while (sent < piece.size() && to.is_open()) {
+        const bool trickles = weather_.load() == Weather::Trickling;
+        const std::size_t bytes =
+            trickles ? std::min(trickle_bytes, piece.size() - sent) : piece.size() - sent;
+        error_code error;
+        co_await asio::async_write(to,
+                                   asio::buffer(piece.data() + sent, bytes),
+                                   asio::redirect_error(asio::use_awaitable, error));
+        if (error) {
+            co_return;
+        }
+        sent += bytes;
+        if (trickles) {
+            co_await pause(std::chrono::milliseconds(1));
+        }
+    }
+}
+
+asio::awaitable<void> FaultyProxy::pause(std::chrono::milliseconds time) {
+    asio::steady_timer timer(co_await asio::this_coro::executor, time);
+    error_code ignored;
+    co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+}
+
+} // namespace cd::tests

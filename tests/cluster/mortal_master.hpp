@@ -1,0 +1,163 @@
+// A master of a process of its own that is killed and started again, and what tests do with it.
+#pragma once
+
+#include "tests/cluster/cluster_fixture.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace cd::tests {
+
+/// Then a test that waits has failed.
+inline constexpr std::chrono::seconds patience{60};
+
+/// A master that is killed and started again, always on the port that the system chose first.
+class MortalMaster {
+  public:
+    /// `options`: in each life.
+    explicit MortalMaster(const TemporaryFolder& folder, std::vector<std::string> options = {})
+        : folder_(folder), options_(std::move(options)) {
+        start();
+    }
+
+    void start() {
+        std::filesystem::remove(folder_ / "port");
+        std::vector<std::string> command{program("cdmaster").string(),
+                                         "--listen",
+                                         "127.0.0.1:" + std::to_string(port_),
+                                         "--port-file",
+                                         folder_ / "port",
+                                         "--state",
+                                         folder_ / "state"};
+        command.insert(command.end(), options_.begin(), options_.end());
+        ++lives;
+        process_ = std::make_unique<Process>(command, folder_ / ("life" + std::to_string(lives)));
+        while (!std::filesystem::exists(folder_ / "port") && process_->is_running()) {
+            std::this_thread::yield();
+        }
+        ASSERT_TRUE(process_->is_running()) << process_->errors();
+        port_ = static_cast<std::uint16_t>(std::stoi(read_text(folder_ / "port")));
+    }
+
+    /// Of the lives to come.
+    void set_options(std::vector<std::string> options) { options_ = std::move(options); }
+
+    void kill() {
+        process_->signal(SIGKILL);
+        EXPECT_EQ(process_->wait(), 128 + SIGKILL);
+    }
+
+    [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
+    [[nodiscard]] std::uint16_t port() const { return port_; }
+    [[nodiscard]] Process& process() { return *process_; }
+    /// What the master of the present life has logged.
+    [[nodiscard]] std::string log() const { return process_->errors(); }
+
+    int lives = 0;
+
+  private:
+    const TemporaryFolder& folder_;
+    std::vector<std::string> options_;
+    std::uint16_t port_ = 0;
+    std::unique_ptr<Process> process_;
+};
+
+/// Its workers, and jobs for them.
+class MortalCluster : public testing::Test {
+  protected:
+    explicit MortalCluster(std::vector<std::string> options = {})
+        : master_(folder_, std::move(options)) {}
+
+    [[nodiscard]] std::unique_ptr<Connection> connect() {
+        auto opened = Connection::open(master_.address(), false, [] { return false; });
+        EXPECT_TRUE(opened) << opened.error().detail;
+        return opened ? std::move(opened.value()) : nullptr;
+    }
+
+    Process& start_worker(unsigned threads = 1, const std::vector<std::string>& options = {}) {
+        return start_worker_at(master_.address(), threads, options);
+    }
+    Process& start_worker_at(const std::string& address,
+                             unsigned threads = 1,
+                             const std::vector<std::string>& options = {}) {
+        const std::string name = "worker" + std::to_string(workers_.size());
+        std::vector<std::string> command{program("cdworker").string(),
+                                         "--master",
+                                         address,
+                                         "--threads",
+                                         std::to_string(threads),
+                                         "--name",
+                                         name};
+        command.insert(command.end(), options.begin(), options.end());
+        workers_.push_back(std::make_unique<Process>(std::move(command), folder_ / name));
+        return *workers_.back();
+    }
+
+    static JobId submit(Connection& connection, const Job& job, const Query& query) {
+        const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()},
+                                            {"b", job.b->mesh_pointer()}};
+        const Status uploaded = connection.upload(meshes, [](auto&&...) {});
+        EXPECT_TRUE(uploaded) << uploaded.error().detail;
+        Submit message;
+        message.name = "test";
+        message.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+        message.query = query;
+        const auto poses = make_list_source(job.scenarios);
+        const auto accepted = connection.submit(message, *poses);
+        EXPECT_TRUE(accepted) << accepted.error().detail;
+        return accepted ? accepted.value() : JobId{};
+    }
+
+    /// Watches until so many scenarios are merged, or the job has ended.
+    static JobStatus watch_until(Connection& connection, JobId job, std::uint64_t merged) {
+        JobStatus last;
+        const auto deadline = std::chrono::steady_clock::now() + patience;
+        for (;;) {
+            if (std::chrono::steady_clock::now() > deadline) {
+                ADD_FAILURE() << "stuck at " << last.summary.merged() << " scenarios";
+                return last;
+            }
+            const auto status = connection.status();
+            EXPECT_TRUE(status) << status.error().detail;
+            if (!status) {
+                return last;
+            }
+            for (const JobStatus& each : status.value().jobs) {
+                if (each.job == job) {
+                    last = each;
+                }
+            }
+            if (last.summary.merged() >= merged || last.state != JobState::Running) {
+                return last;
+            }
+        }
+    }
+
+    static JobStatus finish(Connection& connection, JobId job) {
+        const auto status = connection.watch(job, [](const JobStatus&) {});
+        EXPECT_TRUE(status) << status.error().detail;
+        return status ? status.value() : JobStatus{};
+    }
+
+    static std::uint64_t fetched(Connection& connection, const JobStatus& job) {
+        ResultMerger merger(job.summary.total);
+        const Status fetched =
+            connection.fetch(job.job, 0, job.summary.total, [&](const ScenarioResult& result) {
+                (void)merger.add(result);
+                return Status(Done{});
+            });
+        EXPECT_TRUE(fetched) << fetched.error().detail;
+        EXPECT_EQ(merger.digest(), job.digest);
+        return merger.summary().merged();
+    }
+
+    TemporaryFolder folder_;
+    MortalMaster master_;
+    std::vector<std::unique_ptr<Process>> workers_;
+};
+
+} // namespace cd::tests

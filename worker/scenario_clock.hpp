@@ -1,0 +1,44 @@
+// Which scenario a thread is busy with, and since when.
+#pragma once
+
+#include "common/core/id.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+namespace cd {
+
+/// One thread tells, any other may ask.
+class ScenarioClock {
+  public:
+    using Time = std::chrono::steady_clock;
+
+    explicit ScenarioClock(JobId job) : job_(job) {}
+
+    void begin(std::uint64_t scenario) {
+        since_.store(none);
+        scenario_.store(scenario);
+        since_.store(Time::now().time_since_epoch().count());
+    }
+    void end() { since_.store(none); }
+
+    [[nodiscard]] JobId job() const { return job_; }
+    [[nodiscard]] std::uint64_t scenario() const { return scenario_.load(); }
+    /// Nothing when none runs.
+    [[nodiscard]] std::optional<Time::time_point> since() const {
+        const Time::rep since = since_.load();
+        return since == none ? std::nullopt
+                             : std::optional(Time::time_point(Time::duration(since)));
+    }
+
+  private:
+    static constexpr Time::rep none = -1;
+
+    JobId job_;
+    std::atomic<std::uint64_t> scenario_ = 0;
+    std::atomic<Time::rep> since_ = none;
+};
+
+} // namespace cd
