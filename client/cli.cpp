@@ -341,7 +341,15 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
     add_output(*results, verbs.results.output, {"text", "json", "csv"});
 
     CLI::App* cancel = add_verb(
-        app, verbs, "cancel", "Ends a job early.\nExamples:\n  cdctl cancel j-1", verbs.cancel);
+        app,
+        verbs,
+        "cancel",
+        "Ends a job early, or one of its scenarios, which fails then.\nExamples:\n  cdctl cancel "
+        "j-1\n"
+        "  cdctl cancel j-1 --scenario 17     it takes too long; the job goes on without it",
+        verbs.cancel);
+    cancel->add_option("--scenario", verbs.cancel.scenario, "Its number in the job, from 0")
+        ->type_name("N");
     cancel->add_option("job", verbs.cancel.job, "A job's id, or its beginning")
         ->required()
         ->type_name("JOB");

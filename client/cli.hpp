@@ -83,6 +83,7 @@ struct StatusCommand {
 
 struct CancelCommand {
     std::string job;
+    std::optional<std::uint64_t> scenario; ///< Nothing: the whole job.
     MasterOptions master;
 };
 

@@ -387,6 +387,10 @@ Result<JobStatus> Connection::cancel(JobId job) {
     return status;
 }
 
+Result<JobStatus> Connection::cancel_scenario(JobId job, std::uint64_t scenario) {
+    return state_->run(state_->ask<JobStatus>(Cancel{job, scenario}));
+}
+
 Result<Explained> Connection::explain(JobId job, std::uint64_t scenario) {
     return state_->run(state_->ask<Explained>(Explain{job, scenario}));
 }
@@ -404,8 +408,12 @@ Status Connection::pause(std::chrono::milliseconds time) {
         state_->context.restart();
         asio::steady_timer timer(state_->context,
                                  std::min<Clock::duration>(stop_period, end - Clock::now()));
-        timer.async_wait([](const boost::system::error_code&) {});
-        state_->context.run();
+        bool is_over = false;
+        timer.async_wait([&is_over](const boost::system::error_code&) { is_over = true; });
+        // Not until there is nothing to do: the channel's own deadlines may be far away.
+        while (!is_over) {
+            state_->context.run_one();
+        }
     }
     return Done{};
 }

@@ -66,6 +66,8 @@ class Connection {
     [[nodiscard]] Result<ClusterStatus> status();
     /// Ends the job; of one that has ended, nothing. The status after it.
     [[nodiscard]] Result<JobStatus> cancel(JobId job);
+    /// One scenario fails, and the job goes on. Errors: NotFound; Refused when it has a result.
+    [[nodiscard]] Result<JobStatus> cancel_scenario(JobId job, std::uint64_t scenario);
     /// How the workers score for a scenario of a running job.
     [[nodiscard]] Result<Explained> explain(JobId job, std::uint64_t scenario);
     /// A token with which others join. Errors: Refused to who is no admin.

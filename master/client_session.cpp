@@ -247,7 +247,11 @@ asio::awaitable<void> ClientSession::on(TokenCreate message) {
 }
 
 asio::awaitable<void> ClientSession::on(Cancel message) {
-    answer(co_await coordinator_.cancel_job(message.job));
+    if (message.scenario) {
+        answer(co_await coordinator_.cancel_scenario(message.job, *message.scenario));
+    } else {
+        answer(co_await coordinator_.cancel_job(message.job));
+    }
 }
 
 asio::awaitable<void> ClientSession::on(ResultsQuery message) {

@@ -93,20 +93,29 @@ void Coordinator::perform(const GiveUp& action) {
     if (job == nullptr) {
         return;
     }
-    const Scenario& scenario = job->open.at(action.scenario)->scenario;
-    ScenarioResult result;
-    result.index = scenario.index;
-    result.body_a = scenario.body_a;
-    result.body_b = scenario.body_b;
-    result.level = job->submit.query.level;
-    result.kind = ScenarioClass::Failed;
-    result.failure = "scenario " + std::to_string(scenario.index) + ": lost with " +
-                     std::to_string(limits::scenario_losses_max) + " workers, one after the other";
-    spdlog::error("scenario given up: job={} scenario={}", job->id.value, scenario.index);
-    std::vector<TakenResult> taken;
-    taken.push_back(take_result(std::move(result), {}));
-    merge(*job, std::move(taken), WorkerId{});
-    end_if_complete(*job);
+    const auto analysis = job->open.at(action.scenario);
+    if (job->merger.has(action.scenario)) {
+        // It has a result, which was to be checked: by the master, then.
+        const Sha256 merged = job->merger.digest_of(action.scenario);
+        doubt_ends(*job, action.scenario, WorkerId{});
+        return open_dispute(*job, {job->id, action.scenario, WorkerId{}, merged});
+    }
+    spdlog::error("scenario given up: job={} scenario={}", job->id.value, action.scenario);
+    fail_scenario(*job,
+                  analysis->scenario,
+                  "lost with " + std::to_string(limits::scenario_losses_max) +
+                      " workers, one after the other");
+}
+
+void Coordinator::add_long_scenarios(JobStatus& job) const {
+    for (const auto& [id, link] : workers_) {
+        const auto& longest = link.longest;
+        if (longest && longest->job == job.job &&
+            longest->seconds >= limits::scenario_seconds_shown &&
+            job.long_scenarios.size() < limits::long_scenarios_shown) {
+            job.long_scenarios.push_back({longest->scenario, id, link.name, longest->seconds});
+        }
+    }
 }
 
 ClusterStatus Coordinator::cluster_status() {
@@ -124,6 +133,7 @@ ClusterStatus Coordinator::cluster_status() {
     status.jobs = jobs_.statuses(Clock::now());
     for (JobStatus& job : status.jobs) {
         job.paused = job.state == JobState::Running ? paused_ : "";
+        add_long_scenarios(job);
     }
     status.alarms.assign(alarms_.begin(), alarms_.end());
     status.alarm_count = alarm_count_;

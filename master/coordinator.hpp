@@ -110,6 +110,10 @@ class Coordinator {
     /// Returns when that is in the journal. Nothing to do for a job that has ended. Errors:
     /// NotFound.
     [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel_job(JobId job);
+    /// The scenario fails, and whoever runs it stops; the job goes on. Errors: NotFound; Refused
+    /// when it has a result.
+    [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel_scenario(JobId job,
+                                                                     std::uint64_t scenario);
     /// Errors: NotFound.
     [[nodiscard]] Result<JobStatus> job_status(JobId job);
     /// Grows when the status of the job changes; 0 for no job.
@@ -212,6 +216,10 @@ class Coordinator {
     /// False: it is not the first of its scenario.
     [[nodiscard]] bool merge_one(MasterJob& job, const TakenResult& taken, WorkerId worker);
     void end_if_complete(MasterJob& job);
+    /// It has a result: what it was analysed for is of no use any more.
+    void close_analysis(MasterJob& job, std::uint64_t scenario);
+    void fail_scenario(MasterJob& job, const Scenario& scenario, const std::string& why);
+    void add_long_scenarios(JobStatus& job) const;
 
     // Results that differ (coordinator_disputes.cpp).
     struct Dispute {
@@ -226,6 +234,15 @@ class Coordinator {
     void
     judge(MasterJob& job, const Dispute& dispute, TakenResult right, const ScenarioFacts& first);
     void quarantine(WorkerId worker);
+    [[nodiscard]] bool is_quarantined(WorkerId worker) const;
+    /// Of the process that the worker is, or was.
+    [[nodiscard]] bool is_same_process(WorkerId one, WorkerId other) const;
+    /// What it has answered so far is done again by others.
+    void doubt_results_of(WorkerId worker);
+    void doubt(MasterJob& job, const std::vector<std::uint64_t>& scenarios);
+    void do_again(MasterJob& job, std::vector<std::uint64_t> places);
+    void doubt_ends(MasterJob& job, std::uint64_t scenario, WorkerId by);
+    void forget_instances();
     void alarm(const std::string& text);
 
     void end_job(MasterJob& job, JobState state, const std::string& failure);
@@ -303,7 +320,8 @@ class Coordinator {
     std::vector<std::function<void()>> waiting_for_room_; ///< In the journal.
     std::deque<std::string> alarms_;                      ///< The last ones.
     std::uint64_t alarm_count_ = 0;
-    std::set<std::uint64_t> quarantined_; ///< Instances of workers.
+    std::set<std::uint64_t> quarantined_;         ///< Instances of workers.
+    std::map<WorkerId, std::uint64_t> instances_; ///< Of all workers that some result may be of.
 };
 
 } // namespace cd

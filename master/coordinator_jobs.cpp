@@ -242,7 +242,8 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
     std::uint64_t handed_out = 0;
     for (Analysis& analysis : block.scenarios) {
         // Of what came back, or from before a restart, the answer may have come meanwhile.
-        if (analysis.finished || job->merger.has(analysis.scenario.index)) {
+        if (analysis.finished || !job->lacks(analysis.scenario.index) ||
+            job->open.contains(analysis.scenario.index)) {
             continue;
         }
         AnalysedScenario scenario{analysis.scenario.index,
@@ -299,8 +300,10 @@ bool Coordinator::merge_one(MasterJob& job, const TakenResult& taken, WorkerId w
     case ResultMerger::Outcome::Added:
         break;
     case ResultMerger::Outcome::Repeated:
+        doubt_ends(job, index, worker);
         return false;
     case ResultMerger::Outcome::Differs:
+        doubt_ends(job, index, worker);
         open_dispute(job, {job.id, index, worker, taken.digest});
         return false;
     case ResultMerger::Outcome::Foreign:
@@ -313,16 +316,22 @@ bool Coordinator::merge_one(MasterJob& job, const TakenResult& taken, WorkerId w
     if (worker != WorkerId{}) {
         job.authors.resize(std::max<std::size_t>(job.authors.size(), index + 1));
         job.authors[index] = static_cast<std::uint32_t>(worker.value);
+        job.contributors.insert(worker);
     }
-    if (const auto open = job.open.find(index); open != job.open.end()) {
-        open_bytes_ -= open->second->bytes;
-        job.open.erase(open);
-    }
+    close_analysis(job, index);
     return true;
 }
 
+void Coordinator::close_analysis(MasterJob& job, std::uint64_t scenario) {
+    if (const auto open = job.open.find(scenario); open != job.open.end()) {
+        open_bytes_ -= open->second->bytes;
+        job.open.erase(open);
+    }
+}
+
 void Coordinator::end_if_complete(MasterJob& job) {
-    if (job.is_running() && job.disputes == 0 && job.merger.summary().is_complete()) {
+    if (job.is_running() && job.disputes == 0 && job.doubted.empty() &&
+        job.merger.summary().is_complete()) {
         end_job(job, JobState::Done, "");
     }
 }
@@ -343,6 +352,7 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
         release_tree(job.tree_a);
         release_tree(job.tree_b);
     }
+    forget_instances();
     ledger_.promise(JobEnded{job.id}, write(EndJob{job.id, *job.end, job.progress(Clock::now())}));
     const auto [begin, end] = early_results_.equal_range(job.id);
     for (auto early = begin; early != end; ++early) {
@@ -396,6 +406,63 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_job(JobId id) {
         co_await ended->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
     co_return job_status(id);
+}
+
+asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::uint64_t scenario) {
+    const auto running = [&]() -> Result<MasterJob*> {
+        MasterJob* job = jobs_.find(id);
+        if (job == nullptr) {
+            return no_job(id);
+        }
+        const std::string name = "scenario " + std::to_string(scenario);
+        if (scenario >= job->merger.summary().total) {
+            return Error{ErrorCode::NotFound, "the job has no " + name};
+        }
+        if (!job->is_running() || job->merger.has(scenario)) {
+            return Error{ErrorCode::Refused, name + " has a result, or the job has ended"};
+        }
+        return job;
+    };
+    Result<MasterJob*> job = running();
+    if (!job) {
+        co_return job.error();
+    }
+    auto read = [poses = job.value()->poses, scenario] { return poses->read(scenario, 1); };
+    const Result<std::vector<Scenario>> poses = co_await run_on(parts_.blocking, read);
+    if (!poses) {
+        co_return poses.error();
+    }
+    job = running(); // Much may have happened meanwhile.
+    if (!job) {
+        co_return job.error();
+    }
+    spdlog::warn("scenario cancelled: job={} scenario={}", id.value, scenario);
+    fail_scenario(*job.value(), poses.value().front(), "cancelled");
+    if (MasterJob* still = jobs_.find_running(id)) {
+        still->cancelled.push_back(scenario);
+        for (auto& [worker, link] : workers_) {
+            if (link.jobs.contains(id)) {
+                link.channel->send(DropScenario{id, scenario});
+            }
+        }
+        act(dispatcher().scenario_answered(WorkerId{}, id, scenario));
+    }
+    feed();
+    co_return job_status(id);
+}
+
+void Coordinator::fail_scenario(MasterJob& job, const Scenario& scenario, const std::string& why) {
+    ScenarioResult result;
+    result.index = scenario.index;
+    result.body_a = scenario.body_a;
+    result.body_b = scenario.body_b;
+    result.level = job.submit.query.level;
+    result.kind = ScenarioClass::Failed;
+    result.failure = "scenario " + std::to_string(scenario.index) + ": " + why;
+    std::vector<TakenResult> taken;
+    taken.push_back(take_result(std::move(result), {}));
+    merge(job, std::move(taken), WorkerId{});
+    end_if_complete(job);
 }
 
 Result<JobStatus> Coordinator::job_status(JobId id) {

@@ -112,6 +112,7 @@ JobStatus Coordinator::status_of(const MasterJob& job) const {
     JobStatus status = job.status(Clock::now());
     if (status.state == JobState::Running) {
         status.paused = paused_;
+        add_long_scenarios(status);
     }
     return status;
 }

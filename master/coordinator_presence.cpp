@@ -67,6 +67,7 @@ void Coordinator::worker_joined(const Reception& reception,
     link.cache_bytes = hello.cache_bytes;
     link.instance = hello.instance;
     link.quarantined = hello.instance != 0 && quarantined_.contains(hello.instance);
+    instances_[worker] = hello.instance;
     const bool is_trusted = !link.quarantined;
     workers_.emplace(worker, std::move(link));
     watch_.joined(worker, Clock::now());
@@ -174,6 +175,10 @@ void Coordinator::take_lost_jobs(WorkerLink& link, const Standing& standing) {
     for (const JobId job : standing.jobs) {
         if (!link.jobs.contains(job)) {
             link.channel->send(RemoveJob{job});
+        } else if (const MasterJob* running = jobs_.find_running(job)) {
+            for (const std::uint64_t scenario : running->cancelled) {
+                link.channel->send(DropScenario{job, scenario});
+            }
         }
     }
     std::erase_if(link.jobs, [&](JobId job) { return !names(standing.jobs, job); });

@@ -95,8 +95,7 @@ void Coordinator::add_held_trees(WorkerLink& link) {
 }
 
 void Coordinator::results_came(WorkerId worker, Results results, std::function<void()> done) {
-    if (const auto link = workers_.find(worker);
-        link != workers_.end() && link->second.quarantined) {
+    if (is_quarantined(worker)) {
         ledger_.promise(Delivery{worker, results.sequence}, written_); // It may forget them.
         keep_promises();
         return done();
@@ -173,7 +172,8 @@ void Coordinator::results_taken(WorkerId worker,
     }
     const JobId id = task == nullptr ? results.job : task->job;
     const Delivery delivery{worker, results.sequence};
-    if (MasterJob* job = jobs_.find_running(id)) {
+    MasterJob* const job = is_quarantined(worker) ? nullptr : jobs_.find_running(id);
+    if (job != nullptr) {
         job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;
         const std::size_t count = taken.value().size();
@@ -246,6 +246,9 @@ void Coordinator::add_job_to(WorkerLink& link, const MasterJob& job) {
         add.grid = encode_grid(*grid);
     }
     link.channel->send(add);
+    for (const std::uint64_t scenario : job.cancelled) {
+        link.channel->send(DropScenario{job.id, scenario});
+    }
 }
 
 void Coordinator::add_tree_to(WorkerLink& link, TreeId tree) {

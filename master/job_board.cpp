@@ -47,6 +47,7 @@ JobStatus MasterJob::status(Clock::time_point now) const {
     status.answered_by_master = answered_by_master;
     status.statistics = statistics;
     status.compute_seconds = compute_seconds;
+    status.doubted = doubted.size();
     return status;
 }
 
@@ -100,6 +101,8 @@ void JobBoard::end(MasterJob& job,
     job.todo = PlaceQueue();
     job.order.reset();
     job.authors = {};
+    job.doubted = {};
+    job.cancelled = {};
     running_.erase(job.id);
 }
 

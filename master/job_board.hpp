@@ -77,7 +77,12 @@ struct MasterJob {
     /// Whose result of a scenario was merged, up to the last that came; 0 is the master, or nobody
     /// knows any more.
     std::vector<std::uint32_t> authors;
-    std::uint64_t disputes = 0; ///< Scenarios whose right result is being looked for.
+    /// All authors, kept when it has ended.
+    std::set<WorkerId> contributors;
+    /// Merged results of a worker that was found to be wrong: they are done again, and compared.
+    std::set<std::uint64_t> doubted;
+    std::vector<std::uint64_t> cancelled; ///< Scenarios, one by one.
+    std::uint64_t disputes = 0;           ///< Scenarios whose right result is being looked for.
 
     // Once it has ended. Clients are told when that is in the journal.
     std::optional<JobEnd> end;
@@ -88,6 +93,10 @@ struct MasterJob {
     double compute_seconds = 0;
 
     [[nodiscard]] bool is_running() const { return !end; }
+    /// The scenario has no result, or one that is in doubt.
+    [[nodiscard]] bool lacks(std::uint64_t scenario) const {
+        return !merger.has(scenario) || doubted.contains(scenario);
+    }
     /// For the journal.
     [[nodiscard]] JobProgress progress(Clock::time_point now) const;
     [[nodiscard]] JobStatus status(Clock::time_point now) const;

@@ -248,7 +248,10 @@ int execute(const CancelCommand& command) {
     if (!job) {
         return fail(job.error());
     }
-    const auto status = connection.value()->cancel(job.value().status.job);
+    const JobId id = job.value().status.job;
+    const auto status = command.scenario
+                            ? connection.value()->cancel_scenario(id, *command.scenario)
+                            : connection.value()->cancel(id);
     if (!status) {
         return fail(status.error());
     }

@@ -3,6 +3,8 @@
 
 #include "client/cluster_report.hpp"
 
+#include "client/job_id.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -126,6 +128,37 @@ TEST_F(Status, EndsWithTheBottleneck) {
     const auto json = nlohmann::json::parse(status_json(before_, after_));
     EXPECT_EQ(json["workers"].size(), 2u);
     EXPECT_EQ(json["bottleneck"], bottleneck());
+}
+
+TEST_F(Status, TellsOfLostWorkersLongScenariosDoubtsAndAlarms) {
+    EXPECT_EQ(status_text(before_, after_).find("lost"), std::string::npos);
+    after_.workers[1].state = WorkerState::Lost;
+    after_.workers[1].working = 0;
+    after_.workers[0].state = WorkerState::Silent;
+    after_.workers_lost = 1;
+    after_.scenarios_given_back = 40;
+    after_.sessions_resumed = 3;
+    after_.alarms = {"results differ"};
+    after_.alarm_count = 25;
+    after_.jobs[0].long_scenarios = {{17, WorkerId{7}, "node-7", 75}};
+    after_.jobs[0].doubted = 5;
+    const std::string text = status_text(before_, after_);
+    EXPECT_THAT(text, HasSubstr("silent"));
+    EXPECT_THAT(text, HasSubstr("workers lost: 1   scenarios given to others: 40"));
+    EXPECT_THAT(text, HasSubstr("ALARM: results differ"));
+    const std::string id = job_id_text(JobId{1});
+    EXPECT_THAT(text, HasSubstr("scenario 17 of " + id + " runs for"));
+    EXPECT_THAT(text, HasSubstr("w-7 (node-7); `cdctl cancel " + id + " --scenario 17` ends it"));
+    EXPECT_THAT(text, HasSubstr("5 results of " + id + " came from a worker in quarantine"));
+    EXPECT_THAT(bottleneck(), HasSubstr("1 of 1 worker")) << "a lost one is not here";
+    const auto json = nlohmann::json::parse(status_json(before_, after_));
+    EXPECT_EQ(json["workers_lost"], 1);
+    EXPECT_EQ(json["scenarios_given_back"], 40);
+    EXPECT_EQ(json["sessions_resumed"], 3);
+    EXPECT_EQ(json["alarm_count"], 25);
+    EXPECT_EQ(json["long_scenarios"][0]["scenario"], 17);
+    EXPECT_EQ(json["long_scenarios"][0]["name"], "node-7");
+    EXPECT_EQ(json["jobs"][0]["doubted"], 5);
 }
 
 TEST_F(Status, OneJobIsOneObject) {

@@ -226,6 +226,17 @@ TEST(Connection, AWatchThatIsInterruptedLeavesTheWordToCancel) {
     EXPECT_EQ(master.received_of<Cancel>()[0].job, JobId{5});
 }
 
+TEST(Connection, OneScenarioIsCancelledByItsNumber) {
+    FakeMaster master(welcoming([](const Message&) -> Answers {
+        return std::vector<Message>{JobStatus{}}; // The job runs on.
+    }));
+    const auto status = open(master)->cancel_scenario(JobId{5}, 17);
+    ASSERT_TRUE(status) << status.error().detail;
+    EXPECT_EQ(status.value().state, JobState::Running);
+    EXPECT_EQ(master.received_of<Cancel>()[0].job, JobId{5});
+    EXPECT_EQ(master.received_of<Cancel>()[0].scenario, 17u);
+}
+
 TEST(Connection, AMasterThatGoesAwayIsDisconnected) {
     FakeMaster master(welcoming([](const Message&) -> Answers { return std::nullopt; }));
     const auto status = open(master)->watch(JobId{1}, [](const JobStatus&) {});

@@ -2,6 +2,8 @@
 
 #include "proto/channel.hpp"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <array>
 
@@ -14,11 +16,18 @@ using boost::system::error_code;
 constexpr std::chrono::milliseconds delay{20};
 constexpr std::size_t trickle_bytes = 16;
 
+/// A process that the test starts would keep the connection open.
+template <class Socket>
+void keep_from_children(Socket& socket) {
+    (void)::fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC);
+}
+
 } // namespace
 
 FaultyProxy::FaultyProxy(std::uint16_t target)
     : acceptor_(context_, tcp::endpoint(asio::ip::address_v4::loopback(), 0)),
       target_(asio::ip::address_v4::loopback(), target) {
+    keep_from_children(acceptor_);
     spawn(context_.get_executor(), "proxy", accept());
     thread_ = std::thread([this] { context_.run(); });
 }
@@ -52,6 +61,7 @@ void FaultyProxy::Link::close() {
 asio::awaitable<void> FaultyProxy::accept() {
     for (;;) {
         auto link = std::make_shared<Link>(co_await acceptor_.async_accept(asio::use_awaitable));
+        keep_from_children(link->client);
         ++connections_;
         links_.push_back(link);
         spawn(context_.get_executor(), "proxied connection", connect(std::move(link)));
@@ -60,6 +70,8 @@ asio::awaitable<void> FaultyProxy::accept() {
 
 asio::awaitable<void> FaultyProxy::connect(std::shared_ptr<Link> link) {
     error_code error;
+    link->server.open(target_.protocol(), error);
+    keep_from_children(link->server);
     co_await link->server.async_connect(target_, asio::redirect_error(asio::use_awaitable, error));
     if (error) {
         link->close();

@@ -92,8 +92,10 @@ class FakeWorker {
         std::uint64_t dies_at_batch = 0; ///< Counted from 1; 0 lives on.
         std::uint64_t dies_at_range = 0; ///< The same.
         bool answers_twice = false;
-        bool lies_first = false;  ///< It answers wrongly, then rightly;
-        bool lies_second = false; ///< or the other way round.
+        bool lies_first = false;      ///< It answers wrongly, then rightly;
+        bool lies_second = false;     ///< or the other way round.
+        std::uint64_t lies_alone = 0; ///< So many first batches it answers wrongly, and that is it.
+        std::optional<std::uint64_t> dies_of = {}; ///< A scenario.
         bool sends_rubbish = false;
         bool forgets_one = false;    ///< Once, it ends a task without an answer.
         bool holds_too_much = false; ///< Roots that the tree does not have.
@@ -143,9 +145,13 @@ class FakeWorker {
             } else if (auto* range = std::get_if<ScenarioRange>(&message.value())) {
                 ++ranges;
                 waiting_.push_back(analysed(*range));
+                if (is_deadly(waiting_.back())) {
+                    channel_->close();
+                    break;
+                }
                 ask();
             } else if (auto* batch = std::get_if<Batch>(&message.value())) {
-                if (++batches == habits_.dies_at_batch) {
+                if (++batches == habits_.dies_at_batch || is_deadly(*batch)) {
                     channel_->close();
                     break;
                 }
@@ -158,6 +164,14 @@ class FakeWorker {
             }
             work();
         }
+    }
+
+    [[nodiscard]] bool is_deadly(const Batch& batch) const {
+        const auto scenarios = unpack_scenarios(batch.scenarios).value();
+        return habits_.dies_of &&
+               std::any_of(scenarios.begin(), scenarios.end(), [&](const Scenario& scenario) {
+                   return scenario.index == *habits_.dies_of;
+               });
     }
 
     void keep(const Subtrees& subtrees) {
@@ -277,6 +291,11 @@ class FakeWorker {
         if (habits_.sends_rubbish) {
             results.records.resize(results.records.size() / 2);
         }
+        if (batches_answered_++ < habits_.lies_alone) {
+            channel_->send(false_results(results));
+            channel_->send(EndOfTask{batch.task});
+            return;
+        }
         if (habits_.lies_first) {
             channel_->send(false_results(results));
         }
@@ -296,6 +315,7 @@ class FakeWorker {
     std::map<TreeId, Tree> trees_;
     std::map<JobId, AddJob> jobs_;
     std::vector<Batch> waiting_;
+    std::uint64_t batches_answered_ = 0;
 };
 
 /// The meshes and scenarios of the tests, and what is right.
@@ -559,6 +579,90 @@ TEST(Server, OfResultsThatDifferTheRightOneStaysAndTheWorkerIsQuarantined) {
         master.run_until([&] { return client.done; });
         expect_right(client);
     }
+}
+
+TEST(Server, AfterAnAlarmWhatElseTheWorkerHasAnsweredIsDoneAgain) {
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        Master master;
+        FakeWorker liar(master, {.lies_first = true, .lies_alone = 3});
+        Client client(master);
+        Submit submit = reference().submission();
+        submit.cluster.analysis = mode;
+        client.start(submit);
+        master.run_until([&] {
+            const ClusterStatus status = master.coordinator.cluster_status();
+            return status.workers.size() == 1 && status.workers[0].quarantined;
+        });
+        const ClusterStatus status = master.coordinator.cluster_status();
+        EXPECT_GT(status.jobs.at(0).doubted, 0u);
+        EXPECT_GT(status.alarm_count, 0u);
+        EXPECT_EQ(status.jobs.at(0).state, JobState::Running);
+        FakeWorker good(master, {});
+        master.run_until([&] { return client.done; });
+        expect_right(client);
+        EXPECT_EQ(client.statuses.back().doubted, 0u);
+    }
+}
+
+/// A scenario that a worker has to answer.
+std::uint64_t scenario_with_contact() {
+    const Reference& all = reference();
+    ThreadPool pool(2);
+    const ObbTree a = build_tree(share(all.a), {}, pool);
+    const ObbTree b = build_tree(share(all.b), {}, pool);
+    for (const Scenario& scenario : all.scenarios) {
+        if (run_scenario(a, b, scenario, {}).result.pair_count != 0) {
+            return scenario.index;
+        }
+    }
+    return 0;
+}
+
+TEST(Server, AScenarioThatTakesItsWorkersDownFailsAndTheJobGoesOn) {
+    const std::uint64_t deadly = scenario_with_contact();
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        Master master;
+        Client client(master);
+        Submit submit = reference().submission();
+        submit.cluster.analysis = mode;
+        client.start(submit);
+        std::vector<std::unique_ptr<FakeWorker>> workers;
+        master.run_until([&] {
+            if (workers.empty() || workers.back()->ended) {
+                workers.push_back(
+                    std::make_unique<FakeWorker>(master, FakeWorker::Habits{.dies_of = deadly}));
+            }
+            return client.done;
+        });
+        const JobStatus& last = client.statuses.back();
+        EXPECT_EQ(last.state, JobState::Done) << last.failure;
+        EXPECT_EQ(last.summary.failed, 1u);
+        EXPECT_EQ(last.summary.merged(), reference().scenarios.size());
+        EXPECT_LE(workers.size(), limits::scenario_losses_max + 2u);
+    }
+}
+
+TEST(Server, AScenarioMayBeCancelledAndTheJobGoesOn) {
+    const std::uint64_t scenario = scenario_with_contact();
+    Master master;
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.job && master.coordinator.analysis_input(*client.job); });
+    const auto ask = [&](const Message& message) {
+        Client other(master);
+        other.start_asking({message});
+        master.run_until([&] { return other.done; });
+        const auto* failure = std::get_if<Failure>(&other.answer->value());
+        return failure == nullptr ? std::string("fine") : failure->detail;
+    };
+    EXPECT_EQ(ask(Cancel{*client.job, scenario}), "fine");
+    EXPECT_NE(ask(Cancel{*client.job, scenario}).find("has a result"), std::string::npos);
+    EXPECT_NE(ask(Cancel{*client.job, 10'000}).find("no scenario"), std::string::npos);
+    FakeWorker worker(master, {});
+    master.run_until([&] { return client.done; });
+    EXPECT_EQ(client.statuses.back().state, JobState::Done);
+    EXPECT_EQ(client.statuses.back().summary.failed, 1u);
+    EXPECT_EQ(client.statuses.back().summary.merged(), reference().scenarios.size());
 }
 
 TEST(Server, AWorkerThatSendsRubbishOrHoldsWhatDoesNotExistIsCutOff) {
