@@ -171,9 +171,8 @@ accept_channel(asio::ip::tcp::socket socket,
     co_return Channel::make(std::move(stream));
 }
 
-asio::awaitable<Result<Welcome>> greet(std::shared_ptr<Channel> channel,
-                                       Hello hello,
-                                       std::chrono::steady_clock::duration timeout) {
+asio::awaitable<Result<Welcome>>
+greet(std::shared_ptr<Channel> channel, Hello hello, std::chrono::steady_clock::duration timeout) {
     channel->send(hello);
     const Result<Message> answer = co_await channel->receive(timeout);
     if (!answer) {

@@ -169,6 +169,7 @@ class Daemon {
     void end(int code) {
         spdlog::info("ended: exit_code={}", code);
         exit_code_ = code;
+        session_.reset(); // It has a share in the server.
         peer_server_.reset();
         keeper_->stop();
         signals_.cancel();
