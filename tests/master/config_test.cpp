@@ -88,6 +88,25 @@ TEST(MasterConfig, InitTakesTheStateBeforeOrAfterIt) {
     }
 }
 
+TEST(MasterConfig, TimesOfFailuresAreInSecondsAndGoTogether) {
+    using namespace std::chrono_literals;
+    const FailureTimes usual = parse({}).config->times;
+    EXPECT_EQ(usual.heartbeat, 2s);
+    EXPECT_EQ(usual.silent_after(), 6s);
+    EXPECT_EQ(usual.lost_after, 15s);
+    EXPECT_EQ(usual.return_within, 15s);
+    EXPECT_EQ(usual.forgotten_after, 10min);
+    const auto line = parse({"--heartbeat", "0.05", "--lost-after", "0.3", "--return-within", "0"});
+    ASSERT_TRUE(line.config) << line.text;
+    EXPECT_EQ(line.config->times.heartbeat, 50ms);
+    EXPECT_EQ(line.config->times.lost_after, 300ms);
+    EXPECT_EQ(line.config->times.return_within, 0ms);
+    EXPECT_EQ(parse({"--lost-after", "5.9"}).exit_code, 2);
+    EXPECT_EQ(parse({"--heartbeat", "0.001"}).exit_code, 2);
+    EXPECT_EQ(parse({"--heartbeat", "-1"}).exit_code, 2);
+    EXPECT_EQ(parse({"--return-within", "100000"}).exit_code, 2);
+}
+
 TEST(MasterConfig, CertificatesLiveAsLongAsItSays) {
     EXPECT_EQ(parse({}).config->certificate_life, std::chrono::hours(24 * 7));
     EXPECT_EQ(parse({"--certificate-ttl", "36h"}).config->certificate_life, std::chrono::hours(36));

@@ -91,11 +91,11 @@ class Simulation {
         } else if (dice < 87) {
             lose();
         } else if (dice < 88) {
-            drain();
+            below(2) == 0 ? drain() : fall_silent();
         } else if (dice < 91) {
             evict();
         } else if (dice < 94) {
-            measure();
+            below(3) == 0 ? hear() : measure();
         } else if (dice < 97) {
             do_actions(dispatcher_.input_paused());
         } else if (dice < 99) {
@@ -177,6 +177,9 @@ class Simulation {
     void end_task() {
         TaskId id;
         SimulatedTask* task = random_task(id);
+        if (task != nullptr && below(20) == 0) {
+            return lose_on_the_way(id);
+        }
         // A sound worker ends a task when it has answered all; one in ten is not sound.
         if (task == nullptr || (!task->open.empty() && below(10) != 0)) {
             return;
@@ -191,6 +194,13 @@ class Simulation {
             count_losses(task);
         }
         do_actions(dispatcher_.task_ended(task.worker, id));
+    }
+
+    /// The task never came, or so it seems: no loss.
+    void lose_on_the_way(TaskId id) {
+        const WorkerId worker = tasks_.at(id).worker;
+        tasks_.erase(id);
+        do_actions(dispatcher_.task_unbegun(worker, id));
     }
 
     void count_losses(const SimulatedTask& task) {
@@ -239,6 +249,22 @@ class Simulation {
             const WorkerId worker = random_worker();
             draining_.insert(worker);
             do_actions(dispatcher_.worker_draining(worker));
+        }
+    }
+
+    void fall_silent() {
+        if (!workers_.empty()) {
+            const WorkerId worker = random_worker();
+            silent_.insert(worker);
+            do_actions(dispatcher_.worker_silent(worker));
+        }
+    }
+
+    void hear() {
+        if (!workers_.empty()) {
+            const WorkerId worker = random_worker();
+            silent_.erase(worker);
+            do_actions(dispatcher_.worker_heard(worker));
         }
     }
 
@@ -292,7 +318,8 @@ class Simulation {
     void take_batch(const SendBatch& batch) {
         ++batches_;
         const SimulatedJob& job = jobs_.at(batch.job);
-        if (!workers_.contains(batch.worker) || draining_.contains(batch.worker)) {
+        if (!workers_.contains(batch.worker) || draining_.contains(batch.worker) ||
+            silent_.contains(batch.worker)) {
             problem("a batch for a worker that takes none");
         }
         for (const std::uint64_t scenario : batch.scenarios) {
@@ -330,6 +357,10 @@ class Simulation {
             if (workers_.contains(worker)) {
                 lose(worker);
             }
+        }
+        for (const WorkerId worker : std::set(silent_)) {
+            silent_.erase(worker);
+            do_actions(dispatcher_.worker_heard(worker));
         }
         faults_have_stopped_ = true;
         join();
@@ -385,6 +416,7 @@ class Simulation {
     std::map<JobId, SimulatedJob> jobs_;
     std::set<WorkerId> workers_;
     std::set<WorkerId> draining_;
+    std::set<WorkerId> silent_;
     std::uint64_t worker_last_ = 0;
     std::map<TaskId, SimulatedTask> tasks_;
     std::vector<SimulatedTask> old_answers_;

@@ -642,6 +642,30 @@ TEST(Server, AScenarioThatTakesItsWorkersDownFailsAndTheJobGoesOn) {
     }
 }
 
+TEST(Server, AScenarioThatTakesLongIsShownWithItsWorker) {
+    Master master;
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.job.has_value(); });
+    FakeWorker worker(master, {});
+    master.run_until([&] { return master.coordinator.cluster_status().workers.size() == 1; });
+    const WorkerId id = master.coordinator.cluster_status().workers[0].worker;
+    const auto shown = [&] {
+        return master.coordinator.job_status(*client.job).value().long_scenarios;
+    };
+    master.coordinator.heartbeat_came(id, {1, 0, 1, {}, RunningScenario{*client.job, 3, 9.5}});
+    EXPECT_TRUE(shown().empty()) << "not long yet";
+    master.coordinator.heartbeat_came(id, {2, 0, 1, {}, RunningScenario{*client.job, 3, 75}});
+    ASSERT_EQ(shown().size(), 1u);
+    EXPECT_EQ(shown()[0].scenario, 3u);
+    EXPECT_EQ(shown()[0].worker, id);
+    EXPECT_EQ(shown()[0].name, "fake");
+    EXPECT_EQ(master.coordinator.cluster_status().jobs.at(0).long_scenarios.size(), 1u);
+    master.coordinator.heartbeat_came(id, {3, 0, 1, {}, {}});
+    EXPECT_TRUE(shown().empty());
+    master.run_until([&] { return client.done; });
+}
+
 TEST(Server, AScenarioMayBeCancelledAndTheJobGoesOn) {
     const std::uint64_t scenario = scenario_with_contact();
     Master master;
