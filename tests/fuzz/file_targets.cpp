@@ -1,0 +1,87 @@
+#include "client/job_file.hpp"
+#include "client/npy.hpp"
+#include "client/npz.hpp"
+#include "client/poses/pose_rows.hpp"
+#include "client/poses/text_poses.hpp"
+#include "tests/fuzz/memory_file.hpp"
+#include "tests/fuzz/require.hpp"
+#include "tests/fuzz/targets.hpp"
+
+#include <sstream>
+#include <utility>
+
+namespace cd::fuzz {
+
+namespace {
+
+constexpr std::uint64_t elements_max = 1u << 16;
+
+/// What is read as poses is rigid, or is refused; and is as many scenarios as it has rows.
+void use(Result<PoseTable> table) {
+    if (!table) {
+        require(!table.error().detail.empty(), "whoever is refused is told why");
+        return;
+    }
+    if (!check_rows(table.value(), std::nullopt)) {
+        return;
+    }
+    const std::uint64_t rows = table.value().rows->row_count();
+    const auto source = make_table_source(std::move(table.value()));
+    require(source->count() == rows, "each row is a scenario");
+    const auto read = source->read(0, source->count());
+    require(read.has_value() && read.value().size() == rows, "what was checked can be read");
+}
+
+void use(const NpyArray& array) {
+    require(array.data.size() % size_of(array.type) == 0, "an array has whole elements");
+    if (array.data.size() <= elements_max) {
+        require(array.to_doubles().size() == array.data.size() / size_of(array.type),
+                "each element is a number");
+        static_cast<void>(array.to_integers());
+    }
+}
+
+} // namespace
+
+void job_file(Input input) {
+    const auto read = parse_job(text_of(input), "job.toml");
+    if (read) {
+        static_cast<void>(check_depths(read.value()));
+    } else {
+        require(read.error().detail.find("job.toml") != std::string::npos,
+                "an error names the file");
+    }
+}
+
+void csv_poses(Input input) {
+    if (!input.empty()) {
+        std::istringstream text(text_of(input.subspan(1)));
+        use(read_csv_poses(text, (std::to_integer<unsigned>(input.front()) & 1u) != 0));
+    }
+}
+
+void tum_poses(Input input) {
+    std::istringstream text(text_of(input));
+    use(read_tum_poses(text));
+}
+
+void npy(Input input) {
+    const auto header = parse_npy_header(input);
+    const auto array = parse_npy(input);
+    require(header || !array, "no array without a header");
+    if (array) {
+        use(array.value());
+    }
+}
+
+void npz(Input input) {
+    const MemoryFile file(input);
+    const auto arrays = read_npz(file.path());
+    if (arrays) {
+        for (const auto& [name, array] : arrays.value()) {
+            use(array);
+        }
+    }
+}
+
+} // namespace cd::fuzz

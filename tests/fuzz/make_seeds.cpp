@@ -1,0 +1,244 @@
+// Writes valid inputs of every target, for the corpus to begin with:
+//
+//   fuzz_seeds FOLDER
+#include "client/npy.hpp"
+#include "client/npz.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/job/packed_records.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/job/run_scenario.hpp"
+#include "common/tree/build.hpp"
+#include "common/tree/cut.hpp"
+#include "common/tree/subtree_block.hpp"
+#include "master/journal_records.hpp"
+#include "master/result_store.hpp"
+#include "proto/codec.hpp"
+#include "proto/frame.hpp"
+#include "proto/join_token.hpp"
+#include "tests/proto/sample_messages.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace cd::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::string_view_literals;
+
+Bytes bytes_of(std::string_view text) {
+    const auto bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
+}
+
+std::string read_file(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Appends to a buffer what is no number.
+void put_bytes(ByteWriter& to, std::span<const std::byte> bytes) {
+    for (const std::byte byte : bytes) {
+        to.put(std::to_integer<std::uint8_t>(byte));
+    }
+}
+
+class Seeds {
+  public:
+    explicit Seeds(fs::path folder) : folder_(std::move(folder)) {}
+
+    void add(const std::string& target, const std::string& name, std::span<const std::byte> bytes) {
+        fs::create_directories(folder_ / target);
+        std::ofstream file(folder_ / target / name, std::ios::binary);
+        const Bytes copy(bytes.begin(), bytes.end());
+        file.write(reinterpret_cast<const char*>(copy.data()),
+                   static_cast<std::streamsize>(copy.size()));
+    }
+    void add(const std::string& target, const std::string& name, std::string_view text) {
+        add(target, name, bytes_of(text));
+    }
+
+  private:
+    fs::path folder_;
+};
+
+void add_wire(Seeds& seeds) {
+    for (const Message& message : tests::sample_messages()) {
+        const std::uint16_t type = message_type(message);
+        std::string name(message_name(type));
+        std::replace(name.begin(), name.end(), ' ', '_');
+        const Bytes payload = encode_message(message);
+        ByteWriter typed;
+        typed.put(type);
+        put_bytes(typed, payload);
+        seeds.add("message", name, typed.bytes());
+
+        FrameHeader header;
+        header.type = type;
+        ByteWriter framed;
+        put_bytes(framed, encode_header(header));
+        const std::size_t half = payload.size() / 2;
+        for (const bool is_first : {true, false}) {
+            const std::size_t size = is_first ? half : payload.size() - half;
+            framed.put(static_cast<std::uint8_t>(type));
+            framed.put(static_cast<std::uint8_t>(is_first && half > 0 ? 3 : 2));
+            framed.put(static_cast<std::uint16_t>(size));
+            put_bytes(framed, std::span(payload).subspan(is_first ? 0 : half, size));
+        }
+        seeds.add("frames", name, framed.bytes());
+    }
+    const JoinToken token{5, tests::some_hash(1), tests::some_hash(9)};
+    seeds.add("token", "token", to_text(token));
+}
+
+void add_blocks_and_records(Seeds& seeds) {
+    ThreadPool pool(1);
+    const ObbTree a = build_tree(tests::share(tests::make_torus(1.0, 0.4, 8, 6)), {}, pool);
+    const ObbTree b = build_tree(tests::share(tests::make_sphere(1)), {}, pool);
+    for (const std::uint32_t depth : {0u, 2u}) {
+        const std::uint32_t root = cut_nodes(a, depth).front();
+        const std::string name = "depth_" + std::to_string(depth);
+        seeds.add(
+            "block", "wide_" + name, encode_subtree(extract_subtree(a, root, SubtreeForm::Wide)));
+        seeds.add("block", "binary_" + name, encode_subtree(extract_subtree(a, root)));
+    }
+    ByteWriter records;
+    const tests::TemporaryFolder folder;
+    const auto store = ResultStore::create(folder / "segment", JobId{7}, 1000);
+    std::size_t header = 0;
+    for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+        Query query;
+        query.level = level;
+        Scenario scenario;
+        scenario.index = static_cast<std::uint64_t>(level);
+        scenario.poses.b = Pose::from_matrix(Mat3::Identity(), {0.9, 0.1, 0.05});
+        const Bytes record = encode_result(run_scenario(a, b, scenario, query).result);
+        seeds.add("result", std::string(to_text(level)), record);
+        records.put(static_cast<std::uint32_t>(record.size()));
+        put_bytes(records, record);
+        const StoredRecord stored{scenario.index, record};
+        if (!store->write({&stored, 1})) {
+            std::exit(1);
+        }
+        store->commit();
+        header = header != 0 ? header : store->end() - record.size() - 3 * sizeof(std::uint64_t);
+    }
+    seeds.add("packed", "records", pack_records(records.bytes()));
+    seeds.add("segment", "records", std::string_view(read_file(folder / "segment")).substr(header));
+}
+
+void add_rows(Seeds& seeds) {
+    const auto add = [&](std::uint8_t kind, const std::string& name, const Bytes& row) {
+        ByteWriter out;
+        out.put(kind);
+        put_bytes(out, row);
+        seeds.add("journal_row", name, out.bytes());
+    };
+    for (const Message& message : tests::sample_messages()) {
+        if (const auto* submit = std::get_if<Submit>(&message)) {
+            add(0, "job", encode_job({JobId{3}, *submit}));
+        }
+    }
+    JobProgress progress;
+    progress.seconds = 1.5;
+    add(1, "progress", encode_progress(progress));
+    add(2, "end", encode_end({JobState::Failed, "why", tests::some_hash(3)}));
+    ResultGroup group;
+    group.begin = 100;
+    group.rows = {{4, 20, {}, tests::some_hash(1)}, {9, 300, {}, tests::some_hash(2)}};
+    add(3, "group", encode_group(group));
+
+    Grid grid;
+    grid.position = {GridAxis{0, 1, 3}, GridAxis{-1, 1, 2}, GridAxis{}};
+    for (int axis = 0; axis < 3; ++axis) {
+        grid.rotation[static_cast<std::size_t>(axis)] = rotation_axis({0, 90, 2}, axis);
+    }
+    seeds.add("grid", "grid", encode_grid(grid));
+}
+
+constexpr std::string_view job_text = R"(name = "van"
+unit = "mm"
+level = "contacts"
+limit_pairs = 10
+[a]
+path = "van.glb"
+[b]
+path = "bollard.stl"
+unit = "in"
+name = "bollard"
+[poses]
+file = "poses.csv"
+quat_order = "wxyz"
+[[ignore]]
+a = "wheel_*"
+b = "ground"
+[output]
+dir = "results"
+formats = ["csv", "npz"]
+[cluster]
+strategy = "lowest"
+depth = [10, 4]
+q = 7
+)";
+constexpr std::string_view grid_job_text = R"([a]
+path = "a.obj"
+[b]
+path = "b.obj"
+[poses.grid]
+x = [0, 1, 3]
+yaw = [0, 90, 2]
+)";
+
+void add_files(Seeds& seeds) {
+    seeds.add("job_file", "all", job_text);
+    seeds.add("job_file", "grid", grid_job_text);
+    seeds.add("csv_poses",
+              "quaternions",
+              "\0x,y,z,qx,qy,qz,qw,id\n# c\n1,2,3,0,0,0,1,7\n1e-3,-2,3,0,0.6,0,0.8,8\n"sv);
+    seeds.add("csv_poses", "angles", "\0x,y,z,roll,pitch,yaw\n1,2,3,0,90,-45.5\n"sv);
+    seeds.add("csv_poses",
+              "both",
+              "\1scenario,body,x,y,z,qx,qy,qz,qw\n0,a,0,0,0,0,0,0,1\n0,b,1,0,0,0,0,0,1\n"sv);
+    seeds.add("csv_poses",
+              "matrices",
+              "\0m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n1,0,0,5,0,1,0,6,0,0,1,7\n"sv);
+    seeds.add("tum_poses", "tum", "# t x y z\n0.5 1 2 3 0 0 0 1\n1.5 1 2 3 0 0.6 0 0.8\n");
+    const std::array<double, 12> pose{1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7};
+    const std::array<std::uint64_t, 3> shape{1, 3, 4};
+    Bytes array = make_npy_header(NpyType::F8, shape);
+    const auto data = std::as_bytes(std::span(pose));
+    array.insert(array.end(), data.begin(), data.end());
+    seeds.add("npy", "matrix", array);
+    const tests::TemporaryFolder folder;
+    NpzWriter writer(folder / "poses.npz");
+    writer.append<double>(writer.add_array("poses", NpyType::F8, 12), pose);
+    if (!writer.finish()) {
+        std::exit(1);
+    }
+    seeds.add("npz", "poses", read_file(folder / "poses.npz"));
+}
+
+} // namespace
+} // namespace cd::fuzz
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "usage: fuzz_seeds FOLDER\n";
+        return 2;
+    }
+    cd::fuzz::Seeds seeds(argv[1]);
+    cd::fuzz::add_wire(seeds);
+    cd::fuzz::add_blocks_and_records(seeds);
+    cd::fuzz::add_rows(seeds);
+    cd::fuzz::add_files(seeds);
+    return 0;
+}

@@ -1,0 +1,27 @@
+#include "tests/fuzz/targets.hpp"
+
+#include <array>
+
+namespace cd::fuzz {
+
+std::span<const Target> targets() {
+    static constexpr std::array list{
+        Target{"frames", frames},
+        Target{"message", message},
+        Target{"token", token},
+        Target{"block", block},
+        Target{"result", result},
+        Target{"packed", packed},
+        Target{"journal_row", journal_row},
+        Target{"segment", segment},
+        Target{"grid", grid},
+        Target{"job_file", job_file},
+        Target{"csv_poses", csv_poses},
+        Target{"tum_poses", tum_poses},
+        Target{"npy", npy},
+        Target{"npz", npz},
+    };
+    return list;
+}
+
+} // namespace cd::fuzz

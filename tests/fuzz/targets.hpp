@@ -1,0 +1,39 @@
+// What takes bytes from strangers, for a fuzzer to feed: each target ends with an error or with
+// what its encoder would have written, and ends the program where a promise is broken.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace cd::fuzz {
+
+using Input = std::span<const std::byte>;
+
+// The wire.
+void frames(Input input);  ///< A stream of frames, and the messages that it holds.
+void message(Input input); ///< A message's type (two bytes), then its payload.
+void token(Input input);   ///< A token to join with, as text.
+
+// Blocks and records.
+void block(Input input);       ///< A subtree's block.
+void result(Input input);      ///< A scenario's record.
+void packed(Input input);      ///< Records as they travel, compressed.
+void journal_row(Input input); ///< Which kind of row (a byte), then its bytes.
+void segment(Input input);     ///< A file of a job's results.
+void grid(Input input);        ///< A grid of poses.
+
+// Files of users.
+void job_file(Input input);
+void csv_poses(Input input); ///< Poses of both bodies where the first byte is odd, then the text.
+void tum_poses(Input input);
+void npy(Input input);
+void npz(Input input);
+
+struct Target {
+    std::string_view name; ///< That of the function, and of its folder in the corpus.
+    void (*run)(Input);
+};
+[[nodiscard]] std::span<const Target> targets();
+
+} // namespace cd::fuzz

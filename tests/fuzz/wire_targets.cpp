@@ -1,0 +1,85 @@
+#include "common/core/bytes.hpp"
+#include "common/core/hash.hpp"
+#include "proto/codec.hpp"
+#include "proto/frame.hpp"
+#include "proto/join_token.hpp"
+#include "tests/fuzz/require.hpp"
+#include "tests/fuzz/targets.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+namespace cd::fuzz {
+
+namespace {
+
+void decode(std::uint16_t type, Input payload) {
+    const auto decoded = decode_message(type, payload);
+    if (decoded) {
+        require(message_type(decoded.value()) == type, "a message has the type it came as");
+        require(std::ranges::equal(encode_message(decoded.value()), payload),
+                "what is accepted is what the encoder writes");
+    }
+}
+
+} // namespace
+
+/// The bytes are a header, and then, since no fuzzer would guess checksums, of each frame: type (a
+/// byte), whether there is more (the lowest bit of a byte) and the stream (its others), length (two
+/// bytes), and the payload.
+void frames(Input input) {
+    if (input.size() < frame_header_bytes) {
+        return;
+    }
+    const auto header = decode_header(input.first<frame_header_bytes>());
+    if (header) {
+        require(
+            std::ranges::equal(encode_header(header.value()), input.first<frame_header_bytes>()),
+            "a header that is accepted is what the encoder writes");
+    }
+    MessageAssembler assembler;
+    ByteReader in(input.subspan(frame_header_bytes));
+    while (!in.failed() && in.remaining() != 0) {
+        FrameHeader frame;
+        frame.type = in.get<std::uint8_t>();
+        const auto rest = in.get<std::uint8_t>();
+        frame.has_more = (rest & 1u) != 0;
+        frame.stream = rest >> 1u;
+        const auto length = in.get<std::uint16_t>();
+        if (in.failed()) {
+            return;
+        }
+        const Input payload = in.get_bytes(std::min<std::size_t>(length, in.remaining()));
+        frame.payload_bytes = static_cast<std::uint32_t>(payload.size());
+        frame.payload_checksum = checksum(payload);
+        const auto added = assembler.add(frame, payload);
+        if (!added) {
+            return;
+        }
+        if (added.value()) {
+            require(added.value()->payload.size() <= payload_bytes_max(added.value()->type),
+                    "no message is larger than its type allows");
+            decode(added.value()->type, added.value()->payload);
+        }
+    }
+}
+
+void message(Input input) {
+    std::uint16_t type = 0;
+    if (input.size() < sizeof type) {
+        return;
+    }
+    std::memcpy(&type, input.data(), sizeof type);
+    decode(type, input.subspan(sizeof type));
+}
+
+void token(Input input) {
+    const std::string text = text_of(input);
+    const auto read = parse_join_token(text);
+    if (read) {
+        require(to_text(read.value()) == text, "a token has one text");
+    }
+}
+
+} // namespace cd::fuzz
