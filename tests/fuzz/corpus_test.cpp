@@ -1,6 +1,5 @@
-// Proves that every input of the corpus, and what thousands of small changes make of each, ends
-// in an error or in what encoders write. Inputs that once broke something stay
-// there.
+// Proves that every input of the corpus, and what thousands of small changes make of each, ends in
+// an error or in what encoders write. Inputs that once broke something stay there.
 #include "tests/fuzz/targets.hpp"
 
 #include <gtest/gtest.h>
