@@ -88,16 +88,17 @@ class GridSource : public PoseSource {
 
 bool is_valid(const Grid& grid) {
     for (const GridAxis& axis : grid.position) {
-        if (!std::isfinite(axis.first) || !std::isfinite(axis.last) ||
-            !std::isfinite(axis.last - axis.first)) {
+        // As `at` reckons, at its largest.
+        const double reach = (axis.last - axis.first) * static_cast<double>(axis.count);
+        if (!std::isfinite(axis.first) || !std::isfinite(axis.last) || !std::isfinite(reach)) {
             return false;
         }
     }
     for (const std::vector<Quaternion>& rotation : grid.rotation) {
         for (const Quaternion& q : rotation) {
-            const bool is_finite = std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) &&
-                                   std::isfinite(q.z);
-            if (!is_finite || q == Quaternion{0, 0, 0, 0}) {
+            // Products of three stay what they are: neither zero nor infinite. Not NaN, either.
+            const double square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+            if (!(square > 0.25 && square < 4)) {
                 return false;
             }
         }
@@ -218,7 +219,8 @@ Result<Grid> decode_grid(std::span<const std::byte> bytes) {
         return Error{ErrorCode::BadFrame, "grid: cut short or bytes left over"};
     }
     if (!is_valid(grid)) {
-        return Error{ErrorCode::BadFrame, "grid: numbers that are not finite, or too many poses"};
+        return Error{ErrorCode::BadFrame,
+                     "grid: numbers that are not finite, turns that are none, or too many poses"};
     }
     return grid;
 }

@@ -74,8 +74,8 @@ struct Grid {
 [[nodiscard]] std::unique_ptr<PoseSource> make_grid_source(Grid grid);
 
 [[nodiscard]] Bytes encode_grid(const Grid& grid);
-/// The bytes may be hostile: numbers are finite, quaternions not zero, and the count lies in
-/// [1, `limits::scenarios_max`]. Errors: BadFrame.
+/// The bytes may be hostile: every place has a pose of finite numbers, quaternions are near to unit
+/// ones, and the count lies in [1, `limits::scenarios_max`]. Errors: BadFrame.
 [[nodiscard]] Result<Grid> decode_grid(std::span<const std::byte> bytes);
 
 /// The paper's scenarios (section 7): B comes in a random orientation from a random direction and

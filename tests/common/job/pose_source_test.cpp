@@ -142,6 +142,16 @@ TEST(GridBytes, RefuseWhatIsNoGrid) {
     grid.rotation[1] = {Quaternion{0, 0, 0, 0}};
     EXPECT_FALSE(decode_grid(encode_grid(grid)));
     grid = make_grid();
+    grid.position[0] = {0, 1e308, 3};
+    EXPECT_FALSE(decode_grid(encode_grid(grid))) << "a place on the way overflows";
+    for (const double size : {1e-120, 1e120}) {
+        grid = make_grid();
+        for (std::vector<Quaternion>& rotation : grid.rotation) {
+            rotation = {Quaternion{size, 0, 0, 0}};
+        }
+        EXPECT_FALSE(decode_grid(encode_grid(grid))) << "the product of the turns is no turn";
+    }
+    grid = make_grid();
     grid.position[1].count = limits::scenarios_max;
     EXPECT_FALSE(decode_grid(encode_grid(grid)));
     grid.position[1].count = 0;
