@@ -5,6 +5,7 @@
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
 #include "master/journal_database.hpp"
+#include "master/journal_groups.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -20,21 +21,6 @@ namespace cd {
 namespace {
 
 using SteadyClock = std::chrono::steady_clock;
-
-std::uint64_t bytes_of(const JournalEntry& entry) {
-    std::uint64_t bytes = 0;
-    if (const auto* add = std::get_if<AddResults>(&entry)) {
-        for (const JournalResult& result : add->results) {
-            bytes += result.record.size();
-        }
-    }
-    return bytes;
-}
-
-std::size_t rows_of(const JournalEntry& entry) {
-    const auto* add = std::get_if<AddResults>(&entry);
-    return add == nullptr ? 0 : add->results.size();
-}
 
 /// Somebody waits for it, and nothing more of its kind comes soon.
 bool is_urgent(const JournalEntry& entry) {
@@ -65,109 +51,15 @@ struct Journal::State {
     [[nodiscard]] std::vector<JournalEntry> next_group(SteadyClock::time_point not_before);
     /// False when it was not written, and the journal ends.
     bool write_until_done(const std::vector<JournalEntry>& group);
-    [[nodiscard]] Status write(const std::vector<JournalEntry>& group);
     [[nodiscard]] std::filesystem::path jobs_folder() const { return options.directory / "jobs"; }
 };
 
 // ---- Writing ------------------------------------------------------------------------------------
 
-namespace {
-
-/// What a group of entries adds to one job.
-struct JobChanges {
-    std::shared_ptr<ResultStore> store;
-    std::vector<StoredRecord> records;
-    ResultGroup rows;
-    const JobProgress* progress = nullptr;
-};
-
-using ChangesByJob = std::map<JobId, JobChanges>;
-
-ChangesByJob gather(const std::vector<JournalEntry>& group) {
-    ChangesByJob by_job;
-    for (const JournalEntry& entry : group) {
-        if (const auto* add = std::get_if<AddResults>(&entry)) {
-            JobChanges& changes = by_job[add->job];
-            changes.store = add->store;
-            changes.progress = &add->progress;
-            for (const JournalResult& result : add->results) {
-                changes.records.push_back({result.row.scenario, result.record});
-                changes.rows.rows.push_back(result.row);
-            }
-        } else if (const auto* end = std::get_if<EndJob>(&entry)) {
-            by_job[end->job].progress = &end->progress;
-        }
-    }
-    return by_job;
-}
-
-std::vector<DatabaseChange> database_changes(const std::vector<JournalEntry>& group,
-                                             const ChangesByJob& by_job) {
-    using Kind = DatabaseChange::Kind;
-    std::vector<DatabaseChange> changes;
-    for (const JournalEntry& entry : group) {
-        if (const auto* accept = std::get_if<AcceptJob>(&entry)) {
-            changes.push_back({Kind::Accept, accept->job.id, encode_job(accept->job)});
-        }
-    }
-    for (const auto& [job, added] : by_job) {
-        if (!added.rows.rows.empty()) {
-            changes.push_back({Kind::Results, job, encode_group(added.rows)});
-        }
-        changes.push_back({Kind::Progress, job, encode_progress(*added.progress)});
-    }
-    for (const JournalEntry& entry : group) {
-        if (const auto* end = std::get_if<EndJob>(&entry)) {
-            changes.push_back({Kind::End, end->job, encode_end(end->end)});
-        } else if (const auto* drop = std::get_if<DropJob>(&entry)) {
-            changes.push_back({Kind::Drop, drop->job, {}});
-        }
-    }
-    return changes;
-}
-
-} // namespace
-
-Status Journal::State::write(const std::vector<JournalEntry>& group) {
-    ChangesByJob by_job = gather(group);
-    bool has_new_segments = false;
-    for (auto& [job, changes] : by_job) {
-        if (changes.store == nullptr) {
-            continue;
-        }
-        changes.rows.begin = changes.store->end();
-        has_new_segments = has_new_segments || !changes.store->has_file();
-        if (Status status = changes.store->write(changes.records); !status) {
-            return status;
-        }
-        if (Status status = options.synced ? changes.store->sync() : Status(Done{}); !status) {
-            return status;
-        }
-    }
-    const bool has_new_files =
-        std::any_of(group.begin(), group.end(), [](const JournalEntry& entry) {
-            return std::holds_alternative<AcceptJob>(entry);
-        });
-    if (options.synced && (has_new_files || has_new_segments)) {
-        if (Status status = sync_directory(jobs_folder()); !status) {
-            return status;
-        }
-    }
-    if (Status status = database->write(database_changes(group, by_job)); !status) {
-        return status;
-    }
-    for (auto& [job, changes] : by_job) {
-        if (changes.store != nullptr) {
-            changes.store->commit();
-        }
-    }
-    return Done{};
-}
-
 bool Journal::State::write_until_done(const std::vector<JournalEntry>& group) {
     std::string told;
     for (;;) {
-        const Status status = write(group);
+        const Status status = write_group({*database, jobs_folder(), options.synced}, group);
         if (status) {
             if (!told.empty()) {
                 spdlog::info("journal goes on");
@@ -226,109 +118,6 @@ void Journal::State::run() {
 // ---- Recovering ---------------------------------------------------------------------------------
 
 namespace {
-
-/// A job while its groups of results are read.
-struct FoundJob {
-    RecoveredJob job;
-    std::vector<ResultRow> rows;
-    std::vector<RecordPlace> places;
-    std::uint64_t end = 0; ///< Of its segment.
-};
-
-using FoundJobs = std::map<JobId, FoundJob>;
-
-Error damaged(const std::filesystem::path& path, JobId job, const std::string& why) {
-    return {ErrorCode::Io,
-            path.string() + " is damaged: job " + std::to_string(job.value) + ": " + why};
-}
-
-Result<FoundJob> decode_found(const DatabaseJob& row) {
-    FoundJob found;
-    Result<JobRecord> record = decode_job(row.record);
-    if (!record) {
-        return record.error();
-    }
-    found.job.record = std::move(record.value());
-    if (!row.progress.empty()) {
-        const Result<JobProgress> progress = decode_progress(row.progress);
-        if (!progress) {
-            return progress.error();
-        }
-        found.job.progress = progress.value();
-    }
-    if (!row.end.empty()) {
-        Result<JobEnd> end = decode_end(row.end);
-        if (!end) {
-            return end.error();
-        }
-        found.job.end = std::move(end.value());
-    }
-    found.job.merger = ResultMerger(found.job.record.submit.scenarios);
-    return found;
-}
-
-Result<FoundJobs> find_jobs(const JournalDatabase& database) {
-    const Result<std::vector<DatabaseJob>> rows = database.jobs();
-    if (!rows) {
-        return rows.error();
-    }
-    FoundJobs jobs;
-    for (const DatabaseJob& row : rows.value()) {
-        Result<FoundJob> found = decode_found(row);
-        if (!found) {
-            return damaged(database.path(), row.id, found.error().detail);
-        }
-        jobs.emplace(row.id, std::move(found.value()));
-    }
-    const Status read = database.for_each_results([&](JobId id, std::span<const std::byte> bytes) {
-        const auto found = jobs.find(id);
-        const Result<ResultGroup> group = decode_group(bytes);
-        if (found == jobs.end() || !group) {
-            return Status(damaged(database.path(), id, "results of a job that is not there"));
-        }
-        FoundJob& job = found->second;
-        if (job.end != 0 && group.value().begin != job.end) {
-            return Status(damaged(database.path(), id, "results are missing"));
-        }
-        job.end = group.value().begin;
-        for (const ResultRow& row : group.value().rows) {
-            job.rows.push_back(row);
-            job.places.push_back(ResultStore::place_at(job.end, row.length));
-            job.end = ResultStore::end_of(job.places.back());
-        }
-        return Status(Done{});
-    });
-    return read ? Result<FoundJobs>(std::move(jobs)) : Result<FoundJobs>(read.error());
-}
-
-/// Opens the job's segment and fills what is in memory.
-Status restore(FoundJob& found, const std::filesystem::path& path, bool check_records) {
-    RecoveredJob& job = found.job;
-    const std::uint64_t scenarios = job.record.submit.scenarios;
-    auto store = ResultStore::open(path, job.record.id, scenarios, found.end);
-    if (!store) {
-        return store.error();
-    }
-    job.results = std::move(store.value());
-    // The last result of a scenario counts: one before it turned out to be wrong.
-    for (std::size_t i = found.rows.size(); i-- > 0;) {
-        const ResultRow& row = found.rows[i];
-        if (job.merger.has(row.scenario)) {
-            continue;
-        }
-        if (Status status = job.results->restore(row.scenario, found.places[i]); !status) {
-            return status;
-        }
-        (void)job.merger.add(row.scenario, row.facts, row.digest);
-        if (!job.end) {
-            job.done.push_back(row.scenario);
-        }
-    }
-    if (job.end && job.end->digest && job.merger.digest() != job.end->digest) {
-        return damaged(path, job.record.id, "its results do not have its digest");
-    }
-    return check_records ? job.results->verify() : Status(Done{});
-}
 
 /// What a master that was killed has left half-made, and files of jobs that are no more. The
 /// journal has been found to be sound.
@@ -392,27 +181,19 @@ Result<std::unique_ptr<Journal>> Journal::open(const JournalOptions& options) {
     if (!database) {
         return database.error();
     }
-    Result<FoundJobs> jobs = find_jobs(*database.value());
+    auto jobs = recover_jobs(*database.value(), state->jobs_folder(), options.check_records);
     if (!jobs) {
         return jobs.error();
     }
     state->database = std::move(database.value());
-    auto journal = std::unique_ptr<Journal>(new Journal(std::move(state)));
-    Recovered& recovered = journal->state_->recovered;
-    recovered.cluster = journal->state_->database->cluster();
-    recovered.last_job = journal->state_->database->last_job();
-    for (auto& [id, found] : jobs.value()) {
-        const bool check_records = options.check_records && !found.job.end;
-        if (const Status status = restore(found, journal->results_path(id), check_records);
-            !status) {
-            return status.error();
-        }
-        recovered.jobs.push_back(std::move(found.job));
-    }
+    Recovered& recovered = state->recovered;
+    recovered.cluster = state->database->cluster();
+    recovered.last_job = state->database->last_job();
+    recovered.jobs = std::move(jobs.value());
     if (options.create) {
-        remove_leftovers(journal->state_->jobs_folder(), recovered);
+        remove_leftovers(state->jobs_folder(), recovered);
     }
-    return journal;
+    return std::unique_ptr<Journal>(new Journal(std::move(state)));
 }
 
 // ---- The journal --------------------------------------------------------------------------------

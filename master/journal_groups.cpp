@@ -1,0 +1,257 @@
+#include "master/journal_groups.hpp"
+
+#include "common/core/disk_file.hpp"
+#include "master/mutation.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace cd {
+
+std::uint64_t bytes_of(const JournalEntry& entry) {
+    std::uint64_t bytes = 0;
+    if (const auto* add = std::get_if<AddResults>(&entry)) {
+        for (const JournalResult& result : add->results) {
+            bytes += result.record.size();
+        }
+    }
+    return bytes;
+}
+
+std::size_t rows_of(const JournalEntry& entry) {
+    const auto* add = std::get_if<AddResults>(&entry);
+    return add == nullptr ? 0 : add->results.size();
+}
+
+// ---- Writing ------------------------------------------------------------------------------------
+
+namespace {
+
+/// What a group of entries adds to one job.
+struct JobChanges {
+    std::shared_ptr<ResultStore> store;
+    std::vector<StoredRecord> records;
+    ResultGroup rows;
+    const JobProgress* progress = nullptr;
+};
+
+using ChangesByJob = std::map<JobId, JobChanges>;
+
+ChangesByJob gather(std::span<const JournalEntry> group) {
+    ChangesByJob by_job;
+    for (const JournalEntry& entry : group) {
+        if (const auto* add = std::get_if<AddResults>(&entry)) {
+            JobChanges& changes = by_job[add->job];
+            changes.store = add->store;
+            changes.progress = &add->progress;
+            for (const JournalResult& result : add->results) {
+                changes.records.push_back({result.row.scenario, result.record});
+                changes.rows.rows.push_back(result.row);
+            }
+        } else if (const auto* end = std::get_if<EndJob>(&entry)) {
+            by_job[end->job].progress = &end->progress;
+        }
+    }
+    return by_job;
+}
+
+std::vector<DatabaseChange> database_changes(std::span<const JournalEntry> group,
+                                             const ChangesByJob& by_job) {
+    using Kind = DatabaseChange::Kind;
+    std::vector<DatabaseChange> changes;
+    for (const JournalEntry& entry : group) {
+        if (const auto* accept = std::get_if<AcceptJob>(&entry)) {
+            changes.push_back({Kind::Accept, accept->job.id, encode_job(accept->job)});
+        }
+    }
+    for (const auto& [job, added] : by_job) {
+        if (!added.rows.rows.empty()) {
+            changes.push_back({Kind::Results, job, encode_group(added.rows)});
+        }
+        changes.push_back({Kind::Progress, job, encode_progress(*added.progress)});
+    }
+    for (const JournalEntry& entry : group) {
+        if (const auto* end = std::get_if<EndJob>(&entry)) {
+            changes.push_back({Kind::End, end->job, encode_end(end->end)});
+        } else if (const auto* drop = std::get_if<DropJob>(&entry)) {
+            changes.push_back({Kind::Drop, drop->job, {}});
+        }
+    }
+    return changes;
+}
+
+} // namespace
+
+Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group) {
+    ChangesByJob by_job = gather(group);
+    bool has_new_segments = false;
+    for (auto& [job, changes] : by_job) {
+        if (changes.store == nullptr) {
+            continue;
+        }
+        changes.rows.begin = changes.store->end();
+        has_new_segments = has_new_segments || !changes.store->has_file();
+        if (Status status = changes.store->write(changes.records); !status) {
+            return status;
+        }
+        if (Status status = disk.synced && !mutated(Mutation::SegmentNotSynced)
+                                ? changes.store->sync()
+                                : Status(Done{});
+            !status) {
+            return status;
+        }
+    }
+    const bool has_new_files =
+        std::any_of(group.begin(), group.end(), [](const JournalEntry& entry) {
+            return std::holds_alternative<AcceptJob>(entry);
+        });
+    if (disk.synced && (has_new_files || has_new_segments)) {
+        if (Status status = sync_directory(disk.jobs_folder); !status) {
+            return status;
+        }
+    }
+    if (Status status = disk.database.write(database_changes(group, by_job)); !status) {
+        return status;
+    }
+    for (auto& [job, changes] : by_job) {
+        if (changes.store != nullptr) {
+            changes.store->commit();
+        }
+    }
+    return Done{};
+}
+
+// ---- Recovering ---------------------------------------------------------------------------------
+
+namespace {
+
+/// A job while its groups of results are read.
+struct FoundJob {
+    RecoveredJob job;
+    std::vector<ResultRow> rows;
+    std::vector<RecordPlace> places;
+    std::uint64_t end = 0; ///< Of its segment.
+};
+
+using FoundJobs = std::map<JobId, FoundJob>;
+
+Error damaged(const std::filesystem::path& path, JobId job, const std::string& why) {
+    return {ErrorCode::Io,
+            path.string() + " is damaged: job " + std::to_string(job.value) + ": " + why};
+}
+
+Result<FoundJob> decode_found(const DatabaseJob& row) {
+    FoundJob found;
+    Result<JobRecord> record = decode_job(row.record);
+    if (!record) {
+        return record.error();
+    }
+    found.job.record = std::move(record.value());
+    if (!row.progress.empty()) {
+        const Result<JobProgress> progress = decode_progress(row.progress);
+        if (!progress) {
+            return progress.error();
+        }
+        found.job.progress = progress.value();
+    }
+    if (!row.end.empty()) {
+        Result<JobEnd> end = decode_end(row.end);
+        if (!end) {
+            return end.error();
+        }
+        found.job.end = std::move(end.value());
+    }
+    found.job.merger = ResultMerger(found.job.record.submit.scenarios);
+    return found;
+}
+
+Result<FoundJobs> find_jobs(const JournalDatabase& database) {
+    const Result<std::vector<DatabaseJob>> rows = database.jobs();
+    if (!rows) {
+        return rows.error();
+    }
+    FoundJobs jobs;
+    for (const DatabaseJob& row : rows.value()) {
+        Result<FoundJob> found = decode_found(row);
+        if (!found) {
+            return damaged(database.path(), row.id, found.error().detail);
+        }
+        jobs.emplace(row.id, std::move(found.value()));
+    }
+    const Status read = database.for_each_results([&](JobId id, std::span<const std::byte> bytes) {
+        const auto found = jobs.find(id);
+        const Result<ResultGroup> group = decode_group(bytes);
+        if (found == jobs.end() || !group) {
+            return Status(damaged(database.path(), id, "results of a job that is not there"));
+        }
+        FoundJob& job = found->second;
+        if (job.end != 0 && group.value().begin != job.end) {
+            return Status(damaged(database.path(), id, "results are missing"));
+        }
+        job.end = group.value().begin;
+        for (const ResultRow& row : group.value().rows) {
+            job.rows.push_back(row);
+            job.places.push_back(ResultStore::place_at(job.end, row.length));
+            job.end = ResultStore::end_of(job.places.back());
+        }
+        return Status(Done{});
+    });
+    return read ? Result<FoundJobs>(std::move(jobs)) : Result<FoundJobs>(read.error());
+}
+
+/// Opens the job's segment and fills what is in memory.
+Status restore(FoundJob& found, const std::filesystem::path& path, bool check_records) {
+    RecoveredJob& job = found.job;
+    const std::uint64_t scenarios = job.record.submit.scenarios;
+    auto store = ResultStore::open(path, job.record.id, scenarios, found.end);
+    if (!store) {
+        return store.error();
+    }
+    job.results = std::move(store.value());
+    // The last result of a scenario counts: one before it turned out to be wrong.
+    for (std::size_t i = found.rows.size(); i-- > 0;) {
+        const ResultRow& row = found.rows[i];
+        const bool is_missed = mutated(Mutation::GroupNotRecovered) && i + 1 == found.rows.size();
+        if (job.merger.has(row.scenario) || is_missed) {
+            continue;
+        }
+        if (Status status = job.results->restore(row.scenario, found.places[i]); !status) {
+            return status;
+        }
+        if (mutated(Mutation::DoneIsDoneAgain) && !job.end) {
+            continue;
+        }
+        (void)job.merger.add(row.scenario, row.facts, row.digest);
+        if (!job.end) {
+            job.done.push_back(row.scenario);
+        }
+    }
+    if (job.end && job.end->digest && job.merger.digest() != job.end->digest) {
+        return damaged(path, job.record.id, "its results do not have its digest");
+    }
+    return check_records ? job.results->verify() : Status(Done{});
+}
+
+} // namespace
+
+Result<std::vector<RecoveredJob>> recover_jobs(const JournalDatabase& database,
+                                               const std::filesystem::path& jobs_folder,
+                                               bool check_records) {
+    Result<FoundJobs> found = find_jobs(database);
+    if (!found) {
+        return found.error();
+    }
+    std::vector<RecoveredJob> jobs;
+    for (auto& [id, job] : found.value()) {
+        const auto path = jobs_folder / (std::to_string(id.value) + ".results");
+        const Status restored = restore(job, path, check_records && !job.job.end);
+        if (!restored) {
+            return restored.error();
+        }
+        jobs.push_back(std::move(job.job));
+    }
+    return jobs;
+}
+
+} // namespace cd

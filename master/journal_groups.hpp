@@ -1,0 +1,36 @@
+// What entries of the journal are on the disk: segments of records, and rows of the index that name
+// them. The journal's work without its thread.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "master/journal.hpp"
+#include "master/journal_database.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// Of the records in it.
+[[nodiscard]] std::uint64_t bytes_of(const JournalEntry& entry);
+/// Results in it.
+[[nodiscard]] std::size_t rows_of(const JournalEntry& entry);
+
+struct JournalDisk {
+    JournalDatabase& database;
+    std::filesystem::path jobs_folder; ///< Of the segments.
+    bool synced = true;                ///< A segment is synced before the commit that names it.
+};
+
+/// All of the group in one commit, which is on the disk when this returns; or, with an error,
+/// nothing of it that counts, and it may be tried again. Errors: Io.
+[[nodiscard]] Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group);
+
+/// All jobs by id, with what of their results is committed. Errors: Io naming the file that is
+/// damaged; nothing on the disk has been changed.
+[[nodiscard]] Result<std::vector<RecoveredJob>> recover_jobs(
+    const JournalDatabase& database, const std::filesystem::path& jobs_folder, bool check_records);
+
+} // namespace cd

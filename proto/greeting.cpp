@@ -1,0 +1,91 @@
+// The greeting on both sides of a new channel, and how conversations are started.
+#include "common/core/limits.hpp"
+#include "common/core/log.hpp"
+#include "proto/channel.hpp"
+
+#include <algorithm>
+
+namespace cd {
+namespace {
+
+Error unexpected(const std::string& what) {
+    return {ErrorCode::BadFrame, "the peer did not answer with a " + what};
+}
+
+std::string versions(std::uint16_t min, std::uint16_t max) {
+    return std::to_string(min) + " to " + std::to_string(max);
+}
+
+} // namespace
+
+asio::awaitable<Result<Welcome>>
+greet(std::shared_ptr<Channel> channel, Hello hello, std::chrono::steady_clock::duration timeout) {
+    channel->send(hello);
+    const Result<Message> answer = co_await channel->receive(timeout);
+    if (!answer) {
+        channel->close();
+        co_return answer.error();
+    }
+    if (const auto* failure = std::get_if<Failure>(&answer.value())) {
+        channel->close();
+        co_return Error{ErrorCode::Refused, failure->detail};
+    }
+    const auto* welcome = std::get_if<Welcome>(&answer.value());
+    if (welcome == nullptr || welcome->version < hello.version_min ||
+        welcome->version > hello.version_max) {
+        channel->close();
+        co_return unexpected("welcome in a version that this side speaks");
+    }
+    co_return *welcome;
+}
+
+Result<std::uint16_t> negotiate(const Hello& hello) {
+    const std::uint16_t lowest = std::max(hello.version_min, protocol_version_min);
+    const std::uint16_t highest = std::min(hello.version_max, protocol_version_max);
+    if (lowest > highest) {
+        return Error{ErrorCode::Refused,
+                     "no common protocol version: the peer speaks " +
+                         versions(hello.version_min, hello.version_max) + ", this side " +
+                         versions(protocol_version_min, protocol_version_max)};
+    }
+    return highest;
+}
+
+asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel) {
+    Result<Message> first = co_await channel->receive(limits::connect_timeout);
+    if (!first) {
+        channel->close();
+        co_return first.error();
+    }
+    auto* hello = std::get_if<Hello>(&first.value());
+    Error problem = unexpected("hello");
+    if (hello != nullptr) {
+        const Result<std::uint16_t> version = negotiate(*hello);
+        if (version) {
+            co_return std::move(*hello);
+        }
+        problem = version.error();
+    }
+    Failure failure;
+    failure.code = problem.code;
+    failure.detail = problem.detail;
+    channel->send(failure);
+    channel->close(true);
+    co_return problem;
+}
+
+void spawn(asio::any_io_executor executor, std::string name, asio::awaitable<void> coroutine) {
+    asio::co_spawn(
+        executor, std::move(coroutine), [name = std::move(name)](const std::exception_ptr& thrown) {
+            if (!thrown) {
+                return;
+            }
+            try {
+                std::rethrow_exception(thrown);
+            } catch (const std::exception& error) {
+                spdlog::error("coroutine failed: name={} error={}", name, error.what());
+            }
+        });
+}
+
+} // namespace cd
