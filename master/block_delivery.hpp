@@ -50,6 +50,8 @@ class BlockDelivery {
         std::uint64_t bytes = 0; ///< Compressed.
     };
     [[nodiscard]] Sent sent_to(WorkerId worker) const;
+    /// Aborts when an invariant is broken; for tests, after each event.
+    void check_invariants() const { director_.check_invariants(); }
 
   private:
     struct Link {

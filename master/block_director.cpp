@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
+#include "master/mutation.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -70,6 +71,9 @@ BlockDirector::held(WorkerId worker, TreeId tree, std::span<const RootIndex> roo
 
 BlockActions
 BlockDirector::evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now) {
+    if (mutated(Mutation::EvictionIgnored)) {
+        return {};
+    }
     Event event{now, {}, {}, {}};
     for (const RootIndex root : roots) {
         forget_delivery(worker, {tree, root}, event);
@@ -254,6 +258,10 @@ void BlockDirector::send_from_master(WorkerId worker, const BlockKey& block, Eve
     forget_delivery(worker, block, event);
     peers_.at(worker).comes.emplace(block, FetchId{0});
     blocks_[block].on_the_way_to.insert(worker);
+    if (mutated(Mutation::HeldWhenSent)) {
+        peers_.at(worker).holds.insert(block);
+        blocks_[block].holders.insert(worker);
+    }
     event.actions.emplace_back(SendBlock{worker, block});
 }
 

@@ -307,20 +307,19 @@ asio::awaitable<void> ClientSession::on(Watch message) {
         co_return;
     }
     ++watches_;
-    spawn(coordinator_.executor(), "watch", watch(message.job));
+    spawn(coordinator_.executor(), "watch", watch(shared_from_this(), message.job));
 }
 
-asio::awaitable<void> ClientSession::watch(JobId job) {
-    const auto self = shared_from_this();
-    const auto pause = std::make_shared<asio::steady_timer>(coordinator_.executor());
-    coordinator_.notify_at_end(job, pause);
+asio::awaitable<void> ClientSession::watch(std::shared_ptr<ClientSession> self, JobId job) {
+    const auto pause = std::make_shared<asio::steady_timer>(self->coordinator_.executor());
+    self->coordinator_.notify_at_end(job, pause);
     std::optional<std::uint64_t> seen;
-    while (channel_->is_open()) {
-        const Result<JobStatus> status = coordinator_.job_status(job);
+    while (self->channel_->is_open()) {
+        const Result<JobStatus> status = self->coordinator_.job_status(job);
         const bool is_over = !status || status.value().state != JobState::Running;
-        const std::uint64_t changes = coordinator_.job_changes(job);
+        const std::uint64_t changes = self->coordinator_.job_changes(job);
         if (is_over || seen != changes) {
-            answer(status);
+            self->answer(status);
             seen = changes;
         }
         if (is_over) {
@@ -330,9 +329,9 @@ asio::awaitable<void> ClientSession::watch(JobId job) {
         boost::system::error_code ignored;
         co_await pause->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         // A watcher that does not read misses what it could not have read in time.
-        co_await channel_->wait_until_queued_below(limits::write_queue_bytes_max);
+        co_await self->channel_->wait_until_queued_below(limits::write_queue_bytes_max);
     }
-    --watches_;
+    --self->watches_;
 }
 
 } // namespace cd

@@ -55,7 +55,9 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     [[nodiscard]] asio::awaitable<Status> begin_poses(Submit message);
     /// No poses with a grid.
     [[nodiscard]] asio::awaitable<void> open_job(Submit submit, std::shared_ptr<PoseSpool> poses);
-    [[nodiscard]] asio::awaitable<void> watch(JobId job);
+    /// It begins some time after it was spawned, and the session may have ended by then.
+    [[nodiscard]] static asio::awaitable<void> watch(std::shared_ptr<ClientSession> self,
+                                                     JobId job);
 
     [[nodiscard]] Status take_bytes(std::uint64_t bytes);
     void refuse(const Error& error);

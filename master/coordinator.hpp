@@ -128,6 +128,9 @@ class Coordinator {
     [[nodiscard]] std::shared_ptr<ResultStore> results_of(JobId job);
     [[nodiscard]] ClusterStatus cluster_status();
 
+    /// Aborts when an invariant is broken; for tests, between two events.
+    void check_invariants() const;
+
   private:
     struct WorkerLink {
         std::shared_ptr<Channel> channel; ///< Closed, between two connections.
@@ -279,6 +282,12 @@ class Coordinator {
     /// Now, or when the journal has room.
     void go_on(std::function<void()> done);
     [[nodiscard]] JobStatus status_of(const MasterJob& job) const;
+
+    // What is always true (coordinator_invariants.cpp).
+    void check_leases() const;
+    void check_job(const MasterJob& job) const;
+    /// Scenarios that wait in ranges, or are being done in some.
+    [[nodiscard]] std::vector<bool> scenarios_in_ranges(const MasterJob& job) const;
 
     /// The dispatcher, told what time it is.
     [[nodiscard]] Dispatcher& dispatcher();

@@ -1,6 +1,7 @@
 // What of the jobs is handed out next: analyses to be made, or places that go out without one.
 #include "common/core/limits.hpp"
 #include "master/coordinator.hpp"
+#include "master/mutation.hpp"
 #include "master/range_choice.hpp"
 
 #include <algorithm>
@@ -155,14 +156,11 @@ void Coordinator::perform(const SendRange& action) {
     if (job == nullptr) {
         return act(dispatcher().task_ended(action.worker, action.task));
     }
-    const auto given = std::prev(job->given.upper_bound(action.places.first));
+    const GivenPlaces given = job->take_given(action.places);
     auto content = std::make_shared<TaskContent>();
     content->job = job->id;
     content->material = job->material;
-    content->range = RangeContent{action.places, given->second.window, job->order};
-    if (action.places.end() == given->second.places.end()) {
-        job->given.erase(given);
-    }
+    content->range = RangeContent{action.places, given.window, job->order};
     ScenarioRange range{action.task, job->id, action.places.first, action.places.count, {}};
     if (content->range->window != nullptr) {
         range.first = 0;
@@ -180,7 +178,7 @@ void Coordinator::perform(const SendRange& action) {
 void Coordinator::perform(const RangeEnded& action) {
     const auto task = tasks_.extract(action.task);
     MasterJob* job = jobs_.find_running(action.job);
-    if (task.empty() || job == nullptr) {
+    if (task.empty() || job == nullptr || mutated(Mutation::LostRangeForgotten)) {
         return;
     }
     const GivenPlaces ended{action.places, task.mapped().content->range->window};

@@ -4,6 +4,7 @@
 #include "common/core/log.hpp"
 #include "common/job/tolerance.hpp"
 #include "master/coordinator.hpp"
+#include "master/mutation.hpp"
 #include "master/run_on.hpp"
 
 #include <algorithm>
@@ -301,7 +302,7 @@ bool Coordinator::merge_one(MasterJob& job, const TakenResult& taken, WorkerId w
         break;
     case ResultMerger::Outcome::Repeated:
         doubt_ends(job, index, worker);
-        return false;
+        return mutated(Mutation::SecondAnswerMerged);
     case ResultMerger::Outcome::Differs:
         doubt_ends(job, index, worker);
         open_dispute(job, {job.id, index, worker, taken.digest});

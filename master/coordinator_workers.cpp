@@ -188,9 +188,8 @@ void Coordinator::results_taken(WorkerId worker,
         std::vector<std::uint64_t> scenarios;
         for (const TakenResult& one : taken.value()) {
             scenarios.push_back(one.result.index);
-            if (task == nullptr || !task->range) {
-                act(dispatcher().scenario_answered(worker, id, one.result.index));
-            }
+            // Those of a range, too: it may have been lost, and they analysed, meanwhile.
+            act(dispatcher().scenario_answered(worker, id, one.result.index));
         }
         merge(*job, std::move(taken.value()), worker);
         ledger_.promise(delivery, id, scenarios);

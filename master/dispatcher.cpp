@@ -300,4 +300,21 @@ std::vector<WorkerId> Dispatcher::workers() const {
     return ids;
 }
 
+std::vector<TaskId> Dispatcher::tasks_of(WorkerId worker) const {
+    std::vector<TaskId> ids;
+    for (const auto& [id, task] : state_->pool.at(worker).tasks()) {
+        ids.push_back(id);
+    }
+    return ids;
+}
+
+std::uint64_t Dispatcher::unanswered(JobId job) const {
+    return state_->jobs.at(job).scenarios.size();
+}
+
+std::vector<PlaceRange> Dispatcher::places_of(JobId job) const {
+    const std::deque<PlaceRange>& places = state_->jobs.at(job).places;
+    return {places.begin(), places.end()};
+}
+
 } // namespace cd

@@ -149,6 +149,12 @@ class Dispatcher {
     /// tasks, scenarios).
     [[nodiscard]] WorkerStatus worker_status(WorkerId worker) const;
     [[nodiscard]] std::vector<WorkerId> workers() const;
+    /// At the worker, which is here.
+    [[nodiscard]] std::vector<TaskId> tasks_of(WorkerId worker) const;
+    /// Scenarios that were analysed and are not answered; the places that were given and not sent.
+    /// The job is open.
+    [[nodiscard]] std::uint64_t unanswered(JobId job) const;
+    [[nodiscard]] std::vector<PlaceRange> places_of(JobId job) const;
     /// How each worker scores for the scenario as things stand, and which would be chosen. Changes
     /// nothing. The job is open.
     [[nodiscard]] Explained explain(JobId job, const AnalysedScenario& scenario) const;

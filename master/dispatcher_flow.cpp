@@ -2,10 +2,22 @@
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
 #include "master/dispatcher_state.hpp"
+#include "master/mutation.hpp"
 
 #include <algorithm>
 
 namespace cd {
+
+namespace {
+
+/// A scenario that was lost so often is given up.
+std::uint32_t losses_max() {
+    return mutated(Mutation::PoisonToleratedTooLong)  ? ~0u
+           : mutated(Mutation::PoisonGivenUpTooEarly) ? limits::scenario_losses_max - 1
+                                                      : limits::scenario_losses_max;
+}
+
+} // namespace
 
 DispatchJob* Dispatcher::State::find_job(JobId job) {
     const auto found = jobs.find(job);
@@ -271,9 +283,13 @@ void Dispatcher::State::take_back(JobId job_id,
     }
     std::vector<std::uint64_t> again;
     for (const std::uint64_t index : scenarios) {
+        if (mutated(are_lost ? Mutation::LostLeaseForgotten : Mutation::DrainedWorkForgotten)) {
+            job->scenarios.erase(index);
+            continue;
+        }
         DispatchScenario& scenario = job->scenarios.at(index);
         scenario.losses += are_lost ? 1 : 0;
-        if (scenario.losses >= limits::scenario_losses_max) {
+        if (scenario.losses >= losses_max()) {
             job->scenarios.erase(index);
             actions.push_back(GiveUp{job_id, index});
             continue;
@@ -313,9 +329,12 @@ void Dispatcher::State::withdraw(DispatchJob& job,
         return;
     case Whereabouts::Buffered:
         pool.at(scenario.worker).remove_from_buffer(job.id, index, scenario.weight);
-        --unsent;
+        unsent -= mutated(Mutation::RoomNotGivenBack) ? 0 : 1;
         return;
     case Whereabouts::Sent:
+        if (mutated(Mutation::AnswerLeftAtWorker)) {
+            return;
+        }
         pool.at(scenario.worker)
             .answer(scenario.task, index, scenario.weight.cost_ns, scenario.worker == by);
         return;

@@ -22,6 +22,22 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       statistics(recovered.progress.statistics),
       compute_seconds(recovered.progress.compute_seconds) {}
 
+GivenPlaces MasterJob::take_given(const PlaceRange& places) {
+    // The first of it may come back and be given again before the rest is taken.
+    auto found = given.extract(places.first);
+    CD_CHECK(!found.empty());
+    GivenPlaces& left = found.mapped();
+    CD_CHECK(places.count <= left.places.count);
+    const GivenPlaces taken{places, left.window};
+    left.places = {places.end(), left.places.count - places.count};
+    if (left.places.count != 0) {
+        found.key() = left.places.first;
+        const bool is_new = given.insert(std::move(found)).inserted;
+        CD_CHECK(is_new);
+    }
+    return taken;
+}
+
 JobProgress MasterJob::progress(Clock::time_point now) const {
     const std::chrono::duration<double> running = (is_running() ? now : ended) - started;
     return {seconds_before + running.count(), answered_by_master, statistics, compute_seconds};

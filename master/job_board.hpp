@@ -68,7 +68,7 @@ struct MasterJob {
     std::unordered_map<std::uint64_t, std::shared_ptr<const Analysis>> open;
     std::shared_ptr<OrderedPoses> order;
     PlaceQueue todo;
-    /// By first place: what the dispatcher was given and has not sent whole.
+    /// By first place: what the dispatcher was given and has not sent.
     std::map<std::uint64_t, GivenPlaces> given;
     std::uint64_t places_loading = 0; ///< Taken from `todo` to be given.
     LearnedRate analysis_seconds;     ///< Of a scenario,
@@ -97,6 +97,8 @@ struct MasterJob {
     [[nodiscard]] bool lacks(std::uint64_t scenario) const {
         return !merger.has(scenario) || doubted.contains(scenario);
     }
+    /// What is first of something in `given`; it is no longer there.
+    [[nodiscard]] GivenPlaces take_given(const PlaceRange& places);
     /// For the journal.
     [[nodiscard]] JobProgress progress(Clock::time_point now) const;
     [[nodiscard]] JobStatus status(Clock::time_point now) const;

@@ -1,6 +1,7 @@
 #include "master/ledger.hpp"
 
 #include "common/core/check.hpp"
+#include "master/mutation.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -45,7 +46,10 @@ void Ledger::write(JobId job, std::uint64_t scenario, std::uint64_t position) {
 }
 
 void Ledger::promise(const Promise& promise, std::uint64_t position) {
-    if (position <= committed_) {
+    const bool is_early =
+        (mutated(Mutation::JobAcceptedTooEarly) && std::holds_alternative<JobAccepted>(promise)) ||
+        (mutated(Mutation::EndToldTooEarly) && std::holds_alternative<JobEnded>(promise));
+    if (position <= committed_ || is_early) {
         kept_.push_back(promise);
     } else {
         promises_.emplace(position, promise);
@@ -57,7 +61,7 @@ void Ledger::promise(const Delivery& delivery,
                      std::span<const std::uint64_t> scenarios) {
     const bool is_pending =
         std::any_of(scenarios.begin(), scenarios.end(), [&](std::uint64_t scenario) {
-            return state(job, scenario) == State::Written;
+            return state(job, scenario) == State::Written && !mutated(Mutation::AnswerKeptTooEarly);
         });
     // Which entry each stands in is not kept: the last one is after all of them.
     promise(delivery, is_pending ? entries_.back().position : committed_);

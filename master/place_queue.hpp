@@ -25,6 +25,8 @@ class PlaceQueue {
     /// Up to `most` of the first piece, all of one window.
     [[nodiscard]] Piece take(std::uint64_t most);
     void put_back(const Piece& piece);
+    /// In the order in which they are taken.
+    [[nodiscard]] const std::deque<Piece>& pieces() const { return pieces_; }
 
   private:
     std::deque<Piece> pieces_; ///< None empty.

@@ -18,7 +18,7 @@ WorkerSession::WorkerSession(Coordinator& coordinator,
 asio::awaitable<void> WorkerSession::run(Hello hello) {
     const auto self = shared_from_this();
     coordinator_.worker_joined(reception_, hello, channel_);
-    spawn(coordinator_.executor(), "heartbeats to a worker", send_heartbeats());
+    spawn(coordinator_.executor(), "heartbeats to a worker", send_heartbeats(self));
     std::string why;
     for (;;) {
         Result<Message> message = co_await channel_->receive(coordinator_.times().lost_after);
@@ -45,15 +45,15 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
     coordinator_.connection_ended(worker_, *channel_, why);
 }
 
-asio::awaitable<void> WorkerSession::send_heartbeats() {
-    const auto self = shared_from_this();
+// It begins some time after it was spawned, and the session may have ended by then.
+asio::awaitable<void> WorkerSession::send_heartbeats(std::shared_ptr<WorkerSession> self) {
     Heartbeat heartbeat;
-    while (channel_->is_open()) {
+    while (self->channel_->is_open()) {
         ++heartbeat.sequence;
-        channel_->send(heartbeat);
-        heartbeat_.expires_after(coordinator_.times().heartbeat);
+        self->channel_->send(heartbeat);
+        self->heartbeat_.expires_after(self->coordinator_.times().heartbeat);
         boost::system::error_code ignored;
-        co_await heartbeat_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        co_await self->heartbeat_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
 }
 

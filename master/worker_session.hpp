@@ -37,7 +37,7 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     template <class Other>
     void on(const Other& message);
 
-    [[nodiscard]] asio::awaitable<void> send_heartbeats();
+    [[nodiscard]] static asio::awaitable<void> send_heartbeats(std::shared_ptr<WorkerSession> self);
 
     Coordinator& coordinator_;
     std::shared_ptr<Channel> channel_;

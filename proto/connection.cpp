@@ -162,4 +162,5 @@ accept_channel(asio::ip::tcp::socket socket,
     }
     co_return Channel::make(std::move(stream));
 }
+
 } // namespace cd

@@ -52,12 +52,12 @@ void PeerServer::accept(asio::ip::tcp::socket socket) {
     if (connections_ >= limits::peer_connections_max) {
         return; // It is closed, and the other worker goes to the next source.
     }
-    spawn(executor_, "a peer", serve(std::move(socket)));
+    spawn(executor_, "a peer", serve(shared_from_this(), std::move(socket)));
 }
 
-asio::awaitable<void> PeerServer::serve(asio::ip::tcp::socket socket) {
-    const auto self = shared_from_this();
-    ++connections_;
+asio::awaitable<void> PeerServer::serve(std::shared_ptr<PeerServer> self,
+                                        asio::ip::tcp::socket socket) {
+    ++self->connections_;
     const Result<std::shared_ptr<Channel>> channel =
         co_await accept_channel(std::move(socket), tls_->now);
     if (!channel) {

@@ -41,7 +41,9 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
                std::shared_ptr<const TlsSlot> tls);
 
     void accept(asio::ip::tcp::socket socket);
-    [[nodiscard]] asio::awaitable<void> serve(asio::ip::tcp::socket socket);
+    /// It begins some time after it was spawned, and the server may have ended by then.
+    [[nodiscard]] asio::awaitable<void> serve(std::shared_ptr<PeerServer> self,
+                                              asio::ip::tcp::socket socket);
     [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel);
     [[nodiscard]] asio::awaitable<void> answer(std::shared_ptr<Channel> channel, PeerFetch fetch);
     [[nodiscard]] asio::awaitable<void> upload(std::shared_ptr<Channel> channel, PeerFetch fetch);

@@ -119,7 +119,9 @@ Status Session::handle(Subtrees& subtrees) {
 }
 
 Status Session::handle(FetchFromPeers& directions) {
-    spawn(executor_.home(), "blocks from peers", fetch_from_peers(std::move(directions)));
+    spawn(executor_.home(),
+          "blocks from peers",
+          fetch_from_peers(shared_from_this(), std::move(directions)));
     return Done{};
 }
 
@@ -351,7 +353,7 @@ void Session::start_ready() {
         // A master that does not take results gets no more of them.
         if (channel_->queued_bytes() >= limits::write_queue_bytes_max) {
             if (!std::exchange(waiting_for_queue_, true)) {
-                spawn(executor_.home(), "resume", resume_when_sent());
+                spawn(executor_.home(), "resume", resume_when_sent(shared_from_this()));
             }
             return;
         }
@@ -384,11 +386,10 @@ Task* Session::next_to_walk() {
     return nullptr;
 }
 
-asio::awaitable<void> Session::resume_when_sent() {
-    const std::shared_ptr<Session> self = shared_from_this();
-    co_await channel_->wait_until_queued_below(limits::write_queue_bytes_max / 2);
-    waiting_for_queue_ = false;
-    settle_soon();
+asio::awaitable<void> Session::resume_when_sent(std::shared_ptr<Session> self) {
+    co_await self->channel_->wait_until_queued_below(limits::write_queue_bytes_max / 2);
+    self->waiting_for_queue_ = false;
+    self->settle_soon();
 }
 
 void Session::start(Token token) {

@@ -92,11 +92,12 @@ class Session : public std::enable_shared_from_this<Session> {
     void take_up();
     void stand();
     asio::awaitable<SessionEnd> serve();
-    asio::awaitable<void> send_heartbeats();
+    // These begin some time after they were spawned, and the session may have ended by then.
+    static asio::awaitable<void> send_heartbeats(std::shared_ptr<Session> self);
     [[nodiscard]] std::optional<RunningScenario> longest() const;
     void send_heartbeat();
     [[nodiscard]] std::uint64_t unanswered() const; ///< Scenarios of all tasks.
-    asio::awaitable<void> resume_when_sent();
+    static asio::awaitable<void> resume_when_sent(std::shared_ptr<Session> self);
 
     Status handle(Message& message);
     Status handle(AddTree& add);
@@ -122,7 +123,8 @@ class Session : public std::enable_shared_from_this<Session> {
                       const Result<std::shared_ptr<const Subtree>>& subtree,
                       const std::shared_ptr<const SubtreeBlock>& block,
                       WorkerId source);
-    asio::awaitable<void> fetch_from_peers(FetchFromPeers directions);
+    asio::awaitable<void> fetch_from_peers(std::shared_ptr<Session> self,
+                                           FetchFromPeers directions);
     void serve_peers();
     /// Errors: BadFrame for a job that is not here.
     [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> find_job(TaskId task, JobId job) const;

@@ -19,8 +19,8 @@ void Session::serve_peers() {
     });
 }
 
-asio::awaitable<void> Session::fetch_from_peers(FetchFromPeers directions) {
-    const auto self = shared_from_this();
+asio::awaitable<void> Session::fetch_from_peers(std::shared_ptr<Session> self,
+                                                FetchFromPeers directions) {
     std::set<RootIndex> left(directions.roots.begin(), directions.roots.end());
     for (const PeerSource& source : directions.sources) {
         // A temporary in the call below is destroyed twice by GCC 12.
@@ -30,7 +30,7 @@ asio::awaitable<void> Session::fetch_from_peers(FetchFromPeers directions) {
             open_soon(directions.tree, std::move(block), source.worker);
         };
         const PeerOutcome outcome = co_await links_.fetch(source, directions, on_block);
-        if (left.empty() || !channel_->is_open()) {
+        if (left.empty() || !self->channel_->is_open()) {
             co_return;
         }
         spdlog::info("blocks from a peer failed: tree={} source={} outcome={} left={}",

@@ -33,7 +33,7 @@ asio::awaitable<SessionEnd> Session::resume(std::shared_ptr<Channel> channel) {
 asio::awaitable<SessionEnd> Session::serve() {
     const std::shared_ptr<Session> self = shared_from_this();
     const std::shared_ptr<Channel> channel = channel_;
-    spawn(executor_.home(), "heartbeats", send_heartbeats());
+    spawn(executor_.home(), "heartbeats", send_heartbeats(shared_from_this()));
     std::uint64_t bytes = 0;
     while (channel->is_open()) {
         Result<Message> message = co_await channel->receive(times_.silent_after);
@@ -121,14 +121,14 @@ void Session::leave() {
     keep_->cache = std::exchange(cache_, SubtreeCache(0));
 }
 
-asio::awaitable<void> Session::send_heartbeats() {
-    const std::shared_ptr<Session> self = shared_from_this();
-    const std::shared_ptr<Channel> channel = channel_;
+asio::awaitable<void> Session::send_heartbeats(std::shared_ptr<Session> self) {
+    const std::shared_ptr<Channel> channel = self->channel_;
     while (channel->is_open()) {
-        send_heartbeat();
-        heartbeat_timer_.expires_after(times_.heartbeat);
+        self->send_heartbeat();
+        self->heartbeat_timer_.expires_after(self->times_.heartbeat);
         boost::system::error_code ignored;
-        co_await heartbeat_timer_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        co_await self->heartbeat_timer_.async_wait(
+            asio::redirect_error(asio::use_awaitable, ignored));
     }
 }
 
