@@ -1,0 +1,111 @@
+// Proves that whatever fails, and in whatever order, every scenario of an accepted job comes to
+// exactly one result: the right one, or, after as many losses as are borne, the failure that says
+// so. The programs are the real ones, in simulated time; each seed is a cluster with its own
+// troubles. And proves that this would notice a fault of ours: of many kinds, each switched on in
+// turn, some seed among the first finds every one.
+#include "tests/faults/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+constexpr std::uint64_t shards = 20;
+constexpr std::uint64_t seeds_of_shard = 100;
+
+std::string replay(std::uint64_t seed) {
+    return "replay it with: build/test/tests/faults_test --seed " + std::to_string(seed) + " --log";
+}
+
+class Seeds : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(Seeds, EveryScenarioComesToExactlyOneResult) {
+    Outcome sum;
+    for (std::uint64_t seed = GetParam() * seeds_of_shard; seed < (GetParam() + 1) * seeds_of_shard;
+         ++seed) {
+        const Outcome outcome = simulate(seed);
+        ASSERT_TRUE(outcome.problems.empty()) << outcome.problems.front() << "\n" << replay(seed);
+        sum.scenarios += outcome.scenarios;
+        sum.scenarios_sent += outcome.scenarios_sent;
+        sum.failed += outcome.failed;
+        sum.results_repeated += outcome.results_repeated;
+        sum.masters += outcome.masters;
+        sum.workers += outcome.workers;
+        sum.cancelled += outcome.cancelled;
+    }
+    // It was not easy.
+    EXPECT_GT(sum.masters, 3 * seeds_of_shard / 2);
+    EXPECT_GT(sum.workers, 5 * seeds_of_shard);
+    EXPECT_GT(sum.results_repeated, seeds_of_shard / 4);
+    EXPECT_GT(sum.scenarios_sent, sum.scenarios * 3 / 4);
+    EXPECT_GT(sum.failed, seeds_of_shard / 20);
+    EXPECT_GT(sum.cancelled, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, Seeds, testing::Range<std::uint64_t>(0, shards));
+
+TEST(Replay, ASeedIsTheSameEachTime) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const Outcome first = simulate(seed);
+        const Outcome second = simulate(seed);
+        EXPECT_EQ(first.events, second.events) << replay(seed);
+        EXPECT_EQ(first.seconds, second.seconds);
+        EXPECT_EQ(first.scenarios_sent, second.scenarios_sent);
+    }
+}
+
+struct KnownFault {
+    Mutation mutation = Mutation::None;
+    std::string name;
+    std::string noticed_as; ///< Part of what is said of it.
+
+    friend void PrintTo(const KnownFault& fault, std::ostream* out) { *out << fault.name; }
+};
+
+class Faults : public testing::TestWithParam<KnownFault> {};
+
+TEST_P(Faults, AreNoticed) {
+    constexpr std::uint64_t seeds_tried = 200; // Without the fault all of them are well: see above.
+    std::string noticed;
+    for (std::uint64_t seed = 0; seed < seeds_tried && noticed.empty(); ++seed) {
+        const Outcome outcome = simulate(seed, false, GetParam().mutation);
+        if (!outcome.problems.empty()) {
+            noticed = outcome.problems.front();
+            RecordProperty("seed", std::to_string(seed));
+        }
+    }
+    EXPECT_NE(noticed.find(GetParam().noticed_as), std::string::npos) << "noticed: " << noticed;
+}
+
+const std::vector<KnownFault>& known_faults() {
+    static const std::vector<KnownFault> faults = {
+        {Mutation::LostLeaseForgotten, "LostLeaseForgotten", "unanswered(job.id) =="},
+        {Mutation::DrainedWorkForgotten, "DrainedWorkForgotten", "unanswered(job.id) =="},
+        {Mutation::LostRangeForgotten, "LostRangeForgotten", "in_ranges[index]"},
+        {Mutation::AnswerLeftAtWorker, "AnswerLeftAtWorker", "known == placed"},
+        {Mutation::RoomNotGivenBack, "RoomNotGivenBack", "unsent == not_sent"},
+        {Mutation::PoisonToleratedTooLong, "PoisonToleratedTooLong", "losses <"},
+        {Mutation::PoisonGivenUpTooEarly, "PoisonGivenUpTooEarly", "went out 2 times"},
+        {Mutation::SecondAnswerMerged, "SecondAnswerMerged", "!block.written"},
+        {Mutation::AnswerKeptTooEarly, "AnswerKeptTooEarly", "acknowledged, and not on the disk"},
+        {Mutation::JobAcceptedTooEarly, "JobAcceptedTooEarly", "accepted that is not on the disk"},
+        {Mutation::EndToldTooEarly, "EndToldTooEarly", "hears of an end that is not on the disk"},
+        {Mutation::SegmentNotSynced, "SegmentNotSynced", "the master does not start"},
+        {Mutation::GroupNotRecovered, "GroupNotRecovered", "its results do not have its digest"},
+        {Mutation::DoneIsDoneAgain, "DoneIsDoneAgain", "after a restart"},
+        {Mutation::EvictionIgnored, "EvictionIgnored", "or has let go"},
+        {Mutation::HeldWhenSent, "HeldWhenSent", "!peer.holds.contains(block)"},
+    };
+    return faults;
+}
+
+TEST(KnownFaults, AreAllThereAre) {
+    EXPECT_EQ(known_faults().size() + 1, static_cast<std::size_t>(Mutation::count));
+}
+
+INSTANTIATE_TEST_SUITE_P(Known, Faults, testing::ValuesIn(known_faults()), [](const auto& fault) {
+    return fault.param.name;
+});
+
+} // namespace
+} // namespace cd::tests

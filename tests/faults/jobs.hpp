@@ -1,0 +1,28 @@
+// The jobs that simulations submit, and the truth about them.
+#pragma once
+
+#include "common/core/hash.hpp"
+#include "common/job/scenario.hpp"
+#include "master/geometry_store.hpp"
+#include "proto/message.hpp"
+
+#include <span>
+#include <vector>
+
+namespace cd::tests {
+
+struct KnownJob {
+    Submit submit; ///< Without cluster options.
+    std::vector<Scenario> scenarios;
+    std::vector<Sha256> digests; ///< Of the right result of each.
+};
+
+/// Made once in a program.
+[[nodiscard]] std::span<const KnownJob> known_jobs();
+/// With the geometry of all of them. Outlives every simulation.
+[[nodiscard]] GeometryStore& known_geometry();
+
+/// What becomes of a scenario that no worker survives.
+[[nodiscard]] Sha256 digest_of_lost(const KnownJob& job, std::uint64_t scenario);
+
+} // namespace cd::tests

@@ -1,0 +1,95 @@
+// The programs of a simulated cluster: the parts of cdmaster and cdworker as their main functions
+// put them together, and clients.
+#pragma once
+
+#include "master/coordinator.hpp"
+#include "master/server.hpp"
+#include "tests/faults/jobs.hpp"
+#include "tests/faults/world.hpp"
+#include "worker/executor.hpp"
+#include "worker/peer_server.hpp"
+#include "worker/session.hpp"
+#include "worker/worker_keep.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace cd::tests {
+
+inline constexpr std::uint16_t master_port = 7600;
+
+class MasterProcess {
+  public:
+    explicit MasterProcess(World& world);
+
+    [[nodiscard]] Host& host() { return host_; }
+    /// Null where it could not start.
+    [[nodiscard]] Coordinator* coordinator() { return coordinator_.get(); }
+
+  private:
+    Host host_;
+    std::unique_ptr<ThreadPool> compute_;
+    std::unique_ptr<Journal> journal_;
+    std::unique_ptr<ThreadPool> blocking_;
+    std::unique_ptr<Coordinator> coordinator_;
+    std::unique_ptr<Server> server_;
+};
+
+struct WorkerHabits {
+    unsigned threads = 1;
+    std::uint64_t cache_bytes = 1 << 20;
+    double weight = 1;
+    bool serves_peers = true;
+};
+
+class WorkerProcess {
+  public:
+    WorkerProcess(World& world, std::uint64_t id, const WorkerHabits& habits);
+
+    [[nodiscard]] Host& host() { return host_; }
+    /// SIGTERM.
+    void drain();
+    [[nodiscard]] bool has_ended() const { return has_ended_; }
+
+  private:
+    asio::awaitable<void> run();
+    asio::awaitable<SessionEnd> serve(std::shared_ptr<Channel> channel);
+
+    World& world_;
+    WorkerHabits habits_;
+    Host host_;
+    std::unique_ptr<Executor> executor_;
+    std::shared_ptr<PeerServer> peer_server_;
+    std::shared_ptr<WorkerKeep> keep_;
+    std::shared_ptr<Session> session_;
+    bool is_draining_ = false;
+    bool has_ended_ = false;
+};
+
+/// Submits one job and watches it to its end, whatever becomes of its connections.
+class ClientProcess {
+  public:
+    ClientProcess(World& world, std::uint64_t id, const KnownJob& job, ClusterOptions options);
+
+    void cancel() { wants_cancel_ = true; }
+    [[nodiscard]] const KnownJob& job() const { return job_; }
+    /// Once it is accepted.
+    [[nodiscard]] std::optional<JobId> id() const { return id_; }
+    /// Once it has ended.
+    [[nodiscard]] const std::optional<JobStatus>& end() const { return end_; }
+
+  private:
+    asio::awaitable<void> run();
+    asio::awaitable<void> converse(std::shared_ptr<Channel> channel);
+    void submit(Channel& channel) const;
+
+    World& world_;
+    const KnownJob& job_;
+    ClusterOptions options_;
+    Host host_;
+    bool wants_cancel_ = false;
+    std::optional<JobId> id_;
+    std::optional<JobStatus> end_;
+};
+
+} // namespace cd::tests

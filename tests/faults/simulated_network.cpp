@@ -1,0 +1,366 @@
+// Instead of connections: messages that take their time, and have accidents on the way.
+#include "common/core/check.hpp"
+#include "proto/channel.hpp"
+#include "proto/codec.hpp"
+#include "proto/listener.hpp"
+#include "tests/faults/world.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace cd {
+
+using namespace std::chrono_literals;
+using tests::Duration;
+using tests::Host;
+using tests::Time;
+using tests::World;
+
+namespace {
+
+constexpr Duration latency_min = 50us;
+constexpr Duration latency_max = 3ms;
+/// A block counts as so much more than it has, so that queues fill up.
+constexpr std::size_t block_bytes = 3u << 20;
+
+std::size_t bytes_of(const Message& message) {
+    const auto* subtrees = std::get_if<Subtrees>(&message);
+    return 100 + (subtrees == nullptr ? 0 : subtrees->blocks.size() * block_bytes);
+}
+
+/// What a master takes again, or in another order, without harm to its jobs. (The order of what is
+/// said of blocks counts, and a connection keeps it.)
+bool may_be_odd(const Message& message) {
+    return std::holds_alternative<Results>(message) || std::holds_alternative<EndOfTask>(message) ||
+           std::holds_alternative<Heartbeat>(message);
+}
+
+/// One end of a connection.
+struct LinkEnd : std::enable_shared_from_this<LinkEnd> {
+    LinkEnd(const asio::any_io_executor& executor, const Host& on)
+        : host(on.id),
+          is_silent(on.is_silent),
+          arrived(executor, asio::steady_timer::time_point::max()),
+          drained(executor, asio::steady_timer::time_point::max()) {}
+
+    std::uint64_t host;
+    std::uint64_t other_id = 0;
+    std::uint64_t connection = 0;
+    std::shared_ptr<const bool> is_silent;
+    std::string other_host = "";
+    std::string this_host = "";
+    asio::steady_timer arrived;
+    asio::steady_timer drained;
+    std::deque<Message> inbox;
+    bool open = true;
+    bool is_ended = false; ///< Nothing comes any more; what came can be read.
+    std::weak_ptr<LinkEnd> other;
+    Time last_arrival{}; ///< Of what was sent from here.
+    std::size_t queued = 0;
+    Traffic traffic;
+
+    [[nodiscard]] Time arrival_at(const Host& from, const LinkEnd& to, World& world) const;
+    void deliver(const Message& message, Time when, std::size_t bytes);
+    void arrive(const Message& message, World& world);
+    void shut(bool tells);
+    /// Both ends notice it some time.
+    void cut();
+    void wake_up(World& world);
+};
+
+// Channels are made by one function alone, which takes sockets: what the next one is made of.
+std::shared_ptr<LinkEnd> next_end;
+
+Time LinkEnd::arrival_at(const Host& from, const LinkEnd& to, World& world) const {
+    Duration takes = world.between(latency_min, latency_max);
+    if (world.happens(world.network.delayed)) {
+        takes += world.between(0s, 2s);
+    }
+    Time when = world.now() + takes;
+    const Host* there = world.find_host(to.host);
+    when = std::max({when, from.cut_off_until, there == nullptr ? Time{} : there->cut_off_until});
+    return std::max(when, last_arrival);
+}
+
+void LinkEnd::wake_up(World& world) {
+    arrived.cancel();
+    drained.cancel();
+    if (Host* here = world.find_host(host)) {
+        world.wake(*here);
+    }
+}
+
+void LinkEnd::arrive(const Message& message, World& world) {
+    if (!open || is_ended) {
+        return;
+    }
+    inbox.push_back(message);
+    arrived.cancel();
+    if (Host* here = world.find_host(host)) {
+        world.wake(*here);
+    }
+}
+
+void LinkEnd::deliver(const Message& message, Time when, std::size_t bytes) {
+    World& world = *World::current();
+    world.at(when, [&world, self = weak_from_this(), to = other, message, bytes] {
+        if (const auto sender = self.lock(); sender != nullptr && bytes != 0) {
+            sender->queued -= bytes;
+            sender->drained.cancel();
+            if (Host* here = world.find_host(sender->host)) {
+                world.wake(*here);
+            }
+        }
+        if (const auto there = to.lock()) {
+            there->arrive(message, world);
+        }
+    });
+}
+
+void LinkEnd::shut(bool tells) {
+    World* world = World::current();
+    if (!open || world == nullptr) {
+        return;
+    }
+    open = false;
+    wake_up(*world);
+    if (!tells) {
+        return;
+    }
+    const Time when = std::max(last_arrival, world->now() + latency_max);
+    world->at(when, [world, to = other] {
+        if (const auto there = to.lock()) {
+            there->is_ended = true;
+            there->wake_up(*world);
+        }
+    });
+}
+
+void LinkEnd::cut() {
+    World& world = *World::current();
+    for (const auto& end : {weak_from_this(), other}) {
+        world.in(world.between(0s, 4s), [&world, end] {
+            if (const auto state = end.lock(); state != nullptr && state->open) {
+                state->inbox.clear();
+                state->is_ended = true;
+                state->wake_up(world);
+            }
+        });
+    }
+}
+
+} // namespace
+
+// ---- The channel ------------------------------------------------------------------------------
+
+struct Channel::State {
+    std::shared_ptr<LinkEnd> end;
+};
+
+Channel::Channel(std::shared_ptr<State> state) : state_(std::move(state)) {}
+
+Channel::~Channel() {
+    state_->end->shut(!*state_->end->is_silent);
+}
+
+std::shared_ptr<Channel> Channel::make(std::unique_ptr<Stream>, Duration) {
+    return std::shared_ptr<Channel>(
+        new Channel(std::make_shared<State>(State{std::exchange(next_end, nullptr)})));
+}
+
+asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::duration timeout) {
+    const std::shared_ptr<LinkEnd> end = state_->end;
+    const Time deadline = std::chrono::steady_clock::now() + timeout;
+    for (;;) {
+        if (end->open && !end->inbox.empty()) {
+            Message message = std::move(end->inbox.front());
+            end->inbox.pop_front();
+            if (end->host == tests::master_host) {
+                World::current()->on_heard({end->other_id, end->host, end->connection}, message);
+            }
+            co_return message;
+        }
+        if (!end->open || end->is_ended) {
+            end->open = false;
+            co_return Error{ErrorCode::Disconnected, "the peer closed the connection"};
+        }
+        if (std::chrono::steady_clock::now() >= deadline) {
+            co_return Error{ErrorCode::Timeout, "nothing came in time"};
+        }
+        end->arrived.expires_at(deadline);
+        boost::system::error_code ignored;
+        co_await end->arrived.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+}
+
+void Channel::send(const Message& message) {
+    World& world = *World::current();
+    const bool is_sent = world.on_message(
+        {state_->end->host, state_->end->other_id, state_->end->connection}, message);
+    const auto to = state_->end->other.lock();
+    if (!is_open() || !is_sent) {
+        return;
+    }
+    Host* from = world.find_host(state_->end->host);
+    Host* there = to == nullptr ? nullptr : world.find_host(to->host);
+    if (from == nullptr || there == nullptr) {
+        return;
+    }
+    const std::string way =
+        std::string(message_name(message_type(message))) + ", " + from->name + " to " + there->name;
+    const bool is_odd = from->is_odd && there->id == tests::master_host && may_be_odd(message);
+    const std::size_t bytes = bytes_of(message);
+    state_->end->queued += bytes;
+    const Time when = state_->end->arrival_at(*from, *to, world);
+    if (is_odd && world.happens(world.network.overtaken)) {
+        world.log("overtaken: " + way);
+        return state_->end->deliver(message, when + world.between(0s, 200ms), bytes);
+    }
+    state_->end->last_arrival = when;
+    if (world.happens(world.network.lost)) {
+        world.log("lost: " + way);
+        state_->end->queued -= bytes;
+        return state_->end->cut();
+    }
+    state_->end->deliver(message, when, bytes);
+    if (is_odd && world.happens(world.network.doubled)) {
+        world.log("doubled: " + way);
+        state_->end->deliver(message, when, 0);
+    }
+}
+
+std::size_t Channel::queued_bytes() const {
+    return state_->end->queued;
+}
+
+asio::awaitable<void> Channel::wait_until_queued_below(std::size_t bytes) {
+    const std::shared_ptr<LinkEnd> end = state_->end;
+    while (end->open && !end->is_ended && end->queued >= bytes) {
+        boost::system::error_code ignored;
+        co_await end->drained.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+}
+
+void Channel::close(bool) {
+    state_->end->shut(true);
+}
+
+bool Channel::is_open() const {
+    return state_->end->open && !(state_->end->is_ended && state_->end->inbox.empty());
+}
+
+const Traffic& Channel::traffic() const {
+    return state_->end->traffic;
+}
+const std::string& Channel::peer() const {
+    return state_->end->other_host;
+}
+const std::string& Channel::peer_host() const {
+    return state_->end->other_host;
+}
+const std::string& Channel::own_host() const {
+    return state_->end->this_host;
+}
+bool Channel::is_secured() const {
+    return false;
+}
+const std::optional<Identity>& Channel::peer_identity() const {
+    static const std::optional<Identity> nobody;
+    return nobody;
+}
+std::optional<Sha256> Channel::binding() const {
+    return std::nullopt;
+}
+
+// ---- How it begins ------------------------------------------------------------------------------
+
+namespace {
+
+struct Listening {
+    asio::any_io_executor executor;
+    std::uint16_t port = 0;
+    Listener::OnSocket on_socket = nullptr;
+};
+
+std::map<std::uint16_t, std::weak_ptr<Listening>> listeners;
+/// Connections that were made and not yet accepted, by host, in their order.
+std::map<std::uint64_t, std::deque<std::shared_ptr<LinkEnd>>> backlog;
+
+} // namespace
+
+struct Listener::State {
+    std::shared_ptr<Listening> listening;
+};
+
+Result<std::unique_ptr<Listener>> Listener::open(const asio::any_io_executor& executor,
+                                                 const Endpoint& endpoint) {
+    const auto listening = std::make_shared<Listening>(Listening{executor, endpoint.port});
+    listeners[endpoint.port] = listening;
+    backlog.erase(World::current()->host_of(executor)->id);
+    return std::unique_ptr<Listener>(new Listener(std::make_shared<State>(State{listening})));
+}
+
+Listener::Listener(std::shared_ptr<State> state) : state_(std::move(state)) {}
+
+Listener::~Listener() {
+    if (const Host* host = World::current()->host_of(state_->listening->executor)) {
+        backlog.erase(host->id);
+    }
+}
+
+std::uint16_t Listener::port() const {
+    return state_->listening->port;
+}
+
+void Listener::start(OnSocket on_socket) {
+    state_->listening->on_socket = std::move(on_socket);
+}
+
+void Listener::close() {
+    state_->listening->on_socket = nullptr;
+}
+
+asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Target target, std::chrono::seconds) {
+    World& world = *World::current();
+    const asio::any_io_executor executor = co_await asio::this_coro::executor;
+    Host& from = *world.host_of(executor);
+    asio::steady_timer timer(executor, world.between(latency_min, latency_max));
+    co_await timer.async_wait(asio::use_awaitable);
+    const std::shared_ptr<Listening> listener = listeners[target.endpoint.port].lock();
+    Host* there = listener == nullptr ? nullptr : world.host_of(listener->executor);
+    const bool reaches = there != nullptr && listener->on_socket != nullptr &&
+                         world.now() >= from.cut_off_until && world.now() >= there->cut_off_until;
+    if (!reaches) {
+        co_return Error{ErrorCode::Disconnected, "nobody is there"};
+    }
+    const auto here = std::make_shared<LinkEnd>(executor, from);
+    const auto other = std::make_shared<LinkEnd>(listener->executor, *there);
+    here->other_id = there->id;
+    other->other_id = from.id;
+    here->connection = other->connection = world.new_number();
+    here->other = other;
+    other->other = here;
+    here->this_host = other->other_host = from.name;
+    here->other_host = other->this_host = there->name;
+    backlog[there->id].push_back(other);
+    asio::post(listener->executor, [listener] {
+        if (listener->on_socket != nullptr) {
+            listener->on_socket(asio::ip::tcp::socket(listener->executor));
+        }
+    });
+    world.wake(*there);
+    next_end = here;
+    co_return Channel::make(nullptr);
+}
+
+asio::awaitable<Result<std::shared_ptr<Channel>>>
+accept_channel(asio::ip::tcp::socket, std::shared_ptr<const Tls>, Duration) {
+    const Host* here = World::current()->host_of(co_await asio::this_coro::executor);
+    auto& waiting = backlog[here->id];
+    CD_CHECK(!waiting.empty());
+    next_end = std::move(waiting.front());
+    waiting.pop_front();
+    co_return Channel::make(nullptr);
+}
+
+} // namespace cd

@@ -1,0 +1,95 @@
+// One seed: a cluster, its jobs, and all that goes wrong with them.
+#pragma once
+
+#include "master/mutation.hpp"
+#include "tests/faults/processes.hpp"
+#include "tests/faults/world.hpp"
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace cd::tests {
+
+/// What happened to a seed.
+struct Outcome {
+    std::vector<std::string> problems; ///< None: all is well.
+    double seconds = 0;                ///< Simulated.
+    std::uint64_t events = 0;
+    std::uint64_t scenarios = 0;        ///< Of all jobs;
+    std::uint64_t scenarios_sent = 0;   ///< to workers, also again;
+    std::uint64_t failed = 0;           ///< given up.
+    std::uint64_t results_repeated = 0; ///< Messages.
+    std::uint64_t masters = 0;          ///< Lives.
+    std::uint64_t workers = 0;          ///< Lives.
+    std::uint64_t cancelled = 0;        ///< Jobs.
+};
+
+class Simulation {
+  public:
+    explicit Simulation(std::uint64_t seed, bool logs = false);
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+    ~Simulation();
+
+    Outcome run();
+
+  private:
+    /// Of 1000 chances in a second each.
+    struct Dangers {
+        unsigned worker_killed = 0;
+        unsigned worker_stopped = 0;
+        unsigned worker_cut_off = 0;
+        unsigned worker_drained = 0;
+        unsigned worker_slowed = 0;
+        unsigned master_killed = 0;
+        unsigned power_cut = 0;
+        unsigned master_stopped = 0;
+        unsigned disk_full = 0;
+        unsigned cancel = 0;
+    };
+
+    void plan();
+    void plan_jobs();
+    void tick();
+    void cause_trouble();
+    void cause_worker_trouble(WorkerProcess& worker);
+    void stop_trouble();
+    void start_worker();
+    void end_worker(std::uint64_t id, bool silently);
+    void end_master(bool by_power);
+    void start_master();
+    /// False: the message does not go out.
+    bool observe(const Route& route, const Message& message);
+    [[nodiscard]] bool is_deadly(const Message& message) const;
+    [[nodiscard]] std::string check_client_hears(const Message& message) const;
+    [[nodiscard]] std::string what_stands_still();
+    void check();
+    [[nodiscard]] bool is_done() const;
+    void inspect();
+    void inspect_job(const ClientProcess& client);
+
+    World world_;
+    Dangers dangers_;
+    NetworkFaults network_;
+    std::size_t workers_wanted_ = 1;
+    Time trouble_ends_;
+    bool is_trouble_ = true;
+    std::unique_ptr<MasterProcess> master_;
+    std::map<std::uint64_t, std::unique_ptr<WorkerProcess>> workers_;
+    std::vector<std::unique_ptr<ClientProcess>> clients_;
+    std::set<std::uint64_t> clients_known_; ///< Their hosts.
+    std::size_t clients_to_come_ = 0;
+    /// By kind of job: what no worker survives.
+    std::map<std::string, std::uint64_t> deadly_;
+    std::uint64_t host_last_ = master_host;
+    Outcome outcome_;
+};
+
+/// With this fault switched on.
+[[nodiscard]] Outcome
+simulate(std::uint64_t seed, bool logs = false, Mutation fault = Mutation::None);
+
+} // namespace cd::tests

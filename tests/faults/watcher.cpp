@@ -1,0 +1,214 @@
+#include "tests/faults/watcher.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/job/packed_records.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/job/result.hpp"
+#include "common/job/scenario.hpp"
+#include "master/journal_records.hpp"
+
+#include <algorithm>
+
+namespace cd::tests {
+
+namespace {
+
+std::string name_of(JobId job, std::uint64_t scenario) {
+    return "scenario " + std::to_string(scenario) + " of job " + std::to_string(job.value);
+}
+
+std::vector<std::uint64_t> scenarios_in(const Bytes& packed) {
+    std::vector<std::uint64_t> indices;
+    const std::vector<Scenario> scenarios = unpack_scenarios(packed).value();
+    for (const Scenario& scenario : scenarios) {
+        indices.push_back(scenario.index);
+    }
+    return indices;
+}
+
+std::vector<std::uint64_t> scenarios_in(const ScenarioRange& range) {
+    if (!range.scenarios.empty()) {
+        return scenarios_in(range.scenarios);
+    }
+    std::vector<std::uint64_t> indices;
+    for (std::uint64_t i = 0; i < range.count; ++i) {
+        indices.push_back(range.first + i);
+    }
+    return indices;
+}
+
+} // namespace
+
+std::vector<std::uint64_t> scenarios_in(const Results& results) {
+    std::vector<std::uint64_t> indices;
+    const Bytes records = unpack_records(results.records, limits::results_bytes_max).value();
+    ByteReader in(records);
+    for (std::uint32_t i = 0; i < results.count; ++i) {
+        indices.push_back(decode_result(in.get_bytes(in.get<std::uint32_t>())).value().index);
+    }
+    return indices;
+}
+
+// ---- The disk -----------------------------------------------------------------------------------
+
+std::string Watcher::committed(std::span<const DatabaseChange> changes) {
+    using Kind = DatabaseChange::Kind;
+    std::string wrong;
+    for (const DatabaseChange& change : changes) {
+        DurableJob& job = jobs_[change.job];
+        switch (change.kind) {
+        case Kind::Accept:
+            job.record = change.content;
+            last_job = std::max(last_job, change.job);
+            break;
+        case Kind::Progress:
+            job.progress = change.content;
+            break;
+        case Kind::Results:
+            if (const std::string found = add_group(change.job, change.content); wrong.empty()) {
+                wrong = found;
+            }
+            break;
+        case Kind::End:
+            job.end = change.content;
+            break;
+        case Kind::Drop:
+            jobs_.erase(change.job);
+            break;
+        }
+    }
+    return wrong;
+}
+
+std::string Watcher::add_group(JobId id, const Bytes& bytes) {
+    DurableJob& job = jobs_[id];
+    job.groups.push_back(bytes);
+    std::string wrong;
+    const ResultGroup group = decode_group(bytes).value();
+    for (const ResultRow& row : group.rows) {
+        const std::string name = name_of(id, row.scenario);
+        if (!job.results.emplace(row.scenario, row.digest).second) {
+            wrong = name + " is merged twice";
+        }
+        if (row.facts.kind != ScenarioClass::Failed) {
+            continue;
+        }
+        job.failed.insert(row.scenario);
+        if (times_sent_[{id, row.scenario}] < limits::scenario_losses_max) {
+            wrong = name + " is given up, and went out " +
+                    std::to_string(times_sent_[{id, row.scenario}]) + " times";
+        }
+    }
+    return wrong;
+}
+
+void Watcher::master_began() {
+    times_sent_.clear();
+    held_.clear();
+    done_before_.clear();
+    for (const auto& [id, job] : jobs_) {
+        for (const auto& [scenario, digest] : job.results) {
+            done_before_[id].insert(scenario);
+        }
+    }
+}
+
+// ---- What is said
+// ---------------------------------------------------------------------------------
+
+std::string Watcher::master_says(const Route& route, const Message& message) {
+    if (const auto* welcome = std::get_if<Welcome>(&message)) {
+        worker_ids_[route.connection] = WorkerId{welcome->id};
+    } else if (const auto* batch = std::get_if<Batch>(&message)) {
+        return sent(batch->job, scenarios_in(batch->scenarios));
+    } else if (const auto* range = std::get_if<ScenarioRange>(&message)) {
+        return sent(range->job, scenarios_in(*range));
+    } else if (const auto* directions = std::get_if<FetchFromPeers>(&message)) {
+        return check_sources(*directions);
+    } else if (const auto* kept = std::get_if<ResultsKept>(&message)) {
+        for (const std::uint64_t sequence : kept->sequences) {
+            if (std::string wrong = check_kept(route.to, sequence); !wrong.empty()) {
+                return wrong;
+            }
+        }
+    }
+    return {};
+}
+
+std::string Watcher::sent(JobId job, std::span<const std::uint64_t> scenarios) {
+    const std::set<std::uint64_t>& done = done_before_[job];
+    for (const std::uint64_t scenario : scenarios) {
+        ++scenarios_sent_;
+        ++times_sent_[{job, scenario}];
+        if (done.contains(scenario)) {
+            return name_of(job, scenario) + " is done again after a restart";
+        }
+    }
+    return {};
+}
+
+std::string Watcher::check_kept(std::uint64_t worker, std::uint64_t sequence) const {
+    const auto found = deliveries_.find({worker, sequence});
+    if (found == deliveries_.end()) {
+        return "acknowledged what was never sent";
+    }
+    for (const auto& [id, scenario] : found->second) {
+        const auto job = jobs_.find(id);
+        // Of a job that has ended, or that never was: nobody wants it.
+        if (job != jobs_.end() && job->second.end.empty() &&
+            !job->second.results.contains(scenario)) {
+            return name_of(id, scenario) + " is acknowledged, and not on the disk";
+        }
+    }
+    return {};
+}
+
+std::string Watcher::check_sources(const FetchFromPeers& directions) const {
+    for (const PeerSource& source : directions.sources) {
+        for (const RootIndex root : directions.roots) {
+            if (!held_.contains({source.worker, directions.tree, root})) {
+                return "worker " + std::to_string(source.worker.value) +
+                       " is to give a block that it never said to hold, or has let go";
+            }
+        }
+    }
+    return {};
+}
+
+void Watcher::worker_says(const Route& route, const Message& message) {
+    const auto* results = std::get_if<Results>(&message);
+    if (results == nullptr) {
+        return;
+    }
+    std::vector<Key>& keys = deliveries_[{route.from, results->sequence}];
+    results_repeated_ += keys.empty() ? 0 : 1;
+    keys.clear();
+    for (const std::uint64_t scenario : scenarios_in(*results)) {
+        keys.emplace_back(results->job, scenario);
+    }
+}
+
+void Watcher::master_hears(const Route& route, const Message& message) {
+    const auto id = worker_ids_.find(route.connection);
+    if (id == worker_ids_.end()) {
+        return;
+    }
+    const auto set = [&](TreeId tree, std::span<const RootIndex> roots, bool holds) {
+        for (const RootIndex root : roots) {
+            if (holds) {
+                held_.insert({id->second, tree, root});
+            } else {
+                held_.erase({id->second, tree, root});
+            }
+        }
+    };
+    if (const auto* held = std::get_if<Held>(&message)) {
+        set(held->tree, held->roots, true);
+    } else if (const auto* evicted = std::get_if<Evicted>(&message)) {
+        set(evicted->tree, evicted->roots, false);
+    } else if (const auto* want = std::get_if<WantSubtrees>(&message)) {
+        set(want->tree, want->roots, false);
+    }
+}
+
+} // namespace cd::tests

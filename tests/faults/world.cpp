@@ -1,0 +1,243 @@
+#include "tests/faults/world.hpp"
+
+#include "common/core/log.hpp"
+
+#include <algorithm>
+
+namespace cd::tests {
+
+namespace {
+
+World* the_world = nullptr;
+
+/// What `steady_clock` says.
+Time clock_time{std::chrono::seconds(1000)};
+/// By how much each look at the clock moves it: so work on a slow host takes long.
+Duration look_takes{0};
+
+constexpr Duration pool_work_min = std::chrono::microseconds(200);
+constexpr Duration pool_work_max = std::chrono::milliseconds(40);
+
+/// Of a host without anything happening outside; a sound one needs a few.
+constexpr std::size_t turns_max = 100'000;
+
+} // namespace
+
+} // namespace cd::tests
+
+// The clock of this program. It stands before that of the C++ library.
+std::chrono::steady_clock::time_point std::chrono::steady_clock::now() noexcept {
+    cd::tests::clock_time += cd::tests::look_takes;
+    return cd::tests::clock_time;
+}
+
+// Without this Asio's timers would go by the system's clock.
+extern "C" int timerfd_create(int, int) noexcept {
+    return -1;
+}
+
+namespace cd::tests {
+
+Host::Host(std::uint64_t number, std::string called) : id(number), name(std::move(called)) {
+    World::current()->hosts_.emplace(id, this);
+}
+
+Host::~Host() {
+    World::current()->hosts_.erase(id);
+}
+
+World::World(std::uint64_t seed, bool logs) : random_(seed), logs_(logs) {
+    the_world = this;
+    clock_time = Time(std::chrono::seconds(1000));
+}
+
+World::~World() {
+    events_.clear();
+    the_world = nullptr;
+}
+
+World* World::current() {
+    return the_world;
+}
+
+Time World::now() const {
+    return clock_time;
+}
+
+Duration World::between(Duration least, Duration most) {
+    return least + Duration(static_cast<std::int64_t>(
+                       below(static_cast<std::uint64_t>((most - least).count()) + 1)));
+}
+
+void World::at(Time time, std::function<void()> event) {
+    events_.emplace(time, std::move(event));
+}
+
+bool World::step() {
+    if (events_.empty()) {
+        return false;
+    }
+    const auto event = events_.extract(events_.begin());
+    clock_time = std::max(clock_time, event.key());
+    try {
+        event.mapped()();
+        run_awake();
+    } catch (const BrokenInvariant&) {
+        // It has been noted.
+    } catch (const PowerCut&) {
+        // The same.
+    } catch (const std::exception& error) {
+        problem(std::string("an exception: ") + error.what());
+    }
+    look_takes = Duration(0);
+    return true;
+}
+
+void World::wake_all() {
+    for (const auto& [id, host] : hosts_) {
+        awake_.insert(id);
+    }
+}
+
+void World::run_awake() {
+    for (const std::uint64_t id : std::exchange(awake_, {})) {
+        Host* host = find_host(id);
+        if (host == nullptr) {
+            continue;
+        }
+        if (is_stopped(*host)) {
+            at(host->stopped_until, [this, id] { awake_.insert(id); });
+            continue;
+        }
+        host->context.restart();
+        std::size_t turns = 0;
+        while (host->context.poll_one() != 0) {
+            if (++turns == turns_max) {
+                return problem(host->name + " never comes to rest");
+            }
+        }
+    }
+}
+
+void World::log(const std::string& text) const {
+    if (logs_) {
+        const double seconds =
+            std::chrono::duration<double>(now().time_since_epoch()).count() - 1000;
+        spdlog::info("t={:.6f} {}", seconds, text);
+    }
+}
+
+Host* World::host_of(const asio::any_io_executor& executor) {
+    const asio::execution_context& context = asio::query(executor, asio::execution::context);
+    for (const auto& [id, host] : hosts_) {
+        if (&host->context == &context) {
+            return host;
+        }
+    }
+    return nullptr;
+}
+
+Host* World::find_host(std::uint64_t id) {
+    const auto found = hosts_.find(id);
+    return found == hosts_.end() ? nullptr : found->second;
+}
+
+// ---- Threads --------------------------------------------------------------------------------
+
+void World::pool_made(const ThreadPool* pool, unsigned threads) {
+    if (making_ != nullptr) {
+        pools_[pool] = Pool{making_->id, ++number_last_, threads, {}, {}};
+    }
+}
+
+void World::post(const ThreadPool* pool, std::function<void()> function) {
+    const auto found = pools_.find(pool);
+    if (found == pools_.end()) {
+        return function();
+    }
+    found->second.waiting.push_back(std::move(function));
+    start_next(pool);
+}
+
+void World::start_next(const ThreadPool* pool) {
+    Pool& content = pools_.at(pool);
+    if (content.free == 0 || content.waiting.empty()) {
+        return;
+    }
+    --content.free;
+    const std::uint64_t job = ++number_last_;
+    content.running.emplace(job, std::move(content.waiting.front()));
+    content.waiting.pop_front();
+    const Duration work = between(pool_work_min, pool_work_max);
+    in(std::chrono::duration_cast<Duration>(work * hosts_.at(content.host)->slowness),
+       [this, pool, number = content.number, job] { run_on_pool(pool, number, job); });
+}
+
+void World::run_on_pool(const ThreadPool* pool, std::uint64_t number, std::uint64_t job) {
+    const auto found = pools_.find(pool);
+    if (found == pools_.end() || found->second.number != number) {
+        return; // Its process has ended.
+    }
+    Host& host = *hosts_.at(found->second.host);
+    if (is_stopped(host)) {
+        return at(host.stopped_until,
+                  [this, pool, number, job] { run_on_pool(pool, number, job); });
+    }
+    ++found->second.free;
+    const auto running = found->second.running.extract(job);
+    look_takes =
+        std::chrono::duration_cast<Duration>(std::chrono::microseconds(20) * host.slowness);
+    running.mapped()();
+    look_takes = Duration(0);
+    wake(host);
+    start_next(pool);
+}
+
+// ---- What goes wrong ------------------------------------------------------------------------
+
+void World::problem(const std::string& text) {
+    log("PROBLEM " + text);
+    problems_.push_back(text);
+}
+
+void World::check_failed(const std::string& what) {
+    problem("broken invariant: " + what);
+    throw BrokenInvariant();
+}
+
+void World::touch_disk() {
+    if (power_cut_after != 0 && --power_cut_after == 0) {
+        power_was_cut = true;
+        throw PowerCut();
+    }
+}
+
+void Files::lose_power(std::mt19937_64& random) {
+    for (auto file = by_path.begin(); file != by_path.end();) {
+        SimulatedFile& content = *file->second;
+        if (!content.is_named_for_ever && random() % 2 == 0) {
+            file = by_path.erase(file);
+            continue;
+        }
+        Bytes left = content.durable;
+        for (const SimulatedFile::Write& write : content.pending) {
+            if (random() % 2 == 0) {
+                left.resize(std::max(left.size(), write.offset + write.bytes.size()));
+                std::copy(write.bytes.begin(),
+                          write.bytes.end(),
+                          left.begin() + static_cast<std::ptrdiff_t>(write.offset));
+            }
+        }
+        content.pending.clear();
+        content.content = left;
+        content.durable = std::move(left);
+        ++file;
+    }
+}
+
+Files& safe_files() {
+    static Files files;
+    return files;
+}
+
+} // namespace cd::tests
