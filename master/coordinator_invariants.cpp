@@ -38,7 +38,7 @@ void Coordinator::check_job(const MasterJob& job) const {
     }
     CD_CHECK(dispatcher_.unanswered(job.id) == job.open.size());
     for (const auto& [index, analysis] : job.open) {
-        CD_CHECK(!job.merger.has(index));
+        CD_CHECK(job.lacks(index));
     }
     if (job.submitter->under_way() != 0 || job.places_loading != 0) {
         return;
@@ -46,7 +46,7 @@ void Coordinator::check_job(const MasterJob& job) const {
     // None is lost: each is merged, at the dispatcher, or still to be handed out.
     const std::vector<bool> in_ranges = scenarios_in_ranges(job);
     for (std::uint64_t index = 0; index < job.submit.scenarios; ++index) {
-        CD_CHECK(job.merger.has(index) || in_ranges[index] || job.open.contains(index));
+        CD_CHECK(!job.lacks(index) || in_ranges[index] || job.open.contains(index));
     }
 }
 

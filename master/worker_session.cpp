@@ -38,6 +38,8 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
             coordinator_.worker_unheard(worker_, *channel_);
             boost::system::error_code ignored;
             co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+            // It is listened to again, and its silence counts from now on.
+            (void)coordinator_.worker_heard(worker_, *channel_);
         }
     }
     channel_->close();

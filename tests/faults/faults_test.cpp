@@ -91,8 +91,8 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::JobAcceptedTooEarly, "JobAcceptedTooEarly", "accepted that is not on the disk"},
         {Mutation::EndToldTooEarly, "EndToldTooEarly", "hears of an end that is not on the disk"},
         {Mutation::SegmentNotSynced, "SegmentNotSynced", "the master does not start"},
-        {Mutation::GroupNotRecovered, "GroupNotRecovered", "its results do not have its digest"},
-        {Mutation::DoneIsDoneAgain, "DoneIsDoneAgain", "after a restart"},
+        {Mutation::GroupNotRecovered, "GroupNotRecovered", "is done again after a restart"},
+        {Mutation::DoneIsDoneAgain, "DoneIsDoneAgain", "is merged twice"},
         {Mutation::EvictionIgnored, "EvictionIgnored", "or has let go"},
         {Mutation::HeldWhenSent, "HeldWhenSent", "!peer.holds.contains(block)"},
     };

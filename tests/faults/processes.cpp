@@ -37,7 +37,9 @@ MasterProcess::MasterProcess(World& world) : host_(master_host, "master") {
                                                                   *compute_,
                                                                   *blocking_,
                                                                   *journal_,
-                                                                  "/state/jobs"});
+                                                                  "/state/jobs",
+                                                                  Durability::Synced,
+                                                                  {}});
     if (const Status restored = coordinator_->restore(journal_->take_recovered()); !restored) {
         coordinator_.reset();
         world.problem("the master does not start: " + restored.error().detail);
@@ -67,7 +69,7 @@ WorkerProcess::WorkerProcess(World& world, std::uint64_t id, const WorkerHabits&
 
 void WorkerProcess::drain() {
     is_draining_ = true;
-    if (session_ != nullptr) {
+    if (is_connected_) {
         session_->stop();
     } else {
         has_ended_ = true;
@@ -81,8 +83,12 @@ asio::awaitable<void> WorkerProcess::run() {
         const auto channel = co_await connect(std::move(master));
         if (channel) {
             const SessionEnd how = co_await serve(channel.value());
-            if (how != SessionEnd::Lost) {
+            is_connected_ = false;
+            if (how == SessionEnd::Drained || how == SessionEnd::Terminated) {
                 break;
+            }
+            if (how == SessionEnd::Disagreed) {
+                session_.reset();
             }
         }
         co_await pause_for(world_.between(100ms, 2s));
@@ -103,17 +109,33 @@ asio::awaitable<SessionEnd> WorkerProcess::serve(std::shared_ptr<Channel> channe
     hello.weight = habits_.weight;
     hello.instance = host_.id;
     hello.peer_port = peer_server_ == nullptr ? std::uint16_t{0} : peer_server_->port();
+    if (session_ != nullptr) {
+        hello.session = session_id_;
+        hello.epoch = epoch_;
+    }
     const Result<Welcome> welcome = co_await greet(channel, hello);
     if (!welcome) {
         co_return SessionEnd::Lost;
     }
+    if (welcome.value().is_resumed && session_ != nullptr) {
+        is_connected_ = true;
+        co_return co_await session_->resume(channel);
+    }
+    if (session_ != nullptr) {
+        session_->leave();
+    }
+    session_id_ = welcome.value().id;
+    epoch_ = welcome.value().epoch;
     keep_->enter(welcome.value().cluster);
     PeerParts peers{peer_server_, welcome.value().peer_key, host_.name};
-    session_ = std::make_shared<Session>(
-        channel, *executor_, habits_.cache_bytes, std::move(peers), keep_);
-    const SessionEnd how = co_await session_->run();
-    session_ = nullptr;
-    co_return how;
+    session_ = std::make_shared<Session>(channel,
+                                         *executor_,
+                                         habits_.cache_bytes,
+                                         std::move(peers),
+                                         keep_,
+                                         SessionTimes::of(welcome.value()));
+    is_connected_ = true;
+    co_return co_await session_->run();
 }
 
 // ---- A client ---------------------------------------------------------------------------------

@@ -61,7 +61,10 @@ class WorkerProcess {
     std::unique_ptr<Executor> executor_;
     std::shared_ptr<PeerServer> peer_server_;
     std::shared_ptr<WorkerKeep> keep_;
-    std::shared_ptr<Session> session_;
+    std::shared_ptr<Session> session_; ///< Also without a connection, as long as it may go on.
+    std::uint64_t session_id_ = 0;
+    std::uint64_t epoch_ = 0;
+    bool is_connected_ = false;
     bool is_draining_ = false;
     bool has_ended_ = false;
 };

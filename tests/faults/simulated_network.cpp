@@ -28,6 +28,10 @@ std::size_t bytes_of(const Message& message) {
     return 100 + (subtrees == nullptr ? 0 : subtrees->blocks.size() * block_bytes);
 }
 
+std::string name_of(const Message& message) {
+    return std::string(message_name(message_type(message)));
+}
+
 /// What a master takes again, or in another order, without harm to its jobs. (The order of what is
 /// said of blocks counts, and a connection keeps it.)
 bool may_be_odd(const Message& message) {
@@ -176,6 +180,7 @@ asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::dur
             Message message = std::move(end->inbox.front());
             end->inbox.pop_front();
             if (end->host == tests::master_host) {
+                World::current()->log("heard: " + name_of(message) + ", of " + end->other_host);
                 World::current()->on_heard({end->other_id, end->host, end->connection}, message);
             }
             co_return message;
@@ -207,7 +212,7 @@ void Channel::send(const Message& message) {
         return;
     }
     const std::string way =
-        std::string(message_name(message_type(message))) + ", " + from->name + " to " + there->name;
+        name_of(message) + ", " + from->name + " to " + there->name;
     const bool is_odd = from->is_odd && there->id == tests::master_host && may_be_odd(message);
     const std::size_t bytes = bytes_of(message);
     state_->end->queued += bytes;

@@ -208,6 +208,11 @@ void Watcher::master_hears(const Route& route, const Message& message) {
         set(evicted->tree, evicted->roots, false);
     } else if (const auto* want = std::get_if<WantSubtrees>(&message)) {
         set(want->tree, want->roots, false);
+    } else if (const auto* standing = std::get_if<Standing>(&message)) {
+        std::erase_if(held_, [&](const auto& one) { return std::get<0>(one) == id->second; });
+        for (const StandingTree& tree : standing->trees) {
+            set(tree.tree, tree.held, true);
+        }
     }
 }
 
