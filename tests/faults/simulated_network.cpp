@@ -211,8 +211,7 @@ void Channel::send(const Message& message) {
     if (from == nullptr || there == nullptr) {
         return;
     }
-    const std::string way =
-        name_of(message) + ", " + from->name + " to " + there->name;
+    const std::string way = name_of(message) + ", " + from->name + " to " + there->name;
     const bool is_odd = from->is_odd && there->id == tests::master_host && may_be_odd(message);
     const std::size_t bytes = bytes_of(message);
     state_->end->queued += bytes;
