@@ -49,7 +49,7 @@ class Running {
         JournalResult result;
         result.record.resize(record_bytes);
         result.row = {next_++, record_bytes, {}, sha256(result.record)};
-        AddResults entry{job, store_, {}, {}};
+        AddResults entry{job, store_, {}, {}, {}};
         entry.results.push_back(std::move(result));
         return journal_->add(std::move(entry));
     }

@@ -47,6 +47,11 @@ std::vector<std::string> words_of(std::span<const std::string_view> names) {
 const std::map<std::string, FailOn> fail_on_words{{"touch", FailOn::Touch},
                                                   {"cross", FailOn::Cross}};
 
+std::string is_depth(const std::string& text) {
+    const auto depth = parse_depth(text);
+    return depth ? "" : depth.error().detail;
+}
+
 std::vector<std::string> units() {
     const auto names = unit_names();
     return {names.begin(), names.end()};
@@ -105,6 +110,8 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
     verb.add_option("--limit-pairs", job.limit_pairs, "Keep so many pairs a scenario; 0 keeps all")
         ->type_name("N")
         ->group(query);
+    verb.add_flag("--maps", job.maps, "At level count: how often each triangle was in contact")
+        ->group(query);
     verb.add_option("--out", job.out, "Folder for the results")->type_name("DIR")->group(query);
     verb.add_option("--formats", job.formats, "text, json, csv, npz (default csv,npz)")
         ->delimiter(',')
@@ -121,12 +128,12 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->check(CLI::IsMember(words_of(analysis_mode_names())))
         ->type_name("WHEN")
         ->group(cluster);
-    verb.add_option("--depth-a", job.depth_a, "Distribution depth of A (12)")
-        ->check(CLI::Range(0u, limits::distribution_depth_max))
+    verb.add_option("--depth-a", job.depth_a, "Distribution depth of A: a number, or auto (auto)")
+        ->check(is_depth)
         ->type_name("D")
         ->group(cluster);
-    verb.add_option("--depth-b", job.depth_b, "Distribution depth of B (6)")
-        ->check(CLI::Range(0u, limits::distribution_depth_max))
+    verb.add_option("--depth-b", job.depth_b, "Distribution depth of B: a number, or auto (auto)")
+        ->check(is_depth)
         ->type_name("D")
         ->group(cluster);
     verb.add_option("--q", job.q, "A buffer is full at so many scenarios (20)")

@@ -1,6 +1,7 @@
 #include "client/cluster_report.hpp"
 
 #include "client/job_id.hpp"
+#include "client/report.hpp"
 #include "client/words.hpp"
 
 #include <nlohmann/json.hpp>
@@ -40,10 +41,9 @@ std::string worker_state(const WorkerStatus& worker) {
     return "idle";
 }
 
-/// Of the subtrees that scenarios needed, those that were there.
-double hit_share(const CacheTraffic& cache) {
-    const std::uint64_t needed = cache.hits + cache.misses;
-    return needed == 0 ? 0 : static_cast<double>(cache.hits) / static_cast<double>(needed);
+/// Empty where it is not known.
+Cell depth_cell(const std::optional<std::uint32_t>& depth) {
+    return depth ? Cell(std::uint64_t{*depth}) : Cell(std::string());
 }
 
 std::size_t count_running(const ClusterStatus& status) {
@@ -116,6 +116,18 @@ Table jobs_table(const ClusterStatus& status) {
                      {"inside_scenarios", "INSIDE?", CellKind::Count, true},
                      {"inside_seconds", "FOR INSIDE", CellKind::Seconds, true},
                      {"doubted", "DOUBTED", CellKind::Count, true},
+                     {"recalled", "RECALLED", CellKind::Count, true},
+                     {"copies", "COPIES", CellKind::Count, true},
+                     {"copies_won", "COPIES WON", CellKind::Count, true},
+                     {"depth_a", "DEPTH A", CellKind::Count, true},
+                     {"depth_b", "DEPTH B", CellKind::Count, true},
+                     {"master_bytes", "FROM MASTER", CellKind::Size, true},
+                     {"peer_bytes", "FROM PEERS", CellKind::Size, true},
+                     {"cache_hits", "FOUND", CellKind::Count, true},
+                     {"cache_misses", "ASKED FOR", CellKind::Count, true},
+                     {"hinted", "AHEAD", CellKind::Count, true},
+                     {"evictions", "EVICTED", CellKind::Count, true},
+                     {"result_bytes", "RESULTS", CellKind::Size, true},
                      {"failure", "FAILURE", CellKind::Text, true}};
     const std::vector<JobId> ids = job_ids(status);
     for (const JobStatus& job : status.jobs) {
@@ -138,6 +150,18 @@ Table jobs_table(const ClusterStatus& status) {
                               job.statistics.inside.scenarios,
                               job.statistics.inside.seconds,
                               job.doubted,
+                              job.recalled,
+                              job.copies,
+                              job.copies_won,
+                              depth_cell(job.depth_a),
+                              depth_cell(job.depth_b),
+                              job.traffic.blocks.master_bytes,
+                              job.traffic.blocks.peer_bytes,
+                              job.traffic.blocks.hits,
+                              job.traffic.blocks.misses,
+                              job.traffic.blocks.hinted,
+                              job.traffic.blocks.evictions,
+                              job.traffic.result_bytes,
                               job.failure});
     }
     return table;
@@ -165,19 +189,21 @@ Table workers_table(const ClusterStatus& status) {
                      {"uploaded_bytes", "TO PEERS", CellKind::Size, true},
                      {"cache_hits", "FOUND", CellKind::Count, true},
                      {"cache_misses", "ASKED FOR", CellKind::Count, true},
+                     {"hinted", "AHEAD", CellKind::Count, true},
                      {"evictions", "EVICTED", CellKind::Count, true}};
     for (const WorkerStatus& worker : status.workers) {
-        table.rows.push_back({worker_name(worker),     worker.name,
-                              worker_state(worker),    std::uint64_t{worker.threads},
-                              worker.buffered,         worker.working,
-                              worker.scenarios,        worker.scenarios_per_second,
-                              worker.bytes_sent,       worker.bytes_received,
-                              worker.cached_bytes,     worker.subtree_bytes_sent,
-                              worker.cache.peer_bytes, hit_share(worker.cache),
-                              worker.cache_bytes,      worker.tasks,
-                              worker.subtrees_sent,    worker.cache.uploaded_bytes,
-                              worker.cache.hits,       worker.cache.misses,
-                              worker.cache.evictions});
+        const BlockTraffic& blocks = worker.cache.blocks;
+        table.rows.push_back({worker_name(worker),  worker.name,
+                              worker_state(worker), std::uint64_t{worker.threads},
+                              worker.buffered,      worker.working,
+                              worker.scenarios,     worker.scenarios_per_second,
+                              worker.bytes_sent,    worker.bytes_received,
+                              worker.cached_bytes,  worker.subtree_bytes_sent,
+                              blocks.peer_bytes,    hit_share(blocks),
+                              worker.cache_bytes,   worker.tasks,
+                              worker.subtrees_sent, worker.cache.uploaded_bytes,
+                              blocks.hits,          blocks.misses,
+                              blocks.hinted,        blocks.evictions});
     }
     return table;
 }
@@ -256,7 +282,8 @@ std::string faults_text(const ClusterStatus& status) {
            "   scenarios given to others: " + std::to_string(status.scenarios_given_back) + "\n";
 }
 
-/// A line for each scenario that takes long, and for each job whose results are in doubt.
+/// A line for each scenario that takes long, for each job whose results are in doubt, and for each
+/// at whose end workers helped others.
 std::string long_text(const ClusterStatus& status) {
     const std::vector<JobId> ids = job_ids(status);
     std::string text;
@@ -272,6 +299,12 @@ std::string long_text(const ClusterStatus& status) {
         if (job.doubted != 0) {
             text += counted(job.doubted, "result") + " of " + id +
                     " came from a worker in quarantine and are done again\n";
+        }
+        if (job.recalled != 0 || job.copies != 0) {
+            text += "at the end of " + id + " " + counted(job.recalled, "scenario") +
+                    " called back from workers that had not begun them, " +
+                    std::to_string(job.copies) + " copied, of which " +
+                    std::to_string(job.copies_won) + " ended first\n";
         }
     }
     return text;

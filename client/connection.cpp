@@ -375,6 +375,10 @@ Status Connection::fetch(JobId job,
     return Done{};
 }
 
+Result<ContactMapAnswer> Connection::contact_map(JobId job) {
+    return state_->run(state_->ask<ContactMapAnswer>(ContactMapQuery{job}));
+}
+
 Result<ClusterStatus> Connection::status() {
     return state_->run(state_->ask<ClusterStatus>(StatusQuery{}));
 }

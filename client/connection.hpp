@@ -56,6 +56,9 @@ class Connection {
     [[nodiscard]] Result<JobStatus> watch(JobId job,
                                           const std::function<void(const JobStatus&)>& changed);
 
+    /// Of a job that is done. Errors: NotFound; Refused.
+    [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);
+
     /// The results of [first, first + count) in order, pulled in runs. An error of `take` ends it.
     /// Errors: Incomplete when one is not there.
     [[nodiscard]] Status fetch(JobId job,

@@ -105,6 +105,7 @@ std::string explained_text(const Explained& explained, const std::string& job) {
             std::to_string(explained.roots_b) + " of B\n";
     text += "  is          " + explained.where + "\n";
     text += "  now chosen  " + explained.why + "\n";
+    text += explained.note.empty() ? "" : "  note        " + explained.note + "\n";
     if (!explained.workers.empty()) {
         text += table_text(is_by_time(explained) ? table_by_time(explained)
                                                  : table_by_triangles(explained),
@@ -121,6 +122,7 @@ std::string explained_json(const Explained& explained, const std::string& job) {
     document["strategy"] = to_text(explained.strategy);
     document["where"] = explained.where;
     document["why"] = explained.why;
+    document["note"] = explained.note;
     document["roots_a"] = explained.roots_a;
     document["roots_b"] = explained.roots_b;
     document["workers"] = nlohmann::ordered_json::array();

@@ -7,6 +7,7 @@
 #include "common/job/tolerance.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> level_names{"any", "count", "pairs", "contacts"};
 constexpr std::array<std::string_view, 4> format_names{"text", "json", "csv", "npz"};
+constexpr std::string_view depth_auto = "auto";
 constexpr std::array<std::string_view, 2> quat_orders{"xyzw", "wxyz"};
 constexpr std::array<std::string_view, 2> pose_owners{"b", "both"};
 
@@ -177,7 +179,7 @@ void read_query(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         return;
     }
     const TomlFields fields(
-        *table, "[query]", problem, {"level", "tolerance", "limit_pairs", "ignore"});
+        *table, "[query]", problem, {"level", "tolerance", "limit_pairs", "maps", "ignore"});
     if (const auto level = fields.word("level", level_names)) {
         spec.level = level_from_text(*level).value_or(spec.level);
     }
@@ -187,6 +189,7 @@ void read_query(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
     }
     spec.limit_pairs = fields.integer("limit_pairs", 0, std::numeric_limits<std::uint32_t>::max())
                            .value_or(spec.limit_pairs);
+    spec.maps = fields.boolean("maps").value_or(spec.maps);
     read_ignore(fields, problem, spec);
 }
 
@@ -216,22 +219,21 @@ void read_output(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
 }
 
 void read_depth(const TomlFields& cluster, TomlProblem& problem, JobSpec& spec) {
-    const toml::table* table = cluster.table("depth");
+    const toml::table* table = cluster.says("depth", depth_auto) ? nullptr : cluster.table("depth");
     if (table == nullptr) {
         return;
     }
-    spec.gives_depth = true;
+    const TomlFields fields(*table, "[cluster] depth", problem, {"a", "b"});
+    const auto depth = [&](std::string_view key) -> std::optional<std::uint32_t> {
+        return fields.says(key, depth_auto)
+                   ? std::nullopt
+                   : fields.integer(key, 0, limits::distribution_depth_max);
+    };
+    spec.cluster.depth_a = depth("a");
+    spec.cluster.depth_b = depth("b");
     if (const Status allowed = check_depths(spec); !allowed) {
         cluster.report("depth", allowed.error().detail);
     }
-    ClusterOptions& options = spec.cluster;
-    const TomlFields fields(*table, "[cluster] depth", problem, {"a", "b"});
-    const auto depth = [&](std::string_view key, std::uint32_t otherwise) {
-        return static_cast<std::uint32_t>(
-            fields.integer(key, 0, limits::distribution_depth_max).value_or(otherwise));
-    };
-    options.depth_a = depth("a", options.depth_a);
-    options.depth_b = depth("b", options.depth_b);
 }
 
 void read_cluster(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
@@ -279,11 +281,36 @@ void read_job(const toml::table& table, TomlProblem& problem, JobSpec& spec) {
 } // namespace
 
 Status check_depths(const JobSpec& spec) {
-    if (spec.tolerance > 0 && spec.gives_depth) {
+    if (spec.tolerance > 0 && (spec.cluster.depth_a || spec.cluster.depth_b)) {
         return Error{ErrorCode::BadInput,
                      "a tolerance above 0 goes without a distribution depth: what stays undecided "
                      "depends on where trees are cut, so the meshes alone decide it; leave out "
                      "depth"};
+    }
+    return Done{};
+}
+
+Result<std::optional<std::uint32_t>> parse_depth(std::string_view text) {
+    if (text == depth_auto) {
+        return std::optional<std::uint32_t>();
+    }
+    std::uint32_t depth = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), depth);
+    if (error != std::errc() || end != text.data() + text.size() ||
+        depth > limits::distribution_depth_max) {
+        return Error{ErrorCode::BadInput,
+                     "a distribution depth is auto or 0 to " +
+                         std::to_string(limits::distribution_depth_max) + ", not \"" +
+                         std::string(text) + "\""};
+    }
+    return std::optional(depth);
+}
+
+Status check_maps(const JobSpec& spec) {
+    if (spec.maps && spec.level != Level::Count) {
+        return Error{ErrorCode::BadInput,
+                     "maps go with level count: level any knows no triangles, and from level pairs "
+                     "on the pairs themselves say more; set level count, or leave out maps"};
     }
     return Done{};
 }

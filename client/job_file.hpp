@@ -54,10 +54,10 @@ struct JobSpec {
     Level level = Level::Pairs;
     double tolerance = 0; ///< In the job's unit.
     std::uint64_t limit_pairs = 0;
+    bool maps = false;
     std::vector<IgnoreRule> ignore;
     OutputSpec output;
     ClusterOptions cluster;
-    bool gives_depth = false;   ///< The depths in `cluster` were asked for, and are not the usual.
     std::filesystem::path file; ///< The job file; empty where there is none.
 };
 
@@ -72,6 +72,12 @@ struct JobSpec {
 /// A tolerance above 0 fixes the distribution depths, so none may be given beside it. Errors:
 /// BadInput.
 [[nodiscard]] Status check_depths(const JobSpec& spec);
+
+/// Of a distribution depth: a number, or "auto", which is nothing. Errors: BadInput.
+[[nodiscard]] Result<std::optional<std::uint32_t>> parse_depth(std::string_view text);
+
+/// Maps go with level count. Errors: BadInput.
+[[nodiscard]] Status check_maps(const JobSpec& spec);
 
 /// Errors: BadInput naming the formats that exist.
 [[nodiscard]] Status check_format(std::string_view format);

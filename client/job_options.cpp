@@ -4,6 +4,7 @@
 #include "common/job/tolerance.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace cd {
 
@@ -88,6 +89,10 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         return allowed;
     }
     replace(spec.limit_pairs, options.limit_pairs);
+    spec.maps = spec.maps || options.maps;
+    if (Status allowed = check_maps(spec); !allowed) {
+        return allowed;
+    }
     spec.output.dir = options.out.empty() ? spec.output.dir : std::filesystem::path(options.out);
     if (!options.formats.empty()) {
         spec.output.formats = options.formats;
@@ -113,9 +118,17 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         }
         spec.cluster.analysis = *analysis;
     }
-    replace(spec.cluster.depth_a, options.depth_a);
-    replace(spec.cluster.depth_b, options.depth_b);
-    spec.gives_depth = spec.gives_depth || options.depth_a || options.depth_b;
+    for (const auto& [depth, given] : {std::pair(&spec.cluster.depth_a, &options.depth_a),
+                                       std::pair(&spec.cluster.depth_b, &options.depth_b)}) {
+        if (given->empty()) {
+            continue;
+        }
+        const auto parsed = parse_depth(*given);
+        if (!parsed) {
+            return parsed.error();
+        }
+        *depth = parsed.value();
+    }
     if (Status allowed = check_depths(spec); !allowed) {
         return allowed;
     }

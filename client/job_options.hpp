@@ -34,12 +34,13 @@ struct JobOptions {
     std::string level;
     std::optional<double> tolerance;
     std::optional<std::uint64_t> limit_pairs;
+    bool maps = false;
     std::string out;
     std::vector<std::string> formats;
     std::string strategy;
     std::string analysis;
-    std::optional<std::uint32_t> depth_a;
-    std::optional<std::uint32_t> depth_b;
+    std::string depth_a; ///< A number, or "auto".
+    std::string depth_b;
     std::optional<std::uint32_t> q;
     std::optional<std::uint32_t> v_kb;
     bool claim = false;

@@ -114,7 +114,7 @@ Result<RunOutcome> run_locally(const ObbTree& a,
         }
     }
     RunOutcome outcome{
-        merger.summary(), merger.digest(), seconds_since(start), run.statistics(), {}};
+        merger.summary(), merger.digest(), seconds_since(start), run.statistics(), run.map(), {}};
     if (!(query.tolerance > 0)) {
         SearchCostOptions options;
         options.aim = query.level == Level::Any ? WideDescent::Aim::First : WideDescent::Aim::All;

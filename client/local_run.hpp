@@ -4,6 +4,7 @@
 #include "client/report.hpp"
 #include "common/core/result.hpp"
 #include "common/core/thread_pool.hpp"
+#include "common/job/contact_map.hpp"
 #include "common/job/merge.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/query.hpp"
@@ -32,6 +33,7 @@ struct RunOutcome {
     std::optional<Sha256> digest;
     double seconds = 0; ///< Without import and building of trees.
     JobStatistics statistics;
+    ContactMap map; ///< Where the query is for maps.
     /// What this job's searches cost, measured after the run under some of its poses, for no more
     /// than a small share of the run's time. Nothing under a tolerance, or where no triangle was
     /// tested.

@@ -94,6 +94,11 @@ JobStatistics OrderedRun::statistics() {
     return statistics_;
 }
 
+ContactMap OrderedRun::map() {
+    const std::lock_guard lock(mutex_);
+    return map_.map();
+}
+
 void OrderedRun::work() {
     ScenarioSession session(runner_);
     Batch batch;
@@ -137,6 +142,9 @@ void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
             continue; // Nobody waits for it.
         }
         batch.statistics += {run.statistics, run.inside};
+        if (runner_.query().maps) {
+            batch.map.add(run.found);
+        }
         batch.bytes += bytes_of(run.result);
         const Sha256 digest = digest_of(run.result);
         batch.done.push_back({std::move(run.result), digest});
@@ -147,6 +155,7 @@ void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
 
 void OrderedRun::hand_over(Batch& batch) {
     const auto not_run = batch.waiting.begin() + static_cast<std::ptrdiff_t>(batch.ran);
+    const ContactMap map = batch.map.take();
     const std::lock_guard lock(mutex_);
     if (not_run != batch.waiting.end()) {
         // Threads take scenarios in order, so what was not run stands together.
@@ -163,6 +172,7 @@ void OrderedRun::hand_over(Batch& batch) {
         done_[place] = std::move(done);
     }
     statistics_ += batch.statistics;
+    map_.add(map);
     bytes_ahead_ += batch.bytes;
     batch.done.clear();
     batch.statistics = {};

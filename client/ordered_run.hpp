@@ -3,6 +3,7 @@
 
 #include "common/core/hash.hpp"
 #include "common/core/thread_pool.hpp"
+#include "common/job/contact_map.hpp"
 #include "common/job/result.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/scenario.hpp"
@@ -55,6 +56,8 @@ class OrderedRun {
 
     /// Of all scenarios taken so far, and perhaps some more.
     [[nodiscard]] JobStatistics statistics();
+    /// The same; empty unless the query is for maps.
+    [[nodiscard]] ContactMap map();
 
   private:
     /// What one thread has taken, and what it has done and not handed over.
@@ -63,6 +66,7 @@ class OrderedRun {
         std::size_t ran = 0; ///< Of these.
         std::vector<DoneScenario> done;
         JobStatistics statistics;
+        ContactMapSum map;
         std::uint64_t bytes = 0; ///< Of the results.
         std::size_t size = 1;    ///< How many to take next.
     };
@@ -89,6 +93,7 @@ class OrderedRun {
     std::uint64_t bytes_ahead_ = 0;
     std::uint64_t bytes_in_hand_ = 0; ///< Of these, taken by the last call.
     JobStatistics statistics_;
+    ContactMapTotal map_;
     unsigned threads_left_; ///< In here.
     bool stopping_ = false;
 };

@@ -145,8 +145,11 @@ Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, TreeCache& cache, Thr
     if (!ignored) {
         return ignored.error();
     }
-    job.query = {
-        job.spec.level, job.spec.tolerance, job.spec.limit_pairs, std::move(ignored.value())};
+    job.query = {job.spec.level,
+                 job.spec.tolerance,
+                 job.spec.limit_pairs,
+                 std::move(ignored.value()),
+                 job.spec.maps};
     if (trees == Trees::Always || std::holds_alternative<RandomPoses>(job.spec.poses)) {
         get_trees(job, trees, cache, pool);
     }

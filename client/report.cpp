@@ -1,5 +1,6 @@
 #include "client/report.hpp"
 
+#include "client/table.hpp"
 #include "client/words.hpp"
 #include "common/geometry/aabb.hpp"
 
@@ -165,6 +166,18 @@ std::string coloured(const std::string& text, const char* colour, bool colours) 
     return colours ? colour + text + "\x1b[0m" : text;
 }
 
+std::string map_text(const RunReport& report) {
+    if (!report.map_withdrawn.empty()) {
+        return "  map           withdrawn: " + report.map_withdrawn + "; run the job again\n";
+    }
+    if (!report.map) {
+        return {};
+    }
+    const auto& [a, b] = report.map->bodies;
+    return "  map           " + counted(a.size(), "triangle") + " of A and " + grouped(b.size()) +
+           " of B were in contact; digest " + to_short_hex(digest_of(*report.map)) + "\n";
+}
+
 std::string classes_text(const Summary& summary, Level level, bool colours) {
     std::string text = "  " + coloured("separate  " + grouped(summary.separate), green, colours);
     const auto add = [&](const std::string& name, std::uint64_t count, const char* colour) {
@@ -238,7 +251,36 @@ std::string statistics_text(const RunReport& report) {
     return text;
 }
 
+/// What went over the network for the job.
+std::string traffic_text(const JobTraffic& traffic) {
+    const BlockTraffic& blocks = traffic.blocks;
+    const std::uint64_t needed = blocks.hits + blocks.misses;
+    std::string text = "  geometry      " + cell_text(blocks.master_bytes, CellKind::Size) +
+                       " from the master, " + cell_text(blocks.peer_bytes, CellKind::Size) +
+                       " from other workers\n";
+    text += "  caches        held what was needed " + grouped(blocks.hits) +
+            " times, asked for it " + grouped(blocks.misses) + " times" +
+            (needed == 0 ? "" : " (" + share_text(blocks.hits, needed) + ")") +
+            (blocks.hinted == 0 ? "" : ", " + grouped(blocks.hinted) + " asked for ahead") + ", " +
+            grouped(blocks.evictions) + " evicted\n";
+    return text + "  sent back     " + cell_text(traffic.result_bytes, CellKind::Size) +
+           " of results\n";
+}
+
+std::string depths_text(const RunReport& report) {
+    if (!report.depth_a || !report.depth_b) {
+        return "";
+    }
+    return "  depths        A cut at " + std::to_string(*report.depth_a) + ", B at " +
+           std::to_string(*report.depth_b) + "\n";
+}
+
 } // namespace
+
+double hit_share(const BlockTraffic& blocks) {
+    const std::uint64_t needed = blocks.hits + blocks.misses;
+    return needed == 0 ? 0 : static_cast<double>(blocks.hits) / static_cast<double>(needed);
+}
 
 std::string summary_text(const RunReport& report, bool colours) {
     const Summary& summary = report.summary;
@@ -263,6 +305,7 @@ std::string summary_text(const RunReport& report, bool colours) {
         text += "  undecided     in " + counted(summary.undecided, "scenario") +
                 ": boxes as small as the tolerance were left; pairs are those proven, not all\n";
     }
+    text += map_text(report);
     if (!report.most_touched.empty()) {
         text += "  most touched  ";
         for (std::size_t i = 0; i < report.most_touched.size(); ++i) {
@@ -273,6 +316,8 @@ std::string summary_text(const RunReport& report, bool colours) {
         text += "\n";
     }
     text += statistics_text(report);
+    text += depths_text(report);
+    text += report.traffic ? traffic_text(*report.traffic) : "";
     if (report.digest) {
         text += "  digest        " + to_short_hex(*report.digest) + "\n";
     }

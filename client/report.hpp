@@ -3,10 +3,12 @@
 
 #include "common/geometry/mesh.hpp"
 #include "common/geometry/topology.hpp"
+#include "common/job/contact_map.hpp"
 #include "common/job/merge.hpp"
 #include "common/job/result.hpp"
 #include "common/job/statistics.hpp"
 #include "common/tree/search_cost.hpp"
+#include "proto/message.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -75,13 +77,21 @@ struct RunReport {
     std::optional<Sha256> digest; ///< Nothing while scenarios are missing.
     double seconds = 0;
     JobStatistics statistics;
-    std::optional<SearchCost> cost; ///< Of this machine's searches; nothing on a cluster.
-    std::string where;              ///< "2 threads", "2 workers"; may be empty.
+    std::optional<SearchCost> cost;       ///< Of this machine's searches; nothing on a cluster.
+    std::optional<JobTraffic> traffic;    ///< Nothing where nothing travelled.
+    std::optional<std::uint32_t> depth_a; ///< Where trees were cut for the cluster, if they were
+    std::optional<std::uint32_t> depth_b; ///< and it is known.
+    std::string where;                    ///< "2 threads", "2 workers"; may be empty.
+    std::optional<ContactMap> map;        ///< Where one was asked for,
+    std::string map_withdrawn;            ///< or why there is none.
     std::vector<PartTally::Touched> most_touched;
 };
 
 /// The lines after a run, each ended; with colours for a terminal that takes them.
 [[nodiscard]] std::string summary_text(const RunReport& report, bool colours = false);
+
+/// Of the subtrees that scenarios needed at workers, those that were there.
+[[nodiscard]] double hit_share(const BlockTraffic& blocks);
 
 /// How far a run is.
 struct ProgressState {

@@ -65,6 +65,10 @@ std::optional<std::string> TomlFields::word(std::string_view key,
     return value;
 }
 
+bool TomlFields::says(std::string_view key, std::string_view text) const {
+    return has(key) && table_.get(key)->value_exact<std::string>() == text;
+}
+
 std::optional<double> TomlFields::number(std::string_view key) const {
     if (!has(key)) {
         return std::nullopt;

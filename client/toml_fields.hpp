@@ -50,6 +50,8 @@ class TomlFields {
     /// Text that is one of the words given.
     [[nodiscard]] std::optional<std::string> word(std::string_view key,
                                                   std::span<const std::string_view> words) const;
+    /// Its value is this text.
+    [[nodiscard]] bool says(std::string_view key, std::string_view text) const;
     [[nodiscard]] std::optional<double> number(std::string_view key) const; ///< Finite.
     [[nodiscard]] std::optional<std::uint64_t>
     integer(std::string_view key, std::uint64_t min, std::uint64_t max) const;

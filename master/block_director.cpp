@@ -9,12 +9,20 @@
 
 namespace cd {
 
+namespace {
+
+/// Of a block that thousands hold, among these alone the sources after the first are sought.
+constexpr std::size_t sources_looked_at_max = 64;
+
+} // namespace
+
 // ---- Events -----------------------------------------------------------------------------------
 
 void BlockDirector::worker_joined(WorkerId worker, bool serves) {
     const bool is_new = peers_.try_emplace(worker).second;
     CD_CHECK(is_new);
     peers_.at(worker).serves = serves;
+    note_places(worker);
 }
 
 BlockActions BlockDirector::worker_left(WorkerId worker, Time now) {
@@ -41,6 +49,7 @@ BlockActions BlockDirector::worker_left(WorkerId worker, Time now) {
         }
     }
     peers_.erase(found);
+    free_.erase(worker);
     return settle(std::move(event));
 }
 
@@ -111,6 +120,7 @@ BlockActions BlockDirector::peer_failed(WorkerId worker,
         peer.cannot_reach_it.insert(worker);
         peer.is_avoided |= how == PeerOutcome::Damaged ||
                            peer.cannot_reach_it.size() >= limits::peer_unreachable_by_max;
+        note_places(source);
         event.less_hope.insert(peer.holds.begin(), peer.holds.end());
         for (const auto& [block, fetch] : peer.comes) {
             event.less_hope.insert(block);
@@ -127,9 +137,7 @@ BlockActions BlockDirector::tree_removed(TreeId tree, Time now) {
         const BlockKey& block = end->first;
         for (auto& [worker, peer] : peers_) {
             peer.holds.erase(block);
-            if (peer.waits_for.erase(block) != 0 && peer.waits_for.empty()) {
-                std::erase(line_, worker);
-            }
+            stop_waiting(worker, block);
             const auto comes = peer.comes.find(block);
             if (comes != peer.comes.end()) {
                 if (const auto fetch = fetches_.find(comes->second);
@@ -147,7 +155,8 @@ BlockActions BlockDirector::tree_removed(TreeId tree, Time now) {
 
 BlockActions BlockDirector::time_is(Time now) {
     Event event{now, {}, {}, {}};
-    for (const WorkerId worker : std::vector<WorkerId>(line_)) {
+    const auto line = line_;
+    for (const auto& [place, worker] : line) {
         const auto waits_for = peers_.at(worker).waits_for;
         for (const auto& [block, since] : waits_for) {
             if (now - since >= limits::peer_wait_max) {
@@ -201,21 +210,32 @@ WorkerId
 BlockDirector::first_source(const Block& block,
                             WorkerId worker,
                             const std::map<WorkerId, std::vector<RootIndex>>& given) const {
+    const auto may_give = [&](WorkerId source) {
+        return block.holders.contains(source) && can_serve(source, worker);
+    };
+    // One that gives nothing in this event yet, with the fewest uploads.
     WorkerId best;
+    std::size_t least = limits::peer_uploads_max;
+    for (const WorkerId source : free_.size() < block.holders.size() ? free_ : block.holders) {
+        if (!free_.contains(source) || given.contains(source) || !may_give(source)) {
+            continue;
+        }
+        if (const std::size_t uploads = peers_.at(source).uploads; uploads < least) {
+            best = source;
+            least = uploads;
+        }
+        if (least == 0) {
+            break;
+        }
+    }
+    if (best != WorkerId{}) {
+        return best;
+    }
     std::pair<std::size_t, std::size_t> best_load;
-    for (const WorkerId holder : block.holders) {
-        if (!can_serve(holder, worker)) {
-            continue;
-        }
-        const Peer& peer = peers_.at(holder);
-        const auto from_it = given.find(holder);
-        const std::size_t blocks = from_it == given.end() ? 0 : from_it->second.size();
-        if (blocks == 0 && peer.uploads >= limits::peer_uploads_max) {
-            continue;
-        }
-        const std::pair load{blocks, peer.uploads};
-        if (best == WorkerId{} || load < best_load) {
-            best = holder;
+    for (const auto& [source, roots] : given) {
+        const std::pair load{roots.size(), peers_.at(source).uploads};
+        if (may_give(source) && (best == WorkerId{} || load < best_load)) {
+            best = source;
             best_load = load;
         }
     }
@@ -244,13 +264,35 @@ void BlockDirector::want(WorkerId worker,
     if (const WorkerId source = first_source(wanted, worker, given); source != WorkerId{}) {
         given[source].push_back(block.root);
     } else if (is_worth_waiting(wanted, worker)) {
-        if (peer.waits_for.empty()) {
-            line_.push_back(worker);
-        }
-        peer.waits_for.emplace(block, event.now);
-        wanted.awaited_by.insert(worker);
+        wait_for(worker, block, event);
     } else {
         send_from_master(worker, block, event);
+    }
+}
+
+void BlockDirector::wait_for(WorkerId worker, const BlockKey& block, Event& event) {
+    Peer& peer = peers_.at(worker);
+    if (peer.waits_for.empty()) {
+        peer.place = ++place_last_;
+        line_.emplace(peer.place, worker);
+    }
+    peer.waits_for.emplace(block, event.now);
+    blocks_.at(block).awaited_by.emplace(peer.place, worker);
+    awaited_.insert(block);
+}
+
+void BlockDirector::stop_waiting(WorkerId worker, const BlockKey& block) {
+    Peer& peer = peers_.at(worker);
+    if (peer.waits_for.erase(block) == 0) {
+        return;
+    }
+    Block& awaited = blocks_.at(block);
+    awaited.awaited_by.erase(peer.place);
+    if (awaited.awaited_by.empty()) {
+        awaited_.erase(block);
+    }
+    if (peer.waits_for.empty()) {
+        line_.erase(peer.place);
     }
 }
 
@@ -270,19 +312,24 @@ void BlockDirector::fetch(
     const FetchId id = ++fetch_last_;
     fetches_.emplace(id, Fetch{worker, source, roots.size(), event.now + limits::peer_fetch_max});
     ++peers_.at(source).uploads;
-    std::set<WorkerId> others = blocks_.at({tree, roots.front()}).holders;
+    note_places(source);
     for (const RootIndex root : roots) {
         const BlockKey block{tree, root};
         forget_delivery(worker, block, event);
         Block& wanted = blocks_[block];
         wanted.on_the_way_to.insert(worker);
         peers_.at(worker).comes.emplace(block, id);
-        std::erase_if(others, [&](WorkerId other) { return !wanted.holders.contains(other); });
     }
     std::vector<WorkerId> sources{source};
-    for (const WorkerId other : others) {
-        if (other != source && can_serve(other, worker) &&
-            sources.size() < limits::peer_sources_max) {
+    std::size_t looked_at = 0;
+    for (const WorkerId other : blocks_.at({tree, roots.front()}).holders) {
+        if (sources.size() == limits::peer_sources_max || ++looked_at > sources_looked_at_max) {
+            break;
+        }
+        const bool has_all = std::ranges::all_of(roots, [&](RootIndex root) {
+            return blocks_.at({tree, root}).holders.contains(other);
+        });
+        if (other != source && has_all && can_serve(other, worker)) {
             sources.push_back(other);
         }
     }
@@ -303,17 +350,13 @@ void BlockDirector::forget_delivery(WorkerId worker, const BlockKey& block, Even
             fetches_.erase(fetch);
         }
     }
-    if (peer.waits_for.erase(block) != 0) {
-        known->second.awaited_by.erase(worker);
-        if (peer.waits_for.empty()) {
-            std::erase(line_, worker);
-        }
-    }
+    stop_waiting(worker, block);
 }
 
 void BlockDirector::free_place(Fetch& fetch, Event& event) {
     if (const auto source = peers_.find(fetch.source); source != peers_.end()) {
         --source->second.uploads;
+        note_places(fetch.source);
         event.have_places.insert(fetch.source);
     }
     fetch.source = {};
@@ -333,99 +376,6 @@ void BlockDirector::forget_if_unused(const BlockKey& block) {
         found->second.on_the_way_to.empty() && found->second.awaited_by.empty()) {
         blocks_.erase(found);
     }
-}
-
-// ---- The end of an event ----------------------------------------------------------------------
-
-BlockActions BlockDirector::settle(Event event) {
-    while (!event.have_places.empty()) {
-        const WorkerId source = *event.have_places.begin();
-        event.have_places.erase(event.have_places.begin());
-        offer(source, event);
-    }
-    while (!event.less_hope.empty()) {
-        const BlockKey block = *event.less_hope.begin();
-        event.less_hope.erase(event.less_hope.begin());
-        rescue(block, event);
-        forget_if_unused(block);
-    }
-    return std::move(event.actions);
-}
-
-void BlockDirector::offer(WorkerId source, Event& event) {
-    const auto peer = peers_.find(source);
-    if (peer == peers_.end()) {
-        return;
-    }
-    for (const WorkerId worker : std::vector<WorkerId>(line_)) {
-        if (!can_serve(source, worker)) {
-            continue;
-        }
-        std::map<TreeId, std::vector<RootIndex>> roots;
-        for (const auto& [block, since] : peers_.at(worker).waits_for) {
-            if (peer->second.holds.contains(block)) {
-                roots[block.tree].push_back(block.root);
-            }
-        }
-        for (auto& [tree, of_tree] : roots) {
-            if (peer->second.uploads >= limits::peer_uploads_max) {
-                return;
-            }
-            fetch(worker, tree, std::move(of_tree), source, event);
-        }
-    }
-}
-
-void BlockDirector::rescue(const BlockKey& block, Event& event) {
-    const auto found = blocks_.find(block);
-    if (found == blocks_.end()) {
-        return;
-    }
-    for (const WorkerId worker : std::set<WorkerId>(found->second.awaited_by)) {
-        if (!is_worth_waiting(found->second, worker)) {
-            send_from_master(worker, block, event);
-        }
-    }
-}
-
-void BlockDirector::check_invariants() const {
-    std::map<WorkerId, std::size_t> uploads;
-    std::map<FetchId, std::size_t> left;
-    std::size_t on_the_way = 0;
-    std::size_t awaited = 0;
-    for (const auto& [id, fetch] : fetches_) {
-        ++uploads[fetch.source];
-        CD_CHECK(fetch.left != 0);
-    }
-    for (const auto& [worker, peer] : peers_) {
-        CD_CHECK(peer.uploads == uploads[worker]);
-        CD_CHECK(peer.uploads <= limits::peer_uploads_max);
-        CD_CHECK(peer.waits_for.empty() == (std::ranges::count(line_, worker) == 0));
-        on_the_way += peer.comes.size();
-        awaited += peer.waits_for.size();
-        for (const auto& [block, id] : peer.comes) {
-            CD_CHECK(blocks_.at(block).on_the_way_to.contains(worker));
-            CD_CHECK(!peer.waits_for.contains(block));
-            CD_CHECK(!peer.holds.contains(block));
-            left[id] += 1;
-        }
-        for (const auto& [block, since] : peer.waits_for) {
-            CD_CHECK(blocks_.at(block).awaited_by.contains(worker));
-            CD_CHECK(is_worth_waiting(blocks_.at(block), worker)); // Or it would wait in vain.
-        }
-        for (const BlockKey& block : peer.holds) {
-            CD_CHECK(blocks_.at(block).holders.contains(worker));
-        }
-    }
-    for (const auto& [id, fetch] : fetches_) {
-        CD_CHECK(left[id] == fetch.left);
-    }
-    for (const auto& [block, state] : blocks_) {
-        on_the_way -= state.on_the_way_to.size();
-        awaited -= state.awaited_by.size();
-    }
-    CD_CHECK(on_the_way == 0);
-    CD_CHECK(awaited == 0);
 }
 
 } // namespace cd

@@ -86,7 +86,8 @@ class BlockDirector {
     void check_invariants() const;
 
   private:
-    using FetchId = std::uint64_t; ///< 0: the master sends it.
+    using FetchId = std::uint64_t;     ///< 0: the master sends it.
+    using PlaceInLine = std::uint64_t; ///< Of a worker, while it waits for anything.
 
     struct Peer {
         bool serves = false;
@@ -95,6 +96,7 @@ class BlockDirector {
         std::size_t uploads = 0; ///< Fetches for which it is the first source.
         std::set<BlockKey> holds;
         std::map<BlockKey, Time> waits_for; ///< With the time from which on it waits.
+        PlaceInLine place = 0;
         std::map<BlockKey, FetchId> comes;
     };
     struct Fetch {
@@ -106,7 +108,7 @@ class BlockDirector {
     struct Block {
         std::set<WorkerId> holders;
         std::set<WorkerId> on_the_way_to;
-        std::set<WorkerId> awaited_by;
+        std::map<PlaceInLine, WorkerId> awaited_by;
     };
     /// What happened in one event, settled at its end.
     struct Event {
@@ -129,6 +131,9 @@ class BlockDirector {
               const BlockKey& block,
               std::map<WorkerId, std::vector<RootIndex>>& given,
               Event& event);
+    void wait_for(WorkerId worker, const BlockKey& block, Event& event);
+    /// It no longer waits for the block, if it did.
+    void stop_waiting(WorkerId worker, const BlockKey& block);
     void send_from_master(WorkerId worker, const BlockKey& block, Event& event);
     void fetch(
         WorkerId worker, TreeId tree, std::vector<RootIndex> roots, WorkerId source, Event& event);
@@ -141,6 +146,10 @@ class BlockDirector {
     BlockActions settle(Event event);
     /// Gives what the source holds to those who wait for it, while it has places.
     void offer(WorkerId source, Event& event);
+    /// The first in line that waits for something that the source holds, and may have it; 0: none.
+    [[nodiscard]] WorkerId next_for(WorkerId source) const;
+    /// To be called when its uploads change, or whether it is avoided.
+    void note_places(WorkerId source);
     /// Where nobody can give a block any more, those who wait get it from the master.
     void rescue(const BlockKey& block, Event& event);
 
@@ -148,7 +157,11 @@ class BlockDirector {
     std::map<BlockKey, Block> blocks_; ///< Held, awaited, or on the way.
     std::map<FetchId, Fetch> fetches_;
     FetchId fetch_last_ = 0;
-    std::vector<WorkerId> line_; ///< Who waits for something, in the order of coming.
+    PlaceInLine place_last_ = 0;
+    // So that an event costs what it touches, and not what all workers hold or wait for:
+    std::map<PlaceInLine, WorkerId> line_; ///< Who waits for something, in the order of coming.
+    std::set<BlockKey> awaited_;           ///< Blocks that somebody waits for.
+    std::set<WorkerId> free_;              ///< Sources with a free place.
 };
 
 } // namespace cd

@@ -272,28 +272,19 @@ asio::awaitable<void> ClientSession::on(ResultsQuery message) {
     channel_->send(part.value());
 }
 
+asio::awaitable<void> ClientSession::on(ContactMapQuery message) {
+    const Result<ContactMapAnswer> map = coordinator_.contact_map(message.job);
+    if (map) {
+        channel_->send(map.value());
+    } else {
+        refuse(map.error());
+    }
+    co_return;
+}
+
 asio::awaitable<void> ClientSession::on(Explain message) {
-    const Result<AnalysisInput> input = coordinator_.analysis_input(message.job);
-    if (!input) {
-        refuse(input.error());
-        co_return;
-    }
-    if (message.scenario >= input.value().poses->count()) {
-        refuse({ErrorCode::NotFound,
-                "the job has scenarios 0 to " + std::to_string(input.value().poses->count() - 1)});
-        co_return;
-    }
-    auto run = [&input, scenario = message.scenario]() -> Result<Analysis> {
-        const Result<std::vector<Scenario>> read = input.value().poses->read(scenario, 1);
-        if (!read) {
-            return read.error();
-        }
-        return analyse(input.value(), read.value().front());
-    };
-    Result<Analysis> analysis = co_await run_on(coordinator_.blocking(), run);
     const Result<Explained> explained =
-        analysis ? coordinator_.explain(message.job, std::move(analysis.value()))
-                 : Result<Explained>(analysis.error());
+        co_await coordinator_.explain(message.job, message.scenario);
     if (explained) {
         channel_->send(explained.value());
     } else {

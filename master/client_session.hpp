@@ -44,6 +44,7 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     asio::awaitable<void> on(Watch message);
     asio::awaitable<void> on(StatusQuery message);
     asio::awaitable<void> on(ResultsQuery message);
+    asio::awaitable<void> on(ContactMapQuery message);
     asio::awaitable<void> on(Cancel message);
     asio::awaitable<void> on(Explain message);
     asio::awaitable<void> on(TokenCreate message);

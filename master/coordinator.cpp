@@ -84,8 +84,23 @@ void Coordinator::perform(const SendBatch& action) {
     batch.scenarios = pack_scenarios(scenarios);
     add_job_to(link->second, *job);
     link->second.channel->send(batch);
-    tasks_.emplace(action.task, RunningTask{action.worker, std::move(content)});
+    RunningTask task{action.worker, std::move(content)};
+    task.is_copy = action.is_copy;
+    job->copies += action.is_copy ? action.scenarios.size() : 0;
+    tasks_.emplace(action.task, std::move(task));
     note_work(action.worker);
+}
+
+void Coordinator::perform(const AskBack& action) {
+    if (const auto link = workers_.find(action.worker); link != workers_.end()) {
+        link->second.channel->send(Recall{action.task, action.scenarios, action.places});
+    }
+}
+
+void Coordinator::perform(const CallOff& action) {
+    if (const auto link = workers_.find(action.worker); link != workers_.end()) {
+        link->second.channel->send(DropScenario{action.job, action.scenario, action.task});
+    }
 }
 
 void Coordinator::perform(const GiveUp& action) {

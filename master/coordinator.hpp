@@ -26,6 +26,8 @@
 
 namespace cd {
 
+struct JobGeometry;
+
 /// What the coordinator works with; all of it outlives the coordinator.
 struct CoordinatorParts {
     asio::any_io_executor executor; ///< Its one thread owns all state.
@@ -96,10 +98,20 @@ class Coordinator {
     /// cut off.
     void results_came(WorkerId worker, Results results, std::function<void()> done);
     void task_ended(WorkerId worker, TaskId task);
+    void task_recalled(WorkerId worker, const Recalled& recalled);
     /// The worker takes no more, and leaves when it has finished what it has.
     void worker_draining(WorkerId worker);
     /// Cuts off a worker that does not keep to the protocol.
     void cut_off(WorkerId worker, const Error& why);
+
+    // ---- How workers score (coordinator_explain.cpp) --------------------------------------------
+    /// For the scenario, as things stand now. Of a job that has ended it is analysed again. Errors:
+    /// NotFound, also of meshes or poses that are gone; Refused while the job is being prepared.
+    [[nodiscard]] asio::awaitable<Result<Explained>> explain(JobId job, std::uint64_t scenario);
+    /// For one that has been analysed. Errors: NotFound; Refused unless the job runs.
+    [[nodiscard]] Result<Explained> explain(JobId job, Analysis analysis);
+    /// To analyse one of the job's scenarios with. The same errors.
+    [[nodiscard]] Result<AnalysisInput> analysis_input(JobId job);
 
     // ---- Jobs (coordinator_jobs.cpp)
     // --------------------------------------------------------------
@@ -120,12 +132,10 @@ class Coordinator {
     [[nodiscard]] std::uint64_t job_changes(JobId job);
     /// Cancels the timer when the job ends, if it still exists.
     void notify_at_end(JobId job, const std::shared_ptr<asio::steady_timer>& timer);
-    /// To analyse one of the job's scenarios with. Errors: NotFound; Refused unless it runs.
-    [[nodiscard]] Result<AnalysisInput> analysis_input(JobId job);
-    /// How the workers score for the scenario now. The same errors.
-    [[nodiscard]] Result<Explained> explain(JobId job, Analysis analysis);
     /// Null for no job.
     [[nodiscard]] std::shared_ptr<ResultStore> results_of(JobId job);
+    /// Errors: NotFound; Refused for a job that is not done.
+    [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);
     [[nodiscard]] ClusterStatus cluster_status();
 
     /// Aborts when an invariant is broken; for tests, between two events.
@@ -161,16 +171,26 @@ class Coordinator {
     struct RunningTask {
         WorkerId worker;
         std::shared_ptr<const TaskContent> content;
-        std::size_t in_hand = 0; ///< Messages of results that are being checked.
-        bool ended = false;      ///< The worker says that it has sent all.
-        bool unbegun = false;    ///< It got lost on its way to the worker.
+        std::size_t in_hand = 0;               ///< Messages of results that are being checked.
+        bool ended = false;                    ///< The worker says that it has sent all.
+        bool unbegun = false;                  ///< It got lost on its way to the worker.
+        bool is_copy = false;                  ///< Another worker has the same.
+        std::optional<PlaceRange> places = {}; ///< Of a range: what was not given back.
     };
-    struct Preparation;
     /// Results that cannot be checked yet: the geometry of their job is being prepared.
     struct EarlyResults {
         WorkerId worker;
         Results results;
         std::function<void()> done;
+    };
+    /// Results that have been checked.
+    struct ResultsInHand {
+        WorkerId worker;
+        std::shared_ptr<const TaskContent> task; ///< Null for what came late.
+        std::shared_ptr<const Results> message;
+        Result<TakenResults> taken;
+        std::function<void()> done;
+        std::vector<std::uint64_t> mapped; ///< Of these alone the map was made again; or none.
     };
 
     // Workers.
@@ -194,7 +214,16 @@ class Coordinator {
     void results_taken(WorkerId worker,
                        const TaskContent* task,
                        const Results& results,
-                       Result<std::vector<TakenResult>> taken);
+                       Result<TakenResults> taken);
+    void take_in(std::shared_ptr<ResultsInHand> hand);
+    /// Those of the results that are not merged.
+    [[nodiscard]] static std::vector<std::uint64_t>
+    new_scenarios(const MasterJob& job, std::span<const TakenResult> results);
+    /// Of these scenarios instead of all that are in hand; then takes it in.
+    void make_map(const MasterJob& job,
+                  std::shared_ptr<ResultsInHand> hand,
+                  std::vector<std::uint64_t> scenarios);
+    void withdraw_map(MasterJob& job, const std::string& why);
     /// Of a task that is not known (any more), but maybe of a job that is.
     /// A message of that number has come before: it is no measure of anything.
     [[nodiscard]] bool is_repeated(WorkerId worker, std::uint64_t sequence);
@@ -202,6 +231,8 @@ class Coordinator {
     void check_late_results(const MasterJob& job, EarlyResults early);
     void add_held_trees(WorkerLink& link);
     void end_task_if_complete(TaskId task);
+    /// Other workers that have the place of a scenario which this one has answered need not.
+    void call_off_places(const MasterJob& job, WorkerId worker, std::uint64_t scenario);
     void add_job_to(WorkerLink& link, const MasterJob& job);
     void add_tree_to(WorkerLink& link, TreeId tree);
     void note_work(WorkerId worker);
@@ -211,11 +242,11 @@ class Coordinator {
     using DoneScenarios = std::shared_ptr<const std::vector<bool>>;
     /// `done`: as `AnalysisInput` has it.
     asio::awaitable<void> prepare_job(JobId job, DoneScenarios done);
-    void start_job(MasterJob& job, const Preparation& made, DoneScenarios done);
+    void start_job(MasterJob& job, const JobGeometry& made, DoneScenarios done);
     void block_came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
     /// The only place where results enter a job, and the journal. `worker`: who computed them; 0 is
     /// the master.
-    void merge(MasterJob& job, std::vector<TakenResult> taken, WorkerId worker);
+    void merge(MasterJob& job, TakenResults taken, WorkerId worker);
     /// False: it is not the first of its scenario.
     [[nodiscard]] bool merge_one(MasterJob& job, const TakenResult& taken, WorkerId worker);
     void end_if_complete(MasterJob& job);
@@ -223,6 +254,15 @@ class Coordinator {
     void close_analysis(MasterJob& job, std::uint64_t scenario);
     void fail_scenario(MasterJob& job, const Scenario& scenario, const std::string& why);
     void add_long_scenarios(JobStatus& job) const;
+
+    // Explaining.
+    struct EndedScenario;
+    [[nodiscard]] asio::awaitable<Result<Explained>> explain_ended(JobId job,
+                                                                   std::uint64_t scenario);
+    /// What the scenario's result tells, if it has one.
+    void add_answer(const MasterJob& job, Explained& explained) const;
+    [[nodiscard]] std::string
+    answered_by(const MasterJob& job, std::uint64_t scenario, bool needs_worker) const;
 
     // Results that differ (coordinator_disputes.cpp).
     struct Dispute {
@@ -266,6 +306,8 @@ class Coordinator {
                      const Result<std::shared_ptr<const PoseWindow>>& window);
     void give_unmerged(MasterJob& job, const GivenPlaces& given);
     void take_places_back(MasterJob& job);
+    /// What of these places has no result, and is in no task, is still to be done.
+    void give_again(MasterJob& job, const GivenPlaces& ended, std::uint32_t losses);
     /// Of these places, those whose scenarios have no result.
     [[nodiscard]] static std::vector<PlaceRange> unmerged(const MasterJob& job,
                                                           const GivenPlaces& given);
@@ -297,6 +339,9 @@ class Coordinator {
     void perform(const GiveUp& action);
     void perform(const SendRange& range);
     void perform(const RangeEnded& ended);
+    void perform(const AskBack& ask);
+    void perform(const GivenBack& given);
+    void perform(const CallOff& loser);
 
     CoordinatorParts parts_;
     Clock::time_point started_ = Clock::now();

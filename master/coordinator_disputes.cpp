@@ -122,10 +122,11 @@ void Coordinator::judge(MasterJob& job,
                                     : "worker " + std::to_string(author.value)) +
               ", was wrong; it is corrected");
         job.merger.correct(index, first, facts_of(right.result), right.digest);
+        withdraw_map(job, "a result of the job was wrong and has been corrected");
         if (author != WorkerId{}) {
             job.authors[index] = 0; // The master's now.
         }
-        AddResults add{job.id, job.results, {}, job.progress(Clock::now())};
+        AddResults add{job.id, job.results, {}, job.progress(Clock::now()), {}};
         const ResultRow row{index, right.record.size(), facts_of(right.result), right.digest};
         add.results.push_back({row, std::move(right.record)});
         write(std::move(add));
@@ -212,6 +213,7 @@ void Coordinator::doubt(MasterJob& job, const std::vector<std::uint64_t>& scenar
     }
     if (count != 0) {
         spdlog::warn("results are done again: job={} scenarios={}", job.id.value, count);
+        withdraw_map(job, "a worker that has contributed to it was wrong elsewhere");
         ++job.changes;
     }
     for (auto& [window, indices] : by_window) {

@@ -156,7 +156,11 @@ void Coordinator::perform(const SendRange& action) {
     if (job == nullptr) {
         return act(dispatcher().task_ended(action.worker, action.task));
     }
-    const GivenPlaces given = job->take_given(action.places);
+    const bool is_copy = action.copy_of != TaskId{};
+    const GivenPlaces given =
+        is_copy ? GivenPlaces{action.places, tasks_.at(action.copy_of).content->range->window}
+                : job->take_given(action.places);
+    job->copies += is_copy ? action.places.count : 0;
     auto content = std::make_shared<TaskContent>();
     content->job = job->id;
     content->material = job->material;
@@ -166,7 +170,10 @@ void Coordinator::perform(const SendRange& action) {
         range.first = 0;
         range.scenarios = pack_scenarios(content->range->window->at(action.places));
     }
-    tasks_.emplace(action.task, RunningTask{action.worker, std::move(content)});
+    RunningTask task{action.worker, std::move(content)};
+    task.is_copy = is_copy;
+    task.places = action.places;
+    tasks_.emplace(action.task, std::move(task));
     // If the worker has left, the dispatcher knows, and the range ends.
     if (const auto link = workers_.find(action.worker); link != workers_.end()) {
         add_job_to(link->second, *job);
@@ -181,9 +188,46 @@ void Coordinator::perform(const RangeEnded& action) {
     if (task.empty() || job == nullptr || mutated(Mutation::LostRangeForgotten)) {
         return;
     }
-    const GivenPlaces ended{action.places, task.mapped().content->range->window};
-    for (const PlaceRange& run : unmerged(*job, ended)) {
-        job->todo.put_back({run, action.are_lost ? 1u : 0u});
+    give_again(
+        *job, {action.places, task.mapped().content->range->window}, action.are_lost ? 1u : 0u);
+}
+
+void Coordinator::perform(const GivenBack& action) {
+    const auto task = tasks_.find(action.task);
+    MasterJob* job = jobs_.find_running(action.job);
+    if (task == tasks_.end() || job == nullptr) {
+        return;
+    }
+    job->recalled += action.scenarios + action.places.count;
+    if (action.places.count == 0) {
+        return;
+    }
+    PlaceRange& kept = *task->second.places;
+    kept.count = action.places.first - kept.first;
+    if (!mutated(Mutation::RecalledIsLost)) {
+        give_again(*job, {action.places, task->second.content->range->window}, 0);
+    }
+}
+
+void Coordinator::give_again(MasterJob& job, const GivenPlaces& ended, std::uint32_t losses) {
+    std::vector<PlaceRange> runs = unmerged(job, ended);
+    for (const auto& [id, task] : tasks_) {
+        if (task.content->job == job.id && task.places) {
+            runs = without(runs, *task.places); // A copy of them, or what they are a copy of.
+        }
+    }
+    for (const PlaceRange& run : runs) {
+        job.todo.put_back({run, losses});
+    }
+}
+
+void Coordinator::call_off_places(const MasterJob& job, WorkerId worker, std::uint64_t scenario) {
+    for (const auto& [id, task] : tasks_) {
+        const auto link = workers_.find(task.worker);
+        if (task.content->job == job.id && task.places && task.worker != worker &&
+            link != workers_.end() && task.content->range->scenario(scenario)) {
+            link->second.channel->send(DropScenario{job.id, scenario, id});
+        }
     }
 }
 

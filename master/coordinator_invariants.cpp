@@ -53,6 +53,9 @@ void Coordinator::check_job(const MasterJob& job) const {
 std::vector<bool> Coordinator::scenarios_in_ranges(const MasterJob& job) const {
     std::vector<bool> found(job.submit.scenarios);
     const auto add = [&](const PlaceRange& places) {
+        if (places.count == 0) {
+            return; // All of it was given back.
+        }
         const Result<std::vector<Scenario>> scenarios = job.order->read(places.first, places.count);
         CD_CHECK(scenarios.has_value());
         for (const Scenario& scenario : scenarios.value()) {
@@ -66,8 +69,8 @@ std::vector<bool> Coordinator::scenarios_in_ranges(const MasterJob& job) const {
         add(places);
     }
     for (const auto& [id, task] : tasks_) {
-        if (task.content->job == job.id && task.content->range) {
-            add(task.content->range->places);
+        if (task.content->job == job.id && task.places) {
+            add(*task.places);
         }
     }
     return found;

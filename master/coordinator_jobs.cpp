@@ -2,8 +2,9 @@
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
-#include "common/job/tolerance.hpp"
+#include "common/job/packed_map.hpp"
 #include "master/coordinator.hpp"
+#include "master/job_geometry.hpp"
 #include "master/mutation.hpp"
 #include "master/run_on.hpp"
 
@@ -11,73 +12,7 @@
 
 namespace cd {
 
-/// The geometry of a job.
-struct Coordinator::Preparation {
-    std::shared_ptr<const ObbTree> tree_a;
-    std::shared_ptr<const ObbTree> tree_b;
-    std::shared_ptr<const CutGeometry> cut_a;
-    std::shared_ptr<const CutGeometry> cut_b;
-
-    /// May take seconds. Errors: those of the store.
-    [[nodiscard]] static Result<Preparation> make(GeometryStore& store, const Submit& submit) {
-        const auto tree_a = store.tree(submit.bodies[0]);
-        const auto tree_b = store.tree(submit.bodies[1]);
-        for (const auto* tree : {&tree_a, &tree_b}) {
-            if (!*tree) {
-                return tree->error();
-            }
-        }
-        const bool is_exact = submit.query.tolerance == 0;
-        const auto depth_a = is_exact ? submit.cluster.depth_a : tolerance_depth(*tree_a.value());
-        const auto depth_b = is_exact ? submit.cluster.depth_b : tolerance_depth(*tree_b.value());
-        const bool is_wide = is_exact && suits_wide_tree(tree_a.value()->view()) &&
-                             suits_wide_tree(tree_b.value()->view());
-        const SubtreeForm form = is_wide ? SubtreeForm::Wide : SubtreeForm::Binary;
-        const auto cut_a = store.cut(submit.bodies[0], depth_a, form);
-        const auto cut_b = store.cut(submit.bodies[1], depth_b, form);
-        for (const auto* cut : {&cut_a, &cut_b}) {
-            if (!*cut) {
-                return cut->error();
-            }
-        }
-        return Preparation{tree_a.value(), tree_b.value(), cut_a.value(), cut_b.value()};
-    }
-};
-
 namespace {
-
-Error no_job(JobId job) {
-    return {ErrorCode::NotFound, "no job " + std::to_string(job.value) + " is known here"};
-}
-
-DispatchTree dispatch_tree(TreeId id, const CutGeometry& cut) {
-    DispatchTree tree{id, {}, {}};
-    for (RootIndex root = 0; root < cut.root_count(); ++root) {
-        tree.root_triangles.push_back(cut.top().triangles_under(root));
-        tree.root_bytes.push_back(cut.compressed_bytes(root));
-    }
-    return tree;
-}
-
-/// Of a job that the journal holds.
-Result<std::shared_ptr<PoseSource>> open_poses(const Submit& submit,
-                                               const std::filesystem::path& path) {
-    if (submit.grid) {
-        Result<Grid> grid = decode_grid(*submit.grid);
-        if (!grid) {
-            return grid.error();
-        }
-        return std::shared_ptr<PoseSource>(make_grid_source(std::move(grid.value())));
-    }
-    Result<std::unique_ptr<PoseSpool>> spool = PoseSpool::open(path, submit.scenarios);
-    if (!spool) {
-        return spool.error();
-    }
-    if (const Status whole = spool.value()->verify(); !whole) {
-        return whole.error();
-    }
-    return std::shared_ptr<PoseSource>(std::move(spool.value()));
-}
 
 /// Up to the last of them.
 std::shared_ptr<const std::vector<bool>> done_scenarios(const std::vector<std::uint64_t>& done) {
@@ -87,10 +22,6 @@ std::shared_ptr<const std::vector<bool>> done_scenarios(const std::vector<std::u
         (*bits)[scenario] = true;
     }
     return bits;
-}
-
-std::shared_ptr<const TreeTop> top_of(const std::shared_ptr<const CutGeometry>& cut) {
-    return {cut, &cut->top()};
 }
 
 } // namespace
@@ -167,8 +98,8 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
 
 asio::awaitable<void> Coordinator::prepare_job(JobId id, DoneScenarios done) {
     const Submit submit = jobs_.find(id)->submit;
-    auto make = [&store = parts_.geometry, &submit] { return Preparation::make(store, submit); };
-    const Result<Preparation> made = co_await run_on(parts_.blocking, make);
+    auto make = [&store = parts_.geometry, &submit] { return make_job_geometry(store, submit); };
+    const Result<JobGeometry> made = co_await run_on(parts_.blocking, make);
     MasterJob* job = jobs_.find_running(id);
     if (job == nullptr) {
         co_return; // Cancelled meanwhile.
@@ -180,24 +111,21 @@ asio::awaitable<void> Coordinator::prepare_job(JobId id, DoneScenarios done) {
     start_job(*job, made.value(), std::move(done));
 }
 
-void Coordinator::start_job(MasterJob& job, const Preparation& made, DoneScenarios done) {
+void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenarios done) {
     const Submit& submit = job.submit;
     job.material =
         std::make_shared<const JobMaterial>(JobMaterial{made.tree_a, made.tree_b, submit.query});
     job.tree_a = trees_.acquire(submit.bodies[0], made.cut_a);
     job.tree_b = trees_.acquire(submit.bodies[1], made.cut_b);
+    job.depth_a = made.cut_a->depth();
+    job.depth_b = made.cut_b->depth();
     for (auto& [worker, link] : workers_) {
         if (!link.quarantined) {
             add_held_trees(link);
         }
     }
-    AnalysisInput input{made.tree_a,
-                        made.tree_b,
-                        top_of(made.cut_a),
-                        top_of(made.cut_b),
-                        submit.query,
-                        job.poses,
-                        std::move(done)};
+    AnalysisInput input = make_analysis_input(made, submit.query, job.poses);
+    input.done = std::move(done);
     // On a thread of the pool; the records are made there, too.
     auto deliver = [this, executor = parts_.executor, id = job.id](AnalysedBlock came) {
         auto finished = std::make_shared<std::vector<TakenResult>>();
@@ -264,14 +192,14 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
         job->matching_seconds.add(seconds, static_cast<double>(handed_out));
     }
     job->answered_by_master += finished.size();
-    merge(*job, std::move(finished), WorkerId{});
+    merge(*job, {std::move(finished), {}}, WorkerId{});
     end_if_complete(*job);
     feed();
 }
 
-void Coordinator::merge(MasterJob& job, std::vector<TakenResult> taken, WorkerId worker) {
-    AddResults add{job.id, job.results, {}, {}};
-    for (TakenResult& one : taken) {
+void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
+    AddResults add{job.id, job.results, {}, {}, {}};
+    for (TakenResult& one : taken.results) {
         job.statistics += one.cost;
         if (one.record.size() > limits::result_record_bytes_max) {
             const std::string scenario = std::to_string(one.result.index);
@@ -291,6 +219,10 @@ void Coordinator::merge(MasterJob& job, std::vector<TakenResult> taken, WorkerId
     if (!add.results.empty()) {
         ++job.changes;
         add.progress = job.progress(Clock::now());
+        if (!taken.map.empty()) {
+            job.map.add(taken.map);
+            add.map = pack_map(taken.map);
+        }
         write(std::move(add));
     }
 }
@@ -462,7 +394,7 @@ void Coordinator::fail_scenario(MasterJob& job, const Scenario& scenario, const 
     result.failure = "scenario " + std::to_string(scenario.index) + ": " + why;
     std::vector<TakenResult> taken;
     taken.push_back(take_result(std::move(result), {}));
-    merge(job, std::move(taken), WorkerId{});
+    merge(job, {std::move(taken), {}}, WorkerId{});
     end_if_complete(job);
 }
 
@@ -472,32 +404,6 @@ Result<JobStatus> Coordinator::job_status(JobId id) {
         return no_job(id);
     }
     return status_of(*job);
-}
-
-Result<AnalysisInput> Coordinator::analysis_input(JobId id) {
-    const MasterJob* job = jobs_.find(id);
-    if (job == nullptr) {
-        return no_job(id);
-    }
-    if (!job->analysis_input) {
-        return Error{ErrorCode::Refused,
-                     "the job does not give out scenarios: it is " +
-                         std::string(job->is_running() ? "being prepared" : to_text(job->state))};
-    }
-    return *job->analysis_input;
-}
-
-Result<Explained> Coordinator::explain(JobId id, Analysis analysis) {
-    // It may have ended while the scenario was analysed.
-    if (const Result<AnalysisInput> input = analysis_input(id); !input) {
-        return input.error();
-    }
-    return dispatcher().explain(id,
-                                {analysis.scenario.index,
-                                 std::move(analysis.roots_a),
-                                 std::move(analysis.roots_b),
-                                 analysis.bytes,
-                                 analysis.predicted_ns});
 }
 
 std::uint64_t Coordinator::job_changes(JobId id) {

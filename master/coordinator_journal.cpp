@@ -70,8 +70,10 @@ void Coordinator::keep_promises() {
             job_ended(ended->job);
         } else {
             const JobId dropped = std::get<JobDropped>(promise).job;
-            parts_.blocking.post(
-                [path = parts_.journal.results_path(dropped)] { remove_file(path); });
+            for (const auto& path :
+                 {parts_.journal.results_path(dropped), parts_.journal.poses_path(dropped)}) {
+                parts_.blocking.post([path] { remove_file(path); });
+            }
         }
     }
     for (const auto& [worker, message] : kept) {
@@ -89,16 +91,19 @@ void Coordinator::job_ended(JobId id) {
         ledger_.promise(JobDropped{dropped}, write(DropJob{dropped}));
     }
     const JobStatus status = status_of(*job);
-    spdlog::info("job ended: job={} state={} merged={} total={} seconds={:.3f} digest={}{}",
-                 id.value,
-                 to_text(status.state),
-                 status.summary.merged(),
-                 status.summary.total,
-                 status.seconds,
-                 status.digest ? to_short_hex(*status.digest) : "none",
-                 status.failure.empty() ? "" : " reason=\"" + status.failure + "\"");
-    // Nobody reads its poses any more.
-    parts_.blocking.post([path = parts_.journal.poses_path(id)] { remove_file(path); });
+    spdlog::info(
+        "job ended: job={} state={} merged={} total={} seconds={:.3f} recalled={} copies={} "
+        "copies_won={} digest={}{}",
+        id.value,
+        to_text(status.state),
+        status.summary.merged(),
+        status.summary.total,
+        status.seconds,
+        status.recalled,
+        status.copies,
+        status.copies_won,
+        status.digest ? to_short_hex(*status.digest) : "none",
+        status.failure.empty() ? "" : " reason=\"" + status.failure + "\"");
     const auto [begin, end] = waiting_for_end_.equal_range(id);
     for (auto waiting = begin; waiting != end; ++waiting) {
         if (const auto timer = waiting->second.lock()) {

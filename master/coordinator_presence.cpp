@@ -1,6 +1,7 @@
 // Which workers are here: joining, coming back, falling silent, and leaving.
 #include "common/core/check.hpp"
 #include "common/core/hash.hpp"
+#include "common/core/limits.hpp"
 #include "common/core/log.hpp"
 #include "master/coordinator.hpp"
 
@@ -10,9 +11,12 @@ namespace cd {
 
 namespace {
 
-template <class T>
-bool names(const std::vector<T>& list, const T& one) {
+bool names(const std::vector<JobId>& list, JobId one) {
     return std::find(list.begin(), list.end(), one) != list.end();
+}
+
+bool names(const std::vector<Recalled>& list, TaskId one) {
+    return std::ranges::find(list, one, &Recalled::task) != list.end();
 }
 
 /// All roots below `count` that are not in `held`, which ascends.
@@ -184,8 +188,12 @@ void Coordinator::take_lost_jobs(WorkerLink& link, const Standing& standing) {
     std::erase_if(link.jobs, [&](JobId job) { return !names(standing.jobs, job); });
 }
 
-/// A task that is not there never came, or has ended: its results came before this.
+/// A task that is not there never came, or has ended: its results came before this. Of one that is
+/// there, what was given back may not have come.
 void Coordinator::take_lost_tasks(WorkerId worker, const Standing& standing) {
+    for (const Recalled& task : standing.tasks) {
+        task_recalled(worker, task);
+    }
     std::vector<TaskId> missing;
     for (const auto& [id, task] : tasks_) {
         if (task.worker == worker && !names(standing.tasks, id)) {
@@ -276,11 +284,16 @@ void Coordinator::connection_ended(WorkerId worker,
 asio::awaitable<void> Coordinator::watch_workers() {
     const auto timer = watch_timer_;
     while (!closed_ && watch_.size() != 0) {
-        timer->expires_after(parts_.times.heartbeat / 2);
+        const FailureTimes::Duration period = parts_.times.heartbeat / 2;
+        const bool is_at_end = dispatcher_.is_at_end();
+        timer->expires_after(is_at_end ? std::min(period, limits::end_check_period) : period);
         boost::system::error_code ignored;
         co_await timer->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         if (!closed_) {
             check_workers();
+        }
+        if (!closed_ && is_at_end) {
+            feed(); // Somebody may be late.
         }
     }
     watch_timer_.reset();

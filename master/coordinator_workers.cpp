@@ -112,12 +112,9 @@ void Coordinator::results_came(WorkerId worker, Results results, std::function<v
                          content = task->second.content,
                          came = std::make_shared<const Results>(std::move(results)),
                          done = std::move(done)]() mutable {
-        auto taken =
-            std::make_shared<Result<std::vector<TakenResult>>>(take_results(*content, *came));
-        asio::post(executor, [this, worker, content, came, taken, done = std::move(done)] {
-            results_taken(worker, content.get(), *came, std::move(*taken));
-            go_on(done);
-        });
+        const auto hand = std::make_shared<ResultsInHand>(
+            ResultsInHand{worker, content, came, take_results(*content, *came), done, {}});
+        asio::post(executor, [this, hand] { take_in(hand); });
     });
 }
 
@@ -153,19 +150,22 @@ void Coordinator::check_late_results(const MasterJob& job, EarlyResults early) {
                           material = job.material,
                           poses = job.poses,
                           early = std::make_shared<EarlyResults>(std::move(early))] {
-        auto taken = std::make_shared<Result<std::vector<TakenResult>>>(
-            take_late_results(id, material, *poses, early->results));
-        asio::post(executor, [this, early, taken] {
-            results_taken(early->worker, nullptr, early->results, std::move(*taken));
-            go_on(early->done);
-        });
+        const auto came = std::make_shared<const Results>(std::move(early->results));
+        const auto hand = std::make_shared<ResultsInHand>(
+            ResultsInHand{early->worker,
+                          nullptr,
+                          came,
+                          take_late_results(id, material, *poses, *came),
+                          early->done,
+                          {}});
+        asio::post(executor, [this, hand] { take_in(hand); });
     });
 }
 
 void Coordinator::results_taken(WorkerId worker,
                                 const TaskContent* task,
                                 const Results& results,
-                                Result<std::vector<TakenResult>> taken) {
+                                Result<TakenResults> taken) {
     if (!taken) {
         cut_off(worker, taken.error());
         return;
@@ -176,22 +176,37 @@ void Coordinator::results_taken(WorkerId worker,
     if (job != nullptr) {
         job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;
-        const std::size_t count = taken.value().size();
+        job->traffic.result_bytes += results.records.size() + results.map.size();
+        // What is sent again, and was counted already, brings nothing new.
+        if (task != nullptr || !new_scenarios(*job, taken.value().results).empty()) {
+            job->traffic.blocks += results.traffic;
+        }
+        const std::size_t count = taken.value().results.size();
         job->work_seconds.add(results.compute_seconds, static_cast<double>(count));
         if (task == nullptr) {
             // Of an earlier session: no task's measure.
         } else if (task->range) {
             act(dispatcher().places_answered(worker, results.task, count, results.compute_seconds));
         } else {
-            dispatcher().work_measured(worker, measured_work(*job, results, taken.value()));
+            dispatcher().work_measured(worker, measured_work(*job, results, taken.value().results));
         }
         std::vector<std::uint64_t> scenarios;
-        for (const TakenResult& one : taken.value()) {
+        for (const TakenResult& one : taken.value().results) {
             scenarios.push_back(one.result.index);
             // Those of a range, too: it may have been lost, and they analysed, meanwhile.
             act(dispatcher().scenario_answered(worker, id, one.result.index));
         }
+        const std::uint64_t merged_before = job->merger.summary().merged();
         merge(*job, std::move(taken.value()), worker);
+        if (const auto running = tasks_.find(results.task);
+            running != tasks_.end() && running->second.is_copy) {
+            job->copies_won += job->merger.summary().merged() - merged_before;
+        }
+        for (const std::uint64_t scenario : scenarios) {
+            if (job->copies != 0) {
+                call_off_places(*job, worker, scenario);
+            }
+        }
         ledger_.promise(delivery, id, scenarios);
         end_if_complete(*job);
     } else {
@@ -217,6 +232,15 @@ void Coordinator::task_ended(WorkerId worker, TaskId id) {
     task->second.ended = true;
     end_task_if_complete(id);
     feed();
+}
+
+void Coordinator::task_recalled(WorkerId worker, const Recalled& recalled) {
+    const auto task = tasks_.find(recalled.task);
+    if (task != tasks_.end() && task->second.worker == worker) {
+        act(dispatcher().task_recalled(worker, recalled));
+        note_work(worker);
+        feed();
+    }
 }
 
 void Coordinator::end_task_if_complete(TaskId id) {

@@ -34,7 +34,9 @@ DispatchScenario make_dispatch_scenario(const DispatchJob& job, const AnalysedSc
     return scenario;
 }
 
-Dispatcher::Dispatcher() : state_(std::make_unique<State>()) {}
+Dispatcher::Dispatcher(bool helps_at_end) : state_(std::make_unique<State>()) {
+    state_->helps_at_end = helps_at_end;
+}
 Dispatcher::~Dispatcher() = default;
 
 // ---- Workers ----------------------------------------------------------------------------------
@@ -63,6 +65,7 @@ Actions Dispatcher::worker_lost(WorkerId worker) {
     for (auto& [id, job] : state_->jobs) {
         job.place_rates.erase(worker);
     }
+    state_->recalls.erase(worker);
     state_->pool.remove(worker);
     state_->settle(actions);
     return actions;
@@ -86,6 +89,7 @@ Actions Dispatcher::worker_silent(WorkerId worker) {
         return {};
     }
     proxy->set_silent(true);
+    state_->recalls.erase(worker); // What was asked, or its answer, may be lost.
     state_->take_back_buffers(*proxy);
     Actions actions;
     state_->settle(actions);
@@ -110,6 +114,17 @@ Actions Dispatcher::task_unbegun(WorkerId worker, TaskId task) {
     }
     Actions actions;
     state_->end_task(task, proxy->end_task(task), false, actions);
+    state_->settle(actions);
+    return actions;
+}
+
+Actions Dispatcher::task_recalled(WorkerId worker, const Recalled& recalled) {
+    WorkerProxy* proxy = state_->pool.find(worker);
+    if (proxy == nullptr || !proxy->tasks().contains(recalled.task)) {
+        return {};
+    }
+    Actions actions;
+    state_->take_recalled(*proxy, recalled, actions);
     state_->settle(actions);
     return actions;
 }
@@ -154,6 +169,8 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     DispatchScenario scenario = make_dispatch_scenario(*job, analysed);
     CD_CHECK(analysed.losses + 1 < limits::scenario_losses_max);
     scenario.losses = analysed.losses;
+    job->work_ns += scenario.weight.cost_ns;
+    job->places_after = 0; // They are analysed instead, or come with the next places.
     state_->mean_cost_ns.add(static_cast<double>(scenario.weight.cost_ns), 1);
     const bool is_new = job->scenarios.emplace(analysed.index, std::move(scenario)).second;
     CD_CHECK(is_new);
@@ -223,18 +240,22 @@ Actions Dispatcher::scenario_answered(WorkerId worker, JobId job_id, std::uint64
     }
     const bool was_sent = found->second.where == Whereabouts::Sent;
     const WorkerId holder = found->second.worker;
-    if (was_sent && holder == worker) {
-        const WorkerProxy& proxy = state_->pool.at(worker);
+    const std::optional<Assignment> copy = found->second.copy;
+    if (was_sent && (holder == worker || (copy && copy->worker == worker))) {
+        WorkerProxy& proxy = state_->pool.at(worker);
         state_->pool.arrived(proxy, job->a.tree, found->second.roots.a);
         state_->pool.arrived(proxy, job->b.tree, found->second.roots.b);
+        proxy.note_progress(state_->now);
     }
-    state_->withdraw(*job, index, found->second, worker);
-    job->scenarios.erase(found);
-
     Actions actions;
+    state_->withdraw(*job, index, found->second, worker, actions);
+    job->scenarios.erase(found);
     if (was_sent) {
-        // Its worker may run dry now. Nothing else can have become possible.
+        // Its workers may run dry now. Nothing else can have become possible.
         state_->refill(state_->pool.at(holder), actions);
+        if (copy) {
+            state_->refill(state_->pool.at(copy->worker), actions);
+        }
     } else {
         state_->settle(actions);
     }

@@ -24,6 +24,7 @@ struct SendBatch {
     TaskId task;
     JobId job;
     std::vector<std::uint64_t> scenarios;
+    bool is_copy = false; ///< They are at another worker, too.
 
     friend bool operator==(const SendBatch&, const SendBatch&) = default;
 };
@@ -35,8 +36,40 @@ struct SendRange {
     TaskId task;
     JobId job;
     PlaceRange places;
+    TaskId copy_of = {}; ///< Another worker's task, which has these places, too.
 
     friend bool operator==(const SendRange&, const SendRange&) = default;
+};
+
+/// Ask the worker for what it has not begun of the task: of a batch these scenarios, of a range all
+/// places but the first so many.
+struct AskBack {
+    WorkerId worker;
+    TaskId task;
+    std::vector<std::uint64_t> scenarios; ///< Ascending.
+    std::uint64_t places = 0;
+
+    friend bool operator==(const AskBack&, const AskBack&) = default;
+};
+
+/// So much of the task was given back. What of the places is not answered is to be given out again.
+struct GivenBack {
+    TaskId task;
+    JobId job;
+    std::uint64_t scenarios = 0; ///< Of a batch.
+    PlaceRange places;           ///< Of a range.
+
+    friend bool operator==(const GivenBack&, const GivenBack&) = default;
+};
+
+/// Another worker has answered the scenario: this one need not.
+struct CallOff {
+    WorkerId worker;
+    TaskId task;
+    JobId job;
+    std::uint64_t scenario = 0;
+
+    friend bool operator==(const CallOff&, const CallOff&) = default;
 };
 
 /// The task of a range is over. What of it is not answered is to be analysed now, and counts as
@@ -58,7 +91,7 @@ struct GiveUp {
     friend bool operator==(const GiveUp&, const GiveUp&) = default;
 };
 
-using Action = std::variant<SendBatch, GiveUp, SendRange, RangeEnded>;
+using Action = std::variant<SendBatch, GiveUp, SendRange, RangeEnded, AskBack, GivenBack, CallOff>;
 using Actions = std::vector<Action>;
 
 /// A scenario that needs a worker: it has at least one pair of colliding roots.
@@ -81,10 +114,13 @@ struct MeasuredWork {
 
 /// Every scenario that came in is, at any time, in exactly one place: waiting, in one worker's
 /// buffer, in one task at one worker, or answered. Places that came in wait, are in one task, or
-/// have ended with it. Each event returns what has to be done now.
+/// have ended with it. But at the end of a job a scenario, or places, in a task may have one copy,
+/// in a task of its own at another worker; and what is recalled stays in its task until the worker
+/// says that it has given it back. Each event returns what has to be done now.
 class Dispatcher {
   public:
-    Dispatcher();
+    /// `helps_at_end`: else nothing is recalled or copied, for comparison.
+    explicit Dispatcher(bool helps_at_end = true);
     ~Dispatcher();
     Dispatcher(const Dispatcher&) = delete;
     Dispatcher& operator=(const Dispatcher&) = delete;
@@ -122,6 +158,9 @@ class Dispatcher {
     /// The task got lost on its way to the worker, which is well: what of it is not answered goes
     /// back, and does not count as lost.
     Actions task_unbegun(WorkerId worker, TaskId task);
+    /// This was given back of the task, in answer to AskBack or as the worker stands: it waits
+    /// again, and is not lost. What was given back before, or is not in the task: nothing.
+    Actions task_recalled(WorkerId worker, const Recalled& recalled);
     /// It asks for these: from now on it holds them, as far as is known.
     void roots_wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
     Actions roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
@@ -137,6 +176,9 @@ class Dispatcher {
 
     /// Scenarios that wait or are buffered, not yet sent: what limits the submitter.
     [[nodiscard]] std::uint64_t unsent() const;
+    /// Nothing waits, and some workers have nothing to do while others work: from time to time
+    /// `input_paused` finds out who is late.
+    [[nodiscard]] bool is_at_end() const;
     /// How many unsent scenarios are enough to choose from; more only take memory.
     [[nodiscard]] std::uint64_t unsent_enough() const;
     /// Places given and not sent, and how many are enough for all workers. The job is open.

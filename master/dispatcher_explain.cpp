@@ -44,7 +44,7 @@ std::string reason(Strategy strategy, bool is_anyone) {
 std::string Dispatcher::State::whereabouts(const DispatchJob& job, std::uint64_t index) const {
     const auto found = job.scenarios.find(index);
     if (found == job.scenarios.end()) {
-        return "answered, not analysed yet, or in a range at a worker";
+        return "not analysed yet, or in a range at a worker";
     }
     const auto name_of = [&](WorkerId worker) { return pool.find(worker)->facts().name; };
     switch (found->second.where) {
@@ -57,7 +57,9 @@ std::string Dispatcher::State::whereabouts(const DispatchJob& job, std::uint64_t
     case Whereabouts::Sent:
         break;
     }
-    return "at " + name_of(found->second.worker);
+    const auto& copy = found->second.copy;
+    return "at " + name_of(found->second.worker) +
+           (copy ? ", and a copy at " + name_of(copy->worker) : "");
 }
 
 bool Dispatcher::State::may_take(const WorkerProxy& proxy, const DispatchJob& job) const {

@@ -38,6 +38,7 @@ void Dispatcher::State::settle(Actions& actions) {
     }
     rebalance(actions);
     give_places(actions);
+    help_at_end(actions);
 }
 
 bool Dispatcher::State::allocate_next(Actions& actions) {
@@ -124,14 +125,20 @@ void Dispatcher::State::hold_roots(DispatchJob& job,
                                    DispatchScenario& scenario,
                                    WorkerProxy& proxy) {
     measure_missing(job, scenario);
-    WorkerPool::Missing missing = pool.hold(proxy, job.a.tree, scenario.roots.a);
-    missing += pool.hold(proxy, job.b.tree, scenario.roots.b);
+    const WorkerPool::Missing missing = hold_all(job, scenario.roots, proxy);
     scenario.fetches = missing.blocks != 0;
-    const double seconds = seconds_of(missing, proxy);
-    job.missing_seconds += seconds;
-    if (scenario.fetches) {
-        proxy.add_transfer(now, seconds);
+    job.missing_seconds += seconds_of(missing, proxy);
+}
+
+WorkerPool::Missing Dispatcher::State::hold_all(const DispatchJob& job,
+                                                const ScenarioRoots& roots,
+                                                WorkerProxy& proxy) {
+    WorkerPool::Missing missing = pool.hold(proxy, job.a.tree, roots.a);
+    missing += pool.hold(proxy, job.b.tree, roots.b);
+    if (missing.blocks != 0) {
+        proxy.add_transfer(now, seconds_of(missing, proxy));
     }
+    return missing;
 }
 
 double Dispatcher::State::seconds_of(const WorkerPool::Missing& missing,
@@ -266,29 +273,39 @@ void Dispatcher::State::end_task(TaskId task,
                                  const ProxyTask& ended,
                                  bool are_lost,
                                  Actions& actions) {
+    std::erase_if(recalls, [&](const auto& asked) { return asked.second.task == task; });
     if (ended.is_range()) {
-        actions.push_back(RangeEnded{task, ended.job, ended.places, are_lost});
+        if (DispatchJob* job = find_job(ended.job)) {
+            job->work_ns -= std::min(job->work_ns, ended.cost_ns); // It goes out again.
+        }
+        actions.push_back(RangeEnded{task, ended.job, *ended.places, are_lost});
     } else {
-        take_back(ended.job, ended.scenarios, are_lost, actions);
+        take_back(task, ended, are_lost, actions);
     }
 }
 
-void Dispatcher::State::take_back(JobId job_id,
-                                  std::span<const std::uint64_t> scenarios,
+void Dispatcher::State::take_back(TaskId task,
+                                  const ProxyTask& ended,
                                   bool are_lost,
                                   Actions& actions) {
+    const JobId job_id = ended.job;
     DispatchJob* job = find_job(job_id);
     if (job == nullptr) {
         return;
     }
     std::vector<std::uint64_t> again;
-    for (const std::uint64_t index : scenarios) {
+    for (const std::uint64_t index : ended.scenarios) {
         if (mutated(are_lost ? Mutation::LostLeaseForgotten : Mutation::DrainedWorkForgotten)) {
             job->scenarios.erase(index);
             continue;
         }
         DispatchScenario& scenario = job->scenarios.at(index);
-        scenario.losses += are_lost ? 1 : 0;
+        // As long as the first one is at work, a copy that is lost is no loss.
+        const bool is_copy = scenario.copy && scenario.copy->task == task;
+        scenario.losses += are_lost && !is_copy ? 1 : 0;
+        if (leave_task(scenario, task) && !mutated(Mutation::CopyIsAlone)) {
+            continue;
+        }
         if (scenario.losses >= losses_max()) {
             job->scenarios.erase(index);
             actions.push_back(GiveUp{job_id, index});
@@ -315,7 +332,8 @@ void Dispatcher::State::wait_first(DispatchJob& job, std::span<const std::uint64
 void Dispatcher::State::withdraw(DispatchJob& job,
                                  std::uint64_t index,
                                  DispatchScenario& scenario,
-                                 WorkerId by) {
+                                 WorkerId by,
+                                 Actions& actions) {
     switch (scenario.where) {
     case Whereabouts::Waiting:
         std::erase(job.waiting, index);
@@ -337,6 +355,15 @@ void Dispatcher::State::withdraw(DispatchJob& job,
         }
         pool.at(scenario.worker)
             .answer(scenario.task, index, scenario.weight.cost_ns, scenario.worker == by);
+        if (scenario.copy && !mutated(Mutation::CopyLeftAtWorker)) {
+            const auto& [worker, task] = *scenario.copy;
+            pool.at(worker).answer(task, index, scenario.weight.cost_ns, worker == by);
+            const bool copy_won = worker == by;
+            actions.push_back(CallOff{copy_won ? scenario.worker : worker,
+                                      copy_won ? scenario.task : task,
+                                      job.id,
+                                      index});
+        }
         return;
     }
 }

@@ -25,6 +25,8 @@ void Dispatcher::State::check_counts() const {
     std::uint64_t not_sent = suspects.size();
     for (const auto& [id, job] : jobs) {
         known += job.scenarios.size();
+        known += static_cast<std::uint64_t>(std::ranges::count_if(
+            job.scenarios, [](const auto& scenario) { return scenario.second.copy.has_value(); }));
         placed += job.waiting.size();
         not_sent += job.waiting.size();
     }
@@ -35,7 +37,7 @@ void Dispatcher::State::check_counts() const {
         }
         not_sent += proxy.buffered();
     }
-    // Each is somewhere (check_job), and there are no more places taken than scenarios.
+    // Each is somewhere, its copy too (check_job), and there are no more places taken than these.
     CD_CHECK(known == placed);
     CD_CHECK(unsent == not_sent);
 }
@@ -52,6 +54,7 @@ void Dispatcher::State::check_job(const DispatchJob& job) const {
     CD_CHECK(unsent_places == job.places_unsent);
     for (const auto& [index, scenario] : job.scenarios) {
         CD_CHECK(scenario.losses < limits::scenario_losses_max);
+        CD_CHECK(!scenario.copy || scenario.where == Whereabouts::Sent);
         switch (scenario.where) {
         case Whereabouts::Waiting:
             CD_CHECK(holds(job.waiting, index));
@@ -71,9 +74,36 @@ void Dispatcher::State::check_job(const DispatchJob& job) const {
             const WorkerProxy* proxy = pool.find(scenario.worker);
             CD_CHECK(proxy != nullptr);
             CD_CHECK(holds(proxy->tasks().at(scenario.task).scenarios, index));
+            check_copy(job, index, scenario);
             break;
         }
         }
+    }
+}
+
+void Dispatcher::State::check_copy(const DispatchJob& job,
+                                   std::uint64_t index,
+                                   const DispatchScenario& scenario) const {
+    if (!scenario.copy) {
+        return;
+    }
+    CD_CHECK(scenario.was_copied);
+    CD_CHECK(scenario.copy->worker != scenario.worker);
+    const WorkerProxy* proxy = pool.find(scenario.copy->worker);
+    CD_CHECK(proxy != nullptr);
+    const ProxyTask& task = proxy->tasks().at(scenario.copy->task);
+    CD_CHECK(task.is_copy);
+    CD_CHECK(task.job == job.id);
+    CD_CHECK(task.scenarios == std::vector<std::uint64_t>{index});
+}
+
+void Dispatcher::State::check_recalls() const {
+    for (const auto& [worker, recall] : recalls) {
+        const WorkerProxy* proxy = pool.find(worker);
+        CD_CHECK(proxy != nullptr);
+        CD_CHECK(proxy->tasks().contains(recall.task));
+        CD_CHECK(!proxy->is_silent());
+        CD_CHECK(recall.asked != 0);
     }
 }
 
@@ -102,7 +132,8 @@ void Dispatcher::State::check_worker(const WorkerProxy& proxy) const {
         CD_CHECK(id.value <= task_last);
         working += task.left();
         claiming += task.claims ? 1 : 0;
-        CD_CHECK(task.places_left <= task.places.count);
+        CD_CHECK(!task.is_range() || task.places_left <= task.places->count);
+        CD_CHECK(!task.is_range() || task.places_copied <= task.places->count);
         CD_CHECK(
             task.is_range()
                 ? task.scenarios.empty()
@@ -125,8 +156,10 @@ void Dispatcher::State::check_progress() const {
         }
         CD_CHECK(suspects.empty() || !proxy.is_idle());
         for (const auto& [job_id, job] : jobs) {
-            // How many places go to it at once depends on what others do; but it has something.
-            CD_CHECK(!takes_places(proxy, job) || !proxy.tasks().empty());
+            // How many places go to it at once, if any, depends on what others do; but they do it.
+            CD_CHECK(!takes_places(proxy, job) ||
+                     std::ranges::any_of(
+                         pool.all(), [](const auto& one) { return !one.second.tasks().empty(); }));
             if (job.is_pulled()) {
                 CD_CHECK(!can_pull(proxy, job));
                 continue;
@@ -149,6 +182,7 @@ void Dispatcher::check_invariants() const {
     for (const auto& [id, proxy] : state_->pool.all()) {
         state_->check_worker(proxy);
     }
+    state_->check_recalls();
     state_->check_progress();
 }
 

@@ -54,6 +54,7 @@ Actions Dispatcher::places_answered(WorkerId worker,
         job->missing_any.add(std::exchange(job->missing_in_ranges, 0), static_cast<double>(count));
     }
     proxy->note_busy(task, busy_seconds);
+    proxy->note_progress(state_->now);
     proxy->answer_places(task, std::min(count, content.places_left));
     Actions actions;
     state_->refill(*proxy, actions);
@@ -150,7 +151,25 @@ bool Dispatcher::State::takes_places(const WorkerProxy& proxy, const DispatchJob
         return false;
     }
     // The next ones wait there before those under way are done.
-    return proxy.working() < places_at_once(proxy, job);
+    return proxy.working() < places_at_once(proxy, job) && !would_be_late(proxy, job);
+}
+
+bool Dispatcher::State::would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const {
+    double all = 0;
+    double quickest = 0;
+    std::uint64_t left = job.places_unsent + job.places_after;
+    for (const WorkerProxy* other : pool.in_order()) {
+        if (other->takes_work() && !other->is_claimed() && other != &proxy) {
+            const double rate = places_per_second(*other, job);
+            all += rate;
+            quickest = std::max(quickest, rate / other->facts().threads);
+            left += other->working();
+        }
+    }
+    // One scenario on one thread, against all that is left on the others.
+    const double rate = places_per_second(proxy, job) / proxy.facts().threads;
+    return quickest > 0 && 1 / rate > limits::copy_gain_min *
+                                          std::max(static_cast<double>(left) / all, 1 / quickest);
 }
 
 double Dispatcher::State::places_per_second(const WorkerProxy& proxy,
@@ -194,6 +213,7 @@ void Dispatcher::State::send_places(WorkerProxy& proxy, DispatchJob& job, Action
     ProxyTask content{job.id, {}, false, 0, now, false, 0, sent, sent.count};
     const double mean_ns = mean_cost_ns.value_or(static_cast<double>(limits::scenario_ns_unknown));
     content.cost_ns = sent.count * static_cast<std::uint64_t>(mean_ns);
+    job.work_ns += content.cost_ns;
     proxy.start_task(task, std::move(content));
     actions.push_back(SendRange{proxy.id(), task, job.id, sent});
 }

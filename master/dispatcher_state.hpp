@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -23,14 +24,26 @@ enum class Whereabouts : std::uint8_t {
     Sent,     ///< In a task at a worker.
 };
 
+struct Assignment {
+    WorkerId worker;
+    TaskId task;
+};
+
 struct DispatchScenario {
     ScenarioRoots roots;
     ScenarioWeight weight;
     bool fetches = false;     ///< Its worker lacked blocks of it.
     std::uint32_t losses = 0; ///< Tasks that came to an end without its answer.
     Whereabouts where = Whereabouts::Waiting;
-    WorkerId worker; ///< Of Buffered and Sent.
-    TaskId task;     ///< Of Sent.
+    WorkerId worker;                ///< Of Buffered and Sent.
+    TaskId task;                    ///< Of Sent.
+    std::optional<Assignment> copy; ///< Of Sent: where it is, too.
+    bool was_copied = false;
+    std::uint32_t recalls = 0; ///< How often it was given back when it was recalled.
+
+    [[nodiscard]] bool is_in(TaskId one) const {
+        return where == Whereabouts::Sent && (task == one || (copy && copy->task == one));
+    }
 };
 
 struct DispatchJob {
@@ -66,6 +79,9 @@ struct DispatchJob {
     std::uint64_t scenarios_held = 0; ///< By workers that were chosen for them.
     double missing_seconds = 0;       ///< Of the last of these,
     double missing_in_ranges = 0;     ///< and of ranges, since answers came.
+
+    std::uint64_t work_ns = 0;   ///< Predicted, of all that came in or went out,
+    std::uint64_t copied_ns = 0; ///< and of what is, or was, done twice.
 };
 
 [[nodiscard]] DispatchScenario make_dispatch_scenario(const DispatchJob& job,
@@ -76,14 +92,24 @@ struct Suspect {
     std::uint64_t scenario = 0;
 };
 
+/// What a worker was asked to give back, and has not answered.
+struct PendingRecall {
+    TaskId task;
+    std::uint64_t asked = 0; ///< Scenarios or places.
+    WorkerId helper;         ///< It waits for them.
+    double since = 0;
+};
+
 struct Dispatcher::State {
     WorkerPool pool;
     std::map<JobId, DispatchJob> jobs;
     /// Lost so often that the next loss is the last. Each travels alone, to a worker without other
     /// work, so that one deadly scenario does not take its neighbours with it.
     std::deque<Suspect> suspects;
+    std::map<WorkerId, PendingRecall> recalls; ///< One at a time of each worker.
     /// Job that was served last; the next in order is served next.
     JobId served_last;
+    bool helps_at_end = true;
     bool input_is_paused = true;
     std::uint64_t unsent = 0;
     std::uint64_t task_last = 0;
@@ -108,6 +134,9 @@ struct Dispatcher::State {
     void gather_candidates(const DispatchJob& job);
     void score_candidates(const DispatchJob& job, const DispatchScenario& scenario);
     void hold_roots(DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy);
+    /// The blocks that it lacked are on their way.
+    WorkerPool::Missing
+    hold_all(const DispatchJob& job, const ScenarioRoots& roots, WorkerProxy& proxy);
     void give_suspects(Actions& actions);
     /// The worker that is being emptied for suspects; null without suspects.
     [[nodiscard]] const WorkerProxy* reserved() const;
@@ -134,6 +163,8 @@ struct Dispatcher::State {
     void give_places_to(WorkerProxy& proxy, Actions& actions);
     [[nodiscard]] DispatchJob* next_with_places(const WorkerProxy& proxy);
     [[nodiscard]] bool takes_places(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// One scenario would end there long after the others have done all that is left.
+    [[nodiscard]] bool would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Scenarios of the job's ranges that the worker's threads do in a second.
     [[nodiscard]] double places_per_second(const WorkerProxy& proxy, const DispatchJob& job) const;
     [[nodiscard]] std::uint64_t places_at_once(const WorkerProxy& proxy,
@@ -185,6 +216,42 @@ struct Dispatcher::State {
     [[nodiscard]] bool
     move_if_earlier(WorkerProxy& from, WorkerProxy& to, DispatchJob& job, std::uint64_t index);
 
+    // ---- The end of a job (dispatcher_end.cpp) --------------------------------------------------
+    [[nodiscard]] bool nothing_waits() const;
+    /// Workers that have nothing to do get what others would finish later.
+    void help_at_end(Actions& actions);
+    /// The mightiest first.
+    [[nodiscard]] std::vector<WorkerProxy*> helpers() const;
+    [[nodiscard]] bool can_help(const WorkerProxy& proxy) const;
+    /// Seconds until it has done all that stands there.
+    [[nodiscard]] double ends_in(const WorkerProxy& proxy) const;
+    /// False: there is nothing that would be done sooner so.
+    [[nodiscard]] bool helps(WorkerProxy& from, WorkerProxy& helper, Actions& actions);
+    [[nodiscard]] bool ask_back(WorkerProxy& from, const WorkerProxy& helper, Actions& actions);
+    [[nodiscard]] AskBack
+    batch_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const;
+    [[nodiscard]] AskBack
+    range_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const;
+    /// So many that both end together; 0 if one would not end so many times sooner.
+    [[nodiscard]] std::uint64_t places_to_move(const WorkerProxy& from,
+                                               const DispatchJob& job,
+                                               const WorkerProxy& helper,
+                                               double seconds_here,
+                                               double gain) const;
+    void take_recalled(WorkerProxy& proxy, const Recalled& recalled, Actions& actions);
+    /// How many.
+    std::uint64_t
+    take_recalled_scenarios(WorkerProxy& proxy, DispatchJob& job, const Recalled& recalled);
+    /// It leaves the task unanswered. True: it stays in its other one.
+    static bool leave_task(DispatchScenario& scenario, TaskId task);
+    [[nodiscard]] bool copy(WorkerProxy& from, WorkerProxy& helper, Actions& actions);
+    [[nodiscard]] bool
+    copy_scenario(WorkerProxy& from, TaskId task, WorkerProxy& helper, Actions& actions);
+    [[nodiscard]] bool
+    copy_places(WorkerProxy& from, TaskId task, WorkerProxy& helper, Actions& actions);
+    /// So much more may be done twice.
+    [[nodiscard]] static std::uint64_t copies_left_ns(const DispatchJob& job);
+
     // ---- Explaining (dispatcher_explain.cpp) ----------------------------------------------------
     [[nodiscard]] std::string whereabouts(const DispatchJob& job, std::uint64_t index) const;
     [[nodiscard]] WorkerScore score_of(const WorkerProxy& proxy,
@@ -199,18 +266,24 @@ struct Dispatcher::State {
     void take_back_buffers(WorkerProxy& proxy);
     /// Scenarios of an ended task without answers wait again; where they are lost, some are
     /// suspected or given up.
-    void
-    take_back(JobId job, std::span<const std::uint64_t> scenarios, bool are_lost, Actions& actions);
+    void take_back(TaskId task, const ProxyTask& ended, bool are_lost, Actions& actions);
     /// What of the task, which has ended, is not answered has to be done again.
     void end_task(TaskId task, const ProxyTask& ended, bool are_lost, Actions& actions);
-    /// Removes the scenario from where it is; its entry stays.
-    void withdraw(DispatchJob& job, std::uint64_t index, DispatchScenario& scenario, WorkerId by);
+    /// Removes the scenario from where it is; its entry stays. Who else has a copy is told.
+    void withdraw(DispatchJob& job,
+                  std::uint64_t index,
+                  DispatchScenario& scenario,
+                  WorkerId by,
+                  Actions& actions);
     void wait_first(DispatchJob& job, std::span<const std::uint64_t> scenarios);
     [[nodiscard]] bool is_tree_used(TreeId tree) const;
 
     // ---- Invariants (dispatcher_invariants.cpp) -------------------------------------------------
     void check_counts() const;
     void check_job(const DispatchJob& job) const;
+    void
+    check_copy(const DispatchJob& job, std::uint64_t index, const DispatchScenario& scenario) const;
+    void check_recalls() const;
     void check_worker(const WorkerProxy& proxy) const;
     void check_progress() const;
 };

@@ -20,7 +20,11 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       ended(now),
       answered_by_master(recovered.progress.answered_by_master),
       statistics(recovered.progress.statistics),
-      compute_seconds(recovered.progress.compute_seconds) {}
+      compute_seconds(recovered.progress.compute_seconds),
+      traffic(recovered.progress.traffic),
+      depth_a(recovered.progress.depth_a),
+      depth_b(recovered.progress.depth_b),
+      map(std::move(recovered.map)) {}
 
 GivenPlaces MasterJob::take_given(const PlaceRange& places) {
     // The first of it may come back and be given again before the rest is taken.
@@ -40,7 +44,14 @@ GivenPlaces MasterJob::take_given(const PlaceRange& places) {
 
 JobProgress MasterJob::progress(Clock::time_point now) const {
     const std::chrono::duration<double> running = (is_running() ? now : ended) - started;
-    return {seconds_before + running.count(), answered_by_master, statistics, compute_seconds};
+    return {seconds_before + running.count(),
+            answered_by_master,
+            statistics,
+            compute_seconds,
+            traffic,
+            depth_a,
+            depth_b,
+            map.withdrawn()};
 }
 
 JobStatus MasterJob::status(Clock::time_point now) const {
@@ -64,7 +75,17 @@ JobStatus MasterJob::status(Clock::time_point now) const {
     status.statistics = statistics;
     status.compute_seconds = compute_seconds;
     status.doubted = doubted.size();
+    status.recalled = recalled;
+    status.copies = copies;
+    status.copies_won = copies_won;
+    status.traffic = traffic;
+    status.depth_a = depth_a;
+    status.depth_b = depth_b;
     return status;
+}
+
+Error no_job(JobId job) {
+    return {ErrorCode::NotFound, "no job " + std::to_string(job.value) + " is known here"};
 }
 
 Result<JobId> JobBoard::next() {
@@ -116,9 +137,11 @@ void JobBoard::end(MasterJob& job,
     job.given.clear();
     job.todo = PlaceQueue();
     job.order.reset();
-    job.authors = {};
+    job.authors.resize(std::min(job.authors.size(), limits::authors_kept_max));
+    job.authors.shrink_to_fit();
     job.doubted = {};
     job.cancelled = {};
+    job.map.finish();
     running_.erase(job.id);
 }
 

@@ -5,6 +5,7 @@
 #include "common/job/merge.hpp"
 #include "common/job/ordered_poses.hpp"
 #include "common/job/pose_source.hpp"
+#include "master/job_map.hpp"
 #include "master/journal.hpp"
 #include "master/place_queue.hpp"
 #include "master/result_intake.hpp"
@@ -75,7 +76,7 @@ struct MasterJob {
     LearnedRate matching_seconds;     ///< and what handing it out took after that,
     LearnedRate work_seconds;         ///< and a worker's.
     /// Whose result of a scenario was merged, up to the last that came; 0 is the master, or nobody
-    /// knows any more.
+    /// knows any more. Of a job that has ended, those of its first scenarios.
     std::vector<std::uint32_t> authors;
     /// All authors, kept when it has ended.
     std::set<WorkerId> contributors;
@@ -91,6 +92,15 @@ struct MasterJob {
     std::uint64_t answered_by_master = 0;
     JobStatistics statistics;
     double compute_seconds = 0;
+    // Scenarios at its end:
+    std::uint64_t recalled = 0;
+    std::uint64_t copies = 0;
+    std::uint64_t copies_won = 0;
+    JobTraffic traffic;
+    // Where its trees are cut, once they are.
+    std::optional<std::uint32_t> depth_a;
+    std::optional<std::uint32_t> depth_b;
+    JobMap map; ///< Where the query is for maps.
 
     [[nodiscard]] bool is_running() const { return !end; }
     /// The scenario has no result, or one that is in doubt.
@@ -103,6 +113,8 @@ struct MasterJob {
     [[nodiscard]] JobProgress progress(Clock::time_point now) const;
     [[nodiscard]] JobStatus status(Clock::time_point now) const;
 };
+
+[[nodiscard]] Error no_job(JobId job);
 
 /// Jobs by id. Those that have ended are kept with their results, the last
 /// `limits::jobs_ended_kept_max` of them.

@@ -126,9 +126,7 @@ void remove_leftovers(const std::filesystem::path& folder, const Recovered& reco
     for (const RecoveredJob& job : recovered.jobs) {
         const std::string number = std::to_string(job.record.id.value);
         known.insert(number + ".results");
-        if (!job.end) {
-            known.insert(number + ".poses");
-        }
+        known.insert(number + ".poses");
     }
     std::error_code ignored;
     std::vector<std::filesystem::path> leftovers;

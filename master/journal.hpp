@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
+#include "master/job_map.hpp"
 #include "master/journal_records.hpp"
 #include "master/result_store.hpp"
 
@@ -30,6 +31,7 @@ struct AddResults {
     std::shared_ptr<ResultStore> store; ///< The job's.
     std::vector<JournalResult> results; ///< Their records can be read when they are committed.
     JobProgress progress;
+    Bytes map; ///< Of these results, `pack_map`; or none.
 };
 struct EndJob {
     JobId job;
@@ -48,6 +50,7 @@ struct RecoveredJob {
     JobProgress progress;
     std::optional<JobEnd> end; ///< Nothing: it is to go on.
     ResultMerger merger{0};
+    JobMap map;
     std::vector<std::uint64_t> done; ///< Scenarios that have results; of one that is to go on.
     std::shared_ptr<ResultStore> results;
 };

@@ -13,7 +13,7 @@ namespace cd {
 namespace {
 
 constexpr int application_id = 0x43'44'4a'31; // "CDJ1"
-constexpr int schema_version = 1;
+constexpr int schema_version = 2;
 constexpr std::uint64_t mark_magic = 0x31'4b'52'4d'44'43'00'00; // "\0\0CDMRK1"
 constexpr std::uint64_t mark_bytes = 3 * sizeof(std::uint64_t);
 constexpr const char* what_to_do =

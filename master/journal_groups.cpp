@@ -1,6 +1,8 @@
 #include "master/journal_groups.hpp"
 
 #include "common/core/disk_file.hpp"
+#include "common/core/limits.hpp"
+#include "common/job/packed_map.hpp"
 #include "master/mutation.hpp"
 
 #include <algorithm>
@@ -15,6 +17,7 @@ std::uint64_t bytes_of(const JournalEntry& entry) {
         for (const JournalResult& result : add->results) {
             bytes += result.record.size();
         }
+        bytes += add->map.size();
     }
     return bytes;
 }
@@ -48,6 +51,9 @@ ChangesByJob gather(std::span<const JournalEntry> group) {
             for (const JournalResult& result : add->results) {
                 changes.records.push_back({result.row.scenario, result.record});
                 changes.rows.rows.push_back(result.row);
+            }
+            if (!add->map.empty()) {
+                changes.rows.maps.push_back(add->map);
             }
         } else if (const auto* end = std::get_if<EndJob>(&entry)) {
             by_job[end->job].progress = &end->progress;
@@ -136,6 +142,10 @@ struct FoundJob {
 
 using FoundJobs = std::map<JobId, FoundJob>;
 
+/// Of any meshes: whose they were is known when the map is used.
+constexpr ContactMapBounds journal_map_bounds{
+    limits::mesh_triangles_max, limits::mesh_triangles_max, limits::scenarios_max};
+
 Error damaged(const std::filesystem::path& path, JobId job, const std::string& why) {
     return {ErrorCode::Io,
             path.string() + " is damaged: job " + std::to_string(job.value) + ": " + why};
@@ -154,6 +164,9 @@ Result<FoundJob> decode_found(const DatabaseJob& row) {
             return progress.error();
         }
         found.job.progress = progress.value();
+        if (const std::string& why = progress.value().map_withdrawn; !why.empty()) {
+            found.job.map.withdraw(why);
+        }
     }
     if (!row.end.empty()) {
         Result<JobEnd> end = decode_end(row.end);
@@ -195,6 +208,13 @@ Result<FoundJobs> find_jobs(const JournalDatabase& database) {
             job.places.push_back(ResultStore::place_at(job.end, row.length));
             job.end = ResultStore::end_of(job.places.back());
         }
+        for (const Bytes& packed : group.value().maps) {
+            const Result<ContactMap> map = unpack_map(packed, journal_map_bounds);
+            if (!map) {
+                return Status(damaged(database.path(), id, "a map that is none"));
+            }
+            job.job.map.add(map.value());
+        }
         return Status(Done{});
     });
     return read ? Result<FoundJobs>(std::move(jobs)) : Result<FoundJobs>(read.error());
@@ -209,6 +229,9 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
         return store.error();
     }
     job.results = std::move(store.value());
+    if (job.end) {
+        job.map.finish();
+    }
     // The last result of a scenario counts: one before it turned out to be wrong.
     for (std::size_t i = found.rows.size(); i-- > 0;) {
         const ResultRow& row = found.rows[i];

@@ -42,6 +42,7 @@ void put_query(ByteWriter& out, const Query& query) {
             out.put(value);
         }
     }
+    out.put(query.maps);
 }
 
 bool get_query(ByteReader& in, Query& query) {
@@ -59,27 +60,44 @@ bool get_query(ByteReader& in, Query& query) {
         }
         query.ignored.push_back(range);
     }
+    query.maps = in.get<std::uint8_t>() != 0;
     return true;
+}
+
+void put_depth(ByteWriter& out, const std::optional<std::uint32_t>& depth) {
+    out.put(depth.has_value());
+    out.put(depth.value_or(0));
+}
+
+std::optional<std::uint32_t> get_depth(ByteReader& in) {
+    const bool is_there = in.get<std::uint8_t>() != 0;
+    const auto depth = in.get<std::uint32_t>();
+    return is_there ? std::optional(depth) : std::nullopt;
 }
 
 void put_cluster(ByteWriter& out, const ClusterOptions& cluster) {
     put_enumeration(out, cluster.strategy);
-    for (const std::uint32_t value : {cluster.depth_a, cluster.depth_b, cluster.q, cluster.v_kb}) {
-        out.put(value);
-    }
+    put_depth(out, cluster.depth_a);
+    put_depth(out, cluster.depth_b);
+    out.put(cluster.q);
+    out.put(cluster.v_kb);
     out.put(cluster.claim);
     out.put(cluster.seed);
     put_enumeration(out, cluster.analysis);
+    out.put(cluster.hints);
 }
 
 bool get_cluster(ByteReader& in, ClusterOptions& cluster) {
     const bool is_strategy = get_enumeration(in, cluster.strategy, Strategy::EarliestFinish);
-    for (std::uint32_t* value : {&cluster.depth_a, &cluster.depth_b, &cluster.q, &cluster.v_kb}) {
-        *value = in.get<std::uint32_t>();
-    }
+    cluster.depth_a = get_depth(in);
+    cluster.depth_b = get_depth(in);
+    cluster.q = in.get<std::uint32_t>();
+    cluster.v_kb = in.get<std::uint32_t>();
     cluster.claim = in.get<std::uint8_t>() != 0;
     cluster.seed = in.get<std::uint64_t>();
-    return is_strategy && get_enumeration(in, cluster.analysis, AnalysisMode::Never);
+    const bool is_mode = get_enumeration(in, cluster.analysis, AnalysisMode::Never);
+    cluster.hints = in.get<std::uint8_t>() != 0;
+    return is_strategy && is_mode;
 }
 
 void put_statistics(ByteWriter& out, const JobStatistics& statistics) {
@@ -102,6 +120,34 @@ JobStatistics get_statistics(ByteReader& in) {
     statistics.inside.scenarios = in.get<std::uint64_t>();
     statistics.inside.seconds = in.get<double>();
     return statistics;
+}
+
+void put_traffic(ByteWriter& out, const JobTraffic& traffic) {
+    const BlockTraffic& blocks = traffic.blocks;
+    for (const std::uint64_t value : {blocks.hits,
+                                      blocks.misses,
+                                      blocks.hinted,
+                                      blocks.evictions,
+                                      blocks.master_bytes,
+                                      blocks.peer_bytes,
+                                      traffic.result_bytes}) {
+        out.put(value);
+    }
+}
+
+JobTraffic get_traffic(ByteReader& in) {
+    JobTraffic traffic;
+    BlockTraffic& blocks = traffic.blocks;
+    for (std::uint64_t* value : {&blocks.hits,
+                                 &blocks.misses,
+                                 &blocks.hinted,
+                                 &blocks.evictions,
+                                 &blocks.master_bytes,
+                                 &blocks.peer_bytes,
+                                 &traffic.result_bytes}) {
+        *value = in.get<std::uint64_t>();
+    }
+    return traffic;
 }
 
 void put_row(ByteWriter& out, const ResultRow& row, std::uint64_t before) {
@@ -187,6 +233,10 @@ Bytes encode_progress(const JobProgress& progress) {
     out.put(progress.answered_by_master);
     put_statistics(out, progress.statistics);
     out.put(progress.compute_seconds);
+    put_traffic(out, progress.traffic);
+    put_depth(out, progress.depth_a);
+    put_depth(out, progress.depth_b);
+    out.put_text(progress.map_withdrawn);
     return out.take();
 }
 
@@ -197,6 +247,10 @@ Result<JobProgress> decode_progress(std::span<const std::byte> bytes) {
     progress.answered_by_master = in.get<std::uint64_t>();
     progress.statistics = get_statistics(in);
     progress.compute_seconds = in.get<double>();
+    progress.traffic = get_traffic(in);
+    progress.depth_a = get_depth(in);
+    progress.depth_b = get_depth(in);
+    progress.map_withdrawn = in.get_text();
     if (!in.complete()) {
         return damaged("a job's progress");
     }
@@ -237,6 +291,11 @@ Bytes encode_group(const ResultGroup& group) {
         put_row(out, row, before);
         before = row.scenario;
     }
+    put_varint(out, group.maps.size());
+    for (const Bytes& map : group.maps) {
+        put_varint(out, map.size());
+        put_bytes(out, map);
+    }
     return out.take();
 }
 
@@ -256,6 +315,14 @@ Result<ResultGroup> decode_group(std::span<const std::byte> bytes) {
         }
         before = row.scenario;
         group.rows.push_back(row);
+    }
+    const auto maps = get_varint(in);
+    if (!maps || !may_hold(in, *maps, 1)) {
+        return damaged("a group of results");
+    }
+    for (std::uint64_t i = 0; i < *maps; ++i) {
+        const auto map = in.get_bytes(get_varint(in).value_or(0));
+        group.maps.emplace_back(map.begin(), map.end());
     }
     if (!in.complete()) {
         return damaged("a group of results");

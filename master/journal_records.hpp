@@ -27,6 +27,10 @@ struct JobProgress {
     std::uint64_t answered_by_master = 0;
     JobStatistics statistics;
     double compute_seconds = 0;
+    JobTraffic traffic;
+    std::optional<std::uint32_t> depth_a;
+    std::optional<std::uint32_t> depth_b;
+    std::string map_withdrawn; ///< Why the job's map is not to be used; else empty.
 };
 
 /// How a job ended.
@@ -50,6 +54,7 @@ struct ResultRow {
 struct ResultGroup {
     std::uint64_t begin = 0; ///< The segment's end before them.
     std::vector<ResultRow> rows;
+    std::vector<Bytes> maps; ///< `pack_map`; together they are the map of these results.
 };
 
 /// Not the protocol's form of it, which may change from version to version.

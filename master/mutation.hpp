@@ -22,6 +22,10 @@ enum class Mutation : std::uint8_t {
     SegmentNotSynced,       ///< Records are named by the index before they are on the disk.
     GroupNotRecovered,      ///< After a restart the last commit of a job is missing.
     DoneIsDoneAgain,        ///< After a restart finished scenarios go out once more.
+    RecalledLeftAtWorker,   ///< What a worker gave back still counts as the worker's.
+    RecalledIsLost,         ///< What a worker gave back is not given to others.
+    CopyLeftAtWorker,       ///< A copy whose scenario is answered still counts as its worker's.
+    CopyIsAlone,            ///< With a copy, its scenario is lost, too.
     EvictionIgnored,        ///< What a worker let go counts as there.
     HeldWhenSent,           ///< What goes to a worker counts as there.
     count,

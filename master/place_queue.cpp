@@ -7,6 +7,21 @@
 
 namespace cd {
 
+std::vector<PlaceRange> without(std::span<const PlaceRange> runs, const PlaceRange& hole) {
+    std::vector<PlaceRange> rest;
+    for (const PlaceRange& run : runs) {
+        const std::uint64_t before = std::clamp(hole.first, run.first, run.end());
+        const std::uint64_t after = std::clamp(hole.end(), before, run.end());
+        for (const PlaceRange& part :
+             {PlaceRange{run.first, before - run.first}, PlaceRange{after, run.end() - after}}) {
+            if (part.count != 0) {
+                rest.push_back(part);
+            }
+        }
+    }
+    return rest;
+}
+
 PlaceQueue::PlaceQueue(std::uint64_t scenarios) {
     if (scenarios != 0) {
         put_back({{0, scenarios}, 0});

@@ -5,8 +5,14 @@
 
 #include <cstdint>
 #include <deque>
+#include <span>
+#include <vector>
 
 namespace cd {
+
+/// What of the runs is not in `hole`.
+[[nodiscard]] std::vector<PlaceRange> without(std::span<const PlaceRange> runs,
+                                              const PlaceRange& hole);
 
 /// Places of a job's order, each once; first those that came back.
 class PlaceQueue {

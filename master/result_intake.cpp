@@ -1,6 +1,7 @@
 #include "master/result_intake.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/job/packed_map.hpp"
 #include "common/job/packed_records.hpp"
 
 #include <algorithm>
@@ -85,6 +86,36 @@ Result<TakenResult> take_record(const JobMaterial& material,
     return take_result(std::move(result), cost);
 }
 
+/// Each scenario with pairs has triangles of both bodies in contact, and no others have any.
+Result<ContactMap> take_map(const JobMaterial& material,
+                            std::span<const TakenResult> results,
+                            std::span<const std::byte> packed) {
+    if (!material.query.maps) {
+        return packed.empty() ? Result<ContactMap>(ContactMap{})
+                              : Error{ErrorCode::BadFrame, "a map that was not asked for"};
+    }
+    const auto scenarios = static_cast<std::uint64_t>(
+        std::count_if(results.begin(), results.end(), [](const TakenResult& one) {
+            return one.result.pair_count > 0;
+        }));
+    const ContactMapBounds bounds{
+        material.a->mesh().triangles().size(), material.b->mesh().triangles().size(), scenarios};
+    Result<ContactMap> map = unpack_map(packed, bounds);
+    if (!map) {
+        return map.error();
+    }
+    for (const auto& body : map.value().bodies) {
+        std::uint64_t sum = 0;
+        for (const TriangleContacts& triangle : body) {
+            sum += triangle.scenarios;
+        }
+        if (sum < scenarios) {
+            return Error{ErrorCode::BadFrame, "a map that lacks scenarios"};
+        }
+    }
+    return map;
+}
+
 } // namespace
 
 std::optional<Scenario> RangeContent::scenario(std::uint64_t index) const {
@@ -107,7 +138,7 @@ TakenResult take_result(ScenarioResult result, const JobStatistics& cost) {
     return {std::move(result), std::move(record), digest, cost};
 }
 
-Result<std::vector<TakenResult>> take_results(const TaskContent& task, const Results& results) {
+Result<TakenResults> take_results(const TaskContent& task, const Results& results) {
     const Result<Bytes> records = unpack_records(results.records, limits::results_bytes_max);
     if (!records) {
         return records.error();
@@ -130,13 +161,17 @@ Result<std::vector<TakenResult>> take_results(const TaskContent& task, const Res
     if (!reader.complete()) {
         return Error{ErrorCode::BadFrame, "results that are not as many as announced"};
     }
-    return taken;
+    Result<ContactMap> map = take_map(*task.material, taken, results.map);
+    if (!map) {
+        return map.error();
+    }
+    return TakenResults{std::move(taken), std::move(map.value())};
 }
 
-Result<std::vector<TakenResult>> take_late_results(JobId job,
-                                                   std::shared_ptr<const JobMaterial> material,
-                                                   PoseSource& poses,
-                                                   const Results& results) {
+Result<TakenResults> take_late_results(JobId job,
+                                       std::shared_ptr<const JobMaterial> material,
+                                       PoseSource& poses,
+                                       const Results& results) {
     const Result<Bytes> records = unpack_records(results.records, limits::results_bytes_max);
     if (!records) {
         return records.error();

@@ -3,6 +3,7 @@
 
 #include "common/core/hash.hpp"
 #include "common/core/result.hpp"
+#include "common/job/contact_map.hpp"
 #include "common/job/ordered_poses.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
@@ -52,17 +53,21 @@ struct TakenResult {
 
 [[nodiscard]] TakenResult take_result(ScenarioResult result, const JobStatistics& cost);
 
+/// The results of a message.
+struct TakenResults {
+    std::vector<TakenResult> results;
+    ContactMap map; ///< Of all of them, where the query is for maps.
+};
+
 /// The results of a message, each settled. The bytes may be hostile. Errors: BadFrame, TooLarge;
 /// for a record that is none, of another level or bodies than asked, or of a scenario that is not
-/// in the task.
-[[nodiscard]] Result<std::vector<TakenResult>> take_results(const TaskContent& task,
-                                                            const Results& results);
+/// in the task; and for a map that cannot be theirs.
+[[nodiscard]] Result<TakenResults> take_results(const TaskContent& task, const Results& results);
 
 /// The same of a task that is not known: poses are looked up among all those of the job.
-[[nodiscard]] Result<std::vector<TakenResult>>
-take_late_results(JobId job,
-                  std::shared_ptr<const JobMaterial> material,
-                  PoseSource& poses,
-                  const Results& results);
+[[nodiscard]] Result<TakenResults> take_late_results(JobId job,
+                                                     std::shared_ptr<const JobMaterial> material,
+                                                     PoseSource& poses,
+                                                     const Results& results);
 
 } // namespace cd

@@ -63,8 +63,8 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     const auto depth_max = limits::distribution_depth_max;
     for (const Status& status : {
              check_range("the number of scenarios", submit.scenarios, 0, limits::scenarios_max),
-             check_range("the distribution depth of A", cluster.depth_a, 0, depth_max),
-             check_range("the distribution depth of B", cluster.depth_b, 0, depth_max),
+             check_range("the distribution depth of A", cluster.depth_a.value_or(0), 0, depth_max),
+             check_range("the distribution depth of B", cluster.depth_b.value_or(0), 0, depth_max),
              check_range("q", cluster.q, 1, limits::q_max),
              check_range("v_kb", cluster.v_kb, 1, limits::v_kb_max),
              check_tolerance(submit.query.tolerance),

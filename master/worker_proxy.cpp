@@ -94,6 +94,7 @@ std::size_t WorkerProxy::tasks_of(JobId job) const {
 }
 
 void WorkerProxy::start_task(TaskId task, ProxyTask content) {
+    progressed_ = working_ == 0 ? content.sent : progressed_;
     working_ += content.left();
     working_ns_ += content.cost_ns;
     claiming_tasks_ += content.claims ? 1 : 0;
@@ -131,6 +132,24 @@ void WorkerProxy::answer_places(TaskId id, std::uint64_t count) {
     CD_CHECK(found != tasks_.end());
     ProxyTask& task = found->second;
     CD_CHECK(count <= task.places_left);
+    remove_places(task, count);
+    scenarios_answered_ += count;
+}
+
+PlaceRange WorkerProxy::cut_places(TaskId id, std::uint64_t kept) {
+    ProxyTask& task = tasks_.at(id);
+    CD_CHECK(task.is_range());
+    // No more than are left, whatever the worker says.
+    const std::uint64_t least = task.places->count - task.places_left;
+    const std::uint64_t count = std::clamp(kept, least, task.places->count);
+    const PlaceRange cut{task.places->first + count, task.places->count - count};
+    task.places->count = count;
+    task.places_copied -= std::min(task.places_copied, cut.count);
+    remove_places(task, cut.count);
+    return cut;
+}
+
+void WorkerProxy::remove_places(ProxyTask& task, std::uint64_t count) {
     if (count == 0) {
         return;
     }
@@ -143,7 +162,6 @@ void WorkerProxy::answer_places(TaskId id, std::uint64_t count) {
     task.cost_ns -= cost_ns;
     working_ -= count;
     working_ns_ -= cost_ns;
-    scenarios_answered_ += count;
 }
 
 void WorkerProxy::note_busy(TaskId task, double seconds) {

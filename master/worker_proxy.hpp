@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,16 +44,19 @@ struct ScenarioWeight {
 /// A batch at the worker, from its sending until the worker says that it has ended.
 struct ProxyTask {
     JobId job;
-    std::vector<std::uint64_t> scenarios; ///< Not yet answered, in the order sent.
-    bool claims = false;                  ///< While it lasts, the worker gets nothing else.
-    std::uint64_t cost_ns = 0;            ///< Predicted, of those not yet answered.
-    double sent = 0;                      ///< When, in seconds.
-    bool fetches = false;                 ///< Not all of its blocks were there when it was sent.
-    double busy_seconds = 0;              ///< Measured so far, over the worker's threads.
-    PlaceRange places = {};               ///< Of a range; it has no `scenarios`.
-    std::uint64_t places_left = 0;        ///< Of these, not yet answered.
+    std::vector<std::uint64_t> scenarios;  ///< Not yet answered, in the order sent.
+    bool claims = false;                   ///< While it lasts, the worker gets nothing else.
+    std::uint64_t cost_ns = 0;             ///< Predicted, of those not yet answered.
+    double sent = 0;                       ///< When, in seconds.
+    bool fetches = false;                  ///< Not all of its blocks were there when it was sent.
+    double busy_seconds = 0;               ///< Measured so far, over the worker's threads.
+    std::optional<PlaceRange> places = {}; ///< Of a range; it has no `scenarios`.
+    std::uint64_t places_left = 0;         ///< Of these, not yet answered.
+    bool is_copy = false;                  ///< Another task has the same.
+    bool has_begun = false;                ///< All that is left of it: none can be recalled.
+    std::uint64_t places_copied = 0;       ///< Of the range the last ones.
 
-    [[nodiscard]] bool is_range() const { return places.count != 0; }
+    [[nodiscard]] bool is_range() const { return places.has_value(); }
     [[nodiscard]] std::uint64_t left() const { return scenarios.size() + places_left; }
 };
 
@@ -138,6 +142,16 @@ class WorkerProxy {
     void answer(TaskId task, std::uint64_t scenario, std::uint64_t cost_ns, bool here);
     /// So many places of the task, which is a range, are answered; no more than are left.
     void answer_places(TaskId task, std::uint64_t count);
+    /// The task, which is a range, keeps the first so many of its places. The others, which were
+    /// not answered.
+    PlaceRange cut_places(TaskId task, std::uint64_t kept);
+    /// The task is here: what is left of it cannot be recalled.
+    void set_begun(TaskId task) { tasks_.at(task).has_begun = true; }
+    /// The task is a range, and so many more of its last places have a copy.
+    void add_copied(TaskId task, std::uint64_t places) { tasks_.at(task).places_copied += places; }
+    /// When it answered last, or got something to do.
+    [[nodiscard]] double progressed() const { return progressed_; }
+    void note_progress(double now) { progressed_ = now; }
     /// Of a task that is not here: nothing.
     void note_busy(TaskId task, double seconds);
     /// The task's scenarios are no longer of interest; the task itself lasts until it ends.
@@ -149,6 +163,8 @@ class WorkerProxy {
     [[nodiscard]] WorkerStatus status() const;
 
   private:
+    void remove_places(ProxyTask& task, std::uint64_t count);
+
     WorkerId id_;
     std::uint32_t slot_ = 0;
     WorkerFacts facts_;
@@ -169,6 +185,7 @@ class WorkerProxy {
     std::uint64_t held_triangles_ = 0;
     double transfers_end_ = 0;
     double task_ended_ = 0; ///< The last one.
+    double progressed_ = 0;
     double batch_seconds_ = limits::batch_seconds_start;
     std::uint64_t batch_ns_ = 0;
     bool are_long_ = false;

@@ -95,6 +95,10 @@ void WorkerSession::on(const EndOfTask& message) {
     coordinator_.task_ended(worker_, message.task);
 }
 
+void WorkerSession::on(const Recalled& message) {
+    coordinator_.task_recalled(worker_, message);
+}
+
 template <class Other>
 void WorkerSession::on(const Other& message) {
     const std::string name(message_name(message_type(message)));

@@ -34,6 +34,7 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     void on(const Failure& message);
     void on(Results& message);
     void on(const EndOfTask& message);
+    void on(const Recalled& message);
     template <class Other>
     void on(const Other& message);
 

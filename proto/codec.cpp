@@ -82,14 +82,33 @@ Problem problem_of(const WantSubtrees& want) {
 Problem problem_of(const Evicted& evicted) {
     return problem_of_roots(evicted.roots);
 }
-
+Problem problem_of(const Hint& hint) {
+    return problem_of_roots(hint.roots);
+}
 Problem problem_of(const Held& held) {
     return problem_of_roots(held.roots);
 }
 Problem problem_of(const FetchFailed& failed) {
     return problem_of_roots(failed.roots);
 }
+Problem problem_of_scenarios(const std::vector<std::uint64_t>& scenarios) {
+    const bool ascends =
+        std::adjacent_find(scenarios.begin(), scenarios.end(), std::greater_equal<>()) ==
+        scenarios.end();
+    return ascends ? nullptr : "scenarios that do not ascend";
+}
+Problem problem_of(const Recall& recall) {
+    return problem_of_scenarios(recall.scenarios);
+}
+Problem problem_of(const Recalled& recalled) {
+    return problem_of_scenarios(recalled.scenarios);
+}
 Problem problem_of(const Standing& standing) {
+    for (const Recalled& task : standing.tasks) {
+        if (const Problem problem = problem_of(task)) {
+            return problem;
+        }
+    }
     for (const StandingTree& tree : standing.trees) {
         if (const Problem problem = problem_of_roots(tree.held)) {
             return problem;
@@ -174,10 +193,13 @@ std::size_t bytes_expected(const Subtrees& subtrees) {
 }
 
 std::size_t bytes_expected(const Results& results) {
-    return 256 + results.records.size();
+    return 256 + results.records.size() + results.map.size();
 }
 std::size_t bytes_expected(const ResultsPart& part) {
     return 256 + part.records.size();
+}
+std::size_t bytes_expected(const ContactMapAnswer& part) {
+    return 256 + part.map.size();
 }
 std::size_t bytes_expected(const MeshPart& part) {
     return 256 + part.bytes.size();

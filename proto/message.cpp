@@ -70,6 +70,11 @@ constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"token created"},
     {"standing", Lane::Data, limits::message_roots_bytes_max},
     {"drop scenario", Lane::Data},
+    {"recall", Lane::Data, limits::message_roots_bytes_max},
+    {"recalled", Lane::Data, limits::message_roots_bytes_max},
+    {"hint", Lane::Data, limits::message_roots_bytes_max},
+    {"contact map query"},
+    {"contact map", Lane::Data, limits::message_results_bytes_max},
 }};
 static_assert(!kinds.back().name.empty(), "a message without a row");
 
@@ -93,6 +98,16 @@ std::optional<Enum> from_text(std::string_view text, std::span<const std::string
 }
 
 } // namespace
+
+BlockTraffic& BlockTraffic::operator+=(const BlockTraffic& other) {
+    hits += other.hits;
+    misses += other.misses;
+    hinted += other.hinted;
+    evictions += other.evictions;
+    master_bytes += other.master_bytes;
+    peer_bytes += other.peer_bytes;
+    return *this;
+}
 
 std::uint16_t message_type(const Message& message) {
     return static_cast<std::uint16_t>(message.index() + 1);

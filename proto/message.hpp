@@ -22,8 +22,8 @@
 
 namespace cd {
 
-inline constexpr std::uint16_t protocol_version_min = 5;
-inline constexpr std::uint16_t protocol_version_max = 5;
+inline constexpr std::uint16_t protocol_version_min = 6;
+inline constexpr std::uint16_t protocol_version_max = 6;
 
 /// A tree cut at a depth, as the master numbers them while it runs.
 using TreeId = Id<struct TreeTag>;
@@ -76,16 +76,34 @@ struct Failure {
     std::string detail;
 };
 
-/// What became of the subtrees that a worker's scenarios needed, since it was welcomed.
-struct CacheTraffic {
+/// What became of the subtrees that scenarios needed at a worker.
+struct BlockTraffic {
     std::uint64_t hits = 0;   ///< Needed by a scenario and there already.
-    std::uint64_t misses = 0; ///< Asked for.
+    std::uint64_t misses = 0; ///< Asked for, because a scenario needed them.
+    std::uint64_t hinted = 0; ///< Asked for, because the master had named them.
     std::uint64_t evictions = 0;
-    std::uint64_t master_bytes = 0;   ///< Compressed, from the master,
-    std::uint64_t peer_bytes = 0;     ///< and from other workers.
+    std::uint64_t master_bytes = 0; ///< Compressed, from the master,
+    std::uint64_t peer_bytes = 0;   ///< and from other workers.
+
+    BlockTraffic& operator+=(const BlockTraffic& other);
+    friend bool operator==(const BlockTraffic&, const BlockTraffic&) = default;
+};
+
+/// Of one worker, since it was welcomed.
+struct CacheTraffic {
+    BlockTraffic blocks;
     std::uint64_t uploaded_bytes = 0; ///< To other workers.
 
     friend bool operator==(const CacheTraffic&, const CacheTraffic&) = default;
+};
+
+/// Of one job, at all workers, as far as its results have come.
+struct JobTraffic {
+    BlockTraffic blocks;            ///< A block counts for the job that asked for it; one that is
+                                    ///< evicted, for each job that uses its tree.
+    std::uint64_t result_bytes = 0; ///< From workers, packed; also what came twice.
+
+    friend bool operator==(const JobTraffic&, const JobTraffic&) = default;
 };
 
 /// A scenario that a thread is busy with.
@@ -151,6 +169,7 @@ struct RemoveJob {
 struct DropScenario {
     JobId job;
     std::uint64_t scenario = 0;
+    TaskId task = {}; ///< Of this one alone: another worker has answered it. 0: of all of the job.
 };
 
 /// A task: scenarios that one worker gets together (paper, 6.4.3), analysed by the master.
@@ -169,6 +188,21 @@ struct ScenarioRange {
     std::uint64_t first = 0; ///< Of a job with a grid: these places on it.
     std::uint64_t count = 0;
     Bytes scenarios; ///< Of a job without: `pack_scenarios`, so many; `first` is 0.
+};
+
+/// Others have nothing to do: give back of this task what has not begun. Answered by Recalled.
+struct Recall {
+    TaskId task;
+    std::vector<std::uint64_t> scenarios; ///< Of a Batch: these, ascending.
+    std::uint64_t places = 0;             ///< Of a ScenarioRange: all but the first so many.
+};
+
+/// Scenarios of the job that are likely to come to the worker will need these subtrees. Whoever has
+/// room for them and nothing better to do asks for them; nothing follows from it otherwise.
+struct Hint {
+    JobId job;
+    TreeId tree;
+    std::vector<RootIndex> roots; ///< Ascending.
 };
 
 /// To a worker: nothing more comes, finish what is there, then close. From a worker that its own
@@ -215,6 +249,8 @@ struct Results {
     QueryStatistics statistics;
     double compute_seconds = 0; ///< Summed over the worker's threads.
     std::uint64_t sequence = 0; ///< The worker's number for the message, until it is acknowledged.
+    BlockTraffic traffic;       ///< Of the job, since the worker's message of its results before.
+    Bytes map;                  ///< `pack_map` of all these scenarios, where the query is for maps.
 };
 
 /// These messages of results are on the master's disk, or nobody wants them: the worker drops them.
@@ -229,6 +265,13 @@ struct Holding {
     std::vector<Sha256> cuts;
 };
 
+/// All that was given back of a task, since it came: the worker neither begins nor answers it.
+struct Recalled {
+    TaskId task;
+    std::vector<std::uint64_t> scenarios; ///< Of a Batch, ascending.
+    std::uint64_t places = 0;             ///< Of a ScenarioRange: it keeps the first so many.
+};
+
 /// A tree that the worker has, and which of its slots are filled; roots ascend.
 struct StandingTree {
     TreeId tree;
@@ -240,7 +283,7 @@ struct StandingTree {
 struct Standing {
     std::vector<StandingTree> trees;
     std::vector<JobId> jobs;
-    std::vector<TaskId> tasks;
+    std::vector<Recalled> tasks; ///< Each with what was given back of it.
 };
 
 /// All results of the task have been sent.
@@ -349,14 +392,17 @@ enum class Strategy : std::uint8_t {
 /// and those given here are not looked at.
 struct ClusterOptions {
     Strategy strategy = Strategy::BestMatch;
-    std::uint32_t depth_a = 12; ///< Distribution depth (paper: 12 or 10 for the fixed body,
-    std::uint32_t depth_b = 6;  ///< 6 for the moved one).
-    std::uint32_t q = 20;       ///< A buffer is full at q scenarios
-    std::uint32_t v_kb = 4096;  ///< or V kB.
-    bool claim = false;         ///< The paper's strict claiming: one task at a worker at a time.
-    std::uint64_t seed = 1;     ///< Of the random strategy.
+    /// Distribution depths (paper: 12 or 10 for the fixed body, 6 for the moved one). Where none is
+    /// given, the body's tree tells it.
+    std::optional<std::uint32_t> depth_a = {};
+    std::optional<std::uint32_t> depth_b = {};
+    std::uint32_t q = 20;      ///< A buffer is full at q scenarios
+    std::uint32_t v_kb = 4096; ///< or V kB.
+    bool claim = false;        ///< The paper's strict claiming: one task at a worker at a time.
+    std::uint64_t seed = 1;    ///< Of the random strategy.
     /// With strict claiming it is Always.
     AnalysisMode analysis = AnalysisMode::Auto;
+    bool hints = true; ///< Workers hear what they are likely to need next.
 };
 
 /// A new job. With a grid it is complete and answered by Accepted; otherwise poses follow in
@@ -408,6 +454,14 @@ struct JobStatus {
     std::string paused; ///< Why it waits; empty: it does not.
     std::vector<LongScenario> long_scenarios;
     std::uint64_t doubted = 0; ///< Results of a quarantined worker that are being computed again.
+    // Of scenarios at its end, since this master started:
+    std::uint64_t recalled = 0;   ///< Given back by workers that had not begun them.
+    std::uint64_t copies = 0;     ///< Sent to a second worker, beside the first,
+    std::uint64_t copies_won = 0; ///< and answered by that one first.
+    JobTraffic traffic;
+    // Where its trees are cut; nothing until its geometry has been prepared.
+    std::optional<std::uint32_t> depth_a;
+    std::optional<std::uint32_t> depth_b;
 };
 
 /// Answered by JobStatus at once and whenever something changed, at most some five times a second,
@@ -490,6 +544,18 @@ struct ResultsPart {
     Bytes records;
 };
 
+/// Answered by ContactMapAnswer. Errors: NotFound; Refused for a job that is not done.
+struct ContactMapQuery {
+    JobId job;
+};
+
+struct ContactMapAnswer {
+    JobId job;
+    bool is_asked = false; ///< The job's query is for maps.
+    std::string withdrawn; ///< Why there is none, though one was asked for; else empty.
+    Bytes map;             ///< `pack_map`.
+};
+
 /// Answered by JobStatus. With a scenario that has no result yet, only that one fails. Errors:
 /// NotFound; Refused for a scenario that has one.
 struct Cancel {
@@ -497,7 +563,8 @@ struct Cancel {
     std::optional<std::uint64_t> scenario = {};
 };
 
-/// Answered by Explained. Errors: NotFound; Refused for a job that does not run (any more).
+/// Answered by Explained. Errors: NotFound, also of meshes or poses that are gone; Refused for a
+/// job whose geometry is being prepared.
 struct Explain {
     JobId job;
     std::uint64_t scenario = 0;
@@ -529,6 +596,7 @@ struct Explained {
     Strategy strategy = Strategy::BestMatch;
     std::string where; ///< The scenario is, in words.
     std::string why;   ///< The chosen worker is chosen, in words.
+    std::string note;  ///< What these scores are not, in words; mostly empty.
     std::uint32_t roots_a = 0;
     std::uint32_t roots_b = 0;
     std::vector<WorkerScore> workers; ///< Ascending.
@@ -613,6 +681,11 @@ using Message = std::variant<Hello,
                              TokenCreate,
                              TokenCreated,
                              Standing,
-                             DropScenario>;
+                             DropScenario,
+                             Recall,
+                             Recalled,
+                             Hint,
+                             ContactMapQuery,
+                             ContactMapAnswer>;
 
 } // namespace cd

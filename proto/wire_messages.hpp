@@ -14,7 +14,7 @@ void serialize(Archive& archive, Id<Tag>& id) {
 template <class Archive>
 void serialize(Archive& archive, Query& query) {
     enumeration(archive, query.level, Level::Any, Level::Contacts);
-    archive(query.tolerance, query.limit_pairs, query.ignored);
+    archive(query.tolerance, query.limit_pairs, query.ignored, query.maps);
 }
 
 template <class Archive>
@@ -54,8 +54,18 @@ void serialize(Archive& archive, Failure& m) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, BlockTraffic& t) {
+    archive(t.hits, t.misses, t.hinted, t.evictions, t.master_bytes, t.peer_bytes);
+}
+
+template <class Archive>
 void serialize(Archive& archive, CacheTraffic& t) {
-    archive(t.hits, t.misses, t.evictions, t.master_bytes, t.peer_bytes, t.uploaded_bytes);
+    archive(t.blocks, t.uploaded_bytes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, JobTraffic& t) {
+    archive(t.blocks, t.result_bytes);
 }
 
 template <class Archive>
@@ -113,12 +123,27 @@ void serialize(Archive& archive, RemoveJob& m) {
 
 template <class Archive>
 void serialize(Archive& archive, DropScenario& m) {
-    archive(m.job, m.scenario);
+    archive(m.job, m.scenario, m.task);
 }
 
 template <class Archive>
 void serialize(Archive& archive, ScenarioRange& m) {
     archive(m.task, m.job, m.first, m.count, m.scenarios);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Recall& m) {
+    archive(m.task, m.scenarios, m.places);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Recalled& m) {
+    archive(m.task, m.scenarios, m.places);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Hint& m) {
+    archive(m.job, m.tree, m.roots);
 }
 
 template <class Archive>
@@ -134,7 +159,7 @@ void serialize(Archive& archive, WantSubtrees& m) {
 template <class Archive>
 void serialize(Archive& archive, Results& m) {
     archive(m.task, m.job, m.count, m.records, m.statistics, m.compute_seconds);
-    archive(m.sequence);
+    archive(m.sequence, m.traffic, m.map);
 }
 
 template <class Archive>
@@ -224,6 +249,7 @@ void serialize(Archive& archive, ClusterOptions& o) {
     enumeration(archive, o.strategy, Strategy::BestMatch, Strategy::EarliestFinish);
     archive(o.depth_a, o.depth_b, o.q, o.v_kb, o.claim, o.seed);
     enumeration(archive, o.analysis, AnalysisMode::Auto, AnalysisMode::Never);
+    archive(o.hints);
 }
 
 template <class Archive>
@@ -252,7 +278,8 @@ void serialize(Archive& archive, JobStatus& m) {
     enumeration(archive, m.state, JobState::Running, JobState::Failed);
     archive(m.summary, m.digest, m.seconds, m.scenarios_per_second, m.failure, m.bodies);
     archive(m.answered_by_master, m.statistics, m.compute_seconds, m.paused);
-    archive(m.long_scenarios, m.doubted);
+    archive(m.long_scenarios, m.doubted, m.recalled, m.copies, m.copies_won);
+    archive(m.traffic, m.depth_a, m.depth_b);
 }
 
 template <class Archive>
@@ -292,6 +319,16 @@ void serialize(Archive& archive, ResultsPart& m) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, ContactMapQuery& m) {
+    archive(m.job);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ContactMapAnswer& m) {
+    archive(m.job, m.is_asked, m.withdrawn, m.map);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Cancel& m) {
     archive(m.job, m.scenario);
 }
@@ -312,7 +349,7 @@ template <class Archive>
 void serialize(Archive& archive, Explained& m) {
     archive(m.job, m.scenario);
     enumeration(archive, m.strategy, Strategy::BestMatch, Strategy::EarliestFinish);
-    archive(m.where, m.why, m.roots_a, m.roots_b, m.workers);
+    archive(m.where, m.why, m.note, m.roots_a, m.roots_b, m.workers);
 }
 
 template <class Archive>

@@ -86,6 +86,8 @@ bool Fetcher::fits(const Need& need) const {
 void Fetcher::admit(Token token, Need& need, Step& step) {
     need.is_admitted = true;
     ++admitted_;
+    Admission& admission = step.admitted.emplace_back();
+    admission.token = token;
     for (const SubtreeKey& key : need.roots) {
         const auto [use, is_first] = used_.try_emplace(key);
         if (is_first) {
@@ -95,14 +97,14 @@ void Fetcher::admit(Token token, Need& need, Step& step) {
         }
         ++use->second.scenarios;
         if (cache_.at(key) != nullptr) {
-            ++hits_;
+            ++admission.found;
             continue;
         }
         ++need.missing;
         const auto [request, is_new] = requested_.try_emplace(key);
         request->second.insert(token);
         if (is_new) {
-            ++misses_;
+            admission.asked.push_back(key);
             step.want.push_back(key);
         }
     }

@@ -21,9 +21,16 @@ class Fetcher {
   public:
     using Token = std::uint64_t; ///< Names a scenario.
 
+    /// What a scenario met when it was admitted.
+    struct Admission {
+        Token token = 0;
+        std::uint64_t found = 0;       ///< Of its subtrees, in the cache.
+        std::vector<SubtreeKey> asked; ///< It is the first to lack them.
+    };
     struct Step {
         std::vector<SubtreeKey> want; ///< Ascending.
         std::vector<Token> ready;     ///< In the order in which they became so.
+        std::vector<Admission> admitted;
     };
 
     explicit Fetcher(SubtreeCache& cache) : cache_(cache) {}
@@ -45,9 +52,6 @@ class Fetcher {
     void forget_requests(TreeId tree);
 
     [[nodiscard]] std::size_t size() const { return needs_.size(); } ///< Not finished.
-    /// Subtrees that admitted scenarios found in the cache, and that had to be asked for.
-    [[nodiscard]] std::uint64_t hits() const { return hits_; }
-    [[nodiscard]] std::uint64_t misses() const { return misses_; }
 
   private:
     struct Need {
@@ -71,8 +75,6 @@ class Fetcher {
     std::uint64_t used_bytes_ = 0;
     std::size_t admitted_ = 0;
     std::vector<Token> ready_;
-    std::uint64_t hits_ = 0;
-    std::uint64_t misses_ = 0;
 };
 
 } // namespace cd

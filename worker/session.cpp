@@ -76,6 +76,7 @@ Status Session::handle(RemoveTree& remove) {
     abandon([tree](const Task& task) { return task.job().uses(tree); });
     std::erase_if(jobs_, [tree](const auto& job) { return job.second->uses(tree); });
     fetcher_.forget_requests(tree);
+    traffic_.tree_removed(tree);
     cache_.remove_tree(tree);
     spdlog::info("tree removed: tree={} cached_bytes={}", tree.value, cache_.bytes());
     settle_soon();
@@ -91,6 +92,7 @@ Status Session::handle(AddJob& add) {
     if (!jobs_.emplace(id, std::move(job.value())).second) {
         return Error{ErrorCode::BadFrame, "job " + std::to_string(id.value) + " was added already"};
     }
+    traffic_.job_added(id);
     return Done{};
 }
 
@@ -98,21 +100,14 @@ Status Session::handle(RemoveJob& remove) {
     const JobId id = remove.job;
     abandon([id](const Task& task) { return task.job().id == id; });
     jobs_.erase(id);
+    traffic_.job_removed(id);
     settle_soon();
-    return Done{};
-}
-
-Status Session::handle(DropScenario& drop) {
-    if (const auto job = jobs_.find(drop.job); job != jobs_.end()) {
-        spdlog::info("scenario dropped: job={} scenario={}", drop.job.value, drop.scenario);
-        job->second->dropped->add(drop.scenario);
-    }
     return Done{};
 }
 
 Status Session::handle(Subtrees& subtrees) {
     for (SubtreeBlock& block : subtrees.blocks) {
-        traffic_.master_bytes += block.compressed.size();
+        traffic_.came_from_master({subtrees.tree, block.root}, block.compressed.size());
         open_soon(subtrees.tree, std::move(block), {});
     }
     return Done{};
@@ -186,7 +181,7 @@ Task* Session::take_task(Task task) {
 
 void Session::wait_for_subtrees(const Task& task, std::size_t scenario) {
     const Token token = next_token_++;
-    places_.emplace(token, Place{task.id(), scenario, false});
+    places_.emplace(token, Place{task.id(), scenario, nullptr});
     fetcher_.add(token, task.roots_of(scenario));
 }
 
@@ -251,6 +246,9 @@ void Session::scenario_ran(Token token, const std::optional<FinishedScenarios>& 
     }
     --running_;
     const auto place = places_.find(token);
+    if (place == places_.end()) {
+        return settle_soon(); // It was given back before it began.
+    }
     Task& task = tasks_.at(place->second.task);
     places_.erase(place);
     fetcher_.finished(token);
@@ -271,6 +269,7 @@ void Session::walked(TaskId id, Walked walked) {
     for (const SubtreeKey& key : walked.used) {
         cache_.touch(key);
     }
+    traffic_.found(task.job().id, walked.found);
     task.drop(walked.left);
     if (stopping_ || task.abandoned()->load()) {
         task.drop(walked.waiting.size());
@@ -314,6 +313,7 @@ void Session::settle() {
         return;
     }
     const Fetcher::Step step = fetcher_.advance();
+    note_admitted(step.admitted);
     // First what left: the master must not take it for an answer to what is wanted now.
     send_evicted();
     send_held();
@@ -395,14 +395,16 @@ asio::awaitable<void> Session::resume_when_sent(std::shared_ptr<Session> self) {
 void Session::start(Token token) {
     Place& place = places_.at(token);
     const Task& task = tasks_.at(place.task);
-    place.is_running = true;
+    place.has_begun = std::make_shared<std::atomic<bool>>(false);
     ++running_;
     executor_.submit(
         [weak = weak_from_this(),
          abandoned = abandoned_,
          task_abandoned = task.abandoned(),
+         has_begun = place.has_begun,
          clock = new_clock(task.job().id),
          dropped = task.job().dropped,
+         answered = task.answered_elsewhere(),
          token,
          ready = std::make_shared<const ReadyScenario>(task.ready(place.scenario, cache_))]() {
             if (abandoned->load()) {
@@ -410,8 +412,16 @@ void Session::start(Token token) {
             }
             const std::uint64_t index = ready->scenario.index;
             const auto stop = [&] {
-                return abandoned->load() || task_abandoned->load() || dropped->contains(index);
+                return abandoned->load() || task_abandoned->load() || dropped->contains(index) ||
+                       answered->contains(index);
             };
+            if (has_begun->exchange(true)) {
+                return Executor::Continuation([weak, token] {
+                    if (const auto session = weak.lock()) {
+                        session->scenario_ran(token, std::nullopt);
+                    }
+                });
+            }
             clock->begin(index);
             return Executor::Continuation([weak, token, finished = execute(*ready, stop)] {
                 if (const auto session = weak.lock()) {
@@ -452,39 +462,6 @@ void Session::start_walk(Task& task) {
     });
 }
 
-void Session::drop_unstarted(const std::function<bool(const Task&)>& concerned) {
-    const auto is_dropped = [&](Token token) {
-        const Place& place = places_.at(token);
-        return !place.is_running && concerned(tasks_.at(place.task));
-    };
-    std::erase_if(ready_, is_dropped);
-    std::vector<Token> dropped;
-    for (const auto& [token, place] : places_) {
-        if (is_dropped(token)) {
-            dropped.push_back(token);
-        }
-    }
-    for (const Token token : dropped) {
-        tasks_.at(places_.at(token).task).drop();
-        places_.erase(token);
-        fetcher_.finished(token);
-    }
-    for (auto& [id, task] : tasks_) {
-        if (concerned(task)) {
-            task.drop_unwalked();
-        }
-    }
-}
-
-void Session::abandon(const std::function<bool(const Task&)>& concerned) {
-    drop_unstarted(concerned);
-    for (auto& [id, task] : tasks_) {
-        if (concerned(task)) {
-            task.abandon(); // What runs ends soon, without an answer.
-        }
-    }
-}
-
 // ---- Results --------------------------------------------------------------------------------
 
 void Session::flush_soon() {
@@ -505,6 +482,7 @@ void Session::flush_soon() {
 
 void Session::flush(Task& task) {
     if (auto results = task.take_results()) {
+        results->traffic = traffic_.take(task.job().id);
         keep_->results.add(*results);
         channel_->send(*results);
     }

@@ -9,6 +9,7 @@
 #include "worker/scenario_clock.hpp"
 #include "worker/subtree_cache.hpp"
 #include "worker/task.hpp"
+#include "worker/traffic_book.hpp"
 #include "worker/worker_job.hpp"
 #include "worker/worker_keep.hpp"
 
@@ -86,7 +87,8 @@ class Session : public std::enable_shared_from_this<Session> {
     struct Place {
         TaskId task;
         std::size_t scenario = 0;
-        bool is_running = false; ///< At the threads.
+        /// Of one at the threads: whoever sets it first begins the scenario, or gives it back.
+        std::shared_ptr<std::atomic<bool>> has_begun;
     };
 
     void take_up();
@@ -109,6 +111,7 @@ class Session : public std::enable_shared_from_this<Session> {
     Status handle(DropScenario& drop);
     Status handle(Batch& batch);
     Status handle(ScenarioRange& range);
+    Status handle(Recall& recall);
     Status handle(ResultsKept& kept);
     Status handle(Drain& drain);
     Status handle(Terminate& terminate);
@@ -136,12 +139,16 @@ class Session : public std::enable_shared_from_this<Session> {
     void walked(TaskId task, Walked walked);
     [[nodiscard]] std::shared_ptr<ScenarioClock> new_clock(JobId job);
     void add_results(Task& task, const FinishedScenarios& finished);
+    // What has not begun (session_recall.cpp).
+    /// Scenarios of which `concerned` is true go, unless they have begun. Those that went.
+    std::vector<Place> drop_unbegun(const std::function<bool(const Place&)>& concerned);
     void drop_unstarted(const std::function<bool(const Task&)>& concerned);
     void abandon(const std::function<bool(const Task&)>& concerned);
     void refuse(const Error& error);
 
     void settle_soon();
     void settle();
+    void note_admitted(const std::vector<Fetcher::Admission>& admitted);
     void send_evicted();
     void send_held();
     void send_wants(const std::vector<SubtreeKey>& want);
@@ -165,7 +172,7 @@ class Session : public std::enable_shared_from_this<Session> {
     PeerParts peers_;
     PeerLinks links_;
     std::map<TreeId, std::vector<RootIndex>> held_; ///< Filled since the master was told.
-    CacheTraffic traffic_;                          ///< The bytes of it.
+    TrafficBook traffic_;
     std::uint64_t heartbeats_ = 0;
     std::map<JobId, std::shared_ptr<const WorkerJob>> jobs_;
     std::map<TaskId, Task> tasks_;

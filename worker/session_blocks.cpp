@@ -26,7 +26,7 @@ asio::awaitable<void> Session::fetch_from_peers(std::shared_ptr<Session> self,
         // A temporary in the call below is destroyed twice by GCC 12.
         const PeerLinks::OnBlock on_block = [&](SubtreeBlock block) {
             left.erase(block.root);
-            traffic_.peer_bytes += block.compressed.size();
+            traffic_.came_from_peer({directions.tree, block.root}, block.compressed.size());
             open_soon(directions.tree, std::move(block), source.worker);
         };
         const PeerOutcome outcome = co_await links_.fetch(source, directions, on_block);
@@ -86,8 +86,10 @@ void Session::block_opened(const SubtreeKey& key,
     if (!inserted) {
         return refuse(inserted.error());
     }
+    // Also one that nobody waits for any more, and that had to go at once: it would not be asked
+    // for again.
+    fetcher_.arrived(key);
     if (cache_.at(key) != nullptr) {
-        fetcher_.arrived(key);
         held_[key.tree].push_back(key.root);
     }
     settle_soon();
@@ -95,9 +97,24 @@ void Session::block_opened(const SubtreeKey& key,
 
 // ---- What the master is told ------------------------------------------------------------------
 
+void Session::note_admitted(const std::vector<Fetcher::Admission>& admitted) {
+    for (const Fetcher::Admission& one : admitted) {
+        const JobId job = tasks_.at(places_.at(one.token).task).job().id;
+        traffic_.found(job, one.found);
+        for (const SubtreeKey& key : one.asked) {
+            traffic_.missed(job, key);
+        }
+    }
+}
+
 void Session::send_evicted() {
     std::map<TreeId, std::vector<RootIndex>> evicted;
     for (const SubtreeKey& key : cache_.take_evicted()) {
+        for (const auto& [id, job] : jobs_) {
+            if (job->uses(key.tree)) {
+                traffic_.evicted(id);
+            }
+        }
         // It may be back already.
         if (cache_.at(key) == nullptr) {
             evicted[key.tree].push_back(key.root);

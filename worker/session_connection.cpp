@@ -91,7 +91,7 @@ void Session::stand() {
         standing.jobs.push_back(id);
     }
     for (const auto& [id, task] : tasks_) {
-        standing.tasks.push_back(id);
+        standing.tasks.push_back(task.given_back());
     }
     spdlog::info("session goes on: tasks={} unanswered={} results_again={}",
                  tasks_.size(),
@@ -133,10 +133,8 @@ asio::awaitable<void> Session::send_heartbeats(std::shared_ptr<Session> self) {
 }
 
 void Session::send_heartbeat() {
-    CacheTraffic traffic = traffic_;
-    traffic.hits = fetcher_.hits();
-    traffic.misses = fetcher_.misses();
-    traffic.evictions = cache_.evictions();
+    CacheTraffic traffic{traffic_.total(), 0};
+    traffic.blocks.evictions = cache_.evictions(); // Also of trees that no job uses.
     traffic.uploaded_bytes = peers_.server == nullptr ? 0 : peers_.server->uploaded_bytes();
     channel_->send(Heartbeat{++heartbeats_, cache_.bytes(), unanswered(), traffic, longest()});
     if (std::chrono::steady_clock::now() - began_ > limits::parked_trees_kept) {

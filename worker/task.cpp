@@ -1,6 +1,7 @@
 #include "worker/task.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/job/packed_map.hpp"
 #include "common/job/packed_records.hpp"
 
 #include <algorithm>
@@ -133,16 +134,22 @@ Walk Task::next_walk(SubtreeCache& cache, unsigned threads) {
             begin,
             walked_,
             cache.snapshot(job_->tree_a),
-            cache.snapshot(job_->tree_b)};
+            cache.snapshot(job_->tree_b),
+            answered_elsewhere_};
 }
 
 void Task::keep_roots(Walked::Waiting waiting) {
     found_pairs_.emplace(waiting.scenario, std::move(waiting.pairs));
 }
 
-void Task::drop_unwalked() {
-    drop(unwalked_end_ - walked_);
-    unwalked_end_ = walked_;
+void Task::keep_places(std::size_t count) {
+    const std::size_t end = std::clamp(count, walked_, unwalked_end_);
+    drop(unwalked_end_ - end);
+    unwalked_end_ = end;
+}
+
+Recalled Task::given_back() const {
+    return {id_, {given_back_.begin(), given_back_.end()}, unwalked_end_};
 }
 
 void Task::add(const FinishedScenarios& finished) {
@@ -150,6 +157,7 @@ void Task::add(const FinishedScenarios& finished) {
         results_.records.end(), finished.records.begin(), finished.records.end());
     results_.count += finished.count;
     results_.statistics += finished.statistics;
+    map_.add(finished.map);
     results_.seconds += finished.seconds;
     unanswered_ -= finished.count;
     if (finished.count != 0) {
@@ -169,6 +177,9 @@ std::optional<Results> Task::take_results() {
     results.records = pack_records(finished.records);
     results.statistics = finished.statistics;
     results.compute_seconds = finished.seconds;
+    if (job_->query.maps) {
+        results.map = pack_map(map_.take());
+    }
     return results;
 }
 

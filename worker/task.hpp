@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -49,7 +50,22 @@ class Task {
     /// The scenario waits for subtrees now.
     void keep_roots(Walked::Waiting waiting);
     /// Those that are in no walk end without a result.
-    void drop_unwalked();
+    void drop_unwalked() { keep_places(0); }
+    /// The same of all but the first so many of the range.
+    void keep_places(std::size_t count);
+
+    // ---- What was given back -----------------------------------------------------------------
+    [[nodiscard]] std::uint64_t index_of(std::size_t scenario) const {
+        return scenarios_.at(scenario).index;
+    }
+    /// It has ended without a result, since the master wants it back.
+    void give_back(std::uint64_t index) { given_back_.insert(index); }
+    /// All of it so far.
+    [[nodiscard]] Recalled given_back() const;
+    /// Scenarios that are not to be answered here.
+    [[nodiscard]] const std::shared_ptr<DroppedScenarios>& answered_elsewhere() const {
+        return answered_elsewhere_;
+    }
 
     void add(const FinishedScenarios& finished);
     /// Nobody waits for it any more. Threads that run its scenarios look at the flag.
@@ -61,7 +77,9 @@ class Task {
 
     [[nodiscard]] std::uint64_t unanswered() const { return unanswered_; }
     /// Uncompressed, of results not yet taken.
-    [[nodiscard]] std::size_t result_bytes() const { return results_.records.size(); }
+    [[nodiscard]] std::size_t result_bytes() const {
+        return results_.records.size() + map_.bytes();
+    }
     /// Nothing when there are no new results.
     [[nodiscard]] std::optional<Results> take_results();
 
@@ -74,7 +92,10 @@ class Task {
     TaskScenarios scenarios_;
     std::uint64_t unanswered_ = 0;
     std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false);
-    FinishedScenarios results_; ///< Not yet taken.
+    std::shared_ptr<DroppedScenarios> answered_elsewhere_ = std::make_shared<DroppedScenarios>();
+    std::set<std::uint64_t> given_back_; ///< Indices, of a batch.
+    FinishedScenarios results_;          ///< Not yet taken; without the map,
+    ContactMapSum map_;                  ///< which is here.
 
     std::vector<std::uint32_t> pair_offsets_; ///< Of a batch.
     std::vector<RootPair> pairs_;

@@ -4,6 +4,7 @@
 
 #include "common/core/bytes.hpp"
 #include "common/core/stop_check.hpp"
+#include "common/job/contact_map.hpp"
 #include "common/job/scenario.hpp"
 #include "common/job/statistics.hpp"
 #include "common/tree/partial_tree.hpp"
@@ -45,6 +46,7 @@ struct Walk {
     std::size_t end = 0;
     std::shared_ptr<const PartialObbTree> a;
     std::shared_ptr<const PartialObbTree> b;
+    std::shared_ptr<const DroppedScenarios> answered_elsewhere;
 };
 
 /// Results of scenarios, in bulk.
@@ -53,6 +55,7 @@ struct FinishedScenarios {
     std::uint32_t count = 0;
     QueryStatistics statistics;
     double seconds = 0; ///< Of one thread.
+    ContactMap map;     ///< Of these scenarios, where the query is for maps.
 
     void add(const Bytes& record);
 };
@@ -65,7 +68,8 @@ struct Walked {
 
     FinishedScenarios finished;
     std::vector<Waiting> waiting; ///< Lack subtrees.
-    std::vector<SubtreeKey> used; ///< Subtrees that others had.
+    std::vector<SubtreeKey> used; ///< Subtrees that others had,
+    std::uint64_t found = 0;      ///< and how many they had, summed over them.
     std::size_t left = 0;         ///< Not answered: it was told to stop, or they were dropped.
 };
 

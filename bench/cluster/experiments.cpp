@@ -297,6 +297,50 @@ void Experiments::vary_cores(const Setting& setting, const Scene& scene, std::ui
     }
 }
 
+void Experiments::compare_ends(const Setting& setting, const Scene& scene) {
+    CsvFile csv(options_.out / "end.csv",
+                {"setting",
+                 "scene",
+                 "slow_ratio",
+                 "helps",
+                 "seed",
+                 "seconds",
+                 "speedup",
+                 "bound",
+                 "tail_share",
+                 "recalled",
+                 "copies"});
+    Point point;
+    point.depth = scene.depth;
+    SimulationOptions options = setting.options;
+    options.ahead = 0;
+    options.dispatch.strategy = Strategy::EarliestFinish;
+    options.dispatch.v_kb = limits::v_kb_max;
+    for (std::uint64_t seed = 1; seed <= seeds(setting); ++seed) {
+        Workload workload =
+            make_workload(*scene.trace, *scene.table, {setting.costs, point.depth, 0, seed});
+        for (const double slow_ratio : {workload.slow_ratio, 10.0}) {
+            workload.slow_ratio = slow_ratio;
+            for (const bool helps : {false, true}) {
+                options.helps_at_end = helps;
+                if (const auto outcome = simulate_apart(workload, options, options_.limit)) {
+                    csv.row({setting.name,
+                             scene.trace->name,
+                             cell(slow_ratio),
+                             helps ? "yes" : "no",
+                             cell(seed),
+                             cell(outcome->seconds),
+                             cell(workload.serial_seconds / outcome->seconds),
+                             cell(options.cluster.weighted_cores(slow_ratio)),
+                             cell(outcome->tail_share),
+                             cell(outcome->recalled),
+                             cell(outcome->copies)});
+                }
+            }
+        }
+    }
+}
+
 double Experiments::mean_lowest(const Setting& setting, const Scene& scene) {
     Point point;
     point.depth = scene.depth;

@@ -86,6 +86,10 @@ class Experiments {
     /// Against the cluster (Figure 13, Table 4).
     void vary_cores(const Setting& setting, const Scene& scene, std::uint64_t count = 0);
 
+    /// How jobs matched by time end: with recalls and copies and without, on slow cores as in the
+    /// table and on some of a tenth of the speed. Rows of end.csv.
+    void compare_ends(const Setting& setting, const Scene& scene);
+
     /// The rate of the pipe at which lowest takes so many seconds for all scenarios, mean of the
     /// seeds. Nothing where no rate does.
     std::optional<double> fit_pipe(const Scene& scene, double seconds);

@@ -193,6 +193,15 @@ class LargeCluster {
                    [this, source, asked] { answer(source, asked); });
     }
     void take(std::size_t to, const PeerAsked& asked) { answer(to, asked); }
+    void take(std::size_t to, const AskedBack& asked) {
+        tell_master(to, host(to).model.take(asked));
+        tell_results(to);
+    }
+    /// What runs is not stopped.
+    void take(std::size_t to, const CalledOff& loser) {
+        (void)host(to).model.take(loser);
+        tell_results(to);
+    }
     void take(std::size_t /*to*/, const Ended& /*message*/) {}
 
     /// What is not there any more is asked for again.
@@ -254,12 +263,17 @@ class LargeCluster {
         here.worked += seconds;
         here.last = agenda_.now();
         here.model.ran(scenario, agenda_.now(), seconds);
+        tell_results(number);
+        tell_evicted(number);
+        work(number);
+    }
+
+    void tell_results(std::size_t number) {
+        Host& here = host(number);
         const double period = here.model.ready_count() != 0 ? options_.results_period : 0;
         for (ResultsSent& results : here.model.due(agenda_.now(), period)) {
             tell_master(number, std::move(results));
         }
-        tell_evicted(number);
-        work(number);
     }
 
     void tell_evicted(std::size_t number) {

@@ -83,9 +83,11 @@ MasterModel::MasterModel(const Workload& workload,
                          const ClusterOptions& options,
                          std::uint64_t ahead,
                          bool peers,
-                         std::uint64_t cache_bytes)
+                         std::uint64_t cache_bytes,
+                         bool helps_at_end)
     : workload_(workload),
       options_(options),
+      dispatcher_(helps_at_end),
       ahead_(ahead),
       is_answered_(workload.count()),
       peers_(peers),
@@ -262,6 +264,14 @@ std::vector<Letter> MasterModel::take(const ResultsSent& message) {
     return letters;
 }
 
+std::vector<Letter> MasterModel::take(const GaveBack& message) {
+    auto letters = dispatch([&] {
+        return dispatcher_.task_recalled(message.worker, {message.task, message.scenarios, 0});
+    });
+    pause_at_end(letters);
+    return letters;
+}
+
 template <class Event>
 std::vector<Letter> MasterModel::dispatch(const Event& event) {
     const double start = cpu_seconds();
@@ -283,10 +293,21 @@ void MasterModel::report(const Event& event) {
 }
 
 void MasterModel::perform(const Action& action, std::vector<Letter>& letters) {
+    if (const auto* ask = std::get_if<AskBack>(&action)) {
+        return post(ask->worker, AskedBack{ask->task, ask->scenarios}, letters);
+    }
+    if (const auto* loser = std::get_if<CallOff>(&action)) {
+        return post(loser->worker, CalledOff{loser->task, loser->scenario}, letters);
+    }
+    if (const auto* given = std::get_if<GivenBack>(&action)) {
+        counts_.recalled += given->scenarios;
+        return;
+    }
     const auto* batch = std::get_if<SendBatch>(&action);
     // No worker is lost here, so none is given up.
     CD_CHECK(batch != nullptr);
     ++counts_.batches;
+    counts_.copies += batch->is_copy ? batch->scenarios.size() : 0;
     const bool is_first = knows_trees_.insert(batch->worker).second;
     post(batch->worker, BatchSent{batch->task, batch->scenarios, is_first}, letters);
 }

@@ -33,6 +33,8 @@ struct MasterCounts {
     std::uint64_t sent_bytes = 0;     ///< Of all letters.
     std::uint64_t answered = 0;       ///< Distinct scenarios.
     std::uint64_t answered_again = 0; ///< Results of scenarios that had one.
+    std::uint64_t recalled = 0;
+    std::uint64_t copies = 0;
     std::uint64_t dispatcher_calls = 0;
     double dispatcher_seconds = 0; ///< Of processor time, really spent in them here.
 };
@@ -47,7 +49,8 @@ class MasterModel {
                 const ClusterOptions& options,
                 std::uint64_t ahead,
                 bool peers,
-                std::uint64_t cache_bytes = 0);
+                std::uint64_t cache_bytes = 0,
+                bool helps_at_end = true);
 
     /// To be called before whatever happens then. In seconds; never less than before.
     std::vector<Letter> time_is(double now);
@@ -66,6 +69,7 @@ class MasterModel {
     std::vector<Letter> take(const BlocksEvicted& message);
     std::vector<Letter> take(const PeerFailed& message);
     std::vector<Letter> take(const ResultsSent& message);
+    std::vector<Letter> take(const GaveBack& message);
 
     [[nodiscard]] bool is_done() const { return counts_.answered == workload_.count(); }
     [[nodiscard]] const MasterCounts& counts() const { return counts_; }

@@ -33,6 +33,9 @@ struct Overheads {
     std::uint64_t results = on_wire(Results{});
     std::uint64_t end_of_task = on_wire(EndOfTask{});
     std::uint64_t terminate = on_wire(Terminate{});
+    std::uint64_t recall = on_wire(Recall{});
+    std::uint64_t recalled = on_wire(Recalled{});
+    std::uint64_t drop = on_wire(DropScenario{});
 };
 
 const Overheads& overheads() {
@@ -70,6 +73,18 @@ std::uint64_t bytes_in(const FetchDirected& message, const Workload& /*workload*
 
 std::uint64_t bytes_in(const PeerAsked& message, const Workload& /*workload*/) {
     return overheads().asked + message.blocks.size() * sizeof(RootIndex);
+}
+
+std::uint64_t bytes_in(const AskedBack& message, const Workload& /*workload*/) {
+    return overheads().recall + message.scenarios.size() * sizeof(std::uint64_t);
+}
+
+std::uint64_t bytes_in(const CalledOff& /*message*/, const Workload& /*workload*/) {
+    return overheads().drop;
+}
+
+std::uint64_t bytes_in(const GaveBack& message, const Workload& /*workload*/) {
+    return overheads().recalled + message.scenarios.size() * sizeof(std::uint64_t);
 }
 
 std::uint64_t bytes_in(const Ended& /*message*/, const Workload& /*workload*/) {

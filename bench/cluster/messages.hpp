@@ -26,6 +26,16 @@ struct FetchDirected {
     WorkerId source;
     std::vector<BlockId> blocks; ///< Of one tree.
 };
+/// To give back of the task what has not begun of these.
+struct AskedBack {
+    TaskId task;
+    std::vector<std::uint64_t> scenarios;
+};
+/// Another worker has answered it.
+struct CalledOff {
+    TaskId task;
+    std::uint64_t scenario = 0;
+};
 struct Ended {};
 
 // ---- Worker to worker -----------------------------------------------------------------------
@@ -35,7 +45,8 @@ struct PeerAsked {
     WorkerId asker;
     std::vector<BlockId> blocks; ///< Of one tree.
 };
-using ToWorker = std::variant<BatchSent, BlocksSent, FetchDirected, PeerAsked, Ended>;
+using ToWorker =
+    std::variant<BatchSent, BlocksSent, FetchDirected, PeerAsked, AskedBack, CalledOff, Ended>;
 
 // ---- Worker to master -----------------------------------------------------------------------
 
@@ -61,6 +72,12 @@ struct ResultsSent {
     double compute_seconds = 0; ///< That the worker's threads took for them.
     bool ends_task = false;
 };
+/// All that was given back of the task.
+struct GaveBack {
+    WorkerId worker;
+    TaskId task;
+    std::vector<std::uint64_t> scenarios; ///< Ascending.
+};
 /// From now on the worker has these.
 struct BlocksHeld {
     WorkerId worker;
@@ -70,8 +87,8 @@ struct BlocksHeld {
 struct Analysed {
     std::uint64_t scenario = 0;
 };
-using ToMaster =
-    std::variant<BlocksWanted, BlocksHeld, BlocksEvicted, PeerFailed, ResultsSent, Analysed>;
+using ToMaster = std::
+    variant<BlocksWanted, BlocksHeld, BlocksEvicted, PeerFailed, ResultsSent, GaveBack, Analysed>;
 
 /// By the codec of the real messages, their frames included; records, poses and blocks as the
 /// workload says.

@@ -318,6 +318,18 @@ def costs_section(data):
                "open ms", "top kB"], costs)])
 
 
+def prediction_section(folder):
+    if not os.path.exists(os.path.join(folder, "prediction.csv")):
+        return ""
+    return ("## The simulation against real clusters\n\nThe same job in both, analysed by the master, on one "
+            "computer whose cores a master and workers of one thread share (`bench/cluster/prediction`); "
+            "real: the median of five.\n\n" + table(
+                ["job", "strategy", "cores", "workers", "scenarios", "real, s", "predicted, s", "error"],
+                [[r["scene"], r["strategy"], r["cores"], r["workers"], show(number(r, "scenarios")),
+                  fixed(number(r, "real"), 3), fixed(number(r, "predicted"), 3),
+                  f"{100 * number(r, 'error'):+.0f} %"] for r in read(folder, "prediction")]))
+
+
 def dispatcher_section(runs):
     rows = []
     for scene in SCENES:
@@ -349,6 +361,7 @@ def main():
     print(memory_section(runs))
     print(measured_section(runs))
     print(dispatcher_section(runs))
+    print(prediction_section(folder))
     print(beyond_section(data["beyond"]))
     print(related_section(folder))
     print(costs_section(data))

@@ -17,6 +17,11 @@ class PlatformBuilder {
         Platform platform;
         platform.master = add_computer("master", fast_speed, master_cores);
         add_loopback(platform.master);
+        if (spec_.shared_cores != 0) {
+            platform.workers.assign(spec_.fast_cores, {platform.master, 1});
+            zone_->seal();
+            return platform;
+        }
         add_kind("fast", spec_.fast_cores, spec_.fast_cores_each, fast_speed, platform);
         add_kind(
             "slow", spec_.slow_cores, spec_.slow_cores_each, fast_speed / slow_ratio, platform);

@@ -1,6 +1,6 @@
 // The paper's experiments over recorded traces, under SimGrid. See README.md.
 //
-//   simulate HEAVY_TRACE CARS_TRACE --out FOLDER [--only paper|measured] [--quick]
+//   simulate HEAVY_TRACE CARS_TRACE --out FOLDER [--only paper|measured|end] [--quick]
 #include "bench/accuracy/machine.hpp"
 #include "bench/cluster/experiments.hpp"
 
@@ -134,6 +134,7 @@ void run_both(Experiments& experiments,
         scene.depth = experiments.vary_depth(paper_setting(), scene);
         run_paper(experiments, paper_setting(), scene);
     }
+    experiments.compare_ends(paper_setting(), scenes[0]);
     CsvFile fit(out / "fit.csv", {"what", "value"});
     if (const auto rate = experiments.fit_pipe(scenes[0], paper_lowest_seconds)) {
         fit.row({"pipe, bytes a second", cell(*rate)});
@@ -150,6 +151,10 @@ void run(const ExperimentOptions& options, std::array<Scene, 2> scenes, const st
     write_whole(options.out, scenes);
     write_costs(options.out, scenes);
     Experiments experiments(options);
+    if (which == "end") {
+        scenes[0].depth = scenes[0].trace->depths.front().a.depth;
+        return experiments.compare_ends(paper_setting(), scenes[0]);
+    }
     if (which != "measured") {
         run_both(experiments, options.out, scenes);
     }
@@ -175,7 +180,8 @@ int main(int argc, char** argv) {
     app.add_option("CARS", cars_path, "The trace of a car against another")->required();
     app.add_option("--out", options.out, "A folder for CSV files")->required();
     app.add_option("--seeds", options.seeds, "Of each point")->check(CLI::PositiveNumber);
-    app.add_option("--only", which, "Of the settings")->check(CLI::IsMember({"paper", "measured"}));
+    app.add_option("--only", which, "Of the settings")
+        ->check(CLI::IsMember({"paper", "measured", "end"}));
     app.add_flag("--quick", options.quick, "Few points, one seed");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -26,13 +26,15 @@ class Simulation {
     Simulation(const Workload& workload, const SimulationOptions& options)
         : workload_(workload),
           options_(options),
-          master_(workload, options.dispatch, options.ahead, options.peers),
+          master_(
+              workload, options.dispatch, options.ahead, options.peers, 0, options.helps_at_end),
           to_master_("master"),
           work_available_(s4u::ConditionVariable::create()),
           analysts_lock_(s4u::Mutex::create()) {}
 
     Outcome run(s4u::Engine& engine) {
-        const auto cores = 1 + options_.analysts;
+        const std::uint32_t shared = options_.cluster.shared_cores;
+        const std::uint32_t cores = shared != 0 ? shared : 1 + options_.analysts;
         const Platform platform = build_platform(options_.cluster, workload_.slow_ratio, cores);
         std::vector<std::uint32_t> threads;
         for (const WorkerPlace& place : platform.workers) {
@@ -149,10 +151,11 @@ class Simulation {
 
         WorkerModel model;
         Inbox<ToWorker> inbox;
-        std::deque<Letter> outbox;       ///< At the master.
-        s4u::SemaphorePtr posted;        ///< One for each letter in it.
-        std::deque<BlocksSent> unopened; ///< Goes before scenarios.
-        s4u::SemaphorePtr work;          ///< One for each thing that a thread can do.
+        std::deque<Letter> outbox;                     ///< At the master.
+        s4u::SemaphorePtr posted;                      ///< One for each letter in it.
+        std::deque<BlocksSent> unopened;               ///< Goes before scenarios.
+        s4u::SemaphorePtr work;                        ///< One for each thing that a thread can do.
+        std::map<std::uint64_t, s4u::ExecPtr> running; ///< Scenarios.
         std::uint32_t threads;
         bool is_over = false;
     };
@@ -238,6 +241,18 @@ class Simulation {
         workers_[asked.asker.value - 1]->inbox.put(std::move(blocks), bytes);
     }
 
+    void take(Worker& worker, const AskedBack& asked) {
+        put_to_master(worker.model.take(asked));
+        send_results(worker.model); // A task of which nothing is left ends.
+    }
+
+    void take(Worker& worker, const CalledOff& loser) {
+        if (worker.model.take(loser)) {
+            worker.running.at(loser.scenario)->cancel();
+        }
+        send_results(worker.model);
+    }
+
     void take(Worker& worker, const Ended& /*message*/) {
         worker.is_over = true;
         offer(worker, worker.threads);
@@ -259,7 +274,7 @@ class Simulation {
                 const BlocksSent blocks = std::move(worker.unopened.front());
                 worker.unopened.pop_front();
                 open(worker, blocks);
-            } else {
+            } else if (worker.model.ready_count() != 0) { // Else it was given back.
                 run_scenario(worker, worker.model.next(), times);
             }
         }
@@ -278,7 +293,15 @@ class Simulation {
     void run_scenario(Worker& worker, std::uint64_t scenario, ThreadTimes& times) {
         const double seconds = workload_.scenario(scenario).work_seconds;
         const double begin = s4u::Engine::get_clock();
-        spend(seconds);
+        const s4u::ExecPtr exec = s4u::this_actor::exec_init(seconds * fast_speed);
+        worker.running[scenario] = exec;
+        exec->start();
+        try {
+            exec->wait();
+        } catch (const simgrid::CancelException&) {
+            // Another worker was first.
+        }
+        worker.running.erase(scenario);
         outcome_.work_seconds += seconds;
         const double now = s4u::Engine::get_clock();
         times.first = times.busy == 0 ? begin : times.first;
@@ -317,6 +340,8 @@ class Simulation {
         outcome.answered = counts.answered;
         outcome.answered_again = counts.answered_again;
         outcome.batches = counts.batches;
+        outcome.recalled = counts.recalled;
+        outcome.copies = counts.copies;
         outcome.wants = counts.wants;
         outcome.blocks = counts.blocks;
         outcome.block_bytes = counts.block_bytes;

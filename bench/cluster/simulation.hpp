@@ -20,8 +20,11 @@ struct ClusterSpec {
     std::uint32_t fast_cores_each = 4; ///< Of a computer.
     std::uint32_t slow_cores_each = 2;
     bool worker_per_computer = false; ///< With a thread for each core; else a worker for each core.
-    double bytes_per_second = 125e6;  ///< 1 Gb/s in each direction.
-    double latency_seconds = 50e-6;   ///< Of a link; a message passes two.
+    /// Above 0: one computer of so many fast cores for the master and `fast_cores` workers of one
+    /// thread, which share it; messages cost nothing.
+    std::uint32_t shared_cores = 0;
+    double bytes_per_second = 125e6; ///< 1 Gb/s in each direction.
+    double latency_seconds = 50e-6;  ///< Of a link; a message passes two.
 
     [[nodiscard]] std::uint32_t cores() const { return fast_cores + slow_cores; }
     /// The paper's bound: n1 + n2 t1 / t2.
@@ -36,6 +39,7 @@ struct SimulationOptions {
     /// Analysed scenarios that may wait for a worker beside those in buffers; 0: as the product.
     std::uint64_t ahead = 1;
     bool peers = false; ///< Workers give each other blocks.
+    bool helps_at_end = true;
     /// Cores of the master's computer that analyse; 0: the master's one thread does.
     std::uint32_t analysts = 0;
     /// For each scenario, of the master's thread: the dispatcher's decisions.
@@ -50,6 +54,8 @@ struct Outcome {
     double seconds = 0; ///< From the first analysis to the last result's coming.
     std::uint64_t answered = 0;
     std::uint64_t answered_again = 0;
+    std::uint64_t recalled = 0;
+    std::uint64_t copies = 0;
     std::uint64_t batches = 0;
     std::uint64_t wants = 0;
     std::uint64_t blocks = 0;

@@ -42,6 +42,48 @@ std::optional<BlocksWanted> WorkerModel::take(const BatchSent& batch) {
     return wanted.blocks.empty() ? std::nullopt : std::optional(std::move(wanted));
 }
 
+GaveBack WorkerModel::take(const AskedBack& asked) {
+    const auto task = tasks_.find(asked.task);
+    if (task == tasks_.end()) {
+        return {id_, asked.task, {}};
+    }
+    for (const std::uint64_t scenario : asked.scenarios) {
+        const auto place = scenarios_.find(scenario);
+        if (place != scenarios_.end() && place->second.task == asked.task &&
+            !place->second.has_begun) {
+            drop(scenario);
+            task->second.given_back.insert(scenario);
+        }
+    }
+    const auto& given_back = task->second.given_back;
+    return {id_, asked.task, {given_back.begin(), given_back.end()}};
+}
+
+bool WorkerModel::take(const CalledOff& loser) {
+    const auto place = scenarios_.find(loser.scenario);
+    if (place == scenarios_.end() || place->second.task != loser.task) {
+        return false;
+    }
+    if (!place->second.has_begun) {
+        drop(loser.scenario);
+        return false;
+    }
+    place->second.is_called_off = true;
+    return true;
+}
+
+void WorkerModel::drop(std::uint64_t scenario) {
+    std::erase(ready_, scenario);
+    for (const BlockId& block : workload_.scenario(scenario).blocks) {
+        if (const auto waiting = waiting_for_.find(block); waiting != waiting_for_.end()) {
+            std::erase(waiting->second, scenario);
+        }
+        unpin(block);
+    }
+    --tasks_.at(scenarios_.at(scenario).task).open;
+    scenarios_.erase(scenario);
+}
+
 double WorkerModel::open_seconds(const BlocksSent& message) const {
     double seconds = 0;
     for (const BlockId& block : message.blocks) {
@@ -116,6 +158,7 @@ std::uint64_t WorkerModel::next() {
     CD_CHECK(!ready_.empty());
     const std::uint64_t scenario = ready_.front();
     ready_.pop_front();
+    scenarios_.at(scenario).has_begun = true;
     return scenario;
 }
 
@@ -127,8 +170,12 @@ void WorkerModel::ran(std::uint64_t scenario, double now, double seconds) {
         unpin(block);
     }
     evict();
+    const bool is_called_off = place->second.is_called_off;
     scenarios_.erase(place);
     --task.open;
+    if (is_called_off) {
+        return;
+    }
     if (task.unsent.empty()) {
         task.unsent_since = now;
     }

@@ -29,6 +29,9 @@ class WorkerModel {
     [[nodiscard]] WorkerId id() const { return id_; }
     /// What to ask the master for, if anything.
     std::optional<BlocksWanted> take(const BatchSent& batch);
+    GaveBack take(const AskedBack& asked);
+    /// True: it runs here, and may stop.
+    [[nodiscard]] bool take(const CalledOff& loser);
     /// Of the blocks, on a fast core.
     [[nodiscard]] double open_seconds(const BlocksSent& message) const;
     /// From now on these blocks are here; what to say of that. Those that were here already, or
@@ -44,7 +47,7 @@ class WorkerModel {
     [[nodiscard]] std::size_t ready_count() const { return ready_.size(); }
     /// Of those that are ready the first, which is not ready any more.
     std::uint64_t next();
-    /// The scenario has run, and took so long here.
+    /// The scenario has run, or was stopped, and took so long here.
     void ran(std::uint64_t scenario, double now, double seconds);
     /// The results to be sent: all of tasks that ended, and of the others those whose oldest is as
     /// old as `period`.
@@ -60,11 +63,17 @@ class WorkerModel {
         std::vector<std::uint64_t> unsent;
         double unsent_since = 0;
         double compute_seconds = 0; ///< Of the unsent ones.
+        std::set<std::uint64_t> given_back;
     };
     struct Waiting {
         TaskId task;
         std::size_t missing = 0;
+        bool has_begun = false;
+        bool is_called_off = false;
     };
+
+    /// It has not begun, and leaves its task.
+    void drop(std::uint64_t scenario);
 
     void pin(const BlockId& block);
     void unpin(const BlockId& block);

@@ -45,8 +45,13 @@ class FetchedResults {
         return stdout_writer_ ? stdout_writer_->add(result) : Status(Done{});
     }
 
-    Status finish() {
-        const RunReport report = report_of(job_.status, level_);
+    Status finish(Connection& connection) {
+        RunReport report = report_of(job_.status, level_);
+        if (level_ == Level::Count) {
+            if (Status map = fetch_map(connection, job_.status.job, report); !map) {
+                return map;
+            }
+        }
         if (files_) {
             if (Status finished = files_->finish(report); !finished) {
                 return finished;
@@ -177,7 +182,7 @@ int execute(const ResultsCommand& command) {
     if (!fetched) {
         return fail(fetched.error());
     }
-    if (const Status finished = results.finish(); !finished) {
+    if (const Status finished = results.finish(*connection.value()); !finished) {
         return fail(finished.error());
     }
     return exit_code_of(job.value().status.summary, FailOn::Never);

@@ -47,6 +47,11 @@ Status report(Connection& connection,
         return fetched;
     }
     RunReport told = report_of(status, job.query.level);
+    if (job.query.maps) {
+        if (Status map = fetch_map(connection, status.job, told); !map) {
+            return map;
+        }
+    }
     told.where = workers_text(connection);
     told.most_touched = sink.value().tally().most_touched(touched_parts_shown);
     return sink.value().finish(told, command.quiet);

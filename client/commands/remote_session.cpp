@@ -4,6 +4,7 @@
 #include "client/job_id.hpp"
 #include "client/membership.hpp"
 #include "client/words.hpp"
+#include "common/job/packed_map.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -157,6 +158,26 @@ Status fetch_results(Connection& connection,
     return Done{};
 }
 
+Status fetch_map(Connection& connection, JobId job, RunReport& report) {
+    const Result<ContactMapAnswer> answer = connection.contact_map(job);
+    if (!answer) {
+        return answer.error();
+    }
+    report.map_withdrawn = answer.value().withdrawn;
+    if (!answer.value().is_asked || !report.map_withdrawn.empty()) {
+        return Done{};
+    }
+    // The meshes need not be here.
+    const ContactMapBounds bounds{
+        limits::mesh_triangles_max, limits::mesh_triangles_max, report.summary.total};
+    Result<ContactMap> map = unpack_map(answer.value().map, bounds);
+    if (!map) {
+        return map.error();
+    }
+    report.map = std::move(map.value());
+    return Done{};
+}
+
 Status check_done(const JobStatus& job, const std::string& id) {
     const std::string done =
         " (" + grouped(job.summary.merged()) + " of " + grouped(job.summary.total) + " done)";
@@ -182,6 +203,9 @@ RunReport report_of(const JobStatus& job, Level level) {
     report.digest = job.digest;
     report.seconds = job.seconds;
     report.statistics = job.statistics;
+    report.traffic = job.traffic;
+    report.depth_a = job.depth_a;
+    report.depth_b = job.depth_b;
     return report;
 }
 

@@ -43,6 +43,10 @@ struct KnownJob {
                                    const JobStatus& job,
                                    const std::function<Status(const ScenarioResult&)>& take);
 
+/// Puts the job's map into its report, where one was asked for. Errors: BadFrame for a map that is
+/// none.
+[[nodiscard]] Status fetch_map(Connection& connection, JobId job, RunReport& report);
+
 /// Nothing of a job that is done; otherwise why there are no results of it: Incomplete.
 [[nodiscard]] Status check_done(const JobStatus& job, const std::string& id);
 

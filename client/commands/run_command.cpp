@@ -47,6 +47,9 @@ int run_here(const RunCommand& command, PreparedJob& job, ThreadPool& pool) {
     report.seconds = outcome.value().seconds;
     report.statistics = outcome.value().statistics;
     report.cost = outcome.value().cost;
+    if (job.query.maps) {
+        report.map = outcome.value().map;
+    }
     report.where = counted(pool.size(), "thread");
     report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
     if (Status finished = sink.value().finish(report, command.quiet); !finished) {

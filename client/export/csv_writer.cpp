@@ -1,71 +1,11 @@
-#include "client/export/part_finder.hpp"
+#include "client/export/csv_rows.hpp"
 #include "client/export/result_writer.hpp"
-#include "client/export/text_buffer.hpp"
 
 #include <optional>
 
 namespace cd {
 
 namespace {
-
-/// A field as RFC 4180 wants it.
-std::string csv_field(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-        return std::string(text);
-    }
-    std::string field = "\"";
-    for (const char c : text) {
-        field += (c == '"') ? "\"\"" : std::string(1, c);
-    }
-    return field + "\"";
-}
-
-/// The name of a triangle's part as a field.
-class PartFields {
-  public:
-    explicit PartFields(const std::shared_ptr<const Mesh>& mesh) : parts_(mesh) {
-        for (const Part& part : parts_.parts()) {
-            fields_.push_back(csv_field(part.name));
-        }
-    }
-
-    [[nodiscard]] std::string_view of(std::uint32_t triangle) {
-        const auto place = parts_.find(triangle);
-        return place ? std::string_view(fields_[*place]) : std::string_view();
-    }
-
-  private:
-    PartFinder parts_;
-    std::vector<std::string> fields_;
-};
-
-/// A file that is written in large pieces.
-class RowFile {
-  public:
-    explicit RowFile(OutputFile file) : file_(std::move(file)) {}
-
-    template <class... Pieces>
-    [[nodiscard]] Status add(const Pieces&... pieces) {
-        rows_.add(pieces...);
-        return rows_.text().size() < bytes_at_once ? Status(Done{}) : write();
-    }
-    [[nodiscard]] Status commit() {
-        Status written = write();
-        return written ? file_.commit() : written;
-    }
-
-  private:
-    static constexpr std::size_t bytes_at_once = 1u << 18;
-
-    [[nodiscard]] Status write() {
-        Status written = file_.write(rows_.text());
-        rows_.clear();
-        return written;
-    }
-
-    OutputFile file_;
-    TextBuffer rows_;
-};
 
 class ScenariosCsvWriter final : public ResultWriter {
   public:
@@ -166,18 +106,6 @@ class CsvWriter final : public ResultWriter {
     TextBuffer key_;
 };
 
-Result<RowFile> create_with_header(const std::filesystem::path& path, std::string_view header) {
-    auto created = OutputFile::create(path);
-    if (!created) {
-        return created.error();
-    }
-    RowFile file(std::move(created.value()));
-    if (Status added = file.add(header); !added) {
-        return added.error();
-    }
-    return file;
-}
-
 } // namespace
 
 std::unique_ptr<ResultWriter> make_scenarios_csv_writer(OutputFile file) {
@@ -193,8 +121,8 @@ Result<std::unique_ptr<ResultWriter>> make_csv_writer(const ExportContext& conte
     std::optional<RowFile> pairs;
     std::optional<RowFile> points;
     if (context.level >= Level::Pairs) {
-        auto created = create_with_header(dir / "pairs.csv",
-                                          "scenario,triangle_a,triangle_b,class,part_a,part_b\n");
+        auto created = RowFile::create(dir / "pairs.csv",
+                                       "scenario,triangle_a,triangle_b,class,part_a,part_b\n");
         if (!created) {
             return created.error();
         }
@@ -202,7 +130,7 @@ Result<std::unique_ptr<ResultWriter>> make_csv_writer(const ExportContext& conte
     }
     if (context.level == Level::Contacts) {
         auto created =
-            create_with_header(dir / "points.csv", "scenario,triangle_a,triangle_b,x,y,z\n");
+            RowFile::create(dir / "points.csv", "scenario,triangle_a,triangle_b,x,y,z\n");
         if (!created) {
             return created.error();
         }

@@ -86,6 +86,21 @@ Json statistics_json(const RunReport& report) {
             {"inside_seconds", statistics.inside.seconds}};
 }
 
+Json traffic_json(const JobTraffic& traffic) {
+    const BlockTraffic& blocks = traffic.blocks;
+    return {{"master_bytes", blocks.master_bytes},
+            {"peer_bytes", blocks.peer_bytes},
+            {"cache_hits", blocks.hits},
+            {"cache_misses", blocks.misses},
+            {"hinted", blocks.hinted},
+            {"evictions", blocks.evictions},
+            {"result_bytes", traffic.result_bytes}};
+}
+
+Json depth_json(const std::optional<std::uint32_t>& depth) {
+    return depth ? Json(*depth) : Json();
+}
+
 Json body_json(const std::string& name, const Mesh* mesh) {
     if (mesh == nullptr) {
         return {{"name", name}};
@@ -130,7 +145,17 @@ std::string summary_json(const ExportContext& context, const RunReport& report) 
         json["tolerance"] = *context.tolerance;
     }
     json["statistics"] = statistics_json(report);
+    if (report.traffic) {
+        json["depth_a"] = depth_json(report.depth_a);
+        json["depth_b"] = depth_json(report.depth_b);
+        json["traffic"] = traffic_json(*report.traffic);
+    }
     json["digest"] = report.digest ? Json(to_hex(*report.digest)) : Json();
+    if (report.map) {
+        json["map_digest"] = to_hex(digest_of(*report.map));
+    } else if (!report.map_withdrawn.empty()) {
+        json["map_withdrawn"] = report.map_withdrawn;
+    }
     Json touched = Json::array();
     for (const auto& part : report.most_touched) {
         touched.push_back({{"part", part.part}, {"scenarios", part.scenarios}});

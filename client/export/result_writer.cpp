@@ -1,5 +1,6 @@
 #include "client/export/result_writer.hpp"
 
+#include "client/export/map_files.hpp"
 #include "client/job_file.hpp"
 
 #include <algorithm>
@@ -66,6 +67,7 @@ Result<ResultFiles> ResultFiles::open(const std::filesystem::path& dir,
         return Error{ErrorCode::Io, dir.string() + ": " + error.message()};
     }
     ResultFiles files(dir, context);
+    files.formats_ = formats;
     for (const std::string& format : formats) {
         auto writer = make_writer(format, context, dir);
         if (!writer) {
@@ -89,6 +91,12 @@ Status ResultFiles::finish(const RunReport& report) {
     for (const auto& writer : writers_) {
         if (Status finished = writer->finish(); !finished) {
             return finished;
+        }
+    }
+    if (report.map) {
+        const Status written = write_map_files(*report.map, dir_, formats_, context_);
+        if (!written) {
+            return written;
         }
     }
     auto file = OutputFile::create(dir_ / "summary.json");

@@ -63,7 +63,8 @@ make_csv_writer(const ExportContext& context, const std::filesystem::path& dir);
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_npz_writer(const ExportContext& context, const std::filesystem::path& dir);
 
-/// The whole output of a job: a folder with a writer for each format, and summary.json.
+/// The whole output of a job: a folder with a writer for each format, the files of its map where
+/// there is one (`map_files.hpp`), and summary.json.
 class ResultFiles {
   public:
     /// Makes the folder. Errors: Io; BadInput for an unknown format.
@@ -83,6 +84,7 @@ class ResultFiles {
 
     std::filesystem::path dir_;
     ExportContext context_;
+    std::vector<std::string> formats_;
     std::vector<std::unique_ptr<ResultWriter>> writers_;
 };
 

@@ -44,7 +44,11 @@ inline constexpr std::uint64_t mesh_triangles_max = 1ull << 31;
 inline constexpr std::uint64_t mesh_bytes_max = 8ull << 30;
 inline constexpr std::uint32_t parts_max = 1u << 20;
 inline constexpr std::uint32_t distribution_depth_max = 20;
+inline constexpr std::uint64_t roots_chosen_max = 1u << 11; ///< Of a body whose depth nobody gave.
 inline constexpr std::uint64_t subtree_block_bytes_max = 1ull << 30;
+inline constexpr double block_bytes_wanted = 64u << 10;       ///< On the wire, of such a body.
+inline constexpr double wide_block_bytes_per_triangle = 10;   ///< On the wire; an estimate.
+inline constexpr double binary_block_bytes_per_triangle = 30; ///< Of the other form of subtrees.
 inline constexpr unsigned wide_tree_depth_max = 100; ///< A node has at most 3/4 of its parent's.
 inline constexpr std::size_t mesh_uploads_max = 16;  ///< At a time; each is a temporary file.
 inline constexpr std::size_t trees_kept_max = 8;     ///< That no job uses any more.
@@ -72,8 +76,9 @@ inline constexpr std::uint64_t client_bytes_max = 256ull << 30; ///< Sent in a d
 inline constexpr std::chrono::hours client_bytes_period{24};
 inline constexpr std::size_t jobs_running_max = 256;
 inline constexpr std::size_t jobs_ended_kept_max =
-    1024;                                         ///< With their results; then the oldest goes.
-inline constexpr std::uint32_t v_kb_max = 16'384; ///< So that a batch fits a message.
+    1024; ///< With their results; then the oldest goes.
+inline constexpr std::size_t authors_kept_max = 1u << 18; ///< Of scenarios of a job that has ended.
+inline constexpr std::uint32_t v_kb_max = 16'384;         ///< So that a batch fits a message.
 inline constexpr std::size_t ignored_ranges_max = 1u << 16; ///< They go with each batch.
 inline constexpr std::uint64_t unsent_scenarios_max = 4096; ///< Analysed, beyond the buffers.
 inline constexpr std::uint64_t open_analyses_bytes_max = 512u << 20; ///< Unanswered, in memory.
@@ -108,6 +113,14 @@ inline constexpr std::size_t batches_at_worker = 2;
 inline constexpr double scenario_seconds_long = 0.05; ///< Against which a round trip is nothing.
 inline constexpr std::size_t moves_tried_max = 64; ///< At a time, towards one worker that runs dry.
 inline constexpr std::uint64_t unsent_by_time_max = 1u << 18; ///< Analysed ahead of the workers.
+
+// The end of a job, when nothing waits and some workers have nothing to do.
+inline constexpr double copies_share_max = 0.05;     ///< Of a job's work: what may be done twice.
+inline constexpr double copy_gain_min = 1.5;         ///< So many times sooner a copy has to end.
+inline constexpr double end_gain_seconds_min = 0.02; ///< Less is not worth the messages.
+inline constexpr double recall_answer_seconds = 0.5; ///< Then nobody waits for what is recalled.
+inline constexpr std::uint32_t scenario_recalls_max = 3;
+inline constexpr std::chrono::milliseconds end_check_period{100}; ///< Is anybody late?
 
 // The worker.
 inline constexpr std::uint64_t wide_bytes_per_triangle = 48;    ///< In memory; an estimate.

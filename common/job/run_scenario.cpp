@@ -48,7 +48,11 @@ void find_any(std::span<const SubtreePair> pairs, ContactSearch& search, Scenari
     }
 }
 
-void find_count(std::span<const SubtreePair> pairs, ContactSearch& search, ScenarioRun& run) {
+void find_count(std::span<const SubtreePair> pairs,
+                const Scenario& scenario,
+                const Query& query,
+                ContactSearch& search,
+                ScenarioRun& run) {
     for (const SubtreePair& pair : pairs) {
         search.collect(pair.a, pair.b);
     }
@@ -56,7 +60,13 @@ void find_count(std::span<const SubtreePair> pairs, ContactSearch& search, Scena
     note_undecided(search, run.result);
     if (search.pairs().size() == search.pair_count()) {
         search.sort();
-        run.touches = search.take_pairs();
+        run.found = search.take_pairs();
+    } else if (query.maps) {
+        run.result = failed_result(scenario,
+                                   query,
+                                   {ErrorCode::TooLarge,
+                                    std::to_string(search.pair_count()) +
+                                        " pairs are too many for a map; leave out maps"});
     }
 }
 
@@ -106,8 +116,8 @@ bool find_pairs(std::span<const SubtreePair> pairs,
 
 SearchOptions search_options(const Query& query, const RunOptions& options) {
     SearchOptions search;
-    search.only_touches = query.level == Level::Count && options.keep_touches;
-    search.keep_pairs = query.level >= Level::Pairs || search.only_touches;
+    search.only_touches = query.level == Level::Count && !query.maps && options.keep_touches;
+    search.keep_pairs = query.level >= Level::Pairs || query.maps || search.only_touches;
     search.keep_corners = query.level == Level::Contacts;
     search.pairs_max = pairs_worth_keeping(query);
     search.tolerance = query.tolerance;
@@ -157,7 +167,7 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
         find_any(pairs, search, run.result);
         break;
     case Level::Count:
-        find_count(pairs, search, run);
+        find_count(pairs, scenario, query, search, run);
         break;
     case Level::Pairs:
     case Level::Contacts:
@@ -225,7 +235,7 @@ ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& 
                              : run_on_subtrees(kept, {&whole, 1}, scenario, query_, options_);
     if (!run.is_stopped) {
         run.inside =
-            settle_with_cost(a_, b_, scenario, query_, run.result, {run.touches, options_.stop});
+            settle_with_cost(a_, b_, scenario, query_, run.result, {run.found, options_.stop});
     }
     // What a stopped settling says is no answer.
     return is_stopped() ? stopped_run(scenario, query_) : run;

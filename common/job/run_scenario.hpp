@@ -24,9 +24,9 @@ struct ScenarioRun {
     ScenarioResult result;
     QueryStatistics statistics;
     InsideStatistics inside; ///< Of who settled the class; nothing from `run_on_subtrees`.
-    /// At level count, where none is proper and they were to be kept: all pairs, sorted, if they
-    /// are not too many.
-    std::vector<ContactPair> touches;
+    /// At level count: all pairs, sorted, with a query for maps; where none is proper and touches
+    /// were to be kept, if they are not too many.
+    std::vector<ContactPair> found;
     bool is_stopped = false; ///< It was told to stop. The result only says so, as a failed one.
 };
 
@@ -87,6 +87,8 @@ class ScenarioRunner {
                    const Query& query,
                    PairStage first_stage = PairStage::Float,
                    StopCheck stop = {});
+
+    [[nodiscard]] const Query& query() const { return query_; }
 
     /// For any number of threads at once. For many scenarios a `ScenarioSession` is faster.
     [[nodiscard]] ScenarioRun run(const Scenario& scenario) const;

@@ -142,6 +142,9 @@ TEST_F(Status, TellsOfLostWorkersLongScenariosDoubtsAndAlarms) {
     after_.alarm_count = 25;
     after_.jobs[0].long_scenarios = {{17, WorkerId{7}, "node-7", 75}};
     after_.jobs[0].doubted = 5;
+    after_.jobs[0].recalled = 6;
+    after_.jobs[0].copies = 8;
+    after_.jobs[0].copies_won = 7;
     const std::string text = status_text(before_, after_);
     EXPECT_THAT(text, HasSubstr("silent"));
     EXPECT_THAT(text, HasSubstr("workers lost: 1   scenarios given to others: 40"));
@@ -150,6 +153,10 @@ TEST_F(Status, TellsOfLostWorkersLongScenariosDoubtsAndAlarms) {
     EXPECT_THAT(text, HasSubstr("scenario 17 of " + id + " runs for"));
     EXPECT_THAT(text, HasSubstr("w-7 (node-7); `cdctl cancel " + id + " --scenario 17` ends it"));
     EXPECT_THAT(text, HasSubstr("5 results of " + id + " came from a worker in quarantine"));
+    EXPECT_THAT(text,
+                HasSubstr("at the end of " + id +
+                          " 6 scenarios called back from workers that had "
+                          "not begun them, 8 copied, of which 7 ended first"));
     EXPECT_THAT(bottleneck(), HasSubstr("1 of 1 worker")) << "a lost one is not here";
     const auto json = nlohmann::json::parse(status_json(before_, after_));
     EXPECT_EQ(json["workers_lost"], 1);
@@ -159,12 +166,30 @@ TEST_F(Status, TellsOfLostWorkersLongScenariosDoubtsAndAlarms) {
     EXPECT_EQ(json["long_scenarios"][0]["scenario"], 17);
     EXPECT_EQ(json["long_scenarios"][0]["name"], "node-7");
     EXPECT_EQ(json["jobs"][0]["doubted"], 5);
+    EXPECT_EQ(json["jobs"][0]["recalled"], 6);
+    EXPECT_EQ(json["jobs"][0]["copies"], 8);
+    EXPECT_EQ(json["jobs"][0]["copies_won"], 7);
 }
 
 TEST_F(Status, OneJobIsOneObject) {
     const auto json = nlohmann::json::parse(job_json(before_.jobs[0]));
     EXPECT_EQ(json["name"], "van");
     EXPECT_EQ(json["scenarios"], 100);
+    EXPECT_EQ(json["depth_a"], "") << "not known yet";
+}
+
+TEST_F(Status, AJobTellsWhatTravelledForIt) {
+    before_.jobs[0].traffic = {{1, 2, 3, 4, 5, 6}, 7};
+    before_.jobs[0].depth_a = 8;
+    const auto json = nlohmann::json::parse(job_json(before_.jobs[0]));
+    EXPECT_EQ(json["cache_hits"], 1);
+    EXPECT_EQ(json["cache_misses"], 2);
+    EXPECT_EQ(json["hinted"], 3);
+    EXPECT_EQ(json["evictions"], 4);
+    EXPECT_EQ(json["master_bytes"], 5);
+    EXPECT_EQ(json["peer_bytes"], 6);
+    EXPECT_EQ(json["result_bytes"], 7);
+    EXPECT_EQ(json["depth_a"], 8);
 }
 
 } // namespace

@@ -162,6 +162,25 @@ TEST(Report, TheCostIsThePapersSumOfTheMeanScenario) {
                   "= 127.0 us a scenario\n"));
 }
 
+TEST(Report, WhatTravelledIsToldWhereSomethingDid) {
+    RunReport report;
+    report.summary = example_summary();
+    EXPECT_THAT(summary_text(report), Not(HasSubstr("geometry")));
+    report.traffic = JobTraffic{{990, 10, 0, 3, 2u << 20, 1u << 20}, 4096};
+    const std::string text = summary_text(report);
+    EXPECT_THAT(text, HasSubstr("  geometry      2.0 MiB from the master, 1.0 MiB from other"));
+    EXPECT_THAT(text,
+                HasSubstr("held what was needed 990 times, asked for it 10 times (99.00 %), 3 "
+                          "evicted\n"));
+    EXPECT_THAT(text, HasSubstr("  sent back     4.0 KiB of results\n"));
+    EXPECT_THAT(text, Not(HasSubstr("depths")));
+    report.traffic->blocks.hinted = 7;
+    report.depth_a = 6;
+    report.depth_b = 4;
+    EXPECT_THAT(summary_text(report), HasSubstr("(99.00 %), 7 asked for ahead, 3 evicted\n"));
+    EXPECT_THAT(summary_text(report), HasSubstr("  depths        A cut at 6, B at 4\n"));
+}
+
 TEST(Report, WhatIsUndecidedIsSaid) {
     RunReport report;
     report.summary.total = 3;

@@ -143,7 +143,7 @@ TEST_F(Run, UnderAToleranceTheRestIsUndecided) {
 
 TEST_F(Run, AToleranceGoesWithoutDepths) {
     command_.job.tolerance = 0.1;
-    command_.job.depth_b = 4;
+    command_.job.depth_b = "4";
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_, HasSubstr("goes without a distribution depth"));
     command_.job.tolerance = 0;

@@ -118,7 +118,7 @@ TEST_F(Cluster, ExplainShowsEachWorkersScore) {
         }
     };
     for (const Strategy strategy : {Strategy::BestMatch, Strategy::EarliestFinish}) {
-        ClusterOptions options;
+        ClusterOptions options = many_blocks();
         options.strategy = strategy;
         options.q = 200; // So that no buffer is full, and somebody may take the scenario.
         signal_all(SIGSTOP);
@@ -149,8 +149,15 @@ TEST_F(Cluster, ExplainShowsEachWorkersScore) {
         EXPECT_THAT(json.output, HasSubstr(by_time ? "transfer_ms" : "missing_triangles"));
         EXPECT_THAT(none.errors, HasSubstr("0 to 299"));
         const Ran ended = ask({"299"});
-        EXPECT_EQ(ended.exit_code, 5);
-        EXPECT_THAT(ended.errors, HasSubstr("it is done"));
+        EXPECT_EQ(ended.exit_code, 0) << ended.errors;
+        EXPECT_THAT(ended.output, HasSubstr("answered by worker"));
+        EXPECT_THAT(ended.output, HasSubstr("note        the job has ended"));
+        EXPECT_THAT(ended.output, HasSubstr("worker0"));
+        EXPECT_THAT(ended.output, HasSubstr("worker1"));
+        std::filesystem::remove(folder_ / "state/jobs" / (std::to_string(id.value) + ".poses"));
+        const Ran gone = ask({"299"});
+        EXPECT_EQ(gone.exit_code, ask({"300"}).exit_code);
+        EXPECT_THAT(gone.errors, HasSubstr("what explains its scenarios is gone"));
     }
 }
 

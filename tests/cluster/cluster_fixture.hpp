@@ -4,6 +4,7 @@
 #include "client/connection.hpp"
 #include "client/local_cluster.hpp"
 #include "common/core/thread_pool.hpp"
+#include "common/job/contact_map.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build.hpp"
 #include "tests/support/process.hpp"
@@ -31,6 +32,15 @@ struct Job {
             EXPECT_EQ(merger.add(runner.run(scenario).result), ResultMerger::Outcome::Added);
         }
         return merger.digest().value();
+    }
+
+    [[nodiscard]] ContactMap map_in_one_process(const Query& query) const {
+        ContactMapSum sum;
+        const ScenarioRunner runner(*a, *b, query);
+        for (const Scenario& scenario : scenarios) {
+            sum.add(runner.run(scenario).found);
+        }
+        return sum.take();
     }
 };
 
@@ -60,6 +70,14 @@ struct Job {
     job.b = std::make_shared<const ObbTree>(build_tree(sphere, {}, pool));
     job.scenarios = mixed_scenarios(count, reach);
     return job;
+}
+
+/// Bodies as small as these would be a block each, and nothing be seen of what goes where.
+[[nodiscard]] inline ClusterOptions many_blocks() {
+    ClusterOptions options;
+    options.depth_a = 12;
+    options.depth_b = 6;
+    return options;
 }
 
 class Cluster : public testing::Test {
@@ -133,7 +151,8 @@ class Cluster : public testing::Test {
         return status ? status.value() : JobStatus{};
     }
 
-    JobStatus run(const Job& job, const Query& query, const ClusterOptions& options = {}) {
+    JobStatus
+    run(const Job& job, const Query& query, const ClusterOptions& options = many_blocks()) {
         return finish(submit(job, query, options), [](const JobStatus&) {});
     }
 

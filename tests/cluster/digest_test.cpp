@@ -1,6 +1,7 @@
 // Proves the promise of one answer everywhere: with real processes over TCP the digest is that of
 // one process, for any number of workers, strategy, distribution depth and buffer size, and when
 // workers join late or are killed.
+#include "common/job/packed_map.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 
 #include <algorithm>
@@ -123,7 +124,7 @@ TEST_F(Cluster, StrategyBufferAndClaimingDoNotShow) {
                                     Strategy::EarliestFinish}) {
         for (const std::uint32_t q : {1u, 20u}) {
             for (const bool claim : {false, true}) {
-                ClusterOptions options;
+                ClusterOptions options = many_blocks();
                 options.strategy = strategy;
                 options.q = q;
                 options.claim = claim;
@@ -143,7 +144,7 @@ TEST_F(Cluster, WhoFindsTheCollidingRootsDoesNotShow) {
         const Sha256 expected = job.digest_in_one_process(query);
         for (const AnalysisMode mode :
              {AnalysisMode::Auto, AnalysisMode::Always, AnalysisMode::Never}) {
-            ClusterOptions options;
+            ClusterOptions options = many_blocks();
             options.analysis = mode;
             const JobStatus status = run(job, query, options);
             EXPECT_EQ(status.digest, expected) << to_text(level) << ", " << to_text(mode);
@@ -158,6 +159,43 @@ TEST_F(Cluster, WhoFindsTheCollidingRootsDoesNotShow) {
     EXPECT_EQ(run(job, tolerant, ranges).digest, job.digest_in_one_process(tolerant));
 }
 
+TEST_F(Cluster, WhoRunsAScenarioDoesNotShowInTheMap) {
+    const Job job = make_job(1500);
+    Query query = at_level(Level::Count);
+    query.maps = true;
+    const Sha256 digest = job.digest_in_one_process(query);
+    const ContactMap expected = job.map_in_one_process(query);
+    ASSERT_GT(expected.bodies[0].size(), 100u);
+    start_worker(1);
+    start_worker(2);
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        for (const Strategy strategy : {Strategy::BestMatch, Strategy::EarliestFinish}) {
+            ClusterOptions options;
+            options.analysis = mode;
+            options.strategy = strategy;
+            Process& victim = start_worker();
+            bool is_killed = false;
+            const JobId id = submit(job, query, options);
+            const JobStatus status = finish(id, [&](const JobStatus& now) {
+                if (!is_killed && now.summary.merged() > now.answered_by_master + 100) {
+                    victim.signal(SIGKILL);
+                    is_killed = true;
+                }
+            });
+            EXPECT_EQ(status.digest, digest);
+            const auto answer = connection_->contact_map(id);
+            ASSERT_TRUE(answer) << answer.error().detail;
+            EXPECT_EQ(answer.value().withdrawn, "");
+            const auto map = unpack_map(answer.value().map, {1u << 20, 1u << 20, 1500});
+            ASSERT_TRUE(map) << map.error().detail;
+            EXPECT_EQ(map.value(), expected) << to_text(mode) << ", " << to_text(strategy);
+        }
+    }
+    const JobId plain = submit(job, at_level(Level::Count), {});
+    EXPECT_EQ(finish(plain, [](auto&&...) {}).digest, digest);
+    EXPECT_FALSE(connection_->contact_map(plain).value().is_asked);
+}
+
 TEST_F(Cluster, TheDistributionDepthDoesNotShow) {
     const Job job = make_job(200);
     const Query query = at_level(Level::Contacts);
@@ -167,15 +205,23 @@ TEST_F(Cluster, TheDistributionDepthDoesNotShow) {
         ClusterOptions options;
         options.depth_a = depth;
         options.depth_b = 18 - depth;
-        EXPECT_EQ(run(job, query, options).digest, expected) << "depth " << depth;
+        const JobStatus status = run(job, query, options);
+        EXPECT_EQ(status.digest, expected) << "depth " << depth;
+        EXPECT_EQ(status.depth_a, depth);
+        EXPECT_EQ(status.depth_b, 18 - depth);
     }
+    const JobStatus chosen = run(job, query, {});
+    EXPECT_EQ(chosen.digest, expected);
+    // Of 8,000 triangles, and of 5,120.
+    EXPECT_EQ(chosen.depth_a, 1u);
+    EXPECT_EQ(chosen.depth_b, 0u);
 }
 
 TEST_F(Cluster, AWorkerThatJoinsInTheMiddleTakesItsShare) {
     const Job job = make_job(6000);
     const Query query = at_level(Level::Pairs);
     start_worker();
-    const JobId id = submit(job, query, {});
+    const JobId id = submit(job, query, many_blocks());
     const JobStatus status = finish(id, [&](const JobStatus& now) {
         if (workers_.size() == 1 && now.summary.merged() > now.answered_by_master) {
             start_worker();
@@ -196,7 +242,7 @@ TEST_F(Cluster, AWorkerKilledInTheMiddleLosesNothing) {
     start_worker();
     for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
         Process& victim = start_worker();
-        ClusterOptions options;
+        ClusterOptions options = many_blocks();
         options.analysis = mode;
         const JobId id = submit(job, query, options);
         std::uint64_t merged_at_death = 0;

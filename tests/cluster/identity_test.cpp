@@ -106,7 +106,7 @@ TEST_F(SecuredCluster, AWholeJobWithPeersHasTheSameDigest) {
     for (const char* name : {"one", "two", "three"}) {
         start_joined(worker_token, name);
     }
-    ClusterOptions everything_everywhere;
+    ClusterOptions everything_everywhere = many_blocks();
     everything_everywhere.strategy = Strategy::Random;
     everything_everywhere.q = 4;
     const JobStatus status = run(job, Query{}, everything_everywhere);
@@ -116,7 +116,7 @@ TEST_F(SecuredCluster, AWholeJobWithPeersHasTheSameDigest) {
     ASSERT_TRUE(cluster);
     std::uint64_t from_peers = 0;
     for (const WorkerStatus& worker : cluster.value().workers) {
-        from_peers += worker.cache.peer_bytes;
+        from_peers += worker.cache.blocks.peer_bytes;
     }
     EXPECT_GT(from_peers, 0u);
     EXPECT_THAT(log(), HasSubstr("tls=true"));

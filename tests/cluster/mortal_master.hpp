@@ -97,7 +97,10 @@ class MortalCluster : public testing::Test {
         return *workers_.back();
     }
 
-    static JobId submit(Connection& connection, const Job& job, const Query& query) {
+    static JobId submit(Connection& connection,
+                        const Job& job,
+                        const Query& query,
+                        const ClusterOptions& options = many_blocks()) {
         const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()},
                                             {"b", job.b->mesh_pointer()}};
         const Status uploaded = connection.upload(meshes, [](auto&&...) {});
@@ -106,6 +109,7 @@ class MortalCluster : public testing::Test {
         message.name = "test";
         message.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
         message.query = query;
+        message.cluster = options;
         const auto poses = make_list_source(job.scenarios);
         const auto accepted = connection.submit(message, *poses);
         EXPECT_TRUE(accepted) << accepted.error().detail;

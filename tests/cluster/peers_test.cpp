@@ -9,7 +9,7 @@ namespace {
 
 /// Each scenario needs nearly all of both bodies, so each worker does.
 ClusterOptions everything_everywhere() {
-    ClusterOptions options;
+    ClusterOptions options = many_blocks();
     options.strategy = Strategy::Random;
     options.q = 4;
     return options;
@@ -25,7 +25,7 @@ Geometry geometry_of(const ClusterStatus& status) {
     Geometry bytes;
     for (const WorkerStatus& worker : status.workers) {
         bytes.from_master += worker.subtree_bytes_sent;
-        bytes.from_peers += worker.cache.peer_bytes;
+        bytes.from_peers += worker.cache.blocks.peer_bytes;
         bytes.to_peers += worker.cache.uploaded_bytes;
     }
     return bytes;
@@ -45,6 +45,14 @@ TEST_F(Cluster, GeometryTravelsBetweenWorkers) {
     EXPECT_GT(bytes.from_peers, 0u);
     EXPECT_GT(bytes.to_peers, 0u);
     EXPECT_GT(bytes.from_master, 0u);
+    // What the job tells at its end is what was sent for it.
+    const BlockTraffic& blocks = status.traffic.blocks;
+    EXPECT_EQ(blocks.master_bytes, bytes.from_master);
+    EXPECT_EQ(blocks.peer_bytes, bytes.to_peers);
+    EXPECT_GT(blocks.hits, 0u);
+    EXPECT_GT(blocks.misses, 0u);
+    EXPECT_EQ(blocks.evictions, 0u);
+    EXPECT_GT(status.traffic.result_bytes, 0u);
 }
 
 TEST_F(Cluster, WithoutPeersTheMasterGivesEverything) {
@@ -57,6 +65,7 @@ TEST_F(Cluster, WithoutPeersTheMasterGivesEverything) {
     const auto cluster = connection_->status();
     ASSERT_TRUE(cluster);
     EXPECT_EQ(geometry_of(cluster.value()).from_peers, 0u);
+    EXPECT_EQ(status.traffic.blocks.peer_bytes, 0u);
 }
 
 TEST_F(Cluster, GeometryTenTimesTheCacheHasTheSameDigest) {
@@ -69,8 +78,9 @@ TEST_F(Cluster, GeometryTenTimesTheCacheHasTheSameDigest) {
     const auto cluster = connection_->status();
     ASSERT_TRUE(cluster);
     for (const WorkerStatus& worker : cluster.value().workers) {
-        EXPECT_GT(worker.cache.evictions, 0u);
+        EXPECT_GT(worker.cache.blocks.evictions, 0u);
     }
+    EXPECT_GT(status.traffic.blocks.evictions, 0u);
     const std::uint64_t once =
         160 * (job.a->mesh().triangles().size() + job.b->mesh().triangles().size());
     EXPECT_GT(once, 10 * (150u << 10)) << "the cache is not small any more";

@@ -83,8 +83,8 @@ TEST_F(Restart, WhatIsDoneIsNotDoneAgainAndNoBlockIsSentAgain) {
     ASSERT_EQ(cluster.value().workers.size(), 2u);
     // With what came before the restart nobody got more blocks than there are.
     auto sent = blocks_sent(cluster.value());
-    const std::uint64_t roots = cut_tree(*job.a, ClusterOptions{}.depth_a).root_count() +
-                                cut_tree(*job.b, ClusterOptions{}.depth_b).root_count();
+    const std::uint64_t roots = cut_tree(*job.a, status.depth_a.value()).root_count() +
+                                cut_tree(*job.b, status.depth_b.value()).root_count();
     for (const auto& [name, blocks] : blocks_sent(at_death.value())) {
         EXPECT_GT(blocks, roots * 3 / 4) << "then this shows little";
         EXPECT_LE(blocks + sent.at(name), roots);
@@ -96,6 +96,16 @@ TEST_F(Restart, WhatIsDoneIsNotDoneAgainAndNoBlockIsSentAgain) {
     // What was seen as merged was on the disk, but for what a few commits hold.
     EXPECT_LE(answered, 4000 - 2500 + 600u);
     EXPECT_GT(answered, 0u);
+    // What was counted before counts on.
+    EXPECT_GE(status.traffic.result_bytes, before.traffic.result_bytes);
+    EXPECT_GE(status.traffic.blocks.master_bytes, before.traffic.blocks.master_bytes);
+    EXPECT_GT(before.traffic.blocks.master_bytes, 0u);
+    // Its scenarios can still be explained, if not by whom the first were answered.
+    const auto explained = connection->explain(id, 0);
+    ASSERT_TRUE(explained) << explained.error().detail;
+    EXPECT_NE(explained.value().where.find("answered"), std::string::npos);
+    EXPECT_NE(explained.value().note.find("has ended"), std::string::npos);
+    EXPECT_EQ(explained.value().workers.size(), 2u);
 }
 
 /// Does something before the poses of one place are read.

@@ -32,6 +32,9 @@ TEST_P(Seeds, EveryScenarioComesToExactlyOneResult) {
         sum.masters += outcome.masters;
         sum.workers += outcome.workers;
         sum.cancelled += outcome.cancelled;
+        sum.recalled += outcome.recalled;
+        sum.copies += outcome.copies;
+        sum.called_off += outcome.called_off;
     }
     // It was not easy.
     EXPECT_GT(sum.masters, 3 * seeds_of_shard / 2);
@@ -40,6 +43,9 @@ TEST_P(Seeds, EveryScenarioComesToExactlyOneResult) {
     EXPECT_GT(sum.scenarios_sent, sum.scenarios * 3 / 4);
     EXPECT_GT(sum.failed, seeds_of_shard / 20);
     EXPECT_GT(sum.cancelled, 0u);
+    EXPECT_GT(sum.recalled, seeds_of_shard / 5);
+    EXPECT_GT(sum.copies, seeds_of_shard / 10);
+    EXPECT_GT(sum.called_off, seeds_of_shard / 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, Seeds, testing::Range<std::uint64_t>(0, shards));
@@ -91,8 +97,12 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::JobAcceptedTooEarly, "JobAcceptedTooEarly", "accepted that is not on the disk"},
         {Mutation::EndToldTooEarly, "EndToldTooEarly", "hears of an end that is not on the disk"},
         {Mutation::SegmentNotSynced, "SegmentNotSynced", "the master does not start"},
-        {Mutation::GroupNotRecovered, "GroupNotRecovered", "is done again after a restart"},
+        {Mutation::GroupNotRecovered, "GroupNotRecovered", "do not have its digest"},
         {Mutation::DoneIsDoneAgain, "DoneIsDoneAgain", "is merged twice"},
+        {Mutation::RecalledLeftAtWorker, "RecalledLeftAtWorker", "known == placed"},
+        {Mutation::RecalledIsLost, "RecalledIsLost", "in_ranges[index]"},
+        {Mutation::CopyLeftAtWorker, "CopyLeftAtWorker", "unordered_map::at"},
+        {Mutation::CopyIsAlone, "CopyIsAlone", "known == placed"},
         {Mutation::EvictionIgnored, "EvictionIgnored", "or has let go"},
         {Mutation::HeldWhenSent, "HeldWhenSent", "!peer.holds.contains(block)"},
     };

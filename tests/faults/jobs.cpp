@@ -32,6 +32,7 @@ struct Known {
         add_list(torus, box, 70, Level::Contacts);
         add_list(sphere, box, 330, Level::Any);
         add_list(sphere, sphere, 24, Level::Count);
+        add_list(torus, sphere, 200, Level::Count, true);
     }
 
     Sha256 upload(const Mesh& mesh) {
@@ -59,10 +60,12 @@ struct Known {
         add(std::move(submit), std::move(scenarios));
     }
 
-    void add_list(const Sha256& a, const Sha256& b, std::uint64_t count, Level level) {
+    void add_list(
+        const Sha256& a, const Sha256& b, std::uint64_t count, Level level, bool maps = false) {
         Submit submit;
         submit.bodies = {a, b};
         submit.query.level = level;
+        submit.query.maps = maps;
         submit.scenarios = count;
         std::vector<Scenario> scenarios;
         for (std::uint64_t index = 0; index < count; ++index) {
@@ -80,10 +83,16 @@ struct Known {
         const auto a = store->tree(submit.bodies[0]).value();
         const auto b = store->tree(submit.bodies[1]).value();
         std::vector<Sha256> digests;
+        std::vector<std::vector<ContactPair>> pairs;
         for (const Scenario& scenario : scenarios) {
-            digests.push_back(digest_of(run_scenario(*a, *b, scenario, submit.query).result));
+            const ScenarioRun run = run_scenario(*a, *b, scenario, submit.query);
+            digests.push_back(digest_of(run.result));
+            if (submit.query.maps) {
+                pairs.push_back(run.found);
+            }
         }
-        jobs.push_back({std::move(submit), std::move(scenarios), std::move(digests)});
+        jobs.push_back(
+            {std::move(submit), std::move(scenarios), std::move(digests), std::move(pairs)});
     }
 };
 

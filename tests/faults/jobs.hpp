@@ -3,6 +3,7 @@
 
 #include "common/core/hash.hpp"
 #include "common/job/scenario.hpp"
+#include "common/tree/contact_pair.hpp"
 #include "master/geometry_store.hpp"
 #include "proto/message.hpp"
 
@@ -15,6 +16,8 @@ struct KnownJob {
     Submit submit; ///< Without cluster options.
     std::vector<Scenario> scenarios;
     std::vector<Sha256> digests; ///< Of the right result of each.
+    /// The pairs of each, where the query is for maps.
+    std::vector<std::vector<ContactPair>> pairs;
 };
 
 /// Made once in a program.

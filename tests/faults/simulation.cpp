@@ -80,6 +80,10 @@ void Simulation::plan_jobs() {
         options.claim = world_.happens(200);
         options.seed = world_.below(100);
         options.analysis = static_cast<AnalysisMode>(world_.below(3));
+        options.hints = options.seed % 4 != 0;
+        if (options.seed % 8 == 1) {
+            options.depth_b.reset();
+        }
         if (world_.happens(250)) {
             deadly_[job.submit.name] = world_.below(job.submit.scenarios);
         }
@@ -252,7 +256,9 @@ bool Simulation::observe(const Route& route, const Message& message) {
         world_.at(world_.now(), [this, id = route.from] { end_worker(id, false); });
     }
     if (!host.is_dying) {
-        world_.watcher.worker_says(route, message);
+        if (const std::string wrong = world_.watcher.worker_says(route, message); !wrong.empty()) {
+            world_.problem(wrong);
+        }
     }
     return !host.is_dying;
 }
@@ -349,6 +355,8 @@ Outcome Simulation::run() {
     outcome_.problems = world_.problems();
     outcome_.scenarios_sent = world_.watcher.scenarios_sent();
     outcome_.results_repeated = world_.watcher.results_repeated();
+    outcome_.recalled = world_.watcher.recalled();
+    outcome_.called_off = world_.watcher.called_off();
     return outcome_;
 }
 
@@ -359,10 +367,22 @@ void Simulation::inspect() {
     }
 }
 
+/// Of the scenarios that were answered; nothing where no map was asked for.
+ContactMap right_map(const KnownJob& job, const std::set<std::uint64_t>& failed) {
+    ContactMapSum sum;
+    for (std::uint64_t scenario = 0; scenario < job.pairs.size(); ++scenario) {
+        if (!failed.contains(scenario)) {
+            sum.add(job.pairs[scenario]);
+        }
+    }
+    return sum.take();
+}
+
 void Simulation::inspect_job(const ClientProcess& client) {
     const DurableJob& job = world_.watcher.jobs().at(*client.id());
     const std::string name = "job " + std::to_string(client.id()->value);
     const JobStatus& end = *client.end();
+    outcome_.copies += end.copies;
     if (end.state == JobState::Cancelled) {
         ++outcome_.cancelled;
         return;
@@ -382,6 +402,9 @@ void Simulation::inspect_job(const ClientProcess& client) {
                                   std::to_string(scenario));
         }
         outcome_.failed += has_failed ? 1 : 0;
+    }
+    if (job.map.map() != right_map(client.job(), job.failed)) {
+        world_.problem(name + ": a wrong map of contacts");
     }
 }
 

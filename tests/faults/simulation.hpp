@@ -25,6 +25,9 @@ struct Outcome {
     std::uint64_t masters = 0;          ///< Lives.
     std::uint64_t workers = 0;          ///< Lives.
     std::uint64_t cancelled = 0;        ///< Jobs.
+    std::uint64_t recalled = 0;         ///< Scenarios that workers gave back;
+    std::uint64_t copies = 0;           ///< that went to a second worker;
+    std::uint64_t called_off = 0;       ///< of which another one need not answer any more.
 };
 
 class Simulation {

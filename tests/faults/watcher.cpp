@@ -1,6 +1,7 @@
 #include "tests/faults/watcher.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/job/packed_map.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/result.hpp"
@@ -85,6 +86,10 @@ std::string Watcher::add_group(JobId id, const Bytes& bytes) {
     job.groups.push_back(bytes);
     std::string wrong;
     const ResultGroup group = decode_group(bytes).value();
+    for (const Bytes& map : group.maps) {
+        constexpr std::uint64_t any = 1u << 20;
+        job.map.add(unpack_map(map, {any, any, any}).value());
+    }
     for (const ResultRow& row : group.rows) {
         const std::string name = name_of(id, row.scenario);
         if (!job.results.emplace(row.scenario, row.digest).second) {
@@ -104,6 +109,8 @@ std::string Watcher::add_group(JobId id, const Bytes& bytes) {
 
 void Watcher::master_began() {
     times_sent_.clear();
+    ranges_.clear();
+    given_back_.clear();
     held_.clear();
     done_before_.clear();
     for (const auto& [id, job] : jobs_) {
@@ -122,9 +129,13 @@ std::string Watcher::master_says(const Route& route, const Message& message) {
     } else if (const auto* batch = std::get_if<Batch>(&message)) {
         return sent(batch->job, scenarios_in(batch->scenarios));
     } else if (const auto* range = std::get_if<ScenarioRange>(&message)) {
-        return sent(range->job, scenarios_in(*range));
+        std::vector<std::uint64_t>& scenarios = ranges_[{route.to, range->task}];
+        scenarios = scenarios_in(*range);
+        return sent(range->job, scenarios);
     } else if (const auto* directions = std::get_if<FetchFromPeers>(&message)) {
         return check_sources(*directions);
+    } else if (const auto* drop = std::get_if<DropScenario>(&message)) {
+        called_off_ += drop->task == TaskId{} ? 0 : 1;
     } else if (const auto* kept = std::get_if<ResultsKept>(&message)) {
         for (const std::uint64_t sequence : kept->sequences) {
             if (std::string wrong = check_kept(route.to, sequence); !wrong.empty()) {
@@ -175,10 +186,41 @@ std::string Watcher::check_sources(const FetchFromPeers& directions) const {
     return {};
 }
 
-void Watcher::worker_says(const Route& route, const Message& message) {
+void Watcher::given_back(std::uint64_t worker, const Recalled& recalled) {
+    std::set<std::uint64_t>& back = given_back_[{worker, recalled.task}];
+    const std::size_t before = back.size();
+    back.insert(recalled.scenarios.begin(), recalled.scenarios.end());
+    const std::vector<std::uint64_t>& range = ranges_[{worker, recalled.task}];
+    for (std::uint64_t place = recalled.places; place < range.size(); ++place) {
+        back.insert(range[place]);
+    }
+    recalled_ += back.size() - before;
+}
+
+std::string Watcher::check_answers(std::uint64_t worker, const Results& results) {
+    const std::set<std::uint64_t>& back = given_back_[{worker, results.task}];
+    for (const std::uint64_t scenario : scenarios_in(results)) {
+        if (back.contains(scenario)) {
+            return name_of(results.job, scenario) + " is answered by who has given it back";
+        }
+    }
+    return {};
+}
+
+std::string Watcher::worker_says(const Route& route, const Message& message) {
+    if (const auto* recalled = std::get_if<Recalled>(&message)) {
+        given_back(route.from, *recalled);
+    } else if (const auto* standing = std::get_if<Standing>(&message)) {
+        for (const Recalled& task : standing->tasks) {
+            given_back(route.from, task);
+        }
+    }
     const auto* results = std::get_if<Results>(&message);
     if (results == nullptr) {
-        return;
+        return {};
+    }
+    if (std::string wrong = check_answers(route.from, *results); !wrong.empty()) {
+        return wrong;
     }
     std::vector<Key>& keys = deliveries_[{route.from, results->sequence}];
     results_repeated_ += keys.empty() ? 0 : 1;
@@ -186,6 +228,7 @@ void Watcher::worker_says(const Route& route, const Message& message) {
     for (const std::uint64_t scenario : scenarios_in(*results)) {
         keys.emplace_back(results->job, scenario);
     }
+    return {};
 }
 
 void Watcher::master_hears(const Route& route, const Message& message) {

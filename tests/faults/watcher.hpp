@@ -3,6 +3,7 @@
 
 #include "common/core/hash.hpp"
 #include "common/core/id.hpp"
+#include "common/job/contact_map.hpp"
 #include "master/journal_database.hpp"
 #include "proto/message.hpp"
 
@@ -31,7 +32,8 @@ struct DurableJob {
     Bytes end;
     std::vector<Bytes> groups;
     std::map<std::uint64_t, Sha256> results; ///< Of the groups.
-    std::set<std::uint64_t> failed;          ///< Of these.
+    ContactMapTotal map;
+    std::set<std::uint64_t> failed; ///< Of these.
 };
 
 /// Looks at what the master writes and says. Each member returns what is wrong; empty: nothing.
@@ -39,7 +41,7 @@ class Watcher {
   public:
     [[nodiscard]] std::string committed(std::span<const DatabaseChange> changes);
     [[nodiscard]] std::string master_says(const Route& route, const Message& message);
-    void worker_says(const Route& route, const Message& message);
+    [[nodiscard]] std::string worker_says(const Route& route, const Message& message);
     /// Messages that came to the master: what it may know of its workers' blocks.
     void master_hears(const Route& route, const Message& message);
     void master_began();
@@ -48,6 +50,8 @@ class Watcher {
     [[nodiscard]] std::map<JobId, DurableJob>& jobs() { return jobs_; }
     [[nodiscard]] std::uint64_t scenarios_sent() const { return scenarios_sent_; }
     [[nodiscard]] std::uint64_t results_repeated() const { return results_repeated_; }
+    [[nodiscard]] std::uint64_t recalled() const { return recalled_; }
+    [[nodiscard]] std::uint64_t called_off() const { return called_off_; }
 
     JobId last_job;
 
@@ -55,6 +59,8 @@ class Watcher {
     using Key = std::pair<JobId, std::uint64_t>;
     [[nodiscard]] std::string add_group(JobId job, const Bytes& bytes);
     [[nodiscard]] std::string sent(JobId job, std::span<const std::uint64_t> scenarios);
+    void given_back(std::uint64_t worker, const Recalled& recalled);
+    [[nodiscard]] std::string check_answers(std::uint64_t worker, const Results& results);
     [[nodiscard]] std::string check_kept(std::uint64_t worker, std::uint64_t sequence) const;
     [[nodiscard]] std::string check_sources(const FetchFromPeers& directions) const;
 
@@ -65,7 +71,12 @@ class Watcher {
     std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<Key>> deliveries_;
     std::map<std::uint64_t, WorkerId> worker_ids_;           ///< By connection.
     std::set<std::tuple<WorkerId, TreeId, RootIndex>> held_; ///< As the master was told.
+    /// Of ranges, in the order of their places; by worker (its process).
+    std::map<std::pair<std::uint64_t, TaskId>, std::vector<std::uint64_t>> ranges_;
+    std::map<std::pair<std::uint64_t, TaskId>, std::set<std::uint64_t>> given_back_;
     std::uint64_t scenarios_sent_ = 0;
+    std::uint64_t recalled_ = 0;
+    std::uint64_t called_off_ = 0;
     std::uint64_t results_repeated_ = 0;
 };
 

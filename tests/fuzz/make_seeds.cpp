@@ -3,7 +3,9 @@
 //   fuzz_seeds FOLDER
 #include "client/npy.hpp"
 #include "client/npz.hpp"
+#include "common/core/compress.hpp"
 #include "common/core/thread_pool.hpp"
+#include "common/job/packed_map.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/run_scenario.hpp"
@@ -133,6 +135,9 @@ void add_blocks_and_records(Seeds& seeds) {
         header = header != 0 ? header : store->end() - record.size() - 3 * sizeof(std::uint64_t);
     }
     seeds.add("packed", "records", pack_records(records.bytes()));
+    ContactMap map;
+    map.bodies = {{{{1, 1}, {5, 300}}, {{0, 2}}}};
+    seeds.add("map", "of_two_bodies", decompress(pack_map(map), 100).value());
     seeds.add("segment", "records", std::string_view(read_file(folder / "segment")).substr(header));
 }
 

@@ -1,4 +1,6 @@
+#include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
+#include "common/job/packed_map.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/result.hpp"
@@ -68,6 +70,16 @@ void packed(Input input) {
     const auto unpacked = unpack_records(input, unpacked_bytes_max);
     require(!unpacked || unpacked.value().size() <= unpacked_bytes_max,
             "nothing unpacks to more than it may");
+}
+
+void map(Input input) {
+    constexpr ContactMapBounds bounds{1u << 20, 1u << 20, 1u << 20};
+    const auto unpacked = unpack_map(compress(input, compression_level_fast), bounds);
+    if (unpacked) {
+        const auto bytes = decompress(pack_map(unpacked.value()), input.size());
+        require(bytes && std::ranges::equal(bytes.value(), input),
+                "a map that is accepted is what the encoder writes");
+    }
 }
 
 void journal_row(Input input) {

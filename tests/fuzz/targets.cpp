@@ -12,6 +12,7 @@ std::span<const Target> targets() {
         Target{"block", block},
         Target{"result", result},
         Target{"packed", packed},
+        Target{"map", map},
         Target{"journal_row", journal_row},
         Target{"segment", segment},
         Target{"grid", grid},

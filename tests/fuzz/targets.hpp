@@ -19,6 +19,7 @@ void token(Input input);   ///< A token to join with, as text.
 void block(Input input);       ///< A subtree's block.
 void result(Input input);      ///< A scenario's record.
 void packed(Input input);      ///< Records as they travel, compressed.
+void map(Input input);         ///< A map of contacts, before it is compressed.
 void journal_row(Input input); ///< Which kind of row (a byte), then its bytes.
 void segment(Input input);     ///< A file of a job's results.
 void grid(Input input);        ///< A grid of poses.

@@ -51,7 +51,7 @@ class CheckState : public testing::Test {
             ASSERT_TRUE(spool->append(pack_scenarios(scenarios)));
             ASSERT_TRUE(spool->seal(journal->poses_path(id), Durability::Unsynced));
             journal->add(AcceptJob{job});
-            AddResults add{id, ResultStore::create(journal->results_path(id), id, 5), {}, {}};
+            AddResults add{id, ResultStore::create(journal->results_path(id), id, 5), {}, {}, {}};
             add.results.push_back(result_of(3));
             journal->add(std::move(add));
         }

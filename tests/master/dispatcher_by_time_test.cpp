@@ -61,7 +61,10 @@ class ByTime : public testing::Test {
     void keep(const Actions& actions) {
         dispatcher_.check_invariants();
         for (const Action& action : actions) {
-            batches_.push_back(std::get<SendBatch>(action));
+            // What is asked back at the end is not given (dispatcher_end_test.cpp).
+            if (const auto* batch = std::get_if<SendBatch>(&action)) {
+                batches_.push_back(*batch);
+            }
         }
     }
 
@@ -265,7 +268,7 @@ TEST_F(ByTime, ExplainNamesEachTermAndWhoIsChosen) {
     EXPECT_DOUBLE_EQ(explained.workers[1].blocks, 2 * limits::block_seconds);
     EXPECT_DOUBLE_EQ(explained.workers[1].work, 0.01);
     EXPECT_EQ(explained.workers[1].missing_triangles, 101u);
-    EXPECT_EQ(explained.where, "answered, not analysed yet, or in a range at a worker");
+    EXPECT_EQ(explained.where, "not analysed yet, or in a range at a worker");
     EXPECT_EQ(dispatcher_.explain(job, {0, {0}, {0}, 100, 0}).where, "in the buffer of w");
 }
 
@@ -378,6 +381,9 @@ class TimedRun {
     }
     void act(const Actions& actions) {
         for (const Action& action : actions) {
+            if (!std::holds_alternative<SendBatch>(action)) {
+                continue; // Nothing is given back, and what is called off is done all the same.
+            }
             const auto& batch = std::get<SendBatch>(action);
             double& free_at = free_at_[batch.worker];
             free_at = std::max(free_at, now_) + work_of(batch);

@@ -1,6 +1,7 @@
-// Proves, on thousands of seeded schedules of joins, deaths, drains, evictions, late and repeated
-// answers and several jobs, that every scenario is answered exactly once or given up after enough
-// losses, and that the dispatcher's invariants hold after every event.
+// Proves, on thousands of seeded schedules of joins, deaths, drains, evictions, recalls, copies,
+// late and repeated answers and several jobs, that every scenario is answered exactly once or given
+// up after enough losses, that none stands in two tasks but one with its copy, and that the
+// dispatcher's invariants hold after every event.
 #include "common/core/limits.hpp"
 #include "master/dispatcher.hpp"
 
@@ -26,6 +27,8 @@ struct SimulatedTask {
     WorkerId worker;
     JobId job;
     std::vector<std::uint64_t> open;
+    bool is_copy = false;
+    std::vector<std::uint64_t> given_back = {};
 };
 
 struct SimulatedJob {
@@ -58,6 +61,8 @@ class Simulation {
     [[nodiscard]] std::uint64_t losses() const { return losses_; }
     [[nodiscard]] std::uint64_t gave_up() const { return gave_up_; }
     [[nodiscard]] std::uint64_t batches() const { return batches_; }
+    [[nodiscard]] std::uint64_t recalled() const { return recalled_; }
+    [[nodiscard]] std::uint64_t copies() const { return copies_; }
 
   private:
     std::uint64_t below(std::uint64_t bound) { return random_() % bound; }
@@ -96,8 +101,10 @@ class Simulation {
             evict();
         } else if (dice < 94) {
             below(3) == 0 ? hear() : measure();
-        } else if (dice < 97) {
+        } else if (dice < 96) {
             do_actions(dispatcher_.input_paused());
+        } else if (dice < 97) {
+            below(2) == 0 ? answer_an_ask() : stand();
         } else if (dice < 99) {
             repeat_an_old_answer();
         } else if (below(20) == 0) {
@@ -188,6 +195,7 @@ class Simulation {
     }
 
     void end_task(TaskId id) {
+        say_what_was_given_back(id); // It is heard before the end, or neither is.
         const SimulatedTask task = tasks_.at(id);
         tasks_.erase(id);
         if (!draining_.contains(task.worker)) {
@@ -203,8 +211,69 @@ class Simulation {
         do_actions(dispatcher_.task_unbegun(worker, id));
     }
 
+    /// Some of it has begun, the rest is given back; what the worker says of it may get lost.
+    void answer_an_ask() {
+        if (asks_.empty()) {
+            return;
+        }
+        const AskBack ask = asks_.front();
+        asks_.erase(asks_.begin());
+        const auto task = tasks_.find(ask.task);
+        if (task == tasks_.end()) {
+            return;
+        }
+        SimulatedTask& content = task->second;
+        for (const std::uint64_t scenario : ask.scenarios) {
+            if (below(3) != 0 && std::erase(content.open, scenario) != 0) {
+                content.given_back.push_back(scenario);
+            }
+        }
+        if (below(5) != 0) {
+            say_what_was_given_back(ask.task);
+        }
+    }
+
+    void say_what_was_given_back(TaskId id) {
+        const SimulatedTask& task = tasks_.at(id);
+        Recalled recalled{id, task.given_back, 0};
+        std::ranges::sort(recalled.scenarios);
+        do_actions(dispatcher_.task_recalled(task.worker, recalled));
+    }
+
+    /// A worker comes back, and tells what it has.
+    void stand() {
+        if (workers_.empty()) {
+            return;
+        }
+        const WorkerId worker = random_worker();
+        std::erase_if(asks_, [&](const AskBack& ask) { return ask.worker == worker; });
+        do_actions(dispatcher_.worker_silent(worker));
+        std::vector<TaskId> its;
+        for (const auto& [id, task] : tasks_) {
+            if (task.worker == worker) {
+                its.push_back(id);
+            }
+        }
+        for (const TaskId id : its) {
+            say_what_was_given_back(id);
+        }
+        silent_.erase(worker);
+        do_actions(dispatcher_.worker_heard(worker));
+    }
+
+    [[nodiscard]] bool stands_elsewhere(const SimulatedTask& task, std::uint64_t scenario) const {
+        return std::ranges::any_of(tasks_, [&](const auto& other) {
+            return &other.second != &task && other.second.job == task.job &&
+                   other.second.worker != task.worker &&
+                   std::ranges::count(other.second.open, scenario) != 0;
+        });
+    }
+
     void count_losses(const SimulatedTask& task) {
         for (const std::uint64_t scenario : task.open) {
+            if (task.is_copy && stands_elsewhere(task, scenario)) {
+                continue; // Nothing is lost.
+            }
             ++jobs_.at(task.job).losses[scenario];
             ++losses_;
         }
@@ -238,6 +307,9 @@ class Simulation {
         for (const auto& [id, task] : tasks_) {
             if (task.worker == worker) {
                 count_losses(task);
+                for (const std::uint64_t scenario : task.given_back) {
+                    ++jobs_.at(task.job).losses[scenario]; // If nobody heard of it.
+                }
             }
         }
         std::erase_if(tasks_, [&](const auto& task) { return task.second.worker == worker; });
@@ -309,14 +381,32 @@ class Simulation {
         for (const Action& action : actions) {
             if (const auto* batch = std::get_if<SendBatch>(&action)) {
                 take_batch(*batch);
+            } else if (const auto* ask = std::get_if<AskBack>(&action)) {
+                asks_.push_back(*ask);
+            } else if (const auto* given = std::get_if<GivenBack>(&action)) {
+                recalled_ += given->scenarios;
+            } else if (const auto* loser = std::get_if<CallOff>(&action)) {
+                call_off(*loser);
             } else {
                 take_give_up(std::get<GiveUp>(action));
             }
         }
     }
 
+    /// It may have been done by then.
+    void call_off(const CallOff& loser) {
+        const auto task = tasks_.find(loser.task);
+        if (task != tasks_.end() && below(2) == 0) {
+            std::erase(task->second.open, loser.scenario);
+        }
+        if (!jobs_.at(loser.job).answers.contains(loser.scenario) && !dropped_) {
+            problem("a scenario is called off that nobody has answered");
+        }
+    }
+
     void take_batch(const SendBatch& batch) {
         ++batches_;
+        copies_ += batch.is_copy ? 1 : 0;
         const SimulatedJob& job = jobs_.at(batch.job);
         if (!workers_.contains(batch.worker) || draining_.contains(batch.worker) ||
             silent_.contains(batch.worker)) {
@@ -327,17 +417,20 @@ class Simulation {
                 job.given_up.contains(scenario) || job.cancelled) {
                 problem("a batch with a scenario that needs no answer");
             }
+            std::int64_t tasks = 0;
             for (const auto& [id, task] : tasks_) {
-                if (task.job == batch.job && std::ranges::count(task.open, scenario) != 0) {
-                    problem("a scenario stands in two tasks");
-                }
+                tasks += task.job == batch.job ? std::ranges::count(task.open, scenario) : 0;
+            }
+            // The first one may have given it back, and nobody heard of that yet.
+            if (tasks > (batch.is_copy ? 1 : 0)) {
+                problem("a scenario stands in two tasks");
             }
         }
         if (sabotage_ == Sabotage::DropBatch && faults_have_stopped_ && !dropped_) {
             dropped_ = true;
             return;
         }
-        tasks_[batch.task] = {batch.worker, batch.job, batch.scenarios};
+        tasks_[batch.task] = {batch.worker, batch.job, batch.scenarios, batch.is_copy};
     }
 
     void take_give_up(const GiveUp& action) {
@@ -372,8 +465,11 @@ class Simulation {
         do_actions(dispatcher_.input_paused());
         for (int step = 0; step < 100'000 && !tasks_.empty(); ++step) {
             TaskId id;
-            SimulatedTask* task = random_task(id);
-            if (task->open.empty()) {
+            const SimulatedTask* task = random_task(id);
+            if (below(4) == 0) {
+                below(3) == 0 ? measure() : answer_an_ask();
+                do_actions(dispatcher_.input_paused());
+            } else if (task->open.empty()) {
                 end_task(id);
             } else {
                 answer();
@@ -424,6 +520,9 @@ class Simulation {
     std::uint64_t losses_ = 0;
     std::uint64_t gave_up_ = 0;
     std::uint64_t batches_ = 0;
+    std::vector<AskBack> asks_; ///< On their way.
+    std::uint64_t recalled_ = 0;
+    std::uint64_t copies_ = 0;
 };
 
 TEST(DispatcherSimulation, EveryScenarioComesToExactlyOneEnd) {
@@ -431,6 +530,8 @@ TEST(DispatcherSimulation, EveryScenarioComesToExactlyOneEnd) {
     std::uint64_t losses = 0;
     std::uint64_t gave_up = 0;
     std::uint64_t batches = 0;
+    std::uint64_t recalled = 0;
+    std::uint64_t copies = 0;
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         Simulation simulation(seed, Sabotage::None);
@@ -439,11 +540,15 @@ TEST(DispatcherSimulation, EveryScenarioComesToExactlyOneEnd) {
         losses += simulation.losses();
         gave_up += simulation.gave_up();
         batches += simulation.batches();
+        recalled += simulation.recalled();
+        copies += simulation.copies();
     }
     // The faults were really exercised.
     EXPECT_GT(batches, seeds * 10);
     EXPECT_GT(losses, seeds * 3);
     EXPECT_GT(gave_up, seeds / 10);
+    EXPECT_GT(recalled, seeds / 10);
+    EXPECT_GT(copies, seeds / 20);
 }
 
 TEST(DispatcherSimulation, NoticesWhatIsDropped) {

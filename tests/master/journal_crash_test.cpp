@@ -235,7 +235,7 @@ History record(const std::filesystem::path& directory) {
         history.added.emplace_back();
         std::uint64_t next = 0;
         for (std::uint64_t group = 0; group < 60; ++group) {
-            AddResults add{job.id, store, {}, {}};
+            AddResults add{job.id, store, {}, {}, {}};
             history.added.emplace_back();
             for (std::uint64_t i = 0; i <= group % 7; ++i, ++next) {
                 add.results.push_back(result_of(next));

@@ -100,11 +100,13 @@ AddResults results_of(JobId job,
                       std::uint64_t first,
                       std::uint64_t count,
                       std::size_t size = 40) {
-    AddResults add{job, store, {}, {}};
+    AddResults add{job, store, {}, {}, {}};
     for (std::uint64_t i = first; i < first + count; ++i) {
         add.results.push_back(result_of(i, size));
     }
     add.progress.answered_by_master = first + count;
+    add.progress.traffic = {{1, 2, 3, 4, 5, 6}, 7};
+    add.progress.depth_b = 8;
     return add;
 }
 
@@ -141,6 +143,9 @@ TEST(Journal, WhatItSaidIsWrittenComesBack) {
     EXPECT_EQ(job.done.size(), 350u);
     EXPECT_EQ(job.merger.summary().failed, 350u);
     EXPECT_EQ(job.progress.answered_by_master, 50u);
+    EXPECT_EQ(job.progress.traffic, (JobTraffic{{1, 2, 3, 4, 5, 6}, 7}));
+    EXPECT_EQ(job.progress.depth_a, std::nullopt);
+    EXPECT_EQ(job.progress.depth_b, 8u);
     EXPECT_EQ(job.results->count(), 350u);
     EXPECT_EQ(job.results->read(0, 1000, 1u << 20).value().count, 50u);
 }
@@ -208,7 +213,8 @@ TEST(Journal, FilesOfNoJobAreClearedAway) {
     for (const auto& file : std::filesystem::directory_iterator(folder / "jobs")) {
         names.insert(file.path().filename().string());
     }
-    EXPECT_EQ(names, (std::set<std::string>{"1.poses", "1.results", "2.results", "notes.txt"}));
+    EXPECT_EQ(names,
+              (std::set<std::string>{"1.poses", "1.results", "2.poses", "2.results", "notes.txt"}));
 }
 
 TEST(Journal, ManyEntriesShareACommit) {

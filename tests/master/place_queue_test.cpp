@@ -43,5 +43,16 @@ TEST(PlaceQueue, OfNoScenariosIsEmpty) {
     EXPECT_TRUE(PlaceQueue().empty());
 }
 
+TEST(PlaceQueueParts, WithoutAHoleARunHasUpToTwoParts) {
+    const std::vector<PlaceRange> runs{{0, 10}, {20, 10}};
+    using Runs = std::vector<PlaceRange>;
+    EXPECT_EQ(without(runs, {10, 10}), runs);
+    EXPECT_EQ(without(runs, {3, 2}), (Runs{{0, 3}, {5, 5}, {20, 10}}));
+    EXPECT_EQ(without(runs, {5, 20}), (Runs{{0, 5}, {25, 5}}));
+    EXPECT_EQ(without(runs, {0, 10}), (Runs{{20, 10}}));
+    EXPECT_EQ(without(runs, {0, 40}), Runs{});
+    EXPECT_EQ(without(runs, {30, 0}), runs);
+}
+
 } // namespace
 } // namespace cd::tests

@@ -4,6 +4,7 @@
 #include "master/result_intake.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/job/packed_map.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build.hpp"
@@ -76,9 +77,10 @@ class ResultIntake : public testing::Test {
 TEST_F(ResultIntake, SettlesAndCountsWhatAWorkerFound) {
     const auto taken = take_results(task_, message_of({result_of(0), result_of(1)}));
     ASSERT_TRUE(taken) << taken.error().detail;
-    ASSERT_EQ(taken.value().size(), 2u);
+    ASSERT_EQ(taken.value().results.size(), 2u);
+    EXPECT_TRUE(taken.value().map.empty());
     for (std::size_t i = 0; i < 2; ++i) {
-        const TakenResult& one = taken.value()[i];
+        const TakenResult& one = taken.value().results[i];
         const ScenarioRun whole = run_scenario(
             *material_->a, *material_->b, task_.scenarios[i]->scenario, material_->query);
         EXPECT_EQ(one.result.kind, whole.result.kind);
@@ -88,8 +90,8 @@ TEST_F(ResultIntake, SettlesAndCountsWhatAWorkerFound) {
         EXPECT_EQ(one.cost.inside.scenarios, whole.inside.scenarios);
         EXPECT_EQ(one.cost.inside.work, whole.inside.work);
     }
-    EXPECT_EQ(taken.value()[0].result.kind, ScenarioClass::Touch);
-    EXPECT_EQ(taken.value()[1].result.kind, ScenarioClass::Cross);
+    EXPECT_EQ(taken.value().results[0].result.kind, ScenarioClass::Touch);
+    EXPECT_EQ(taken.value().results[1].result.kind, ScenarioClass::Cross);
 }
 
 TEST_F(ResultIntake, RefusesTrianglesThatTheBodiesDoNotHave) {
@@ -135,6 +137,41 @@ TEST_F(ResultIntake, RefusesMoreOrLessThanAnnounced) {
     Results cut = message_of({result_of(0)});
     cut.records.resize(cut.records.size() / 2);
     EXPECT_NE(refusal(cut), "taken");
+}
+
+TEST_F(ResultIntake, AMapHasToBeThatOfItsScenarios) {
+    const std::vector<ContactPair> pairs = result_of(0).pairs;
+    const auto with_map = [&](const ContactMap& map) {
+        Results results = message_of({result_of(0), result_of(1)});
+        results.map = pack_map(map);
+        return results;
+    };
+    ContactMapSum sum;
+    sum.add(result_of(0).pairs);
+    sum.add(result_of(1).pairs);
+    const ContactMap right = sum.take();
+    EXPECT_THAT(refusal(with_map(right)), HasSubstr("a map that was not asked for"));
+
+    Query query = material_->query;
+    query.level = Level::Count;
+    query.maps = true;
+    material_ = std::make_shared<const JobMaterial>(JobMaterial{material_->a, material_->b, query});
+    task_.material = material_;
+    const auto taken = take_results(task_, with_map(right));
+    ASSERT_TRUE(taken) << taken.error().detail;
+    EXPECT_EQ(taken.value().map, right);
+
+    EXPECT_THAT(refusal(message_of({result_of(0), result_of(1)})), HasSubstr("a map"));
+    ContactMap wrong = right;
+    wrong.bodies[1].back().triangle =
+        static_cast<std::uint32_t>(material_->b->mesh().triangles().size());
+    EXPECT_THAT(refusal(with_map(wrong)), HasSubstr("contradicts"));
+    wrong = right;
+    wrong.bodies[0].front().scenarios = 3;
+    EXPECT_THAT(refusal(with_map(wrong)), HasSubstr("contradicts"));
+    wrong = right;
+    wrong.bodies[0] = {{0, 1}};
+    EXPECT_THAT(refusal(with_map(wrong)), HasSubstr("lacks scenarios"));
 }
 
 } // namespace cd::tests

@@ -19,7 +19,7 @@
 namespace cd::tests {
 namespace {
 
-// What version 5 writes for `sample_messages`. A change here is a new protocol version.
+// What version 6 writes for `sample_messages`. A change here is a new protocol version.
 struct Golden {
     std::string_view name;
     std::size_t bytes;
@@ -27,29 +27,32 @@ struct Golden {
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"hello", 78, "4a099b733e8cccc1"},          {"welcome", 104, "114dd3be5caed5f1"},
-    {"failure", 17, "b9807aeea9fe9795"},        {"heartbeat", 97, "108542527f546749"},
+    {"failure", 17, "b9807aeea9fe9795"},        {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 217, "0838c9bfabcef993"},      {"remove tree", 8, "f13ee6ed54ea2aae"},
     {"subtrees", 144, "da0189eff0ecbd68"},      {"batch", 130, "e6bb6c38c24f85be"},
     {"drain", 0, "e3b0c44298fc1c14"},           {"terminate", 28, "d6d079848cb90ca3"},
-    {"want subtrees", 28, "22f2d0e6837120f2"},  {"results", 138, "d212a6ec7ff16eab"},
+    {"want subtrees", 28, "22f2d0e6837120f2"},  {"results", 205, "0e25fda1ad4931ce"},
     {"end of task", 8, "aae89fc0f03e2959"},     {"evicted", 24, "21c53776fb477163"},
     {"meshes query", 72, "e1381bfba176d2ec"},   {"meshes missing", 40, "6a083ddafa5d3162"},
     {"mesh part", 133, "2325c9eac764b872"},     {"mesh stored", 32, "ae216c2ef5247a37"},
-    {"submit", 193, "01bc31200c082fc2"},        {"poses part", 72, "94b987f225392806"},
+    {"submit", 197, "a10bb93f2b9aa47a"},        {"poses part", 72, "94b987f225392806"},
     {"poses end", 0, "e3b0c44298fc1c14"},       {"accepted", 8, "35be322d094f9d15"},
-    {"watch", 8, "f0a0278e4372459c"},           {"job status", 409, "8beab66160b1cf40"},
-    {"status query", 0, "e3b0c44298fc1c14"},    {"cluster status", 796, "38ecfe0c73fc4da7"},
+    {"watch", 8, "f0a0278e4372459c"},           {"job status", 499, "52ac9b2926d937ac"},
+    {"status query", 0, "e3b0c44298fc1c14"},    {"cluster status", 894, "f7d89e0c695a1b70"},
     {"results query", 24, "e2e2033ae7e19d68"},  {"results part", 58, "d09bdf69823ebbe1"},
     {"cancel", 17, "6450d3157de527b9"},         {"fetch from peers", 170, "a0d47f54a15913e3"},
     {"held", 24, "ed580f119631830c"},           {"fetch failed", 33, "b221f708a2001c78"},
     {"peer fetch", 64, "1fa3b1fe14bda8bc"},     {"peer fetched", 21, "81af26b24d9034b4"},
-    {"explain", 16, "609f0a17cfd7829b"},        {"explained", 180, "a91ceeff3b47116c"},
-    {"add job", 99, "2bdd99e4817ed5e1"},        {"remove job", 8, "d86e8112f3c4c444"},
+    {"explain", 16, "609f0a17cfd7829b"},        {"explained", 207, "b7631b2433d76199"},
+    {"add job", 100, "865458294e9177f0"},       {"remove job", 8, "d86e8112f3c4c444"},
     {"scenario range", 60, "565e8897274530e3"}, {"results kept", 32, "85f896738b831cb7"},
     {"holding", 72, "e1381bfba176d2ec"},        {"join", 72, "dd181e348f65f2e4"},
     {"renew", 15, "b8682712f5ce92e8"},          {"certified", 48, "d7f558c7fad6ff0a"},
     {"token create", 13, "10083b346e6438bc"},   {"token created", 12, "58ed39fec02eb736"},
-    {"standing", 72, "0697547a5b8be113"},       {"drop scenario", 16, "5ec0616dd54ea5b9"},
+    {"standing", 120, "002e149f06099adc"},      {"drop scenario", 24, "f5f38eb8784416cd"},
+    {"recall", 40, "c4be813caf236978"},         {"recalled", 32, "c779e5841532473c"},
+    {"hint", 32, "efd67ebf8cf6f660"},           {"contact map query", 8, "6cc16abd70eefb90"},
+    {"contact map", 55, "46a208d4be794e94"},
 }};
 
 void expect_refused(std::uint16_t type, std::span<const std::byte> payload) {
@@ -66,7 +69,7 @@ void expect_refused(std::uint16_t type, std::span<const std::byte> payload) {
 
 TEST(Codec, NumbersAndNamesFollowTheOrderOfTheVariant) {
     EXPECT_EQ(message_type(Hello{}), 1);
-    EXPECT_EQ(message_type(DropScenario{}), std::variant_size_v<Message>);
+    EXPECT_EQ(message_type(ContactMapAnswer{}), std::variant_size_v<Message>);
     EXPECT_EQ(message_name(message_type(Batch{})), "batch");
     EXPECT_EQ(message_name(message_type(EndOfTask{})), "end of task");
     EXPECT_EQ(message_name(message_type(ResultsPart{})), "results part");
@@ -80,10 +83,13 @@ TEST(Codec, WhatEndsSomethingDoesNotOvertakeIt) {
     for (const Message& message : std::initializer_list<Message>{AddTree{},
                                                                  Subtrees{},
                                                                  Batch{},
+                                                                 Hint{},
                                                                  RemoveTree{},
                                                                  Drain{},
                                                                  Results{},
                                                                  EndOfTask{},
+                                                                 Recall{},
+                                                                 Recalled{},
                                                                  Submit{},
                                                                  PosesPart{},
                                                                  PosesEnd{}}) {
@@ -115,7 +121,7 @@ TEST(Codec, MembersComeBackInTheirPlaces) {
     EXPECT_EQ(batch.scenarios, some_batch().scenarios);
 }
 
-TEST(Codec, TheBytesOfEachMessageAreThoseOfVersionFive) {
+TEST(Codec, TheBytesOfEachMessageAreThoseOfVersionSix) {
     const auto samples = sample_messages();
     ASSERT_EQ(samples.size(), golden.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -205,10 +211,11 @@ TEST(Codec, ValuesOutOfRangeAreRefused) {
     hello[4] = std::byte{5}; // The role, behind the two versions.
     EXPECT_FALSE(decode_message(message_type(Hello{}), hello));
 
-    Bytes results = encode_message(Results{TaskId{1}, JobId{1}, 0, {}, {}, 1.0});
-    // Before the sequence, which is last, 1.0 becomes a NaN.
-    results[results.size() - sizeof(std::uint64_t) - 1] = std::byte{0x7f};
-    results[results.size() - sizeof(std::uint64_t) - 2] = std::byte{0xff};
+    Bytes results = encode_message(Results{TaskId{1}, JobId{1}, 0, {}, {}, 1.0, 0, {}, {}});
+    // Before the sequence, what the job cost and the map's length, 1.0 becomes a NaN.
+    const std::size_t behind = 2 * sizeof(std::uint64_t) + sizeof(BlockTraffic);
+    results[results.size() - behind - 1] = std::byte{0x7f};
+    results[results.size() - behind - 2] = std::byte{0xff};
     EXPECT_FALSE(decode_message(message_type(Results{}), results));
 }
 

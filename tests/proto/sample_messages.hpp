@@ -68,6 +68,12 @@ inline JobStatus some_job_status() {
     status.paused = "no space";
     status.long_scenarios = {{26, WorkerId{1}, "node-1", 27.5}};
     status.doubted = 28;
+    status.recalled = 42;
+    status.copies = 43;
+    status.copies_won = 44;
+    status.traffic = {{33, 34, 35, 36, 37, 38}, 39};
+    status.depth_a = 40;
+    status.depth_b = 41;
     return status;
 }
 
@@ -88,7 +94,7 @@ inline WorkerStatus some_worker_status() {
     status.bytes_received = 17;
     status.subtrees_sent = 18;
     status.subtree_bytes_sent = 19;
-    status.cache = {20, 21, 22, 23, 24, 25};
+    status.cache = {{20, 21, 22, 23, 24, 25}, 26};
     status.quarantined = true;
     status.state = WorkerState::Silent;
     status.silent_seconds = 29.5;
@@ -111,7 +117,7 @@ inline Submit some_submit() {
     submit.name = "job";
     submit.bodies = {some_hash(1), some_hash(2)};
     submit.query = some_query();
-    submit.cluster = {Strategy::Lowest, 10, 5, 21, 4097, true, 6, AnalysisMode::Never};
+    submit.cluster = {Strategy::Lowest, 10, 5, 21, 4097, true, 6, AnalysisMode::Never, false};
     submit.scenarios = 1000;
     submit.grid = some_bytes(9);
     return submit;
@@ -123,7 +129,7 @@ inline std::vector<Message> sample_messages() {
         Hello{1, 4, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321, 1.5, 99, 7, 8},
         Welcome{1, 42, "0.1.0", some_hash(17), some_hash(18), 8, true, 2000, 15000},
         Failure{ErrorCode::NotFound, "no job 7"},
-        Heartbeat{1, 2, 3, {4, 5, 6, 7, 8, 9}, RunningScenario{JobId{10}, 11, 12.5}},
+        Heartbeat{1, 2, 3, {{4, 5, 6, 7, 8, 9}, 10}, RunningScenario{JobId{10}, 11, 12.5}},
         AddTree{TreeId{1}, SubtreeForm::Wide, some_hash(6), {some_node(1), some_node(2)}},
         RemoveTree{TreeId{5}},
         Subtrees{TreeId{6}, {{3, some_hash(9), some_bytes(40)}, {4, some_hash(8), {}}}},
@@ -131,7 +137,15 @@ inline std::vector<Message> sample_messages() {
         Drain{},
         Terminate{"the operator said so"},
         WantSubtrees{TreeId{2}, {1, 5, 9}},
-        Results{TaskId{1}, JobId{2}, 3, some_bytes(30), some_statistics(), 0.25, 17},
+        Results{TaskId{1},
+                JobId{2},
+                3,
+                some_bytes(30),
+                some_statistics(),
+                0.25,
+                17,
+                {18, 19, 20, 21, 22, 23},
+                some_bytes(11)},
         EndOfTask{TaskId{7}},
         Evicted{TreeId{2}, {0, 8}},
         MeshesQuery{{some_hash(1), some_hash(2)}},
@@ -173,6 +187,7 @@ inline std::vector<Message> sample_messages() {
                   Strategy::EarliestFinish,
                   "waits",
                   "it would be done first",
+                  "as things stand now",
                   11,
                   12,
                   {{WorkerId{1}, "node-1", true, false, 13, 0.5, 14, 15, 1, 2, 3, 4, 5, 6}}},
@@ -186,8 +201,13 @@ inline std::vector<Message> sample_messages() {
         Certified{"a certificate", "and its authority's"},
         TokenCreate{CertifiedRole::Submitter, 3600, 50},
         TokenCreated{"cdt1"},
-        Standing{{{TreeId{1}, {2, 3}}}, {JobId{4}}, {TaskId{5}, TaskId{6}}},
-        DropScenario{JobId{8}, 9},
+        Standing{{{TreeId{1}, {2, 3}}}, {JobId{4}}, {{TaskId{5}, {7, 9}, 0}, {TaskId{6}, {}, 40}}},
+        DropScenario{JobId{8}, 9, TaskId{10}},
+        Recall{TaskId{5}, {7, 9}, 3},
+        Recalled{TaskId{6}, {7}, 40},
+        Hint{JobId{8}, TreeId{2}, {1, 5}},
+        ContactMapQuery{JobId{8}},
+        ContactMapAnswer{JobId{8}, true, "a worker was wrong", some_bytes(12)},
     };
 }
 

@@ -89,6 +89,22 @@ TEST(Fetcher, WhatIsUnderWayIsNotAskedForAgain) {
     EXPECT_EQ(bench.fetcher.advance().ready, Tokens{3});
 }
 
+TEST(Fetcher, AnAdmittedScenarioTellsWhatItFoundAndWhatIsAskedForBecauseOfIt) {
+    Bench bench(unlimited);
+    bench.fetcher.add(1, {{tree_a, 0}, {tree_b, 0}});
+    Fetcher::Step step = bench.fetcher.advance();
+    ASSERT_EQ(step.admitted.size(), 1u);
+    EXPECT_EQ(step.admitted[0].token, 1u);
+    EXPECT_EQ(step.admitted[0].found, 0u);
+    EXPECT_EQ(step.admitted[0].asked, (Keys{{tree_a, 0}, {tree_b, 0}}));
+    bench.deliver({tree_a, 0});
+    bench.fetcher.add(2, {{tree_a, 0}, {tree_b, 0}, {tree_b, 1}});
+    step = bench.fetcher.advance();
+    ASSERT_EQ(step.admitted.size(), 1u);
+    EXPECT_EQ(step.admitted[0].found, 1u);
+    EXPECT_EQ(step.admitted[0].asked, (Keys{{tree_b, 1}})) << "the other is under way";
+}
+
 TEST(Fetcher, ATooSmallCacheStillRunsOneScenarioAfterTheOther) {
     Bench bench(1);
     bench.fetcher.add(1, {{tree_a, 0}, {tree_a, 1}, {tree_b, 0}});

@@ -14,6 +14,7 @@
 
 #include <latch>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace cd::tests {
@@ -99,6 +100,7 @@ class FakeMaster {
         Subtrees subtrees;
         subtrees.tree = want.tree;
         for (const RootIndex root : want.roots) {
+            bytes_sent += body.blocks[root].compressed.size();
             EXPECT_TRUE(held.insert({want.tree, root}).second) << "asked for what it holds";
             given.insert({want.tree, root});
             subtrees.blocks.push_back(body.blocks[root]);
@@ -121,6 +123,7 @@ class FakeMaster {
     void on(const Results& results) {
         EXPECT_FALSE(ended.contains(results.task));
         ++results_messages;
+        traffic += results.traffic;
         tasks_of_results.insert(results.task);
         if (acknowledges) {
             channel->send(ResultsKept{{results.sequence}});
@@ -140,7 +143,11 @@ class FakeMaster {
     void on(const EndOfTask& end_of_task) { EXPECT_TRUE(ended.insert(end_of_task.task).second); }
     void on(const Holding& holding) { cuts_held = holding.cuts; }
     void on(const Standing& now) { standing = now; }
-    void on(const Heartbeat&) { ++heartbeats; }
+    void on(const Recalled& back) { recalled.push_back(back); }
+    void on(const Heartbeat& heartbeat) {
+        ++heartbeats;
+        last_traffic = heartbeat.traffic;
+    }
     void on(const Drain&) { worker_drains = true; }
     void on(const Failure& failure) { complaint = failure.detail; }
     template <class T>
@@ -157,11 +164,15 @@ class FakeMaster {
     std::set<TaskId> tasks_of_results;
     std::vector<Sha256> cuts_held; ///< That it named at its start.
     std::optional<Standing> standing;
+    std::vector<Recalled> recalled;
     bool acknowledges = true;
     std::size_t subtrees_sent = 0;
     std::size_t subtrees_evicted = 0;
     std::size_t results_messages = 0;
     std::size_t heartbeats = 0;
+    std::uint64_t bytes_sent = 0; ///< Of blocks.
+    BlockTraffic traffic;         ///< As the results told.
+    CacheTraffic last_traffic;    ///< As the last heartbeat did.
     bool worker_drains = false;
     std::string complaint;
     std::string end;
@@ -279,6 +290,49 @@ TEST(Session, AnswersRangesAsWholeTreesDoWithCachesColdWarmOrTooSmall) {
             expect_all_right(master, scenarios);
         });
     }
+}
+
+TEST(Session, ResultsTellWhatTheirJobCostTheNetwork) {
+    perform(unlimited, 2, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(0, 120);
+        master.channel->send(make_batch(TaskId{1}, std::span(scenarios).first(40)));
+        co_await master.serve_until_ended(1);
+        EXPECT_GT(master.traffic.misses, 0u);
+        EXPECT_EQ(master.traffic.misses, master.subtrees_sent);
+        const Batch again = make_batch(TaskId{2}, std::span(scenarios).first(40));
+        std::uint64_t needs = 0;
+        for (std::size_t i = 0; i < 40; ++i) {
+            const auto pairs = std::span(again.pairs)
+                                   .subspan(again.pair_offsets[i],
+                                            again.pair_offsets[i + 1] - again.pair_offsets[i]);
+            needs += roots_of_a(pairs).size() + roots_of_b(pairs).size();
+        }
+        // In a range, too, each scenario counts.
+        const std::uint64_t hits_before = master.traffic.hits;
+        master.records.clear();
+        master.channel->send(make_range(TaskId{2}, std::span(scenarios).first(40)));
+        co_await master.serve_until_ended(2);
+        EXPECT_EQ(master.traffic.hits, hits_before + needs);
+        master.channel->send(make_range(TaskId{3}, std::span(scenarios).subspan(40)));
+        co_await master.serve_until_ended(3);
+        EXPECT_EQ(master.traffic.misses, master.subtrees_sent);
+        EXPECT_EQ(master.traffic.master_bytes, master.bytes_sent);
+        EXPECT_EQ(master.traffic.peer_bytes, 0u);
+        EXPECT_EQ(master.traffic.evictions, 0u);
+    });
+}
+
+TEST(Session, EvictionsCountForTheJobWhoseTreeTheyAreOf) {
+    perform(1, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(100, 20);
+        master.channel->send(make_batch(TaskId{1}, scenarios));
+        co_await master.serve_until_ended(1);
+        EXPECT_GT(master.traffic.evictions, 0u);
+        EXPECT_LE(master.traffic.evictions, master.subtrees_evicted);
+        EXPECT_EQ(master.traffic.master_bytes, master.bytes_sent);
+    });
 }
 
 TEST(Session, ARangeOfAGridNeedsNoPoses) {
@@ -482,7 +536,9 @@ lose_the_connection_again_and_again(asio::io_context& context, Executor& executo
                 EXPECT_EQ(now->trees.size(), 2u);
                 EXPECT_EQ(now->jobs, std::vector<JobId>{JobId{1}});
                 standing.clear(); // What is not named has ended; its results came before.
-                standing.insert(now->tasks.begin(), now->tasks.end());
+                for (const Recalled& task : now->tasks) {
+                    standing.insert(task.task);
+                }
             }
         }
         for (const auto& [index, record] : master.records) {
@@ -554,6 +610,107 @@ TEST(Session, ADroppedScenarioIsNotAnsweredAndTheOthersAre) {
             EXPECT_FALSE(master.records.contains(7));
         });
     }
+}
+
+/// Nothing begins as long as the one thread is held.
+template <class Then>
+asio::awaitable<void> with_a_held_thread(Stage& stage, bool is_range, Then then) {
+    std::latch released(1);
+    stage.executor.submit([&released] {
+        released.wait();
+        return Executor::Continuation([] {});
+    });
+    const auto scenarios = make_scenarios(0, 40);
+    if (is_range) {
+        stage.master.channel->send(make_range(TaskId{1}, scenarios));
+    } else {
+        stage.master.channel->send(make_batch(TaskId{1}, scenarios));
+    }
+    Recall of_no_task;
+    of_no_task.task = TaskId{99};
+    stage.master.channel->send(of_no_task); // Nothing happens.
+    then();
+    while (stage.master.recalled.empty()) {
+        Result<Message> message = co_await stage.master.channel->receive(patience);
+        EXPECT_TRUE(message);
+        if (!message) {
+            break;
+        }
+        std::visit([&](auto& content) { stage.master.on(content); }, message.value());
+    }
+    EXPECT_TRUE(stage.master.records.empty());
+    released.count_down();
+    co_await stage.master.serve_until_ended(1);
+}
+
+TEST(Session, WhatIsRecalledAndHasNotBegunIsGivenBackAndNotAnswered) {
+    for (const bool is_range : {false, true}) {
+        perform(unlimited, 1, [is_range](Stage& stage) -> asio::awaitable<void> {
+            FakeMaster& master = stage.master;
+            std::vector<std::uint64_t> wanted(20);
+            std::iota(wanted.begin(), wanted.end(), 10);
+            const auto ask = [&] { master.channel->send(Recall{TaskId{1}, wanted, 10}); };
+            co_await with_a_held_thread(stage, is_range, ask);
+            EXPECT_EQ(master.recalled.size(), 1u);
+            EXPECT_EQ(master.recalled[0].task, TaskId{1});
+            EXPECT_EQ(master.recalled[0].scenarios,
+                      is_range ? std::vector<std::uint64_t>{} : wanted);
+            EXPECT_EQ(master.recalled[0].places, is_range ? 10u : 0u);
+            EXPECT_EQ(master.records.size(), is_range ? 10u : 20u);
+            EXPECT_TRUE(master.records.contains(9));
+            EXPECT_FALSE(master.records.contains(10));
+        });
+    }
+}
+
+TEST(Session, WhatAnotherWorkerHasAnsweredIsDroppedInItsTaskAlone) {
+    for (const bool is_range : {false, true}) {
+        perform(unlimited, 1, [is_range](Stage& stage) -> asio::awaitable<void> {
+            FakeMaster& master = stage.master;
+            const auto drop = [&] {
+                master.channel->send(DropScenario{JobId{1}, 7, TaskId{1}});
+                master.channel->send(DropScenario{JobId{1}, 8, TaskId{99}});
+                master.channel->send(Recall{TaskId{1}, {}, 40});
+            };
+            co_await with_a_held_thread(stage, is_range, drop);
+            EXPECT_EQ(master.records.size(), 39u);
+            EXPECT_FALSE(master.records.contains(7));
+            master.channel->send(make_batch(TaskId{2}, make_scenarios(7, 1)));
+            co_await master.serve_until_ended(2);
+            EXPECT_TRUE(master.records.contains(7)) << "in another task it is done";
+        });
+    }
+}
+
+/// What it was asked for then goes at once, since no scenario needs it and the cache is full.
+TEST(Session, WhatCameForWhatWasGivenBackIsAskedForAgain) {
+    perform(1, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        std::uint64_t index = 0;
+        while (make_batch(TaskId{1}, make_scenarios(index, 1)).pairs.empty()) {
+            ++index; // Until it needs blocks.
+        }
+        const auto scenarios = make_scenarios(index, 1);
+        Recall recall;
+        recall.task = TaskId{1};
+        recall.scenarios.push_back(index);
+        master.channel->send(make_batch(TaskId{1}, scenarios));
+        while (master.ended.empty()) {
+            Result<Message> message = co_await master.channel->receive(patience);
+            EXPECT_TRUE(message);
+            if (!message) {
+                co_return;
+            }
+            if (std::holds_alternative<WantSubtrees>(message.value())) {
+                master.channel->send(recall); // It is there before the blocks.
+            }
+            std::visit([&](auto& content) { master.on(content); }, message.value());
+        }
+        EXPECT_TRUE(master.records.empty());
+        master.channel->send(make_batch(TaskId{2}, scenarios));
+        co_await master.serve_until_ended(2);
+        EXPECT_EQ(master.records.size(), 1u);
+    });
 }
 
 TEST(Session, DrainAnswersAllThenCloses) {

@@ -73,6 +73,10 @@ class InstantCluster {
                     directed->blocks, [&](const BlockId& block) { return source.has(block); }));
                 from_peers_ += directed->blocks.size();
                 send(master_.take(worker.opened(BlocksSent{directed->blocks})));
+            } else if (const auto* asked = std::get_if<AskedBack>(&letter.content)) {
+                send(master_.take(worker.take(*asked)));
+            } else if (const auto* loser = std::get_if<CalledOff>(&letter.content)) {
+                EXPECT_FALSE(worker.take(*loser)) << "nothing takes any time here";
             } else {
                 send(master_.take(worker.opened(std::get<BlocksSent>(letter.content))));
             }
@@ -189,6 +193,28 @@ TEST(ClusterModels, ResultsLeaveWithTheirTaskOrWhenTheyAreOld) {
     EXPECT_EQ(last[0].compute_seconds, 0.75);
     EXPECT_TRUE(last[0].ends_task);
     EXPECT_TRUE(worker.due(9.0, 1).empty());
+}
+
+TEST(ClusterModels, AWorkerGivesBackWhatItHasNotBegun) {
+    const Workload workload = make_synthetic_workload(2, 4);
+    WorkerModel worker(WorkerId{1}, workload);
+    const auto wanted = worker.take(BatchSent{TaskId{7}, {0, 1, 2, 3}, true});
+    ASSERT_TRUE(wanted);
+    EXPECT_EQ(worker.take(AskedBack{TaskId{7}, {3}}).scenarios, (std::vector<std::uint64_t>{3}));
+    (void)worker.opened(BlocksSent{wanted->blocks});
+    ASSERT_EQ(worker.ready_count(), 3u);
+    const std::uint64_t begun = worker.next();
+    EXPECT_EQ(begun, 0u);
+    const GaveBack gave = worker.take(AskedBack{TaskId{7}, {0, 2}});
+    EXPECT_EQ(gave.scenarios, (std::vector<std::uint64_t>{2, 3})) << "all so far";
+    EXPECT_FALSE(worker.take(CalledOff{TaskId{7}, 1})) << "it does not run";
+    EXPECT_EQ(worker.ready_count(), 0u);
+    EXPECT_TRUE(worker.take(CalledOff{TaskId{7}, 0}));
+    worker.ran(begun, 1.0, 0.5);
+    const auto last = worker.due(1.0, 1);
+    ASSERT_EQ(last.size(), 1u);
+    EXPECT_TRUE(last[0].scenarios.empty());
+    EXPECT_TRUE(last[0].ends_task);
 }
 
 } // namespace

@@ -53,7 +53,9 @@ TEST(ClusterSimulation, IsWholeWithinItsBoundsAndTheSameEachTime) {
             EXPECT_EQ(first->blocks_received == first->blocks, !compared.peers);
             EXPECT_EQ(first->peer_bytes != 0, compared.peers);
             EXPECT_GT(first->sent_bytes, first->block_bytes);
-            EXPECT_NEAR(first->work_seconds, workload.serial_seconds, 1e-9);
+            // Some scenarios at the end are done twice.
+            EXPECT_GT(first->work_seconds, workload.serial_seconds - 1e-9);
+            EXPECT_LT(first->work_seconds, 1.06 * workload.serial_seconds);
             const double bound = options.cluster.weighted_cores(workload.slow_ratio);
             EXPECT_GT(first->seconds, workload.serial_seconds / bound);
             EXPECT_LT(first->seconds, workload.serial_seconds);

@@ -1,0 +1,82 @@
+// How long the simulation says that a job takes on one computer, which runs the master and workers
+// of one thread; for a comparison with the same job there. See `prediction`.
+//
+//   predict TRACE --cores N --workers N --strategy NAME --depth D
+#include "bench/cluster/experiments.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+namespace cd::bench {
+
+namespace {
+
+struct Computer {
+    std::uint32_t cores = 1;
+    std::uint32_t workers = 1;
+};
+
+/// As the product does it there: its master analyses on every core.
+SimulationOptions options_of(const Computer& computer, Strategy strategy) {
+    SimulationOptions options = measured_setting().options;
+    options.cluster.shared_cores = computer.cores;
+    options.cluster.fast_cores = computer.workers;
+    options.cluster.slow_cores = 0;
+    options.analysts = computer.cores;
+    options.dispatch.strategy = strategy;
+    options.dispatch.claim = false;
+    options.peers = true;
+    return options;
+}
+
+} // namespace
+
+} // namespace cd::bench
+
+int main(int argc, char** argv) {
+    using namespace cd;
+    using namespace cd::bench;
+    std::filesystem::path path;
+    Computer computer;
+    std::string name = "earliest-finish";
+    std::uint32_t depth = 12;
+    CLI::App app("Predicts the seconds of a job on one computer");
+    app.add_option("TRACE", path, "The job's trace")->required();
+    app.add_option("--cores", computer.cores, "Of the computer")->check(CLI::PositiveNumber);
+    app.add_option("--workers", computer.workers, "Of one thread")->check(CLI::PositiveNumber);
+    app.add_option("--strategy", name, "How workers are chosen");
+    app.add_option("--depth", depth, "At which A is cut");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        const auto trace = read_trace(path);
+        const auto strategy = strategy_from_text(name);
+        if (!trace || !strategy || trace.value().at(depth) == nullptr) {
+            std::fprintf(stderr,
+                         "%s\n",
+                         !trace      ? trace.error().detail.c_str()
+                         : !strategy ? "there is no such strategy"
+                                     : "the trace does not have the depth");
+            return 2;
+        }
+        const Workload workload =
+            make_workload(trace.value(), paper_table_heavy, {Costs::Measured, depth});
+        SimulationOptions options = options_of(computer, *strategy);
+        constexpr std::chrono::seconds limit{300};
+        // First for what the dispatcher's decisions take, then with it.
+        const auto uncharged = simulate_apart(workload, options, limit);
+        options.dispatch_seconds = uncharged ? 1e-6 * uncharged->dispatcher_us : 0;
+        const auto outcome = simulate_apart(workload, options, limit);
+        if (!uncharged || !outcome) {
+            std::fprintf(stderr, "the simulation does not end\n");
+            return 2;
+        }
+        std::printf("%.4f\n", outcome->seconds);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
+    return 0;
+}

@@ -1,0 +1,72 @@
+#include "client/export/map_files.hpp"
+
+#include "client/export/csv_rows.hpp"
+#include "client/npz.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace cd {
+
+namespace {
+
+constexpr std::array<const char*, 2> body_names{"a", "b"};
+
+Status
+write_csv(const ContactMap& map, const std::filesystem::path& path, const ExportContext& context) {
+    auto file = RowFile::create(path, "body,triangle,scenarios,part\n");
+    if (!file) {
+        return file.error();
+    }
+    for (std::size_t i = 0; i < map.bodies.size(); ++i) {
+        PartFields parts(context.meshes[i]);
+        for (const TriangleContacts& row : map.bodies[i]) {
+            const Status added = file.value().add(std::string_view(body_names[i]),
+                                                  ",",
+                                                  row.triangle,
+                                                  ",",
+                                                  row.scenarios,
+                                                  ",",
+                                                  parts.of(row.triangle),
+                                                  "\n");
+            if (!added) {
+                return added;
+            }
+        }
+    }
+    return file.value().commit();
+}
+
+Status write_npz(const ContactMap& map, const std::filesystem::path& path) {
+    NpzWriter file(path);
+    for (std::size_t i = 0; i < map.bodies.size(); ++i) {
+        const std::size_t array = file.add_array(body_names[i], NpyType::U8, 2);
+        for (const TriangleContacts& row : map.bodies[i]) {
+            const std::array<std::uint64_t, 2> numbers{row.triangle, row.scenarios};
+            file.append(array, std::span<const std::uint64_t>(numbers));
+        }
+    }
+    return file.finish();
+}
+
+} // namespace
+
+Status write_map_files(const ContactMap& map,
+                       const std::filesystem::path& dir,
+                       const std::vector<std::string>& formats,
+                       const ExportContext& context) {
+    const auto has = [&](std::string_view format) {
+        return std::find(formats.begin(), formats.end(), format) != formats.end();
+    };
+    if (has("npz")) {
+        if (Status written = write_npz(map, dir / "map.npz"); !written) {
+            return written;
+        }
+        if (!has("csv")) {
+            return Done{};
+        }
+    }
+    return write_csv(map, dir / "map.csv", context);
+}
+
+} // namespace cd

@@ -1,0 +1,39 @@
+// What of a job is read before its scenarios are looked at: trees, cuts and poses.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/job/pose_source.hpp"
+#include "master/cut_geometry.hpp"
+#include "master/dispatch_tree.hpp"
+#include "master/geometry_store.hpp"
+#include "master/submitter.hpp"
+#include "proto/message.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace cd {
+
+struct JobGeometry {
+    std::shared_ptr<const ObbTree> tree_a;
+    std::shared_ptr<const ObbTree> tree_b;
+    std::shared_ptr<const CutGeometry> cut_a;
+    std::shared_ptr<const CutGeometry> cut_b;
+};
+
+/// Cuts the bodies' trees as the job asks for. May take seconds. Errors: those of the store.
+[[nodiscard]] Result<JobGeometry> make_job_geometry(GeometryStore& store, const Submit& submit);
+
+/// What the dispatcher has to know of a cut.
+[[nodiscard]] DispatchTree dispatch_tree(TreeId id, const CutGeometry& cut);
+
+[[nodiscard]] AnalysisInput make_analysis_input(const JobGeometry& geometry,
+                                                const Query& query,
+                                                std::shared_ptr<PoseSource> poses);
+
+/// The poses of a job that the journal holds; `path` is where they stand if it has no grid. Errors:
+/// Io, naming a file that is missing or damaged.
+[[nodiscard]] Result<std::shared_ptr<PoseSource>> open_poses(const Submit& submit,
+                                                             const std::filesystem::path& path);
+
+} // namespace cd
