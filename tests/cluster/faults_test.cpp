@@ -4,6 +4,7 @@
 // connection interrupts is not done again when the worker is back in time.
 #include "tests/cluster/faulty_proxy.hpp"
 #include "tests/cluster/mortal_master.hpp"
+#include "tests/support/comes_true.hpp"
 
 #include <gmock/gmock.h>
 
@@ -110,11 +111,10 @@ TEST_F(BrokenNetwork, CutAgainBeforeItHasComeBackItComesBackAllTheSame) {
     for (int burst = 0; burst < 4; ++burst) {
         progress(250);
         const std::uint64_t until = proxy_.connections() + 4;
-        const auto deadline = std::chrono::steady_clock::now() + patience;
-        while (proxy_.connections() < until && std::chrono::steady_clock::now() < deadline) {
+        EXPECT_TRUE(comes_true([&] {
             proxy_.cut();
-            std::this_thread::yield();
-        }
+            return proxy_.connections() >= until;
+        }));
     }
     expect_right();
 }
@@ -126,11 +126,8 @@ TEST_F(BrokenNetwork, AHalfOpenConnectionIsNoticedAtBothEndsAndTheSessionGoesOn)
         proxy_.set(Weather::Swallowed);
         const std::uint64_t before = proxy_.connections();
         wait_for_state(WorkerState::Silent); // The master noticed.
-        const auto deadline = std::chrono::steady_clock::now() + patience;
-        while (proxy_.connections() == before && std::chrono::steady_clock::now() < deadline) {
-            std::this_thread::yield();
-        }
-        EXPECT_GT(proxy_.connections(), before) << "the worker noticed";
+        EXPECT_TRUE(comes_true([&] { return proxy_.connections() > before; }))
+            << "the worker noticed";
         proxy_.set(Weather::Fair);
         wait_for_state(WorkerState::Alive);
     }
@@ -174,10 +171,7 @@ TEST_F(BrokenNetwork, DamagedBytesAreNoticedAndChangeNothing) {
         progress(150);
         const std::uint64_t before = proxy_.damaged();
         proxy_.damage(round % 2 == 0);
-        const auto deadline = std::chrono::steady_clock::now() + patience;
-        while (proxy_.damaged() == before && std::chrono::steady_clock::now() < deadline) {
-            std::this_thread::yield();
-        }
+        EXPECT_TRUE(comes_true([&] { return proxy_.damaged() > before; }));
         status_when([&](const ClusterStatus& status) {
             return status.sessions_resumed > static_cast<std::uint64_t>(round);
         });

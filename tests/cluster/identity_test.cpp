@@ -6,12 +6,12 @@
 #include "proto/credential_file.hpp"
 #include "proto/join_token.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
+#include "tests/support/comes_true.hpp"
 
 #include <gmock/gmock.h>
 
 #include <chrono>
 #include <cstdlib>
-#include <thread>
 
 namespace cd::tests {
 namespace {
@@ -21,18 +21,6 @@ using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds patience{60};
-
-/// Until it is so, or patience ends.
-bool comes_true(const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + patience;
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) {
-            return false;
-        }
-        std::this_thread::sleep_for(10ms);
-    }
-    return true;
-}
 
 class SecuredCluster : public Cluster {
   protected:

@@ -1,9 +1,9 @@
 // Proves that the scripts of deploy/ that start workers do, on one host and under mpirun, that what
 // they start is a cluster like any other, and that a signal to the script ends all of it cleanly.
 #include "tests/cluster/cluster_fixture.hpp"
+#include "tests/support/comes_true.hpp"
 
 #include <csignal>
-#include <thread>
 
 namespace cd::tests {
 namespace {
@@ -22,11 +22,8 @@ class Launch : public Cluster {
     }
 
     void wait_for_workers(std::size_t count) {
-        const auto give_up_at = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-        while (connection_->status().value().workers.size() < count) {
-            ASSERT_LT(std::chrono::steady_clock::now(), give_up_at) << "they do not come";
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        }
+        ASSERT_TRUE(
+            comes_true([&] { return connection_->status().value().workers.size() >= count; }));
     }
 
     void expect_the_digest_of_one_process() {
