@@ -119,7 +119,7 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->group(query);
 
     const std::string cluster = "On the cluster";
-    verb.add_option("--strategy", job.strategy, "How workers are chosen (best-match)")
+    verb.add_option("--strategy", job.strategy, "How workers are chosen (earliest-finish)")
         ->check(CLI::IsMember(words_of(strategy_names())))
         ->type_name("NAME")
         ->group(cluster);
@@ -136,7 +136,7 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->check(is_depth)
         ->type_name("D")
         ->group(cluster);
-    verb.add_option("--q", job.q, "A buffer is full at so many scenarios (20)")
+    verb.add_option("--q", job.q, "Not by time: a buffer is full at so many scenarios (20)")
         ->check(CLI::Range(1u, limits::q_max))
         ->type_name("N")
         ->group(cluster);
@@ -144,7 +144,8 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->check(CLI::PositiveNumber)
         ->type_name("N")
         ->group(cluster);
-    verb.add_flag("--claim", job.claim, "One task at a worker at a time, as in the paper")
+    verb.add_flag(
+            "--claim", job.claim, "Not by time: one task at a worker at a time, as in the paper")
         ->group(cluster);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "client/table.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
 
 #include <string>
 

@@ -5,7 +5,8 @@
 #include "common/geometry/mesh.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/result.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
+#include "proto/identity_messages.hpp"
 #include "proto/tls.hpp"
 
 #include <cstdint>

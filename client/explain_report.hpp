@@ -1,7 +1,7 @@
 // What `cdctl explain` shows: how each worker scores for a scenario.
 #pragma once
 
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
 
 #include <string>
 

@@ -241,10 +241,11 @@ void read_cluster(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
     if (table == nullptr) {
         return;
     }
-    const TomlFields fields(*table,
-                            "[cluster]",
-                            problem,
-                            {"strategy", "depth", "q", "v_kb", "claim", "seed", "analysis"});
+    const TomlFields fields(
+        *table,
+        "[cluster]",
+        problem,
+        {"strategy", "depth", "q", "v_kb", "claim", "seed", "analysis", "hints"});
     ClusterOptions& options = spec.cluster;
     if (const auto strategy = fields.word("strategy", strategy_names())) {
         options.strategy = strategy_from_text(*strategy).value_or(options.strategy);
@@ -256,6 +257,7 @@ void read_cluster(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         fields.integer("v_kb", 1, std::numeric_limits<std::uint32_t>::max())
             .value_or(options.v_kb));
     options.claim = fields.boolean("claim").value_or(options.claim);
+    options.hints = fields.boolean("hints").value_or(options.hints);
     if (const auto analysis = fields.word("analysis", analysis_mode_names())) {
         options.analysis = analysis_mode_from_text(*analysis).value_or(options.analysis);
     }
@@ -286,6 +288,17 @@ Status check_depths(const JobSpec& spec) {
                      "a tolerance above 0 goes without a distribution depth: what stays undecided "
                      "depends on where trees are cut, so the meshes alone decide it; leave out "
                      "depth"};
+    }
+    return Done{};
+}
+
+Status check_matching(const ClusterOptions& options) {
+    if (options.strategy == Strategy::EarliestFinish &&
+        (options.claim || options.q != ClusterOptions{}.q)) {
+        return Error{
+            ErrorCode::BadInput,
+            "q and claim are of the paper's strategies, and earliest-finish looks at "
+            "neither; leave them out, or add --strategy best-match (or [cluster] strategy)"};
     }
     return Done{};
 }

@@ -4,7 +4,7 @@
 #include "common/core/result.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/query.hpp"
-#include "proto/message.hpp"
+#include "proto/cluster_options.hpp"
 
 #include <array>
 #include <cstdint>
@@ -72,6 +72,9 @@ struct JobSpec {
 /// A tolerance above 0 fixes the distribution depths, so none may be given beside it. Errors:
 /// BadInput.
 [[nodiscard]] Status check_depths(const JobSpec& spec);
+
+/// What the strategy would not look at may not be given. Errors: BadInput.
+[[nodiscard]] Status check_matching(const ClusterOptions& options);
 
 /// Of a distribution depth: a number, or "auto", which is nothing. Errors: BadInput.
 [[nodiscard]] Result<std::optional<std::uint32_t>> parse_depth(std::string_view text);

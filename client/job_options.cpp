@@ -135,7 +135,7 @@ Status apply(const JobOptions& options, JobSpec& spec) {
     replace(spec.cluster.q, options.q);
     replace(spec.cluster.v_kb, options.v_kb);
     spec.cluster.claim = spec.cluster.claim || options.claim;
-    return Done{};
+    return check_matching(spec.cluster);
 }
 
 } // namespace

@@ -8,7 +8,7 @@
 #include "common/job/result.hpp"
 #include "common/job/statistics.hpp"
 #include "common/tree/search_cost.hpp"
-#include "proto/message.hpp"
+#include "proto/traffic.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "common/job/result.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
 
 #include <cstdint>
 #include <vector>

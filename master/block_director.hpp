@@ -4,7 +4,7 @@
 
 #include "common/core/id.hpp"
 #include "common/tree/cut.hpp"
-#include "proto/message.hpp"
+#include "proto/work_messages.hpp"
 
 #include <chrono>
 #include <compare>

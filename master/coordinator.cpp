@@ -103,6 +103,15 @@ void Coordinator::perform(const CallOff& action) {
     }
 }
 
+void Coordinator::perform(const SendHint& action) {
+    const auto link = workers_.find(action.worker);
+    const MasterJob* job = jobs_.find_running(action.job);
+    if (link != workers_.end() && job != nullptr) {
+        add_job_to(link->second, *job);
+        link->second.channel->send(Hint{action.job, action.tree, action.roots});
+    }
+}
+
 void Coordinator::perform(const GiveUp& action) {
     MasterJob* job = jobs_.find_running(action.job);
     if (job == nullptr) {

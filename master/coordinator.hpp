@@ -342,6 +342,7 @@ class Coordinator {
     void perform(const AskBack& ask);
     void perform(const GivenBack& given);
     void perform(const CallOff& loser);
+    void perform(const SendHint& hint);
 
     CoordinatorParts parts_;
     Clock::time_point started_ = Clock::now();

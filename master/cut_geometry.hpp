@@ -5,7 +5,7 @@
 #include "common/core/result.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
-#include "proto/message.hpp"
+#include "proto/work_messages.hpp"
 
 #include <cstdint>
 #include <filesystem>

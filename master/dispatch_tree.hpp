@@ -1,7 +1,7 @@
 // What the dispatcher knows of a job's tree.
 #pragma once
 
-#include "proto/message.hpp"
+#include "proto/work_messages.hpp"
 
 #include <cstdint>
 #include <vector>

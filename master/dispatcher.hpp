@@ -8,7 +8,9 @@
 #include "master/finish_estimate.hpp"
 #include "master/range_choice.hpp"
 #include "master/worker_proxy.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
+#include "proto/cluster_options.hpp"
+#include "proto/work_messages.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -83,6 +85,16 @@ struct RangeEnded {
     friend bool operator==(const RangeEnded&, const RangeEnded&) = default;
 };
 
+/// The worker will need these blocks for scenarios that wait in its buffer.
+struct SendHint {
+    WorkerId worker;
+    JobId job;
+    TreeId tree;
+    std::vector<RootIndex> roots; ///< Ascending.
+
+    friend bool operator==(const SendHint&, const SendHint&) = default;
+};
+
 /// This scenario has been lost with `limits::scenario_losses_max` workers; it fails.
 struct GiveUp {
     JobId job;
@@ -91,7 +103,8 @@ struct GiveUp {
     friend bool operator==(const GiveUp&, const GiveUp&) = default;
 };
 
-using Action = std::variant<SendBatch, GiveUp, SendRange, RangeEnded, AskBack, GivenBack, CallOff>;
+using Action =
+    std::variant<SendBatch, GiveUp, SendRange, RangeEnded, AskBack, GivenBack, CallOff, SendHint>;
 using Actions = std::vector<Action>;
 
 /// A scenario that needs a worker: it has at least one pair of colliding roots.

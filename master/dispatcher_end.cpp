@@ -289,7 +289,7 @@ bool Dispatcher::State::copy_scenario(WorkerProxy& from,
         if (limits::copy_gain_min * finish > seconds_here || cost_ns > copies_left_ns(job)) {
             return false;
         }
-        const bool fetches = hold_all(job, scenario.roots, helper).blocks != 0;
+        const bool fetches = !hold_all(job, scenario.roots, helper).is_nothing();
         const TaskId id{++task_last};
         ProxyTask content{job.id, {index}, false, cost_ns, now, fetches, 0};
         content.is_copy = true;

@@ -5,6 +5,7 @@
 #include "master/mutation.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace cd {
 
@@ -74,11 +75,14 @@ bool Dispatcher::State::allocate_one(DispatchJob& job, Actions& actions) {
     served_last = job.id;
     scenario.where = Whereabouts::Buffered;
     scenario.worker = proxy->id();
-    hold_roots(job, scenario, *proxy);
+    MissingOfJob missing = hold_roots(job, scenario, *proxy);
     proxy->add_to_buffer(job.id, index, scenario.weight);
     // By time, only a part of a buffer goes together.
     while (is_full(*proxy, job) && has_room_for_task(*proxy, job)) {
         flush(*proxy, job, actions);
+    }
+    if (job.hints() && scenario.where == Whereabouts::Buffered) {
+        hint(*proxy, job, std::move(missing), actions);
     }
     return true;
 }
@@ -121,30 +125,43 @@ void Dispatcher::State::score_candidates(const DispatchJob& job, const DispatchS
     }
 }
 
-void Dispatcher::State::hold_roots(DispatchJob& job,
-                                   DispatchScenario& scenario,
-                                   WorkerProxy& proxy) {
+MissingOfJob
+Dispatcher::State::hold_roots(DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy) {
     measure_missing(job, scenario);
-    const WorkerPool::Missing missing = hold_all(job, scenario.roots, proxy);
-    scenario.fetches = missing.blocks != 0;
-    job.missing_seconds += seconds_of(missing, proxy);
+    MissingOfJob missing = hold_all(job, scenario.roots, proxy);
+    scenario.fetches = !missing.is_nothing();
+    job.missing_seconds += seconds_of(missing.a, proxy) + seconds_of(missing.b, proxy);
+    return missing;
 }
 
-WorkerPool::Missing Dispatcher::State::hold_all(const DispatchJob& job,
-                                                const ScenarioRoots& roots,
-                                                WorkerProxy& proxy) {
-    WorkerPool::Missing missing = pool.hold(proxy, job.a.tree, roots.a);
-    missing += pool.hold(proxy, job.b.tree, roots.b);
-    if (missing.blocks != 0) {
-        proxy.add_transfer(now, seconds_of(missing, proxy));
+MissingOfJob Dispatcher::State::hold_all(const DispatchJob& job,
+                                         const ScenarioRoots& roots,
+                                         WorkerProxy& proxy) {
+    MissingOfJob missing{pool.hold(proxy, job.a.tree, roots.a),
+                         pool.hold(proxy, job.b.tree, roots.b)};
+    if (!missing.is_nothing()) {
+        proxy.add_transfer(now, seconds_of(missing.a, proxy) + seconds_of(missing.b, proxy));
     }
     return missing;
+}
+
+void Dispatcher::State::hint(const WorkerProxy& proxy,
+                             const DispatchJob& job,
+                             MissingOfJob missing,
+                             Actions& actions) {
+    const auto say = [&](TreeId tree, WorkerPool::Missing& of_tree) {
+        if (!of_tree.roots.empty()) {
+            actions.push_back(SendHint{proxy.id(), job.id, tree, std::move(of_tree.roots)});
+        }
+    };
+    say(job.a.tree, missing.a);
+    say(job.b.tree, missing.b);
 }
 
 double Dispatcher::State::seconds_of(const WorkerPool::Missing& missing,
                                      const WorkerProxy& proxy) const {
     return static_cast<double>(missing.bytes) / link_of(proxy) +
-           static_cast<double>(missing.blocks) * limits::block_seconds;
+           static_cast<double>(missing.roots.size()) * limits::block_seconds;
 }
 
 void Dispatcher::State::give_suspects(Actions& actions) {

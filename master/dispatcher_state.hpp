@@ -59,6 +59,8 @@ struct DispatchJob {
 
     [[nodiscard]] bool is_by_time() const { return options.strategy == Strategy::EarliestFinish; }
     [[nodiscard]] bool is_pulled() const { return options.strategy == Strategy::BestMatchPull; }
+    /// The strategies of the paper say nothing before a task is sent.
+    [[nodiscard]] bool hints() const { return is_by_time() && options.hints; }
 
     JobId id;
     ClusterOptions options;
@@ -90,6 +92,14 @@ struct DispatchJob {
 struct Suspect {
     JobId job;
     std::uint64_t scenario = 0;
+};
+
+/// Of both trees of a job.
+struct MissingOfJob {
+    WorkerPool::Missing a;
+    WorkerPool::Missing b;
+
+    [[nodiscard]] bool is_nothing() const { return a.roots.empty() && b.roots.empty(); }
 };
 
 /// What a worker was asked to give back, and has not answered.
@@ -133,10 +143,13 @@ struct Dispatcher::State {
     /// Who may get a scenario of the job now.
     void gather_candidates(const DispatchJob& job);
     void score_candidates(const DispatchJob& job, const DispatchScenario& scenario);
-    void hold_roots(DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy);
+    /// What it lacked.
+    MissingOfJob hold_roots(DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy);
     /// The blocks that it lacked are on their way.
-    WorkerPool::Missing
-    hold_all(const DispatchJob& job, const ScenarioRoots& roots, WorkerProxy& proxy);
+    MissingOfJob hold_all(const DispatchJob& job, const ScenarioRoots& roots, WorkerProxy& proxy);
+    /// They are for a scenario that stays in its buffer for now.
+    static void
+    hint(const WorkerProxy& proxy, const DispatchJob& job, MissingOfJob missing, Actions& actions);
     void give_suspects(Actions& actions);
     /// The worker that is being emptied for suspects; null without suspects.
     [[nodiscard]] const WorkerProxy* reserved() const;

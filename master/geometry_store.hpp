@@ -7,7 +7,7 @@
 #include "common/tree/obb_tree.hpp"
 #include "master/cut_geometry.hpp"
 #include "master/mesh_upload.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
 
 #include <cstdint>
 #include <filesystem>

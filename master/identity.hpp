@@ -3,7 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "master/token_book.hpp"
-#include "proto/message.hpp"
+#include "proto/identity_messages.hpp"
 #include "proto/tls.hpp"
 
 #include <chrono>

@@ -12,7 +12,9 @@
 #include "master/result_store.hpp"
 #include "master/submitter.hpp"
 #include "master/worker_pace.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
+#include "proto/traffic.hpp"
+#include "proto/work_messages.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -7,7 +7,8 @@
 #include "master/dispatch_tree.hpp"
 #include "master/geometry_store.hpp"
 #include "master/submitter.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
+#include "proto/work_messages.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -5,7 +5,8 @@
 #include "common/core/result.hpp"
 #include "common/job/merge.hpp"
 #include "common/job/statistics.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
+#include "proto/traffic.hpp"
 
 #include <cstdint>
 #include <optional>

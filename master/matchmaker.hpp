@@ -1,8 +1,9 @@
 // Picks the worker for a scenario (paper, section 6.5 and the strategies of section 7).
 #pragma once
 
+#include "common/core/id.hpp"
 #include "common/tree/root_holders.hpp"
-#include "proto/message.hpp"
+#include "proto/cluster_options.hpp"
 
 #include <cstdint>
 #include <optional>

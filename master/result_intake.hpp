@@ -10,7 +10,7 @@
 #include "common/job/statistics.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "master/submitter.hpp"
-#include "proto/message.hpp"
+#include "proto/work_messages.hpp"
 
 #include <memory>
 #include <optional>

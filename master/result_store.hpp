@@ -3,7 +3,7 @@
 
 #include "common/core/id.hpp"
 #include "common/core/result.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
 
 #include <cstdint>
 #include <filesystem>

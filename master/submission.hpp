@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
 
 #include <span>
 

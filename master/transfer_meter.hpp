@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/tree/cut.hpp"
-#include "proto/message.hpp"
+#include "proto/work_messages.hpp"
 
 #include <cstdint>
 #include <map>

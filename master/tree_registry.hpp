@@ -3,7 +3,7 @@
 
 #include "common/core/hash.hpp"
 #include "master/cut_geometry.hpp"
-#include "proto/message.hpp"
+#include "proto/work_messages.hpp"
 
 #include <cstdint>
 #include <map>

@@ -138,7 +138,7 @@ void WorkerPool::hold_root(WorkerProxy& proxy, PooledTree& tree, RootIndex root,
     if (tree.held.set(proxy.slot(), root)) {
         tree.coming.set(proxy.slot(), root);
         proxy.add_held(tree.triangles[root]);
-        ++missing.blocks;
+        missing.roots.push_back(root);
         missing.bytes += bytes_unit * tree.bytes_64[root];
     }
 }

@@ -42,8 +42,7 @@ class WorkerPool {
     /// The same, quicker to walk.
     [[nodiscard]] std::span<WorkerProxy* const> in_order() const { return in_order_; }
 
-    // ---- What they hold
-    // --------------------------------------------------------------------------
+    // ---- What they hold -----------------------------------------------------------------------
     /// Nothing for a tree that is here.
     void add_tree(const DispatchTree& tree);
     void remove_tree(TreeId tree);
@@ -52,14 +51,8 @@ class WorkerPool {
 
     /// Blocks that have to travel.
     struct Missing {
-        std::uint64_t blocks = 0;
+        std::vector<RootIndex> roots; ///< In the order asked.
         std::uint64_t bytes = 0;
-
-        Missing& operator+=(const Missing& other) {
-            blocks += other.blocks;
-            bytes += other.bytes;
-            return *this;
-        }
     };
     /// From now on the worker holds these; what it did not hold is coming.
     Missing hold(WorkerProxy& proxy, TreeId tree, std::span<const WeightedRoot> roots);

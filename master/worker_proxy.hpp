@@ -5,7 +5,8 @@
 #include "common/core/limits.hpp"
 #include "common/job/ordered_poses.hpp"
 #include "master/worker_pace.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
+#include "proto/cluster_options.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/core/limits.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
 
 #include <chrono>
 #include <cstdint>

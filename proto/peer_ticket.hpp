@@ -1,7 +1,8 @@
 // Tickets by which the master lets one worker fetch blocks from another, once.
 #pragma once
 
-#include "proto/message.hpp"
+#include "proto/session_messages.hpp"
+#include "proto/work_messages.hpp"
 
 #include <cstdint>
 #include <set>

@@ -3,6 +3,7 @@
 #include "common/core/check.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace cd {
@@ -18,12 +19,12 @@ void Fetcher::arrived(const SubtreeKey& key) {
     if (request == requested_.end()) {
         return;
     }
-    for (const Token token : request->second) {
+    for (const Token token : request->second.waiting) {
         if (--needs_.at(token).missing == 0) {
             ready_.push_back(token);
         }
     }
-    requested_.erase(request);
+    drop_request(request);
 }
 
 void Fetcher::finished(Token token) {
@@ -38,7 +39,7 @@ void Fetcher::finished(Token token) {
     std::erase(ready_, token);
     for (const SubtreeKey& key : need.roots) {
         if (const auto request = requested_.find(key); request != requested_.end()) {
-            request->second.erase(token);
+            request->second.waiting.erase(token);
         }
         const auto use = used_.find(key);
         CD_CHECK(use != used_.end());
@@ -52,7 +53,7 @@ void Fetcher::finished(Token token) {
 
 std::vector<SubtreeKey> Fetcher::awaited() const {
     std::vector<SubtreeKey> keys;
-    for (const auto& [key, tokens] : requested_) {
+    for (const auto& [key, request] : requested_) {
         keys.push_back(key);
     }
     return keys;
@@ -70,6 +71,7 @@ Fetcher::Step Fetcher::advance() {
         }
         queue_.pop_front();
     }
+    ask_for_hinted(step);
     step.ready = std::exchange(ready_, {});
     std::sort(step.want.begin(), step.want.end());
     return step;
@@ -101,20 +103,52 @@ void Fetcher::admit(Token token, Need& need, Step& step) {
             continue;
         }
         ++need.missing;
-        const auto [request, is_new] = requested_.try_emplace(key);
-        request->second.insert(token);
-        if (is_new) {
+        if (ask_once(key)) {
             admission.asked.push_back(key);
             step.want.push_back(key);
         }
+        requested_.at(key).waiting.insert(token);
     }
     if (need.missing == 0) {
         ready_.push_back(token);
     }
 }
 
+// After what scenarios need at once, and into what room there is beside it.
+void Fetcher::ask_for_hinted(Step& step) {
+    for (const Hinted& hinted : std::exchange(hinted_, {})) {
+        const SubtreeKey& key = hinted.key;
+        const std::uint64_t bytes = cache_.bytes() + requested_bytes_ + cache_.bytes_expected(key);
+        if (cache_.at(key) == nullptr && bytes <= cache_.bytes_max() && ask_once(key)) {
+            step.hinted.push_back(hinted);
+            step.want.push_back(key);
+        }
+    }
+}
+
+bool Fetcher::ask_once(const SubtreeKey& key) {
+    const auto [request, is_new] = requested_.try_emplace(key);
+    if (is_new) {
+        request->second.bytes = cache_.bytes_expected(key);
+        requested_bytes_ += request->second.bytes;
+    }
+    return is_new;
+}
+
+void Fetcher::drop_request(std::map<SubtreeKey, Request>::iterator request) {
+    requested_bytes_ -= request->second.bytes;
+    requested_.erase(request);
+}
+
 void Fetcher::forget_requests(TreeId tree) {
-    std::erase_if(requested_, [&](const auto& request) { return request.first.tree == tree; });
+    std::erase_if(hinted_, [&](const Hinted& hinted) { return hinted.key.tree == tree; });
+    for (auto request = requested_.begin(); request != requested_.end();) {
+        const auto next = std::next(request);
+        if (request->first.tree == tree) {
+            drop_request(request);
+        }
+        request = next;
+    }
 }
 
 } // namespace cd

@@ -1,6 +1,7 @@
 // Which scenarios wait for which subtrees, and which may run: a state machine without I/O.
 #pragma once
 
+#include "common/core/id.hpp"
 #include "worker/subtree_cache.hpp"
 
 #include <cstdint>
@@ -27,8 +28,13 @@ class Fetcher {
         std::uint64_t found = 0;       ///< Of its subtrees, in the cache.
         std::vector<SubtreeKey> asked; ///< It is the first to lack them.
     };
+    struct Hinted {
+        JobId job;
+        SubtreeKey key;
+    };
     struct Step {
         std::vector<SubtreeKey> want; ///< Ascending.
+        std::vector<Hinted> hinted;   ///< Of these, before a scenario needs them.
         std::vector<Token> ready;     ///< In the order in which they became so.
         std::vector<Admission> admitted;
     };
@@ -37,6 +43,9 @@ class Fetcher {
 
     /// `roots` are distinct and exist in the cache's trees. The token is new.
     void add(Token token, std::vector<SubtreeKey> roots);
+    /// Scenarios to come will need it. It is asked for if nothing has to leave the cache for it,
+    /// and else forgotten. The root exists in the cache's trees.
+    void hint(const Hinted& hinted) { hinted_.push_back(hinted); }
     /// The cache holds this subtree now, or has refused it as unneeded.
     void arrived(const SubtreeKey& key);
     /// The scenario needs its subtrees no longer: it has run, or is given up at whatever stage.
@@ -59,6 +68,10 @@ class Fetcher {
         std::size_t missing = 0;
         bool is_admitted = false;
     };
+    struct Request {
+        std::set<Token> waiting; ///< Possibly none.
+        std::uint64_t bytes = 0; ///< Expected.
+    };
     struct Use {
         std::uint32_t scenarios = 0;
         std::uint64_t bytes = 0; ///< As expected when first used.
@@ -66,12 +79,18 @@ class Fetcher {
 
     [[nodiscard]] bool fits(const Need& need) const;
     void admit(Token token, Need& need, Step& step);
+    void ask_for_hinted(Step& step);
+    /// False: it has been asked for before.
+    [[nodiscard]] bool ask_once(const SubtreeKey& key);
+    void drop_request(std::map<SubtreeKey, Request>::iterator request);
 
     SubtreeCache& cache_;
     std::map<Token, Need> needs_;
     std::deque<Token> queue_; ///< Not admitted; may name finished ones.
     std::map<SubtreeKey, Use> used_;
-    std::map<SubtreeKey, std::set<Token>> requested_; ///< With those who wait, possibly none.
+    std::map<SubtreeKey, Request> requested_;
+    std::uint64_t requested_bytes_ = 0;
+    std::vector<Hinted> hinted_; ///< Since the last step.
     std::uint64_t used_bytes_ = 0;
     std::size_t admitted_ = 0;
     std::vector<Token> ready_;

@@ -313,7 +313,7 @@ void Session::settle() {
         return;
     }
     const Fetcher::Step step = fetcher_.advance();
-    note_admitted(step.admitted);
+    note_asked(step);
     // First what left: the master must not take it for an answer to what is wanted now.
     send_evicted();
     send_held();

@@ -112,6 +112,7 @@ class Session : public std::enable_shared_from_this<Session> {
     Status handle(Batch& batch);
     Status handle(ScenarioRange& range);
     Status handle(Recall& recall);
+    Status handle(Hint& hint);
     Status handle(ResultsKept& kept);
     Status handle(Drain& drain);
     Status handle(Terminate& terminate);
@@ -148,7 +149,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
     void settle_soon();
     void settle();
-    void note_admitted(const std::vector<Fetcher::Admission>& admitted);
+    void note_asked(const Fetcher::Step& step);
     void send_evicted();
     void send_held();
     void send_wants(const std::vector<SubtreeKey>& want);

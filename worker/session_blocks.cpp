@@ -19,6 +19,21 @@ void Session::serve_peers() {
     });
 }
 
+Status Session::handle(Hint& hint) {
+    const PartialObbTree* const tree = cache_.find(hint.tree);
+    if (tree == nullptr || !jobs_.contains(hint.job)) {
+        return Error{ErrorCode::BadFrame, "a hint names a job or a tree that is not here"};
+    }
+    for (const RootIndex root : hint.roots) {
+        if (root >= tree->top().root_count()) {
+            return Error{ErrorCode::BadFrame, "a hint names a subtree that does not exist"};
+        }
+        fetcher_.hint({hint.job, {hint.tree, root}});
+    }
+    settle_soon();
+    return Done{};
+}
+
 asio::awaitable<void> Session::fetch_from_peers(std::shared_ptr<Session> self,
                                                 FetchFromPeers directions) {
     std::set<RootIndex> left(directions.roots.begin(), directions.roots.end());
@@ -97,8 +112,11 @@ void Session::block_opened(const SubtreeKey& key,
 
 // ---- What the master is told ------------------------------------------------------------------
 
-void Session::note_admitted(const std::vector<Fetcher::Admission>& admitted) {
-    for (const Fetcher::Admission& one : admitted) {
+void Session::note_asked(const Fetcher::Step& step) {
+    for (const Fetcher::Hinted& hinted : step.hinted) {
+        traffic_.hinted(hinted.job, hinted.key);
+    }
+    for (const Fetcher::Admission& one : step.admitted) {
         const JobId job = tasks_.at(places_.at(one.token).task).job().id;
         traffic_.found(job, one.found);
         for (const SubtreeKey& key : one.asked) {

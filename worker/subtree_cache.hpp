@@ -3,7 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "common/tree/partial_tree.hpp"
-#include "proto/message.hpp"
+#include "proto/work_messages.hpp"
 
 #include <compare>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // One task at this worker: its scenarios, how many are left, and the results not yet sent.
 #pragma once
 
-#include "proto/message.hpp"
+#include "proto/work_messages.hpp"
 #include "worker/executor.hpp"
 #include "worker/subtree_cache.hpp"
 #include "worker/walk.hpp"

@@ -1,7 +1,8 @@
 // What a worker's geometry cost its network, and for which job: counts, and nothing else.
 #pragma once
 
-#include "proto/message.hpp"
+#include "proto/traffic.hpp"
+#include "proto/work_messages.hpp"
 #include "worker/subtree_cache.hpp"
 
 #include <cstdint>

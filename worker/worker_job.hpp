@@ -3,7 +3,7 @@
 
 #include "common/job/pose_source.hpp"
 #include "common/job/query.hpp"
-#include "proto/message.hpp"
+#include "proto/work_messages.hpp"
 #include "worker/subtree_cache.hpp"
 
 #include <atomic>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/core/hash.hpp"
-#include "proto/message.hpp"
+#include "proto/work_messages.hpp"
 #include "worker/subtree_cache.hpp"
 
 #include <cstdint>

@@ -297,11 +297,13 @@ void Experiments::vary_cores(const Setting& setting, const Scene& scene, std::ui
     }
 }
 
-void Experiments::compare_ends(const Setting& setting, const Scene& scene) {
-    CsvFile csv(options_.out / "end.csv",
+void Experiments::compare_additions(const Setting& setting, const Scene& scene) {
+    CsvFile csv(options_.out / "additions.csv",
                 {"setting",
                  "scene",
                  "slow_ratio",
+                 "bits_per_second",
+                 "hints",
                  "helps",
                  "seed",
                  "seconds",
@@ -319,14 +321,22 @@ void Experiments::compare_ends(const Setting& setting, const Scene& scene) {
     for (std::uint64_t seed = 1; seed <= seeds(setting); ++seed) {
         Workload workload =
             make_workload(*scene.trace, *scene.table, {setting.costs, point.depth, 0, seed});
-        for (const double slow_ratio : {workload.slow_ratio, 10.0}) {
+        for (const auto& [slow_ratio, bytes_per_second] :
+             {std::pair(workload.slow_ratio, 125e6),
+              std::pair(10.0, 125e6),
+              std::pair(workload.slow_ratio, 12.5e6)}) {
             workload.slow_ratio = slow_ratio;
-            for (const bool helps : {false, true}) {
+            options.cluster.bytes_per_second = bytes_per_second;
+            for (const auto& [hints, helps] :
+                 {std::pair(false, false), std::pair(true, false), std::pair(true, true)}) {
+                options.dispatch.hints = hints;
                 options.helps_at_end = helps;
                 if (const auto outcome = simulate_apart(workload, options, options_.limit)) {
                     csv.row({setting.name,
                              scene.trace->name,
                              cell(slow_ratio),
+                             cell(8 * bytes_per_second),
+                             hints ? "yes" : "no",
                              helps ? "yes" : "no",
                              cell(seed),
                              cell(outcome->seconds),

@@ -86,9 +86,10 @@ class Experiments {
     /// Against the cluster (Figure 13, Table 4).
     void vary_cores(const Setting& setting, const Scene& scene, std::uint64_t count = 0);
 
-    /// How jobs matched by time end: with recalls and copies and without, on slow cores as in the
-    /// table and on some of a tenth of the speed. Rows of end.csv.
-    void compare_ends(const Setting& setting, const Scene& scene);
+    /// What hints, and recalls and copies at the end, give to jobs matched by time: on slow cores
+    /// as in the table, on some of a tenth of the speed, and on links of a tenth of the rate. Rows
+    /// of additions.csv.
+    void compare_additions(const Setting& setting, const Scene& scene);
 
     /// The rate of the pipe at which lowest takes so many seconds for all scenarios, mean of the
     /// seeds. Nothing where no rate does.

@@ -185,6 +185,11 @@ class LargeCluster {
             tell_master(to, std::move(*wanted));
         }
     }
+    void take(std::size_t to, const Hinted& hint) {
+        if (auto wanted = host(to).model.take(hint)) {
+            tell_master(to, std::move(*wanted));
+        }
+    }
     void take(std::size_t to, const BlocksSent& blocks) { host(to).unopened.push_back(blocks); }
     void take(std::size_t to, const FetchDirected& directed) {
         const PeerAsked asked{host(to).model.id(), directed.blocks};

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bench/cluster/workload.hpp"
-#include "proto/message.hpp"
+#include "proto/cluster_options.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -299,6 +299,9 @@ void MasterModel::perform(const Action& action, std::vector<Letter>& letters) {
     if (const auto* loser = std::get_if<CallOff>(&action)) {
         return post(loser->worker, CalledOff{loser->task, loser->scenario}, letters);
     }
+    if (const auto* hint = std::get_if<SendHint>(&action)) {
+        return post(hint->worker, Hinted{blocks_of(hint->tree, hint->roots)}, letters);
+    }
     if (const auto* given = std::get_if<GivenBack>(&action)) {
         counts_.recalled += given->scenarios;
         return;

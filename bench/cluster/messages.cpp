@@ -36,6 +36,7 @@ struct Overheads {
     std::uint64_t recall = on_wire(Recall{});
     std::uint64_t recalled = on_wire(Recalled{});
     std::uint64_t drop = on_wire(DropScenario{});
+    std::uint64_t hint = on_wire(Hint{});
 };
 
 const Overheads& overheads() {
@@ -73,6 +74,10 @@ std::uint64_t bytes_in(const FetchDirected& message, const Workload& /*workload*
 
 std::uint64_t bytes_in(const PeerAsked& message, const Workload& /*workload*/) {
     return overheads().asked + message.blocks.size() * sizeof(RootIndex);
+}
+
+std::uint64_t bytes_in(const Hinted& message, const Workload& /*workload*/) {
+    return overheads().hint + message.blocks.size() * sizeof(RootIndex);
 }
 
 std::uint64_t bytes_in(const AskedBack& message, const Workload& /*workload*/) {

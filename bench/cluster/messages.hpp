@@ -26,6 +26,10 @@ struct FetchDirected {
     WorkerId source;
     std::vector<BlockId> blocks; ///< Of one tree.
 };
+/// Scenarios that wait in the worker's buffer will need these.
+struct Hinted {
+    std::vector<BlockId> blocks; ///< Of one tree, ascending.
+};
 /// To give back of the task what has not begun of these.
 struct AskedBack {
     TaskId task;
@@ -45,8 +49,8 @@ struct PeerAsked {
     WorkerId asker;
     std::vector<BlockId> blocks; ///< Of one tree.
 };
-using ToWorker =
-    std::variant<BatchSent, BlocksSent, FetchDirected, PeerAsked, AskedBack, CalledOff, Ended>;
+using ToWorker = std::
+    variant<BatchSent, BlocksSent, FetchDirected, PeerAsked, Hinted, AskedBack, CalledOff, Ended>;
 
 // ---- Worker to master -----------------------------------------------------------------------
 

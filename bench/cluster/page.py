@@ -223,6 +223,28 @@ def ours_section(runs):
                  "transfer", "from peers"], rows))
 
 
+def additions_section(folder):
+    if not os.path.exists(os.path.join(folder, "additions.csv")):
+        return ""
+    rows = read(folder, "additions")
+    cases = in_order(rows, "slow_ratio"), in_order(rows, "bits_per_second")
+    lines = []
+    for slow_ratio in cases[0]:
+        for rate in cases[1]:
+            for hints, helps in (("no", "no"), ("yes", "no"), ("yes", "yes")):
+                found = select(rows, slow_ratio=slow_ratio, bits_per_second=rate, hints=hints, helps=helps)
+                if found:
+                    lines.append([fixed(1 / float(slow_ratio), 2), fixed(float(rate) / 1e9, 1), hints, helps,
+                                  with_range(found, "speedup", 2), fixed(number(found[0], "bound"), 1),
+                                  fixed(mean(found, "tail_share"), 4), fixed(mean(found, "recalled"), 0),
+                                  fixed(mean(found, "copies"), 0)])
+    return ("## What earliest-finish adds\n\nThe heavy case, unfitted, no peers: hints of what buffers will "
+            "need, and at the end recalls and copies; by the speed of the slow cores and the rate of "
+            "links.\n\n" + table(
+                ["slow cores", "Gb/s", "hints", "recalls, copies", "speed-up", "bound", "tail", "recalled",
+                 "copies"], lines))
+
+
 def memory_section(runs):
     parts = ["## Memory\n",
              "MB at the worker that holds most / at all workers together, at the end, which is the "
@@ -357,6 +379,7 @@ def main():
               "takes 261 s (a speed-up of 12) for all scenarios of the heavy case.\n")
     print(statements_section(runs))
     print(ours_section(runs))
+    print(additions_section(folder))
     print(paper_sections(runs))
     print(memory_section(runs))
     print(measured_section(runs))

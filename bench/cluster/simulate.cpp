@@ -134,7 +134,7 @@ void run_both(Experiments& experiments,
         scene.depth = experiments.vary_depth(paper_setting(), scene);
         run_paper(experiments, paper_setting(), scene);
     }
-    experiments.compare_ends(paper_setting(), scenes[0]);
+    experiments.compare_additions(paper_setting(), scenes[0]);
     CsvFile fit(out / "fit.csv", {"what", "value"});
     if (const auto rate = experiments.fit_pipe(scenes[0], paper_lowest_seconds)) {
         fit.row({"pipe, bytes a second", cell(*rate)});
@@ -151,9 +151,9 @@ void run(const ExperimentOptions& options, std::array<Scene, 2> scenes, const st
     write_whole(options.out, scenes);
     write_costs(options.out, scenes);
     Experiments experiments(options);
-    if (which == "end") {
+    if (which == "additions") {
         scenes[0].depth = scenes[0].trace->depths.front().a.depth;
-        return experiments.compare_ends(paper_setting(), scenes[0]);
+        return experiments.compare_additions(paper_setting(), scenes[0]);
     }
     if (which != "measured") {
         run_both(experiments, options.out, scenes);
@@ -181,7 +181,7 @@ int main(int argc, char** argv) {
     app.add_option("--out", options.out, "A folder for CSV files")->required();
     app.add_option("--seeds", options.seeds, "Of each point")->check(CLI::PositiveNumber);
     app.add_option("--only", which, "Of the settings")
-        ->check(CLI::IsMember({"paper", "measured", "end"}));
+        ->check(CLI::IsMember({"paper", "measured", "additions"}));
     app.add_flag("--quick", options.quick, "Few points, one seed");
     CLI11_PARSE(app, argc, argv);
     try {

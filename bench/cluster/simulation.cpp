@@ -212,6 +212,12 @@ class Simulation {
         }
     }
 
+    void take(Worker& worker, const Hinted& hint) {
+        if (auto wanted = worker.model.take(hint)) {
+            put_to_master(std::move(*wanted));
+        }
+    }
+
     /// The threads share the opening.
     void take(Worker& worker, const BlocksSent& message) {
         const std::size_t count = message.blocks.size();

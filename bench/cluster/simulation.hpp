@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/cluster/workload.hpp"
-#include "proto/message.hpp"
+#include "proto/cluster_options.hpp"
 
 #include <chrono>
 #include <cstdint>

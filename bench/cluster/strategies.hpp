@@ -1,7 +1,7 @@
 // The strategies that the experiments compare: one line each.
 #pragma once
 
-#include "proto/message.hpp"
+#include "proto/cluster_options.hpp"
 
 #include <array>
 #include <string>

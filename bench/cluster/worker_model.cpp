@@ -26,8 +26,7 @@ std::optional<BlocksWanted> WorkerModel::take(const BatchSent& batch) {
                 continue;
             }
             if (slot == Slot::Absent) {
-                slot = Slot::Wanted;
-                wanted.blocks.push_back(block);
+                want(block, wanted);
             }
             waiting_for_[block].push_back(scenario);
             ++missing;
@@ -40,6 +39,25 @@ std::optional<BlocksWanted> WorkerModel::take(const BatchSent& batch) {
     }
     std::ranges::sort(wanted.blocks);
     return wanted.blocks.empty() ? std::nullopt : std::optional(std::move(wanted));
+}
+
+std::optional<BlocksWanted> WorkerModel::take(const Hinted& hint) {
+    BlocksWanted wanted{id_, {}};
+    for (const BlockId& block : hint.blocks) {
+        const std::uint64_t bytes =
+            memory_bytes_ + wanted_bytes_ + workload_.block(block).memory_bytes;
+        const bool has_room = cache_bytes_ == 0 || bytes <= cache_bytes_;
+        if (has_room && slots_[block.tree][block.root] == Slot::Absent) {
+            want(block, wanted);
+        }
+    }
+    return wanted.blocks.empty() ? std::nullopt : std::optional(std::move(wanted));
+}
+
+void WorkerModel::want(const BlockId& block, BlocksWanted& wanted) {
+    slots_[block.tree][block.root] = Slot::Wanted;
+    wanted_bytes_ += workload_.block(block).memory_bytes;
+    wanted.blocks.push_back(block);
 }
 
 GaveBack WorkerModel::take(const AskedBack& asked) {
@@ -104,6 +122,10 @@ BlocksHeld WorkerModel::opened(const BlocksSent& message) {
         held.blocks.push_back(block);
         ++received_blocks_;
         memory_bytes_ += workload_.block(block).memory_bytes;
+        wanted_bytes_ -= workload_.block(block).memory_bytes;
+        if (cache_bytes_ != 0 && !pins_.contains(block)) {
+            set_idle(block);
+        }
         const auto waiting = waiting_for_.extract(block);
         for (const std::uint64_t scenario : waiting.mapped()) {
             if (--scenarios_.at(scenario).missing == 0) {
@@ -139,6 +161,13 @@ void WorkerModel::unpin(const BlockId& block) {
         return;
     }
     pins_.erase(block);
+    // What is dropped may leave before its blocks have come.
+    if (has(block)) {
+        set_idle(block);
+    }
+}
+
+void WorkerModel::set_idle(const BlockId& block) {
     idle_.emplace(++uses_, block);
     last_use_.emplace(block, uses_);
 }

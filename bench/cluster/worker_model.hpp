@@ -29,6 +29,8 @@ class WorkerModel {
     [[nodiscard]] WorkerId id() const { return id_; }
     /// What to ask the master for, if anything.
     std::optional<BlocksWanted> take(const BatchSent& batch);
+    /// The same, of what there is room for.
+    std::optional<BlocksWanted> take(const Hinted& hint);
     GaveBack take(const AskedBack& asked);
     /// True: it runs here, and may stop.
     [[nodiscard]] bool take(const CalledOff& loser);
@@ -75,8 +77,10 @@ class WorkerModel {
     /// It has not begun, and leaves its task.
     void drop(std::uint64_t scenario);
 
+    void want(const BlockId& block, BlocksWanted& wanted);
     void pin(const BlockId& block);
     void unpin(const BlockId& block);
+    void set_idle(const BlockId& block);
     void evict();
 
     WorkerId id_;
@@ -95,6 +99,7 @@ class WorkerModel {
     std::deque<std::uint64_t> ready_;
     std::map<TaskId, Task> tasks_;
     std::uint64_t memory_bytes_ = 0;
+    std::uint64_t wanted_bytes_ = 0; ///< Of memory, when they will be here.
     std::uint64_t received_blocks_ = 0;
 };
 

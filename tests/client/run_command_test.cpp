@@ -150,6 +150,19 @@ TEST_F(Run, AToleranceGoesWithoutDepths) {
     EXPECT_EQ(run(), exit_done);
 }
 
+TEST_F(Run, WhatTheStrategyDoesNotLookAtMayNotBeGiven) {
+    command_.job.claim = true;
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("--strategy best-match"));
+    command_.job.strategy = "lowest";
+    EXPECT_EQ(run(), exit_done);
+    command_.job.claim = false;
+    command_.job.q = 5;
+    EXPECT_EQ(run(), exit_done);
+    command_.job.strategy = "";
+    EXPECT_EQ(run(), exit_usage);
+}
+
 TEST_F(Run, EveryFirstStageHasTheSameDigest) {
     command_.job.level = "contacts";
     ASSERT_EQ(run(), exit_done);

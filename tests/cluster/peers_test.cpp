@@ -1,6 +1,7 @@
 // Proves that workers get geometry from each other, that the answer does not depend on it, and that
 // one that cannot be reached, or gives nothing, only sends the others back to the master.
 #include "tests/cluster/cluster_fixture.hpp"
+#include "tests/support/comes_true.hpp"
 
 #include <csignal>
 
@@ -39,20 +40,37 @@ TEST_F(Cluster, GeometryTravelsBetweenWorkers) {
     const JobStatus status = run(job, Query{}, everything_everywhere());
     ASSERT_EQ(status.state, JobState::Done);
     EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
-    const auto cluster = connection_->status();
-    ASSERT_TRUE(cluster);
-    const Geometry bytes = geometry_of(cluster.value());
+    // What the job tells at its end is what was sent for it; of uploads the master hears with the
+    // workers' next heartbeats.
+    const BlockTraffic& blocks = status.traffic.blocks;
+    Geometry bytes;
+    EXPECT_TRUE(comes_true([&] {
+        bytes = geometry_of(connection_->status().value());
+        return bytes.to_peers == blocks.peer_bytes;
+    })) << bytes.to_peers
+        << " of " << blocks.peer_bytes;
+    EXPECT_EQ(blocks.master_bytes, bytes.from_master);
     EXPECT_GT(bytes.from_peers, 0u);
     EXPECT_GT(bytes.to_peers, 0u);
     EXPECT_GT(bytes.from_master, 0u);
-    // What the job tells at its end is what was sent for it.
-    const BlockTraffic& blocks = status.traffic.blocks;
-    EXPECT_EQ(blocks.master_bytes, bytes.from_master);
-    EXPECT_EQ(blocks.peer_bytes, bytes.to_peers);
     EXPECT_GT(blocks.hits, 0u);
     EXPECT_GT(blocks.misses, 0u);
     EXPECT_EQ(blocks.evictions, 0u);
     EXPECT_GT(status.traffic.result_bytes, 0u);
+}
+
+TEST_F(Cluster, WorkersHearAheadWhatTheyWillNeed) {
+    const Job job = make_job(300);
+    start_worker();
+    start_worker();
+    ClusterOptions options = many_blocks();
+    options.analysis = AnalysisMode::Always;
+    for (const bool hints : {true, false}) {
+        options.hints = hints;
+        const JobStatus status = run(job, Query{}, options);
+        EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
+        EXPECT_EQ(status.traffic.blocks.hinted != 0, hints);
+    }
 }
 
 TEST_F(Cluster, WithoutPeersTheMasterGivesEverything) {

@@ -101,7 +101,7 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::DoneIsDoneAgain, "DoneIsDoneAgain", "is merged twice"},
         {Mutation::RecalledLeftAtWorker, "RecalledLeftAtWorker", "known == placed"},
         {Mutation::RecalledIsLost, "RecalledIsLost", "in_ranges[index]"},
-        {Mutation::CopyLeftAtWorker, "CopyLeftAtWorker", "unordered_map::at"},
+        {Mutation::CopyLeftAtWorker, "CopyLeftAtWorker", "known == placed"},
         {Mutation::CopyIsAlone, "CopyIsAlone", "known == placed"},
         {Mutation::EvictionIgnored, "EvictionIgnored", "or has let go"},
         {Mutation::HeldWhenSent, "HeldWhenSent", "!peer.holds.contains(block)"},

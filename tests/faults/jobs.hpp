@@ -5,7 +5,7 @@
 #include "common/job/scenario.hpp"
 #include "common/tree/contact_pair.hpp"
 #include "master/geometry_store.hpp"
-#include "proto/message.hpp"
+#include "proto/client_messages.hpp"
 
 #include <span>
 #include <vector>

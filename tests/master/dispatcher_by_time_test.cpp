@@ -25,9 +25,10 @@ constexpr std::uint64_t ms = 1'000'000;
 /// Blocks of A take 0.1 s of the link that is assumed; those of B next to nothing.
 class ByTime : public testing::Test {
   protected:
-    void open(std::uint64_t block_bytes = 12'500'000) {
+    void open(std::uint64_t block_bytes = 12'500'000, bool hints = true) {
         ClusterOptions options;
         options.strategy = Strategy::EarliestFinish;
+        options.hints = hints;
         keep(dispatcher_.job_opened(job,
                                     options,
                                     {tree_a, {100, 100, 100, 100}, std::vector(4, block_bytes)},
@@ -64,12 +65,15 @@ class ByTime : public testing::Test {
             // What is asked back at the end is not given (dispatcher_end_test.cpp).
             if (const auto* batch = std::get_if<SendBatch>(&action)) {
                 batches_.push_back(*batch);
+            } else if (const auto* hint = std::get_if<SendHint>(&action)) {
+                hints_.push_back(*hint);
             }
         }
     }
 
     Dispatcher dispatcher_;
     std::vector<SendBatch> batches_;
+    std::vector<SendHint> hints_;
     std::uint64_t next_ = 0;
 };
 
@@ -102,6 +106,28 @@ TEST_F(ByTime, BlocksUnderWayCountForWhatRemains) {
         keep(dispatcher_.worker_lost(worker_1));
         keep(dispatcher_.worker_lost(worker_2));
         dispatcher_.check_invariants();
+    }
+}
+
+TEST_F(ByTime, AWorkerHearsWhatItsBufferWillNeed) {
+    for (const bool hints : {true, false}) {
+        SCOPED_TRACE(hints);
+        hints_.clear();
+        batches_.clear();
+        open(0, hints);
+        join(worker_1);
+        feed(2, 0);
+        feed(2, 2);
+        feed(1, 0);
+        EXPECT_TRUE(batches_.empty());
+        feed(1, 1, 1000 * ms);
+        EXPECT_EQ(batches_.size(), 1u) << "what is sent at once needs no hint";
+        const std::vector<SendHint> expected = {{worker_1, job, tree_a, {0}},
+                                                {worker_1, job, tree_b, {0}},
+                                                {worker_1, job, tree_a, {2}}};
+        EXPECT_EQ(hints_, hints ? expected : std::vector<SendHint>{});
+        keep(dispatcher_.job_closed(job));
+        keep(dispatcher_.worker_lost(worker_1));
     }
 }
 
@@ -223,7 +249,9 @@ TEST_F(ByTime, BatchesGrowWhereTheyCostMoreThanTheirWork) {
         std::vector<SendBatch> batches;
         const auto keep_batches = [&](const Actions& actions) {
             for (const Action& action : actions) {
-                batches.push_back(std::get<SendBatch>(action));
+                if (const auto* batch = std::get_if<SendBatch>(&action)) {
+                    batches.push_back(*batch);
+                }
             }
         };
         for (std::uint64_t index = 0; index < 5000; ++index) {

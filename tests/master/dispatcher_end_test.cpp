@@ -221,6 +221,7 @@ class EndRun {
             act(dispatcher_.places_given(job, given.places, 0));
         }
     }
+    void perform(const SendHint& /*hint*/) {} // It is only for the cache.
     void perform(const CallOff& loser) {
         const std::size_t host = loser.worker.value - 1;
         if (has_stopped(host)) {

@@ -387,6 +387,8 @@ class Simulation {
                 recalled_ += given->scenarios;
             } else if (const auto* loser = std::get_if<CallOff>(&action)) {
                 call_off(*loser);
+            } else if (std::holds_alternative<SendHint>(action)) {
+                // It is only for the cache.
             } else {
                 take_give_up(std::get<GiveUp>(action));
             }

@@ -70,6 +70,7 @@ using Lists = std::vector<std::vector<std::uint64_t>>;
 
 ClusterOptions options_with(std::uint32_t q, bool claim) {
     ClusterOptions options;
+    options.strategy = Strategy::BestMatch;
     options.q = q;
     options.claim = claim;
     return options;

@@ -343,6 +343,7 @@ struct Reference {
         Submit submit;
         submit.name = "test";
         submit.bodies = {a.hash(), b.hash()};
+        submit.cluster.strategy = Strategy::BestMatch; // With small batches.
         submit.cluster.depth_a = 4;
         submit.cluster.depth_b = 3;
         submit.cluster.q = 5;

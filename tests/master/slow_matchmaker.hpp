@@ -2,8 +2,9 @@
 // tree (6.4.5), and a score is a sum over the roots of a scenario, worker by worker (6.5).
 #pragma once
 
+#include "common/core/id.hpp"
 #include "common/tree/cut.hpp"
-#include "proto/message.hpp"
+#include "proto/cluster_options.hpp"
 
 #include <cstdint>
 #include <map>

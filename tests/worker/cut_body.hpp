@@ -6,7 +6,7 @@
 #include "common/tree/build.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/subtree_block.hpp"
-#include "proto/message.hpp"
+#include "proto/work_messages.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <memory>

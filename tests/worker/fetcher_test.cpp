@@ -76,6 +76,50 @@ TEST(Fetcher, ScenariosDoNotWaitForEachOther) {
     EXPECT_EQ(bench.fetcher.advance().ready, Tokens{2});
 }
 
+TEST(Fetcher, WhatIsHintedIsAskedForOnceAndAfterWhatIsNeeded) {
+    Bench bench(unlimited);
+    bench.deliver({tree_a, 2});
+    bench.fetcher.hint({JobId{1}, {tree_a, 2}}); // It is here.
+    bench.fetcher.hint({JobId{1}, {tree_a, 0}}); // A scenario needs it.
+    bench.fetcher.hint({JobId{7}, {tree_a, 1}});
+    bench.fetcher.hint({JobId{1}, {tree_a, 1}});
+    bench.fetcher.add(1, {{tree_a, 0}});
+    const Fetcher::Step step = bench.fetcher.advance();
+    EXPECT_EQ(step.want, (Keys{{tree_a, 0}, {tree_a, 1}}));
+    ASSERT_EQ(step.admitted.size(), 1u);
+    EXPECT_EQ(step.admitted[0].asked, (Keys{{tree_a, 0}}));
+    ASSERT_EQ(step.hinted.size(), 1u);
+    EXPECT_EQ(step.hinted[0].key, (SubtreeKey{tree_a, 1}));
+    EXPECT_EQ(step.hinted[0].job, JobId{7});
+
+    // Whoever needs it waits for it, and does not ask again.
+    bench.fetcher.add(2, {{tree_a, 1}});
+    EXPECT_TRUE(bench.fetcher.advance().want.empty());
+    bench.deliver({tree_a, 1});
+    EXPECT_EQ(bench.fetcher.advance().ready, Tokens{2});
+    EXPECT_TRUE(bench.fetcher.advance().hinted.empty());
+}
+
+TEST(Fetcher, AHintIsForgottenWhereSomethingWouldHaveToLeave) {
+    Bench large(unlimited);
+    large.deliver({tree_a, 0});
+    Bench bench(large.cache.bytes() + large.cache.bytes_expected({tree_a, 1}));
+    bench.deliver({tree_a, 0});
+    bench.fetcher.hint({JobId{1}, {tree_a, 1}});
+    bench.fetcher.hint({JobId{1}, {tree_a, 2}}); // The one before it will take the room.
+    EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_a, 1}}));
+    bench.fetcher.add(1, {{tree_a, 2}}); // It is only a hint that needs room.
+    EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_a, 2}}));
+}
+
+TEST(Fetcher, AHintOfARemovedTreeIsForgotten) {
+    Bench bench(unlimited);
+    bench.fetcher.hint({JobId{1}, {tree_a, 0}});
+    bench.fetcher.forget_requests(tree_a);
+    bench.cache.remove_tree(tree_a);
+    EXPECT_TRUE(bench.fetcher.advance().want.empty());
+}
+
 TEST(Fetcher, WhatIsUnderWayIsNotAskedForAgain) {
     Bench bench(unlimited);
     bench.fetcher.add(1, {{tree_a, 0}, {tree_b, 0}});

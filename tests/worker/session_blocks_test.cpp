@@ -1,0 +1,113 @@
+// Proves that a session asks only for the blocks that it lacks, tells what they cost, and goes on
+// serving its connection while they wait to be opened.
+#include "tests/worker/session_stage.hpp"
+
+#include <gmock/gmock.h>
+
+#include <latch>
+
+namespace cd::tests {
+namespace {
+
+TEST(Session, ResultsTellWhatTheirJobCostTheNetwork) {
+    perform(unlimited, 2, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(0, 120);
+        master.channel->send(make_batch(TaskId{1}, std::span(scenarios).first(40)));
+        co_await master.serve_until_ended(1);
+        EXPECT_GT(master.traffic.misses, 0u);
+        EXPECT_EQ(master.traffic.misses, master.subtrees_sent);
+        const Batch again = make_batch(TaskId{2}, std::span(scenarios).first(40));
+        std::uint64_t needs = 0;
+        for (std::size_t i = 0; i < 40; ++i) {
+            const auto pairs = std::span(again.pairs)
+                                   .subspan(again.pair_offsets[i],
+                                            again.pair_offsets[i + 1] - again.pair_offsets[i]);
+            needs += roots_of_a(pairs).size() + roots_of_b(pairs).size();
+        }
+        // In a range, too, each scenario counts.
+        const std::uint64_t hits_before = master.traffic.hits;
+        master.records.clear();
+        master.channel->send(make_range(TaskId{2}, std::span(scenarios).first(40)));
+        co_await master.serve_until_ended(2);
+        EXPECT_EQ(master.traffic.hits, hits_before + needs);
+        master.channel->send(make_range(TaskId{3}, std::span(scenarios).subspan(40)));
+        co_await master.serve_until_ended(3);
+        EXPECT_EQ(master.traffic.misses, master.subtrees_sent);
+        EXPECT_EQ(master.traffic.master_bytes, master.bytes_sent);
+        EXPECT_EQ(master.traffic.peer_bytes, 0u);
+        EXPECT_EQ(master.traffic.evictions, 0u);
+    });
+}
+
+TEST(Session, WhatIsHintedComesBeforeAScenarioNeedsIt) {
+    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(0, 40);
+        const Batch batch = make_batch(TaskId{1}, scenarios);
+        const std::vector<RootIndex> roots_a = roots_of_a(batch.pairs);
+        const std::vector<RootIndex> roots_b = roots_of_b(batch.pairs);
+        master.channel->send(Hint{JobId{1}, tree_a, roots_a});
+        master.channel->send(Hint{JobId{1}, tree_b, roots_b});
+        master.channel->send(Hint{JobId{1}, tree_a, roots_a}); // Under way.
+        const std::size_t count = roots_a.size() + roots_b.size();
+        const std::function<bool()> are_asked = [&] { return master.subtrees_sent == count; };
+        co_await master.serve_until(are_asked);
+        EXPECT_EQ(master.subtrees_sent, count);
+        master.channel->send(batch);
+        co_await master.serve_until_ended(1);
+        expect_all_right(master, scenarios);
+        EXPECT_EQ(master.subtrees_sent, count);
+        EXPECT_EQ(master.traffic.hinted, count);
+        EXPECT_EQ(master.traffic.misses, 0u);
+        EXPECT_EQ(master.traffic.master_bytes, master.bytes_sent);
+    });
+}
+
+TEST(Session, EvictionsCountForTheJobWhoseTreeTheyAreOf) {
+    perform(1, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(100, 20);
+        master.channel->send(make_batch(TaskId{1}, scenarios));
+        co_await master.serve_until_ended(1);
+        EXPECT_GT(master.traffic.evictions, 0u);
+        EXPECT_LE(master.traffic.evictions, master.subtrees_evicted);
+        EXPECT_EQ(master.traffic.master_bytes, master.bytes_sent);
+    });
+}
+
+TEST(Session, TheConnectionIsServedWhileBlocksWaitForAThreadToOpenThem) {
+    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        std::latch released(1);
+        stage.executor.submit([&released] {
+            released.wait(); // The only thread opens nothing meanwhile.
+            return Executor::Continuation([] {});
+        });
+        Subtrees wrong;
+        wrong.tree = tree_a;
+        wrong.blocks = {bodies().a.blocks[0]};
+        wrong.blocks[0].hash.bytes[0] ^= std::byte{1};
+        master.channel->send(wrong);
+        master.channel->send(make_batch(TaskId{1}, make_scenarios(0, 2)));
+        // Whoever opened the block where the connection is served would complain before it read on.
+        bool wants = false;
+        while (!wants && master.complaint.empty()) {
+            Result<Message> message = co_await master.channel->receive(patience);
+            EXPECT_TRUE(message);
+            if (!message) {
+                break;
+            }
+            wants = std::holds_alternative<WantSubtrees>(message.value());
+            std::visit([&](auto& content) { master.on(content); }, message.value());
+        }
+        EXPECT_TRUE(wants);
+        EXPECT_EQ(master.complaint, "");
+        released.count_down();
+        co_await master.serve_until_ended(1);
+        EXPECT_THAT(master.complaint, testing::HasSubstr("hash"));
+    });
+}
+
+} // namespace
+} // namespace cd::tests

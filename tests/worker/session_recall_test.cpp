@@ -1,0 +1,201 @@
+// Proves that what is removed, recalled or answered elsewhere is dropped and freed where it has not
+// begun, and that all the rest is answered.
+#include "tests/worker/session_stage.hpp"
+
+#include <latch>
+#include <numeric>
+
+namespace cd::tests {
+namespace {
+
+TEST(Session, WhatWaitsForARemovedJobIsDroppedAndItsTreesStay) {
+    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(600, 400);
+        master.channel->send(make_range(TaskId{1}, scenarios));
+        master.channel->send(RemoveJob{JobId{1}});
+        master.channel->send(AddJob{JobId{1}, tree_a, tree_b, {}, {}});
+        co_await master.serve_until_ended(1);
+        EXPECT_LT(master.records.size(), scenarios.size());
+        master.records.clear();
+        master.channel->send(make_range(TaskId{2}, std::span(scenarios).first(30)));
+        co_await master.serve_until_ended(2);
+        expect_all_right(master, std::span(scenarios).first(30));
+    });
+}
+
+TEST(Session, StopHandsBackTheRestOfARange) {
+    const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(500, 3000);
+        master.channel->send(make_range(TaskId{1}, scenarios));
+        const std::function<bool()> has_begun = [&] { return master.results_messages != 0; };
+        co_await master.serve_until(has_begun);
+        stage.session->stop();
+        co_await master.serve_until_ended(2);
+        EXPECT_TRUE(master.ended.contains(TaskId{1}));
+        for (const auto& [index, record] : master.records) {
+            EXPECT_EQ(record, expected_record(scenarios[index - 500]));
+        }
+    });
+    EXPECT_EQ(how, SessionEnd::Drained);
+}
+
+TEST(Session, RemovedTreesAreFreedAndMayComeAgain) {
+    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(200, 10);
+        master.channel->send(make_batch(TaskId{1}, scenarios));
+        co_await master.serve_until_ended(1);
+        const std::size_t sent_before = master.subtrees_sent;
+        EXPECT_GT(sent_before, 0u);
+
+        master.channel->send(RemoveTree{tree_a});
+        master.channel->send(RemoveTree{tree_b});
+        master.add_job();
+        master.held.clear();
+        master.records.clear();
+        master.channel->send(make_batch(TaskId{2}, scenarios));
+        co_await master.serve_until_ended(2);
+        expect_all_right(master, scenarios);
+        EXPECT_EQ(master.subtrees_sent, 2 * sent_before) << "nothing of it was kept";
+    });
+}
+
+TEST(Session, WhatWaitsForARemovedTreeIsDroppedWithIt) {
+    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(300, 10);
+        master.channel->send(make_batch(TaskId{1}, scenarios));
+        master.channel->send(RemoveTree{tree_b});
+        // Its wants are not served: the removal comes first.
+        while (!master.ended.contains(TaskId{1})) {
+            Result<Message> message = co_await master.channel->receive(patience);
+            EXPECT_TRUE(message);
+            if (!message) {
+                break;
+            }
+            if (const auto* ended = std::get_if<EndOfTask>(&message.value())) {
+                master.on(*ended);
+            }
+        }
+        EXPECT_LT(master.records.size(), scenarios.size());
+    });
+}
+
+TEST(Session, ADroppedScenarioIsNotAnsweredAndTheOthersAre) {
+    for (const bool is_range : {false, true}) {
+        perform(unlimited, 1, [is_range](Stage& stage) -> asio::awaitable<void> {
+            FakeMaster& master = stage.master;
+            const auto scenarios = make_scenarios(0, 40);
+            master.channel->send(DropScenario{JobId{1}, 7});
+            master.channel->send(DropScenario{JobId{99}, 8}); // Of no job: nothing happens.
+            if (is_range) {
+                master.channel->send(make_range(TaskId{1}, scenarios));
+            } else {
+                master.channel->send(make_batch(TaskId{1}, scenarios));
+            }
+            co_await master.serve_until_ended(1);
+            EXPECT_EQ(master.records.size(), 39u);
+            EXPECT_FALSE(master.records.contains(7));
+        });
+    }
+}
+
+/// Nothing begins as long as the one thread is held.
+template <class Then>
+asio::awaitable<void> with_a_held_thread(Stage& stage, bool is_range, Then then) {
+    std::latch released(1);
+    stage.executor.submit([&released] {
+        released.wait();
+        return Executor::Continuation([] {});
+    });
+    const auto scenarios = make_scenarios(0, 40);
+    if (is_range) {
+        stage.master.channel->send(make_range(TaskId{1}, scenarios));
+    } else {
+        stage.master.channel->send(make_batch(TaskId{1}, scenarios));
+    }
+    Recall of_no_task;
+    of_no_task.task = TaskId{99};
+    stage.master.channel->send(of_no_task); // Nothing happens.
+    then();
+    const std::function<bool()> is_told = [&] { return !stage.master.recalled.empty(); };
+    co_await stage.master.serve_until(is_told);
+    EXPECT_TRUE(stage.master.records.empty());
+    released.count_down();
+    co_await stage.master.serve_until_ended(1);
+}
+
+TEST(Session, WhatIsRecalledAndHasNotBegunIsGivenBackAndNotAnswered) {
+    for (const bool is_range : {false, true}) {
+        perform(unlimited, 1, [is_range](Stage& stage) -> asio::awaitable<void> {
+            FakeMaster& master = stage.master;
+            std::vector<std::uint64_t> wanted(20);
+            std::iota(wanted.begin(), wanted.end(), 10);
+            const auto ask = [&] { master.channel->send(Recall{TaskId{1}, wanted, 10}); };
+            co_await with_a_held_thread(stage, is_range, ask);
+            EXPECT_EQ(master.recalled.size(), 1u);
+            EXPECT_EQ(master.recalled[0].task, TaskId{1});
+            EXPECT_EQ(master.recalled[0].scenarios,
+                      is_range ? std::vector<std::uint64_t>{} : wanted);
+            EXPECT_EQ(master.recalled[0].places, is_range ? 10u : 0u);
+            EXPECT_EQ(master.records.size(), is_range ? 10u : 20u);
+            EXPECT_TRUE(master.records.contains(9));
+            EXPECT_FALSE(master.records.contains(10));
+        });
+    }
+}
+
+TEST(Session, WhatAnotherWorkerHasAnsweredIsDroppedInItsTaskAlone) {
+    for (const bool is_range : {false, true}) {
+        perform(unlimited, 1, [is_range](Stage& stage) -> asio::awaitable<void> {
+            FakeMaster& master = stage.master;
+            const auto drop = [&] {
+                master.channel->send(DropScenario{JobId{1}, 7, TaskId{1}});
+                master.channel->send(DropScenario{JobId{1}, 8, TaskId{99}});
+                master.channel->send(Recall{TaskId{1}, {}, 40});
+            };
+            co_await with_a_held_thread(stage, is_range, drop);
+            EXPECT_EQ(master.records.size(), 39u);
+            EXPECT_FALSE(master.records.contains(7));
+            master.channel->send(make_batch(TaskId{2}, make_scenarios(7, 1)));
+            co_await master.serve_until_ended(2);
+            EXPECT_TRUE(master.records.contains(7)) << "in another task it is done";
+        });
+    }
+}
+
+/// What it was asked for then goes at once, since no scenario needs it and the cache is full.
+TEST(Session, WhatCameForWhatWasGivenBackIsAskedForAgain) {
+    perform(1, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        std::uint64_t index = 0;
+        while (make_batch(TaskId{1}, make_scenarios(index, 1)).pairs.empty()) {
+            ++index; // Until it needs blocks.
+        }
+        const auto scenarios = make_scenarios(index, 1);
+        Recall recall;
+        recall.task = TaskId{1};
+        recall.scenarios.push_back(index);
+        master.channel->send(make_batch(TaskId{1}, scenarios));
+        while (master.ended.empty()) {
+            Result<Message> message = co_await master.channel->receive(patience);
+            EXPECT_TRUE(message);
+            if (!message) {
+                co_return;
+            }
+            if (std::holds_alternative<WantSubtrees>(message.value())) {
+                master.channel->send(recall); // It is there before the blocks.
+            }
+            std::visit([&](auto& content) { master.on(content); }, message.value());
+        }
+        EXPECT_TRUE(master.records.empty());
+        master.channel->send(make_batch(TaskId{2}, scenarios));
+        co_await master.serve_until_ended(2);
+        EXPECT_EQ(master.records.size(), 1u);
+    });
+}
+
+} // namespace
+} // namespace cd::tests
