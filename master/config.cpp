@@ -53,6 +53,7 @@ double seconds(FailureTimes::Duration time) {
 /// What CLI11 reads as text and this file gives a meaning.
 struct Texts {
     std::string listen = "127.0.0.1:7600";
+    std::string http;
     std::string state = state_folder().string();
     std::string certificate_life = "7d";
     double heartbeat_seconds = seconds(FailureTimes().heartbeat);
@@ -90,6 +91,8 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
     option(app.add_option("--listen", texts.listen, "Where workers and clients connect"),
            "HOST:PORT")
         ->capture_default_str();
+    option(app.add_option("--http", texts.http, "Serve /healthz, /readyz and /metrics there"),
+           "HOST:PORT");
     option(app.add_option("--state",
                           texts.state,
                           "Folder of all that outlives the master: meshes, jobs, results"),
@@ -175,6 +178,13 @@ MasterCommandLine parse_master_command_line(int count, const char* const* argume
     const Result<Endpoint> endpoint = parse_endpoint(texts.listen);
     if (!endpoint) {
         return {std::nullopt, "cdmaster: --listen: " + endpoint.error().detail + "\n", 2};
+    }
+    if (!texts.http.empty()) {
+        const Result<Endpoint> http = parse_endpoint(texts.http);
+        if (!http) {
+            return {std::nullopt, "cdmaster: --http: " + http.error().detail + "\n", 2};
+        }
+        config.http = http.value();
     }
     const Result<std::chrono::seconds> life = parse_duration(texts.certificate_life);
     if (!life || life.value() < limits::certificate_life_min) {

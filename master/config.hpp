@@ -21,8 +21,9 @@ struct MasterConfig {
     bool check = false;   ///< Look through the state instead of serving.
     bool no_sync = false; ///< For a state that need not survive a loss of power.
     std::string log_level = "info";
-    std::string port_file; ///< Gets the port, for scripts. Empty: none.
-    bool init = false;     ///< Make an identity in the state, and end.
+    std::string port_file;        ///< Gets the port, for scripts. Empty: none.
+    std::optional<Endpoint> http; ///< Where the pages for machines are.
+    bool init = false;            ///< Make an identity in the state, and end.
     std::chrono::seconds certificate_life = limits::certificate_life;
     FailureTimes times;
 };

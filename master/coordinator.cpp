@@ -86,7 +86,7 @@ void Coordinator::perform(const SendBatch& action) {
     link->second.channel->send(batch);
     RunningTask task{action.worker, std::move(content)};
     task.is_copy = action.is_copy;
-    job->copies += action.is_copy ? action.scenarios.size() : 0;
+    job->help.copies += action.is_copy ? action.scenarios.size() : 0;
     tasks_.emplace(action.task, std::move(task));
     note_work(action.worker);
 }

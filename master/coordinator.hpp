@@ -137,6 +137,8 @@ class Coordinator {
     /// Errors: NotFound; Refused for a job that is not done.
     [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);
     [[nodiscard]] ClusterStatus cluster_status();
+    /// Why nothing can be accepted or acknowledged now; empty: it can.
+    [[nodiscard]] const std::string& paused() const { return paused_; }
 
     /// Aborts when an invariant is broken; for tests, between two events.
     void check_invariants() const;

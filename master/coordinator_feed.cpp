@@ -160,7 +160,7 @@ void Coordinator::perform(const SendRange& action) {
     const GivenPlaces given =
         is_copy ? GivenPlaces{action.places, tasks_.at(action.copy_of).content->range->window}
                 : job->take_given(action.places);
-    job->copies += is_copy ? action.places.count : 0;
+    job->help.copies += is_copy ? action.places.count : 0;
     auto content = std::make_shared<TaskContent>();
     content->job = job->id;
     content->material = job->material;
@@ -198,7 +198,7 @@ void Coordinator::perform(const GivenBack& action) {
     if (task == tasks_.end() || job == nullptr) {
         return;
     }
-    job->recalled += action.scenarios + action.places.count;
+    job->help.recalled += action.scenarios + action.places.count;
     if (action.places.count == 0) {
         return;
     }

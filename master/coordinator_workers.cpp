@@ -200,10 +200,10 @@ void Coordinator::results_taken(WorkerId worker,
         merge(*job, std::move(taken.value()), worker);
         if (const auto running = tasks_.find(results.task);
             running != tasks_.end() && running->second.is_copy) {
-            job->copies_won += job->merger.summary().merged() - merged_before;
+            job->help.copies_won += job->merger.summary().merged() - merged_before;
         }
         for (const std::uint64_t scenario : scenarios) {
-            if (job->copies != 0) {
+            if (job->help.copies != 0) {
                 call_off_places(*job, worker, scenario);
             }
         }

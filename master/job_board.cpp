@@ -22,6 +22,7 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       statistics(recovered.progress.statistics),
       compute_seconds(recovered.progress.compute_seconds),
       traffic(recovered.progress.traffic),
+      help(recovered.progress.help),
       depth_a(recovered.progress.depth_a),
       depth_b(recovered.progress.depth_b),
       map(std::move(recovered.map)) {}
@@ -49,6 +50,7 @@ JobProgress MasterJob::progress(Clock::time_point now) const {
             statistics,
             compute_seconds,
             traffic,
+            help,
             depth_a,
             depth_b,
             map.withdrawn()};
@@ -75,9 +77,9 @@ JobStatus MasterJob::status(Clock::time_point now) const {
     status.statistics = statistics;
     status.compute_seconds = compute_seconds;
     status.doubted = doubted.size();
-    status.recalled = recalled;
-    status.copies = copies;
-    status.copies_won = copies_won;
+    status.recalled = help.recalled;
+    status.copies = help.copies;
+    status.copies_won = help.copies_won;
     status.traffic = traffic;
     status.depth_a = depth_a;
     status.depth_b = depth_b;

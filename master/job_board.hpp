@@ -94,11 +94,8 @@ struct MasterJob {
     std::uint64_t answered_by_master = 0;
     JobStatistics statistics;
     double compute_seconds = 0;
-    // Scenarios at its end:
-    std::uint64_t recalled = 0;
-    std::uint64_t copies = 0;
-    std::uint64_t copies_won = 0;
     JobTraffic traffic;
+    HelpAtEnd help;
     // Where its trees are cut, once they are.
     std::optional<std::uint32_t> depth_a;
     std::optional<std::uint32_t> depth_b;

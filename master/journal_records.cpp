@@ -150,6 +150,20 @@ JobTraffic get_traffic(ByteReader& in) {
     return traffic;
 }
 
+void put_help(ByteWriter& out, const HelpAtEnd& help) {
+    out.put(help.recalled);
+    out.put(help.copies);
+    out.put(help.copies_won);
+}
+
+HelpAtEnd get_help(ByteReader& in) {
+    HelpAtEnd help;
+    help.recalled = in.get<std::uint64_t>();
+    help.copies = in.get<std::uint64_t>();
+    help.copies_won = in.get<std::uint64_t>();
+    return help;
+}
+
 void put_row(ByteWriter& out, const ResultRow& row, std::uint64_t before) {
     put_varint(out, zigzag(static_cast<std::int64_t>(row.scenario - before)));
     put_varint(out, row.length);
@@ -234,6 +248,7 @@ Bytes encode_progress(const JobProgress& progress) {
     put_statistics(out, progress.statistics);
     out.put(progress.compute_seconds);
     put_traffic(out, progress.traffic);
+    put_help(out, progress.help);
     put_depth(out, progress.depth_a);
     put_depth(out, progress.depth_b);
     out.put_text(progress.map_withdrawn);
@@ -248,6 +263,7 @@ Result<JobProgress> decode_progress(std::span<const std::byte> bytes) {
     progress.statistics = get_statistics(in);
     progress.compute_seconds = in.get<double>();
     progress.traffic = get_traffic(in);
+    progress.help = get_help(in);
     progress.depth_a = get_depth(in);
     progress.depth_b = get_depth(in);
     progress.map_withdrawn = in.get_text();

@@ -22,6 +22,15 @@ struct JobRecord {
     Submit submit;
 };
 
+/// Of scenarios at a job's end (ARCHITECTURE.md, how a job ends).
+struct HelpAtEnd {
+    std::uint64_t recalled = 0;   ///< Given back by workers that had not begun them.
+    std::uint64_t copies = 0;     ///< Sent to a second worker, beside the first,
+    std::uint64_t copies_won = 0; ///< and answered by that one first.
+
+    friend bool operator==(const HelpAtEnd&, const HelpAtEnd&) = default;
+};
+
 /// What a status tells of a job beside its results.
 struct JobProgress {
     double seconds = 0; ///< That it has run, in all lives of the master.
@@ -29,6 +38,7 @@ struct JobProgress {
     JobStatistics statistics;
     double compute_seconds = 0;
     JobTraffic traffic;
+    HelpAtEnd help;
     std::optional<std::uint32_t> depth_a;
     std::optional<std::uint32_t> depth_b;
     std::string map_withdrawn; ///< Why the job's map is not to be used; else empty.

@@ -5,6 +5,7 @@
 #include "common/core/thread_pool.hpp"
 #include "master/coordinator.hpp"
 #include "master/geometry_store.hpp"
+#include "master/http_front.hpp"
 #include "master/identity.hpp"
 #include "master/server.hpp"
 #include "proto/signals.hpp"
@@ -58,6 +59,19 @@ keep_valid(MasterIdentity& identity, asio::steady_timer& pause, const bool& stop
             spdlog::error("certificate not renewed: error=\"{}\"", valid.error().detail);
         }
     }
+}
+
+/// Null where none is asked for.
+Result<std::unique_ptr<HttpFront>>
+listen_http(const MasterConfig& config, Coordinator& coordinator, MasterIdentity* identity) {
+    if (!config.http) {
+        return std::unique_ptr<HttpFront>();
+    }
+    if (Status exposed = check_exposure(*config.http, {identity != nullptr, config.insecure, true});
+        !exposed) {
+        return exposed.error();
+    }
+    return HttpFront::listen(coordinator.executor(), *config.http, coordinator, identity);
 }
 
 } // namespace
@@ -126,6 +140,10 @@ Status run_master(const MasterConfig& config) {
         return server.error();
     }
     const std::uint16_t port = server.value()->port();
+    const auto http = listen_http(config, coordinator, identity.value().get());
+    if (!http) {
+        return http.error();
+    }
     bool stopping = false;
     asio::steady_timer renewal(context);
     if (secured) {
@@ -135,6 +153,9 @@ Status run_master(const MasterConfig& config) {
         stopping = true;
         renewal.cancel();
         server.value()->close();
+        if (http.value() != nullptr) {
+            http.value()->close();
+        }
         signals.cancel();
     });
     // Who waits for the file may send a signal as soon as it is there.
@@ -144,6 +165,10 @@ Status run_master(const MasterConfig& config) {
         }
     }
     server.value()->start();
+    if (http.value() != nullptr) {
+        http.value()->start();
+        spdlog::info("http listening: host={} port={}", config.http->host, http.value()->port());
+    }
     spdlog::info("listening: host={} port={} state={} tls={}",
                  config.listen.host,
                  port,

@@ -90,7 +90,7 @@ struct JobStatus {
     std::string paused; ///< Why it waits; empty: it does not.
     std::vector<LongScenario> long_scenarios;
     std::uint64_t doubted = 0; ///< Results of a quarantined worker that are being computed again.
-    // Of scenarios at its end, since this master started:
+    // Of scenarios at its end:
     std::uint64_t recalled = 0;   ///< Given back by workers that had not begun them.
     std::uint64_t copies = 0;     ///< Sent to a second worker, beside the first,
     std::uint64_t copies_won = 0; ///< and answered by that one first.

@@ -106,6 +106,7 @@ AddResults results_of(JobId job,
     }
     add.progress.answered_by_master = first + count;
     add.progress.traffic = {{1, 2, 3, 4, 5, 6}, 7};
+    add.progress.help = {8, 9, 10};
     add.progress.depth_b = 8;
     return add;
 }
@@ -144,6 +145,7 @@ TEST(Journal, WhatItSaidIsWrittenComesBack) {
     EXPECT_EQ(job.merger.summary().failed, 350u);
     EXPECT_EQ(job.progress.answered_by_master, 50u);
     EXPECT_EQ(job.progress.traffic, (JobTraffic{{1, 2, 3, 4, 5, 6}, 7}));
+    EXPECT_EQ(job.progress.help, (HelpAtEnd{8, 9, 10}));
     EXPECT_EQ(job.progress.depth_a, std::nullopt);
     EXPECT_EQ(job.progress.depth_b, 8u);
     EXPECT_EQ(job.results->count(), 350u);

@@ -1,0 +1,186 @@
+// Proves that whatever workers do, the digest is that of the same scenarios without a cluster: they
+// die, forget, lie, take too long or send what is none.
+#include "tests/master/master_stage.hpp"
+
+namespace cd::tests {
+namespace {
+
+TEST(Server, RangesOfAWorkerThatDiesOrForgetsAreAnalysedAndDoneByAnother) {
+    for (const FakeWorker::Habits habits :
+         {FakeWorker::Habits{.dies_at_range = 2}, FakeWorker::Habits{.forgets_one = true}}) {
+        Master master;
+        FakeWorker bad(master, habits);
+        Client client(master);
+        Submit submit = reference().submission();
+        submit.cluster.analysis = AnalysisMode::Never;
+        client.start(submit);
+        master.run_until([&] { return bad.ranges >= 2; });
+        FakeWorker other(master, {});
+        master.run_until([&] { return client.done; });
+        expect_right(client);
+        EXPECT_GT(bad.batches + other.batches, 0u);
+    }
+}
+
+TEST(Server, AWorkerThatDiesHasItsScenariosDoneByAnother) {
+    Master master;
+    FakeWorker mortal(master, {.dies_at_batch = 2});
+    FakeWorker other(master, {});
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+    EXPECT_TRUE(mortal.ended);
+}
+
+TEST(Server, RepeatedAndForgottenAnswersDoNoHarm) {
+    Master master;
+    FakeWorker twice(master, {.answers_twice = true, .forgets_one = true});
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+}
+
+TEST(Server, OfResultsThatDifferTheRightOneStaysAndTheWorkerIsQuarantined) {
+    for (const FakeWorker::Habits habits :
+         {FakeWorker::Habits{.lies_first = true}, FakeWorker::Habits{.lies_second = true}}) {
+        Master master;
+        FakeWorker liar(master, habits);
+        Client client(master);
+        client.start(reference().submission());
+        master.run_until([&] {
+            const ClusterStatus status = master.coordinator.cluster_status();
+            return status.workers.size() == 1 && status.workers[0].quarantined;
+        });
+        EXPECT_FALSE(master.coordinator.cluster_status().alarms.empty());
+        FakeWorker good(master, {});
+        master.run_until([&] { return client.done; });
+        expect_right(client);
+    }
+}
+
+TEST(Server, AfterAnAlarmWhatElseTheWorkerHasAnsweredIsDoneAgain) {
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        Master master;
+        FakeWorker liar(master, {.lies_first = true, .lies_alone = 3});
+        Client client(master);
+        Submit submit = reference().submission();
+        submit.cluster.analysis = mode;
+        client.start(submit);
+        master.run_until([&] {
+            const ClusterStatus status = master.coordinator.cluster_status();
+            return status.workers.size() == 1 && status.workers[0].quarantined;
+        });
+        const ClusterStatus status = master.coordinator.cluster_status();
+        EXPECT_GT(status.jobs.at(0).doubted, 0u);
+        EXPECT_GT(status.alarm_count, 0u);
+        EXPECT_EQ(status.jobs.at(0).state, JobState::Running);
+        FakeWorker good(master, {});
+        master.run_until([&] { return client.done; });
+        expect_right(client);
+        EXPECT_EQ(client.statuses.back().doubted, 0u);
+    }
+}
+
+/// A scenario that a worker has to answer.
+std::uint64_t scenario_with_contact() {
+    const Reference& all = reference();
+    ThreadPool pool(2);
+    const ObbTree a = build_tree(share(all.a), {}, pool);
+    const ObbTree b = build_tree(share(all.b), {}, pool);
+    for (const Scenario& scenario : all.scenarios) {
+        if (run_scenario(a, b, scenario, {}).result.pair_count != 0) {
+            return scenario.index;
+        }
+    }
+    return 0;
+}
+
+TEST(Server, AScenarioThatTakesItsWorkersDownFailsAndTheJobGoesOn) {
+    const std::uint64_t deadly = scenario_with_contact();
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        Master master;
+        Client client(master);
+        Submit submit = reference().submission();
+        submit.cluster.analysis = mode;
+        client.start(submit);
+        std::vector<std::unique_ptr<FakeWorker>> workers;
+        master.run_until([&] {
+            if (workers.empty() || workers.back()->ended) {
+                workers.push_back(
+                    std::make_unique<FakeWorker>(master, FakeWorker::Habits{.dies_of = deadly}));
+            }
+            return client.done;
+        });
+        const JobStatus& last = client.statuses.back();
+        EXPECT_EQ(last.state, JobState::Done) << last.failure;
+        EXPECT_EQ(last.summary.failed, 1u);
+        EXPECT_EQ(last.summary.merged(), reference().scenarios.size());
+        EXPECT_LE(workers.size(), limits::scenario_losses_max + 2u);
+    }
+}
+
+TEST(Server, AScenarioThatTakesLongIsShownWithItsWorker) {
+    Master master;
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.job.has_value(); });
+    FakeWorker worker(master, {});
+    master.run_until([&] { return master.coordinator.cluster_status().workers.size() == 1; });
+    const WorkerId id = master.coordinator.cluster_status().workers[0].worker;
+    const auto shown = [&] {
+        return master.coordinator.job_status(*client.job).value().long_scenarios;
+    };
+    master.coordinator.heartbeat_came(id, {1, 0, 1, {}, RunningScenario{*client.job, 3, 9.5}});
+    EXPECT_TRUE(shown().empty()) << "not long yet";
+    master.coordinator.heartbeat_came(id, {2, 0, 1, {}, RunningScenario{*client.job, 3, 75}});
+    ASSERT_EQ(shown().size(), 1u);
+    EXPECT_EQ(shown()[0].scenario, 3u);
+    EXPECT_EQ(shown()[0].worker, id);
+    EXPECT_EQ(shown()[0].name, "fake");
+    EXPECT_EQ(master.coordinator.cluster_status().jobs.at(0).long_scenarios.size(), 1u);
+    master.coordinator.heartbeat_came(id, {3, 0, 1, {}, {}});
+    EXPECT_TRUE(shown().empty());
+    master.run_until([&] { return client.done; });
+}
+
+TEST(Server, AScenarioMayBeCancelledAndTheJobGoesOn) {
+    const std::uint64_t scenario = scenario_with_contact();
+    Master master;
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.job && master.coordinator.analysis_input(*client.job); });
+    const auto ask = [&](const Message& message) {
+        Client other(master);
+        other.start_asking({message});
+        master.run_until([&] { return other.done; });
+        const auto* failure = std::get_if<Failure>(&other.answer->value());
+        return failure == nullptr ? std::string("fine") : failure->detail;
+    };
+    EXPECT_EQ(ask(Cancel{*client.job, scenario}), "fine");
+    EXPECT_NE(ask(Cancel{*client.job, scenario}).find("has a result"), std::string::npos);
+    EXPECT_NE(ask(Cancel{*client.job, 10'000}).find("no scenario"), std::string::npos);
+    FakeWorker worker(master, {});
+    master.run_until([&] { return client.done; });
+    EXPECT_EQ(client.statuses.back().state, JobState::Done);
+    EXPECT_EQ(client.statuses.back().summary.failed, 1u);
+    EXPECT_EQ(client.statuses.back().summary.merged(), reference().scenarios.size());
+}
+
+TEST(Server, AWorkerThatSendsRubbishOrHoldsWhatDoesNotExistIsCutOff) {
+    for (const FakeWorker::Habits habits :
+         {FakeWorker::Habits{.sends_rubbish = true}, FakeWorker::Habits{.holds_too_much = true}}) {
+        Master master;
+        FakeWorker bad(master, habits);
+        Client client(master);
+        client.start(reference().submission());
+        master.run_until([&] { return bad.ended; });
+        FakeWorker good(master, {});
+        master.run_until([&] { return client.done; });
+        expect_right(client);
+    }
+}
+
+} // namespace
+} // namespace cd::tests
