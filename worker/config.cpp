@@ -34,8 +34,8 @@ constexpr const char* help =
     "share one cache of geometry. Options may stand in the file of --config, as in\n"
     "`cache = \"4GiB\"`, and in the environment, as in CDWORKER_CACHE.\n"
     "\n"
-    "SIGINT or SIGTERM: finishes what runs, hands back the rest, and ends; a second one ends at\n"
-    "once.\n"
+    "SIGINT or SIGTERM: hands back what has not begun, finishes what runs, and ends; after\n"
+    "--drain-timeout what still runs is handed back, too. A second one ends at once.\n"
     "\n"
     "Exit codes: 0 ended as asked; 2 wrong usage; 4 no master within --connect-for; 5 refused, by\n"
     "the master, or for want of a credential; 130 ended at once by a second signal.";
@@ -53,6 +53,7 @@ struct Texts {
     std::string master = "127.0.0.1:7600";
     std::string cache = "auto";
     std::int64_t connect_for = 30;
+    std::int64_t drain_timeout = limits::drain_timeout.count();
     std::string state = (state_folder() / "worker").string();
     std::string token;
     std::string token_file;
@@ -108,6 +109,13 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
     option(app.add_option("--connect-for", texts.connect_for, "Try the first connection so long"),
            "SECONDS")
         ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000}))
+        ->capture_default_str();
+    option(app.add_option("--drain-timeout",
+                          texts.drain_timeout,
+                          "After a signal what runs may take so long; then it is handed back"),
+           "SECONDS")
+        ->check(CLI::Range(std::int64_t{0},
+                           std::int64_t{std::chrono::seconds(limits::drain_timeout_max).count()}))
         ->capture_default_str();
     app.set_config("--config", "", "A TOML file with these options")
         ->envname("CDWORKER_CONFIG")
@@ -206,6 +214,7 @@ WorkerCommandLine parse_worker_command_line(int count, const char* const* argume
     config.master = master.value();
     config.cache_bytes = cache.value();
     config.connect_for = std::chrono::seconds(texts.connect_for);
+    config.drain_timeout = std::chrono::seconds(texts.drain_timeout);
     return {std::move(config), "", 0};
 }
 

@@ -1,6 +1,7 @@
 // What cdworker is told: by its command line, CDWORKER_* in the environment, and a TOML file.
 #pragma once
 
+#include "common/core/limits_worker.hpp"
 #include "common/core/result.hpp"
 #include "proto/channel.hpp"
 #include "proto/join_token.hpp"
@@ -25,8 +26,9 @@ struct WorkerConfig {
     std::uint16_t peer_port = 0; ///< Where they get it; 0 lets the system choose.
     std::string log_level = "info";
     std::chrono::seconds connect_for{30}; ///< How long the first connection is tried.
-    std::filesystem::path state;          ///< Where the credential is.
-    std::optional<JoinToken> join;        ///< Get a credential with it, and end.
+    std::chrono::seconds drain_timeout = limits::drain_timeout;
+    std::filesystem::path state;   ///< Where the credential is.
+    std::optional<JoinToken> join; ///< Get a credential with it, and end.
 };
 
 /// A configuration; or none, with what to print instead (help on stdout, an error on stderr) and

@@ -37,6 +37,7 @@ class Daemon {
           executor_(context.get_executor(), config.threads),
           signals_(context.get_executor(), [this](unsigned count) { stop(count); }),
           pause_(context),
+          drain_timer_(context),
           backoff_(std::random_device{}()) {}
 
     asio::awaitable<void> run() {
@@ -160,6 +161,13 @@ class Daemon {
         stopping_ = true;
         if (is_connected_) {
             session_->stop();
+            drain_timer_.expires_after(config_.drain_timeout);
+            drain_timer_.async_wait([session = std::weak_ptr(session_)](const auto& error) {
+                const auto draining = session.lock();
+                if (!error && draining != nullptr) {
+                    draining->hand_back();
+                }
+            });
         } else {
             spdlog::info("ended: nothing was under way");
             context_.stop();
@@ -172,6 +180,7 @@ class Daemon {
         session_.reset(); // It has a share in the server.
         peer_server_.reset();
         keeper_->stop();
+        drain_timer_.cancel();
         signals_.cancel();
     }
 
@@ -182,6 +191,7 @@ class Daemon {
     Executor executor_;
     StopSignals signals_;
     asio::steady_timer pause_;
+    asio::steady_timer drain_timer_;
     Backoff backoff_;
     std::shared_ptr<PeerServer> peer_server_; ///< Null where others get nothing.
     std::shared_ptr<WorkerKeep> keep_ = std::make_shared<WorkerKeep>(config_.cache_bytes);

@@ -52,6 +52,12 @@ void Session::stop() {
     settle_soon();
 }
 
+void Session::hand_back() {
+    spdlog::warn("not drained in time: running={} unanswered={}", running_, unanswered());
+    abandon([](const Task&) { return true; });
+    settle_soon();
+}
+
 // ---- What the master says -------------------------------------------------------------------
 
 Status Session::handle(AddTree& add) {

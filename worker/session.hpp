@@ -78,6 +78,8 @@ class Session : public std::enable_shared_from_this<Session> {
     /// Takes no more and begins nothing more; what runs is finished and sent, the rest of each task
     /// handed back. Then `run` returns Drained.
     void stop();
+    /// After `stop`: what runs is not finished, either, but handed back.
+    void hand_back();
 
     /// Why the session was lost.
     [[nodiscard]] const std::string& reason() const { return reason_; }

@@ -121,7 +121,7 @@ void run_measured(Experiments& experiments, const Scene& scene) {
     const std::uint64_t count = 10 * scene.trace->whole.size();
     Scene best = scene;
     best.depth = experiments.vary_depth(setting, scene, count);
-    experiments.vary_rounds(setting, best, {1, 10, 100});
+    experiments.vary_rounds(setting, best, {1, 10, 30});
     experiments.vary_q(setting, best, count);
     experiments.vary_cores(setting, best, count);
 }

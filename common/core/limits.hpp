@@ -1,4 +1,4 @@
-// Every bound of the system on one page. Each limit names what it protects.
+// The bounds of the system on one page, but for limits_*.hpp beside it. Each names what it protects.
 #pragma once
 
 #include <chrono>

@@ -62,6 +62,7 @@ TEST(WorkerConfig, DefaultsAreForAMasterOnThisMachine) {
     EXPECT_EQ(line.config->threads, 0u);
     EXPECT_FALSE(line.config->insecure);
     EXPECT_FALSE(line.config->name.empty());
+    EXPECT_EQ(line.config->drain_timeout, std::chrono::seconds(25));
 }
 
 TEST(WorkerConfig, OptionsAreRead) {
@@ -81,7 +82,9 @@ TEST(WorkerConfig, OptionsAreRead) {
                                           "--log-level",
                                           "debug",
                                           "--connect-for",
-                                          "7"});
+                                          "7",
+                                          "--drain-timeout",
+                                          "9"});
     ASSERT_TRUE(line.config) << line.text;
     EXPECT_EQ(line.config->master.host, "node");
     EXPECT_EQ(line.config->threads, 3u);
@@ -92,6 +95,7 @@ TEST(WorkerConfig, OptionsAreRead) {
     EXPECT_TRUE(line.config->insecure);
     EXPECT_EQ(line.config->log_level, "debug");
     EXPECT_EQ(line.config->connect_for, std::chrono::seconds(7));
+    EXPECT_EQ(line.config->drain_timeout, std::chrono::seconds(9));
 }
 
 TEST(WorkerConfig, TheCommandLineGoesBeforeTheEnvironmentBeforeTheFile) {

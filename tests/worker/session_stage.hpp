@@ -97,7 +97,9 @@ class FakeMaster {
     }
 
     void on(const WantSubtrees& want) {
-        const CutBody& body = want.tree == tree_a ? bodies().a : bodies().b;
+        const CutBody& body = want.tree == tree_a   ? bodies().a
+                              : want.tree == tree_b ? bodies().b
+                                                    : *other_body;
         Subtrees subtrees;
         subtrees.tree = want.tree;
         for (const RootIndex root : want.roots) {
@@ -148,6 +150,7 @@ class FakeMaster {
     void on(const Heartbeat& heartbeat) {
         ++heartbeats;
         last_traffic = heartbeat.traffic;
+        last_longest = heartbeat.longest;
     }
     void on(const Drain&) { worker_drains = true; }
     void on(const Failure& failure) { complaint = failure.detail; }
@@ -167,6 +170,7 @@ class FakeMaster {
     std::optional<Standing> standing;
     std::vector<Recalled> recalled;
     bool acknowledges = true;
+    const CutBody* other_body = nullptr; ///< Of trees that are none of the two.
     std::size_t subtrees_sent = 0;
     std::size_t subtrees_evicted = 0;
     std::size_t results_messages = 0;
@@ -174,6 +178,7 @@ class FakeMaster {
     std::uint64_t bytes_sent = 0; ///< Of blocks.
     BlockTraffic traffic;         ///< As the results told.
     CacheTraffic last_traffic;    ///< As the last heartbeat did.
+    std::optional<RunningScenario> last_longest;
     bool worker_drains = false;
     std::string complaint;
     std::string end;

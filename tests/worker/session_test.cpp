@@ -122,6 +122,34 @@ TEST(Session, StopHandsBackWhatItHasNotBegun) {
     EXPECT_EQ(how, SessionEnd::Drained);
 }
 
+/// A scenario of half a million contacts that nearly touch, and so takes long.
+TEST(Session, WhatTakesTooLongIsHandedBackTooWhenItHasToEnd) {
+    const CutBody dense = cut_body(make_sphere(7), 1);
+    const auto play = [&](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        master.other_body = &dense;
+        const TreeId tree{7};
+        master.channel->send(dense.add(tree));
+        master.channel->send(AddJob{JobId{2}, tree, tree, {}, std::nullopt});
+        Batch batch;
+        batch.task = TaskId{1};
+        batch.job = JobId{2};
+        std::vector<Scenario> scenario(1);
+        batch.scenarios = pack_scenarios(scenario);
+        batch.pairs = colliding_roots(dense.top, dense.top, scenario.front().poses).value();
+        batch.pair_offsets = {0, static_cast<std::uint32_t>(batch.pairs.size())};
+        master.channel->send(batch);
+        const std::function<bool()> runs = [&] { return master.last_longest.has_value(); };
+        co_await master.serve_until(runs);
+        stage.session->stop();
+        stage.session->hand_back();
+        co_await master.serve_until_ended(2); // Until the connection ends.
+        EXPECT_TRUE(master.ended.contains(TaskId{1}));
+        EXPECT_TRUE(master.records.empty());
+    };
+    EXPECT_EQ(perform(unlimited, 1, play), SessionEnd::Drained);
+}
+
 TEST(Session, TerminateEndsAtOnce) {
     const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
         stage.master.channel->send(Terminate{"enough"});
