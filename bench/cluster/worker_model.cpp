@@ -126,12 +126,16 @@ BlocksHeld WorkerModel::opened(const BlocksSent& message) {
         if (cache_bytes_ != 0 && !pins_.contains(block)) {
             set_idle(block);
         }
-        const auto waiting = waiting_for_.extract(block);
-        for (const std::uint64_t scenario : waiting.mapped()) {
+        const auto waiting = waiting_for_.find(block);
+        if (waiting == waiting_for_.end()) {
+            continue; // It was only hinted.
+        }
+        for (const std::uint64_t scenario : waiting->second) {
             if (--scenarios_.at(scenario).missing == 0) {
                 ready_.push_back(scenario);
             }
         }
+        waiting_for_.erase(waiting);
     }
     evict();
     return held;

@@ -67,6 +67,11 @@ class InstantCluster {
                 if (const auto wanted = worker.take(*batch)) {
                     send(master_.take(*wanted));
                 }
+            } else if (const auto* hint = std::get_if<Hinted>(&letter.content)) {
+                touched_[letter.to].insert(hint->blocks.begin(), hint->blocks.end());
+                if (const auto wanted = worker.take(*hint)) {
+                    send(master_.take(*wanted));
+                }
             } else if (const auto* directed = std::get_if<FetchDirected>(&letter.content)) {
                 const WorkerModel& source = workers_[directed->source.value - 1];
                 EXPECT_TRUE(std::ranges::all_of(
@@ -193,6 +198,29 @@ TEST(ClusterModels, ResultsLeaveWithTheirTaskOrWhenTheyAreOld) {
     EXPECT_EQ(last[0].compute_seconds, 0.75);
     EXPECT_TRUE(last[0].ends_task);
     EXPECT_TRUE(worker.due(9.0, 1).empty());
+}
+
+TEST(ClusterModels, AWorkerAsksOnceForWhatItIsHinted) {
+    const Workload workload = make_synthetic_workload(2, 4);
+    const BatchSent batch{TaskId{7}, {0, 1, 2, 3}, true};
+    const auto all = WorkerModel(WorkerId{1}, workload).take(batch);
+    ASSERT_TRUE(all);
+    const Hinted hint{{all->blocks.front()}};
+    const std::uint64_t bytes = workload.block(hint.blocks.front()).memory_bytes;
+    for (const std::uint64_t cache_bytes : {std::uint64_t{0}, bytes, bytes - 1}) {
+        WorkerModel worker(WorkerId{1}, workload, cache_bytes);
+        const auto hinted = worker.take(hint);
+        EXPECT_EQ(hinted.has_value(), cache_bytes != bytes - 1) << "there has to be room";
+        EXPECT_FALSE(worker.take(hint) && hinted) << "it is under way";
+        if (hinted) {
+            EXPECT_EQ(worker.opened(BlocksSent{hinted->blocks}).blocks, hint.blocks);
+            EXPECT_FALSE(worker.take(hint)) << "it is here";
+        }
+        const auto wanted = worker.take(batch);
+        EXPECT_EQ(wanted->blocks.size(), all->blocks.size() - (hinted ? 1 : 0));
+        (void)worker.opened(BlocksSent{wanted->blocks});
+        EXPECT_EQ(worker.ready_count(), 4u);
+    }
 }
 
 TEST(ClusterModels, AWorkerGivesBackWhatItHasNotBegun) {
