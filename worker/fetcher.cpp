@@ -1,6 +1,7 @@
 #include "worker/fetcher.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/limits_worker.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -114,9 +115,14 @@ void Fetcher::admit(Token token, Need& need, Step& step) {
     }
 }
 
-// After what scenarios need at once, and into what room there is beside it.
+// What is needed at once would have to wait behind it, here and at the master.
 void Fetcher::ask_for_hinted(Step& step) {
-    for (const Hinted& hinted : std::exchange(hinted_, {})) {
+    const auto is_needed = [](const auto& request) { return !request.second.waiting.empty(); };
+    if (hinted_.empty() || std::any_of(requested_.begin(), requested_.end(), is_needed)) {
+        return;
+    }
+    for (; !hinted_.empty() && requested_bytes_ < limits::hinted_bytes_max; hinted_.pop_front()) {
+        const Hinted& hinted = hinted_.front();
         const SubtreeKey& key = hinted.key;
         const std::uint64_t bytes = cache_.bytes() + requested_bytes_ + cache_.bytes_expected(key);
         if (cache_.at(key) == nullptr && bytes <= cache_.bytes_max() && ask_once(key)) {

@@ -43,8 +43,9 @@ class Fetcher {
 
     /// `roots` are distinct and exist in the cache's trees. The token is new.
     void add(Token token, std::vector<SubtreeKey> roots);
-    /// Scenarios to come will need it. It is asked for if nothing has to leave the cache for it,
-    /// and else forgotten. The root exists in the cache's trees.
+    /// Scenarios to come will need it. It is asked for when no scenario here waits for anything
+    /// and little is under way, if nothing has to leave the cache for it; else it is forgotten.
+    /// The root exists in the cache's trees.
     void hint(const Hinted& hinted) { hinted_.push_back(hinted); }
     /// The cache holds this subtree now, or has refused it as unneeded.
     void arrived(const SubtreeKey& key);
@@ -90,7 +91,7 @@ class Fetcher {
     std::map<SubtreeKey, Use> used_;
     std::map<SubtreeKey, Request> requested_;
     std::uint64_t requested_bytes_ = 0;
-    std::vector<Hinted> hinted_; ///< Since the last step.
+    std::deque<Hinted> hinted_; ///< Not asked for.
     std::uint64_t used_bytes_ = 0;
     std::size_t admitted_ = 0;
     std::vector<Token> ready_;

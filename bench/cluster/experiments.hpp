@@ -87,9 +87,9 @@ class Experiments {
     void vary_cores(const Setting& setting, const Scene& scene, std::uint64_t count = 0);
 
     /// What hints, and recalls and copies at the end, give to jobs matched by time: on slow cores
-    /// as in the table, on some of a tenth of the speed, and on links of a tenth of the rate. Rows
-    /// of additions.csv.
-    void compare_additions(const Setting& setting, const Scene& scene);
+    /// as in the table, on some of a tenth of the speed, and on links of a tenth of the rate; at
+    /// the scene's depth. Rows of additions.csv.
+    void compare_additions(const std::vector<Setting>& settings, const Scene& scene);
 
     /// The rate of the pipe at which lowest takes so many seconds for all scenarios, mean of the
     /// seeds. Nothing where no rate does.

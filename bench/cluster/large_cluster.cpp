@@ -186,8 +186,12 @@ class LargeCluster {
         }
     }
     void take(std::size_t to, const Hinted& hint) {
-        if (auto wanted = host(to).model.take(hint)) {
-            tell_master(to, std::move(*wanted));
+        host(to).model.take(hint);
+        ask_ahead(to);
+    }
+    void ask_ahead(std::size_t number) {
+        if (auto wanted = host(number).model.ahead()) {
+            tell_master(number, std::move(*wanted));
         }
     }
     void take(std::size_t to, const BlocksSent& blocks) { host(to).unopened.push_back(blocks); }
@@ -258,6 +262,7 @@ class LargeCluster {
         if (BlocksHeld held = here.model.opened(blocks); !held.blocks.empty()) {
             tell_master(number, std::move(held));
         }
+        ask_ahead(number);
         tell_evicted(number);
         work(number);
     }

@@ -227,22 +227,20 @@ def additions_section(folder):
     if not os.path.exists(os.path.join(folder, "additions.csv")):
         return ""
     rows = read(folder, "additions")
-    cases = in_order(rows, "slow_ratio"), in_order(rows, "bits_per_second")
+    keys = ("setting", "slow_ratio", "bits_per_second", "peers", "hints", "helps")
     lines = []
-    for slow_ratio in cases[0]:
-        for rate in cases[1]:
-            for hints, helps in (("no", "no"), ("yes", "no"), ("yes", "yes")):
-                found = select(rows, slow_ratio=slow_ratio, bits_per_second=rate, hints=hints, helps=helps)
-                if found:
-                    lines.append([fixed(1 / float(slow_ratio), 2), fixed(float(rate) / 1e9, 1), hints, helps,
-                                  with_range(found, "speedup", 2), fixed(number(found[0], "bound"), 1),
-                                  fixed(mean(found, "tail_share"), 4), fixed(mean(found, "recalled"), 0),
-                                  fixed(mean(found, "copies"), 0)])
-    return ("## What earliest-finish adds\n\nThe heavy case, unfitted, no peers: hints of what buffers will "
-            "need, and at the end recalls and copies; by the speed of the slow cores and the rate of "
-            "links.\n\n" + table(
-                ["slow cores", "Gb/s", "hints", "recalls, copies", "speed-up", "bound", "tail", "recalled",
-                 "copies"], lines))
+    for case in dict.fromkeys(tuple(row[key] for key in keys) for row in rows):
+        found = select(rows, **dict(zip(keys, case)))
+        setting, slow_ratio, rate, peers, hints, helps = case
+        lines.append([setting, fixed(1 / float(slow_ratio), 2), fixed(float(rate) / 1e9, 1), peers, hints, helps,
+                      with_range(found, "speedup", 2), fixed(number(found[0], "bound"), 1),
+                      fixed(mean(found, "tail_share"), 4), fixed(mean(found, "recalled"), 0),
+                      fixed(mean(found, "copies"), 0)])
+    return (f"## What earliest-finish adds\n\nThe heavy case, depth {rows[0]['depth']}: hints of what buffers will "
+            "need, and at the end recalls and copies; by the speed of the slow cores, the rate of links, and "
+            "with geometry from workers or from the master alone.\n\n" + table(
+                ["setting", "slow cores", "Gb/s", "peers", "hints", "recalls, copies", "speed-up", "bound", "tail",
+                 "recalled", "copies"], lines))
 
 
 def memory_section(runs):

@@ -126,6 +126,12 @@ void run_measured(Experiments& experiments, const Scene& scene) {
     experiments.vary_cores(setting, best, count);
 }
 
+/// At a depth where neither the master's analysis nor the size of blocks decides all.
+void compare_additions(Experiments& experiments, Scene scene) {
+    scene.depth = 6;
+    experiments.compare_additions({paper_setting(), measured_setting()}, scene);
+}
+
 /// Without a fitted constant, and with one.
 void run_both(Experiments& experiments,
               const std::filesystem::path& out,
@@ -134,7 +140,7 @@ void run_both(Experiments& experiments,
         scene.depth = experiments.vary_depth(paper_setting(), scene);
         run_paper(experiments, paper_setting(), scene);
     }
-    experiments.compare_additions(paper_setting(), scenes[0]);
+    compare_additions(experiments, scenes[0]);
     CsvFile fit(out / "fit.csv", {"what", "value"});
     if (const auto rate = experiments.fit_pipe(scenes[0], paper_lowest_seconds)) {
         fit.row({"pipe, bytes a second", cell(*rate)});
@@ -152,8 +158,7 @@ void run(const ExperimentOptions& options, std::array<Scene, 2> scenes, const st
     write_costs(options.out, scenes);
     Experiments experiments(options);
     if (which == "additions") {
-        scenes[0].depth = scenes[0].trace->depths.front().a.depth;
-        return experiments.compare_additions(paper_setting(), scenes[0]);
+        return compare_additions(experiments, scenes[0]);
     }
     if (which != "measured") {
         run_both(experiments, options.out, scenes);

@@ -213,7 +213,11 @@ class Simulation {
     }
 
     void take(Worker& worker, const Hinted& hint) {
-        if (auto wanted = worker.model.take(hint)) {
+        worker.model.take(hint);
+        ask_ahead(worker);
+    }
+    void ask_ahead(Worker& worker) {
+        if (auto wanted = worker.model.ahead()) {
             put_to_master(std::move(*wanted));
         }
     }
@@ -294,6 +298,7 @@ class Simulation {
         if (!held.blocks.empty()) {
             put_to_master(std::move(held));
         }
+        ask_ahead(worker);
     }
 
     void run_scenario(Worker& worker, std::uint64_t scenario, ThreadTimes& times) {

@@ -1,6 +1,7 @@
 #include "bench/cluster/worker_model.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/limits_worker.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -41,9 +42,17 @@ std::optional<BlocksWanted> WorkerModel::take(const BatchSent& batch) {
     return wanted.blocks.empty() ? std::nullopt : std::optional(std::move(wanted));
 }
 
-std::optional<BlocksWanted> WorkerModel::take(const Hinted& hint) {
+void WorkerModel::take(const Hinted& hint) {
+    hinted_.insert(hinted_.end(), hint.blocks.begin(), hint.blocks.end());
+}
+
+std::optional<BlocksWanted> WorkerModel::ahead() {
     BlocksWanted wanted{id_, {}};
-    for (const BlockId& block : hint.blocks) {
+    const bool needs_some = std::ranges::any_of(
+        waiting_for_, [](const auto& waiting) { return !waiting.second.empty(); });
+    while (!needs_some && !hinted_.empty() && wanted_bytes_ < limits::hinted_bytes_max) {
+        const BlockId block = hinted_.front();
+        hinted_.pop_front();
         const std::uint64_t bytes =
             memory_bytes_ + wanted_bytes_ + workload_.block(block).memory_bytes;
         const bool has_room = cache_bytes_ == 0 || bytes <= cache_bytes_;
@@ -51,6 +60,7 @@ std::optional<BlocksWanted> WorkerModel::take(const Hinted& hint) {
             want(block, wanted);
         }
     }
+    std::ranges::sort(wanted.blocks);
     return wanted.blocks.empty() ? std::nullopt : std::optional(std::move(wanted));
 }
 

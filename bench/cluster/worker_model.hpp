@@ -29,8 +29,10 @@ class WorkerModel {
     [[nodiscard]] WorkerId id() const { return id_; }
     /// What to ask the master for, if anything.
     std::optional<BlocksWanted> take(const BatchSent& batch);
-    /// The same, of what there is room for.
-    std::optional<BlocksWanted> take(const Hinted& hint);
+    void take(const Hinted& hint);
+    /// The same, of what was hinted: when nothing is needed at once, and as the product's limits
+    /// say.
+    std::optional<BlocksWanted> ahead();
     GaveBack take(const AskedBack& asked);
     /// True: it runs here, and may stop.
     [[nodiscard]] bool take(const CalledOff& loser);
@@ -98,6 +100,7 @@ class WorkerModel {
     std::map<std::uint64_t, Waiting> scenarios_;                ///< Not yet run.
     std::deque<std::uint64_t> ready_;
     std::map<TaskId, Task> tasks_;
+    std::deque<BlockId> hinted_; ///< Not asked for.
     std::uint64_t memory_bytes_ = 0;
     std::uint64_t wanted_bytes_ = 0; ///< Of memory, when they will be here.
     std::uint64_t received_blocks_ = 0;

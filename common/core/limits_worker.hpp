@@ -2,10 +2,12 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 
 namespace cd::limits {
 
 inline constexpr std::chrono::seconds drain_timeout{25}; ///< Below the grace of what stops it.
 inline constexpr std::chrono::hours drain_timeout_max{24 * 7};
+inline constexpr std::uint64_t hinted_bytes_max = 2u << 20; ///< Under way ahead of need, unpacked.
 
 } // namespace cd::limits

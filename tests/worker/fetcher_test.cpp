@@ -76,7 +76,7 @@ TEST(Fetcher, ScenariosDoNotWaitForEachOther) {
     EXPECT_EQ(bench.fetcher.advance().ready, Tokens{2});
 }
 
-TEST(Fetcher, WhatIsHintedIsAskedForOnceAndAfterWhatIsNeeded) {
+TEST(Fetcher, WhatIsHintedIsAskedForOnceAndWhenNothingIsNeeded) {
     Bench bench(unlimited);
     bench.deliver({tree_a, 2});
     bench.fetcher.hint({JobId{1}, {tree_a, 2}}); // It is here.
@@ -84,10 +84,13 @@ TEST(Fetcher, WhatIsHintedIsAskedForOnceAndAfterWhatIsNeeded) {
     bench.fetcher.hint({JobId{7}, {tree_a, 1}});
     bench.fetcher.hint({JobId{1}, {tree_a, 1}});
     bench.fetcher.add(1, {{tree_a, 0}});
+    const Fetcher::Step needed = bench.fetcher.advance();
+    EXPECT_EQ(needed.want, (Keys{{tree_a, 0}}));
+    EXPECT_TRUE(needed.hinted.empty());
+    bench.deliver({tree_a, 0});
     const Fetcher::Step step = bench.fetcher.advance();
-    EXPECT_EQ(step.want, (Keys{{tree_a, 0}, {tree_a, 1}}));
-    ASSERT_EQ(step.admitted.size(), 1u);
-    EXPECT_EQ(step.admitted[0].asked, (Keys{{tree_a, 0}}));
+    EXPECT_EQ(step.ready, Tokens{1});
+    EXPECT_EQ(step.want, (Keys{{tree_a, 1}}));
     ASSERT_EQ(step.hinted.size(), 1u);
     EXPECT_EQ(step.hinted[0].key, (SubtreeKey{tree_a, 1}));
     EXPECT_EQ(step.hinted[0].job, JobId{7});

@@ -69,9 +69,7 @@ class InstantCluster {
                 }
             } else if (const auto* hint = std::get_if<Hinted>(&letter.content)) {
                 touched_[letter.to].insert(hint->blocks.begin(), hint->blocks.end());
-                if (const auto wanted = worker.take(*hint)) {
-                    send(master_.take(*wanted));
-                }
+                worker.take(*hint);
             } else if (const auto* directed = std::get_if<FetchDirected>(&letter.content)) {
                 const WorkerModel& source = workers_[directed->source.value - 1];
                 EXPECT_TRUE(std::ranges::all_of(
@@ -84,6 +82,9 @@ class InstantCluster {
                 EXPECT_FALSE(worker.take(*loser)) << "nothing takes any time here";
             } else {
                 send(master_.take(worker.opened(std::get<BlocksSent>(letter.content))));
+            }
+            if (const auto wanted = worker.ahead()) {
+                send(master_.take(*wanted));
             }
             work(worker);
         }
@@ -209,17 +210,20 @@ TEST(ClusterModels, AWorkerAsksOnceForWhatItIsHinted) {
     const std::uint64_t bytes = workload.block(hint.blocks.front()).memory_bytes;
     for (const std::uint64_t cache_bytes : {std::uint64_t{0}, bytes, bytes - 1}) {
         WorkerModel worker(WorkerId{1}, workload, cache_bytes);
-        const auto hinted = worker.take(hint);
+        worker.take(hint);
+        worker.take(hint);
+        const auto hinted = worker.ahead();
         EXPECT_EQ(hinted.has_value(), cache_bytes != bytes - 1) << "there has to be room";
-        EXPECT_FALSE(worker.take(hint) && hinted) << "it is under way";
         if (hinted) {
             EXPECT_EQ(worker.opened(BlocksSent{hinted->blocks}).blocks, hint.blocks);
-            EXPECT_FALSE(worker.take(hint)) << "it is here";
         }
         const auto wanted = worker.take(batch);
         EXPECT_EQ(wanted->blocks.size(), all->blocks.size() - (hinted ? 1 : 0));
+        worker.take(Hinted{{all->blocks.back()}});
+        EXPECT_FALSE(worker.ahead()) << "something is needed at once";
         (void)worker.opened(BlocksSent{wanted->blocks});
         EXPECT_EQ(worker.ready_count(), 4u);
+        EXPECT_FALSE(worker.ahead()) << "it is here";
     }
 }
 
