@@ -1,4 +1,4 @@
-// The bounds of the system on one page, but for limits_*.hpp beside it. Each names what it protects.
+// Every bound of the system; some stand in limits_*.hpp. Each names what it protects.
 #pragma once
 
 #include <chrono>
