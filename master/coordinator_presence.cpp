@@ -97,6 +97,17 @@ void Coordinator::end_earlier_sessions(std::uint64_t instance) {
         }
     }
     for (const WorkerId id : earlier) {
+        // The process lives: what it was given did not end it, and may never have come to it.
+        std::vector<TaskId> given;
+        for (const auto& [task, running] : tasks_) {
+            if (running.worker == id) {
+                given.push_back(task);
+            }
+        }
+        act(dispatcher().worker_draining(id)); // Or it would get some of it again.
+        for (const TaskId task : given) {
+            act(dispatcher().task_unbegun(id, task));
+        }
         worker_lost(id, "it has begun another session");
     }
     for (auto lost = lost_.begin(); lost != lost_.end();) {

@@ -100,6 +100,8 @@ class FakeWorker {
         bool forgets_one = false;    ///< Once, it ends a task without an answer.
         bool holds_too_much = false; ///< Roots that the tree does not have.
         bool says_what_it_holds = false;
+        bool only_takes = false;    ///< It does nothing with what it gets.
+        std::uint64_t instance = 0; ///< Of its process; 0: not known.
     };
 
     FakeWorker(Master& master, Habits habits) : master_(master), habits_(habits) {
@@ -128,6 +130,7 @@ class FakeWorker {
         hello.name = "fake";
         hello.threads = 1;
         hello.cache_bytes = 1 << 20;
+        hello.instance = habits_.instance;
         (void)co_await greet(channel_, hello);
         for (;;) {
             Result<Message> message = co_await channel_->receive(patience);
@@ -155,8 +158,10 @@ class FakeWorker {
                     channel_->close();
                     break;
                 }
-                waiting_.push_back(std::move(*batch));
-                ask();
+                if (!habits_.only_takes) {
+                    waiting_.push_back(std::move(*batch));
+                    ask();
+                }
             }
             if (ranges != 0 && ranges == habits_.dies_at_range) {
                 channel_->close();

@@ -33,6 +33,24 @@ TEST(Server, AWorkerThatDiesHasItsScenariosDoneByAnother) {
     EXPECT_TRUE(mortal.ended);
 }
 
+/// As when the master stood still while a worker connected again and again.
+TEST(Server, ConnectionsThatOneProcessHasLeftAreNoEvidenceAgainstAScenario) {
+    Master master;
+    Client client(master);
+    client.start(reference().submission());
+    {
+        std::vector<std::unique_ptr<FakeWorker>> sessions;
+        for (std::uint32_t i = 0; i <= limits::scenario_losses_max; ++i) {
+            sessions.push_back(std::make_unique<FakeWorker>(
+                master, FakeWorker::Habits{.only_takes = true, .instance = 7}));
+            master.run_until([&] { return sessions.back()->batches != 0; });
+        }
+    }
+    FakeWorker other(master, {});
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+}
+
 TEST(Server, RepeatedAndForgottenAnswersDoNoHarm) {
     Master master;
     FakeWorker twice(master, {.answers_twice = true, .forgets_one = true});
