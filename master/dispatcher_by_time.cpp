@@ -266,32 +266,40 @@ void Dispatcher::State::rebalance(Actions& actions) {
             jobs.begin(), jobs.end(), [](const auto& job) { return job.second.is_by_time(); })) {
         return;
     }
+    std::vector<Backlog> full; // A heap: the one that ends last first.
     for (WorkerProxy* proxy : pool.in_order()) {
+        add_backlog(full, *proxy);
+    }
+    for (WorkerProxy* proxy : pool.in_order()) {
+        if (full.empty()) {
+            return;
+        }
         const bool runs_dry = proxy->buffered() == 0 && runs_dry_by_time(*proxy);
         if (runs_dry && takes_by_time(*proxy) && !proxy->is_claimed()) {
-            move_towards(*proxy);
+            WorkerProxy& fullest = *full.front().worker;
+            std::pop_heap(full.begin(), full.end());
+            full.pop_back();
+            move(fullest, *proxy);
+            add_backlog(full, fullest);
             flush_ripe(*proxy, actions);
+            add_backlog(full, *proxy);
         }
     }
 }
 
-void Dispatcher::State::move_towards(WorkerProxy& proxy) {
-    WorkerProxy* fullest = nullptr;
-    double fullest_seconds = 0;
-    for (WorkerProxy* other : pool.in_order()) {
-        const double seconds = static_cast<double>(other->backlog_ns()) / power_of(*other);
-        if (other != &proxy && other->buffered() != 0 && seconds > fullest_seconds) {
-            fullest = other;
-            fullest_seconds = seconds;
-        }
+void Dispatcher::State::add_backlog(std::vector<Backlog>& full, WorkerProxy& proxy) const {
+    const double seconds = static_cast<double>(proxy.backlog_ns()) / power_of(proxy);
+    if (proxy.buffered() != 0 && seconds > 0) {
+        full.push_back({seconds, &proxy});
+        std::push_heap(full.begin(), full.end());
     }
-    if (fullest == nullptr) {
-        return;
-    }
+}
+
+void Dispatcher::State::move(WorkerProxy& from, WorkerProxy& to) {
     for (auto& [id, job] : jobs) {
         std::size_t tries = limits::moves_tried_max;
-        while (job.is_by_time() && tries-- > 0 && proxy.backlog_ns() < 2 * proxy.batch_ns() &&
-               move_one(*fullest, proxy, job)) {
+        while (job.is_by_time() && tries-- > 0 && to.backlog_ns() < 2 * to.batch_ns() &&
+               move_one(from, to, job)) {
         }
     }
 }

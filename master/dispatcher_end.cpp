@@ -7,6 +7,7 @@
 //
 // For matching by time, and for ranges; the paper's strategies hand out as the paper has it.
 #include "common/core/limits.hpp"
+#include "common/core/limits_dispatch.hpp"
 #include "master/dispatcher_state.hpp"
 #include "master/mutation.hpp"
 
@@ -74,36 +75,83 @@ void Dispatcher::State::help_at_end(Actions& actions) {
     if (!helps_at_end || !nothing_waits()) {
         return;
     }
-    std::vector<WorkerProxy*> free = helpers();
-    std::vector<std::pair<double, WorkerProxy*>> late;
-    for (WorkerProxy* proxy : pool.in_order()) {
-        if (const double seconds = free.empty() ? 0 : ends_in(*proxy);
-            seconds > limits::end_gain_seconds_min) {
-            late.emplace_back(seconds, proxy);
-        }
+    // Looking at all of a large cluster after each answer would be all that the master does.
+    const auto workers = static_cast<double>(pool.in_order().size());
+    if (now >= looked_for_help && now < looked_for_help + limits::help_seconds_each * workers) {
+        return;
     }
-    std::ranges::stable_sort(late, std::greater<>(), &std::pair<double, WorkerProxy*>::first);
-    std::size_t tries = limits::moves_tried_max;
-    for (auto& [seconds, from] : late) {
-        for (std::size_t i = 0; i < free.size() && tries != 0; --tries) {
+    looked_for_help = now;
+    std::vector<WorkerProxy*> free = helpers();
+    for (WorkerProxy* from : free.empty() ? std::vector<WorkerProxy*>{} : late_workers()) {
+        from->note_looked_at(now);
+        // The mightiest, or another one of the first few, which may have the blocks.
+        for (std::size_t i = 0; i < std::min(free.size(), limits::helpers_tried_max); ++i) {
             WorkerProxy& helper = *free[i];
             if (&helper == from || !helps(*from, helper, actions)) {
-                ++i; // Another one may have the blocks.
-            } else if (!can_help(helper)) {
+                continue;
+            }
+            if (!can_help(helper)) {
                 free.erase(free.begin() + static_cast<std::ptrdiff_t>(i));
             }
+            break;
         }
     }
 }
 
+std::vector<WorkerProxy*> Dispatcher::State::late_workers() {
+    std::vector<std::pair<double, WorkerProxy*>> late;
+    for (WorkerProxy* proxy : pool.in_order()) {
+        const double seconds = may_be_helped(*proxy) ? ends_in(*proxy) : 0;
+        if (seconds > limits::end_gain_seconds_min) {
+            late.emplace_back(seconds, proxy);
+        }
+    }
+    const std::size_t most =
+        std::max(limits::late_looked_at_min, pool.in_order().size() / limits::late_looked_at_part);
+    if (late.size() > most) {
+        std::ranges::stable_sort(
+            late, {}, [](const auto& entry) { return entry.second->looked_at(); });
+        late.resize(most);
+    }
+    std::ranges::stable_sort(late, std::greater<>(), &std::pair<double, WorkerProxy*>::first);
+    std::vector<WorkerProxy*> workers;
+    for (const auto& [seconds, proxy] : late) {
+        workers.push_back(proxy);
+    }
+    return workers;
+}
+
+bool Dispatcher::State::may_answer_recall(const WorkerProxy& proxy) const {
+    const auto asked = recalls.find(proxy.id());
+    return asked != recalls.end() && proxy.takes_work() &&
+           now - asked->second.since < limits::recall_answer_seconds;
+}
+
+bool Dispatcher::State::may_be_helped(const WorkerProxy& from) const {
+    const bool may_be_asked = !recalls.contains(from.id()) && from.takes_work();
+    return !may_answer_recall(from) &&
+           std::ranges::any_of(from.tasks(), [&](const auto& entry) {
+               const ProxyTask& task = entry.second;
+               return task.left() != 0 && !task.is_copy &&
+                      ((may_be_asked && !task.has_begun) || can_be_copied(task));
+           });
+}
+
+bool Dispatcher::State::can_be_copied(const ProxyTask& task) const {
+    if (task.is_range()) {
+        return task.places_left > task.places_copied;
+    }
+    const DispatchJob& job = jobs.at(task.job);
+    return job.is_by_time() && std::ranges::any_of(task.scenarios, [&](std::uint64_t index) {
+               return job.scenarios.at(index).may_be_copied();
+           });
+}
+
 bool Dispatcher::State::helps(WorkerProxy& from, WorkerProxy& helper, Actions& actions) {
-    const auto asked = recalls.find(from.id());
-    if (asked == recalls.end() && from.takes_work() && ask_back(from, helper, actions)) {
+    if (!recalls.contains(from.id()) && from.takes_work() && ask_back(from, helper, actions)) {
         return true;
     }
-    const bool may_answer = asked != recalls.end() && from.takes_work() &&
-                            now - asked->second.since < limits::recall_answer_seconds;
-    return !may_answer && copy(from, helper, actions);
+    return !may_answer_recall(from) && copy(from, helper, actions);
 }
 
 // ---- What has not begun ---------------------------------------------------------------------
@@ -279,8 +327,7 @@ bool Dispatcher::State::copy_scenario(WorkerProxy& from,
     for (const std::uint64_t index : std::views::reverse(from.tasks().at(task).scenarios)) {
         DispatchScenario& scenario = job.scenarios.at(index);
         const std::uint64_t cost_ns = scenario.weight.cost_ns;
-        // One that was lost may take down whoever runs it.
-        if (scenario.was_copied || scenario.losses != 0) {
+        if (!scenario.may_be_copied()) {
             seconds_here -= 1e-9 * static_cast<double>(cost_ns) / power_of(from);
             continue;
         }

@@ -28,14 +28,14 @@ DispatchJob* Dispatcher::State::find_job(JobId job) {
 void Dispatcher::State::settle(Actions& actions) {
     give_suspects(actions);
     set_batches();
-    for (auto& [id, proxy] : pool.all()) {
-        flush_ripe(proxy, actions);
+    for (WorkerProxy* proxy : pool.in_order()) {
+        flush_ripe(*proxy, actions);
     }
     while (allocate_next(actions)) {
     }
     // Only now is it known that nothing more comes for these workers.
-    for (auto& [id, proxy] : pool.all()) {
-        flush_ripe(proxy, actions);
+    for (WorkerProxy* proxy : pool.in_order()) {
+        flush_ripe(*proxy, actions);
     }
     rebalance(actions);
     give_places(actions);

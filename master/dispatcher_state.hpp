@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -41,6 +42,8 @@ struct DispatchScenario {
     bool was_copied = false;
     std::uint32_t recalls = 0; ///< How often it was given back when it was recalled.
 
+    /// One that was lost may take down whoever runs it.
+    [[nodiscard]] bool may_be_copied() const { return !was_copied && losses == 0; }
     [[nodiscard]] bool is_in(TaskId one) const {
         return where == Whereabouts::Sent && (task == one || (copy && copy->task == one));
     }
@@ -110,6 +113,18 @@ struct PendingRecall {
     double since = 0;
 };
 
+/// A worker in whose buffer something stands, and when it would be done with all that it has.
+struct Backlog {
+    double seconds = 0;
+    WorkerProxy* worker = nullptr;
+
+    /// Equals in the order of their ids, the smallest last.
+    friend bool operator<(const Backlog& one, const Backlog& other) {
+        return std::pair(one.seconds, other.worker->id()) <
+               std::pair(other.seconds, one.worker->id());
+    }
+};
+
 struct Dispatcher::State {
     WorkerPool pool;
     std::map<JobId, DispatchJob> jobs;
@@ -120,6 +135,7 @@ struct Dispatcher::State {
     /// Job that was served last; the next in order is served next.
     JobId served_last;
     bool helps_at_end = true;
+    double looked_for_help = 0; ///< The last time.
     bool input_is_paused = true;
     std::uint64_t unsent = 0;
     std::uint64_t task_last = 0;
@@ -224,7 +240,9 @@ struct Dispatcher::State {
                                                 std::span<const std::uint64_t> scenarios) const;
     /// Workers that run dry get what they would finish before those in whose buffers it is.
     void rebalance(Actions& actions);
-    void move_towards(WorkerProxy& proxy);
+    void add_backlog(std::vector<Backlog>& full, WorkerProxy& proxy) const;
+    /// What `to` would finish sooner, until it has enough.
+    void move(WorkerProxy& from, WorkerProxy& to);
     [[nodiscard]] bool move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob& job);
     [[nodiscard]] bool
     move_if_earlier(WorkerProxy& from, WorkerProxy& to, DispatchJob& job, std::uint64_t index);
@@ -238,6 +256,14 @@ struct Dispatcher::State {
     [[nodiscard]] bool can_help(const WorkerProxy& proxy) const;
     /// Seconds until it has done all that stands there.
     [[nodiscard]] double ends_in(const WorkerProxy& proxy) const;
+    /// Those that others may help, who would end last first. Of many those that were not looked at
+    /// for longest.
+    [[nodiscard]] std::vector<WorkerProxy*> late_workers();
+    /// It was asked back something, and may yet give it.
+    [[nodiscard]] bool may_answer_recall(const WorkerProxy& proxy) const;
+    /// It has something that can be asked back, or copied.
+    [[nodiscard]] bool may_be_helped(const WorkerProxy& from) const;
+    [[nodiscard]] bool can_be_copied(const ProxyTask& task) const;
     /// False: there is nothing that would be done sooner so.
     [[nodiscard]] bool helps(WorkerProxy& from, WorkerProxy& helper, Actions& actions);
     [[nodiscard]] bool ask_back(WorkerProxy& from, const WorkerProxy& helper, Actions& actions);

@@ -153,6 +153,9 @@ class WorkerProxy {
     /// When it answered last, or got something to do.
     [[nodiscard]] double progressed() const { return progressed_; }
     void note_progress(double now) { progressed_ = now; }
+    /// When it was last seen whether others can help it.
+    [[nodiscard]] double looked_at() const { return looked_at_; }
+    void note_looked_at(double now) { looked_at_ = now; }
     /// Of a task that is not here: nothing.
     void note_busy(TaskId task, double seconds);
     /// The task's scenarios are no longer of interest; the task itself lasts until it ends.
@@ -187,6 +190,7 @@ class WorkerProxy {
     double transfers_end_ = 0;
     double task_ended_ = 0; ///< The last one.
     double progressed_ = 0;
+    double looked_at_ = 0;
     double batch_seconds_ = limits::batch_seconds_start;
     std::uint64_t batch_ns_ = 0;
     bool are_long_ = false;

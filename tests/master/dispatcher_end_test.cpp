@@ -335,6 +335,48 @@ INSTANTIATE_TEST_SUITE_P(Ways,
                              return way.param == Way::Scenarios ? "Scenarios" : "Places";
                          });
 
+TEST(AtTheEndOfLargeClusters, WhoWaitsForAnAnswerKeepsNobodyElseFromHelp) {
+    constexpr std::size_t late = 100;
+    constexpr std::size_t workers = 2 * late;
+    Dispatcher dispatcher;
+    std::vector<SendBatch> given(workers + 1);
+    std::set<WorkerId> asked;
+    const auto act = [&](const Actions& actions) {
+        for (const Action& action : actions) {
+            if (const auto* batch = std::get_if<SendBatch>(&action); batch && !batch->is_copy) {
+                given[batch->worker.value] = *batch;
+            } else if (const auto* ask = std::get_if<AskBack>(&action)) {
+                asked.insert(ask->worker);
+            }
+        }
+    };
+    for (std::size_t i = 1; i <= workers; ++i) {
+        act(dispatcher.worker_joined(WorkerId{i}, {"w", 1}));
+    }
+    ClusterOptions options;
+    options.strategy = Strategy::EarliestFinish;
+    act(dispatcher.job_opened(job, options, {TreeId{1}, {1}, {}}, {TreeId{2}, {1}, {}}));
+    constexpr std::uint64_t predicted_ns = 10'000'000'000;
+    for (std::uint64_t i = 0; i < workers; ++i) {
+        act(dispatcher.scenario_analysed(job, {i, {0}, {0}, 100, predicted_ns}));
+    }
+    act(dispatcher.input_paused());
+    // Each has one. The second half is done with it; the others answer nothing, not even a recall.
+    dispatcher.time_is(1);
+    for (std::size_t i = late + 1; i <= workers; ++i) {
+        ASSERT_EQ(given[i].scenarios.size(), 1u) << i;
+        dispatcher.work_measured(WorkerId{i}, {given[i].task, predicted_ns, 1});
+        act(dispatcher.scenario_answered(WorkerId{i}, job, given[i].scenarios.front()));
+        act(dispatcher.task_ended(WorkerId{i}, given[i].task));
+    }
+    // The others are not measured, so they are late.
+    for (double now = 3; now < 3.1; now += 0.01) {
+        dispatcher.time_is(now);
+        act(dispatcher.input_paused());
+    }
+    EXPECT_EQ(asked.size(), late);
+}
+
 TEST(AtTheEndOfPaperModes, NothingIsAskedBackOrCopied) {
     for (const Strategy strategy :
          {Strategy::BestMatch, Strategy::BestMatchLoad, Strategy::Random, Strategy::Lowest}) {

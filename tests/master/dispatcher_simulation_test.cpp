@@ -550,7 +550,7 @@ TEST(DispatcherSimulation, EveryScenarioComesToExactlyOneEnd) {
     EXPECT_GT(losses, seeds * 3);
     EXPECT_GT(gave_up, seeds / 10);
     EXPECT_GT(recalled, seeds / 10);
-    EXPECT_GT(copies, seeds / 20);
+    EXPECT_GT(copies, seeds / 30);
 }
 
 TEST(DispatcherSimulation, NoticesWhatIsDropped) {
