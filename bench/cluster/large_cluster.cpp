@@ -81,8 +81,9 @@ class LargeCluster {
 
         WorkerModel model;
         double speed = 1;
-        std::deque<BlocksSent> unopened;
         bool is_busy = false;
+        double ends = 0;         ///< The scenario that it does.
+        double opened_until = 0; ///< Its blocks.
         double first = 0; ///< When its first scenario begins, and its last ends.
         double last = 0;
         double worked = 0;
@@ -194,7 +195,14 @@ class LargeCluster {
             tell_master(number, std::move(*wanted));
         }
     }
-    void take(std::size_t to, const BlocksSent& blocks) { host(to).unopened.push_back(blocks); }
+    /// A group of scenarios does not keep blocks from being opened: its next scenario waits.
+    void take(std::size_t to, const BlocksSent& blocks) {
+        Host& here = host(to);
+        const double seconds = here.model.open_seconds(blocks) / here.speed;
+        here.opened_until = std::max(here.opened_until, agenda_.now()) + seconds;
+        here.ends += seconds;
+        agenda_.at(here.opened_until, [this, to, blocks] { opened(to, blocks); });
+    }
     void take(std::size_t to, const FetchDirected& directed) {
         const PeerAsked asked{host(to).model.id(), directed.blocks};
         const std::size_t source = directed.source.value;
@@ -234,31 +242,23 @@ class LargeCluster {
 
     [[nodiscard]] Host& host(std::size_t number) { return hosts_[number - 1]; }
 
-    /// Opening goes before scenarios.
     void work(std::size_t number) {
         Host& here = host(number);
-        if (here.is_busy) {
+        if (here.is_busy || here.model.ready_count() == 0) {
             return;
         }
-        if (!here.unopened.empty()) {
-            const BlocksSent blocks = std::move(here.unopened.front());
-            here.unopened.pop_front();
-            here.is_busy = true;
-            agenda_.at(agenda_.now() + here.model.open_seconds(blocks) / here.speed,
-                       [this, number, blocks] { opened(number, blocks); });
-        } else if (here.model.ready_count() != 0) {
-            const std::uint64_t scenario = here.model.next();
-            const double seconds = workload_.scenario(scenario).work_seconds / here.speed;
-            here.first = here.worked == 0 ? agenda_.now() : here.first;
-            here.is_busy = true;
-            agenda_.at(agenda_.now() + seconds,
-                       [this, number, scenario, seconds] { ran(number, scenario, seconds); });
-        }
+        const std::uint64_t scenario = here.model.next();
+        const double seconds = workload_.scenario(scenario).work_seconds / here.speed;
+        const double begins = std::max(here.opened_until, agenda_.now());
+        here.first = here.worked == 0 ? begins : here.first;
+        here.is_busy = true;
+        here.ends = begins + seconds;
+        agenda_.at(here.ends,
+                   [this, number, scenario, seconds] { ran(number, scenario, seconds); });
     }
 
     void opened(std::size_t number, const BlocksSent& blocks) {
         Host& here = host(number);
-        here.is_busy = false;
         if (BlocksHeld held = here.model.opened(blocks); !held.blocks.empty()) {
             tell_master(number, std::move(held));
         }
@@ -269,6 +269,11 @@ class LargeCluster {
 
     void ran(std::size_t number, std::uint64_t scenario, double seconds) {
         Host& here = host(number);
+        if (here.ends > agenda_.now()) { // Blocks were opened meanwhile.
+            agenda_.at(here.ends,
+                       [this, number, scenario, seconds] { ran(number, scenario, seconds); });
+            return;
+        }
         here.is_busy = false;
         here.worked += seconds;
         here.last = agenda_.now();
