@@ -26,11 +26,9 @@ bool BlockDelivery::knows(WorkerId worker, TreeId tree) const {
 }
 
 Status BlockDelivery::check_roots(TreeId tree, const std::vector<RootIndex>& roots) const {
-    // They ascend.
-    if (!roots.empty() && roots.back() >= trees_.find(tree)->root_count()) {
-        return Error{ErrorCode::BadFrame, "it speaks of a root that does not exist"};
-    }
-    return Done{};
+    return trees_.find(tree)->has_blocks(roots)
+               ? Status(Done{})
+               : Error{ErrorCode::BadFrame, "it speaks of a root that does not exist"};
 }
 
 void BlockDelivery::worker_joined(WorkerId worker,

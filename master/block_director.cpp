@@ -72,8 +72,7 @@ BlockDirector::held(WorkerId worker, TreeId tree, std::span<const RootIndex> roo
     for (const RootIndex root : roots) {
         const BlockKey block{tree, root};
         forget_delivery(worker, block, event);
-        peers_.at(worker).holds.insert(block);
-        blocks_[block].holders.insert(worker);
+        add_hold(worker, block);
     }
     return settle(std::move(event));
 }
@@ -137,6 +136,7 @@ BlockActions BlockDirector::tree_removed(TreeId tree, Time now) {
         const BlockKey& block = end->first;
         for (auto& [worker, peer] : peers_) {
             peer.holds.erase(block);
+            peer.could_give.erase(block);
             stop_waiting(worker, block);
             const auto comes = peer.comes.find(block);
             if (comes != peer.comes.end()) {
@@ -277,8 +277,13 @@ void BlockDirector::wait_for(WorkerId worker, const BlockKey& block, Event& even
         line_.emplace(peer.place, worker);
     }
     peer.waits_for.emplace(block, event.now);
-    blocks_.at(block).awaited_by.emplace(peer.place, worker);
-    awaited_.insert(block);
+    Block& awaited = blocks_.at(block);
+    if (awaited.awaited_by.empty()) {
+        for (const WorkerId holder : awaited.holders) {
+            peers_.at(holder).could_give.insert(block);
+        }
+    }
+    awaited.awaited_by.emplace(peer.place, worker);
 }
 
 void BlockDirector::stop_waiting(WorkerId worker, const BlockKey& block) {
@@ -289,7 +294,9 @@ void BlockDirector::stop_waiting(WorkerId worker, const BlockKey& block) {
     Block& awaited = blocks_.at(block);
     awaited.awaited_by.erase(peer.place);
     if (awaited.awaited_by.empty()) {
-        awaited_.erase(block);
+        for (const WorkerId holder : awaited.holders) {
+            peers_.at(holder).could_give.erase(block);
+        }
     }
     if (peer.waits_for.empty()) {
         line_.erase(peer.place);
@@ -301,8 +308,7 @@ void BlockDirector::send_from_master(WorkerId worker, const BlockKey& block, Eve
     peers_.at(worker).comes.emplace(block, FetchId{0});
     blocks_[block].on_the_way_to.insert(worker);
     if (mutated(Mutation::HeldWhenSent)) {
-        peers_.at(worker).holds.insert(block);
-        blocks_[block].holders.insert(worker);
+        add_hold(worker, block);
     }
     event.actions.emplace_back(SendBlock{worker, block});
 }
@@ -362,9 +368,20 @@ void BlockDirector::free_place(Fetch& fetch, Event& event) {
     fetch.source = {};
 }
 
+void BlockDirector::add_hold(WorkerId worker, const BlockKey& block) {
+    Peer& peer = peers_.at(worker);
+    Block& held = blocks_[block];
+    peer.holds.insert(block);
+    held.holders.insert(worker);
+    if (!held.awaited_by.empty()) {
+        peer.could_give.insert(block);
+    }
+}
+
 void BlockDirector::lose_hold(WorkerId worker, const BlockKey& block, Event& event) {
     const auto peer = peers_.find(worker);
     if (peer != peers_.end() && peer->second.holds.erase(block) != 0) {
+        peer->second.could_give.erase(block);
         blocks_.at(block).holders.erase(worker);
         event.less_hope.insert(block);
     }

@@ -95,6 +95,7 @@ class BlockDirector {
         std::set<WorkerId> cannot_reach_it;
         std::size_t uploads = 0; ///< Fetches for which it is the first source.
         std::set<BlockKey> holds;
+        std::set<BlockKey> could_give;      ///< Of these the ones that somebody waits for.
         std::map<BlockKey, Time> waits_for; ///< With the time from which on it waits.
         PlaceInLine place = 0;
         std::map<BlockKey, FetchId> comes;
@@ -140,6 +141,7 @@ class BlockDirector {
     /// The block no longer comes to the worker, and it waits for it no longer.
     void forget_delivery(WorkerId worker, const BlockKey& block, Event& event);
     void free_place(Fetch& fetch, Event& event);
+    void add_hold(WorkerId worker, const BlockKey& block);
     void lose_hold(WorkerId worker, const BlockKey& block, Event& event);
     void forget_if_unused(const BlockKey& block);
 
@@ -160,7 +162,6 @@ class BlockDirector {
     PlaceInLine place_last_ = 0;
     // So that an event costs what it touches, and not what all workers hold or wait for:
     std::map<PlaceInLine, WorkerId> line_; ///< Who waits for something, in the order of coming.
-    std::set<BlockKey> awaited_;           ///< Blocks that somebody waits for.
     std::set<WorkerId> free_;              ///< Sources with a free place.
 };
 

@@ -3,6 +3,7 @@
 #include "common/core/limits.hpp"
 #include "master/block_director.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace cd {
@@ -32,12 +33,8 @@ void BlockDirector::note_places(WorkerId source) {
 }
 
 WorkerId BlockDirector::next_for(WorkerId source) const {
-    const std::set<BlockKey>& holds = peers_.at(source).holds;
     std::pair<PlaceInLine, WorkerId> first{};
-    for (const BlockKey& block : holds.size() < awaited_.size() ? holds : awaited_) {
-        if (!holds.contains(block) || !awaited_.contains(block)) {
-            continue;
-        }
+    for (const BlockKey& block : peers_.at(source).could_give) {
         for (const auto& [place, worker] : blocks_.at(block).awaited_by) {
             if (first.first != 0 && first.first <= place) {
                 break;
@@ -114,8 +111,11 @@ void BlockDirector::check_invariants() const {
             CD_CHECK(is_worth_waiting(blocks_.at(block), worker)); // Or it would wait in vain.
         }
         for (const BlockKey& block : peer.holds) {
-            CD_CHECK(blocks_.at(block).holders.contains(worker));
+            const Block& held = blocks_.at(block);
+            CD_CHECK(held.holders.contains(worker));
+            CD_CHECK(held.awaited_by.empty() != peer.could_give.contains(block));
         }
+        CD_CHECK(std::ranges::includes(peer.holds, peer.could_give));
     }
     for (const auto& [id, fetch] : fetches_) {
         CD_CHECK(left[id] == fetch.left);
@@ -123,7 +123,6 @@ void BlockDirector::check_invariants() const {
     for (const auto& [block, state] : blocks_) {
         on_the_way -= state.on_the_way_to.size();
         awaited -= state.awaited_by.size();
-        CD_CHECK(awaited_.contains(block) != state.awaited_by.empty());
     }
     CD_CHECK(on_the_way == 0);
     CD_CHECK(awaited == 0);

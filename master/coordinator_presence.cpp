@@ -160,8 +160,7 @@ void Coordinator::worker_stands(WorkerId worker, const Standing& standing) {
 Status Coordinator::check_standing(const Standing& standing) const {
     for (const StandingTree& tree : standing.trees) {
         const auto geometry = trees_.find(tree.tree);
-        if (geometry != nullptr && !tree.held.empty() &&
-            tree.held.back() >= geometry->root_count()) {
+        if (geometry != nullptr && !geometry->has_blocks(tree.held)) {
             return Error{ErrorCode::BadFrame, "it speaks of a root that does not exist"};
         }
     }

@@ -48,7 +48,7 @@ void Coordinator::blocks_wanted(WorkerId worker, const WantSubtrees& want) {
     if (const Status known = blocks_.wanted(worker, want); !known) {
         return cut_off(worker, known.error());
     }
-    dispatcher().roots_wanted(worker, want.tree, want.roots);
+    dispatcher().roots_wanted(worker, want.tree, without_top(want.roots));
     const auto link = workers_.find(worker);
     const auto geometry = trees_.find(want.tree);
     if (link == workers_.end() || geometry == nullptr) {
@@ -278,8 +278,12 @@ void Coordinator::add_tree_to(WorkerLink& link, TreeId tree) {
     if (link.trees.insert(tree).second) {
         const auto geometry = trees_.find(tree);
         CD_CHECK(geometry != nullptr);
-        link.channel->send(
-            AddTree{tree, geometry->form(), trees_.cut(tree), geometry->top().nodes});
+        link.channel->send(AddTree{tree,
+                                   geometry->form(),
+                                   trees_.cut(tree),
+                                   geometry->hash(top_root),
+                                   geometry->root_count(),
+                                   geometry->top().triangle_count()});
     }
 }
 

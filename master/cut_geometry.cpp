@@ -1,6 +1,11 @@
 #include "master/cut_geometry.hpp"
 
+#include "common/core/compress.hpp"
+#include "common/core/limits.hpp"
+#include "common/tree/top_block.hpp"
 #include "master/blocks_file.hpp"
+
+#include <utility>
 
 namespace cd {
 
@@ -8,10 +13,25 @@ struct CutGeometry::State {
     std::uint32_t depth;
     SubtreeForm form;
     TreeTop top;
+    SubtreeBlock top_block;
     BlocksFile blocks;
     std::uint64_t compressed_bytes = 0;
     std::uint64_t bytes = 0;
 };
+
+namespace {
+
+Result<SubtreeBlock> block_of(const TreeTop& top) {
+    const Bytes bytes = encode_top(top);
+    if (bytes.size() > limits::subtree_block_bytes_max) {
+        return Error{ErrorCode::TooLarge,
+                     "the top of a tree with " + std::to_string(top.root_count()) +
+                         " distribution roots is too large; a smaller distribution depth helps"};
+    }
+    return SubtreeBlock{top_root, sha256(bytes), compress(bytes, compression_level_geometry)};
+}
+
+} // namespace
 
 Result<std::shared_ptr<const CutGeometry>> CutGeometry::open(const std::filesystem::path& path,
                                                              const ObbTree& tree,
@@ -21,8 +41,18 @@ Result<std::shared_ptr<const CutGeometry>> CutGeometry::open(const std::filesyst
     if (!blocks) {
         return blocks.error();
     }
-    auto state = std::make_unique<State>(
-        State{depth, form, cut_tree(tree, depth), std::move(blocks.value()), 0, 0});
+    TreeTop top = cut_tree(tree, depth);
+    Result<SubtreeBlock> top_block = block_of(top);
+    if (!top_block) {
+        return top_block.error();
+    }
+    auto state = std::make_unique<State>(State{depth,
+                                               form,
+                                               std::move(top),
+                                               std::move(top_block.value()),
+                                               std::move(blocks.value()),
+                                               0,
+                                               0});
     for (const BlockPlace& place : state->blocks.places) {
         state->compressed_bytes += place.compressed_bytes;
         state->bytes += place.bytes;
@@ -49,12 +79,18 @@ std::uint32_t CutGeometry::root_count() const {
     return state_->top.root_count();
 }
 
+bool CutGeometry::has_blocks(std::span<const RootIndex> roots) const {
+    roots = without_top(roots);
+    return roots.empty() || roots.back() < root_count();
+}
+
 const Sha256& CutGeometry::hash(RootIndex root) const {
-    return state_->blocks.places[root].hash;
+    return root == top_root ? state_->top_block.hash : state_->blocks.places[root].hash;
 }
 
 std::uint64_t CutGeometry::compressed_bytes(RootIndex root) const {
-    return state_->blocks.places[root].compressed_bytes;
+    return root == top_root ? state_->top_block.compressed.size()
+                            : state_->blocks.places[root].compressed_bytes;
 }
 
 std::uint64_t CutGeometry::compressed_bytes_total() const {
@@ -66,6 +102,9 @@ std::uint64_t CutGeometry::bytes_total() const {
 }
 
 Result<SubtreeBlock> CutGeometry::block(RootIndex root) const {
+    if (root == top_root) {
+        return state_->top_block;
+    }
     Result<Bytes> compressed = read_block(state_->blocks, root);
     if (!compressed) {
         return compressed.error();

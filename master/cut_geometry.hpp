@@ -1,4 +1,4 @@
-// One cut of a tree as the master serves it: its top in memory, its blocks on disk.
+// One cut of a tree as the master serves it: its top in memory, the roots' blocks on disk.
 #pragma once
 
 #include "common/core/hash.hpp"
@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 
 namespace cd {
 
@@ -17,7 +18,8 @@ namespace cd {
 /// between threads; holds the file open, and of its blocks nothing in memory.
 class CutGeometry {
   public:
-    /// Of a file that `write_blocks_file` made. Errors: those of `open_blocks_file`.
+    /// Of a file that `write_blocks_file` made. Errors: those of `open_blocks_file`; TooLarge for a
+    /// top over `limits::subtree_block_bytes_max`.
     [[nodiscard]] static Result<std::shared_ptr<const CutGeometry>>
     open(const std::filesystem::path& path,
          const ObbTree& tree,
@@ -31,10 +33,13 @@ class CutGeometry {
     [[nodiscard]] SubtreeForm form() const; ///< Of the blocks.
     [[nodiscard]] const TreeTop& top() const;
     [[nodiscard]] std::uint32_t root_count() const;
-    /// The name of a root's uncompressed bytes.
+    // Here a root may be `top_root`.
+    /// All of these, which ascend, are there.
+    [[nodiscard]] bool has_blocks(std::span<const RootIndex> roots) const;
+    /// The name of a block's uncompressed bytes.
     [[nodiscard]] const Sha256& hash(RootIndex root) const;
     [[nodiscard]] std::uint64_t compressed_bytes(RootIndex root) const;
-    /// Over all roots.
+    /// Over all roots, without the top.
     [[nodiscard]] std::uint64_t compressed_bytes_total() const;
     [[nodiscard]] std::uint64_t bytes_total() const;
 

@@ -34,8 +34,8 @@ DispatchScenario make_dispatch_scenario(const DispatchJob& job, const AnalysedSc
     return scenario;
 }
 
-Dispatcher::Dispatcher(bool helps_at_end) : state_(std::make_unique<State>()) {
-    state_->helps_at_end = helps_at_end;
+Dispatcher::Dispatcher(const DispatcherOptions& options) : state_(std::make_unique<State>()) {
+    state_->options = options;
 }
 Dispatcher::~Dispatcher() = default;
 
@@ -139,7 +139,11 @@ Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
     proxy->judge_batch(ended, state_->now);
     Actions actions;
     state_->end_task(task, ended, !handed_back, actions);
-    state_->settle(actions);
+    if (state_->is_due(state_->settled) || state_->something_waits()) {
+        state_->settle(actions);
+    } else {
+        state_->refill(*proxy, actions);
+    }
     return actions;
 }
 
@@ -194,9 +198,11 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
 }
 
 Actions Dispatcher::input_paused() {
-    state_->input_is_paused = true;
+    const bool was_paused = std::exchange(state_->input_is_paused, true);
     Actions actions;
-    state_->settle(actions);
+    if (!was_paused || state_->is_due(state_->settled)) {
+        state_->settle(actions);
+    }
     return actions;
 }
 

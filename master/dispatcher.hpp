@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
+#include "common/core/limits_dispatch.hpp"
 #include "common/job/ordered_poses.hpp"
 #include "master/dispatch_tree.hpp"
 #include "master/finish_estimate.hpp"
@@ -125,6 +126,14 @@ struct MeasuredWork {
     double seconds = 0;             ///< and what they took, summed over the threads.
 };
 
+struct DispatcherOptions {
+    bool helps_at_end = true; ///< Else nothing is recalled or copied, for comparison.
+    /// With more workers, what changes for one of them has others looked at only now and then:
+    /// after so many seconds for each worker beyond these.
+    std::size_t workers_few = limits::workers_few;
+    double look_seconds_each = limits::look_seconds_each;
+};
+
 /// Every scenario that came in is, at any time, in exactly one place: waiting, in one worker's
 /// buffer, in one task at one worker, or answered. Places that came in wait, are in one task, or
 /// have ended with it. But at the end of a job a scenario, or places, in a task may have one copy,
@@ -132,8 +141,7 @@ struct MeasuredWork {
 /// says that it has given it back. Each event returns what has to be done now.
 class Dispatcher {
   public:
-    /// `helps_at_end`: else nothing is recalled or copied, for comparison.
-    explicit Dispatcher(bool helps_at_end = true);
+    explicit Dispatcher(const DispatcherOptions& options = {});
     ~Dispatcher();
     Dispatcher(const Dispatcher&) = delete;
     Dispatcher& operator=(const Dispatcher&) = delete;

@@ -72,15 +72,10 @@ double Dispatcher::State::ends_in(const WorkerProxy& proxy) const {
 }
 
 void Dispatcher::State::help_at_end(Actions& actions) {
-    if (!helps_at_end || !nothing_waits()) {
+    if (!options.helps_at_end || !nothing_waits() || !is_due(helped)) {
         return;
     }
-    // Looking at all of a large cluster after each answer would be all that the master does.
-    const auto workers = static_cast<double>(pool.in_order().size());
-    if (now >= looked_for_help && now < looked_for_help + limits::help_seconds_each * workers) {
-        return;
-    }
-    looked_for_help = now;
+    helped = now;
     std::vector<WorkerProxy*> free = helpers();
     for (WorkerProxy* from : free.empty() ? std::vector<WorkerProxy*>{} : late_workers()) {
         from->note_looked_at(now);
@@ -129,12 +124,11 @@ bool Dispatcher::State::may_answer_recall(const WorkerProxy& proxy) const {
 
 bool Dispatcher::State::may_be_helped(const WorkerProxy& from) const {
     const bool may_be_asked = !recalls.contains(from.id()) && from.takes_work();
-    return !may_answer_recall(from) &&
-           std::ranges::any_of(from.tasks(), [&](const auto& entry) {
-               const ProxyTask& task = entry.second;
-               return task.left() != 0 && !task.is_copy &&
-                      ((may_be_asked && !task.has_begun) || can_be_copied(task));
-           });
+    return !may_answer_recall(from) && std::ranges::any_of(from.tasks(), [&](const auto& entry) {
+        const ProxyTask& task = entry.second;
+        return task.left() != 0 && !task.is_copy &&
+               ((may_be_asked && !task.has_begun) || can_be_copied(task));
+    });
 }
 
 bool Dispatcher::State::can_be_copied(const ProxyTask& task) const {
@@ -142,9 +136,11 @@ bool Dispatcher::State::can_be_copied(const ProxyTask& task) const {
         return task.places_left > task.places_copied;
     }
     const DispatchJob& job = jobs.at(task.job);
-    return job.is_by_time() && std::ranges::any_of(task.scenarios, [&](std::uint64_t index) {
-               return job.scenarios.at(index).may_be_copied();
-           });
+    const auto may_be = [&](std::uint64_t index) {
+        const auto found = job.scenarios.find(index);
+        return found != job.scenarios.end() && found->second.may_be_copied();
+    };
+    return job.is_by_time() && std::ranges::any_of(task.scenarios, may_be);
 }
 
 bool Dispatcher::State::helps(WorkerProxy& from, WorkerProxy& helper, Actions& actions) {

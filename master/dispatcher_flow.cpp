@@ -25,7 +25,19 @@ DispatchJob* Dispatcher::State::find_job(JobId job) {
     return found == jobs.end() ? nullptr : &found->second;
 }
 
+bool Dispatcher::State::is_due(double last) const {
+    const std::size_t workers = pool.in_order().size();
+    const std::size_t beyond = workers - std::min(workers, options.workers_few);
+    return now >= last + options.look_seconds_each * static_cast<double>(beyond);
+}
+
+bool Dispatcher::State::something_waits() const {
+    return !suspects.empty() ||
+           std::ranges::any_of(jobs, [](const auto& job) { return !job.second.waiting.empty(); });
+}
+
 void Dispatcher::State::settle(Actions& actions) {
+    settled = now;
     give_suspects(actions);
     set_batches();
     for (WorkerProxy* proxy : pool.in_order()) {

@@ -134,8 +134,9 @@ struct Dispatcher::State {
     std::map<WorkerId, PendingRecall> recalls; ///< One at a time of each worker.
     /// Job that was served last; the next in order is served next.
     JobId served_last;
-    bool helps_at_end = true;
-    double looked_for_help = 0; ///< The last time.
+    DispatcherOptions options;
+    double settled = -1; ///< When all workers were looked at last,
+    double helped = -1;  ///< and whether they need help.
     bool input_is_paused = true;
     std::uint64_t unsent = 0;
     std::uint64_t task_last = 0;
@@ -152,6 +153,10 @@ struct Dispatcher::State {
     // ---- Handing out (dispatcher_flow.cpp) ----------------------------------------------------
     /// Gives out what waits, as far as somebody can take it, and flushes what is ripe.
     void settle(Actions& actions);
+    /// What was done then for all workers may be done again.
+    [[nodiscard]] bool is_due(double last) const;
+    /// A scenario that is in no buffer and no task.
+    [[nodiscard]] bool something_waits() const;
     /// One waiting scenario of the next job in turn goes to a buffer. False when none can.
     bool allocate_next(Actions& actions);
     bool allocate_one(DispatchJob& job, Actions& actions);

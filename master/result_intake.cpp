@@ -145,14 +145,16 @@ Result<TakenResults> take_results(const TaskContent& task, const Results& result
     }
     const TaskIndex scenarios(task);
     std::vector<TakenResult> taken;
+    // No more than the bytes can hold, whatever the message says.
+    taken.reserve(
+        std::min<std::size_t>(results.count, records.value().size() / sizeof(std::uint32_t)));
     ByteReader reader(records.value());
     for (std::uint32_t i = 0; i < results.count; ++i) {
-        const auto record = reader.get_array<std::uint8_t>(reader.get<std::uint32_t>());
+        const auto record = reader.get_bytes(reader.get<std::uint32_t>());
         if (reader.failed()) {
             break;
         }
-        Result<TakenResult> result =
-            take_record(*task.material, scenarios, std::as_bytes(std::span(record)));
+        Result<TakenResult> result = take_record(*task.material, scenarios, record);
         if (!result) {
             return result.error();
         }

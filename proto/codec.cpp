@@ -180,10 +180,6 @@ std::size_t bytes_expected(const T& /*message*/) {
     return 256;
 }
 
-std::size_t bytes_expected(const AddTree& add) {
-    return 256 + add.top.size() * sizeof(ObbNode);
-}
-
 std::size_t bytes_expected(const Subtrees& subtrees) {
     std::size_t bytes = 256;
     for (const SubtreeBlock& block : subtrees.blocks) {

@@ -26,7 +26,7 @@ constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"welcome"},
     {"failure"},
     {"heartbeat"},
-    {"add tree", Lane::Data, limits::message_tree_bytes_max},
+    {"add tree", Lane::Data},
     {"remove tree", Lane::Data},
     {"subtrees", Lane::Data, limits::message_subtrees_bytes_max},
     {"batch", Lane::Data, limits::message_data_bytes_max},

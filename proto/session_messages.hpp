@@ -12,8 +12,8 @@
 
 namespace cd {
 
-inline constexpr std::uint16_t protocol_version_min = 6;
-inline constexpr std::uint16_t protocol_version_max = 6;
+inline constexpr std::uint16_t protocol_version_min = 7;
+inline constexpr std::uint16_t protocol_version_max = 7;
 
 enum class Role : std::uint8_t {
     Worker = 1,

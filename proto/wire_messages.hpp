@@ -79,16 +79,10 @@ void serialize(Archive& archive, Heartbeat& m) {
 }
 
 template <class Archive>
-void serialize(Archive& archive, ObbNode& node) {
-    archive(node.center, node.axes, node.half);
-    archive(node.right, node.triangles_begin, node.triangles_end);
-}
-
-template <class Archive>
 void serialize(Archive& archive, AddTree& m) {
     archive(m.tree);
     enumeration(archive, m.form, SubtreeForm::Binary, SubtreeForm::Wide);
-    archive(m.cut, m.top);
+    archive(m.cut, m.top, m.roots, m.triangles);
 }
 
 template <class Archive>

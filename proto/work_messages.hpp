@@ -23,13 +23,16 @@ using TreeId = Id<struct TreeTag>;
 
 // ---- Master to worker -----------------------------------------------------------------------
 
-/// From now on the worker may be asked about this tree. Its slots are empty, but for what the
-/// worker kept of the same cut from a session before.
+/// From now on the worker may be asked about this tree. Nothing of it is there, but for what the
+/// worker kept of the same cut from a session before. Its top is a block like those of its roots,
+/// under the number `top_root`, and is asked for by who needs it.
 struct AddTree {
     TreeId tree;
     SubtreeForm form = SubtreeForm::Wide; ///< Of its blocks.
     Sha256 cut;                           ///< Names all of its blocks; the same in every session.
-    std::vector<ObbNode> top;             ///< The nodes of a `TreeTop`.
+    Sha256 top;                           ///< Names the block of the top (`encode_top`).
+    std::uint32_t roots = 0;
+    std::uint32_t triangles = 0; ///< Of the whole tree.
 };
 
 /// Frees the tree, its blocks and what waits for them. Comes when no job uses the tree.
@@ -37,7 +40,8 @@ struct RemoveTree {
     TreeId tree;
 };
 
-/// One distribution root's block, compressed. The hash names the uncompressed bytes.
+/// A block, compressed: of one distribution root, or of the top. The hash names the uncompressed
+/// bytes.
 struct SubtreeBlock {
     RootIndex root = 0;
     Sha256 hash;

@@ -15,6 +15,15 @@ void Fetcher::add(Token token, std::vector<SubtreeKey> roots) {
     queue_.push_back(token);
 }
 
+bool Fetcher::want_top(TreeId tree) {
+    const SubtreeKey top{tree, top_root};
+    const bool is_new = !cache_.has(top) && ask_once(top);
+    if (is_new) {
+        wanted_.push_back(top);
+    }
+    return is_new;
+}
+
 void Fetcher::arrived(const SubtreeKey& key) {
     const auto request = requested_.find(key);
     if (request == requested_.end()) {
@@ -62,6 +71,7 @@ std::vector<SubtreeKey> Fetcher::awaited() const {
 
 Fetcher::Step Fetcher::advance() {
     Step step;
+    step.want = std::exchange(wanted_, {});
     while (!queue_.empty()) {
         const auto found = needs_.find(queue_.front());
         if (found != needs_.end()) {
@@ -148,6 +158,7 @@ void Fetcher::drop_request(std::map<SubtreeKey, Request>::iterator request) {
 
 void Fetcher::forget_requests(TreeId tree) {
     std::erase_if(hinted_, [&](const Hinted& hinted) { return hinted.key.tree == tree; });
+    std::erase_if(wanted_, [&](const SubtreeKey& key) { return key.tree == tree; });
     for (auto request = requested_.begin(); request != requested_.end();) {
         const auto next = std::next(request);
         if (request->first.tree == tree) {

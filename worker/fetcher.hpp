@@ -47,7 +47,9 @@ class Fetcher {
     /// and little is under way, if nothing has to leave the cache for it; else it is forgotten.
     /// The root exists in the cache's trees.
     void hint(const Hinted& hinted) { hinted_.push_back(hinted); }
-    /// The cache holds this subtree now, or has refused it as unneeded.
+    /// Ranges of a tree need its top, which stays once it has come. True: it is asked for now.
+    bool want_top(TreeId tree);
+    /// The cache holds this block now, or has refused it as unneeded.
     void arrived(const SubtreeKey& key);
     /// The scenario needs its subtrees no longer: it has run, or is given up at whatever stage.
     void finished(Token token);
@@ -91,7 +93,8 @@ class Fetcher {
     std::map<SubtreeKey, Use> used_;
     std::map<SubtreeKey, Request> requested_;
     std::uint64_t requested_bytes_ = 0;
-    std::deque<Hinted> hinted_; ///< Not asked for.
+    std::deque<Hinted> hinted_;      ///< Not asked for.
+    std::vector<SubtreeKey> wanted_; ///< Tops, since the last step.
     std::uint64_t used_bytes_ = 0;
     std::size_t admitted_ = 0;
     std::vector<Token> ready_;

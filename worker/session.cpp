@@ -61,15 +61,11 @@ void Session::hand_back() {
 // ---- What the master says -------------------------------------------------------------------
 
 Status Session::handle(AddTree& add) {
-    Result<TreeTop> top = make_tree_top(std::move(add.top));
-    if (!top) {
-        return top.error();
-    }
-    const std::uint32_t roots = top.value().root_count();
-    Status added = cache_.add_tree(add.tree, std::move(top.value()), add.form, add.cut);
+    Status added = cache_.add_tree(add);
     if (added) {
         std::vector<RootIndex> held = cache_.held(add.tree);
-        spdlog::info("tree added: tree={} roots={} held={}", add.tree.value, roots, held.size());
+        spdlog::info(
+            "tree added: tree={} roots={} held={}", add.tree.value, add.roots, held.size());
         if (!held.empty()) {
             channel_->send(Held{add.tree, std::move(held)});
         }
@@ -165,6 +161,8 @@ Status Session::handle(ScenarioRange& range) {
     }
     if (stopping_) {
         task->drop_unwalked();
+    } else {
+        want_tops(task->job());
     }
     settle_soon();
     return Done{};
@@ -385,7 +383,7 @@ bool Session::start_next() {
 
 Task* Session::next_to_walk() {
     for (auto& [id, task] : tasks_) {
-        if (task.has_unwalked()) {
+        if (task.has_unwalked() && has_tops(task.job())) {
             return &task;
         }
     }

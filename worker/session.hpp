@@ -126,7 +126,7 @@ class Session : public std::enable_shared_from_this<Session> {
     /// Whoever gave a block; 0 is the master.
     void open_soon(TreeId tree, SubtreeBlock block, WorkerId source);
     void block_opened(const SubtreeKey& key,
-                      const Result<std::shared_ptr<const Subtree>>& subtree,
+                      const Result<OpenedBlock>& opened,
                       const std::shared_ptr<const SubtreeBlock>& block,
                       WorkerId source);
     asio::awaitable<void> fetch_from_peers(std::shared_ptr<Session> self,
@@ -154,6 +154,9 @@ class Session : public std::enable_shared_from_this<Session> {
     void note_asked(const Fetcher::Step& step);
     void send_evicted();
     void send_held();
+    /// What a walk down the job's trees needs.
+    void want_tops(const WorkerJob& job);
+    [[nodiscard]] bool has_tops(const WorkerJob& job) const;
     void send_wants(const std::vector<SubtreeKey>& want);
     void start_ready();
     [[nodiscard]] bool start_next();

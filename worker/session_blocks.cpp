@@ -25,7 +25,7 @@ Status Session::handle(Hint& hint) {
         return Error{ErrorCode::BadFrame, "a hint names a job or a tree that is not here"};
     }
     for (const RootIndex root : hint.roots) {
-        if (root >= tree->top().root_count()) {
+        if (root >= tree->root_count()) {
             return Error{ErrorCode::BadFrame, "a hint names a subtree that does not exist"};
         }
         fetcher_.hint({hint.job, {hint.tree, root}});
@@ -70,41 +70,41 @@ void Session::open_soon(TreeId tree, SubtreeBlock came, WorkerId source) {
         if (abandoned->load()) {
             return Executor::Continuation([] {});
         }
-        return Executor::Continuation([weak, key, subtree = open_block(*block), block, source] {
+        return Executor::Continuation([weak, key, opened = open_block(*block), block, source] {
             if (const auto session = weak.lock()) {
-                session->block_opened(key, subtree, block, source);
+                session->block_opened(key, opened, block, source);
             }
         });
     });
 }
 
 void Session::block_opened(const SubtreeKey& key,
-                           const Result<std::shared_ptr<const Subtree>>& subtree,
+                           const Result<OpenedBlock>& opened,
                            const std::shared_ptr<const SubtreeBlock>& block,
                            WorkerId source) {
     if (abandoned_->load() || end_ != SessionEnd::Lost) {
         return;
     }
-    if (!subtree && source != WorkerId{}) {
+    if (!opened && source != WorkerId{}) {
         spdlog::error("damaged block from a peer: tree={} root={} source={} error=\"{}\"",
                       key.tree.value,
                       key.root,
                       source.value,
-                      subtree.error().detail);
+                      opened.error().detail);
         channel_->send(FetchFailed{key.tree, {key.root}, source, PeerOutcome::Damaged});
         channel_->send(WantSubtrees{key.tree, {key.root}});
         return;
     }
     const auto kept = peers_.server == nullptr ? nullptr : block;
     const Status inserted =
-        subtree ? cache_.insert(key, subtree.value(), kept) : Status(subtree.error());
+        opened ? cache_.insert(key, opened.value(), kept) : Status(opened.error());
     if (!inserted) {
         return refuse(inserted.error());
     }
     // Also one that nobody waits for any more, and that had to go at once: it would not be asked
     // for again.
     fetcher_.arrived(key);
-    if (cache_.at(key) != nullptr) {
+    if (cache_.has(key)) {
         held_[key.tree].push_back(key.root);
     }
     settle_soon();
@@ -150,11 +150,23 @@ void Session::send_held() {
         std::sort(roots.begin(), roots.end());
         roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
         // It may have left again.
-        std::erase_if(roots, [&](RootIndex root) { return cache_.at({tree, root}) == nullptr; });
+        std::erase_if(roots, [&](RootIndex root) { return !cache_.has({tree, root}); });
         if (!roots.empty()) {
             channel_->send(Held{tree, std::move(roots)});
         }
     }
+}
+
+void Session::want_tops(const WorkerJob& job) {
+    for (const TreeId tree : {job.tree_a, job.tree_b}) {
+        if (fetcher_.want_top(tree)) {
+            traffic_.missed(job.id, {tree, top_root});
+        }
+    }
+}
+
+bool Session::has_tops(const WorkerJob& job) const {
+    return cache_.find(job.tree_a)->has_top() && cache_.find(job.tree_b)->has_top();
 }
 
 void Session::send_wants(const std::vector<SubtreeKey>& want) {

@@ -3,13 +3,14 @@
 #include "common/core/check.hpp"
 #include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
+#include "common/tree/top_block.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace cd {
 
-Result<std::shared_ptr<const Subtree>> open_block(const SubtreeBlock& block) {
+Result<OpenedBlock> open_block(const SubtreeBlock& block) {
     const Result<Bytes> bytes = decompress(block.compressed, limits::subtree_block_bytes_max);
     if (!bytes) {
         return bytes.error();
@@ -18,12 +19,15 @@ Result<std::shared_ptr<const Subtree>> open_block(const SubtreeBlock& block) {
         return Error{ErrorCode::BadFrame,
                      "the block of root " + std::to_string(block.root) + " has not its hash"};
     }
-    Result<Subtree> subtree = decode_subtree(bytes.value());
-    if (!subtree) {
-        return subtree.error();
+    if (block.root == top_root) {
+        Result<TreeTop> top = decode_top(bytes.value());
+        return top ? Result<OpenedBlock>(std::make_shared<const TreeTop>(std::move(top.value())))
+                   : top.error();
     }
-    return std::shared_ptr<const Subtree>(
-        std::make_shared<const Subtree>(std::move(subtree.value())));
+    Result<Subtree> subtree = decode_subtree(bytes.value());
+    return subtree
+               ? Result<OpenedBlock>(std::make_shared<const Subtree>(std::move(subtree.value())))
+               : subtree.error();
 }
 
 namespace {
@@ -69,7 +73,7 @@ std::vector<Sha256> SubtreeCache::parked() const {
     std::vector<Sha256> names;
     for (const auto& [id, tree] : trees_) {
         if (is_parked(id) && !held(id).empty()) {
-            names.push_back(tree.cut);
+            names.push_back(tree.named.cut);
         }
     }
     std::sort(names.begin(), names.end());
@@ -96,33 +100,36 @@ std::vector<TreeId> SubtreeCache::trees() const {
 std::vector<RootIndex> SubtreeCache::held(TreeId tree) const {
     std::vector<RootIndex> roots;
     if (const PartialObbTree* const partial = find(tree)) {
-        for (RootIndex root = 0; root < partial->top().root_count(); ++root) {
+        for (RootIndex root = 0; root < partial->root_count(); ++root) {
             if (partial->at(root) != nullptr) {
                 roots.push_back(root);
             }
+        }
+        if (partial->has_top()) {
+            roots.push_back(top_root);
         }
     }
     return roots;
 }
 
-Status SubtreeCache::add_tree(TreeId tree, TreeTop top, SubtreeForm form, const Sha256& cut) {
-    for (const auto& [id, parked] : trees_) {
+Status SubtreeCache::add_tree(const AddTree& add) {
+    const std::string name = "tree " + std::to_string(add.tree.value);
+    if (add.roots == 0 || add.roots > add.triangles || is_parked(add.tree)) {
+        return Error{ErrorCode::BadFrame, name + " cannot be"};
+    }
+    if (trees_.contains(add.tree)) {
+        return Error{ErrorCode::BadFrame, name + " was added already"};
+    }
+    for (auto& [id, parked] : trees_) {
+        const AddTree& named = parked.named;
         // The name says that the blocks are the same; whether it was given rightly is not believed.
-        if (is_parked(id) && !is_parked(tree) && parked.cut == cut && parked.form == form &&
-            parked.partial.top().nodes == top.nodes) {
-            if (trees_.contains(tree)) {
-                break;
-            }
-            rename(id, tree);
+        if (is_parked(id) && named.cut == add.cut && named.form == add.form &&
+            named.top == add.top && named.roots == add.roots && named.triangles == add.triangles) {
+            rename(id, add.tree);
             return Done{};
         }
     }
-    const auto [place, is_new] = trees_.try_emplace(tree, std::move(top), form);
-    if (!is_new || is_parked(tree)) {
-        return Error{ErrorCode::BadFrame,
-                     "tree " + std::to_string(tree.value) + " was added already"};
-    }
-    place->second.cut = cut;
+    trees_.try_emplace(add.tree, add);
     return Done{};
 }
 
@@ -140,6 +147,7 @@ void SubtreeCache::remove_tree(TreeId tree) {
             idle_.erase(removed.slots[root].place);
         }
     }
+    bytes_ -= bytes_of_top(removed);
     trees_.erase(found);
     std::erase_if(evicted_, [&](const SubtreeKey& key) { return key.tree == tree; });
 }
@@ -179,37 +187,49 @@ std::uint64_t SubtreeCache::bytes_of(const Tree& tree, RootIndex root) {
            (block == nullptr ? 0 : block->compressed.size());
 }
 
+std::uint64_t SubtreeCache::bytes_of_top(const Tree& tree) {
+    return tree.partial.has_top()
+               ? tree.partial.top().nodes.size() * sizeof(ObbNode) +
+                     (tree.top_block == nullptr ? 0 : tree.top_block->compressed.size())
+               : 0;
+}
+
 Status SubtreeCache::insert(const SubtreeKey& key,
-                            std::shared_ptr<const Subtree> subtree,
+                            OpenedBlock opened,
                             std::shared_ptr<const SubtreeBlock> block) {
-    CD_CHECK(subtree != nullptr);
-    if (find(key.tree) == nullptr) {
+    const auto found = trees_.find(key.tree);
+    if (found == trees_.end() || has(key)) {
         return Done{};
     }
-    Tree* const tree = find_tree(key);
-    if (tree == nullptr) {
+    if (auto* const top = std::get_if<std::shared_ptr<const TreeTop>>(&opened)) {
+        return set_top(found->second, std::move(*top), std::move(block));
+    }
+    auto& subtree = std::get<std::shared_ptr<const Subtree>>(opened);
+    return fill(key, found->second, std::move(subtree), std::move(block));
+}
+
+Status SubtreeCache::fill(const SubtreeKey& key,
+                          Tree& tree,
+                          std::shared_ptr<const Subtree> subtree,
+                          std::shared_ptr<const SubtreeBlock> block) {
+    const std::string name = "a block for root " + std::to_string(key.root);
+    if (key.root >= tree.slots.size()) {
         return Error{ErrorCode::BadFrame,
-                     "a block for root " + std::to_string(key.root) + " of a tree with " +
-                         std::to_string(find(key.tree)->top().root_count()) + " roots"};
+                     name + " of a tree with " + std::to_string(tree.slots.size()) + " roots"};
     }
-    if (tree->partial.at(key.root) != nullptr) {
-        return Done{};
+    if (subtree->form() != tree.named.form) {
+        return Error{ErrorCode::BadFrame, name + " has another form than the tree's"};
     }
-    if (subtree->form() != tree->form) {
+    if (tree.partial.has_top() &&
+        subtree->triangle_count() != tree.partial.top().triangles_under(key.root)) {
         return Error{ErrorCode::BadFrame,
-                     "the block of root " + std::to_string(key.root) +
-                         " has another form than the tree's"};
+                     name + " has another number of triangles than the tree's top says"};
     }
-    if (subtree->triangle_count() != tree->partial.top().triangles_under(key.root)) {
-        return Error{ErrorCode::BadFrame,
-                     "the block of root " + std::to_string(key.root) +
-                         " has another number of triangles than the tree's top says"};
-    }
-    tree->partial.fill(key.root, std::move(subtree));
-    tree->snapshot.reset();
-    Slot& slot = tree->slots[key.root];
+    tree.partial.fill(key.root, std::move(subtree));
+    tree.snapshot.reset();
+    Slot& slot = tree.slots[key.root];
     slot.block = std::move(block);
-    bytes_ += bytes_of(*tree, key.root);
+    bytes_ += bytes_of(tree, key.root);
     if (!slot.is_pinned) {
         set_idle(slot, key);
     }
@@ -217,14 +237,46 @@ Status SubtreeCache::insert(const SubtreeKey& key,
     return Done{};
 }
 
+Status SubtreeCache::set_top(Tree& tree,
+                             std::shared_ptr<const TreeTop> top,
+                             std::shared_ptr<const SubtreeBlock> block) {
+    if (top->root_count() != tree.named.roots || top->triangle_count() != tree.named.triangles) {
+        return Error{ErrorCode::BadFrame,
+                     "a top of " + std::to_string(top->root_count()) + " roots for a tree with " +
+                         std::to_string(tree.named.roots)};
+    }
+    for (RootIndex root = 0; root < tree.named.roots; ++root) {
+        const auto& subtree = tree.partial.at(root);
+        if (subtree != nullptr && subtree->triangle_count() != top->triangles_under(root)) {
+            return Error{ErrorCode::BadFrame,
+                         "a top that says another number of triangles than the block of root " +
+                             std::to_string(root)};
+        }
+    }
+    tree.partial.set_top(std::move(top));
+    tree.snapshot.reset();
+    tree.top_block = std::move(block);
+    bytes_ += bytes_of_top(tree);
+    evict_beyond_limit();
+    return Done{};
+}
+
 std::shared_ptr<const Subtree> SubtreeCache::at(const SubtreeKey& key) const {
     const PartialObbTree* const tree = find(key.tree);
-    const bool is_slot = tree != nullptr && key.root < tree->top().root_count();
+    const bool is_slot = tree != nullptr && key.root < tree->root_count();
     return is_slot ? tree->at(key.root) : nullptr;
+}
+
+bool SubtreeCache::has(const SubtreeKey& key) const {
+    const PartialObbTree* const tree = find(key.tree);
+    return key.root == top_root ? tree != nullptr && tree->has_top() : at(key) != nullptr;
 }
 
 std::shared_ptr<const SubtreeBlock> SubtreeCache::block_at(const SubtreeKey& key) const {
     const auto tree = trees_.find(key.tree);
+    if (tree != trees_.end() && key.root == top_root) {
+        return tree->second.top_block;
+    }
     const bool is_slot = tree != trees_.end() && key.root < tree->second.slots.size();
     return is_slot ? tree->second.slots[key.root].block : nullptr;
 }
@@ -283,10 +335,15 @@ std::vector<SubtreeKey> SubtreeCache::take_evicted() {
 }
 
 std::uint64_t SubtreeCache::bytes_expected(const SubtreeKey& key) const {
-    const PartialObbTree* const tree = find(key.tree);
-    CD_CHECK(tree != nullptr);
-    return tree->top().triangles_under(key.root) * (form_of(key.tree) == SubtreeForm::Wide
-                                                        ? limits::wide_bytes_per_triangle
+    const auto found = trees_.find(key.tree);
+    CD_CHECK(found != trees_.end());
+    const AddTree& named = found->second.named;
+    if (key.root == top_root) {
+        return (2ull * named.roots - 1) * sizeof(ObbNode);
+    }
+    // Roots of one depth have about as many triangles each.
+    const std::uint64_t triangles = (named.triangles + named.roots - 1ull) / named.roots;
+    return triangles * (named.form == SubtreeForm::Wide ? limits::wide_bytes_per_triangle
                                                         : limits::binary_bytes_per_triangle);
 }
 

@@ -1,4 +1,4 @@
-// The subtrees that a worker holds, within a limit of memory.
+// The subtrees that a worker holds, within a limit of memory, and the tops of their trees.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -10,32 +10,35 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <variant>
 #include <vector>
 
 namespace cd {
 
 struct SubtreeKey {
     TreeId tree;
-    RootIndex root = 0;
+    RootIndex root = 0; ///< Where it says so, `top_root` as well.
 
     friend auto operator<=>(const SubtreeKey&, const SubtreeKey&) = default;
 };
 
+/// What a block decodes to.
+using OpenedBlock = std::variant<std::shared_ptr<const Subtree>, std::shared_ptr<const TreeTop>>;
+
 /// Decompresses a block, checks its hash and decodes it. Independent of any cache, for any thread.
 /// Errors: BadFrame, TooLarge.
-[[nodiscard]] Result<std::shared_ptr<const Subtree>> open_block(const SubtreeBlock& block);
+[[nodiscard]] Result<OpenedBlock> open_block(const SubtreeBlock& block);
 
 /// The trees that the master has named, with their slots. Beyond the limit the subtrees that went
 /// unused for longest leave, except those that are pinned; so the limit may be overshot by what
-/// is pinned. One thread at a time.
+/// is pinned. A top stays with its tree. One thread at a time.
 class SubtreeCache {
   public:
     explicit SubtreeCache(std::uint64_t bytes_max) : bytes_max_(bytes_max) {}
 
     /// What is parked under this name of its blocks is there at once. Errors: BadFrame for a tree
-    /// that is there already.
-    [[nodiscard]] Status
-    add_tree(TreeId tree, TreeTop top, SubtreeForm form, const Sha256& cut = {});
+    /// that is there already, or has no roots, or more than triangles.
+    [[nodiscard]] Status add_tree(const AddTree& add);
     /// The numbers of all trees mean nothing any more: they wait under their names for a tree of
     /// the same name, and may leave like any others. Nothing is pinned.
     void park();
@@ -44,21 +47,21 @@ class SubtreeCache {
     void drop_parked();
     /// Those that are not parked, ascending.
     [[nodiscard]] std::vector<TreeId> trees() const;
-    /// The roots whose subtrees are here, ascending.
+    /// The blocks that are here, ascending: roots, and `top_root`.
     [[nodiscard]] std::vector<RootIndex> held(TreeId tree) const;
     /// Frees the tree with its blocks. Unknown trees are ignored.
     void remove_tree(TreeId tree);
     /// Null for an unknown tree.
     [[nodiscard]] const PartialObbTree* find(TreeId tree) const;
     /// Of the subtrees of a tree that is known.
-    [[nodiscard]] SubtreeForm form_of(TreeId tree) const { return trees_.at(tree).form; }
+    [[nodiscard]] SubtreeForm form_of(TreeId tree) const { return trees_.at(tree).named.form; }
 
-    /// Fills a slot. What is there already, or of an unknown tree, is ignored. `block`, what the
-    /// subtree was made of, is kept with it to be handed on; null: it is not. Errors: BadFrame for
-    /// a root that the tree does not have, or a subtree of another size than the root's or of
-    /// another form than the tree's.
+    /// Fills a slot, or sets the top. What is there already, or of an unknown tree, is ignored.
+    /// `block`, what it was made of, is kept with it to be handed on; null: it is not. Errors:
+    /// BadFrame for a root that the tree does not have, a subtree of another form than the tree's,
+    /// a top of another number of roots or triangles, or a top and a subtree that do not agree.
     [[nodiscard]] Status insert(const SubtreeKey& key,
-                                std::shared_ptr<const Subtree> subtree,
+                                OpenedBlock opened,
                                 std::shared_ptr<const SubtreeBlock> block = nullptr);
     /// The tree with what is here now, whatever leaves later; what has left stays in memory until
     /// all of it have gone. Null for an unknown tree.
@@ -67,7 +70,9 @@ class SubtreeCache {
     void touch(const SubtreeKey& key);
     /// Null while it is not here.
     [[nodiscard]] std::shared_ptr<const Subtree> at(const SubtreeKey& key) const;
-    /// Null while it is not here, or was not kept.
+    /// The subtree is here, or the top.
+    [[nodiscard]] bool has(const SubtreeKey& key) const;
+    /// Null while it is not here, or was not kept. Of the top as well.
     [[nodiscard]] std::shared_ptr<const SubtreeBlock> block_at(const SubtreeKey& key) const;
 
     /// A pinned slot keeps its subtree, also one that has yet to come. Unpinning counts as a use.
@@ -77,7 +82,7 @@ class SubtreeCache {
     /// What left since the last call, in order. Slots of removed trees are not among them.
     [[nodiscard]] std::vector<SubtreeKey> take_evicted();
 
-    /// What the subtree will take in memory, roughly; known before it is here.
+    /// What the subtree, or the top, will take in memory, roughly; known before it is here.
     [[nodiscard]] std::uint64_t bytes_expected(const SubtreeKey& key) const;
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
     /// Of all time.
@@ -92,17 +97,24 @@ class SubtreeCache {
         std::list<SubtreeKey>::iterator place;
     };
     struct Tree {
-        Tree(TreeTop top, SubtreeForm form_of_slots)
-            : partial(std::move(top)), form(form_of_slots), slots(partial.top().root_count()) {}
-        Sha256 cut;
+        explicit Tree(const AddTree& add) : named(add), partial(add.roots), slots(add.roots) {}
+        AddTree named;
         PartialObbTree partial;
         std::shared_ptr<const PartialObbTree> snapshot; ///< Of `partial`; null when it has changed.
-        SubtreeForm form;
         std::vector<Slot> slots;
+        std::shared_ptr<const SubtreeBlock> top_block;
     };
 
     /// Of a slot that is filled.
     [[nodiscard]] static std::uint64_t bytes_of(const Tree& tree, RootIndex root);
+    [[nodiscard]] static std::uint64_t bytes_of_top(const Tree& tree); ///< 0 while it is not here.
+    [[nodiscard]] Status fill(const SubtreeKey& key,
+                              Tree& tree,
+                              std::shared_ptr<const Subtree> subtree,
+                              std::shared_ptr<const SubtreeBlock> block);
+    [[nodiscard]] Status set_top(Tree& tree,
+                                 std::shared_ptr<const TreeTop> top,
+                                 std::shared_ptr<const SubtreeBlock> block);
     [[nodiscard]] static bool is_parked(TreeId tree);
     void rename(TreeId from, TreeId to);
     Tree* find_tree(const SubtreeKey& key); ///< Null also for a root out of range.

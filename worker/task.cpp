@@ -36,8 +36,8 @@ subtrees_of(const SubtreeCache& cache, TreeId tree, std::span<const RootIndex> r
 
 Result<Task>
 Task::make(Batch batch, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache) {
-    const std::uint32_t roots_a = cache.find(job->tree_a)->top().root_count();
-    const std::uint32_t roots_b = cache.find(job->tree_b)->top().root_count();
+    const std::uint32_t roots_a = cache.find(job->tree_a)->root_count();
+    const std::uint32_t roots_b = cache.find(job->tree_b)->root_count();
     const bool in_range = std::all_of(batch.pairs.begin(), batch.pairs.end(), [&](RootPair pair) {
         return pair.a < roots_a && pair.b < roots_b;
     });

@@ -35,8 +35,8 @@ class Walker {
   public:
     explicit Walker(const Walk& walk)
         : walk_(walk),
-          used_a_(walk.a->top().root_count()),
-          used_b_of_its_own_(walk.b->top().root_count()),
+          used_a_(walk.a->root_count()),
+          used_b_of_its_own_(walk.b->root_count()),
           used_b_(walk.job->tree_a == walk.job->tree_b ? used_a_ : used_b_of_its_own_) {}
 
     /// False when it was told to stop.

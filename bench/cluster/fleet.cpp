@@ -53,7 +53,6 @@ Workload make_fleet(const Trace& trace, const FleetOptions& options) {
             fleet.geometry_bytes += block.bytes;
         }
     }
-    fleet.top_bytes = {copies * depth->a.top_bytes, trace.b.top_bytes};
     std::mt19937_64 random(options.seed);
     for (std::uint64_t i = 0; i < options.count; ++i) {
         const std::uint64_t copy = random() % copies;

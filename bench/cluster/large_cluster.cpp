@@ -84,14 +84,17 @@ class LargeCluster {
         bool is_busy = false;
         double ends = 0;         ///< The scenario that it does.
         double opened_until = 0; ///< Its blocks.
-        double first = 0; ///< When its first scenario begins, and its last ends.
+        double first = 0;        ///< When its first scenario begins, and its last ends.
         double last = 0;
         double worked = 0;
     };
-    /// Until when each direction is taken.
+    /// Until when each direction is taken, and when the last message from the master, and to it,
+    /// has come: what one says to the other keeps its order.
     struct Link {
         double up = 0;
         double down = 0;
+        double heard = 0;
+        double told = 0;
     };
 
     // ---- The network ----------------------------------------------------------------------------
@@ -105,8 +108,14 @@ class LargeCluster {
         up = std::max(up, now) + seconds;
         const bool is_control = bytes <= control_bytes_max;
         down = std::max(down, is_control ? now : up - seconds) + seconds;
-        const double there = is_control ? now + seconds : std::max(up, down);
-        return there + 2 * options_.latency_seconds;
+        double there = is_control ? now + seconds : std::max(up, down);
+        there += 2 * options_.latency_seconds;
+        if (from == 0) {
+            there = links_[to].heard = std::max(there, links_[to].heard);
+        } else if (to == 0) {
+            there = links_[from].told = std::max(there, links_[from].told);
+        }
+        return there;
     }
 
     void send(std::vector<Letter> letters) {

@@ -87,7 +87,7 @@ MasterModel::MasterModel(const Workload& workload,
                          bool helps_at_end)
     : workload_(workload),
       options_(options),
-      dispatcher_(helps_at_end),
+      dispatcher_(DispatcherOptions{.helps_at_end = helps_at_end}),
       ahead_(ahead),
       is_answered_(workload.count()),
       peers_(peers),
@@ -100,7 +100,7 @@ std::vector<Letter> MasterModel::time_is(double now) {
         return {};
     }
     director_told_ = now;
-    return deliver(director_.time_is(time_point(now)));
+    return direct([&] { return director_.time_is(time_point(now)); });
 }
 
 std::vector<Letter> MasterModel::start(std::span<const std::uint32_t> worker_threads) {
@@ -154,10 +154,12 @@ std::vector<Letter> MasterModel::take(const BlocksWanted& message) {
     }
     std::vector<Letter> letters;
     for (const std::uint8_t tree : {std::uint8_t{0}, std::uint8_t{1}}) {
-        append(
-            letters,
-            deliver(director_.wanted(
-                message.worker, tree_id(tree), roots_in(message.blocks, tree), time_point(now_))));
+        append(letters, direct([&] {
+                   return director_.wanted(message.worker,
+                                           tree_id(tree),
+                                           roots_in(message.blocks, tree),
+                                           time_point(now_));
+               }));
     }
     return letters;
 }
@@ -208,8 +210,9 @@ std::vector<Letter> MasterModel::take(const BlocksHeld& message) {
             }
             dispatcher_.roots_arrived(message.worker, tree_id(tree), roots);
         });
-        append(letters,
-               deliver(director_.held(message.worker, tree_id(tree), roots, time_point(now_))));
+        append(letters, direct([&] {
+                   return director_.held(message.worker, tree_id(tree), roots, time_point(now_));
+               }));
     }
     return letters;
 }
@@ -218,8 +221,9 @@ std::vector<Letter> MasterModel::take(const BlocksEvicted& message) {
     std::vector<Letter> letters;
     for (const std::uint8_t tree : {std::uint8_t{0}, std::uint8_t{1}}) {
         const std::vector<RootIndex> roots = roots_in(message.blocks, tree);
-        append(letters,
-               deliver(director_.evicted(message.worker, tree_id(tree), roots, time_point(now_))));
+        append(letters, direct([&] {
+                   return director_.evicted(message.worker, tree_id(tree), roots, time_point(now_));
+               }));
         append(letters, dispatch([&] {
                    return dispatcher_.roots_evicted(message.worker, tree_id(tree), roots);
                }));
@@ -229,12 +233,14 @@ std::vector<Letter> MasterModel::take(const BlocksEvicted& message) {
 
 std::vector<Letter> MasterModel::take(const PeerFailed& message) {
     const std::uint8_t tree = message.blocks.front().tree;
-    return deliver(director_.peer_failed(message.worker,
-                                         message.source,
-                                         tree_id(tree),
-                                         roots_in(message.blocks, tree),
-                                         PeerOutcome::Missing,
-                                         time_point(now_)));
+    return direct([&] {
+        return director_.peer_failed(message.worker,
+                                     message.source,
+                                     tree_id(tree),
+                                     roots_in(message.blocks, tree),
+                                     PeerOutcome::Missing,
+                                     time_point(now_));
+    });
 }
 
 void MasterModel::report_work(const ResultsSent& message) {
@@ -283,6 +289,14 @@ std::vector<Letter> MasterModel::dispatch(const Event& event) {
         perform(action, letters);
     }
     return letters;
+}
+
+template <class Event>
+std::vector<Letter> MasterModel::direct(const Event& event) {
+    const double start = cpu_seconds();
+    const BlockActions actions = event();
+    counts_.dispatcher_seconds += cpu_seconds() - start;
+    return deliver(actions);
 }
 
 template <class Event>

@@ -36,7 +36,7 @@ struct MasterCounts {
     std::uint64_t recalled = 0;
     std::uint64_t copies = 0;
     std::uint64_t dispatcher_calls = 0;
-    double dispatcher_seconds = 0; ///< Of processor time, really spent in them here.
+    double dispatcher_seconds = 0; ///< Of processor time, really spent in it and in the director.
 };
 
 class MasterModel {
@@ -81,6 +81,8 @@ class MasterModel {
     template <class Event>
     void report(const Event& event);
     void perform(const Action& action, std::vector<Letter>& letters);
+    template <class Event>
+    std::vector<Letter> direct(const Event& event);
     /// The director's decisions. Blocks are gathered into messages as the real master does: of one
     /// tree, until they are large enough.
     std::vector<Letter> deliver(const BlockActions& actions);

@@ -22,6 +22,7 @@ Batch empty_batch() {
 /// The messages without their content, and what a block adds beside its bytes.
 struct Overheads {
     std::uint64_t batch = on_wire(empty_batch());
+    std::uint64_t tree = on_wire(AddTree{});
     std::uint64_t blocks = on_wire(Subtrees{});
     std::uint64_t block = on_wire(Subtrees{TreeId{}, {SubtreeBlock{}}}) - blocks;
     std::uint64_t directed = on_wire(FetchFromPeers{TreeId{}, {}, {}, {PeerSource{}}});
@@ -57,7 +58,7 @@ std::uint64_t bytes_in(const BatchSent& message, const Workload& workload) {
     for (const std::uint64_t scenario : message.scenarios) {
         bytes += workload.scenario(scenario).batch_bytes;
     }
-    return bytes + (message.with_tops ? workload.top_bytes[0] + workload.top_bytes[1] : 0);
+    return bytes + (message.is_first ? 2 * overheads().tree : 0);
 }
 
 std::uint64_t bytes_in(const BlocksSent& message, const Workload& workload) {

@@ -16,7 +16,7 @@ namespace cd::bench {
 struct BatchSent {
     TaskId task;
     std::vector<std::uint64_t> scenarios;
-    bool with_tops = false; ///< The worker's first: the trees are named to it before.
+    bool is_first = false; ///< Of the worker: the trees are named to it before.
 };
 struct BlocksSent {
     std::vector<BlockId> blocks;

@@ -1,15 +1,15 @@
 #include "bench/cluster/recorder.hpp"
 
 #include "bench/cluster/cpu_clock.hpp"
+#include "common/core/compress.hpp"
 #include "common/core/disk_file.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/search_cost.hpp"
+#include "common/tree/top_block.hpp"
 #include "master/blocks_file.hpp"
 #include "master/cost_model.hpp"
 #include "master/submitter.hpp"
-#include "proto/codec.hpp"
-#include "proto/frame.hpp"
 #include "worker/executor.hpp"
 #include "worker/subtree_cache.hpp"
 
@@ -80,19 +80,16 @@ struct CutBody {
     CutTrace trace;
 };
 
-std::uint64_t top_message_bytes(const TreeTop& top) {
-    return frame_header_bytes +
-           encode_message(AddTree{TreeId{1}, SubtreeForm::Wide, {}, top.nodes}).size();
-}
-
 /// Opens the block as a worker does, and measures that.
 Result<std::shared_ptr<const Subtree>> open_timed(const SubtreeBlock& block, RootTrace& root) {
     const double start = cpu_seconds();
-    auto subtree = open_block(block);
+    const auto opened = open_block(block);
     root.open_seconds = cpu_seconds() - start;
-    if (subtree) {
-        root.memory_bytes = subtree.value()->memory_bytes();
+    if (!opened) {
+        return opened.error();
     }
+    auto subtree = std::get<std::shared_ptr<const Subtree>>(opened.value());
+    root.memory_bytes = subtree->memory_bytes();
     return subtree;
 }
 
@@ -113,7 +110,7 @@ cut_body(const ObbTree& tree, std::uint32_t depth, const std::filesystem::path& 
         body.binary.push_back(extract_subtree(tree, node));
     }
     body.trace.depth = depth;
-    body.trace.top_bytes = top_message_bytes(body.top);
+    body.trace.top_bytes = compress(encode_top(body.top), compression_level_geometry).size();
     for (RootIndex root = 0; root < body.top.root_count(); ++root) {
         const BlockPlace& place = blocks.value().places[root];
         auto compressed = read_block(blocks.value(), root);

@@ -24,7 +24,7 @@ struct RootTrace {
 /// A body cut at one depth.
 struct CutTrace {
     std::uint32_t depth = 0;
-    std::uint64_t top_bytes = 0; ///< Of the message that names the tree to a worker.
+    std::uint64_t top_bytes = 0; ///< Of the top's block, compressed.
     std::vector<RootTrace> roots;
 };
 

@@ -124,7 +124,6 @@ make_workload(const Trace& trace, const PaperTable& table, const WorkloadOptions
         }
     }
     if (!is_paper) {
-        workload.top_bytes = {depth->a.top_bytes, trace.b.top_bytes};
     }
     workload.slow_ratio = table.slow_seconds.back() / table.fast_seconds.back();
     for (std::size_t place = 0; place < count; ++place) {

@@ -36,7 +36,6 @@ struct ScenarioCost {
 
 struct Workload {
     std::array<std::vector<BlockCost>, 2> trees;
-    std::array<std::uint64_t, 2> top_bytes{}; ///< Sent to a worker with its first batch.
     std::vector<ScenarioCost> costs;
     std::vector<std::uint32_t> scenarios; ///< As submitted: the place in `costs` of each.
     double serial_seconds = 0;            ///< All of it in one process on a fast core,
@@ -66,10 +65,10 @@ enum class Costs : std::uint8_t {
     /// Searches in binary trees as measured, with one factor for each fifth of the scenarios, by
     /// which one process takes the seconds of the paper's table; analyses (the same box tests) with
     /// one factor for all, and predictions with the same; 207 bytes for each triangle on the wire
-    /// and in memory; tops and opening
+    /// and in memory; opening
     /// cost nothing.
     Paper,
-    /// As measured: wide trees, compressed blocks with their tops, opening, memory.
+    /// As measured: wide trees, compressed blocks, opening, memory.
     Measured,
 };
 

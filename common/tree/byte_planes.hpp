@@ -4,10 +4,12 @@
 
 #include "common/core/bytes.hpp"
 
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace cd {
@@ -52,6 +54,34 @@ std::vector<T> get_planes(ByteReader& in, std::size_t count, std::size_t planes 
         ++planes;
     }
     return planes;
+}
+
+// ---- Floats ----------------------------------------------------------------------------------
+
+template <class Float>
+using BitsOf = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
+
+/// One number of each item as a column; `number(i)` is that of item i.
+template <class Float, class Number>
+void put_column(ByteWriter& out, std::size_t count, const Number& number) {
+    std::vector<BitsOf<Float>> bits(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        bits[i] = std::bit_cast<BitsOf<Float>>(static_cast<Float>(number(i)));
+    }
+    put_planes(out, std::span<const BitsOf<Float>>(bits));
+}
+
+/// The inverse; `number(i)` is set. False when the bytes end early.
+template <class Float, class Number>
+bool get_column(ByteReader& in, std::size_t count, const Number& number) {
+    const auto bits = get_planes<BitsOf<Float>>(in, count);
+    if (in.failed()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        number(i) = std::bit_cast<Float>(bits[i]);
+    }
+    return true;
 }
 
 } // namespace cd

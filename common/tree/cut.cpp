@@ -2,7 +2,6 @@
 
 #include "common/core/limits.hpp"
 #include "common/tree/box_test.hpp"
-#include "common/tree/node_check.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -39,20 +38,6 @@ void for_each_top_node(const ObbTree& tree,
         }
         ++place;
     }
-}
-
-Error bad(const char* what) {
-    return {ErrorCode::BadInput, std::string("top of a tree: ") + what};
-}
-
-std::vector<std::uint32_t> leaves_of(std::span<const ObbNode> nodes) {
-    std::vector<std::uint32_t> leaves;
-    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-        if (nodes[i].is_leaf()) {
-            leaves.push_back(i);
-        }
-    }
-    return leaves;
 }
 
 double size_of(const ObbNode& node) {
@@ -137,20 +122,19 @@ std::vector<RootIndex> distinct(std::vector<RootIndex> roots) {
 } // namespace
 
 TreeTop cut_tree(const ObbTree& tree, std::uint32_t depth) {
-    TreeTop top;
+    std::vector<ObbNode> nodes;
     const auto add = [&](const TopNode& at) {
         if (at.is_right) {
-            top.nodes[at.parent].right = static_cast<std::uint32_t>(top.nodes.size());
+            nodes[at.parent].right = static_cast<std::uint32_t>(nodes.size());
         }
         ObbNode node = tree.nodes()[at.node];
         if (at.depth == depth) {
             node.right = 0;
         }
-        top.nodes.push_back(node);
+        nodes.push_back(node);
     };
     for_each_top_node(tree, add, depth);
-    top.root_nodes = leaves_of(top.nodes);
-    return top;
+    return make_tree_top(std::move(nodes));
 }
 
 std::vector<std::uint32_t> cut_nodes(const ObbTree& tree, std::uint32_t depth) {
@@ -164,21 +148,13 @@ std::vector<std::uint32_t> cut_nodes(const ObbTree& tree, std::uint32_t depth) {
     return places;
 }
 
-Result<TreeTop> make_tree_top(std::vector<ObbNode> nodes) {
-    if (nodes.empty()) {
-        return bad("no nodes");
-    }
-    if (!is_preorder(nodes)) {
-        return bad("its nodes are not in preorder");
-    }
-    if (!has_consecutive_ranges(nodes)) {
-        return bad("the triangles of a node are not those of its children");
-    }
-    if (!std::all_of(nodes.begin(), nodes.end(), is_valid_box)) {
-        return bad("a box with axes that are not orthonormal or numbers that are not finite");
-    }
+TreeTop make_tree_top(std::vector<ObbNode> nodes) {
     TreeTop top;
-    top.root_nodes = leaves_of(nodes);
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i].is_leaf()) {
+            top.root_nodes.push_back(i);
+        }
+    }
     top.nodes = std::move(nodes);
     return top;
 }

@@ -7,6 +7,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,14 @@ namespace cd {
 
 /// The place of a distribution root in its cut, from left to right.
 using RootIndex = std::uint32_t;
+
+/// In place of a root's number: the top of the tree, which travels as a block as the roots' do.
+inline constexpr RootIndex top_root = std::numeric_limits<RootIndex>::max();
+
+/// The roots, which ascend, but for `top_root`.
+[[nodiscard]] inline std::span<const RootIndex> without_top(std::span<const RootIndex> roots) {
+    return roots.empty() || roots.back() != top_root ? roots : roots.first(roots.size() - 1);
+}
 
 /// One distribution root of each body whose boxes overlap.
 struct RootPair {
@@ -24,8 +33,8 @@ struct RootPair {
 };
 
 /// The nodes above the cut and the cut itself. A node of `nodes` without children is a distribution
-/// root; roots are numbered in the order in which they stand. This is what a worker holds of a tree
-/// from the start, and all that the master needs for its analysis.
+/// root; roots are numbered in the order in which they stand. This is all that the master needs for
+/// its analysis, and a worker that makes it itself.
 struct TreeTop {
     std::vector<ObbNode> nodes;            ///< Preorder; triangle ranges are those of the tree.
     std::vector<std::uint32_t> root_nodes; ///< Index into `nodes` of each root, ascending.
@@ -33,6 +42,7 @@ struct TreeTop {
     [[nodiscard]] std::uint32_t root_count() const {
         return static_cast<std::uint32_t>(root_nodes.size());
     }
+    [[nodiscard]] std::uint32_t triangle_count() const { return nodes.front().triangle_count(); }
     [[nodiscard]] std::uint32_t triangles_under(RootIndex root) const {
         return nodes[root_nodes[root]].triangle_count();
     }
@@ -44,10 +54,8 @@ struct TreeTop {
 /// The place in `tree.nodes()` of each distribution root of `cut_tree(tree, depth)`.
 [[nodiscard]] std::vector<std::uint32_t> cut_nodes(const ObbTree& tree, std::uint32_t depth);
 
-/// Errors: BadInput unless the nodes, which may be of foreign origin, are a tree in preorder whose
-/// triangle ranges are consecutive from 0 and not empty, with boxes that `is_valid_box`
-/// (node_check.hpp) admits. Rebuilds `root_nodes`.
-[[nodiscard]] Result<TreeTop> make_tree_top(std::vector<ObbNode> nodes);
+/// Finds the roots. The nodes are a tree in preorder whose triangle ranges are consecutive from 0.
+[[nodiscard]] TreeTop make_tree_top(std::vector<ObbNode> nodes);
 
 /// Descends both tops together. Each contact of the scenario lies under exactly one returned pair,
 /// so the pairs' contacts together are the answer, without duplicates; no pair means no contact.

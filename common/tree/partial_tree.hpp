@@ -10,14 +10,21 @@
 namespace cd {
 
 /// The paper's "parallel OBB tree". Slots are empty until filled; a scenario holds the subtrees
-/// that it uses by shared pointers, so a slot may be emptied while one runs.
+/// that it uses by shared pointers, so a slot may be emptied while one runs. The top may come after
+/// subtrees: who is told which roots collide needs none.
 class PartialObbTree {
   public:
-    explicit PartialObbTree(TreeTop top)
-        : top_(std::make_shared<const TreeTop>(std::move(top))), slots_(top_->root_count()) {}
+    explicit PartialObbTree(std::uint32_t root_count) : slots_(root_count) {}
 
-    /// Copies share it.
+    [[nodiscard]] std::uint32_t root_count() const {
+        return static_cast<std::uint32_t>(slots_.size());
+    }
+    [[nodiscard]] bool has_top() const { return top_ != nullptr; }
+    /// The top is here. Copies share it.
     [[nodiscard]] const TreeTop& top() const { return *top_; }
+    /// Of as many roots.
+    void set_top(std::shared_ptr<const TreeTop> top) { top_ = std::move(top); }
+
     /// Null while the subtree is not here.
     [[nodiscard]] const std::shared_ptr<const Subtree>& at(RootIndex root) const {
         return slots_[root];

@@ -13,19 +13,16 @@
 namespace cd {
 
 /// The canonical, uncompressed bytes of a subtree as `extract_subtree` makes them: the same for the
-/// same tree, on any host. Of a wide one what `encode_wide_block` says. Of a binary one boxes are
-/// stored so that they decode to exactly themselves:
+/// same tree, on any host. Of a wide one what `encode_wide_block` says. Of a binary one:
 ///
 ///     u8 version = 1    u8 flags (1: double vertices, 2: 32-bit corners)
 ///     u32 nodes    u32 vertices    u32 triangles
-///     columns of the nodes: center x y z (f64), axes 0-5 (f32), axes 6-8 (u32: bits less those of
-///         the cross product of the first two rows), half x y z (f32)
-///     of each node in preorder a varint: 0, or the number of a leaf's triangles
+///     the nodes (node_columns.hpp)
 ///     columns of the vertices: x, y, z (f32 or f64)
 ///     three corners of each triangle (u16 or u32): how far behind the next vertex not yet met
 ///     triangle ids (u32): the zigzag step from the id before
 ///
-/// Each column, the corners and the ids stand as byte planes, lowest first, which compress better.
+/// Each column, the corners and the ids stand as byte planes.
 [[nodiscard]] Bytes encode_subtree(const Subtree& subtree);
 
 /// The inverse. The bytes may be hostile: every index, range and number is checked, and nothing is

@@ -42,7 +42,8 @@ struct SimulatedJob {
 
 class Simulation {
   public:
-    Simulation(std::uint64_t seed, Sabotage sabotage) : random_(seed), sabotage_(sabotage) {}
+    Simulation(std::uint64_t seed, Sabotage sabotage)
+        : random_(seed), sabotage_(sabotage), dispatcher_(options(seed)) {}
 
     /// What is wrong; nothing if all is well.
     std::vector<std::string> run() {
@@ -66,6 +67,17 @@ class Simulation {
 
   private:
     std::uint64_t below(std::uint64_t bound) { return random_() % bound; }
+
+    /// As in a small cluster or, at every third seed, in one so large that all workers are rarely
+    /// looked at.
+    static DispatcherOptions options(std::uint64_t seed) {
+        DispatcherOptions options;
+        if (seed % 3 == 2) {
+            options.workers_few = 0;
+            options.look_seconds_each = 0.05;
+        }
+        return options;
+    }
 
     void problem(const std::string& text) { problems_.push_back(text); }
 

@@ -9,6 +9,7 @@
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build.hpp"
 #include "common/tree/partial_tree.hpp"
+#include "common/tree/top_block.hpp"
 #include "master/coordinator.hpp"
 #include "master/server.hpp"
 #include "tests/support/process.hpp"
@@ -17,7 +18,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <deque>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace cd::tests {
 
@@ -117,7 +121,8 @@ class FakeWorker {
 
   private:
     struct Tree {
-        TreeTop top;
+        std::optional<TreeTop> top;
+        bool is_top_wanted = false;
         std::map<RootIndex, Subtree> subtrees;
     };
 
@@ -137,8 +142,8 @@ class FakeWorker {
             if (!message) {
                 break;
             }
-            if (auto* add = std::get_if<AddTree>(&message.value())) {
-                trees_[add->tree].top = make_tree_top(add->top).value();
+            if (const auto* add = std::get_if<AddTree>(&message.value())) {
+                trees_[add->tree];
             } else if (auto* add_job = std::get_if<AddJob>(&message.value())) {
                 jobs_[add_job->job] = *add_job;
             } else if (const auto* remove = std::get_if<RemoveTree>(&message.value())) {
@@ -147,12 +152,7 @@ class FakeWorker {
                 keep(*subtrees);
             } else if (auto* range = std::get_if<ScenarioRange>(&message.value())) {
                 ++ranges;
-                waiting_.push_back(analysed(*range));
-                if (is_deadly(waiting_.back())) {
-                    channel_->close();
-                    break;
-                }
-                ask();
+                unwalked_.push_back(std::move(*range));
             } else if (auto* batch = std::get_if<Batch>(&message.value())) {
                 if (++batches == habits_.dies_at_batch || is_deadly(*batch)) {
                     channel_->close();
@@ -167,8 +167,37 @@ class FakeWorker {
                 channel_->close();
                 break;
             }
+            if (!walk()) {
+                channel_->close();
+                break;
+            }
             work();
         }
+    }
+
+    /// False: one of them is deadly.
+    bool walk() {
+        for (; !unwalked_.empty() && has_tops(unwalked_.front()); unwalked_.pop_front()) {
+            waiting_.push_back(analysed(unwalked_.front()));
+            if (is_deadly(waiting_.back())) {
+                return false;
+            }
+            ask();
+        }
+        return true;
+    }
+
+    bool has_tops(const ScenarioRange& range) {
+        const AddJob& job = jobs_.at(range.job);
+        bool has_all = true;
+        for (const TreeId id : {job.tree_a, job.tree_b}) {
+            Tree& tree = trees_.at(id);
+            has_all = has_all && tree.top;
+            if (!tree.top && !std::exchange(tree.is_top_wanted, true)) {
+                channel_->send(WantSubtrees{id, {top_root}});
+            }
+        }
+        return has_all;
     }
 
     [[nodiscard]] bool is_deadly(const Batch& batch) const {
@@ -184,6 +213,10 @@ class FakeWorker {
             const Bytes bytes =
                 decompress(block.compressed, limits::subtree_block_bytes_max).value();
             EXPECT_EQ(sha256(bytes), block.hash);
+            if (block.root == top_root) {
+                trees_.at(subtrees.tree).top = decode_top(bytes).value();
+                continue;
+            }
             trees_.at(subtrees.tree)
                 .subtrees.emplace(block.root, std::move(decode_subtree(bytes).value()));
             if (habits_.says_what_it_holds) {
@@ -209,7 +242,7 @@ class FakeWorker {
         Batch batch{range.task, range.job, pack_scenarios(scenarios), {0}, {}};
         for (const Scenario& scenario : scenarios) {
             const auto pairs = colliding_roots(
-                trees_.at(job.tree_a).top, trees_.at(job.tree_b).top, scenario.poses);
+                *trees_.at(job.tree_a).top, *trees_.at(job.tree_b).top, scenario.poses);
             batch.pairs.insert(batch.pairs.end(), pairs.value().begin(), pairs.value().end());
             batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
         }
@@ -320,6 +353,7 @@ class FakeWorker {
     std::map<TreeId, Tree> trees_;
     std::map<JobId, AddJob> jobs_;
     std::vector<Batch> waiting_;
+    std::deque<ScenarioRange> unwalked_; ///< Wait for tops.
     std::uint64_t batches_answered_ = 0;
 };
 

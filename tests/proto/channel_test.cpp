@@ -329,11 +329,11 @@ TEST(Greeting, WithoutACommonVersionBothSidesKnowWhy) {
         const auto executor = co_await asio::this_coro::executor;
         spawn(executor, "refuse", refuse(std::move(ends.right)));
         Hello hello;
-        hello.version_min = 7;
-        hello.version_max = 9;
+        hello.version_min = protocol_version_max + 1;
+        hello.version_max = protocol_version_max + 3;
         const Result<Welcome> welcome = co_await greet(ends.left, hello);
         EXPECT_EQ(welcome.error().code, ErrorCode::Refused);
-        EXPECT_THAT(welcome.error().detail, testing::HasSubstr("7 to 9"));
+        EXPECT_THAT(welcome.error().detail, testing::HasSubstr("8 to 10"));
     });
 }
 

@@ -23,17 +23,6 @@ inline Sha256 some_hash(unsigned first) {
     return hash;
 }
 
-inline ObbNode some_node(std::uint32_t seed) {
-    ObbNode node;
-    node.center = {0.5 + seed, -1.25, 3e30};
-    node.axes = {1, 0, 0, 0, 0.5F, -0.5F, 0, 0.5F, 0.5F};
-    node.half = {1, 2, 3.5F};
-    node.right = seed;
-    node.triangles_begin = 10 * seed;
-    node.triangles_end = 10 * seed + 7;
-    return node;
-}
-
 inline Query some_query() {
     Query query;
     query.level = Level::Contacts;
@@ -130,7 +119,7 @@ inline std::vector<Message> sample_messages() {
         Welcome{1, 42, "0.1.0", some_hash(17), some_hash(18), 8, true, 2000, 15000},
         Failure{ErrorCode::NotFound, "no job 7"},
         Heartbeat{1, 2, 3, {{4, 5, 6, 7, 8, 9}, 10}, RunningScenario{JobId{10}, 11, 12.5}},
-        AddTree{TreeId{1}, SubtreeForm::Wide, some_hash(6), {some_node(1), some_node(2)}},
+        AddTree{TreeId{1}, SubtreeForm::Wide, some_hash(6), some_hash(7), 32, 1600},
         RemoveTree{TreeId{5}},
         Subtrees{TreeId{6}, {{3, some_hash(9), some_bytes(40)}, {4, some_hash(8), {}}}},
         some_batch(),

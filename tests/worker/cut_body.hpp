@@ -1,4 +1,4 @@
-// A mesh as a master holds it: built, cut, and each distribution root's subtree encoded.
+// A mesh as a master holds it: built, cut, and the top and each root's subtree encoded.
 #pragma once
 
 #include "common/core/compress.hpp"
@@ -6,6 +6,7 @@
 #include "common/tree/build.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/subtree_block.hpp"
+#include "common/tree/top_block.hpp"
 #include "proto/work_messages.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -19,17 +20,27 @@ struct CutBody {
     ObbTree tree;
     TreeTop top;
     std::vector<SubtreeBlock> blocks;
+    SubtreeBlock top_block;
 
+    [[nodiscard]] const SubtreeBlock& block(RootIndex root) const {
+        return root == top_root ? top_block : blocks.at(root);
+    }
     /// What a worker is told of it.
     [[nodiscard]] AddTree add(TreeId id) const {
         AddTree message;
         message.tree = id;
         message.form = form;
         message.cut = blocks.front().hash;
-        message.top = top.nodes;
+        message.top = top_block.hash;
+        message.roots = top.root_count();
+        message.triangles = top.triangle_count();
         return message;
     }
 };
+
+inline SubtreeBlock packed(RootIndex root, const Bytes& bytes) {
+    return {root, sha256(bytes), compress(bytes, compression_level_fast)};
+}
 
 inline CutBody cut_body(Mesh mesh, std::uint32_t depth, SubtreeForm form = SubtreeForm::Wide) {
     ThreadPool pool(1);
@@ -37,14 +48,11 @@ inline CutBody cut_body(Mesh mesh, std::uint32_t depth, SubtreeForm form = Subtr
     TreeTop top = cut_tree(tree, depth);
     std::vector<SubtreeBlock> blocks;
     for (const std::uint32_t node : cut_nodes(tree, depth)) {
-        const Bytes bytes = encode_subtree(extract_subtree(tree, node, form));
-        SubtreeBlock block;
-        block.root = static_cast<RootIndex>(blocks.size());
-        block.hash = sha256(bytes);
-        block.compressed = compress(bytes, compression_level_fast);
-        blocks.push_back(std::move(block));
+        const auto root = static_cast<RootIndex>(blocks.size());
+        blocks.push_back(packed(root, encode_subtree(extract_subtree(tree, node, form))));
     }
-    return {form, std::move(tree), std::move(top), std::move(blocks)};
+    SubtreeBlock top_block = packed(top_root, encode_top(top));
+    return {form, std::move(tree), std::move(top), std::move(blocks), std::move(top_block)};
 }
 
 } // namespace cd::tests

@@ -49,10 +49,9 @@ TEST(Executor, BothFormsOfSubtreesHaveTheSameAnswer) {
 }
 
 TEST(WorkerJob, OfTreesWhoseFormsDoNotSuitIsRefused) {
-    const CutBody body = cut_body(make_sphere(1), 0);
     SubtreeCache cache(1u << 20);
-    ASSERT_TRUE(cache.add_tree(TreeId{1}, cut_tree(body.tree, 0), SubtreeForm::Wide));
-    ASSERT_TRUE(cache.add_tree(TreeId{2}, cut_tree(body.tree, 0), SubtreeForm::Binary));
+    ASSERT_TRUE(cache.add_tree(cut_body(make_sphere(1), 0).add(TreeId{1})));
+    ASSERT_TRUE(cache.add_tree(cut_body(make_sphere(1), 0, SubtreeForm::Binary).add(TreeId{2})));
     const auto is_taken = [&](std::uint64_t a, std::uint64_t b, double tolerance) {
         Query query;
         query.tolerance = tolerance;
@@ -70,9 +69,7 @@ TEST(WorkerJob, OfTreesWhoseFormsDoNotSuitIsRefused) {
 
 class TaskTest : public testing::Test {
   protected:
-    void SetUp() override {
-        ASSERT_TRUE(cache_.add_tree(TreeId{1}, cut_tree(body_.tree, 0), body_.form));
-    }
+    void SetUp() override { ASSERT_TRUE(cache_.add_tree(body_.add(TreeId{1}))); }
     std::shared_ptr<const WorkerJob> make_job(std::optional<Grid> grid = std::nullopt) {
         AddJob add{JobId{1}, TreeId{1}, TreeId{1}, {}, std::nullopt};
         if (grid) {

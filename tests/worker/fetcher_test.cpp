@@ -25,8 +25,9 @@ struct Bodies {
     CutBody a = cut_body(make_sphere(3), 4);
     CutBody b = cut_body(make_sphere(2), 3);
 
-    [[nodiscard]] std::shared_ptr<const Subtree> open(const SubtreeKey& key) const {
-        return open_block((key.tree == tree_a ? a : b).blocks[key.root]).value();
+    [[nodiscard]] OpenedBlock open(const SubtreeKey& key) const {
+        const SubtreeBlock& block = (key.tree == tree_a ? a : b).block(key.root);
+        return open_block(block).value();
     }
 };
 
@@ -38,12 +39,12 @@ const Bodies& bodies() {
 /// A cache with both trees, its fetcher, and what the master sends.
 struct Bench {
     explicit Bench(std::uint64_t bytes) : cache(bytes), fetcher(cache) {
-        EXPECT_TRUE(cache.add_tree(tree_a, bodies().a.top, bodies().a.form));
-        EXPECT_TRUE(cache.add_tree(tree_b, bodies().b.top, bodies().b.form));
+        EXPECT_TRUE(cache.add_tree(bodies().a.add(tree_a)));
+        EXPECT_TRUE(cache.add_tree(bodies().b.add(tree_b)));
     }
     void deliver(const SubtreeKey& key) {
         EXPECT_TRUE(cache.insert(key, bodies().open(key)));
-        if (cache.at(key) != nullptr) {
+        if (cache.has(key)) {
             fetcher.arrived(key);
         }
     }
@@ -267,6 +268,27 @@ TEST(Fetcher, EveryScenarioBecomesReadyOnceInAnyOrderOfEvents) {
             return;
         }
     }
+}
+
+TEST(Fetcher, ATopIsAskedForOnceAndStays) {
+    Bench bench(1);
+    EXPECT_TRUE(bench.fetcher.want_top(tree_b));
+    EXPECT_FALSE(bench.fetcher.want_top(tree_b)) << "it is under way";
+    bench.fetcher.add(1, {{tree_a, 2}});
+    EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_a, 2}, {tree_b, top_root}}));
+    EXPECT_TRUE(bench.fetcher.advance().want.empty());
+    EXPECT_EQ(bench.fetcher.awaited(), (Keys{{tree_a, 2}, {tree_b, top_root}}));
+    bench.deliver({tree_b, top_root});
+    bench.deliver({tree_a, 2});
+    bench.fetcher.finished(1);
+    EXPECT_TRUE(bench.cache.has({tree_b, top_root})) << "whatever the limit";
+    EXPECT_FALSE(bench.fetcher.want_top(tree_b));
+    EXPECT_TRUE(bench.fetcher.awaited().empty());
+    // One whose tree goes is forgotten, and asked for again of the next tree of that number.
+    EXPECT_TRUE(bench.fetcher.want_top(tree_a));
+    bench.fetcher.forget_requests(tree_a);
+    EXPECT_TRUE(bench.fetcher.advance().want.empty());
+    EXPECT_TRUE(bench.fetcher.want_top(tree_a));
 }
 
 } // namespace

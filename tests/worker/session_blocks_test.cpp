@@ -64,6 +64,24 @@ TEST(Session, WhatIsHintedComesBeforeAScenarioNeedsIt) {
     });
 }
 
+TEST(Session, OnlyWhoFindsTheRootsItselfAsksForTops) {
+    perform(1, 2, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        const auto scenarios = make_scenarios(0, 60);
+        master.channel->send(make_batch(TaskId{1}, std::span(scenarios).first(20)));
+        co_await master.serve_until_ended(1);
+        EXPECT_FALSE(master.given.contains({tree_a, top_root}));
+        EXPECT_FALSE(master.given.contains({tree_b, top_root}));
+        master.channel->send(make_range(TaskId{2}, std::span(scenarios).subspan(20, 20)));
+        master.channel->send(make_range(TaskId{3}, std::span(scenarios).subspan(40)));
+        co_await master.serve_until_ended(3);
+        // Once each: `held` knows them, although the cache has no room.
+        EXPECT_TRUE(master.held.contains({tree_a, top_root}));
+        EXPECT_TRUE(master.held.contains({tree_b, top_root}));
+        expect_all_right(master, scenarios);
+    });
+}
+
 TEST(Session, EvictionsCountForTheJobWhoseTreeTheyAreOf) {
     perform(1, 1, [](Stage& stage) -> asio::awaitable<void> {
         FakeMaster& master = stage.master;

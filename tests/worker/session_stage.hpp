@@ -103,10 +103,10 @@ class FakeMaster {
         Subtrees subtrees;
         subtrees.tree = want.tree;
         for (const RootIndex root : want.roots) {
-            bytes_sent += body.blocks[root].compressed.size();
+            bytes_sent += body.block(root).compressed.size();
             EXPECT_TRUE(held.insert({want.tree, root}).second) << "asked for what it holds";
             given.insert({want.tree, root});
-            subtrees.blocks.push_back(body.blocks[root]);
+            subtrees.blocks.push_back(body.block(root));
             ++subtrees_sent;
         }
         channel->send(subtrees);

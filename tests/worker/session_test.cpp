@@ -197,8 +197,11 @@ TEST(Session, DisagreementEndsTheConnectionWithAReason) {
     few_offsets.pair_offsets = {0};
     EXPECT_THAT(complaint_about(few_offsets), testing::HasSubstr("number of scenarios"));
 
-    EXPECT_NE(complaint_about(AddTree{TreeId{9}, SubtreeForm::Wide, {}, {ObbNode{}, ObbNode{}}}),
-              "");
+    AddTree no_tree = bodies().a.add(TreeId{9});
+    no_tree.roots = 0;
+    EXPECT_THAT(complaint_about(no_tree), testing::HasSubstr("cannot be"));
+    no_tree.roots = no_tree.triangles + 1;
+    EXPECT_THAT(complaint_about(no_tree), testing::HasSubstr("cannot be"));
     EXPECT_NE(complaint_about(bodies().a.add(tree_a)), "") << "twice";
     EXPECT_THAT(complaint_about(Accepted{JobId{1}}), testing::HasSubstr("accepted"));
 
@@ -207,6 +210,8 @@ TEST(Session, DisagreementEndsTheConnectionWithAReason) {
     wrong.blocks = {bodies().a.blocks[0]};
     wrong.blocks[0].hash.bytes[0] ^= std::byte{1};
     EXPECT_THAT(complaint_about(wrong), testing::HasSubstr("hash"));
+    EXPECT_THAT(complaint_about(Subtrees{tree_a, {bodies().b.top_block}}),
+                testing::HasSubstr("a top of 16 roots"));
 }
 
 } // namespace

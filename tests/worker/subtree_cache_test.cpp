@@ -23,11 +23,17 @@ Sha256 some_name(unsigned char number) {
 class SubtreeCacheTest : public testing::Test {
   protected:
     [[nodiscard]] std::shared_ptr<const Subtree> subtree(RootIndex root) const {
-        return open_block(body.blocks[root]).value();
+        return std::get<std::shared_ptr<const Subtree>>(open_block(body.blocks[root]).value());
+    }
+    /// The tree under this number and name.
+    [[nodiscard]] AddTree add(TreeId id, const Sha256& cut = {}) const {
+        AddTree add = body.add(id);
+        add.cut = cut;
+        return add;
     }
     [[nodiscard]] SubtreeCache cache_for(std::uint64_t bytes) const {
         SubtreeCache cache(bytes);
-        EXPECT_TRUE(cache.add_tree(tree, body.top, body.form));
+        EXPECT_TRUE(cache.add_tree(add(tree)));
         return cache;
     }
     void insert(SubtreeCache& cache, RootIndex root) const {
@@ -98,7 +104,7 @@ TEST_F(SubtreeCacheTest, UnneededBlocksAreLetGoAtOnceWhenTheLimitIsTiny) {
 TEST_F(SubtreeCacheTest, RemovingATreeFreesItsBlocksAndNoOthers) {
     SubtreeCache cache = cache_for(unlimited);
     const TreeId other{8};
-    ASSERT_TRUE(cache.add_tree(other, body.top, body.form));
+    ASSERT_TRUE(cache.add_tree(add(other)));
     insert(cache, 0);
     cache.pin({tree, 1});
     insert(cache, 1);
@@ -117,6 +123,39 @@ TEST_F(SubtreeCacheTest, RemovingATreeFreesItsBlocksAndNoOthers) {
     EXPECT_EQ(cache.bytes(), bytes_of({4}));
 }
 
+TEST_F(SubtreeCacheTest, ATopStaysAsLongAsItsTree) {
+    SubtreeCache cache = cache_for(1);
+    const SubtreeKey key{tree, top_root};
+    EXPECT_FALSE(cache.has(key));
+    EXPECT_EQ(cache.bytes_expected(key), body.top.nodes.size() * sizeof(ObbNode));
+    const auto block = std::make_shared<const SubtreeBlock>(body.top_block);
+    ASSERT_TRUE(cache.insert(key, open_block(*block).value(), block));
+    ASSERT_TRUE(cache.has(key));
+    EXPECT_EQ(cache.find(tree)->top().nodes, body.top.nodes);
+    EXPECT_EQ(cache.block_at(key), block);
+    EXPECT_EQ(cache.at(key), nullptr) << "it is no subtree";
+    EXPECT_EQ(cache.held(tree), std::vector<RootIndex>{top_root});
+    EXPECT_EQ(cache.bytes(), cache.bytes_expected(key) + block->compressed.size());
+    EXPECT_TRUE(cache.snapshot(tree)->has_top());
+    cache.pin(key); // Nothing to pin.
+    cache.unpin(key);
+    cache.park();
+    EXPECT_TRUE(cache.take_evicted().empty());
+    ASSERT_TRUE(cache.add_tree(add(TreeId{9})));
+    EXPECT_TRUE(cache.has({TreeId{9}, top_root}));
+    cache.remove_tree(TreeId{9});
+    EXPECT_EQ(cache.bytes(), 0u);
+}
+
+TEST_F(SubtreeCacheTest, ATopOfAnotherTreeIsRefused) {
+    SubtreeCache cache = cache_for(unlimited);
+    const CutBody deeper = cut_body(make_sphere(3), 4);
+    const CutBody larger = cut_body(make_sphere(4), 3);
+    EXPECT_FALSE(cache.insert({tree, top_root}, open_block(deeper.top_block).value()));
+    EXPECT_FALSE(cache.insert({tree, top_root}, open_block(larger.top_block).value()));
+    EXPECT_FALSE(cache.has({tree, top_root}));
+}
+
 TEST_F(SubtreeCacheTest, ADuplicateIsIgnored) {
     SubtreeCache cache = cache_for(unlimited);
     insert(cache, 5);
@@ -128,13 +167,18 @@ TEST_F(SubtreeCacheTest, ADuplicateIsIgnored) {
 
 TEST_F(SubtreeCacheTest, WhatDoesNotFitTheTreeIsRefused) {
     SubtreeCache cache = cache_for(unlimited);
-    EXPECT_FALSE(cache.add_tree(tree, body.top, body.form)) << "twice";
+    EXPECT_FALSE(cache.add_tree(add(tree))) << "twice";
     EXPECT_FALSE(cache.insert({tree, body.top.root_count()}, subtree(0)));
-    const CutBody box = cut_body(make_box(Vec3(1, 1, 1)), 0);
-    EXPECT_FALSE(cache.insert({tree, 0}, open_block(box.blocks[0]).value()));
     const CutBody binary = cut_body(make_sphere(3), 3, SubtreeForm::Binary);
     EXPECT_FALSE(cache.insert({tree, 0}, open_block(binary.blocks[0]).value()));
     EXPECT_EQ(cache.bytes(), 0u);
+    const CutBody box = cut_body(make_box(Vec3(1, 1, 1)), 0);
+    ASSERT_TRUE(cache.insert({tree, 0}, open_block(box.blocks[0]).value())) << "not yet known";
+    EXPECT_FALSE(cache.insert({tree, top_root}, open_block(body.top_block).value()));
+    cache.remove_tree(tree);
+    ASSERT_TRUE(cache.add_tree(add(tree)));
+    ASSERT_TRUE(cache.insert({tree, top_root}, open_block(body.top_block).value()));
+    EXPECT_FALSE(cache.insert({tree, 0}, open_block(box.blocks[0]).value()));
 }
 
 TEST_F(SubtreeCacheTest, ABlockWithAnotherHashIsRefused) {
@@ -159,7 +203,7 @@ TEST_F(SubtreeCacheTest, BytesThatAreNoBlockAreRefusedWhateverTheirHash) {
 TEST_F(SubtreeCacheTest, AParkedTreeComesBackUnderAnotherNumberWithWhatItHad) {
     const Sha256 cut = some_name(1);
     SubtreeCache cache(unlimited);
-    ASSERT_TRUE(cache.add_tree(tree, body.top, body.form, cut));
+    ASSERT_TRUE(cache.add_tree(add(tree, cut)));
     for (const RootIndex root : {1u, 3u, 4u}) {
         insert(cache, root);
     }
@@ -169,7 +213,7 @@ TEST_F(SubtreeCacheTest, AParkedTreeComesBackUnderAnotherNumberWithWhatItHad) {
     EXPECT_EQ(cache.parked(), std::vector<Sha256>{cut});
 
     const TreeId other{1};
-    ASSERT_TRUE(cache.add_tree(other, body.top, body.form, cut));
+    ASSERT_TRUE(cache.add_tree(add(other, cut)));
     EXPECT_EQ(cache.held(other), (std::vector<RootIndex>{1, 3, 4}));
     EXPECT_NE(cache.at({other, 3}), nullptr);
     EXPECT_TRUE(cache.parked().empty());
@@ -182,13 +226,16 @@ TEST_F(SubtreeCacheTest, AParkedTreeComesBackUnderAnotherNumberWithWhatItHad) {
 TEST_F(SubtreeCacheTest, OnlyTheSameCutInTheSameFormBringsAParkedTreeBack) {
     const Sha256 cut = some_name(1);
     SubtreeCache cache(unlimited);
-    ASSERT_TRUE(cache.add_tree(tree, body.top, body.form, cut));
+    ASSERT_TRUE(cache.add_tree(add(tree, cut)));
     insert(cache, 1);
     cache.park();
-    ASSERT_TRUE(cache.add_tree(TreeId{1}, body.top, body.form, some_name(2)));
-    ASSERT_TRUE(cache.add_tree(TreeId{2}, body.top, SubtreeForm::Binary, cut));
-    const CutBody larger = cut_body(make_sphere(3), 4);
-    ASSERT_TRUE(cache.add_tree(TreeId{3}, larger.top, larger.form, cut));
+    ASSERT_TRUE(cache.add_tree(add(TreeId{1}, some_name(2))));
+    AddTree other_form = add(TreeId{2}, cut);
+    other_form.form = SubtreeForm::Binary;
+    ASSERT_TRUE(cache.add_tree(other_form));
+    AddTree other_top = add(TreeId{3}, cut);
+    other_top.top = some_name(3);
+    ASSERT_TRUE(cache.add_tree(other_top));
     for (const TreeId id : {TreeId{1}, TreeId{2}, TreeId{3}}) {
         EXPECT_TRUE(cache.held(id).empty());
     }
@@ -200,11 +247,11 @@ TEST_F(SubtreeCacheTest, OnlyTheSameCutInTheSameFormBringsAParkedTreeBack) {
 
 TEST_F(SubtreeCacheTest, ParkedSubtreesLeaveFirstAndNobodyIsTold) {
     SubtreeCache cache(bytes_of({2, 3, 4}));
-    ASSERT_TRUE(cache.add_tree(tree, body.top, body.form, some_name(1)));
+    ASSERT_TRUE(cache.add_tree(add(tree, some_name(1))));
     insert(cache, 0);
     insert(cache, 1);
     cache.park();
-    ASSERT_TRUE(cache.add_tree(tree, body.top, body.form, some_name(2)));
+    ASSERT_TRUE(cache.add_tree(add(tree, some_name(2))));
     for (const RootIndex root : {2u, 3u, 4u}) {
         insert(cache, root);
     }

@@ -18,7 +18,6 @@ inline bench::Workload make_synthetic_workload(std::uint64_t seed, std::size_t s
     for (std::size_t root = 0; root < 8; ++root) {
         workload.trees[1].push_back({50, 2000 + random() % 100'000, 7000, 1e-4});
     }
-    workload.top_bytes = {4000, 800};
     workload.slow_ratio = 1.6;
     for (std::size_t i = 0; i < scenarios; ++i) {
         const std::uint64_t centiseconds = 1 + random() % 9;

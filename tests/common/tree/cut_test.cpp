@@ -135,53 +135,20 @@ TEST(Cut, TheTopHoldsTheNodesAboveTheCut) {
             triangles += node.triangle_count();
         }
         EXPECT_EQ(triangles, tree.mesh().triangles().size());
-        const auto again = make_tree_top(top.nodes);
-        ASSERT_TRUE(again) << again.error().detail;
-        EXPECT_EQ(again.value().root_nodes, top.root_nodes);
     }
     EXPECT_EQ(cut_tree(tree, 0).nodes.size(), 1u);
     EXPECT_EQ(cut_tree(tree, 1000).nodes.size(), tree.nodes().size());
 }
 
-TEST(TreeTop, RefusesNodesThatAreNoTree) {
-    ASSERT_TRUE(make_tree_top(three_leaves()));
-    EXPECT_EQ(make_tree_top(three_leaves()).value().root_nodes,
-              (std::vector<std::uint32_t>{2, 3, 4}));
-    const auto refused = [](const auto& damage) {
-        std::vector<ObbNode> nodes = three_leaves();
-        damage(nodes);
-        const auto top = make_tree_top(nodes);
-        return !top && top.error().code == ErrorCode::BadInput;
-    };
-    EXPECT_TRUE(refused([](auto& nodes) { nodes.clear(); }));
-    EXPECT_TRUE(refused([](auto& nodes) { nodes.pop_back(); }));
-    EXPECT_TRUE(refused([](auto& nodes) { nodes.push_back(nodes.back()); }));
-    EXPECT_TRUE(refused([](auto& nodes) { nodes[0].right = 3; }));
-    EXPECT_TRUE(refused([](auto& nodes) { nodes[0].right = 5; }));
-    EXPECT_TRUE(refused([](auto& nodes) { nodes[1].right = 1; })) << "a cycle";
-    EXPECT_TRUE(refused([](auto& nodes) { nodes[3].right = 2; }));
-    EXPECT_TRUE(refused([](auto& nodes) { nodes[4].right = UINT32_MAX; }));
-    EXPECT_TRUE(refused([](auto& nodes) { nodes[0].triangles_begin = 1; }));
-    EXPECT_TRUE(refused([](auto& nodes) { nodes[2].triangles_end = 3; }));
-    EXPECT_TRUE(refused([](auto& nodes) { nodes[4].triangles_end = 5; }));
-    EXPECT_TRUE(refused([](auto& nodes) { nodes[3].triangles_begin = nodes[3].triangles_end; }));
+TEST(TreeTop, ItsRootsAreTheNodesWithoutChildren) {
+    EXPECT_EQ(make_tree_top(three_leaves()).root_nodes, (std::vector<std::uint32_t>{2, 3, 4}));
 }
 
-TEST(TreeTop, RefusesBoxesThatCannotBeTested) {
-    const auto accepted = [](const auto& change) {
-        std::vector<ObbNode> nodes = three_leaves();
-        change(nodes[3]);
-        return make_tree_top(nodes).has_value();
-    };
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    const float infinity = std::numeric_limits<float>::infinity();
-    EXPECT_TRUE(accepted([&](ObbNode& node) { node.half[1] = infinity; }));
-    EXPECT_FALSE(accepted([&](ObbNode& node) { node.half[1] = nan; }));
-    EXPECT_FALSE(accepted([&](ObbNode& node) { node.half[1] = -1; }));
-    EXPECT_FALSE(accepted([&](ObbNode& node) { node.center[0] = infinity; }));
-    EXPECT_FALSE(accepted([&](ObbNode& node) { node.axes[4] = 0.5f; }));
-    EXPECT_FALSE(accepted([&](ObbNode& node) { node.axes[1] = 0.001f; }));
-    EXPECT_FALSE(accepted([&](ObbNode& node) { node.axes[8] = nan; }));
+TEST(RootIndices, WithoutTheTopAreTheOthers) {
+    const std::vector<RootIndex> roots{1, 5, top_root};
+    EXPECT_EQ(without_top(roots).size(), 2u);
+    EXPECT_EQ(without_top(std::span(roots).first(2)).size(), 2u);
+    EXPECT_TRUE(without_top({}).empty());
 }
 
 // Table 1 of the paper: the roots of a model hold 1, 11, (unknown), 1, 1 and 4 triangles; a

@@ -22,7 +22,9 @@ Cut make_cut(std::uint32_t depth) {
     ThreadPool pool(1);
     ObbTree tree = build_tree(share(make_sphere(2)), BuildOptions{}, pool);
     auto nodes = cut_nodes(tree, depth);
-    PartialObbTree partial(cut_tree(tree, depth));
+    auto top = std::make_shared<const TreeTop>(cut_tree(tree, depth));
+    PartialObbTree partial(top->root_count());
+    partial.set_top(std::move(top));
     return {std::move(tree), std::move(nodes), std::move(partial)};
 }
 
@@ -34,7 +36,7 @@ std::shared_ptr<const Subtree> subtree_of(const Cut& cut, RootIndex root) {
 
 TEST(PartialObbTree, SlotsAreEmptyUntilFilled) {
     Cut cut = make_cut(3);
-    ASSERT_EQ(cut.partial.top().root_count(), 8u);
+    ASSERT_EQ(cut.partial.root_count(), 8u);
     const std::vector<RootIndex> roots{0, 3, 7};
     EXPECT_EQ(cut.partial.missing(roots), roots);
     cut.partial.fill(3, subtree_of(cut, 3));

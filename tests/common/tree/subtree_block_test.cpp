@@ -5,10 +5,12 @@
 
 #include "common/core/compress.hpp"
 #include "common/tree/build.hpp"
+#include "common/tree/node_check.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -209,8 +211,8 @@ TEST(SubtreeBlock, DamageNeverMakesAViewThatLeavesItsArrays) {
         }
         ++decoded_count;
         const TreeView view = decoded.value().view();
-        ASSERT_TRUE(make_tree_top(copied(view.nodes)));
-        ASSERT_EQ(view.nodes[0].triangles_end, view.triangles.size());
+        ASSERT_TRUE(is_tree_over(view.nodes, view.triangles.size()));
+        ASSERT_TRUE(std::ranges::all_of(view.nodes, is_valid_box));
         for (const Triangle& triangle : view.triangles) {
             for (const std::uint32_t vertex : triangle) {
                 ASSERT_LT(vertex, view.vertices.size());
