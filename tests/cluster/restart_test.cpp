@@ -62,7 +62,7 @@ std::map<std::string, std::uint64_t> blocks_sent(const ClusterStatus& status) {
 }
 
 TEST_F(Restart, WhatIsDoneIsNotDoneAgainAndNoBlockIsSentAgain) {
-    const Job job = make_job(4000);
+    const Job job = make_job(10000);
     const Query query;
     start_worker(1, {"--no-peers"});
     start_worker(1, {"--no-peers"});
@@ -95,7 +95,7 @@ TEST_F(Restart, WhatIsDoneIsNotDoneAgainAndNoBlockIsSentAgain) {
         answered += worker.scenarios;
     }
     // What was seen as merged was on the disk, but for what a few commits hold.
-    EXPECT_LE(answered, 4000 - 2500 + 600u);
+    EXPECT_LE(answered, 10000 - 2500 + 600u);
     EXPECT_GT(answered, 0u);
     // What was counted before counts on.
     EXPECT_GE(status.traffic.result_bytes, before.traffic.result_bytes);
