@@ -12,6 +12,7 @@
 #include "common/tree/build.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/subtree_block.hpp"
+#include "common/tree/top_block.hpp"
 #include "master/journal_records.hpp"
 #include "master/result_store.hpp"
 #include "proto/codec.hpp"
@@ -112,6 +113,7 @@ void add_blocks_and_records(Seeds& seeds) {
         seeds.add(
             "block", "wide_" + name, encode_subtree(extract_subtree(a, root, SubtreeForm::Wide)));
         seeds.add("block", "binary_" + name, encode_subtree(extract_subtree(a, root)));
+        seeds.add("top", name, encode_top(cut_tree(a, depth)));
     }
     ByteWriter records;
     const tests::TemporaryFolder folder;

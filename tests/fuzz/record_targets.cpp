@@ -5,6 +5,7 @@
 #include "common/job/pose_source.hpp"
 #include "common/job/result.hpp"
 #include "common/tree/subtree_block.hpp"
+#include "common/tree/top_block.hpp"
 #include "master/journal_records.hpp"
 #include "master/result_store.hpp"
 #include "tests/fuzz/memory_file.hpp"
@@ -56,6 +57,10 @@ void restore_all(ResultStore& store, Input records) {
 
 void block(Input input) {
     check_repeats(input, decode_subtree, encode_subtree);
+}
+
+void top(Input input) {
+    check_repeats(input, decode_top, encode_top);
 }
 
 void result(Input input) {

@@ -10,6 +10,7 @@ std::span<const Target> targets() {
         Target{"message", message},
         Target{"token", token},
         Target{"block", block},
+        Target{"top", top},
         Target{"result", result},
         Target{"packed", packed},
         Target{"map", map},

@@ -17,6 +17,7 @@ void token(Input input);   ///< A token to join with, as text.
 
 // Blocks and records.
 void block(Input input);       ///< A subtree's block.
+void top(Input input);         ///< The block of a tree's top.
 void result(Input input);      ///< A scenario's record.
 void packed(Input input);      ///< Records as they travel, compressed.
 void map(Input input);         ///< A map of contacts, before it is compressed.
