@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-/// Of a block that thousands hold, among these alone the sources after the first are sought.
+/// Of a block that thousands hold, so many are looked at for a better source, or for more of them.
 constexpr std::size_t sources_looked_at_max = 64;
 
 } // namespace
@@ -22,6 +22,7 @@ void BlockDirector::worker_joined(WorkerId worker, bool serves) {
     const bool is_new = peers_.try_emplace(worker).second;
     CD_CHECK(is_new);
     peers_.at(worker).serves = serves;
+    servers_ += serves ? 1 : 0;
     note_places(worker);
 }
 
@@ -48,6 +49,7 @@ BlockActions BlockDirector::worker_left(WorkerId worker, Time now) {
             fetch.source = {};
         }
     }
+    servers_ -= found->second.serves ? 1 : 0;
     peers_.erase(found);
     free_.erase(worker);
     return settle(std::move(event));
@@ -202,8 +204,8 @@ bool BlockDirector::can_serve(WorkerId source, WorkerId worker) const {
 
 bool BlockDirector::is_worth_waiting(const Block& block, WorkerId worker) const {
     const auto serves = [&](WorkerId other) { return can_serve(other, worker); };
-    return std::ranges::any_of(block.holders, serves) ||
-           std::ranges::any_of(block.on_the_way_to, serves);
+    return servers_ != 0 && (std::ranges::any_of(block.holders, serves) ||
+                             std::ranges::any_of(block.on_the_way_to, serves));
 }
 
 WorkerId
@@ -216,6 +218,7 @@ BlockDirector::first_source(const Block& block,
     // One that gives nothing in this event yet, with the fewest uploads.
     WorkerId best;
     std::size_t least = limits::peer_uploads_max;
+    std::size_t looked_at = 0;
     for (const WorkerId source : free_.size() < block.holders.size() ? free_ : block.holders) {
         if (!free_.contains(source) || given.contains(source) || !may_give(source)) {
             continue;
@@ -224,7 +227,7 @@ BlockDirector::first_source(const Block& block,
             best = source;
             least = uploads;
         }
-        if (least == 0) {
+        if (least == 0 || ++looked_at == sources_looked_at_max) {
             break;
         }
     }
@@ -370,6 +373,9 @@ void BlockDirector::free_place(Fetch& fetch, Event& event) {
 
 void BlockDirector::add_hold(WorkerId worker, const BlockKey& block) {
     Peer& peer = peers_.at(worker);
+    if (!peer.serves) {
+        return; // Nobody gains by it.
+    }
     Block& held = blocks_[block];
     peer.holds.insert(block);
     held.holders.insert(worker);

@@ -160,6 +160,7 @@ class BlockDirector {
     std::map<FetchId, Fetch> fetches_;
     FetchId fetch_last_ = 0;
     PlaceInLine place_last_ = 0;
+    std::size_t servers_ = 0; ///< Workers that serve others.
     // So that an event costs what it touches, and not what all workers hold or wait for:
     std::map<PlaceInLine, WorkerId> line_; ///< Who waits for something, in the order of coming.
     std::set<WorkerId> free_;              ///< Sources with a free place.

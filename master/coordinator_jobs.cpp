@@ -199,6 +199,7 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
 
 void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
     AddResults add{job.id, job.results, {}, {}, {}};
+    add.results.reserve(taken.results.size());
     for (TakenResult& one : taken.results) {
         job.statistics += one.cost;
         if (one.record.size() > limits::result_record_bytes_max) {
@@ -217,6 +218,9 @@ void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
         }
     }
     if (!add.results.empty()) {
+        if (worker != WorkerId{}) {
+            job.contributors.insert(worker);
+        }
         ++job.changes;
         add.progress = job.progress(Clock::now());
         if (!taken.map.empty()) {
@@ -249,7 +253,6 @@ bool Coordinator::merge_one(MasterJob& job, const TakenResult& taken, WorkerId w
     if (worker != WorkerId{}) {
         job.authors.resize(std::max<std::size_t>(job.authors.size(), index + 1));
         job.authors[index] = static_cast<std::uint32_t>(worker.value);
-        job.contributors.insert(worker);
     }
     close_analysis(job, index);
     return true;

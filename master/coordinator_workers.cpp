@@ -191,10 +191,13 @@ void Coordinator::results_taken(WorkerId worker,
             dispatcher().work_measured(worker, measured_work(*job, results, taken.value().results));
         }
         std::vector<std::uint64_t> scenarios;
+        scenarios.reserve(count);
         for (const TakenResult& one : taken.value().results) {
             scenarios.push_back(one.result.index);
             // Those of a range, too: it may have been lost, and they analysed, meanwhile.
-            act(dispatcher().scenario_answered(worker, id, one.result.index));
+            if (dispatcher_.unanswered(id) != 0) {
+                act(dispatcher().scenario_answered(worker, id, one.result.index));
+            }
         }
         const std::uint64_t merged_before = job->merger.summary().merged();
         merge(*job, std::move(taken.value()), worker);

@@ -24,10 +24,12 @@ void RootHolders::grow(std::uint32_t holder_count) {
     CD_CHECK(holder_count >= holder_count_);
     holder_count_ = holder_count;
     roots_.resize(holder_count, 0);
-    const std::size_t words = (std::size_t{holder_count} + 63) / 64;
-    if (words == row_words_) {
+    const std::size_t needed = (std::size_t{holder_count} + 63) / 64;
+    if (needed <= row_words_) {
         return;
     }
+    // Thousands come one by one, and each time all is copied.
+    const std::size_t words = std::max(needed, row_words_ + row_words_ / 8);
     std::vector<std::uint64_t> wider(words * root_count_, 0);
     for (std::size_t root = 0; root < root_count_; ++root) {
         std::copy_n(bits_.begin() + static_cast<std::ptrdiff_t>(root * row_words_),
