@@ -260,6 +260,7 @@ void Dispatcher::State::refill(WorkerProxy& proxy, Actions& actions) {
             pull(proxy, job, actions);
         }
     }
+    forget_place_totals();
     give_places_to(proxy, actions);
 }
 

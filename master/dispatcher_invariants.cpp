@@ -149,6 +149,7 @@ void Dispatcher::State::check_worker(const WorkerProxy& proxy) const {
 }
 
 void Dispatcher::State::check_progress() const {
+    forget_place_totals();
     const WorkerProxy* excluded = reserved();
     for (const auto& [id, proxy] : pool.all()) {
         if (!proxy.takes_work()) {

@@ -79,6 +79,7 @@ std::uint64_t Dispatcher::places_unsent(JobId job) const {
 }
 
 std::uint64_t Dispatcher::places_enough(JobId job) const {
+    state_->forget_place_totals();
     std::uint64_t enough = 0;
     for (const WorkerProxy* proxy : state_->pool.in_order()) {
         enough += proxy->takes_work() ? state_->places_at_once(*proxy, state_->jobs.at(job)) : 0;
@@ -118,9 +119,43 @@ void Dispatcher::State::give_places(Actions& actions) {
             jobs.begin(), jobs.end(), [](const auto& job) { return !job.second.places.empty(); })) {
         return;
     }
-    for (auto& [id, proxy] : pool.all()) {
-        give_places_to(proxy, actions);
+    forget_place_totals();
+    for (WorkerProxy* proxy : pool.in_order()) {
+        give_places_to(*proxy, actions);
     }
+}
+
+void Dispatcher::State::forget_place_totals() const {
+    for (const auto& [id, job] : jobs) {
+        job.place_totals.reset();
+    }
+}
+
+const PlaceTotals& Dispatcher::State::place_totals(const DispatchJob& job) const {
+    if (job.place_totals) {
+        return *job.place_totals;
+    }
+    PlaceTotals totals;
+    totals.left = job.places_unsent + job.places_after;
+    for (const WorkerProxy* proxy : pool.in_order()) {
+        if (!proxy->takes_work()) {
+            continue;
+        }
+        const double rate = places_per_second(*proxy, job);
+        totals.rate += rate;
+        if (proxy->is_claimed()) {
+            continue;
+        }
+        totals.unclaimed += rate;
+        totals.left += proxy->working();
+        const double of_thread = rate / proxy->facts().threads;
+        totals.quickest_but = std::max(totals.quickest_but, std::min(of_thread, totals.quickest));
+        if (of_thread > totals.quickest) {
+            totals.quickest = of_thread;
+            totals.quickest_worker = proxy->id();
+        }
+    }
+    return job.place_totals.emplace(totals);
 }
 
 void Dispatcher::State::give_places_to(WorkerProxy& proxy, Actions& actions) {
@@ -155,21 +190,18 @@ bool Dispatcher::State::takes_places(const WorkerProxy& proxy, const DispatchJob
 }
 
 bool Dispatcher::State::would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const {
-    double all = 0;
-    double quickest = 0;
-    std::uint64_t left = job.places_unsent + job.places_after;
-    for (const WorkerProxy* other : pool.in_order()) {
-        if (other->takes_work() && !other->is_claimed() && other != &proxy) {
-            const double rate = places_per_second(*other, job);
-            all += rate;
-            quickest = std::max(quickest, rate / other->facts().threads);
-            left += other->working();
-        }
+    const PlaceTotals& totals = place_totals(job);
+    const bool is_quickest = totals.quickest_worker == proxy.id();
+    const double quickest = is_quickest ? totals.quickest_but : totals.quickest;
+    if (quickest <= 0) {
+        return false;
     }
     // One scenario on one thread, against all that is left on the others.
-    const double rate = places_per_second(proxy, job) / proxy.facts().threads;
-    return quickest > 0 && 1 / rate > limits::copy_gain_min *
-                                          std::max(static_cast<double>(left) / all, 1 / quickest);
+    const double rate = places_per_second(proxy, job);
+    const double others = std::max(totals.unclaimed - rate, quickest);
+    const auto left = static_cast<double>(totals.left - proxy.working());
+    return proxy.facts().threads / rate >
+           limits::copy_gain_min * std::max(left / others, 1 / quickest);
 }
 
 double Dispatcher::State::places_per_second(const WorkerProxy& proxy,
@@ -186,10 +218,7 @@ double Dispatcher::State::places_per_second(const WorkerProxy& proxy,
 std::uint64_t Dispatcher::State::places_at_once(const WorkerProxy& proxy,
                                                 const DispatchJob& job) const {
     const double rate = places_per_second(proxy, job);
-    double all = 0;
-    for (const WorkerProxy* other : pool.in_order()) {
-        all += other->takes_work() ? places_per_second(*other, job) : 0;
-    }
+    const double all = place_totals(job).rate;
     const double left = static_cast<double>(job.places_unsent + job.places_after);
     // Two such go to each worker, and what is left then is shared again.
     const double share = all > 0 ? left * rate / all / 2 : left;

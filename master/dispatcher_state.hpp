@@ -49,6 +49,16 @@ struct DispatchScenario {
     }
 };
 
+/// How quickly all workers do places of a job, and how many of them are left.
+struct PlaceTotals {
+    double rate = 0;         ///< Scenarios a second, of those that take work,
+    double unclaimed = 0;    ///< and of those of them that are not claimed.
+    double quickest = 0;     ///< Of one thread of the latter,
+    double quickest_but = 0; ///< and without that worker.
+    WorkerId quickest_worker;
+    std::uint64_t left = 0; ///< Not answered: unsent, or at a worker that is not claimed.
+};
+
 struct DispatchJob {
     DispatchJob(JobId job,
                 const ClusterOptions& job_options,
@@ -77,7 +87,8 @@ struct DispatchJob {
     std::uint64_t places_unsent = 0; ///< Of these.
     std::uint64_t places_after = 0;  ///< Scenarios of the job that come after them.
     LearnedRate place_rate;          ///< Scenarios of ranges that one thread does in a second,
-    std::map<WorkerId, LearnedRate> place_rates; ///< and each worker's.
+    std::map<WorkerId, LearnedRate> place_rates;     ///< and each worker's.
+    mutable std::optional<PlaceTotals> place_totals; ///< Worked out once in an event.
 
     LearnedRate missing_matched;      ///< Seconds a scenario, of those that were matched,
     LearnedRate missing_any;          ///< and with any worker, or of ranges.
@@ -192,6 +203,10 @@ struct Dispatcher::State {
               Actions& actions);
 
     // ---- Ranges (dispatcher_ranges.cpp) ---------------------------------------------------------
+    /// Of this event. What is sent meanwhile changes none of it.
+    [[nodiscard]] const PlaceTotals& place_totals(const DispatchJob& job) const;
+    /// At the start of an event, or where something else has changed.
+    void forget_place_totals() const;
     /// Workers that would run dry get places.
     void give_places(Actions& actions);
     void give_places_to(WorkerProxy& proxy, Actions& actions);
