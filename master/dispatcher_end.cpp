@@ -80,15 +80,13 @@ void Dispatcher::State::help_at_end(Actions& actions) {
     for (WorkerProxy* from : free.empty() ? std::vector<WorkerProxy*>{} : late_workers()) {
         from->note_looked_at(now);
         // The mightiest, or another one of the first few, which may have the blocks.
-        for (std::size_t i = 0; i < std::min(free.size(), limits::helpers_tried_max); ++i) {
+        for (std::size_t i = 0; i < std::min(free.size(), limits::helpers_tried_max);) {
             WorkerProxy& helper = *free[i];
             if (&helper == from || !helps(*from, helper, actions)) {
-                continue;
-            }
-            if (!can_help(helper)) {
+                ++i;
+            } else if (!can_help(helper)) {
                 free.erase(free.begin() + static_cast<std::ptrdiff_t>(i));
             }
-            break;
         }
     }
 }
