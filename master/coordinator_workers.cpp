@@ -192,10 +192,11 @@ void Coordinator::results_taken(WorkerId worker,
         }
         std::vector<std::uint64_t> scenarios;
         scenarios.reserve(count);
+        const bool has_analysed = dispatcher_.unanswered(id) != 0;
         for (const TakenResult& one : taken.value().results) {
             scenarios.push_back(one.result.index);
             // Those of a range, too: it may have been lost, and they analysed, meanwhile.
-            if (dispatcher_.unanswered(id) != 0) {
+            if (has_analysed) {
                 act(dispatcher().scenario_answered(worker, id, one.result.index));
             }
         }

@@ -336,7 +336,8 @@ std::vector<TaskId> Dispatcher::tasks_of(WorkerId worker) const {
 }
 
 std::uint64_t Dispatcher::unanswered(JobId job) const {
-    return state_->jobs.at(job).scenarios.size();
+    const DispatchJob* const found = state_->find_job(job);
+    return found == nullptr ? 0 : found->scenarios.size();
 }
 
 std::vector<PlaceRange> Dispatcher::places_of(JobId job) const {

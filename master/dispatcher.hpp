@@ -214,8 +214,8 @@ class Dispatcher {
     [[nodiscard]] std::vector<WorkerId> workers() const;
     /// At the worker, which is here.
     [[nodiscard]] std::vector<TaskId> tasks_of(WorkerId worker) const;
-    /// Scenarios that were analysed and are not answered; the places that were given and not sent.
-    /// The job is open.
+    /// Scenarios that were analysed and are not answered: 0 of a job that is not open. The places
+    /// that were given and not sent; the job is open.
     [[nodiscard]] std::uint64_t unanswered(JobId job) const;
     [[nodiscard]] std::vector<PlaceRange> places_of(JobId job) const;
     /// How each worker scores for the scenario as things stand, and which would be chosen. Changes

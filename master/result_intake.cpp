@@ -145,9 +145,9 @@ Result<TakenResults> take_results(const TaskContent& task, const Results& result
     }
     const TaskIndex scenarios(task);
     std::vector<TakenResult> taken;
-    // No more than the bytes can hold, whatever the message says.
-    taken.reserve(
-        std::min<std::size_t>(results.count, records.value().size() / sizeof(std::uint32_t)));
+    // The message may be hostile: no more than the task has.
+    const std::uint64_t given = task.range ? task.range->places.count : task.scenarios.size();
+    taken.reserve(std::min<std::uint64_t>(results.count, given));
     ByteReader reader(records.value());
     for (std::uint32_t i = 0; i < results.count; ++i) {
         const auto record = reader.get_bytes(reader.get<std::uint32_t>());
