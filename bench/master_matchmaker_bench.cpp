@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -50,6 +51,8 @@ class Midway {
             (void)dispatcher_.worker_joined(WorkerId{id}, {"w", 8});
             (void)dispatcher_.scenario_analysed(job, scenario(roots_per_tree));
         }
+        std::vector<RootIndex> all_roots(roots_per_tree);
+        std::iota(all_roots.begin(), all_roots.end(), 0);
         // Who joined later was chosen for what nobody held; each lets go of another half.
         for (std::uint64_t id = 1; id <= workers; ++id) {
             for (const TreeId tree : {TreeId{1}, TreeId{2}}) {
@@ -60,6 +63,7 @@ class Midway {
                     }
                 }
                 (void)dispatcher_.roots_evicted(WorkerId{id}, tree, gone);
+                dispatcher_.roots_arrived(WorkerId{id}, tree, all_roots);
             }
         }
     }
@@ -163,6 +167,7 @@ BENCHMARK_CAPTURE(decide, best_match, Strategy::BestMatch)->Apply(settings);
 BENCHMARK_CAPTURE(decide, best_match_load, Strategy::BestMatchLoad)->Apply(settings);
 BENCHMARK_CAPTURE(decide, lowest, Strategy::Lowest)->Apply(settings);
 BENCHMARK_CAPTURE(decide, random, Strategy::Random)->Apply(settings);
+BENCHMARK_CAPTURE(decide, earliest_finish, Strategy::EarliestFinish)->Apply(settings);
 
 } // namespace
 } // namespace cd::bench

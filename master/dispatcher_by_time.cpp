@@ -15,58 +15,48 @@ namespace {
 
 constexpr std::uint64_t bytes_unit = 64; ///< Of `PooledTree::bytes_64`.
 
-/// What a scenario needs of a tree, without what all workers hold: that cancels out.
-struct Touched {
-    std::vector<WeightedRoot> triangles;
-    std::vector<WeightedRoot> bytes_64;
-    std::vector<WeightedRoot> ones;
+/// Sums over both trees of what each worker has of a scenario, by slot. What all workers hold is
+/// left out: it cancels.
+class HeldSums {
+  public:
+    explicit HeldSums(std::size_t count)
+        : bytes_64_(count, 0), blocks_(count, 0), coming_64_(count, 0) {}
 
-    Touched(const PooledTree& tree, std::span<const WeightedRoot> roots, std::size_t workers) {
+    void add(const PooledTree& tree, std::span<const WeightedRoot> roots, std::size_t workers) {
+        std::vector<WeightedRoot> bytes_64;
+        std::vector<WeightedRoot> ones;
+        std::vector<WeightedRoot> coming_64;
+        bytes_64.reserve(roots.size());
+        ones.reserve(roots.size());
         for (const WeightedRoot& root : roots) {
-            if (tree.held.holders_of(root.root) < workers || tree.coming.any()) {
-                triangles.push_back(root);
-                bytes_64.push_back({root.root, tree.bytes_64[root.root]});
+            const std::uint32_t weight = tree.bytes_64[root.root];
+            if (tree.held.holders_of(root.root) < workers) {
+                bytes_64.push_back({root.root, weight});
                 ones.push_back({root.root, 1});
+                bytes_64_touched_ += weight;
+            }
+            if (tree.coming.holders_of(root.root) != 0) {
+                coming_64.push_back({root.root, weight});
             }
         }
+        tree.held.add_held(bytes_64, bytes_64_);
+        tree.held.add_held(ones, blocks_);
+        tree.coming.add_held(coming_64, coming_64_);
+        blocks_touched_ += ones.size();
     }
-};
 
-std::uint64_t sum_of(std::span<const WeightedRoot> roots) {
-    std::uint64_t sum = 0;
-    for (const WeightedRoot& root : roots) {
-        sum += root.weight;
+    void tell(std::uint32_t slot, ScenarioNeeds& needs) const {
+        needs.missing_bytes = bytes_unit * (bytes_64_touched_ - bytes_64_[slot]);
+        needs.missing_blocks = blocks_touched_ - blocks_[slot];
+        needs.coming_bytes = bytes_unit * coming_64_[slot];
     }
-    return sum;
-}
 
-/// Sums over both trees of what each worker has of a scenario, by slot.
-struct HeldSums {
-    std::vector<std::uint64_t> triangles;
-    std::vector<std::uint64_t> bytes_64;
-    std::vector<std::uint64_t> blocks;
-    std::vector<std::uint64_t> coming_64;
-    std::uint64_t triangles_touched = 0;
-    std::uint64_t bytes_64_touched = 0;
-    std::uint64_t blocks_touched = 0;
-
-    explicit HeldSums(std::size_t count)
-        : triangles(count, 0), bytes_64(count, 0), blocks(count, 0), coming_64(count, 0) {}
-
-    void add(const PooledTree& tree, const Touched& touched) {
-        if (touched.ones.empty()) {
-            return;
-        }
-        tree.held.add_held(touched.triangles, triangles);
-        tree.held.add_held(touched.bytes_64, bytes_64);
-        tree.held.add_held(touched.ones, blocks);
-        if (tree.coming.any()) {
-            tree.coming.add_held(touched.bytes_64, coming_64);
-        }
-        triangles_touched += sum_of(touched.triangles);
-        bytes_64_touched += sum_of(touched.bytes_64);
-        blocks_touched += touched.ones.size();
-    }
+  private:
+    std::vector<std::uint64_t> bytes_64_;
+    std::vector<std::uint64_t> blocks_;
+    std::vector<std::uint64_t> coming_64_;
+    std::uint64_t bytes_64_touched_ = 0;
+    std::uint64_t blocks_touched_ = 0;
 };
 
 double bytes_of_memory(const PooledTree& a, const PooledTree& b) {
@@ -112,8 +102,8 @@ WorkerProxy* Dispatcher::State::earliest(const DispatchJob& job, const DispatchS
     const PooledTree& b = pool.tree(job.b.tree);
     const std::size_t workers = pool.in_order().size();
     HeldSums sums(a.held.sum_count());
-    sums.add(a, Touched(a, scenario.roots.a, workers));
-    sums.add(b, Touched(b, scenario.roots.b, workers));
+    sums.add(a, scenario.roots.a, workers);
+    sums.add(b, scenario.roots.b, workers);
 
     ScenarioNeeds needs;
     needs.cost_ns = scenario.weight.cost_ns;
@@ -125,12 +115,7 @@ WorkerProxy* Dispatcher::State::earliest(const DispatchJob& job, const DispatchS
         if (!proxy->takes_work() || proxy == excluded) {
             continue;
         }
-        const std::uint32_t slot = proxy->slot();
-        needs.missing_bytes = bytes_unit * (sums.bytes_64_touched - sums.bytes_64[slot]);
-        needs.missing_blocks = sums.blocks_touched - sums.blocks[slot];
-        needs.coming_bytes = bytes_unit * sums.coming_64[slot];
-        needs.memory_bytes =
-            (sums.triangles_touched - sums.triangles[slot]) * limits::wide_bytes_per_triangle;
+        sums.tell(proxy->slot(), needs);
         const double seconds = estimate_finish(powers_of(*proxy), needs).total();
         // Equals go to the worker with the fewest scenarios, then to the smallest id.
         const std::uint64_t scenarios = proxy->buffered() + proxy->working();
@@ -156,7 +141,6 @@ FinishTerms Dispatcher::State::finish_on(const WorkerProxy& proxy,
             const std::uint64_t bytes = bytes_unit * tree.bytes_64[root.root];
             if (!tree.held.holds(proxy.slot(), root.root)) {
                 needs.missing_bytes += bytes;
-                needs.memory_bytes += root.weight * limits::wide_bytes_per_triangle;
                 ++needs.missing_blocks;
             } else if (tree.coming.holds(proxy.slot(), root.root)) {
                 needs.coming_bytes += bytes;

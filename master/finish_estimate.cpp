@@ -14,9 +14,11 @@ FinishTerms estimate_finish(const WorkerPowers& worker, const ScenarioNeeds& nee
                             worker.transfers_seconds);
     terms.transfer = static_cast<double>(needs.missing_bytes) / worker.bytes_per_second;
     terms.blocks = static_cast<double>(needs.missing_blocks) * limits::block_seconds;
-    if (needs.memory_bytes > worker.room_bytes) {
-        const auto evicted = static_cast<double>(needs.memory_bytes - worker.room_bytes);
-        terms.eviction = evicted * needs.bytes_of_memory / worker.bytes_per_second;
+    // What fits into the room that is left travels without pushing anything out.
+    const double fitting = static_cast<double>(worker.room_bytes) * needs.bytes_of_memory;
+    const auto missing = static_cast<double>(needs.missing_bytes);
+    if (needs.bytes_of_memory > 0 && missing > fitting) {
+        terms.eviction = (missing - fitting) / worker.bytes_per_second;
     }
     terms.work = 1e-9 * static_cast<double>(needs.cost_ns) / worker.speed;
     return terms;

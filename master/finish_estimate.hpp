@@ -22,8 +22,7 @@ struct ScenarioNeeds {
     std::uint64_t missing_bytes = 0;
     std::uint64_t missing_blocks = 0;
     std::uint64_t coming_bytes = 0; ///< Of blocks that it needs and that are under way.
-    std::uint64_t memory_bytes = 0; ///< That the missing blocks will take in the cache,
-    double bytes_of_memory = 0;     ///< and how many bytes travel for one of these.
+    double bytes_of_memory = 0; ///< That travel for one in the cache; 0: they take no room there.
 };
 
 /// Each in seconds, and each thing counted once.

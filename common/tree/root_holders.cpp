@@ -75,9 +75,7 @@ void RootHolders::clear_all(std::uint32_t holder) {
 void RootHolders::add_held(std::span<const WeightedRoot> roots,
                            std::span<std::uint64_t> sums) const {
     CD_CHECK(sums.size() == sum_count());
-    for (std::size_t word = 0; word < row_words_; ++word) {
-        add_row_sums(roots, bits_.data() + word, row_words_, sums.subspan(64 * word).first<64>());
-    }
+    add_row_sums(roots, bits_.data(), row_words_, sums);
 }
 
 std::uint64_t RootHolders::held(std::uint32_t holder, std::span<const WeightedRoot> roots) const {

@@ -106,30 +106,46 @@ std::size_t run_length(std::span<const WeightedRoot> roots) {
     return count;
 }
 
-void add_heavy(std::uint32_t weight, std::uint64_t word, std::span<std::uint64_t, 64> sums) {
-    for (std::size_t column = 0; column < 64; ++column) {
-        sums[column] += (word >> column & 1) * weight;
+void add_heavy(const WeightedRoot& root,
+               const std::uint64_t* rows,
+               std::size_t row_words,
+               std::span<std::uint64_t> sums) {
+    const std::uint64_t* row = rows + root.root * row_words;
+    for (std::size_t column = 0; column < 64 * row_words; ++column) {
+        sums[column] += (row[column / 64] >> column % 64 & 1) * root.weight;
+    }
+}
+
+void add_run(std::span<const WeightedRoot> run,
+             const std::uint64_t* rows,
+             std::size_t row_words,
+             std::span<std::uint64_t> sums) {
+    alignas(64) std::array<std::uint16_t, 64> held;
+    for (std::size_t word = 0; word < row_words; ++word) {
+        HWY_DYNAMIC_DISPATCH(sum_run)(run.data(), run.size(), rows + word, row_words, held.data());
+        std::uint64_t* const out = sums.data() + 64 * word;
+        for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+            for (std::size_t bit = 0; bit < 16; ++bit) {
+                out[16 * quarter + bit] += held[4 * bit + quarter];
+            }
+        }
     }
 }
 
 } // namespace
 
 void add_row_sums(std::span<const WeightedRoot> roots,
-                  const std::uint64_t* words,
-                  std::size_t stride,
-                  std::span<std::uint64_t, 64> sums) {
-    alignas(64) std::array<std::uint16_t, 64> held;
+                  const std::uint64_t* rows,
+                  std::size_t row_words,
+                  std::span<std::uint64_t> sums) {
     while (!roots.empty()) {
         const std::size_t count = run_length(roots);
         if (count == 0) {
-            add_heavy(roots.front().weight, words[roots.front().root * stride], sums);
+            add_heavy(roots.front(), rows, row_words, sums);
             roots = roots.subspan(1);
             continue;
         }
-        HWY_DYNAMIC_DISPATCH(sum_run)(roots.data(), count, words, stride, held.data());
-        for (std::size_t place = 0; place < 64; ++place) {
-            sums[16 * (place % 4) + place / 4] += held[place];
-        }
+        add_run(roots.first(count), rows, row_words, sums);
         roots = roots.subspan(count);
     }
 }

@@ -1,4 +1,4 @@
-// Adds up weights over rows of bits, for 64 columns at once.
+// Adds up weights over rows of bits, a column each.
 #pragma once
 
 #include "common/tree/root_holders.hpp"
@@ -9,10 +9,11 @@
 
 namespace cd {
 
-/// Adds to `sums[c]` the weights of the roots r whose word `words[r * stride]` has bit c.
+/// Adds to `sums[c]` the weights of the roots r whose row has bit c: bit c % 64 of
+/// `rows[r * row_words + c / 64]`. As many sums as a row has bits.
 void add_row_sums(std::span<const WeightedRoot> roots,
-                  const std::uint64_t* words,
-                  std::size_t stride,
-                  std::span<std::uint64_t, 64> sums);
+                  const std::uint64_t* rows,
+                  std::size_t row_words,
+                  std::span<std::uint64_t> sums);
 
 } // namespace cd

@@ -25,16 +25,15 @@ TEST(FinishEstimate, IsTheSumOfItsTerms) {
     needs.missing_bytes = 250'000;
     needs.missing_blocks = 10;
     needs.coming_bytes = 100'000;
-    needs.memory_bytes = 5000;
-    needs.bytes_of_memory = 0.5;
+    needs.bytes_of_memory = 50; // So that it takes 5,000 in the cache, which has room for 1,000.
     const FinishTerms terms = estimate_finish(some_powers(), needs);
     EXPECT_DOUBLE_EQ(terms.backlog, 1);
     EXPECT_DOUBLE_EQ(terms.coming, 0.1);
     EXPECT_DOUBLE_EQ(terms.transfer, 0.25);
     EXPECT_DOUBLE_EQ(terms.blocks, 10 * limits::block_seconds);
-    EXPECT_DOUBLE_EQ(terms.eviction, 0.002); // 4,000 bytes too many, of which half travelled.
-    EXPECT_DOUBLE_EQ(terms.work, 1.5);       // On one thread.
-    EXPECT_DOUBLE_EQ(terms.total(), 2.852 + 10 * limits::block_seconds);
+    EXPECT_DOUBLE_EQ(terms.eviction, 0.2); // What takes the place of 4,000 comes again.
+    EXPECT_DOUBLE_EQ(terms.work, 1.5);     // On one thread.
+    EXPECT_DOUBLE_EQ(terms.total(), 3.05 + 10 * limits::block_seconds);
 }
 
 TEST(FinishEstimate, BlocksUnderWayCountNoLongerThanUntilTheyAreThere) {
@@ -48,7 +47,7 @@ TEST(FinishEstimate, BlocksUnderWayCountNoLongerThanUntilTheyAreThere) {
 
 TEST(FinishEstimate, WhatFitsTheCacheEvictsNothing) {
     ScenarioNeeds needs;
-    needs.memory_bytes = 1000;
+    needs.missing_bytes = 1000;
     needs.bytes_of_memory = 1;
     EXPECT_EQ(estimate_finish(some_powers(), needs).eviction, 0);
 }
