@@ -1,14 +1,24 @@
-// The processor time of the calling thread: what waiting for a busy machine does not enter.
+// Processor time: what waiting for a busy machine does not enter.
 #pragma once
 
 #include <ctime>
 
 namespace cd::bench {
 
-[[nodiscard]] inline double cpu_seconds() {
+[[nodiscard]] inline double seconds_by(clockid_t clock) {
     timespec time{};
-    static_cast<void>(::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time));
+    static_cast<void>(::clock_gettime(clock, &time));
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Of the calling thread.
+[[nodiscard]] inline double cpu_seconds() {
+    return seconds_by(CLOCK_THREAD_CPUTIME_ID);
+}
+
+/// Of all threads.
+[[nodiscard]] inline double process_cpu_seconds() {
+    return seconds_by(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 } // namespace cd::bench

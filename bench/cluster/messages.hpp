@@ -75,6 +75,7 @@ struct ResultsSent {
     std::vector<std::uint64_t> scenarios;
     double compute_seconds = 0; ///< That the worker's threads took for them.
     bool ends_task = false;
+    bool is_checked = false; ///< At the master: what stands in it has been unpacked and checked.
 };
 /// All that was given back of the task.
 struct GaveBack {

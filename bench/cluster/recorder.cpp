@@ -1,6 +1,7 @@
 #include "bench/cluster/recorder.hpp"
 
 #include "bench/cluster/cpu_clock.hpp"
+#include "bench/cluster/result_costs.hpp"
 #include "common/core/compress.hpp"
 #include "common/core/disk_file.hpp"
 #include "common/job/packed_records.hpp"
@@ -186,7 +187,7 @@ class DepthRecorder {
           scenarios_(scenarios),
           input_(analysis_input(a, b)),
           analyses_(scenarios.size()),
-          result_bytes_(scenarios.size()),
+          records_(scenarios.size()),
           analysis_(scenarios.size(), passes, [this](std::size_t i) { return analyse_one(i); }),
           binary_(scenarios.size(),
                   passes,
@@ -213,12 +214,16 @@ class DepthRecorder {
             trace.work_seconds = wide_.median(i);
             trace.binary_seconds = binary_.median(i);
             trace.batch_bytes = analysis.bytes;
-            trace.result_bytes = result_bytes_[i];
+            trace.result_bytes = pack_records(records_[i]).size();
             trace.roots_a = analysis.roots_a;
             trace.roots_b = analysis.roots_b;
         }
         return depth;
     }
+
+    [[nodiscard]] std::span<const Analysis> analyses() const { return analyses_; }
+    /// As a worker sends them.
+    [[nodiscard]] std::span<const Bytes> records() const { return records_; }
 
   private:
     double analyse_one(std::size_t i) {
@@ -230,7 +235,7 @@ class DepthRecorder {
         const double start = cpu_seconds();
         const auto finished = execute(ready, {});
         const double seconds = cpu_seconds() - start;
-        result_bytes_[i] = pack_records(finished->records).size();
+        records_[i] = finished->records;
         return seconds;
     }
 
@@ -239,7 +244,7 @@ class DepthRecorder {
     const std::vector<Scenario>& scenarios_;
     AnalysisInput input_;
     std::vector<Analysis> analyses_;
-    std::vector<std::size_t> result_bytes_;
+    std::vector<Bytes> records_;
     TimedStep analysis_;
     TimedStep binary_;
     TimedStep wide_;
@@ -373,6 +378,21 @@ Result<Trace> record_trace(const std::shared_ptr<const ObbTree>& a,
     }
     run_in_turns(steps, scenarios.size(), options.passes);
     whole.fill(trace);
+    const auto results =
+        measure_result_costs(std::make_shared<const JobMaterial>(JobMaterial{a, b, {}}),
+                             depths.front().analyses(),
+                             depths.front().records(),
+                             options.scratch / "journal",
+                             options.passes);
+    if (!results) {
+        return results.error();
+    }
+    trace.results = results.value();
+    std::printf("%s, results: packing %.1f us, intake %.1f us, journal %.1f us\n",
+                trace.name.c_str(),
+                1e6 * trace.results.packing_seconds,
+                1e6 * trace.results.intake_seconds,
+                1e6 * trace.results.journal_seconds);
     for (const DepthRecorder& depth : depths) {
         trace.depths.push_back(depth.trace());
         print_depth(trace, trace.depths.back());

@@ -30,7 +30,10 @@ class Simulation {
               workload, options.dispatch, options.ahead, options.peers, 0, options.helps_at_end),
           to_master_("master"),
           work_available_(s4u::ConditionVariable::create()),
-          analysts_lock_(s4u::Mutex::create()) {}
+          analysts_lock_(s4u::Mutex::create()),
+          results_came_(s4u::Semaphore::create(0)),
+          results_merged_(s4u::Semaphore::create(0)),
+          results_written_(s4u::Semaphore::create(0)) {}
 
     Outcome run(s4u::Engine& engine) {
         const std::uint32_t shared = options_.cluster.shared_cores;
@@ -47,7 +50,9 @@ class Simulation {
         }
         for (std::uint32_t i = 0; i < options_.analysts; ++i) {
             s4u::Actor::create("analyst", platform.master, [this] { run_analyst(); });
+            s4u::Actor::create("intake", platform.master, [this] { run_intake(); });
         }
+        s4u::Actor::create("journal", platform.master, [this] { run_journal(); });
         engine.run();
         return outcome();
     }
@@ -66,9 +71,16 @@ class Simulation {
             }
             wake_analysts();
         }
+        while (unwritten_ != 0) {
+            results_written_->acquire();
+        }
         outcome_.seconds = s4u::Engine::get_clock();
         is_over_ = true;
         wake_analysts();
+        for (std::uint32_t i = 0; i < options_.analysts; ++i) {
+            results_came_->release();
+        }
+        results_merged_->release();
         for (const auto& worker : workers_) {
             post(*worker, {WorkerId{}, Ended{}, bytes_of(ToWorker(Ended{}), workload_)});
         }
@@ -79,6 +91,16 @@ class Simulation {
         const std::unique_ptr<ToMaster> message = to_master_.get();
         if (std::holds_alternative<Analysed>(*message)) {
             master_spends(options_.dispatch_seconds);
+        }
+        if (auto* results = std::get_if<ResultsSent>(message.get())) {
+            if (is_intake_apart() && !results->is_checked) {
+                unchecked_.push_back(std::move(*results));
+                results_came_->release();
+                return;
+            }
+            unwritten_ += results->scenarios.size();
+            merged_.push_back(results->scenarios.size());
+            results_merged_->release();
         }
         tell_time();
         send(std::visit([this](const auto& content) { return master_.take(content); }, *message));
@@ -126,6 +148,31 @@ class Simulation {
         }
     }
 
+    // ---- What becomes of results, as in the product: other threads check and write them ---------
+
+    /// Where the master has but one thread, results cost it nothing, as in the paper's setting.
+    [[nodiscard]] bool is_intake_apart() const { return options_.analysts != 0; }
+
+    void run_intake() {
+        for (results_came_->acquire(); !is_over_; results_came_->acquire()) {
+            ResultsSent results = std::move(unchecked_.front());
+            unchecked_.pop_front();
+            spend(static_cast<double>(results.scenarios.size()) * workload_.results.intake_seconds);
+            results.is_checked = true;
+            to_master_.put(std::move(results), 0);
+        }
+    }
+
+    void run_journal() {
+        for (results_merged_->acquire(); !is_over_; results_merged_->acquire()) {
+            const std::size_t count = merged_.front();
+            merged_.pop_front();
+            spend(static_cast<double>(count) * workload_.results.journal_seconds);
+            unwritten_ -= count;
+            results_written_->release();
+        }
+    }
+
     /// Nothing at the end.
     std::optional<std::uint64_t> wait_for_scenario() {
         const std::unique_lock lock(*analysts_lock_);
@@ -146,6 +193,7 @@ class Simulation {
             : model(WorkerId{id}, workload),
               inbox("worker " + std::to_string(id)),
               posted(s4u::Semaphore::create(0)),
+              finished(s4u::Semaphore::create(0)),
               work(s4u::Semaphore::create(0)),
               threads(thread_count) {}
 
@@ -153,6 +201,8 @@ class Simulation {
         Inbox<ToWorker> inbox;
         std::deque<Letter> outbox;                     ///< At the master.
         s4u::SemaphorePtr posted;                      ///< One for each letter in it.
+        std::deque<ResultsSent> unpacked;              ///< Results that are to go,
+        s4u::SemaphorePtr finished;                    ///< and one for each of these.
         std::deque<BlocksSent> unopened;               ///< Goes before scenarios.
         s4u::SemaphorePtr work;                        ///< One for each thing that a thread can do.
         std::map<std::uint64_t, s4u::ExecPtr> running; ///< Scenarios.
@@ -188,6 +238,7 @@ class Simulation {
     void start_worker(Worker& worker, s4u::Host* host, s4u::Host* master) {
         s4u::Actor::create("connection", master, [&worker] { run_connection(worker); });
         s4u::Actor::create("session", host, [this, &worker] { run_session(worker); });
+        s4u::Actor::create("packer", host, [this, &worker] { run_packer(worker); });
         for (std::uint32_t i = 0; i < worker.threads; ++i) {
             s4u::Actor::create("thread", host, [this, &worker] { run_thread(worker); });
         }
@@ -253,19 +304,20 @@ class Simulation {
 
     void take(Worker& worker, const AskedBack& asked) {
         put_to_master(worker.model.take(asked));
-        send_results(worker.model); // A task of which nothing is left ends.
+        send_results(worker); // A task of which nothing is left ends.
     }
 
     void take(Worker& worker, const CalledOff& loser) {
         if (worker.model.take(loser)) {
             worker.running.at(loser.scenario)->cancel();
         }
-        send_results(worker.model);
+        send_results(worker);
     }
 
     void take(Worker& worker, const Ended& /*message*/) {
         worker.is_over = true;
         offer(worker, worker.threads);
+        worker.finished->release();
     }
 
     static std::ptrdiff_t offset(std::size_t place) { return static_cast<std::ptrdiff_t>(place); }
@@ -319,15 +371,27 @@ class Simulation {
         times.last = now;
         times.busy += now - begin;
         worker.model.ran(scenario, now, now - begin);
-        send_results(worker.model);
+        send_results(worker);
     }
 
-    void send_results(WorkerModel& worker) {
+    void send_results(Worker& worker) {
         // Who waits for blocks has time to send what it has.
-        const double period = worker.ready_count() != 0
+        const double period = worker.model.ready_count() != 0
                                   ? options_.results_period
                                   : std::min(options_.results_period, idle_period());
-        for (ResultsSent& results : worker.due(s4u::Engine::get_clock(), period)) {
+        for (ResultsSent& results : worker.model.due(s4u::Engine::get_clock(), period)) {
+            worker.unpacked.push_back(std::move(results));
+            worker.finished->release();
+        }
+    }
+
+    /// The thread of the worker's network packs what it sends.
+    void run_packer(Worker& worker) {
+        for (worker.finished->acquire(); !worker.is_over; worker.finished->acquire()) {
+            ResultsSent results = std::move(worker.unpacked.front());
+            worker.unpacked.pop_front();
+            spend(static_cast<double>(results.scenarios.size()) *
+                  workload_.results.packing_seconds);
             put_to_master(std::move(results));
         }
     }
@@ -391,6 +455,12 @@ class Simulation {
     s4u::ConditionVariablePtr work_available_;
     s4u::MutexPtr analysts_lock_;
     bool is_over_ = false;
+    std::deque<ResultsSent> unchecked_;
+    s4u::SemaphorePtr results_came_; ///< One for each of these.
+    std::deque<std::size_t> merged_; ///< Scenarios of each message,
+    s4u::SemaphorePtr results_merged_;
+    std::uint64_t unwritten_ = 0; ///< and of all.
+    s4u::SemaphorePtr results_written_;
     std::deque<ThreadTimes> thread_times_;
     Outcome outcome_;
 };

@@ -10,7 +10,7 @@ namespace cd::bench {
 
 namespace {
 
-constexpr FileKind trace_kind{0x656361727463'6463, 2}; // "cdctrace"
+constexpr FileKind trace_kind{0x656361727463'6463, 3}; // "cdctrace"
 constexpr std::size_t trace_bytes_max = std::size_t{1} << 32;
 constexpr int compression_level = 3;
 
@@ -90,6 +90,9 @@ void exchange(Stream& stream, Trace& trace) {
     stream.whole(trace.triangles_b);
     stream.real(trace.box_test_ns);
     stream.real(trace.triangle_test_ns);
+    stream.real(trace.results.packing_seconds);
+    stream.real(trace.results.intake_seconds);
+    stream.real(trace.results.journal_seconds);
     exchange(stream, trace.whole);
     exchange(stream, trace.b);
     exchange(stream, trace.depths);

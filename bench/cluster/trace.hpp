@@ -53,6 +53,13 @@ struct WholeTrace {
     std::uint64_t wide_triangle_tests = 0;
 };
 
+/// Of each scenario, on the mean: from the worker's search to the master's disk. Processor time.
+struct ResultCosts {
+    double packing_seconds = 0; ///< At the worker: records compressed, and made a message.
+    double intake_seconds = 0;  ///< At the master: unpacked, checked, settled and hashed,
+    double journal_seconds = 0; ///< merged, and written.
+};
+
 struct DepthTrace {
     CutTrace a;
     std::vector<ScenarioTrace> scenarios; ///< As many as `Trace::whole`, in the same order.
@@ -67,6 +74,7 @@ struct Trace {
     std::uint64_t triangles_b = 0;
     double box_test_ns = 0;      ///< The paper's C_b, of the wide trees,
     double triangle_test_ns = 0; ///< and C_p.
+    ResultCosts results;
     std::vector<WholeTrace> whole;
     CutTrace b;                     ///< At the one depth at which B is cut.
     std::vector<DepthTrace> depths; ///< Ascending.

@@ -123,6 +123,9 @@ make_workload(const Trace& trace, const PaperTable& table, const WorkloadOptions
             workload.geometry_bytes += block.bytes;
         }
     }
+    if (!is_paper) {
+        workload.results = trace.results;
+    }
     workload.slow_ratio = table.slow_seconds.back() / table.fast_seconds.back();
     for (std::size_t place = 0; place < count; ++place) {
         const std::size_t from = order[place % all];

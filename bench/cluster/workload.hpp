@@ -38,6 +38,7 @@ struct Workload {
     std::array<std::vector<BlockCost>, 2> trees;
     std::vector<ScenarioCost> costs;
     std::vector<std::uint32_t> scenarios; ///< As submitted: the place in `costs` of each.
+    ResultCosts results;                  ///< As measured; nothing with the paper's costs.
     double serial_seconds = 0;            ///< All of it in one process on a fast core,
     double slow_ratio = 1;                ///< and how many times as long on a slow core.
     std::uint64_t geometry_bytes = 0;     ///< Of both bodies once, as they travel.

@@ -25,6 +25,7 @@ Trace make_trace(std::size_t scenarios) {
     trace.triangles_b = 30;
     trace.box_test_ns = 2.5;
     trace.triangle_test_ns = 11;
+    trace.results = {seconds(), seconds(), seconds()};
     trace.b = {6, 700, {{10, 300, 200, 900, seconds()}, {20, 600, 400, 1800, seconds()}}};
     DepthTrace depth;
     depth.a = {10, 5000, {{50, 1500, 900, 4000, seconds()}, {70, 2100, 1300, 5600, seconds()}}};
@@ -48,6 +49,8 @@ TEST(Workload, ATraceComesBackFromItsFile) {
 
     EXPECT_EQ(read.value().name, trace.name);
     EXPECT_EQ(read.value().triangle_test_ns, trace.triangle_test_ns);
+    EXPECT_EQ(read.value().results.packing_seconds, trace.results.packing_seconds);
+    EXPECT_EQ(read.value().results.journal_seconds, trace.results.journal_seconds);
     ASSERT_EQ(read.value().whole.size(), 40u);
     EXPECT_EQ(read.value().whole[7].binary_seconds, trace.whole[7].binary_seconds);
     EXPECT_EQ(read.value().b.roots[1].memory_bytes, 1800u);
