@@ -139,6 +139,12 @@ TEST_F(ResultIntake, RefusesMoreOrLessThanAnnounced) {
     EXPECT_NE(refusal(cut), "taken");
 }
 
+TEST_F(ResultIntake, ANumberThatPromisesGigabytesTakesNone) {
+    Results results = message_of({result_of(0)});
+    results.count = ~std::uint32_t{0};
+    EXPECT_THAT(refusal(results), HasSubstr("not as many as announced"));
+}
+
 TEST_F(ResultIntake, AMapHasToBeThatOfItsScenarios) {
     const std::vector<ContactPair> pairs = result_of(0).pairs;
     const auto with_map = [&](const ContactMap& map) {
