@@ -67,6 +67,9 @@ class Check {
         report_.lines.push_back("journal: " + std::to_string(recovered.jobs.size()) + " jobs, " +
                                 std::to_string(running) + " of them unfinished, " +
                                 std::to_string(results) + " results");
+        report_.lines.push_back(
+            "alarms: " + std::to_string(recovered.alarms.count) +
+            ", quarantined workers: " + std::to_string(recovered.alarms.quarantined.size()));
     }
 
     void check_poses(const JobRecord& job, const std::filesystem::path& path) {

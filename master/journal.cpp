@@ -183,11 +183,16 @@ Result<std::unique_ptr<Journal>> Journal::open(const JournalOptions& options) {
     if (!jobs) {
         return jobs.error();
     }
+    auto alarms = recover_alarms(*database.value());
+    if (!alarms) {
+        return alarms.error();
+    }
     state->database = std::move(database.value());
     Recovered& recovered = state->recovered;
     recovered.cluster = state->database->cluster();
     recovered.last_job = state->database->last_job();
     recovered.jobs = std::move(jobs.value());
+    recovered.alarms = std::move(alarms.value());
     if (options.create) {
         remove_leftovers(state->jobs_folder(), recovered);
     }

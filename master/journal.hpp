@@ -2,14 +2,18 @@
 #pragma once
 
 #include "common/core/result.hpp"
+#include "master/alarm_record.hpp"
 #include "master/job_map.hpp"
 #include "master/journal_records.hpp"
+#include "master/result_group.hpp"
 #include "master/result_store.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,6 +36,11 @@ struct AddResults {
     std::vector<JournalResult> results; ///< Their records can be read when they are committed.
     JobProgress progress;
     Bytes map; ///< Of these results, `pack_map`; or none.
+    WorkerProcess author = 0;
+    std::vector<Remark> remarks = {}; ///< On these results, or earlier ones.
+    /// As they stand from now on. They are committed with the results, so that nothing follows
+    /// from a quarantine that may be forgotten.
+    std::optional<AlarmRecord> alarms = {};
 };
 struct EndJob {
     JobId job;
@@ -51,7 +60,12 @@ struct RecoveredJob {
     std::optional<JobEnd> end; ///< Nothing: it is to go on.
     ResultMerger merger{0};
     JobMap map;
-    std::vector<std::uint64_t> done; ///< Scenarios that have results; of one that is to go on.
+    /// Scenarios that have results; of one that is to go on, as is the rest.
+    std::vector<std::uint64_t> done;
+    /// Whose result each of these is. 0 also where somebody else vouches for it.
+    std::vector<WorkerProcess> authors;
+    std::vector<Remark> disputes;         ///< That are not settled.
+    std::set<WorkerProcess> contributors; ///< All authors of results; also of one that has ended.
     std::shared_ptr<ResultStore> results;
 };
 
@@ -59,6 +73,7 @@ struct Recovered {
     Sha256 cluster;                 ///< Names this state among all others.
     JobId last_job;                 ///< The greatest number that a job has had.
     std::vector<RecoveredJob> jobs; ///< By id.
+    AlarmRecord alarms = {};
 };
 
 struct JournalOptions {

@@ -13,7 +13,10 @@ namespace cd {
 namespace {
 
 constexpr int application_id = 0x43'44'4a'31; // "CDJ1"
-constexpr int schema_version = 2;
+constexpr int schema_version = 3;
+/// It has the same tables, no alarms, and groups of results without their authors. It is read as it
+/// is, and becomes the version above with the first commit.
+constexpr int schema_version_before = 2;
 constexpr std::uint64_t mark_magic = 0x31'4b'52'4d'44'43'00'00; // "\0\0CDMRK1"
 constexpr std::uint64_t mark_bytes = 3 * sizeof(std::uint64_t);
 constexpr const char* what_to_do =
@@ -27,7 +30,14 @@ constexpr const char* schema =
     "CREATE INDEX results_of_job ON results(job);";
 
 /// What a row's checksum covers beside its content, so that no row passes for another one.
-enum class RowKind : std::uint64_t { Meta = 1, Record = 2, Progress = 3, End = 4, Results = 5 };
+enum class RowKind : std::uint64_t {
+    Meta = 1,
+    Record = 2,
+    Progress = 3,
+    End = 4,
+    Results = 5,
+    Alarms = 6
+};
 
 Bytes sealed(std::span<const std::byte> content, RowKind kind, std::uint64_t key) {
     ByteWriter out;
@@ -116,6 +126,7 @@ struct JournalDatabase::State {
     std::filesystem::path path;
     std::optional<DiskFile> mark;
     Database database;
+    int version = schema_version; ///< Of what is on the disk.
     bool writing = false; ///< Something was written, and what stands here is known to be sound.
     Sha256 cluster;
     std::uint64_t last_job = 0;
@@ -138,12 +149,16 @@ struct JournalDatabase::State {
     [[nodiscard]] Status make_mark();
     [[nodiscard]] bool is_empty() const;
     [[nodiscard]] Status check();
+    [[nodiscard]] Status check_version();
     [[nodiscard]] Result<Bytes> meta(const char* name) const;
-    [[nodiscard]] bool set_meta(const char* name, std::span<const std::byte> value) const;
+    [[nodiscard]] bool set_meta(const char* name,
+                                std::span<const std::byte> value,
+                                RowKind kind = RowKind::Meta) const;
     [[nodiscard]] bool set_number(const char* name, std::uint64_t value) const;
     [[nodiscard]] Status read_meta();
     [[nodiscard]] Result<std::uint64_t> read_mark() const;
     [[nodiscard]] Status write_mark() const;
+    [[nodiscard]] bool upgrade();
     [[nodiscard]] bool apply(const DatabaseChange& change);
 };
 
@@ -207,17 +222,14 @@ bool JournalDatabase::State::is_empty() const {
 
 Status JournalDatabase::State::check() {
     Statement id(database.get(), "PRAGMA application_id");
-    Statement schema_number(database.get(), "PRAGMA user_version");
-    if (!id.step() || !schema_number.step()) {
+    if (!id.step()) {
         return damage(sqlite3_errmsg(database.get()));
     }
     if (id.number(0) != static_cast<std::uint64_t>(application_id)) {
         return damage("it is no journal");
     }
-    if (schema_number.number(0) != static_cast<std::uint64_t>(schema_version)) {
-        return Error{ErrorCode::Io,
-                     path.string() + " is of version " + std::to_string(schema_number.number(0)) +
-                         ", and this cdmaster reads version " + std::to_string(schema_version)};
+    if (Status known = check_version(); !known) {
+        return known;
     }
     Statement check(database.get(), "PRAGMA quick_check(1)");
     if (!check.step()) {
@@ -227,6 +239,23 @@ Status JournalDatabase::State::check() {
         return damage(check.text(0));
     }
     return read_meta();
+}
+
+Status JournalDatabase::State::check_version() {
+    Statement number(database.get(), "PRAGMA user_version");
+    if (!number.step()) {
+        return damage(sqlite3_errmsg(database.get()));
+    }
+    version = static_cast<int>(number.number(0));
+    if (version == schema_version || version == schema_version_before) {
+        return Done{};
+    }
+    return Error{ErrorCode::Io,
+                 path.string() + " is of version " + std::to_string(version) +
+                     ", and this cdmaster reads versions " + std::to_string(schema_version_before) +
+                     " and " + std::to_string(schema_version) +
+                     "; nothing was changed: start the cdmaster that wrote it, or move the state "
+                     "directory away and start with an empty one"};
 }
 
 Status JournalDatabase::State::read_meta() {
@@ -379,6 +408,18 @@ Result<std::vector<DatabaseJob>> JournalDatabase::jobs() const {
     return jobs;
 }
 
+Result<Bytes> JournalDatabase::alarms() const {
+    Statement statement(state_->database.get(), "SELECT value FROM meta WHERE name='alarms'");
+    if (!statement.step()) {
+        return statement.failed() ? Result<Bytes>(state_->failure("read")) : Result<Bytes>(Bytes());
+    }
+    auto value = unsealed(statement.bytes(0), RowKind::Alarms, 0);
+    if (!value) {
+        return state_->damage("the list of alarms has a wrong checksum");
+    }
+    return std::move(*value);
+}
+
 Status JournalDatabase::for_each_results(
     const std::function<Status(JobId, std::span<const std::byte>)>& take) const {
     Statement statement(state_->database.get(), "SELECT job, content FROM results ORDER BY number");
@@ -398,14 +439,22 @@ Status JournalDatabase::for_each_results(
 
 // ---- Writing ------------------------------------------------------------------------------------
 
-bool JournalDatabase::State::set_meta(const char* name, std::span<const std::byte> value) const {
+bool JournalDatabase::State::set_meta(const char* name,
+                                      std::span<const std::byte> value,
+                                      RowKind kind) const {
     Statement statement(database.get(), "INSERT OR REPLACE INTO meta(name, value) VALUES(?, ?)");
-    statement.bind(1, name).bind(2, sealed(value, RowKind::Meta, 0));
+    statement.bind(1, name).bind(2, sealed(value, kind, 0));
     return !statement.step() && !statement.failed();
 }
 
 bool JournalDatabase::State::set_number(const char* name, std::uint64_t value) const {
     return set_meta(name, std::as_bytes(std::span(&value, 1)));
+}
+
+/// A cdmaster of before must not take what is written from now on for its own.
+bool JournalDatabase::State::upgrade() {
+    const std::string name = "PRAGMA user_version=" + std::to_string(schema_version);
+    return version == schema_version || run(name.c_str());
 }
 
 bool JournalDatabase::State::apply(const DatabaseChange& change) {
@@ -434,13 +483,15 @@ bool JournalDatabase::State::apply(const DatabaseChange& change) {
     case Kind::Drop:
         return run_for("DELETE FROM results WHERE job=?") &&
                run_for("DELETE FROM jobs WHERE job=?");
+    case Kind::Alarms:
+        return set_meta("alarms", change.content, RowKind::Alarms);
     }
     return false;
 }
 
 Status JournalDatabase::write(std::span<const DatabaseChange> changes) {
     State& state = *state_;
-    bool written = state.run("BEGIN IMMEDIATE");
+    bool written = state.run("BEGIN IMMEDIATE") && state.upgrade();
     for (const DatabaseChange& change : changes) {
         written = written && state.apply(change);
     }
@@ -451,6 +502,7 @@ Status JournalDatabase::write(std::span<const DatabaseChange> changes) {
         return why;
     }
     ++state.commits;
+    state.version = schema_version;
     state.writing = true;
     for (const DatabaseChange& change : changes) {
         if (change.kind == DatabaseChange::Kind::Accept) {

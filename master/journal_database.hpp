@@ -15,9 +15,9 @@
 
 namespace cd {
 
-/// One row that is written, or with all that belong to the job deleted.
+/// One row that is written, or with all that belong to the job deleted. The alarms are of no job.
 struct DatabaseChange {
-    enum class Kind : std::uint8_t { Accept, Results, Progress, End, Drop };
+    enum class Kind : std::uint8_t { Accept, Results, Progress, End, Drop, Alarms };
     Kind kind = Kind::Accept;
     JobId job;
     Bytes content; ///< Nothing for Drop.
@@ -55,6 +55,8 @@ class JournalDatabase {
     [[nodiscard]] JobId last_job() const;
     /// By id. Errors: Io.
     [[nodiscard]] Result<std::vector<DatabaseJob>> jobs() const;
+    /// Empty before the first. Errors: Io.
+    [[nodiscard]] Result<Bytes> alarms() const;
     /// All groups of results in the order of their commits. An error of `take` ends it. Errors: Io.
     [[nodiscard]] Status
     for_each_results(const std::function<Status(JobId, std::span<const std::byte>)>& take) const;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_set>
 #include <utility>
 
 namespace cd {
@@ -24,7 +25,7 @@ std::uint64_t bytes_of(const JournalEntry& entry) {
 
 std::size_t rows_of(const JournalEntry& entry) {
     const auto* add = std::get_if<AddResults>(&entry);
-    return add == nullptr ? 0 : add->results.size();
+    return add == nullptr ? 0 : add->results.size() + add->remarks.size();
 }
 
 // ---- Writing ------------------------------------------------------------------------------------
@@ -41,20 +42,32 @@ struct JobChanges {
 
 using ChangesByJob = std::map<JobId, JobChanges>;
 
+void add_results(JobChanges& changes, const AddResults& add) {
+    changes.store = add.store;
+    changes.progress = &add.progress;
+    for (const JournalResult& result : add.results) {
+        changes.records.push_back({result.row.scenario, result.record});
+        changes.rows.rows.push_back(result.row);
+    }
+    if (!add.map.empty()) {
+        changes.rows.maps.push_back(add.map);
+    }
+    std::vector<AuthorRun>& runs = changes.rows.authors;
+    if (!add.results.empty()) {
+        if (runs.empty() || runs.back().author != add.author) {
+            runs.push_back({0, add.author});
+        }
+        runs.back().rows += add.results.size();
+    }
+    std::vector<Remark>& remarks = changes.rows.remarks;
+    remarks.insert(remarks.end(), add.remarks.begin(), add.remarks.end());
+}
+
 ChangesByJob gather(std::span<const JournalEntry> group) {
     ChangesByJob by_job;
     for (const JournalEntry& entry : group) {
         if (const auto* add = std::get_if<AddResults>(&entry)) {
-            JobChanges& changes = by_job[add->job];
-            changes.store = add->store;
-            changes.progress = &add->progress;
-            for (const JournalResult& result : add->results) {
-                changes.records.push_back({result.row.scenario, result.record});
-                changes.rows.rows.push_back(result.row);
-            }
-            if (!add->map.empty()) {
-                changes.rows.maps.push_back(add->map);
-            }
+            add_results(by_job[add->job], *add);
         } else if (const auto* end = std::get_if<EndJob>(&entry)) {
             by_job[end->job].progress = &end->progress;
         }
@@ -72,10 +85,19 @@ std::vector<DatabaseChange> database_changes(std::span<const JournalEntry> group
         }
     }
     for (const auto& [job, added] : by_job) {
-        if (!added.rows.rows.empty()) {
+        if (!added.rows.rows.empty() || !added.rows.remarks.empty()) {
             changes.push_back({Kind::Results, job, encode_group(added.rows)});
         }
         changes.push_back({Kind::Progress, job, encode_progress(*added.progress)});
+    }
+    const AlarmRecord* alarms = nullptr; // The last say it all.
+    for (const JournalEntry& entry : group) {
+        if (const auto* add = std::get_if<AddResults>(&entry); add != nullptr && add->alarms) {
+            alarms = &*add->alarms;
+        }
+    }
+    if (alarms != nullptr) {
+        changes.push_back({Kind::Alarms, JobId{}, encode_alarms(*alarms)});
     }
     for (const JournalEntry& entry : group) {
         if (const auto* end = std::get_if<EndJob>(&entry)) {
@@ -97,6 +119,9 @@ Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group)
             continue;
         }
         changes.rows.begin = changes.store->end();
+        if (changes.records.empty()) {
+            continue;
+        }
         has_new_segments = has_new_segments || !changes.store->has_file();
         if (Status status = changes.store->write(changes.records); !status) {
             return status;
@@ -121,7 +146,7 @@ Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group)
         return status;
     }
     for (auto& [job, changes] : by_job) {
-        if (changes.store != nullptr) {
+        if (!changes.records.empty()) {
             changes.store->commit();
         }
     }
@@ -137,7 +162,9 @@ struct FoundJob {
     RecoveredJob job;
     std::vector<ResultRow> rows;
     std::vector<RecordPlace> places;
-    std::uint64_t end = 0; ///< Of its segment.
+    std::vector<WorkerProcess> authors;        ///< Of the rows.
+    std::unordered_set<std::uint64_t> vouched; ///< Scenarios: no author's word is all there is.
+    std::uint64_t end = 0;                     ///< Of its segment.
 };
 
 using FoundJobs = std::map<JobId, FoundJob>;
@@ -179,6 +206,35 @@ Result<FoundJob> decode_found(const DatabaseJob& row) {
     return found;
 }
 
+void take_rows(FoundJob& job, const ResultGroup& group) {
+    job.end = group.begin;
+    for (const ResultRow& row : group.rows) {
+        job.rows.push_back(row);
+        job.places.push_back(ResultStore::place_at(job.end, row.length));
+        job.end = ResultStore::end_of(job.places.back());
+    }
+    for (const AuthorRun& run : group.authors) {
+        job.authors.insert(job.authors.end(), run.rows, run.author);
+        if (run.author != 0) {
+            job.job.contributors.insert(run.author);
+        }
+    }
+}
+
+void take_remarks(FoundJob& job, std::span<const Remark> remarks) {
+    for (const Remark& remark : remarks) {
+        if (remark.kind == Remark::Kind::Disputed) {
+            job.job.disputes.push_back(remark);
+            continue;
+        }
+        job.vouched.insert(remark.scenario);
+        std::erase_if(job.job.disputes, [&](const Remark& open) {
+            return remark.kind == Remark::Kind::Settled && open.scenario == remark.scenario &&
+                   open.digest == remark.digest && open.author == remark.author;
+        });
+    }
+}
+
 Result<FoundJobs> find_jobs(const JournalDatabase& database) {
     const Result<std::vector<DatabaseJob>> rows = database.jobs();
     if (!rows) {
@@ -202,12 +258,8 @@ Result<FoundJobs> find_jobs(const JournalDatabase& database) {
         if (job.end != 0 && group.value().begin != job.end) {
             return Status(damaged(database.path(), id, "results are missing"));
         }
-        job.end = group.value().begin;
-        for (const ResultRow& row : group.value().rows) {
-            job.rows.push_back(row);
-            job.places.push_back(ResultStore::place_at(job.end, row.length));
-            job.end = ResultStore::end_of(job.places.back());
-        }
+        take_rows(job, group.value());
+        take_remarks(job, group.value().remarks);
         for (const Bytes& packed : group.value().maps) {
             const Result<ContactMap> map = unpack_map(packed, journal_map_bounds);
             if (!map) {
@@ -248,7 +300,12 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
         (void)job.merger.add(row.scenario, row.facts, row.digest);
         if (!job.end) {
             job.done.push_back(row.scenario);
+            job.authors.push_back(found.vouched.contains(row.scenario) ? 0 : found.authors[i]);
         }
+    }
+    const auto is_there = [&](const Remark& open) { return job.merger.has(open.scenario); };
+    if (!job.end && !std::ranges::all_of(job.disputes, is_there)) {
+        return damaged(path, job.record.id, "a result that is in dispute is missing");
     }
     if (job.end && job.end->digest && job.merger.digest() != job.end->digest) {
         return damaged(path, job.record.id, "its results do not have its digest");
@@ -257,6 +314,22 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
 }
 
 } // namespace
+
+Result<AlarmRecord> recover_alarms(const JournalDatabase& database) {
+    const Result<Bytes> row = database.alarms();
+    if (!row) {
+        return row.error();
+    }
+    if (row.value().empty()) {
+        return AlarmRecord();
+    }
+    Result<AlarmRecord> alarms = decode_alarms(row.value());
+    if (!alarms) {
+        return Error{ErrorCode::Io,
+                     database.path().string() + " is damaged: " + alarms.error().detail};
+    }
+    return alarms;
+}
 
 Result<std::vector<RecoveredJob>> recover_jobs(const JournalDatabase& database,
                                                const std::filesystem::path& jobs_folder,

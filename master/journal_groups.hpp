@@ -15,7 +15,7 @@ namespace cd {
 
 /// Of the records in it.
 [[nodiscard]] std::uint64_t bytes_of(const JournalEntry& entry);
-/// Results in it.
+/// Results in it, and remarks.
 [[nodiscard]] std::size_t rows_of(const JournalEntry& entry);
 
 struct JournalDisk {
@@ -30,6 +30,7 @@ struct JournalDisk {
 
 /// All jobs by id, with what of their results is committed. Errors: Io naming the file that is
 /// damaged; nothing on the disk has been changed.
+[[nodiscard]] Result<AlarmRecord> recover_alarms(const JournalDatabase& database);
 [[nodiscard]] Result<std::vector<RecoveredJob>> recover_jobs(
     const JournalDatabase& database, const std::filesystem::path& jobs_folder, bool check_records);
 

@@ -1,36 +1,11 @@
 #include "master/journal_records.hpp"
 
 #include "common/core/disk_file.hpp"
-#include "common/core/varint.hpp"
+#include "master/row_bytes.hpp"
 
 namespace cd {
 
 namespace {
-
-constexpr std::uint8_t flag_surfaces_only = 1;
-constexpr std::uint8_t flag_cut = 2;
-
-Error damaged(const char* what) {
-    return {ErrorCode::BadFrame, std::string(what) + " that is none"};
-}
-
-/// False where the bytes end before that many could be there, so that a damaged count costs
-/// nothing.
-bool may_hold(const ByteReader& in, std::uint64_t count, std::uint64_t bytes_each) {
-    return count <= in.remaining() / bytes_each;
-}
-
-template <class Enumeration>
-bool get_enumeration(ByteReader& in, Enumeration& value, Enumeration last) {
-    const auto number = in.get<std::uint8_t>();
-    value = static_cast<Enumeration>(number);
-    return number <= static_cast<std::uint8_t>(last);
-}
-
-template <class Enumeration>
-void put_enumeration(ByteWriter& out, Enumeration value) {
-    out.put(static_cast<std::uint8_t>(value));
-}
 
 void put_query(ByteWriter& out, const Query& query) {
     put_enumeration(out, query.level);
@@ -164,35 +139,6 @@ HelpAtEnd get_help(ByteReader& in) {
     return help;
 }
 
-void put_row(ByteWriter& out, const ResultRow& row, std::uint64_t before) {
-    put_varint(out, zigzag(static_cast<std::int64_t>(row.scenario - before)));
-    put_varint(out, row.length);
-    put_enumeration(out, row.facts.kind);
-    const int flags =
-        (row.facts.surfaces_only ? flag_surfaces_only : 0) | (row.facts.is_cut ? flag_cut : 0);
-    out.put(static_cast<std::uint8_t>(flags));
-    put_varint(out, row.facts.pair_count);
-    put_hash(out, row.digest);
-}
-
-bool get_row(ByteReader& in, ResultRow& row, std::uint64_t before) {
-    const auto step = get_varint(in);
-    const auto length = get_varint(in);
-    const bool is_class = get_enumeration(in, row.facts.kind, ScenarioClass::Failed);
-    const auto flags = in.get<std::uint8_t>();
-    const auto pairs = get_varint(in);
-    row.digest = get_hash(in);
-    if (!step || !length || !pairs || !is_class || flags > (flag_surfaces_only | flag_cut)) {
-        return false;
-    }
-    row.scenario = before + static_cast<std::uint64_t>(unzigzag(*step));
-    row.length = *length;
-    row.facts.surfaces_only = (flags & flag_surfaces_only) != 0;
-    row.facts.is_cut = (flags & flag_cut) != 0;
-    row.facts.pair_count = *pairs;
-    return !in.failed();
-}
-
 } // namespace
 
 Bytes encode_job(const JobRecord& job) {
@@ -222,13 +168,13 @@ Result<JobRecord> decode_job(std::span<const std::byte> bytes) {
     job.submit.name = in.get_text();
     const auto bodies = in.get<std::uint64_t>();
     if (!may_hold(in, bodies, sizeof(Sha256))) {
-        return damaged("a job");
+        return damaged_row("a job");
     }
     for (std::uint64_t i = 0; i < bodies; ++i) {
         job.submit.bodies.push_back(get_hash(in));
     }
     if (!get_query(in, job.submit.query) || !get_cluster(in, job.submit.cluster)) {
-        return damaged("a job");
+        return damaged_row("a job");
     }
     job.submit.scenarios = in.get<std::uint64_t>();
     if (in.get<std::uint8_t>() != 0) {
@@ -236,7 +182,7 @@ Result<JobRecord> decode_job(std::span<const std::byte> bytes) {
         job.submit.grid.emplace(grid.begin(), grid.end());
     }
     if (!in.complete()) {
-        return damaged("a job");
+        return damaged_row("a job");
     }
     return job;
 }
@@ -268,7 +214,7 @@ Result<JobProgress> decode_progress(std::span<const std::byte> bytes) {
     progress.depth_b = get_depth(in);
     progress.map_withdrawn = in.get_text();
     if (!in.complete()) {
-        return damaged("a job's progress");
+        return damaged_row("a job's progress");
     }
     return progress;
 }
@@ -293,57 +239,9 @@ Result<JobEnd> decode_end(std::span<const std::byte> bytes) {
         end.digest = get_hash(in);
     }
     if (!is_state || !in.complete()) {
-        return damaged("the end of a job");
+        return damaged_row("the end of a job");
     }
     return end;
-}
-
-Bytes encode_group(const ResultGroup& group) {
-    ByteWriter out;
-    out.put(group.begin);
-    put_varint(out, group.rows.size());
-    std::uint64_t before = 0;
-    for (const ResultRow& row : group.rows) {
-        put_row(out, row, before);
-        before = row.scenario;
-    }
-    put_varint(out, group.maps.size());
-    for (const Bytes& map : group.maps) {
-        put_varint(out, map.size());
-        put_bytes(out, map);
-    }
-    return out.take();
-}
-
-Result<ResultGroup> decode_group(std::span<const std::byte> bytes) {
-    ByteReader in(bytes);
-    ResultGroup group;
-    group.begin = in.get<std::uint64_t>();
-    const auto count = get_varint(in);
-    if (!count || !may_hold(in, *count, sizeof(Sha256))) {
-        return damaged("a group of results");
-    }
-    std::uint64_t before = 0;
-    for (std::uint64_t i = 0; i < *count; ++i) {
-        ResultRow row;
-        if (!get_row(in, row, before)) {
-            return damaged("a group of results");
-        }
-        before = row.scenario;
-        group.rows.push_back(row);
-    }
-    const auto maps = get_varint(in);
-    if (!maps || !may_hold(in, *maps, 1)) {
-        return damaged("a group of results");
-    }
-    for (std::uint64_t i = 0; i < *maps; ++i) {
-        const auto map = in.get_bytes(get_varint(in).value_or(0));
-        group.maps.emplace_back(map.begin(), map.end());
-    }
-    if (!in.complete()) {
-        return damaged("a group of results");
-    }
-    return group;
 }
 
 } // namespace cd

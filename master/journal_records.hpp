@@ -1,9 +1,8 @@
-// What the journal keeps of jobs and results, as bytes that are checked when they come back.
+// What the journal keeps of jobs, as bytes that are checked when they come back.
 #pragma once
 
 #include "common/core/bytes.hpp"
 #include "common/core/result.hpp"
-#include "common/job/merge.hpp"
 #include "common/job/statistics.hpp"
 #include "proto/client_messages.hpp"
 #include "proto/traffic.hpp"
@@ -51,33 +50,14 @@ struct JobEnd {
     std::optional<Sha256> digest;
 };
 
-/// One result, of which the record stands in the job's segment.
-struct ResultRow {
-    std::uint64_t scenario = 0;
-    std::uint64_t length = 0; ///< Of the record.
-    ScenarioFacts facts;
-    Sha256 digest;
-
-    friend bool operator==(const ResultRow&, const ResultRow&) = default;
-};
-
-/// Results that were committed together; their records follow each other in the segment.
-struct ResultGroup {
-    std::uint64_t begin = 0; ///< The segment's end before them.
-    std::vector<ResultRow> rows;
-    std::vector<Bytes> maps; ///< `pack_map`; together they are the map of these results.
-};
-
 /// Not the protocol's form of it, which may change from version to version.
 [[nodiscard]] Bytes encode_job(const JobRecord& job);
 [[nodiscard]] Bytes encode_progress(const JobProgress& progress);
 [[nodiscard]] Bytes encode_end(const JobEnd& end);
-[[nodiscard]] Bytes encode_group(const ResultGroup& group);
 
 // The inverses. Errors: BadFrame for bytes that are none, which only damage can make of them.
 [[nodiscard]] Result<JobRecord> decode_job(std::span<const std::byte> bytes);
 [[nodiscard]] Result<JobProgress> decode_progress(std::span<const std::byte> bytes);
 [[nodiscard]] Result<JobEnd> decode_end(std::span<const std::byte> bytes);
-[[nodiscard]] Result<ResultGroup> decode_group(std::span<const std::byte> bytes);
 
 } // namespace cd

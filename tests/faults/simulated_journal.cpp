@@ -44,6 +44,10 @@ Result<std::vector<DatabaseJob>> JournalDatabase::jobs() const {
     return jobs;
 }
 
+Result<Bytes> JournalDatabase::alarms() const {
+    return World::current()->watcher.alarms;
+}
+
 Status JournalDatabase::for_each_results(
     const std::function<Status(JobId, std::span<const std::byte>)>& take) const {
     for (const auto& [id, job] : World::current()->watcher.jobs()) {
@@ -161,8 +165,10 @@ Result<std::unique_ptr<Journal>> Journal::open(const JournalOptions& options) {
     if (!jobs) {
         return jobs.error();
     }
-    state->recovered = {
-        state->database->cluster(), state->database->last_job(), std::move(jobs.value())};
+    state->recovered = {state->database->cluster(),
+                        state->database->last_job(),
+                        std::move(jobs.value()),
+                        recover_alarms(*state->database).value()};
     return std::unique_ptr<Journal>(new Journal(std::move(state)));
 }
 

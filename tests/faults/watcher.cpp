@@ -6,7 +6,7 @@
 #include "common/job/pose_source.hpp"
 #include "common/job/result.hpp"
 #include "common/job/scenario.hpp"
-#include "master/journal_records.hpp"
+#include "master/result_group.hpp"
 
 #include <algorithm>
 
@@ -56,6 +56,10 @@ std::string Watcher::committed(std::span<const DatabaseChange> changes) {
     using Kind = DatabaseChange::Kind;
     std::string wrong;
     for (const DatabaseChange& change : changes) {
+        if (change.kind == Kind::Alarms) {
+            alarms = change.content;
+            continue;
+        }
         DurableJob& job = jobs_[change.job];
         switch (change.kind) {
         case Kind::Accept:
@@ -75,6 +79,8 @@ std::string Watcher::committed(std::span<const DatabaseChange> changes) {
             break;
         case Kind::Drop:
             jobs_.erase(change.job);
+            break;
+        case Kind::Alarms:
             break;
         }
     }

@@ -54,6 +54,7 @@ class Watcher {
     [[nodiscard]] std::uint64_t called_off() const { return called_off_; }
 
     JobId last_job;
+    Bytes alarms; ///< As the journal has them.
 
   private:
     using Key = std::pair<JobId, std::uint64_t>;

@@ -13,7 +13,9 @@
 #include "common/tree/cut.hpp"
 #include "common/tree/subtree_block.hpp"
 #include "common/tree/top_block.hpp"
+#include "master/alarm_record.hpp"
 #include "master/journal_records.hpp"
+#include "master/result_group.hpp"
 #include "master/result_store.hpp"
 #include "proto/codec.hpp"
 #include "proto/frame.hpp"
@@ -162,7 +164,12 @@ void add_rows(Seeds& seeds) {
     ResultGroup group;
     group.begin = 100;
     group.rows = {{4, 20, {}, tests::some_hash(1)}, {9, 300, {}, tests::some_hash(2)}};
+    group.authors = {{1, 7}, {1, 0}};
+    group.remarks = {{Remark::Kind::Disputed, 4, tests::some_hash(3), 8},
+                     {Remark::Kind::Settled, 4, tests::some_hash(3), 8},
+                     {Remark::Kind::Vouched, 9, {}, 0}};
     add(3, "group", encode_group(group));
+    add(4, "alarms", encode_alarms({2, {"results differ"}, {7, 8}}));
 
     Grid grid;
     grid.position = {GridAxis{0, 1, 3}, GridAxis{-1, 1, 2}, GridAxis{}};

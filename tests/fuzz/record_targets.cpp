@@ -6,7 +6,9 @@
 #include "common/job/result.hpp"
 #include "common/tree/subtree_block.hpp"
 #include "common/tree/top_block.hpp"
+#include "master/alarm_record.hpp"
 #include "master/journal_records.hpp"
+#include "master/result_group.hpp"
 #include "master/result_store.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/require.hpp"
@@ -92,7 +94,7 @@ void journal_row(Input input) {
         return;
     }
     const Input row = input.subspan(1);
-    switch (std::to_integer<unsigned>(input.front()) % 4) {
+    switch (std::to_integer<unsigned>(input.front()) % 5) {
     case 0:
         check_repeats(row, decode_job, encode_job);
         break;
@@ -102,8 +104,11 @@ void journal_row(Input input) {
     case 2:
         check_repeats(row, decode_end, encode_end);
         break;
-    default:
+    case 3:
         check_repeats(row, decode_group, encode_group);
+        break;
+    default:
+        check_repeats(row, decode_alarms, encode_alarms);
         break;
     }
 }

@@ -53,6 +53,8 @@ class CheckState : public testing::Test {
             journal->add(AcceptJob{job});
             AddResults add{id, ResultStore::create(journal->results_path(id), id, 5), {}, {}, {}};
             add.results.push_back(result_of(3));
+            add.alarms.emplace().add("somebody has to look at this");
+            add.alarms->quarantine(7);
             journal->add(std::move(add));
         }
         journal->add(EndJob{JobId{2}, {JobState::Cancelled, "cancelled", {}}, {}});
@@ -89,6 +91,7 @@ TEST_F(CheckState, ASoundOneIsSaidToBeSo) {
     EXPECT_TRUE(report.is_sound) << text_of(report);
     EXPECT_THAT(report.lines,
                 testing::Contains("journal: 2 jobs, 1 of them unfinished, 2 results"));
+    EXPECT_THAT(report.lines, testing::Contains("alarms: 1, quarantined workers: 1"));
     EXPECT_THAT(report.lines, testing::Contains("meshes: 1"));
 }
 

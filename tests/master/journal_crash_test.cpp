@@ -204,8 +204,11 @@ JournalResult result_of(std::uint64_t scenario) {
 struct History {
     std::vector<Operation> operations;
     std::vector<std::vector<std::uint64_t>> added{{}}; ///< By position.
+    std::uint64_t verdict = 0;                         ///< A scenario that was added with an alarm.
     std::uint64_t ended_at = 0;
 };
+
+constexpr std::uint64_t verdict_group = 30;
 
 History record(const std::filesystem::path& directory) {
     History history;
@@ -240,6 +243,10 @@ History record(const std::filesystem::path& directory) {
             for (std::uint64_t i = 0; i <= group % 7; ++i, ++next) {
                 add.results.push_back(result_of(next));
                 history.added.back().push_back(next);
+            }
+            if (group == verdict_group) {
+                history.verdict = next - 1;
+                add.alarms.emplace().quarantine(7);
             }
             const std::uint64_t position = journal->add(std::move(add));
             if (group % 3 == 0) {
@@ -276,6 +283,8 @@ void expect_kept(const std::filesystem::path& directory,
     }
     const RecoveredJob& job = recovered.jobs[0];
     ASSERT_TRUE(job.results->verify());
+    // With the alarm, or neither of them.
+    ASSERT_EQ(job.merger.has(history.verdict), !recovered.alarms.quarantined.empty());
     // Entries are committed in their order: what is there is what the first so many added.
     std::set<std::uint64_t> done(job.done.begin(), job.done.end());
     ASSERT_EQ(done.size(), job.done.size());

@@ -1,0 +1,220 @@
+// Proves that after a restart the journal knows whose each result is, what is in dispute, which
+// alarms there were and who is in quarantine; and that it reads what the version before has written
+// and refuses what it does not know.
+#include "tests/master/journal_writer.hpp"
+
+#include <map>
+
+namespace cd::tests {
+namespace {
+
+using Kind = Remark::Kind;
+
+AddResults results_by(WorkerProcess author,
+                      const std::shared_ptr<ResultStore>& store,
+                      std::uint64_t first,
+                      std::uint64_t count) {
+    AddResults add = results_of(JobId{1}, store, first, count);
+    add.author = author;
+    return add;
+}
+
+AddResults remarks_on(const std::shared_ptr<ResultStore>& store, std::vector<Remark> remarks) {
+    AddResults add{JobId{1}, store, {}, {}, {}};
+    add.remarks = std::move(remarks);
+    return add;
+}
+
+std::map<std::uint64_t, WorkerProcess> authors_in(const RecoveredJob& job) {
+    std::map<std::uint64_t, WorkerProcess> authors;
+    EXPECT_EQ(job.done.size(), job.authors.size());
+    for (std::size_t i = 0; i < job.done.size(); ++i) {
+        authors[job.done[i]] = job.authors.at(i);
+    }
+    return authors;
+}
+
+TEST(JournalAuthors, ComeBackWhateverSharesACommit) {
+    const TemporaryFolder folder;
+    {
+        Writer writer(folder.path());
+        const auto store = writer.accept(JobId{1}, 100);
+        for (std::uint64_t i = 0; i < 12; ++i) {
+            const auto at = writer.journal->add(results_by(70 + i % 3, store, 5 * i, 5));
+            if (i % 4 == 0) {
+                writer.wait_for(at);
+            }
+        }
+        writer.journal->add(results_by(0, store, 60, 1)); // The master's.
+    }
+    const Writer again(folder.path());
+    const RecoveredJob& job = again.recovered.jobs.at(0);
+    const auto authors = authors_in(job);
+    ASSERT_EQ(authors.size(), 61u);
+    for (std::uint64_t scenario = 0; scenario < 60; ++scenario) {
+        EXPECT_EQ(authors.at(scenario), 70 + scenario / 5 % 3) << scenario;
+    }
+    EXPECT_EQ(authors.at(60), 0u);
+    EXPECT_EQ(job.contributors, (std::set<WorkerProcess>{70, 71, 72}));
+}
+
+TEST(JournalAuthors, OfAJobThatHasEndedItIsKnownWhoContributed) {
+    const TemporaryFolder folder;
+    {
+        Writer writer(folder.path());
+        const auto store = writer.accept(JobId{1}, 100);
+        writer.journal->add(results_by(7, store, 0, 5));
+        writer.journal->add(results_by(8, store, 5, 5));
+        writer.journal->add(EndJob{JobId{1}, {JobState::Cancelled, "cancelled", {}}, {}});
+    }
+    const Writer again(folder.path());
+    EXPECT_EQ(again.recovered.jobs.at(0).contributors, (std::set<WorkerProcess>{7, 8}));
+}
+
+TEST(JournalAuthors, OfWhatIsVouchedForSettledOrCorrectedAreNobody) {
+    const TemporaryFolder folder;
+    {
+        Writer writer(folder.path());
+        const auto store = writer.accept(JobId{1}, 100);
+        writer.wait_for(writer.journal->add(results_by(7, store, 0, 10)));
+        writer.journal->add(remarks_on(store, {{Kind::Vouched, 1, {}, 0}}));
+        writer.journal->add(remarks_on(store, {{Kind::Settled, 2, some_hash(1), 8}}));
+        AddResults correction = results_of(JobId{1}, store, 3, 1, 70);
+        writer.wait_for(writer.journal->add(std::move(correction)));
+    }
+    const Writer again(folder.path());
+    const RecoveredJob& job = again.recovered.jobs.at(0);
+    for (const auto& [scenario, author] : authors_in(job)) {
+        EXPECT_EQ(author, scenario >= 1 && scenario <= 3 ? 0u : 7u) << scenario;
+    }
+    EXPECT_EQ(job.contributors, (std::set<WorkerProcess>{7}));
+    EXPECT_EQ(job.merger.digest_of(3), result_of(3, 70).row.digest);
+}
+
+TEST(JournalAuthors, ADisputeIsOpenUntilItIsSettled) {
+    for (const bool is_one_commit : {true, false}) {
+        const TemporaryFolder folder;
+        const Remark first{Kind::Disputed, 4, some_hash(1), 8};
+        const Remark second{Kind::Disputed, 4, some_hash(2), 9};
+        const Remark other{Kind::Disputed, 5, some_hash(1), 8};
+        {
+            Writer writer(folder.path());
+            const auto store = writer.accept(JobId{1}, 100);
+            writer.journal->add(results_by(7, store, 0, 10));
+            for (const Remark& one : {first, second, other}) {
+                const auto at = writer.journal->add(remarks_on(store, {one}));
+                if (!is_one_commit) {
+                    writer.wait_for(at);
+                }
+            }
+            Remark settled = first;
+            settled.kind = Kind::Settled;
+            // Another worker's word ends a doubt, and no dispute.
+            writer.journal->add(remarks_on(store, {settled, {Kind::Vouched, 5, {}, 0}}));
+        }
+        const Writer again(folder.path());
+        EXPECT_EQ(again.recovered.jobs.at(0).disputes, (std::vector<Remark>{second, other}));
+    }
+}
+
+TEST(JournalAuthors, AlarmsAndTheQuarantinedComeBackAsTheyWereLast) {
+    const TemporaryFolder folder;
+    AlarmRecord alarms;
+    {
+        Writer writer(folder.path());
+        EXPECT_EQ(writer.recovered.alarms, AlarmRecord{});
+        const auto store = writer.accept(JobId{1}, 100);
+        for (const WorkerProcess wrong : {7u, 8u}) {
+            alarms.add("worker " + std::to_string(wrong) + " is wrong");
+            alarms.quarantine(wrong);
+            AddResults verdict = remarks_on(store, {});
+            verdict.alarms = alarms;
+            writer.journal->add(std::move(verdict));
+        }
+        writer.journal->add(DropJob{JobId{1}});
+    }
+    for (int round = 0; round < 2; ++round) {
+        const Writer again(folder.path());
+        EXPECT_EQ(again.recovered.alarms, alarms);
+    }
+}
+
+TEST(JournalAuthors, DamagedAlarmsAreFoundAndNamed) {
+    const TemporaryFolder folder;
+    const std::string text = "somebody has to look at this";
+    {
+        Writer writer(folder.path());
+        AddResults verdict = remarks_on(writer.accept(JobId{1}, 100), {});
+        verdict.alarms.emplace().add(text);
+        writer.journal->add(std::move(verdict));
+    }
+    std::string database = read_text(folder / "journal.db");
+    const std::size_t at = database.find(text);
+    ASSERT_NE(at, std::string::npos);
+    database[at] = 'S';
+    write_text(folder / "journal.db", database);
+    const auto opened = Journal::open({.directory = folder.path()});
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().detail.find("alarms"), std::string::npos) << opened.error().detail;
+}
+
+// ---- Versions -----------------------------------------------------------------------------------
+
+/// SQLite keeps the version, big-endian, in its file's header.
+constexpr std::size_t version_at = 60;
+
+std::uint32_t version_in(const std::filesystem::path& path) {
+    std::uint32_t version = 0;
+    for (const char byte : read_text(path).substr(version_at, 4)) {
+        version = version << 8 | static_cast<unsigned char>(byte);
+    }
+    return version;
+}
+
+void set_version(const std::filesystem::path& path, char version) {
+    std::string content = read_text(path);
+    content.replace(version_at, 4, std::string("\0\0\0", 3) + version);
+    write_text(path, content);
+}
+
+TEST(JournalAuthors, AJournalOfTheVersionBeforeIsReadAndGoesOnAsOneOfThis) {
+    const TemporaryFolder folder;
+    const auto path = folder / "journal.db";
+    {
+        Writer writer(folder.path());
+        writer.journal->add(results_by(0, writer.accept(JobId{1}, 100), 0, 10));
+    }
+    const std::uint32_t version = version_in(path);
+    set_version(path, 2);
+    {
+        const Writer only_reads(folder.path());
+        EXPECT_EQ(only_reads.recovered.jobs.at(0).done.size(), 10u);
+    }
+    EXPECT_EQ(version_in(path), 2u) << "nothing was written";
+    {
+        Writer writer(folder.path());
+        writer.journal->add(results_by(7, writer.recovered.jobs.at(0).results, 10, 10));
+    }
+    EXPECT_EQ(version_in(path), version);
+    const Writer again(folder.path());
+    EXPECT_EQ(again.recovered.jobs.at(0).done.size(), 20u);
+    EXPECT_EQ(again.recovered.jobs.at(0).contributors, (std::set<WorkerProcess>{7}));
+}
+
+TEST(JournalAuthors, AJournalOfAnotherVersionIsRefusedWithTheWayOut) {
+    for (const char version : {1, 4}) {
+        const TemporaryFolder folder;
+        { const Writer writer(folder.path()); }
+        set_version(folder / "journal.db", version);
+        const auto opened = Journal::open({.directory = folder.path()});
+        ASSERT_FALSE(opened);
+        const std::string& why = opened.error().detail;
+        const std::string named = "is of version " + std::to_string(int{version});
+        for (const std::string& part : {std::string("journal.db"), named, std::string("move")}) {
+            EXPECT_NE(why.find(part), std::string::npos) << why;
+        }
+    }
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,108 @@
+// A journal at work, and entries for it.
+#pragma once
+
+#include "master/journal.hpp"
+#include "tests/proto/sample_messages.hpp"
+#include "tests/support/process.hpp"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace cd::tests {
+
+inline JobRecord job_record(JobId job, std::uint64_t scenarios) {
+    JobRecord record{job, some_submit()};
+    record.submit.scenarios = scenarios;
+    return record;
+}
+
+/// A separate scenario, with a record of that size or larger.
+inline JournalResult result_of(std::uint64_t scenario, std::size_t size = 40) {
+    ScenarioResult result;
+    result.index = scenario;
+    result.level = Level::Count;
+    result.kind = ScenarioClass::Failed;
+    result.failure = std::string(size, 'x');
+    JournalResult journalled;
+    journalled.record = encode_result(result);
+    journalled.row = {
+        scenario, journalled.record.size(), facts_of(result), sha256(journalled.record)};
+    return journalled;
+}
+
+/// A journal that is written to, and what it has said.
+class Writer {
+  public:
+    explicit Writer(std::filesystem::path directory, bool synced = false)
+        : directory_(std::move(directory)) {
+        auto opened = Journal::open({.directory = directory_, .synced = synced});
+        EXPECT_TRUE(opened) << opened.error().detail;
+        journal = std::move(opened.value());
+        recovered = journal->take_recovered();
+        journal->start({[this](std::uint64_t position) {
+                            const std::lock_guard lock(mutex_);
+                            committed_ = position;
+                            changed_.notify_all();
+                        },
+                        [this](const std::string& why) {
+                            const std::lock_guard lock(mutex_);
+                            paused_ = why;
+                            changed_.notify_all();
+                        }});
+    }
+
+    void wait_for(std::uint64_t position) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return committed_ >= position; });
+    }
+    std::string wait_until_paused() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return !paused_.empty(); });
+        return paused_;
+    }
+    [[nodiscard]] std::uint64_t committed() {
+        const std::lock_guard lock(mutex_);
+        return committed_;
+    }
+
+    std::shared_ptr<ResultStore> accept(JobId job, std::uint64_t scenarios) {
+        std::shared_ptr<ResultStore> store =
+            ResultStore::create(journal->results_path(job), job, scenarios);
+        journal->add(AcceptJob{job_record(job, scenarios)});
+        return store;
+    }
+
+  private:
+    std::filesystem::path directory_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::uint64_t committed_ = 0;
+    std::string paused_;
+
+  public:
+    Recovered recovered;
+    std::unique_ptr<Journal> journal; ///< Ends first: it still calls.
+};
+
+inline AddResults results_of(JobId job,
+                             const std::shared_ptr<ResultStore>& store,
+                             std::uint64_t first,
+                             std::uint64_t count,
+                             std::size_t size = 40) {
+    AddResults add{job, store, {}, {}, {}};
+    for (std::uint64_t i = first; i < first + count; ++i) {
+        add.results.push_back(result_of(i, size));
+    }
+    add.progress.answered_by_master = first + count;
+    add.progress.traffic = {{1, 2, 3, 4, 5, 6}, 7};
+    add.progress.help = {8, 9, 10};
+    add.progress.depth_b = 8;
+    return add;
+}
+
+} // namespace cd::tests
