@@ -122,7 +122,10 @@ void Coordinator::perform(const GiveUp& action) {
         // It has a result, which was to be checked: by the master, then.
         const Sha256 merged = job->merger.digest_of(action.scenario);
         doubt_ends(*job, action.scenario, WorkerId{});
-        return open_dispute(*job, {job->id, action.scenario, WorkerId{}, merged});
+        AddResults add{job->id, job->results, {}, job->progress(Clock::now()), {}};
+        open_dispute(*job, {job->id, action.scenario, WorkerId{}, merged}, add);
+        write(std::move(add));
+        return;
     }
     spdlog::error("scenario given up: job={} scenario={}", job->id.value, action.scenario);
     fail_scenario(*job,
@@ -159,8 +162,8 @@ ClusterStatus Coordinator::cluster_status() {
         job.paused = job.state == JobState::Running ? paused_ : "";
         add_long_scenarios(job);
     }
-    status.alarms.assign(alarms_.begin(), alarms_.end());
-    status.alarm_count = alarm_count_;
+    status.alarms = alarms_.last;
+    status.alarm_count = alarms_.count;
     status.workers_lost = workers_lost_;
     status.sessions_resumed = sessions_resumed_;
     status.scenarios_given_back = scenarios_given_back_;

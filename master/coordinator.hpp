@@ -250,7 +250,8 @@ class Coordinator {
     /// the master.
     void merge(MasterJob& job, TakenResults taken, WorkerId worker);
     /// False: it is not the first of its scenario.
-    [[nodiscard]] bool merge_one(MasterJob& job, const TakenResult& taken, WorkerId worker);
+    [[nodiscard]] bool
+    merge_one(MasterJob& job, const TakenResult& taken, WorkerId worker, AddResults& add);
     void end_if_complete(MasterJob& job);
     /// It has a result: what it was analysed for is of no use any more.
     void close_analysis(MasterJob& job, std::uint64_t scenario);
@@ -267,28 +268,44 @@ class Coordinator {
     answered_by(const MasterJob& job, std::uint64_t scenario, bool needs_worker) const;
 
     // Results that differ (coordinator_disputes.cpp).
-    struct Dispute {
-        JobId job;
-        std::uint64_t scenario = 0;
-        WorkerId second; ///< Who brought the result that differs from the one that was merged,
-        Sha256 digest;   ///< and that one.
-    };
-    /// The master computes the scenario itself.
-    void open_dispute(MasterJob& job, const Dispute& dispute);
+    struct Evidence;
+    /// It is judged, by the master's own result, when `add`, which is written next, is on the disk.
+    void open_dispute(MasterJob& job, const Dispute& dispute, AddResults& add);
     asio::awaitable<void> settle_dispute(Dispute dispute);
-    void
-    judge(MasterJob& job, const Dispute& dispute, TakenResult right, const ScenarioFacts& first);
+    /// Without evidence the first result stands.
+    void settle(MasterJob& job, const Dispute& dispute, std::optional<Evidence> evidence);
+    /// What follows from it for the journal goes to `verdict`.
+    void judge(MasterJob& job, const Dispute& dispute, Evidence evidence, AddResults& verdict);
+    /// The first result of the scenario was wrong.
+    void correct(MasterJob& job, Evidence evidence, AddResults& verdict);
+    void alarm(const std::string& text);
+
+    // Who was wrong, and what else may be (coordinator_doubts.cpp).
     void quarantine(WorkerId worker);
     [[nodiscard]] bool is_quarantined(WorkerId worker) const;
-    /// Of the process that the worker is, or was.
-    [[nodiscard]] bool is_same_process(WorkerId one, WorkerId other) const;
+    /// 0: the master, or not known any more.
+    [[nodiscard]] WorkerProcess process_of(WorkerId worker) const;
+    /// For people; also of one that an earlier life of the master knew.
+    [[nodiscard]] std::string name_of(WorkerId worker) const;
+    /// A number for one of whom only that is known.
+    [[nodiscard]] WorkerId earlier_worker(WorkerProcess process);
+    [[nodiscard]] bool is_earlier(WorkerId worker) const { return worker <= earlier_last_; }
+    /// Goes on with the doubts and disputes of an earlier life.
+    void restore_authors(MasterJob& job,
+                         std::span<const std::uint64_t> done,
+                         std::span<const WorkerProcess> authors,
+                         std::span<const Remark> disputes);
+    /// The geometry of the job is there.
+    void take_up_doubts(MasterJob& job);
     /// What it has answered so far is done again by others.
     void doubt_results_of(WorkerId worker);
     void doubt(MasterJob& job, const std::vector<std::uint64_t>& scenarios);
+    /// The geometry of the job is there.
+    void answer_again(MasterJob& job, std::span<const std::uint64_t> scenarios);
     void do_again(MasterJob& job, std::vector<std::uint64_t> places);
-    void doubt_ends(MasterJob& job, std::uint64_t scenario, WorkerId by);
-    void forget_instances();
-    void alarm(const std::string& text);
+    /// False: it was not in doubt.
+    bool doubt_ends(MasterJob& job, std::uint64_t scenario, WorkerId by);
+    void forget_processes();
 
     void end_job(MasterJob& job, JobState state, const std::string& failure);
     void release_tree(TreeId tree);
@@ -375,10 +392,13 @@ class Coordinator {
     std::map<JobId, std::shared_ptr<asio::steady_timer>> waiting_for_acceptance_;
     std::multimap<JobId, EarlyResults> early_results_;
     std::vector<std::function<void()>> waiting_for_room_; ///< In the journal.
-    std::deque<std::string> alarms_;                      ///< The last ones.
-    std::uint64_t alarm_count_ = 0;
-    std::set<std::uint64_t> quarantined_;         ///< Instances of workers.
-    std::map<WorkerId, std::uint64_t> instances_; ///< Of all workers that some result may be of.
+    AlarmRecord alarms_;
+    std::set<WorkerProcess> quarantined_; ///< Those of the alarms.
+    /// Of all workers that some result may be of. None is 0.
+    std::map<WorkerId, WorkerProcess> processes_;
+    // Workers that only an earlier life of the master knew have the first numbers.
+    std::map<WorkerProcess, WorkerId> earlier_;
+    WorkerId earlier_last_;
 };
 
 } // namespace cd

@@ -28,9 +28,13 @@ std::shared_ptr<const std::vector<bool>> done_scenarios(const std::vector<std::u
 
 Status Coordinator::restore(Recovered recovered) {
     cluster_ = recovered.cluster;
+    alarms_ = std::move(recovered.alarms);
+    quarantined_ = {alarms_.quarantined.begin(), alarms_.quarantined.end()};
     jobs_.reserve(recovered.last_job);
     for (RecoveredJob& found : recovered.jobs) {
         const std::vector<std::uint64_t> done = std::move(found.done);
+        const std::vector<WorkerProcess> authors = std::move(found.authors);
+        const std::vector<Remark> disputes = std::move(found.disputes);
         MasterJob& job = jobs_.add(MasterJob(std::move(found), Clock::now()));
         if (!job.is_running()) {
             continue;
@@ -44,6 +48,7 @@ Status Coordinator::restore(Recovered recovered) {
         for (const std::uint64_t scenario : done) {
             ledger_.restore(job.id, scenario);
         }
+        restore_authors(job, done, authors, disputes);
         spdlog::info("job goes on: job={} name=\"{}\" done={} scenarios={}",
                      job.id.value,
                      job.submit.name,
@@ -154,6 +159,7 @@ void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenari
         check_late_results(job, std::move(early->second));
     }
     early_results_.erase(begin, end);
+    take_up_doubts(job);
     end_if_complete(job); // A job without scenarios, or without any that were left.
     feed();
 }
@@ -199,6 +205,7 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
 
 void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
     AddResults add{job.id, job.results, {}, {}, {}};
+    add.author = process_of(worker);
     add.results.reserve(taken.results.size());
     for (TakenResult& one : taken.results) {
         job.statistics += one.cost;
@@ -210,20 +217,20 @@ void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
                                std::to_string(one.record.size()) +
                                " bytes; ask for a lower level or set limit_pairs");
         }
-        if (merge_one(job, one, worker)) {
+        if (merge_one(job, one, worker, add)) {
             const ResultRow row{
                 one.result.index, one.record.size(), facts_of(one.result), one.digest};
             ledger_.write(job.id, row.scenario, written_ + 1);
             add.results.push_back({row, std::move(one.record)});
         }
     }
-    if (!add.results.empty()) {
-        if (worker != WorkerId{}) {
-            job.contributors.insert(worker);
-        }
+    if (!add.results.empty() && add.author != 0) {
+        job.contributors.insert(add.author);
+    }
+    if (!add.results.empty() || !add.remarks.empty()) {
         ++job.changes;
         add.progress = job.progress(Clock::now());
-        if (!taken.map.empty()) {
+        if (!add.results.empty() && !taken.map.empty()) {
             job.map.add(taken.map);
             add.map = pack_map(taken.map);
         }
@@ -231,17 +238,23 @@ void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
     }
 }
 
-bool Coordinator::merge_one(MasterJob& job, const TakenResult& taken, WorkerId worker) {
+bool Coordinator::merge_one(MasterJob& job,
+                            const TakenResult& taken,
+                            WorkerId worker,
+                            AddResults& add) {
     const std::uint64_t index = taken.result.index;
     switch (job.merger.add(taken.result, taken.digest)) {
     case ResultMerger::Outcome::Added:
         break;
     case ResultMerger::Outcome::Repeated:
-        doubt_ends(job, index, worker);
+        if (doubt_ends(job, index, worker)) {
+            job.authors[index] = 0; // The author's word is not all that stands for it.
+            add.remarks.push_back({Remark::Kind::Vouched, index, {}, 0});
+        }
         return mutated(Mutation::SecondAnswerMerged);
     case ResultMerger::Outcome::Differs:
         doubt_ends(job, index, worker);
-        open_dispute(job, {job.id, index, worker, taken.digest});
+        open_dispute(job, {job.id, index, worker, taken.digest}, add);
         return false;
     case ResultMerger::Outcome::Foreign:
         spdlog::error("result of no scenario: job={} scenario={} worker={}",
@@ -288,7 +301,7 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
         release_tree(job.tree_a);
         release_tree(job.tree_b);
     }
-    forget_instances();
+    forget_processes();
     ledger_.promise(JobEnded{job.id}, write(EndJob{job.id, *job.end, job.progress(Clock::now())}));
     const auto [begin, end] = early_results_.equal_range(job.id);
     for (auto early = begin; early != end; ++early) {

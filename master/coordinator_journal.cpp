@@ -68,6 +68,8 @@ void Coordinator::keep_promises() {
             waiting_for_acceptance_.erase(accepted->job);
         } else if (const auto* ended = std::get_if<JobEnded>(&promise)) {
             job_ended(ended->job);
+        } else if (const auto* dispute = std::get_if<Dispute>(&promise)) {
+            spawn(parts_.executor, "results that differ", settle_dispute(*dispute));
         } else {
             const JobId dropped = std::get<JobDropped>(promise).job;
             for (const auto& path :

@@ -1,4 +1,5 @@
 // Which workers are here: joining, coming back, falling silent, and leaving.
+#include "common/core/bytes.hpp"
 #include "common/core/check.hpp"
 #include "common/core/hash.hpp"
 #include "common/core/limits.hpp"
@@ -17,6 +18,11 @@ bool names(const std::vector<JobId>& list, JobId one) {
 
 bool names(const std::vector<Recalled>& list, TaskId one) {
     return std::ranges::find(list, one, &Recalled::task) != list.end();
+}
+
+WorkerProcess random_process() {
+    const Sha256 drawn = random_secret();
+    return std::max<WorkerProcess>(1, ByteReader(drawn.bytes).get<WorkerProcess>());
 }
 
 /// All roots below `count` that are not in `held`, which ascends.
@@ -70,8 +76,9 @@ void Coordinator::worker_joined(const Reception& reception,
     link.threads = std::max(1u, hello.threads);
     link.cache_bytes = hello.cache_bytes;
     link.instance = hello.instance;
-    link.quarantined = hello.instance != 0 && quarantined_.contains(hello.instance);
-    instances_[worker] = hello.instance;
+    // One that does not say what process it is is taken for a process of its own.
+    processes_[worker] = hello.instance != 0 ? hello.instance : random_process();
+    link.quarantined = is_quarantined(worker);
     const bool is_trusted = !link.quarantined;
     workers_.emplace(worker, std::move(link));
     watch_.joined(worker, Clock::now());

@@ -201,6 +201,7 @@ void Coordinator::results_taken(WorkerId worker,
             }
         }
         const std::uint64_t merged_before = job->merger.summary().merged();
+        const std::uint64_t disputes_before = job->disputes;
         merge(*job, std::move(taken.value()), worker);
         if (const auto running = tasks_.find(results.task);
             running != tasks_.end() && running->second.is_copy) {
@@ -211,7 +212,11 @@ void Coordinator::results_taken(WorkerId worker,
                 call_off_places(*job, worker, scenario);
             }
         }
-        ledger_.promise(delivery, id, scenarios);
+        if (job->disputes == disputes_before) {
+            ledger_.promise(delivery, id, scenarios);
+        } else {
+            ledger_.promise(delivery, written_); // Or nobody would know of the dispute any more.
+        }
         end_if_complete(*job);
     } else {
         ledger_.promise(delivery, written_);

@@ -16,6 +16,7 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       state(recovered.end ? recovered.end->state : JobState::Running),
       merger(std::move(recovered.merger)),
       results(std::move(recovered.results)),
+      contributors(std::move(recovered.contributors)),
       end(std::move(recovered.end)),
       ended(now),
       answered_by_master(recovered.progress.answered_by_master),
@@ -142,6 +143,7 @@ void JobBoard::end(MasterJob& job,
     job.authors.resize(std::min(job.authors.size(), limits::authors_kept_max));
     job.authors.shrink_to_fit();
     job.doubted = {};
+    job.disputes_left = {};
     job.cancelled = {};
     job.map.finish();
     running_.erase(job.id);

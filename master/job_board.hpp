@@ -7,6 +7,7 @@
 #include "common/job/pose_source.hpp"
 #include "master/job_map.hpp"
 #include "master/journal.hpp"
+#include "master/ledger.hpp"
 #include "master/place_queue.hpp"
 #include "master/result_intake.hpp"
 #include "master/result_store.hpp"
@@ -80,12 +81,14 @@ struct MasterJob {
     /// Whose result of a scenario was merged, up to the last that came; 0 is the master, or nobody
     /// knows any more. Of a job that has ended, those of its first scenarios.
     std::vector<std::uint32_t> authors;
-    /// All authors, kept when it has ended.
-    std::set<WorkerId> contributors;
+    /// All authors of its results, kept when it has ended.
+    std::set<WorkerProcess> contributors;
     /// Merged results of a worker that was found to be wrong: they are done again, and compared.
     std::set<std::uint64_t> doubted;
     std::vector<std::uint64_t> cancelled; ///< Scenarios, one by one.
-    std::uint64_t disputes = 0;           ///< Scenarios whose right result is being looked for.
+    std::uint64_t disputes = 0;           ///< Results that are to be judged.
+    /// Of these, those from an earlier life, until the geometry to judge them is there.
+    std::vector<Dispute> disputes_left;
 
     // Once it has ended. Clients are told when that is in the journal.
     std::optional<JobEnd> end;

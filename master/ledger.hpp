@@ -2,6 +2,7 @@
 // threads.
 #pragma once
 
+#include "common/core/hash.hpp"
 #include "common/core/id.hpp"
 
 #include <array>
@@ -42,9 +43,18 @@ struct JobDropped {
 
     friend bool operator==(const JobDropped&, const JobDropped&) = default;
 };
+/// Two results of a scenario differ, and both are in the journal: they may be judged.
+struct Dispute {
+    JobId job;
+    std::uint64_t scenario = 0;
+    WorkerId second; ///< Who brought the result that differs from the one that was merged,
+    Sha256 digest;   ///< and that one.
+
+    friend bool operator==(const Dispute&, const Dispute&) = default;
+};
 
 /// What somebody waits for until the journal has it.
-using Promise = std::variant<Delivery, JobAccepted, JobEnded, JobDropped>;
+using Promise = std::variant<Delivery, JobAccepted, JobEnded, JobDropped, Dispute>;
 
 /// The journal writes its entries in the order of their positions, from 1, and commits them in this
 /// order. Every scenario of an open job is unknown, written (in an entry that is not committed), or

@@ -55,7 +55,7 @@ void analyse_block(const AnalysisInput& input, AnalysedBlock& block) {
     const std::uint64_t pose_bytes = pack_scenarios(scenarios.value()).size() / places.count;
     block.scenarios.reserve(places.count);
     for (const Scenario& scenario : scenarios.value()) {
-        if (input.done != nullptr && scenario.index < input.done->size() &&
+        if (block.losses == 0 && input.done != nullptr && scenario.index < input.done->size() &&
             (*input.done)[scenario.index]) {
             continue;
         }

@@ -28,7 +28,8 @@ struct AnalysisInput {
     Query query;
     std::shared_ptr<PoseSource> poses; ///< Its `read` must bear several threads at once.
     /// By index, up to the last: scenarios that have results since an earlier life of the master;
-    /// they are passed over. Null: none.
+    /// they are passed over, unless they are started with losses: then they are to be answered
+    /// again. Null: none.
     std::shared_ptr<const std::vector<bool>> done;
 };
 

@@ -158,8 +158,8 @@ struct ClusterStatus {
     std::vector<JobStatus> jobs;
     std::vector<MeshStatus> meshes;
     std::vector<std::string> alarms;        ///< What somebody has to look at, the last ones.
-    std::uint64_t alarm_count = 0;          ///< All of them, since the master started,
-    std::uint64_t workers_lost = 0;         ///< and workers that were lost,
+    std::uint64_t alarm_count = 0;          ///< All of them, in all lives of the master.
+    std::uint64_t workers_lost = 0;         ///< Since the master started: workers that were lost,
     std::uint64_t sessions_resumed = 0;     ///< and that came back in time,
     std::uint64_t scenarios_given_back = 0; ///< and scenarios that stood at lost ones.
 };

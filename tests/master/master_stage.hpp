@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/core/compress.hpp"
+#include "common/core/disk_file.hpp"
 #include "common/core/limits.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/pose_source.hpp"
@@ -32,12 +33,16 @@ class Master {
   public:
     /// Unless told, a worker whose connection breaks does not come back.
     explicit Master(
-        const FailureTimes& failure_times = {.return_within = std::chrono::milliseconds(0)})
-        : times(failure_times) {
+        const FailureTimes& failure_times = {.return_within = std::chrono::milliseconds(0)},
+        const std::filesystem::path& state = {}) ///< Empty: a folder of its own.
+        : directory(state.empty() ? folder.path() : state), times(failure_times) {
         EXPECT_TRUE(coordinator.restore(journal->take_recovered()));
         server->start();
     }
-    ~Master() {
+    ~Master() { end(); }
+
+    /// What has begun is finished; nothing begins any more.
+    void end() {
         server->close();
         context.run_for(patience);
     }
@@ -54,12 +59,13 @@ class Master {
     [[nodiscard]] Endpoint endpoint() const { return {"127.0.0.1", server->port()}; }
 
     TemporaryFolder folder;
+    std::filesystem::path directory;
     asio::io_context context{1};
     ThreadPool compute{2};
     std::unique_ptr<GeometryStore> store =
-        std::move(GeometryStore::open(folder.path(), compute).value());
+        std::move(GeometryStore::open(directory, compute).value());
     std::unique_ptr<Journal> journal =
-        std::move(Journal::open({.directory = folder.path(), .synced = false}).value());
+        std::move(Journal::open({.directory = directory, .synced = false}).value());
     ThreadPool blocking{2};
     FailureTimes times;
     Coordinator coordinator{{context.get_executor(),
@@ -67,7 +73,7 @@ class Master {
                              compute,
                              blocking,
                              *journal,
-                             folder.path() / "jobs",
+                             directory / "jobs",
                              Durability::Unsynced,
                              times}};
     std::unique_ptr<Server> server =
@@ -104,8 +110,10 @@ class FakeWorker {
         bool forgets_one = false;    ///< Once, it ends a task without an answer.
         bool holds_too_much = false; ///< Roots that the tree does not have.
         bool says_what_it_holds = false;
-        bool only_takes = false;    ///< It does nothing with what it gets.
-        std::uint64_t instance = 0; ///< Of its process; 0: not known.
+        bool only_takes = false;                       ///< It does nothing with what it gets.
+        std::uint64_t instance = 0;                    ///< Of its process; 0: not known.
+        std::uint64_t batches_max = ~std::uint64_t{0}; ///< It answers so many, and rests.
+        std::optional<Results> comes_with = {};        ///< Of an earlier session.
     };
 
     FakeWorker(Master& master, Habits habits) : master_(master), habits_(habits) {
@@ -117,6 +125,7 @@ class FakeWorker {
     std::uint64_t ranges = 0;
     std::uint64_t blocks = 0;
     std::uint64_t trees_removed = 0;
+    std::uint64_t kept = 0; ///< Messages of results that the master says it has for good.
     bool ended = false;
 
   private:
@@ -137,6 +146,9 @@ class FakeWorker {
         hello.cache_bytes = 1 << 20;
         hello.instance = habits_.instance;
         (void)co_await greet(channel_, hello);
+        if (habits_.comes_with) {
+            channel_->send(*habits_.comes_with);
+        }
         for (;;) {
             Result<Message> message = co_await channel_->receive(patience);
             if (!message) {
@@ -150,6 +162,8 @@ class FakeWorker {
                 trees_removed += trees_.erase(remove->tree);
             } else if (const auto* subtrees = std::get_if<Subtrees>(&message.value())) {
                 keep(*subtrees);
+            } else if (const auto* acknowledged = std::get_if<ResultsKept>(&message.value())) {
+                kept += acknowledged->sequences.size();
             } else if (auto* range = std::get_if<ScenarioRange>(&message.value())) {
                 ++ranges;
                 unwalked_.push_back(std::move(*range));
@@ -274,7 +288,7 @@ class FakeWorker {
     }
 
     void work() {
-        while (!waiting_.empty()) {
+        while (!waiting_.empty() && batches_answered_ < habits_.batches_max) {
             const Batch& batch = waiting_.front();
             const AddJob& job = jobs_.at(batch.job);
             if (!missing(job.tree_a, roots_of_a(batch.pairs)).empty() ||
@@ -412,6 +426,10 @@ class Client {
     void start(Submit submit) {
         spawn(master_.context.get_executor(), "client", run(std::move(submit)));
     }
+    /// Of that only the beginning: it is done when the job is accepted.
+    void start_submitting(Submit submit) {
+        spawn(master_.context.get_executor(), "client", submit_and_leave(std::move(submit)));
+    }
     /// Sends the messages and keeps one answer.
     void start_asking(std::vector<Message> messages) {
         spawn(master_.context.get_executor(), "client", ask(std::move(messages)));
@@ -441,8 +459,24 @@ class Client {
         done = true;
     }
 
+    asio::awaitable<void> submit_and_leave(Submit submit) {
+        const Ending ending{ended_};
+        co_await submit_job(std::move(submit));
+        done = true;
+    }
+
     asio::awaitable<void> run(Submit submit) {
         const Ending ending{ended_};
+        co_await submit_job(std::move(submit));
+        channel_->send(Watch{*job});
+        do {
+            statuses.push_back(std::get<JobStatus>((co_await channel_->receive(patience)).value()));
+        } while (statuses.back().state == JobState::Running);
+        co_await fetch();
+        done = true;
+    }
+
+    asio::awaitable<void> submit_job(Submit submit) {
         co_await greet_master();
         channel_->send(MeshesQuery{submit.bodies});
         const auto missing =
@@ -456,12 +490,6 @@ class Client {
         channel_->send(PosesPart{pack_scenarios(all.subspan(40))});
         channel_->send(PosesEnd{});
         job = std::get<Accepted>((co_await channel_->receive(patience)).value()).job;
-        channel_->send(Watch{*job});
-        do {
-            statuses.push_back(std::get<JobStatus>((co_await channel_->receive(patience)).value()));
-        } while (statuses.back().state == JobState::Running);
-        co_await fetch();
-        done = true;
     }
 
     asio::awaitable<void> upload(Sha256 hash) {

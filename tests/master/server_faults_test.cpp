@@ -6,7 +6,7 @@ namespace cd::tests {
 namespace {
 
 TEST(Server, RangesOfAWorkerThatDiesOrForgetsAreAnalysedAndDoneByAnother) {
-    for (const FakeWorker::Habits habits :
+    for (const FakeWorker::Habits& habits :
          {FakeWorker::Habits{.dies_at_range = 2}, FakeWorker::Habits{.forgets_one = true}}) {
         Master master;
         FakeWorker bad(master, habits);
@@ -61,7 +61,7 @@ TEST(Server, RepeatedAndForgottenAnswersDoNoHarm) {
 }
 
 TEST(Server, OfResultsThatDifferTheRightOneStaysAndTheWorkerIsQuarantined) {
-    for (const FakeWorker::Habits habits :
+    for (const FakeWorker::Habits& habits :
          {FakeWorker::Habits{.lies_first = true}, FakeWorker::Habits{.lies_second = true}}) {
         Master master;
         FakeWorker liar(master, habits);
@@ -187,7 +187,7 @@ TEST(Server, AScenarioMayBeCancelledAndTheJobGoesOn) {
 }
 
 TEST(Server, AWorkerThatSendsRubbishOrHoldsWhatDoesNotExistIsCutOff) {
-    for (const FakeWorker::Habits habits :
+    for (const FakeWorker::Habits& habits :
          {FakeWorker::Habits{.sends_rubbish = true}, FakeWorker::Habits{.holds_too_much = true}}) {
         Master master;
         FakeWorker bad(master, habits);

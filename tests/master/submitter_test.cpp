@@ -190,5 +190,19 @@ TEST_F(SubmitterTest, NothingIsDeliveredAfterTheEnd) {
     }
 }
 
+TEST_F(SubmitterTest, WhatIsDoneIsPassedOverUnlessItWasLost) {
+    AnalysisInput input = make_input(make_sphere(1), make_sphere(1), 2);
+    input.poses = make_list_source(make_scenarios(6, 0.1));
+    input.done = std::make_shared<const std::vector<bool>>(std::vector<bool>{true, false, true});
+    Collected collected;
+    Submitter submitter(pool_, input, collected.taker());
+    submitter.start({0, 6}, 0);
+    submitter.start({0, 6}, 1);
+    const auto blocks = collected.wait_for(2);
+    EXPECT_EQ(blocks[0].scenarios.size(), 4u);
+    EXPECT_EQ(blocks[0].scenarios.at(0).scenario.index, 1u);
+    EXPECT_EQ(blocks[1].scenarios.size(), 6u);
+}
+
 } // namespace
 } // namespace cd::tests

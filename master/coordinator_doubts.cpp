@@ -1,0 +1,241 @@
+// A worker that was wrong once is trusted in nothing: what it gets, and what it has answered.
+//
+// Doubts are not written down: they follow from the quarantine, from whose each result is, and from
+// who else vouches for it, which the journal has.
+#include "common/core/limits.hpp"
+#include "common/core/log.hpp"
+#include "master/coordinator.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+// ---- Who is who ---------------------------------------------------------------------------------
+
+WorkerProcess Coordinator::process_of(WorkerId worker) const {
+    const auto known = processes_.find(worker);
+    return known == processes_.end() ? 0 : known->second;
+}
+
+bool Coordinator::is_quarantined(WorkerId worker) const {
+    return quarantined_.contains(process_of(worker));
+}
+
+std::string Coordinator::name_of(WorkerId worker) const {
+    const WorkerProcess process = process_of(worker);
+    const auto is_its = [&](WorkerId id) {
+        return id == worker || (process != 0 && process_of(id) == process);
+    };
+    const auto named = [](const std::string& name, WorkerId id) {
+        return name + " (w-" + std::to_string(id.value) + ")";
+    };
+    // It may have left, and come back as another.
+    for (const auto& [id, link] : workers_) {
+        if (is_its(id)) {
+            return named(link.name, id);
+        }
+    }
+    for (const auto& [id, lost] : lost_) {
+        if (is_its(id)) {
+            return named(lost.status.name, id);
+        }
+    }
+    return is_earlier(worker) ? "a worker that is not here any more"
+                              : "w-" + std::to_string(worker.value);
+}
+
+WorkerId Coordinator::earlier_worker(WorkerProcess process) {
+    if (process == 0) {
+        return {};
+    }
+    const auto [known, is_new] = earlier_.try_emplace(process, WorkerId{worker_last_ + 1});
+    if (is_new) {
+        earlier_last_ = WorkerId{++worker_last_};
+        processes_.emplace(known->second, process);
+    }
+    return known->second;
+}
+
+/// Of workers that are gone, once no job runs whose results could be theirs.
+void Coordinator::forget_processes() {
+    if (jobs_.running().empty()) {
+        std::erase_if(processes_,
+                      [this](const auto& known) { return !workers_.contains(known.first); });
+    }
+}
+
+// ---- After a restart ----------------------------------------------------------------------------
+
+void Coordinator::restore_authors(MasterJob& job,
+                                  std::span<const std::uint64_t> done,
+                                  std::span<const WorkerProcess> authors,
+                                  std::span<const Remark> disputes) {
+    for (std::size_t i = 0; i < done.size(); ++i) {
+        if (authors[i] == 0) {
+            continue;
+        }
+        job.authors.resize(std::max<std::size_t>(job.authors.size(), done[i] + 1));
+        job.authors[done[i]] = static_cast<std::uint32_t>(earlier_worker(authors[i]).value);
+        if (quarantined_.contains(authors[i])) {
+            job.doubted.insert(done[i]);
+        }
+    }
+    for (const Remark& open : disputes) {
+        job.disputes_left.push_back(
+            {job.id, open.scenario, earlier_worker(open.author), open.digest});
+    }
+    job.disputes = job.disputes_left.size();
+    if (!job.doubted.empty() || job.disputes != 0) {
+        spdlog::warn("results are still in doubt: job={} scenarios={} disputes={}",
+                     job.id.value,
+                     job.doubted.size(),
+                     job.disputes);
+    }
+    if (!job.doubted.empty()) {
+        withdraw_map(job, "a worker that has contributed to it was wrong elsewhere");
+    }
+}
+
+void Coordinator::take_up_doubts(MasterJob& job) {
+    for (const Dispute& dispute : std::exchange(job.disputes_left, {})) {
+        spawn(parts_.executor, "results that differ", settle_dispute(dispute));
+    }
+    const std::vector<std::uint64_t> scenarios(job.doubted.begin(), job.doubted.end());
+    answer_again(job, scenarios);
+}
+
+// ---- Quarantine ---------------------------------------------------------------------------------
+
+void Coordinator::quarantine(WorkerId worker) {
+    const WorkerProcess process = process_of(worker);
+    if (process == 0 || is_quarantined(worker)) {
+        return;
+    }
+    spdlog::error("worker quarantined: worker={}", worker.value);
+    alarms_.quarantine(process);
+    quarantined_ = {alarms_.quarantined.begin(), alarms_.quarantined.end()};
+    doubt_results_of(worker);
+    // It may have left, and come back as another.
+    for (auto& [id, link] : workers_) {
+        if (process_of(id) == process) {
+            link.quarantined = true;
+            blocks_.worker_left(id);
+            forget_tasks(id);
+            act(dispatcher().worker_lost(id));
+        }
+    }
+}
+
+void Coordinator::doubt_results_of(WorkerId worker) {
+    const WorkerProcess process = process_of(worker);
+    std::set<std::uint32_t> numbers;
+    for (const auto& [id, of] : processes_) {
+        if (of == process) {
+            numbers.insert(static_cast<std::uint32_t>(id.value));
+        }
+    }
+    std::string ended;
+    for (const JobStatus& known : jobs_.statuses(Clock::now())) {
+        MasterJob& job = *jobs_.find(known.job);
+        if (!job.contributors.contains(process)) {
+            continue;
+        }
+        if (!job.is_running()) {
+            ended += (ended.empty() ? "" : ", ") + std::to_string(job.id.value);
+            continue;
+        }
+        std::vector<std::uint64_t> scenarios;
+        for (std::uint64_t index = 0; index < job.authors.size(); ++index) {
+            if (numbers.contains(job.authors[index])) {
+                scenarios.push_back(index);
+            }
+        }
+        doubt(job, scenarios);
+    }
+    if (!ended.empty()) {
+        alarm("jobs that have ended hold results of " + name_of(worker) +
+              ", which was wrong elsewhere; submit them again: " + ended);
+    }
+}
+
+// ---- Doubt --------------------------------------------------------------------------------------
+
+void Coordinator::doubt(MasterJob& job, const std::vector<std::uint64_t>& scenarios) {
+    std::vector<std::uint64_t> doubted;
+    for (const std::uint64_t index : scenarios) {
+        if (job.doubted.insert(index).second) {
+            doubted.push_back(index);
+        }
+    }
+    if (doubted.empty()) {
+        return;
+    }
+    spdlog::warn("results are done again: job={} scenarios={}", job.id.value, doubted.size());
+    withdraw_map(job, "a worker that has contributed to it was wrong elsewhere");
+    ++job.changes;
+    if (job.order != nullptr) { // Else it is done when the geometry is there.
+        answer_again(job, doubted);
+    }
+}
+
+void Coordinator::answer_again(MasterJob& job, std::span<const std::uint64_t> scenarios) {
+    std::map<std::uint64_t, std::vector<std::uint64_t>> by_window;
+    for (const std::uint64_t index : scenarios) {
+        by_window[index / limits::order_window_scenarios].push_back(index);
+    }
+    for (auto& [window, indices] : by_window) {
+        if (job.order->grid() != nullptr) {
+            do_again(job, std::move(indices)); // On a grid a place is an index.
+            continue;
+        }
+        parts_.blocking.post([this,
+                              executor = parts_.executor,
+                              id = job.id,
+                              order = job.order,
+                              indices = std::move(indices)] {
+            auto found = order->window_of(indices.front());
+            asio::post(executor, [this, id, indices, found] {
+                MasterJob* running = jobs_.find_running(id);
+                if (running == nullptr) {
+                    return;
+                }
+                if (!found) {
+                    return end_job(*running, JobState::Failed, found.error().detail);
+                }
+                std::vector<std::uint64_t> places;
+                for (const std::uint64_t index : indices) {
+                    places.push_back(found.value()->place_of(index));
+                }
+                do_again(*running, std::move(places));
+                feed();
+            });
+        });
+    }
+}
+
+void Coordinator::do_again(MasterJob& job, std::vector<std::uint64_t> places) {
+    std::sort(places.begin(), places.end());
+    std::vector<PlaceRange> runs;
+    for (const std::uint64_t place : places) {
+        if (runs.empty() || runs.back().end() != place) {
+            runs.push_back({place, 0});
+        }
+        ++runs.back().count;
+    }
+    for (const PlaceRange& run : runs) {
+        job.todo.put_back({run, 1}); // So that each is analysed, and out once only.
+    }
+}
+
+/// Another worker has answered it, or the master will.
+bool Coordinator::doubt_ends(MasterJob& job, std::uint64_t scenario, WorkerId by) {
+    if (job.doubted.erase(scenario) == 0) {
+        return false;
+    }
+    ++job.changes;
+    close_analysis(job, scenario);
+    act(dispatcher().scenario_answered(by, job.id, scenario));
+    return true;
+}
+
+} // namespace cd

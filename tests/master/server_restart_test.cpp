@@ -1,0 +1,222 @@
+// Proves that trust outlives the master: after a restart it still knows who is in quarantine, whose
+// each result is, which of them are in doubt or in dispute, and which alarms there were; and no job
+// ends with what a worker that was wrong has answered.
+#include "tests/master/master_stage.hpp"
+
+#include <latch>
+
+namespace cd::tests {
+namespace {
+
+constexpr FailureTimes no_return{.return_within = std::chrono::milliseconds(0)};
+constexpr std::uint64_t liars_process = 7;
+constexpr std::uint64_t good_process = 8;
+
+/// The job is accepted, and nobody waits for its end.
+JobId submit_to(Master& master, AnalysisMode mode) {
+    Client client(master);
+    Submit submit = reference().submission();
+    submit.cluster.analysis = mode;
+    client.start_submitting(submit);
+    master.run_until([&] { return client.done; });
+    return client.job.value();
+}
+
+void expect_right_end(Master& master, JobId job) {
+    const auto status = [&] { return master.coordinator.job_status(job).value(); };
+    master.run_until([&] { return status().state != JobState::Running; });
+    EXPECT_EQ(status().state, JobState::Done) << status().failure;
+    EXPECT_EQ(status().digest, reference().digest);
+    EXPECT_EQ(status().summary.pairs, reference().summary.pairs);
+    EXPECT_EQ(status().doubted, 0u);
+}
+
+std::size_t quarantined_in(const ClusterStatus& status) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        status.workers, [](const WorkerStatus& worker) { return worker.quarantined; }));
+}
+
+/// The master has noticed that its workers are.
+void wait_until_gone(Master& master) {
+    master.run_until([&] {
+        return std::ranges::all_of(
+            master.coordinator.cluster_status().workers,
+            [](const WorkerStatus& worker) { return worker.state == WorkerState::Lost; });
+    });
+}
+
+/// It comes again, and behaves well.
+void expect_in_quarantine(Master& master, std::uint64_t process) {
+    const FakeWorker again(master, {.instance = process});
+    master.run_until([&] { return quarantined_in(master.coordinator.cluster_status()) == 1; });
+    master.run_until([&] {
+        const auto running = master.coordinator.cluster_status().jobs;
+        return std::ranges::none_of(
+            running, [](const JobStatus& job) { return job.state == JobState::Running; });
+    });
+    EXPECT_EQ(again.batches + again.ranges, 0u);
+}
+
+/// A worker is wrong and found to be. What it has answered besides is in doubt when the master
+/// ends.
+ClusterStatus run_to_the_alarm(Master& master, AnalysisMode mode) {
+    submit_to(master, mode);
+    const FakeWorker liar(master, {.lies_first = true, .lies_alone = 3, .instance = liars_process});
+    master.run_until([&] { return quarantined_in(master.coordinator.cluster_status()) == 1; });
+    master.end();
+    return master.coordinator.cluster_status();
+}
+
+TEST(ServerRestart, QuarantineAlarmsAndDoubtsAreAsTheyWere) {
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        const TemporaryFolder state;
+        ClusterStatus before;
+        {
+            Master master(no_return, state.path());
+            before = run_to_the_alarm(master, mode);
+        }
+        ASSERT_GT(before.alarm_count, 0u);
+        ASSERT_GT(before.jobs.at(0).doubted, 0u);
+        Master master(no_return, state.path());
+        const ClusterStatus after = master.coordinator.cluster_status();
+        EXPECT_EQ(after.alarms, before.alarms);
+        EXPECT_EQ(after.alarm_count, before.alarm_count);
+        EXPECT_EQ(after.jobs.at(0).doubted, before.jobs.at(0).doubted);
+        FakeWorker good(master, {.instance = good_process});
+        expect_in_quarantine(master, liars_process);
+        expect_right_end(master, after.jobs.at(0).job);
+    }
+}
+
+TEST(ServerRestart, WhatAnotherWorkerHasVouchedForIsNotDoubtedAgain) {
+    const TemporaryFolder state;
+    std::uint64_t doubted_first = 0;
+    std::uint64_t doubted_last = 0;
+    {
+        Master master(no_return, state.path());
+        doubted_first = run_to_the_alarm(master, AnalysisMode::Always).jobs.at(0).doubted;
+    }
+    {
+        Master master(no_return, state.path());
+        const auto doubted = [&] { return master.coordinator.cluster_status().jobs[0].doubted; };
+        {
+            const FakeWorker good(master, {.instance = good_process});
+            master.run_until([&] { return doubted() < doubted_first; });
+        }
+        wait_until_gone(master);
+        master.end();
+        doubted_last = doubted();
+    }
+    ASSERT_GT(doubted_first, doubted_last);
+    Master master(no_return, state.path());
+    EXPECT_EQ(master.coordinator.cluster_status().jobs.at(0).doubted, doubted_last);
+}
+
+Results right_results(JobId job, std::uint64_t index) {
+    static const auto trees = [] {
+        ThreadPool pool(2);
+        return std::pair(build_tree(share(reference().a), {}, pool),
+                         build_tree(share(reference().b), {}, pool));
+    }();
+    const std::vector<SubtreePair> whole{{trees.first.view(), trees.second.view()}};
+    const Bytes record =
+        encode_result(run_on_subtrees(whole, reference().scenarios[index], {}).result);
+    ByteWriter records;
+    records.put(static_cast<std::uint32_t>(record.size()));
+    put_bytes(records, record);
+    Results results;
+    results.job = job;
+    results.count = 1;
+    results.records = pack_records(records.bytes());
+    return results;
+}
+
+/// That is answered as if nothing touched, and something does.
+std::optional<std::uint64_t> wrong_scenario(Master& master, JobId job) {
+    for (const Scenario& scenario : reference().scenarios) {
+        const auto results = master.coordinator.results_of(job);
+        if (!results->has(scenario.index)) {
+            continue;
+        }
+        const Bytes right =
+            unpack_records(right_results(job, scenario.index).records, 1u << 30).value();
+        ByteReader in(right);
+        const auto result = decode_result(in.get_bytes(in.get<std::uint32_t>())).value();
+        if (result.pair_count != 0) {
+            return scenario.index;
+        }
+    }
+    return std::nullopt;
+}
+
+TEST(ServerRestart, AWrongResultOfBeforeIsItsAuthorsAndAllOfThatAuthorIsDoubted) {
+    const TemporaryFolder state;
+    JobId ended;
+    JobId job;
+    std::optional<std::uint64_t> wrong;
+    {
+        Master master(no_return, state.path());
+        ended = submit_to(master, AnalysisMode::Never);
+        {
+            const FakeWorker still_good(master, {.instance = liars_process});
+            expect_right_end(master, ended);
+        }
+        job = submit_to(master, AnalysisMode::Never);
+        {
+            const FakeWorker liar(master,
+                                  {.lies_alone = 3, .instance = liars_process, .batches_max = 3});
+            master.run_until([&] { return liar.kept == 3; });
+        }
+        wait_until_gone(master);
+        wrong = wrong_scenario(master, job);
+    }
+    ASSERT_TRUE(wrong);
+    Master master(no_return, state.path());
+    EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+    // Nobody of the earlier life is here. One comes with what contradicts it, as after a copy.
+    FakeWorker good(master, {.instance = good_process, .comes_with = right_results(job, *wrong)});
+    expect_right_end(master, job);
+    const ClusterStatus status = master.coordinator.cluster_status();
+    ASSERT_FALSE(status.alarms.empty());
+    const std::string named = "submit them again: " + std::to_string(ended.value);
+    EXPECT_TRUE(std::ranges::any_of(status.alarms, [&](const std::string& alarm) {
+        return alarm.ends_with(named);
+    })) << status.alarms.back();
+    expect_in_quarantine(master, liars_process);
+}
+
+/// The master dies between the moment in which it sees that two results differ, and says that it
+/// has both, and its verdict.
+TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
+    for (const FakeWorker::Habits& habits :
+         {FakeWorker::Habits{.lies_first = true, .instance = liars_process, .batches_max = 1},
+          FakeWorker::Habits{.lies_second = true, .instance = liars_process, .batches_max = 1}}) {
+        const TemporaryFolder at_death;
+        JobId job;
+        {
+            Master master;
+            job = submit_to(master, AnalysisMode::Never);
+            master.run_until([&] { return master.coordinator.analysis_input(job).has_value(); });
+            std::latch released(1);
+            for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
+                master.blocking.post([&] { released.wait(); }); // So that nothing is judged.
+            }
+            const FakeWorker liar(master, habits);
+            master.run_until([&] { return liar.kept == 2; });
+            EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+            // All that there is is acknowledged, so nothing is being written.
+            std::filesystem::copy(
+                master.directory, at_death.path(), std::filesystem::copy_options::recursive);
+            released.count_down();
+        }
+        Master master(no_return, at_death.path());
+        EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+        master.run_until([&] { return master.coordinator.cluster_status().alarm_count != 0; });
+        FakeWorker good(master, {.instance = good_process});
+        expect_in_quarantine(master, liars_process);
+        expect_right_end(master, job);
+    }
+}
+
+} // namespace
+} // namespace cd::tests
