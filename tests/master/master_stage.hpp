@@ -114,6 +114,7 @@ class FakeWorker {
         std::uint64_t instance = 0;                    ///< Of its process; 0: not known.
         std::uint64_t batches_max = ~std::uint64_t{0}; ///< It answers so many, and rests.
         std::optional<Results> comes_with = {};        ///< Of an earlier session.
+        std::optional<std::uint64_t> holds = {};       ///< A scenario, until it is told to go on.
     };
 
     FakeWorker(Master& master, Habits habits) : master_(master), habits_(habits) {
@@ -126,7 +127,14 @@ class FakeWorker {
     std::uint64_t blocks = 0;
     std::uint64_t trees_removed = 0;
     std::uint64_t kept = 0; ///< Messages of results that the master says it has for good.
+    bool is_held = false;
+    std::optional<std::uint64_t> dropped; ///< The last scenario that nobody waits for.
     bool ended = false;
+
+    void go_on() {
+        habits_.holds.reset();
+        work();
+    }
 
   private:
     struct Tree {
@@ -162,6 +170,8 @@ class FakeWorker {
                 trees_removed += trees_.erase(remove->tree);
             } else if (const auto* subtrees = std::get_if<Subtrees>(&message.value())) {
                 keep(*subtrees);
+            } else if (const auto* drop = std::get_if<DropScenario>(&message.value())) {
+                dropped = drop->scenario;
             } else if (const auto* acknowledged = std::get_if<ResultsKept>(&message.value())) {
                 kept += acknowledged->sequences.size();
             } else if (auto* range = std::get_if<ScenarioRange>(&message.value())) {
@@ -214,13 +224,14 @@ class FakeWorker {
         return has_all;
     }
 
-    [[nodiscard]] bool is_deadly(const Batch& batch) const {
+    [[nodiscard]] static bool has(const Batch& batch, std::optional<std::uint64_t> index) {
         const auto scenarios = unpack_scenarios(batch.scenarios).value();
-        return habits_.dies_of &&
+        return index &&
                std::any_of(scenarios.begin(), scenarios.end(), [&](const Scenario& scenario) {
-                   return scenario.index == *habits_.dies_of;
+                   return scenario.index == *index;
                });
     }
+    [[nodiscard]] bool is_deadly(const Batch& batch) const { return has(batch, habits_.dies_of); }
 
     void keep(const Subtrees& subtrees) {
         for (const SubtreeBlock& block : subtrees.blocks) {
@@ -291,7 +302,8 @@ class FakeWorker {
         while (!waiting_.empty() && batches_answered_ < habits_.batches_max) {
             const Batch& batch = waiting_.front();
             const AddJob& job = jobs_.at(batch.job);
-            if (!missing(job.tree_a, roots_of_a(batch.pairs)).empty() ||
+            is_held = has(batch, habits_.holds);
+            if (is_held || !missing(job.tree_a, roots_of_a(batch.pairs)).empty() ||
                 !missing(job.tree_b, roots_of_b(batch.pairs)).empty()) {
                 return;
             }

@@ -186,6 +186,24 @@ TEST(Server, AScenarioMayBeCancelledAndTheJobGoesOn) {
     EXPECT_EQ(client.statuses.back().summary.merged(), reference().scenarios.size());
 }
 
+TEST(Server, AScenarioMayBeCancelledWhileAWorkerHasItAndAnAnswerThatComesLaterIsNone) {
+    const std::uint64_t scenario = scenario_with_contact();
+    Master master;
+    Client client(master);
+    client.start(reference().submission());
+    FakeWorker worker(master, {.holds = scenario});
+    master.run_until([&] { return worker.is_held; });
+    Client other(master);
+    other.start_asking({Cancel{client.job.value(), scenario}});
+    master.run_until([&] { return other.done && worker.dropped == scenario; });
+    worker.go_on();
+    master.run_until([&] { return client.done; });
+    EXPECT_EQ(client.statuses.back().state, JobState::Done);
+    EXPECT_EQ(client.statuses.back().summary.failed, 1u);
+    EXPECT_EQ(client.statuses.back().summary.merged(), reference().scenarios.size());
+    EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+}
+
 TEST(Server, AWorkerThatSendsRubbishOrHoldsWhatDoesNotExistIsCutOff) {
     for (const FakeWorker::Habits& habits :
          {FakeWorker::Habits{.sends_rubbish = true}, FakeWorker::Habits{.holds_too_much = true}}) {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <latch>
 #include <optional>
 #include <vector>
 
@@ -38,6 +40,47 @@ TEST(Executor, AnswersAScenarioOrStopsWhenTold) {
     EXPECT_GT(result.value().pair_count, 6000u);
 
     EXPECT_FALSE(execute(ready, [] { return true; }));
+}
+
+/// The search asks whether it must stop; there the thread is held until the scenario is cancelled,
+/// so that it certainly is inside.
+TEST(Executor, AScenarioThatIsCancelledInsideItsRunStopsThereAndFreesItsThread) {
+    const CutBody body = cut_body(make_sphere(5), 0);
+    const ReadyScenario ready = spheres_in_one_place(body.tree);
+    std::size_t questions_of_all = 0;
+    const auto never = [&] { return ++questions_of_all == 0; };
+    ASSERT_TRUE(execute(ready, never));
+    ASSERT_GT(questions_of_all, 4u) << "then this shows little";
+
+    asio::io_context context;
+    const auto work = asio::make_work_guard(context);
+    Executor executor(context.get_executor(), 1);
+    DroppedScenarios dropped;
+    std::latch inside(1);
+    std::latch cancelled(1);
+    std::size_t questions = 0;
+    bool has_answer = true;
+    bool is_free = false;
+    executor.submit([&] {
+        const auto stop = [&] {
+            if (++questions == 2) {
+                inside.count_down();
+                cancelled.wait();
+            }
+            return dropped.contains(ready.scenario.index);
+        };
+        return Executor::Continuation(
+            [&, finished = execute(ready, stop)] { has_answer = finished.has_value(); });
+    });
+    executor.submit([&] { return Executor::Continuation([&] { is_free = true; }); });
+    inside.wait();
+    dropped.add(ready.scenario.index);
+    cancelled.count_down();
+    while (!is_free) {
+        context.run_one();
+    }
+    EXPECT_FALSE(has_answer);
+    EXPECT_EQ(questions, 2u) << "it went on after it had been told to stop";
 }
 
 TEST(Executor, BothFormsOfSubtreesHaveTheSameAnswer) {
