@@ -28,9 +28,9 @@ struct JournalDisk {
 /// nothing of it that counts, and it may be tried again. Errors: Io.
 [[nodiscard]] Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group);
 
-/// All jobs by id, with what of their results is committed. Errors: Io naming the file that is
-/// damaged; nothing on the disk has been changed.
+// Errors of both: Io naming the file that is damaged; nothing on the disk has been changed.
 [[nodiscard]] Result<AlarmRecord> recover_alarms(const JournalDatabase& database);
+/// All jobs by id, with what of their results is committed.
 [[nodiscard]] Result<std::vector<RecoveredJob>> recover_jobs(
     const JournalDatabase& database, const std::filesystem::path& jobs_folder, bool check_records);
 
