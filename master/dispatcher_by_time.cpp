@@ -210,14 +210,14 @@ std::vector<std::uint64_t> Dispatcher::State::take_batch(WorkerProxy& proxy,
     if (ends_with_long_ones(proxy, job)) {
         // The long ones first, so that the workers end together.
         proxy.order_buffer(job.id, [&](std::uint64_t one, std::uint64_t other) {
-            return job.scenarios.at(one).weight.cost_ns > job.scenarios.at(other).weight.cost_ns;
+            return job.at(one).weight.cost_ns > job.scenarios.at(other).weight.cost_ns;
         });
     }
     std::vector<std::uint64_t> batch;
     std::uint64_t cost_ns = 0;
     std::uint64_t bytes = 0;
     for (const std::uint64_t index : proxy.buffer(job.id).scenarios) {
-        const ScenarioWeight& weight = job.scenarios.at(index).weight;
+        const ScenarioWeight& weight = job.at(index).weight;
         if (cost_ns >= proxy.batch_ns() || bytes > std::uint64_t{job.options.v_kb} * 1000 ||
             batch.size() == limits::q_max) {
             break;
@@ -238,7 +238,7 @@ ScenarioWeight Dispatcher::State::sum_of_weights(const DispatchJob& job,
                                                  std::span<const std::uint64_t> scenarios) const {
     ScenarioWeight sum;
     for (const std::uint64_t index : scenarios) {
-        const ScenarioWeight& weight = job.scenarios.at(index).weight;
+        const ScenarioWeight& weight = job.at(index).weight;
         sum.bytes += weight.bytes;
         sum.cost_ns += weight.cost_ns;
     }
@@ -294,9 +294,7 @@ bool Dispatcher::State::move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob
         return false;
     }
     if (ends_with_long_ones(from, job)) {
-        const auto cost = [&](std::uint64_t index) {
-            return job.scenarios.at(index).weight.cost_ns;
-        };
+        const auto cost = [&](std::uint64_t index) { return job.at(index).weight.cost_ns; };
         const auto longest = std::ranges::max_element(buffer.scenarios, {}, cost);
         if (move_if_earlier(from, to, job, *longest)) {
             return true;
@@ -310,7 +308,7 @@ bool Dispatcher::State::move_if_earlier(WorkerProxy& from,
                                         WorkerProxy& to,
                                         DispatchJob& job,
                                         std::uint64_t index) {
-    DispatchScenario& scenario = job.scenarios.at(index);
+    DispatchScenario& scenario = job.at(index);
     const double seconds_there = 1e-9 * static_cast<double>(from.backlog_ns()) / power_of(from);
     if (finish_on(to, job, scenario).total() >= seconds_there) {
         return false;

@@ -181,7 +181,7 @@ AskBack Dispatcher::State::batch_to_ask(const WorkerProxy& from,
     double seconds_here = ends_in(from);
     double seconds_there = 0;
     for (const std::uint64_t index : std::views::reverse(content.scenarios)) {
-        const DispatchScenario& scenario = job.scenarios.at(index);
+        const DispatchScenario& scenario = job.at(index);
         if (scenario.copy || scenario.recalls == limits::scenario_recalls_max) {
             continue;
         }
@@ -319,7 +319,7 @@ bool Dispatcher::State::copy_scenario(WorkerProxy& from,
     DispatchJob& job = jobs.at(from.tasks().at(task).job);
     double seconds_here = ends_in(from);
     for (const std::uint64_t index : std::views::reverse(from.tasks().at(task).scenarios)) {
-        DispatchScenario& scenario = job.scenarios.at(index);
+        DispatchScenario& scenario = job.at(index);
         const std::uint64_t cost_ns = scenario.weight.cost_ns;
         if (!scenario.may_be_copied()) {
             seconds_here -= 1e-9 * static_cast<double>(cost_ns) / power_of(from);

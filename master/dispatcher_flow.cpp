@@ -18,7 +18,23 @@ std::uint32_t losses_max() {
                                                       : limits::scenario_losses_max;
 }
 
+template <class Scenarios>
+auto& unanswered_one(Scenarios& scenarios, std::uint64_t index) {
+    const auto found = scenarios.find(index);
+    const bool scenario_in_hand_is_unanswered = found != scenarios.end();
+    CD_CHECK(scenario_in_hand_is_unanswered);
+    return found->second;
+}
+
 } // namespace
+
+DispatchScenario& DispatchJob::at(std::uint64_t index) {
+    return unanswered_one(scenarios, index);
+}
+
+const DispatchScenario& DispatchJob::at(std::uint64_t index) const {
+    return unanswered_one(scenarios, index);
+}
 
 DispatchJob* Dispatcher::State::find_job(JobId job) {
     const auto found = jobs.find(job);
@@ -78,7 +94,7 @@ bool Dispatcher::State::allocate_one(DispatchJob& job, Actions& actions) {
         return pull_one(job, actions);
     }
     const std::uint64_t index = job.waiting.front();
-    DispatchScenario& scenario = job.scenarios.at(index);
+    DispatchScenario& scenario = job.at(index);
     WorkerProxy* proxy = job.is_by_time() ? earliest(job, scenario) : choose(job, scenario);
     if (proxy == nullptr) {
         return false;
@@ -187,7 +203,7 @@ void Dispatcher::State::give_suspects(Actions& actions) {
         const Suspect suspect = suspects.front();
         suspects.pop_front();
         DispatchJob& job = jobs.at(suspect.job);
-        hold_roots(job, job.scenarios.at(suspect.scenario), proxy);
+        hold_roots(job, job.at(suspect.scenario), proxy);
         send(proxy, job, {suspect.scenario}, true, actions);
     }
 }
@@ -280,7 +296,7 @@ void Dispatcher::State::send(WorkerProxy& proxy,
     const TaskId task{++task_last};
     ProxyTask content{job.id, scenarios, claims, 0, now, false, 0};
     for (const std::uint64_t index : scenarios) {
-        DispatchScenario& scenario = job.scenarios.at(index);
+        DispatchScenario& scenario = job.at(index);
         content.cost_ns += scenario.weight.cost_ns;
         content.fetches = content.fetches || scenario.fetches;
         scenario.where = Whereabouts::Sent;
@@ -329,7 +345,7 @@ void Dispatcher::State::take_back(TaskId task,
             job->scenarios.erase(index);
             continue;
         }
-        DispatchScenario& scenario = job->scenarios.at(index);
+        DispatchScenario& scenario = job->at(index);
         // As long as the first one is at work, a copy that is lost is no loss.
         const bool is_copy = scenario.copy && scenario.copy->task == task;
         scenario.losses += are_lost && !is_copy ? 1 : 0;
@@ -354,7 +370,7 @@ void Dispatcher::State::take_back(TaskId task,
 
 void Dispatcher::State::wait_first(DispatchJob& job, std::span<const std::uint64_t> scenarios) {
     for (const std::uint64_t index : scenarios) {
-        job.scenarios.at(index).where = Whereabouts::Waiting;
+        job.at(index).where = Whereabouts::Waiting;
     }
     job.waiting.insert(job.waiting.begin(), scenarios.begin(), scenarios.end());
 }

@@ -4,6 +4,7 @@
 #include "master/dispatcher_state.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace cd {
 
@@ -12,7 +13,7 @@ namespace {
 std::uint64_t cost_of(const DispatchJob& job, std::span<const std::uint64_t> scenarios) {
     std::uint64_t cost_ns = 0;
     for (const std::uint64_t index : scenarios) {
-        cost_ns += job.scenarios.at(index).weight.cost_ns;
+        cost_ns += job.at(index).weight.cost_ns;
     }
     return cost_ns;
 }
@@ -46,6 +47,9 @@ void Dispatcher::State::check_job(const DispatchJob& job) const {
     const auto holds = [](const auto& list, std::uint64_t index) {
         return std::count(list.begin(), list.end(), index) == 1;
     };
+    std::vector<std::uint64_t> waiting(job.waiting.begin(), job.waiting.end());
+    std::ranges::sort(waiting); // Or it would cost their number squared.
+    CD_CHECK(std::ranges::adjacent_find(waiting) == waiting.end());
     std::uint64_t unsent_places = 0;
     for (const PlaceRange& range : job.places) {
         CD_CHECK(range.count != 0);
@@ -57,7 +61,7 @@ void Dispatcher::State::check_job(const DispatchJob& job) const {
         CD_CHECK(!scenario.copy || scenario.where == Whereabouts::Sent);
         switch (scenario.where) {
         case Whereabouts::Waiting:
-            CD_CHECK(holds(job.waiting, index));
+            CD_CHECK(std::ranges::binary_search(waiting, index));
             break;
         case Whereabouts::Suspect:
             CD_CHECK(std::any_of(suspects.begin(), suspects.end(), [&](const Suspect& suspect) {

@@ -30,7 +30,7 @@ void Dispatcher::State::pull(WorkerProxy& proxy, DispatchJob& job, Actions& acti
     std::vector<std::uint64_t> scores;
     scores.reserve(job.waiting.size());
     for (const std::uint64_t index : job.waiting) {
-        const ScenarioRoots& roots = job.scenarios.at(index).roots;
+        const ScenarioRoots& roots = job.at(index).roots;
         scores.push_back(held_a.held(proxy.slot(), roots.a) + held_b.held(proxy.slot(), roots.b));
     }
     std::vector<std::uint64_t> taken;
@@ -42,7 +42,7 @@ void Dispatcher::State::pull(WorkerProxy& proxy, DispatchJob& job, Actions& acti
             break;
         }
         const std::uint64_t index = job.waiting[place];
-        DispatchScenario& scenario = job.scenarios.at(index);
+        DispatchScenario& scenario = job.at(index);
         hold_roots(job, scenario, proxy);
         bytes += scenario.weight.bytes;
         is_taken[place] = true;

@@ -74,6 +74,9 @@ struct DispatchJob {
     [[nodiscard]] bool is_pulled() const { return options.strategy == Strategy::BestMatchPull; }
     /// The strategies of the paper say nothing before a task is sent.
     [[nodiscard]] bool hints() const { return is_by_time() && options.hints; }
+    /// The scenario is in some buffer, task or queue, and such hold none that is answered.
+    [[nodiscard]] DispatchScenario& at(std::uint64_t index);
+    [[nodiscard]] const DispatchScenario& at(std::uint64_t index) const;
 
     JobId id;
     ClusterOptions options;

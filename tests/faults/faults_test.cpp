@@ -101,7 +101,7 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::DoneIsDoneAgain, "DoneIsDoneAgain", "is done again after a restart"},
         {Mutation::RecalledLeftAtWorker, "RecalledLeftAtWorker", "known == placed"},
         {Mutation::RecalledIsLost, "RecalledIsLost", "in_ranges[index]"},
-        {Mutation::CopyLeftAtWorker, "CopyLeftAtWorker", "unordered_map::at"},
+        {Mutation::CopyLeftAtWorker, "CopyLeftAtWorker", "scenario_in_hand_is_unanswered"},
         {Mutation::CopyIsAlone, "CopyIsAlone", "known == placed"},
         {Mutation::EvictionIgnored, "EvictionIgnored", "or has let go"},
         {Mutation::HeldWhenSent, "HeldWhenSent", "!peer.holds.contains(block)"},
