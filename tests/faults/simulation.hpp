@@ -18,6 +18,7 @@ struct Outcome {
     std::vector<std::string> problems; ///< None: all is well.
     double seconds = 0;                ///< Simulated.
     std::uint64_t events = 0;
+    std::uint64_t checks = 0;           ///< Of these, after which the master was looked at.
     std::uint64_t scenarios = 0;        ///< Of all jobs;
     std::uint64_t scenarios_sent = 0;   ///< to workers, also again;
     std::uint64_t failed = 0;           ///< given up.

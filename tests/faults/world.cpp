@@ -79,6 +79,7 @@ bool World::step() {
     }
     const auto event = events_.extract(events_.begin());
     clock_time = std::max(clock_time, event.key());
+    have_run_.clear();
     try {
         event.mapped()();
         run_awake();
@@ -109,6 +110,7 @@ void World::run_awake() {
             at(host->stopped_until, [this, id] { awake_.insert(id); });
             continue;
         }
+        have_run_.insert(id);
         host->context.restart();
         std::size_t turns = 0;
         while (host->context.poll_one() != 0) {

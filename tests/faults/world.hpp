@@ -93,6 +93,8 @@ class World {
     /// What is ready there runs at the end of this step.
     void wake(Host& host) { awake_.insert(host.id); }
     void wake_all();
+    /// In the last step something may have run there: it was awake, and not stopped.
+    [[nodiscard]] bool has_run(std::uint64_t host) const { return have_run_.contains(host); }
     [[nodiscard]] Host* host_of(const asio::any_io_executor& executor);
     [[nodiscard]] Host* find_host(std::uint64_t id);
     [[nodiscard]] bool is_stopped(const Host& host) const { return now() < host.stopped_until; }
@@ -141,6 +143,7 @@ class World {
     std::multimap<Time, std::function<void()>> events_;
     std::map<std::uint64_t, Host*> hosts_;
     std::set<std::uint64_t> awake_;
+    std::set<std::uint64_t> have_run_; ///< In the last step.
     std::map<const ThreadPool*, Pool> pools_;
     std::uint64_t number_last_ = 0; ///< Of pools, what they run, and connections.
     Host* making_ = nullptr;

@@ -1,0 +1,174 @@
+// What is planned for a seed, and what goes wrong while it runs.
+#include "tests/faults/simulation.hpp"
+
+#include <algorithm>
+
+namespace cd::tests {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr Duration tick_period = 100ms;
+constexpr Duration trouble_min = 2s;
+constexpr Duration trouble_max = 25s;
+/// After the last fault: more than all timeouts on the way.
+constexpr Duration patience = 300s;
+
+} // namespace
+
+// ---- The plan -----------------------------------------------------------------------------------
+
+void Simulation::plan() {
+    trouble_ends_ = world_.now() + world_.between(trouble_min, trouble_max);
+    workers_wanted_ = 1 + world_.below(5);
+    // Each seed has its own kinds of trouble: with all of them at once few get far.
+    const auto maybe = [&](unsigned& danger, unsigned most) {
+        danger = world_.happens(400) ? 1 + static_cast<unsigned>(world_.below(most)) : 0;
+    };
+    maybe(dangers_.worker_killed, 200);
+    maybe(dangers_.worker_stopped, 150);
+    maybe(dangers_.worker_cut_off, 150);
+    maybe(dangers_.worker_drained, 150);
+    maybe(dangers_.worker_slowed, 200);
+    maybe(dangers_.master_killed, 250);
+    maybe(dangers_.power_cut, 250);
+    maybe(dangers_.master_stopped, 150);
+    maybe(dangers_.disk_full, 200);
+    maybe(dangers_.cancel, 60);
+    maybe(network_.lost, 20);
+    maybe(network_.doubled, 60);
+    maybe(network_.overtaken, 60);
+    maybe(network_.delayed, 60);
+    world_.network = network_;
+    plan_jobs();
+    start_master();
+    for (std::size_t i = 0; i < workers_wanted_; ++i) {
+        start_worker();
+    }
+    tick();
+}
+
+void Simulation::plan_jobs() {
+    clients_to_come_ = 1 + world_.below(3);
+    for (std::size_t i = 0; i < clients_to_come_; ++i) {
+        const KnownJob& job = known_jobs()[world_.below(known_jobs().size())];
+        ClusterOptions options;
+        options.strategy = static_cast<Strategy>(world_.below(6));
+        options.depth_a = static_cast<std::uint32_t>(1 + world_.below(3));
+        options.depth_b = static_cast<std::uint32_t>(1 + world_.below(3));
+        options.q = static_cast<std::uint32_t>(1 + world_.below(12));
+        options.claim = world_.happens(200);
+        options.seed = world_.below(100);
+        options.analysis = static_cast<AnalysisMode>(world_.below(3));
+        options.hints = options.seed % 4 != 0;
+        if (options.seed % 8 == 1) {
+            options.depth_b.reset();
+        }
+        if (world_.happens(250)) {
+            deadly_[job.submit.name] = world_.below(job.submit.scenarios);
+        }
+        outcome_.scenarios += job.submit.scenarios;
+        world_.in(world_.between(0s, 8s), [this, &job, options] {
+            --clients_to_come_;
+            clients_known_.insert(++host_last_);
+            clients_.push_back(std::make_unique<ClientProcess>(world_, host_last_, job, options));
+        });
+    }
+}
+
+// ---- Trouble
+// --------------------------------------------------------------------------------------
+
+void Simulation::tick() {
+    world_.wake_all();
+    if (is_trouble_) {
+        cause_trouble();
+    }
+    for (auto worker = workers_.begin(); worker != workers_.end();) {
+        const std::uint64_t id = (worker++)->first;
+        if (workers_.at(id)->has_ended()) {
+            end_worker(id, false);
+        }
+    }
+    world_.in(tick_period, [this] { tick(); });
+}
+
+void Simulation::cause_trouble() {
+    if (world_.now() >= trouble_ends_) {
+        return stop_trouble();
+    }
+    // A tick is a tenth of a second.
+    const auto strikes = [&](unsigned danger) { return world_.below(10'000) < danger; };
+    for (auto worker = workers_.begin(); worker != workers_.end();) {
+        cause_worker_trouble(*(worker++)->second);
+    }
+    if (strikes(dangers_.disk_full) && !world_.disk_is_full) {
+        world_.log("disk full");
+        world_.disk_is_full = true;
+        world_.in(world_.between(500ms, 6s), [this] { world_.disk_is_full = false; });
+    }
+    if (strikes(dangers_.cancel) && !clients_.empty()) {
+        clients_[world_.below(clients_.size())]->cancel();
+    }
+    if (master_ == nullptr) {
+        return;
+    }
+    if (strikes(dangers_.master_stopped)) {
+        world_.log("master stopped");
+        master_->host().stopped_until = world_.now() + world_.between(100ms, 18s);
+    }
+    if (strikes(dangers_.power_cut) && world_.power_cut_after == 0) {
+        world_.power_cut_after = 1 + world_.below(12);
+    }
+    if (strikes(dangers_.master_killed)) {
+        end_master(false);
+    }
+}
+
+void Simulation::cause_worker_trouble(WorkerProcess& worker) {
+    const auto strikes = [&](unsigned danger) { return world_.below(10'000) < danger; };
+    Host& host = worker.host();
+    if (strikes(dangers_.worker_stopped)) {
+        world_.log(host.name + " stopped");
+        host.stopped_until = world_.now() + world_.between(100ms, 20s);
+    }
+    if (strikes(dangers_.worker_cut_off)) {
+        world_.log(host.name + " cut off");
+        host.cut_off_until = world_.now() + world_.between(100ms, 20s);
+    }
+    if (strikes(dangers_.worker_slowed)) {
+        host.slowness = 1 + static_cast<double>(world_.below(20));
+    }
+    if (strikes(dangers_.worker_drained) && !world_.is_stopped(host)) {
+        world_.log(host.name + " drained");
+        worker.drain();
+    }
+    if (strikes(dangers_.worker_killed)) {
+        end_worker(host.id, world_.happens(400));
+    }
+}
+
+void Simulation::stop_trouble() {
+    world_.log("no more trouble");
+    is_trouble_ = false;
+    world_.network = {};
+    world_.disk_is_full = false;
+    world_.power_cut_after = 0;
+    for (const auto& [id, worker] : workers_) {
+        worker->host().stopped_until = {};
+        worker->host().cut_off_until = {};
+        worker->host().slowness = 1;
+    }
+    if (master_ != nullptr) {
+        master_->host().stopped_until = {};
+    }
+    world_.in(patience, [this] {
+        if (!is_done()) {
+            world_.problem("no progress: jobs have not ended long after the last fault" +
+                           what_stands_still());
+        }
+    });
+}
+
+} // namespace cd::tests
