@@ -102,7 +102,7 @@ void Coordinator::results_came(WorkerId worker, Results results, std::function<v
     }
     const auto task = tasks_.find(results.task);
     if (is_repeated(worker, results.sequence) || task == tasks_.end() ||
-        task->second.worker != worker) {
+        task->second.worker != worker || task->second.content->job != results.job) {
         return late_results_came(worker, std::move(results), std::move(done));
     }
     ++task->second.in_hand;

@@ -25,11 +25,11 @@ void UnkeptResults::clear() {
     bytes_ = 0;
 }
 
-std::vector<Results> UnkeptResults::again() const {
+std::vector<Results> UnkeptResults::again() {
     std::vector<Results> again;
-    for (const auto& [sequence, message] : messages_) {
+    for (auto& [sequence, message] : messages_) {
+        message.task = TaskId{};
         again.push_back(message);
-        again.back().task = TaskId{};
     }
     return again;
 }

@@ -22,9 +22,10 @@ class UnkeptResults {
     void kept(std::span<const std::uint64_t> sequences);
     void clear();
 
-    /// To be sent again in a new session, in the order in which they were added; of no task.
-    [[nodiscard]] std::vector<Results> again() const;
-    /// The same, in the session in which they were added.
+    /// To be sent again in a new session, in the order in which they were added: from now on they
+    /// are of no task, whose number may mean another one there.
+    [[nodiscard]] std::vector<Results> again();
+    /// To be sent again in a session that goes on.
     [[nodiscard]] const std::map<std::uint64_t, Results>& messages() const { return messages_; }
     [[nodiscard]] bool empty() const { return messages_.empty(); }
     /// False: nothing new is to be begun.

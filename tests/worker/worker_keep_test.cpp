@@ -42,6 +42,20 @@ TEST(UnkeptResults, AreKeptInOrderUntilTheyAreAcknowledged) {
     EXPECT_TRUE(unkept.empty());
 }
 
+TEST(UnkeptResults, OfASessionBeforeAreOfNoTaskWheneverTheyAreSentAgain) {
+    UnkeptResults unkept;
+    Results before = some_results(1);
+    unkept.add(before);
+    ASSERT_EQ(unkept.again().size(), 1u); // A new session begins,
+    Results now = some_results(2);
+    unkept.add(now);
+    std::vector<TaskId> tasks; // and goes on over another connection.
+    for (const auto& [sequence, message] : unkept.messages()) {
+        tasks.push_back(message.task);
+    }
+    EXPECT_EQ(tasks, (std::vector<TaskId>{TaskId{}, TaskId{7}}));
+}
+
 TEST(UnkeptResults, HaveRoomForSoMuchOnly) {
     UnkeptResults unkept;
     const std::size_t half = limits::results_unkept_bytes_max / 2;
