@@ -2,6 +2,7 @@
 
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
+#include "master/mutation.hpp"
 #include "proto/peer_ticket.hpp"
 
 #include <utility>
@@ -177,7 +178,9 @@ asio::awaitable<void> BlockDelivery::send_queue(WorkerId worker) {
         }
         send_some(link->second);
         const auto channel = link->second.channel;
-        co_await channel->wait_until_queued_below(limits::subtrees_queue_bytes_max);
+        if (!mutated(Mutation::TooMuchInFlight)) {
+            co_await channel->wait_until_queued_below(limits::subtrees_queue_bytes_max);
+        }
     }
 }
 

@@ -224,7 +224,7 @@ void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
             add.results.push_back({row, std::move(one.record)});
         }
     }
-    if (!add.results.empty() && add.author != 0) {
+    if (!add.results.empty() && add.author != 0 && !mutated(Mutation::LiarKept)) {
         job.contributors.insert(add.author);
     }
     if (!add.results.empty() || !add.remarks.empty()) {

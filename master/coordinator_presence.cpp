@@ -5,6 +5,7 @@
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
 #include "master/coordinator.hpp"
+#include "master/mutation.hpp"
 
 #include <algorithm>
 
@@ -46,7 +47,8 @@ std::vector<RootIndex> others(std::uint32_t count, const std::vector<RootIndex>&
 Reception Coordinator::receive_worker(const Hello& hello) {
     const WorkerId before{hello.session};
     const auto link = workers_.find(before);
-    if (hello.epoch == epoch_ && link != workers_.end() && !link->second.is_cut_off &&
+    const bool is_of_this_life = hello.epoch == epoch_ || mutated(Mutation::OldEpochTaken);
+    if (is_of_this_life && link != workers_.end() && !link->second.is_cut_off &&
         link->second.instance == hello.instance) {
         return {before, link->second.key, true};
     }

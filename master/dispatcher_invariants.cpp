@@ -4,6 +4,7 @@
 #include "master/dispatcher_state.hpp"
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 namespace cd {
@@ -152,6 +153,27 @@ void Dispatcher::State::check_worker(const WorkerProxy& proxy) const {
     CD_CHECK((claiming == 1) == proxy.is_claimed());
 }
 
+/// What stands at a worker is bounded: of each job so many tasks with something left to do as may
+/// be sent to it, or, where it gets more because it has less to do than threads, as it has threads.
+void Dispatcher::State::check_flight(const WorkerProxy& proxy) const {
+    std::map<JobId, std::size_t> unanswered;
+    for (const auto& [id, task] : proxy.tasks()) {
+        if (task.left() == 0) {
+            continue; // Its end is on the way.
+        }
+        const DispatchJob& job = jobs.at(task.job);
+        const std::uint64_t batch_max = job.is_by_time() ? limits::q_max : job.options.q;
+        CD_CHECK(task.left() <= (task.is_range() ? limits::range_scenarios_max : batch_max));
+        ++unanswered[task.job];
+    }
+    for (const auto& [id, tasks] : unanswered) {
+        const DispatchJob& job = jobs.at(id);
+        const std::size_t tasks_max =
+            job.is_by_time() ? limits::batches_at_worker : proxy.tasks_max(job.options);
+        CD_CHECK(tasks <= std::max<std::size_t>(tasks_max, proxy.facts().threads));
+    }
+}
+
 void Dispatcher::State::check_progress() const {
     forget_place_totals();
     const WorkerProxy* excluded = reserved();
@@ -186,6 +208,7 @@ void Dispatcher::check_invariants() const {
     }
     for (const auto& [id, proxy] : state_->pool.all()) {
         state_->check_worker(proxy);
+        state_->check_flight(proxy);
     }
     state_->check_recalls();
     state_->check_progress();

@@ -347,6 +347,7 @@ struct Dispatcher::State {
     check_copy(const DispatchJob& job, std::uint64_t index, const DispatchScenario& scenario) const;
     void check_recalls() const;
     void check_worker(const WorkerProxy& proxy) const;
+    void check_flight(const WorkerProxy& proxy) const;
     void check_progress() const;
 };
 

@@ -28,6 +28,9 @@ enum class Mutation : std::uint8_t {
     CopyIsAlone,            ///< With a copy, its scenario is lost, too.
     EvictionIgnored,        ///< What a worker let go counts as there.
     HeldWhenSent,           ///< What goes to a worker counts as there.
+    LiarKept,               ///< What else came of a worker that was found wrong stays.
+    OldEpochTaken,          ///< A session of a former life of the master goes on.
+    TooMuchInFlight,        ///< A worker gets blocks however many are on their way to it.
     count,
 };
 

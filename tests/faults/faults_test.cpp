@@ -1,8 +1,9 @@
 // Proves that whatever fails, and in whatever order, every scenario of an accepted job comes to
 // exactly one result: the right one, or, after as many losses as are borne, the failure that says
-// so. The programs are the real ones, in simulated time; each seed is a cluster with its own
-// troubles. And proves that this would notice a fault of ours: of many kinds, each switched on in
-// turn, some seed among the first finds every one.
+// so, or that of a worker that was wrong and that nothing could find out. The programs are the real
+// ones, in simulated time; each seed is a cluster with its own troubles. And proves that this would
+// notice a fault of ours: of many kinds, each switched on in turn, some seed among the first finds
+// every one.
 #include "tests/faults/simulation.hpp"
 
 #include <gtest/gtest.h>
@@ -25,16 +26,7 @@ TEST_P(Seeds, EveryScenarioComesToExactlyOneResult) {
          ++seed) {
         const Outcome outcome = simulate(seed);
         ASSERT_TRUE(outcome.problems.empty()) << outcome.problems.front() << "\n" << replay(seed);
-        sum.scenarios += outcome.scenarios;
-        sum.scenarios_sent += outcome.scenarios_sent;
-        sum.failed += outcome.failed;
-        sum.results_repeated += outcome.results_repeated;
-        sum.masters += outcome.masters;
-        sum.workers += outcome.workers;
-        sum.cancelled += outcome.cancelled;
-        sum.recalled += outcome.recalled;
-        sum.copies += outcome.copies;
-        sum.called_off += outcome.called_off;
+        sum += outcome;
     }
     // It was not easy.
     EXPECT_GT(sum.masters, 3 * seeds_of_shard / 2);
@@ -46,6 +38,13 @@ TEST_P(Seeds, EveryScenarioComesToExactlyOneResult) {
     EXPECT_GT(sum.recalled, seeds_of_shard / 5);
     EXPECT_GT(sum.copies, seeds_of_shard / 10);
     EXPECT_GT(sum.called_off, seeds_of_shard / 10);
+    // Workers were wrong, and found out; what came late was of no harm.
+    EXPECT_GT(sum.lies, seeds_of_shard);
+    EXPECT_GT(sum.found_out, 0u);
+    EXPECT_GT(sum.corrected, 0u);
+    EXPECT_GT(sum.late_messages, 0u);
+    EXPECT_GT(sum.late_results, seeds_of_shard);
+    EXPECT_GT(sum.old_sessions, seeds_of_shard / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, Seeds, testing::Range<std::uint64_t>(0, shards));
@@ -105,6 +104,9 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::CopyIsAlone, "CopyIsAlone", "known == placed"},
         {Mutation::EvictionIgnored, "EvictionIgnored", "or has let go"},
         {Mutation::HeldWhenSent, "HeldWhenSent", "!peer.holds.contains(block)"},
+        {Mutation::LiarKept, "LiarKept", "a wrong result of scenario"},
+        {Mutation::OldEpochTaken, "OldEpochTaken", "a session of a former life of the master"},
+        {Mutation::TooMuchInFlight, "TooMuchInFlight", "bytes of them are under way"},
     };
     return faults;
 }

@@ -8,6 +8,7 @@
 #include "proto/client_messages.hpp"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace cd::tests {
@@ -22,6 +23,7 @@ struct KnownJob {
 
 /// Made once in a program.
 [[nodiscard]] std::span<const KnownJob> known_jobs();
+[[nodiscard]] const KnownJob& known_job(const std::string& name);
 /// With the geometry of all of them. Outlives every simulation.
 [[nodiscard]] GeometryStore& known_geometry();
 

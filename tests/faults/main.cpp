@@ -45,6 +45,7 @@ Options parse(int count, char** arguments) {
 int simulate(const Options& options) {
     const auto fault = static_cast<cd::Mutation>(options.fault);
     std::uint64_t failed = 0;
+    cd::tests::Outcome sum;
     for (std::uint64_t seed = *options.seed; seed < *options.seed + options.count; ++seed) {
         const cd::tests::Outcome outcome = cd::tests::simulate(seed, options.logs, fault);
         if (options.count == 1 || !outcome.problems.empty()) {
@@ -55,7 +56,9 @@ int simulate(const Options& options) {
                         static_cast<unsigned long long>(outcome.events));
         }
         failed += outcome.problems.empty() ? 0 : 1;
+        sum += outcome;
     }
+    std::printf("%s\n", sum.counts().c_str());
     std::printf("%llu of %llu seeds failed\n",
                 static_cast<unsigned long long>(failed),
                 static_cast<unsigned long long>(options.count));

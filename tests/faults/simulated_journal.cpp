@@ -181,6 +181,9 @@ void Journal::start(JournalEvents events) {
 }
 
 std::uint64_t Journal::add(JournalEntry entry) {
+    if (const auto* end = std::get_if<EndJob>(&entry)) {
+        World::current()->watcher.ends(end->job);
+    }
     state_->queued_bytes += bytes_of(entry);
     state_->queue.push_back(std::move(entry));
     state_->write_next();

@@ -1,12 +1,15 @@
 // Instead of connections: messages that take their time, and have accidents on the way.
 #include "common/core/check.hpp"
+#include "common/core/limits.hpp"
 #include "proto/channel.hpp"
 #include "proto/codec.hpp"
 #include "proto/listener.hpp"
 #include "tests/faults/world.hpp"
 
 #include <algorithm>
-#include <type_traits>
+#include <map>
+#include <optional>
+#include <utility>
 
 namespace cd {
 
@@ -21,7 +24,7 @@ namespace {
 constexpr Duration latency_min = 50us;
 constexpr Duration latency_max = 3ms;
 /// A block counts as so much more than it has, so that queues fill up.
-constexpr std::size_t block_bytes = 3u << 20;
+constexpr std::size_t block_bytes = 6u << 20;
 
 std::size_t bytes_of(const Message& message) {
     const auto* subtrees = std::get_if<Subtrees>(&message);
@@ -56,19 +59,29 @@ struct LinkEnd : std::enable_shared_from_this<LinkEnd> {
     asio::steady_timer arrived;
     asio::steady_timer drained;
     std::deque<Message> inbox;
+    bool is_awaited = false;         ///< Somebody receives.
+    std::optional<Message> incoming; ///< Had come to whoever did when this end was closed.
     bool open = true;
     bool is_ended = false; ///< Nothing comes any more; what came can be read.
     std::weak_ptr<LinkEnd> other;
     Time last_arrival{}; ///< Of what was sent from here.
     std::size_t queued = 0;
+    std::size_t blocks_queued = 0; ///< Of these bytes.
     Traffic traffic;
 
     [[nodiscard]] Time arrival_at(const Host& from, const LinkEnd& to, World& world) const;
+    void send(const Message& message, bool is_open);
     void deliver(const Message& message, Time when, std::size_t bytes);
     void arrive(const Message& message, World& world);
+    /// What has come and can be taken.
+    [[nodiscard]] std::optional<Message> take();
     void shut(bool tells);
     /// Both ends notice it some time.
     void cut();
+    /// Only this end notices it; the message is on its way until this host greets again.
+    void cut_late(const Message& message);
+    void notice_cut(Duration latest);
+    void check_flight(World& world) const;
     void wake_up(World& world);
 };
 
@@ -103,6 +116,31 @@ void LinkEnd::arrive(const Message& message, World& world) {
     if (Host* here = world.find_host(host)) {
         world.wake(*here);
     }
+    if (host != tests::master_host || !std::holds_alternative<Hello>(message)) {
+        return;
+    }
+    if (Host* from = world.find_host(other_id)) {
+        for (const auto& comes : std::exchange(from->at_greeting, {})) {
+            comes();
+        }
+    }
+}
+
+std::optional<Message> LinkEnd::take() {
+    std::optional<Message> message = std::exchange(incoming, std::nullopt);
+    if (!message && open && !inbox.empty()) {
+        message = std::move(inbox.front());
+        inbox.pop_front();
+    }
+    if (!message) {
+        return message;
+    }
+    is_awaited = false;
+    if (host == tests::master_host) {
+        World::current()->log("heard: " + name_of(*message) + ", of " + other_host);
+        World::current()->on_heard({other_id, host, connection}, *message);
+    }
+    return message;
 }
 
 void LinkEnd::deliver(const Message& message, Time when, std::size_t bytes) {
@@ -110,6 +148,7 @@ void LinkEnd::deliver(const Message& message, Time when, std::size_t bytes) {
     world.at(when, [&world, self = weak_from_this(), to = other, message, bytes] {
         if (const auto sender = self.lock(); sender != nullptr && bytes != 0) {
             sender->queued -= bytes;
+            sender->blocks_queued -= std::holds_alternative<Subtrees>(message) ? bytes : 0;
             sender->drained.cancel();
             if (Host* here = world.find_host(sender->host)) {
                 world.wake(*here);
@@ -121,10 +160,57 @@ void LinkEnd::deliver(const Message& message, Time when, std::size_t bytes) {
     });
 }
 
+void LinkEnd::send(const Message& message, bool is_open) {
+    World& world = *World::current();
+    const bool is_sent = world.on_message({host, other_id, connection}, message);
+    const auto to = other.lock();
+    if (!is_open || !is_sent) {
+        return;
+    }
+    Host* from = world.find_host(host);
+    Host* there = to == nullptr ? nullptr : world.find_host(to->host);
+    if (from == nullptr || there == nullptr) {
+        return;
+    }
+    const std::string way = name_of(message) + ", " + from->name + " to " + there->name;
+    const bool is_odd_host = from->is_odd && there->id == tests::master_host;
+    const bool is_odd = is_odd_host && may_be_odd(message);
+    const bool is_unwelcome = there->is_odd && std::holds_alternative<Welcome>(message) &&
+                              world.happens(world.network.unwelcome);
+    const std::size_t bytes = bytes_of(message);
+    const std::size_t bytes_of_blocks = std::holds_alternative<Subtrees>(message) ? bytes : 0;
+    if (bytes_of_blocks != 0) {
+        check_flight(world);
+    }
+    queued += bytes;
+    blocks_queued += bytes_of_blocks;
+    const Time when = arrival_at(*from, *to, world);
+    if (is_odd && world.happens(world.network.overtaken)) {
+        world.log("overtaken: " + way);
+        return deliver(message, when + world.between(0s, 200ms), bytes);
+    }
+    last_arrival = when;
+    if (world.happens(world.network.lost) || is_unwelcome) {
+        world.log("lost: " + way);
+        queued -= bytes;
+        blocks_queued -= bytes_of_blocks;
+        return is_odd_host && world.happens(world.network.late) ? cut_late(message) : cut();
+    }
+    deliver(message, when, bytes);
+    if (is_odd && world.happens(world.network.doubled)) {
+        world.log("doubled: " + way);
+        deliver(message, when, 0);
+    }
+}
+
 void LinkEnd::shut(bool tells) {
     World* world = World::current();
     if (!open || world == nullptr) {
         return;
+    }
+    // The one that has come to who awaits it is taken all the same.
+    if (is_awaited && !inbox.empty()) {
+        incoming = std::move(inbox.front());
     }
     open = false;
     wake_up(*world);
@@ -140,16 +226,42 @@ void LinkEnd::shut(bool tells) {
     });
 }
 
-void LinkEnd::cut() {
+void LinkEnd::notice_cut(Duration latest) {
     World& world = *World::current();
-    for (const auto& end : {weak_from_this(), other}) {
-        world.in(world.between(0s, 4s), [&world, end] {
-            if (const auto state = end.lock(); state != nullptr && state->open) {
-                state->inbox.clear();
-                state->is_ended = true;
-                state->wake_up(world);
-            }
-        });
+    world.in(world.between(0s, latest), [&world, end = weak_from_this()] {
+        if (const auto state = end.lock(); state != nullptr && state->open) {
+            state->inbox.clear();
+            state->is_ended = true;
+            state->wake_up(world);
+        }
+    });
+}
+
+void LinkEnd::cut() {
+    notice_cut(4s);
+    if (const auto there = other.lock()) {
+        there->notice_cut(4s);
+    }
+}
+
+void LinkEnd::cut_late(const Message& message) {
+    World& world = *World::current();
+    world.log("late: " + name_of(message) + ", of " + this_host);
+    world.find_host(host)->at_greeting.push_back([&world, end = other, message] {
+        if (const auto old = end.lock()) {
+            old->arrive(message, world);
+        }
+    });
+    notice_cut(1s);
+}
+
+/// Who gives blocks waits until those before them are on their way.
+void LinkEnd::check_flight(World& world) const {
+    const std::size_t most =
+        host == tests::master_host ? limits::subtrees_queue_bytes_max : limits::subtrees_bytes_min;
+    if (blocks_queued >= most) {
+        world.problem("blocks go to " + other_host + ", and " + std::to_string(blocks_queued) +
+                      " bytes of them are under way");
     }
 }
 
@@ -175,21 +287,22 @@ std::shared_ptr<Channel> Channel::make(std::unique_ptr<Stream>, Duration) {
 asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::duration timeout) {
     const std::shared_ptr<LinkEnd> end = state_->end;
     const Time deadline = std::chrono::steady_clock::now() + timeout;
+    end->is_awaited = true;
+    if (end->open && !end->inbox.empty()) {
+        // Each message is read by itself, and what happens elsewhere comes between.
+        co_await asio::post(co_await asio::this_coro::executor, asio::use_awaitable);
+    }
     for (;;) {
-        if (end->open && !end->inbox.empty()) {
-            Message message = std::move(end->inbox.front());
-            end->inbox.pop_front();
-            if (end->host == tests::master_host) {
-                World::current()->log("heard: " + name_of(message) + ", of " + end->other_host);
-                World::current()->on_heard({end->other_id, end->host, end->connection}, message);
-            }
-            co_return message;
+        if (auto message = end->take()) {
+            co_return std::move(*message);
         }
         if (!end->open || end->is_ended) {
             end->open = false;
+            end->drained.cancel();
             co_return Error{ErrorCode::Disconnected, "the peer closed the connection"};
         }
         if (std::chrono::steady_clock::now() >= deadline) {
+            end->is_awaited = false;
             co_return Error{ErrorCode::Timeout, "nothing came in time"};
         }
         end->arrived.expires_at(deadline);
@@ -200,36 +313,12 @@ asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::dur
 
 void Channel::send(const Message& message) {
     World& world = *World::current();
-    const bool is_sent = world.on_message(
-        {state_->end->host, state_->end->other_id, state_->end->connection}, message);
-    const auto to = state_->end->other.lock();
-    if (!is_open() || !is_sent) {
-        return;
-    }
-    Host* from = world.find_host(state_->end->host);
-    Host* there = to == nullptr ? nullptr : world.find_host(to->host);
-    if (from == nullptr || there == nullptr) {
-        return;
-    }
-    const std::string way = name_of(message) + ", " + from->name + " to " + there->name;
-    const bool is_odd = from->is_odd && there->id == tests::master_host && may_be_odd(message);
-    const std::size_t bytes = bytes_of(message);
-    state_->end->queued += bytes;
-    const Time when = state_->end->arrival_at(*from, *to, world);
-    if (is_odd && world.happens(world.network.overtaken)) {
-        world.log("overtaken: " + way);
-        return state_->end->deliver(message, when + world.between(0s, 200ms), bytes);
-    }
-    state_->end->last_arrival = when;
-    if (world.happens(world.network.lost)) {
-        world.log("lost: " + way);
-        state_->end->queued -= bytes;
-        return state_->end->cut();
-    }
-    state_->end->deliver(message, when, bytes);
-    if (is_odd && world.happens(world.network.doubled)) {
-        world.log("doubled: " + way);
-        state_->end->deliver(message, when, 0);
+    const Host* from = world.find_host(state_->end->host);
+    const auto* results = std::get_if<Results>(&message);
+    if (results != nullptr && from != nullptr && from->liar) {
+        state_->end->send(world.watcher.lies.told_by(from->id, *from->liar, *results), is_open());
+    } else {
+        state_->end->send(message, is_open());
     }
 }
 
@@ -239,7 +328,7 @@ std::size_t Channel::queued_bytes() const {
 
 asio::awaitable<void> Channel::wait_until_queued_below(std::size_t bytes) {
     const std::shared_ptr<LinkEnd> end = state_->end;
-    while (end->open && !end->is_ended && end->queued >= bytes) {
+    while (is_open() && end->queued >= bytes) {
         boost::system::error_code ignored;
         co_await end->drained.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }

@@ -11,7 +11,13 @@ Simulation::Simulation(std::uint64_t seed, bool logs) : world_(seed, logs) {
         return observe(route, message);
     };
     world_.on_heard = [this](const Route& route, const Message& message) {
-        world_.watcher.master_hears(route, message);
+        if (const std::string wrong = world_.watcher.master_hears(route, message); !wrong.empty()) {
+            world_.problem(wrong);
+        }
+    };
+    world_.watcher.quarantine = [this] {
+        const Coordinator* coordinator = master_ == nullptr ? nullptr : master_->coordinator();
+        return coordinator == nullptr ? std::set<std::uint64_t>{} : coordinator->quarantined();
     };
     plan();
 }
@@ -31,7 +37,14 @@ void Simulation::start_worker() {
     habits.weight = world_.happens(300) ? 0.25 : 1;
     habits.serves_peers = world_.happens(800);
     const std::uint64_t id = ++host_last_;
-    workers_.emplace(id, std::make_unique<WorkerProcess>(world_, id, habits));
+    const auto& worker =
+        workers_.emplace(id, std::make_unique<WorkerProcess>(world_, id, habits)).first->second;
+    if (is_trouble_ && dangers_.liar != 0) {
+        worker->host().slowness = 10 + static_cast<double>(world_.below(40));
+        if (liars_ < Lies::liars_max && world_.happens(dangers_.liar)) {
+            worker->host().liar = liars_++;
+        }
+    }
     ++outcome_.workers;
 }
 
@@ -81,6 +94,24 @@ void Simulation::check() {
     } catch (const std::exception& error) {
         world_.problem(std::string("an exception: ") + error.what());
     }
+    check_quarantine();
+}
+
+void Simulation::check_quarantine() {
+    const Coordinator& coordinator = *master_->coordinator();
+    if (coordinator.alarm_count() != 0 && world_.watcher.lies.count() == 0) {
+        world_.problem("an alarm, and nobody was wrong");
+    }
+    for (const std::uint64_t worker : coordinator.quarantined()) {
+        if (!world_.watcher.lies.is_liar(worker)) {
+            world_.problem("worker-" + std::to_string(worker) +
+                           " is in quarantine, and was never wrong");
+        }
+        // It stays, but whoever runs the cluster has heard the alarm.
+        if (found_out_.insert(worker).second) {
+            world_.in(world_.between(500ms, 5s), [this] { start_worker(); });
+        }
+    }
 }
 
 bool Simulation::is_done() const {
@@ -109,6 +140,12 @@ Outcome Simulation::run() {
     outcome_.results_repeated = world_.watcher.results_repeated();
     outcome_.recalled = world_.watcher.recalled();
     outcome_.called_off = world_.watcher.called_off();
+    outcome_.late_messages = world_.watcher.late_messages();
+    outcome_.late_results = world_.watcher.late_results();
+    outcome_.old_sessions = world_.watcher.old_sessions();
+    outcome_.lies = world_.watcher.lies.count();
+    outcome_.found_out = found_out_.size();
+    outcome_.corrected = world_.watcher.corrected();
     return outcome_;
 }
 

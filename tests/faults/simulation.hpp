@@ -13,7 +13,7 @@
 
 namespace cd::tests {
 
-/// What happened to a seed.
+/// What happened to a seed, or to several.
 struct Outcome {
     std::vector<std::string> problems; ///< None: all is well.
     double seconds = 0;                ///< Simulated.
@@ -29,6 +29,18 @@ struct Outcome {
     std::uint64_t recalled = 0;         ///< Scenarios that workers gave back;
     std::uint64_t copies = 0;           ///< that went to a second worker;
     std::uint64_t called_off = 0;       ///< of which another one need not answer any more.
+    std::uint64_t late_messages = 0;    ///< Of a connection after its worker had greeted again.
+    std::uint64_t late_results = 0;     ///< Messages, of a session before.
+    std::uint64_t old_sessions = 0;     ///< With which workers wanted to go on, in vain.
+    std::uint64_t lies = 0;             ///< Scenarios of which a worker told a wrong result;
+    std::uint64_t found_out = 0;        ///< workers that were found wrong;
+    std::uint64_t corrected = 0; ///< scenarios whose result was wrong on the disk for a time,
+    std::uint64_t borne = 0;     ///< and those where it stays so: nobody could know.
+
+    /// Of the counts and the problems.
+    Outcome& operator+=(const Outcome& other);
+    /// For people.
+    [[nodiscard]] std::string counts() const;
 };
 
 class Simulation {
@@ -53,9 +65,11 @@ class Simulation {
         unsigned master_stopped = 0;
         unsigned disk_full = 0;
         unsigned cancel = 0;
+        unsigned liar = 0; ///< Of 1000 workers.
     };
 
     void plan();
+    void plan_liars();
     void plan_jobs();
     void tick();
     void cause_trouble();
@@ -71,6 +85,7 @@ class Simulation {
     [[nodiscard]] std::string check_client_hears(const Message& message) const;
     [[nodiscard]] std::string what_stands_still();
     void check();
+    void check_quarantine();
     [[nodiscard]] bool is_done() const;
     void inspect();
     void inspect_job(const ClientProcess& client);
@@ -88,6 +103,8 @@ class Simulation {
     std::size_t clients_to_come_ = 0;
     /// By kind of job: what no worker survives.
     std::map<std::string, std::uint64_t> deadly_;
+    unsigned liars_ = 0;
+    std::set<std::uint64_t> found_out_; ///< Their hosts.
     std::uint64_t host_last_ = master_host;
     Outcome outcome_;
 };

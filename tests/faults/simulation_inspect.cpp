@@ -1,6 +1,4 @@
 // What is looked at while a seed runs, and at its end.
-#include "common/core/limits.hpp"
-#include "master/journal_records.hpp"
 #include "tests/faults/simulation.hpp"
 
 #include <algorithm>
@@ -46,7 +44,7 @@ bool Simulation::is_deadly(const Message& message) const {
     if (job == world_.watcher.jobs().end()) {
         return false;
     }
-    const auto deadly = deadly_.find(decode_job(job->second.record).value().submit.name);
+    const auto deadly = deadly_.find(job->second.known->submit.name);
     if (deadly == deadly_.end()) {
         return false;
     }
@@ -127,16 +125,14 @@ void Simulation::inspect_job(const ClientProcess& client) {
     if (job.results.size() != client.job().digests.size()) {
         return world_.problem(name + " has not one result for each scenario");
     }
-    for (const auto& [scenario, digest] : job.results) {
-        const bool has_failed = job.failed.contains(scenario);
-        const bool is_right = has_failed ? digest == digest_of_lost(client.job(), scenario)
-                                         : digest == client.job().digests[scenario];
-        if (!is_right) {
+    for (const auto& [scenario, result] : job.results) {
+        if (!job.is_right(scenario) && !job.borne.contains(scenario)) {
             return world_.problem(name + ": a wrong result of scenario " +
                                   std::to_string(scenario));
         }
-        outcome_.failed += has_failed ? 1 : 0;
     }
+    outcome_.failed += job.failed.size();
+    outcome_.borne += job.borne.size();
     if (job.map.map() != right_map(client.job(), job.failed)) {
         world_.problem(name + ": a wrong map of contacts");
     }

@@ -36,7 +36,12 @@ void Simulation::plan() {
     maybe(dangers_.master_stopped, 150);
     maybe(dangers_.disk_full, 200);
     maybe(dangers_.cancel, 60);
+    if (world_.happens(500)) {
+        plan_liars();
+    }
     maybe(network_.lost, 20);
+    maybe(network_.late, 800);
+    maybe(network_.unwelcome, 600);
     maybe(network_.doubled, 60);
     maybe(network_.overtaken, 60);
     maybe(network_.delayed, 60);
@@ -47,6 +52,14 @@ void Simulation::plan() {
         start_worker();
     }
     tick();
+}
+
+/// A liar is found out where something is done twice while its job still runs: by who is late, and
+/// by who was lost and comes back. So workers are slow there.
+void Simulation::plan_liars() {
+    dangers_.liar = 500;
+    dangers_.worker_cut_off += 50;
+    trouble_ends_ = std::max(trouble_ends_, world_.now() + 20s);
 }
 
 void Simulation::plan_jobs() {

@@ -64,6 +64,7 @@ std::string Watcher::committed(std::span<const DatabaseChange> changes) {
         switch (change.kind) {
         case Kind::Accept:
             job.record = change.content;
+            job.known = &known_job(decode_job(job.record).value().submit.name);
             last_job = std::max(last_job, change.job);
             break;
         case Kind::Progress:
@@ -76,6 +77,9 @@ std::string Watcher::committed(std::span<const DatabaseChange> changes) {
             break;
         case Kind::End:
             job.end = change.content;
+            if (const std::string found = check_end(change.job, job); wrong.empty()) {
+                wrong = found;
+            }
             break;
         case Kind::Drop:
             jobs_.erase(change.job);
@@ -98,8 +102,13 @@ std::string Watcher::add_group(JobId id, const Bytes& bytes) {
     }
     for (const ResultRow& row : group.rows) {
         const std::string name = name_of(id, row.scenario);
-        if (!job.results.emplace(row.scenario, row.digest).second) {
+        const auto [result, is_new] =
+            job.results.emplace(row.scenario, DurableResult{row.digest, life_});
+        if (!is_new && job.is_right(row.scenario)) {
             wrong = name + " is merged twice";
+        } else if (!is_new) {
+            result->second.digest = row.digest;
+            ++corrected_;
         }
         if (row.facts.kind != ScenarioClass::Failed) {
             continue;
@@ -118,9 +127,13 @@ void Watcher::master_began() {
     ranges_.clear();
     given_back_.clear();
     held_.clear();
+    ++life_;
+    tasks_given_.clear();
+    refuted_.clear();
     done_before_.clear();
-    for (const auto& [id, job] : jobs_) {
-        for (const auto& [scenario, digest] : job.results) {
+    for (auto& [id, job] : jobs_) {
+        for (auto& [scenario, result] : job.results) {
+            result.is_witnessed = false;
             done_before_[id].insert(scenario);
         }
     }
@@ -130,11 +143,16 @@ void Watcher::master_began() {
 // ---------------------------------------------------------------------------------
 
 std::string Watcher::master_says(const Route& route, const Message& message) {
+    if (std::string wrong = check_quarantined(route, message); !wrong.empty()) {
+        return wrong;
+    }
     if (const auto* welcome = std::get_if<Welcome>(&message)) {
-        worker_ids_[route.connection] = WorkerId{welcome->id};
+        return welcomed(route, *welcome);
     } else if (const auto* batch = std::get_if<Batch>(&message)) {
+        tasks_given_.insert({route.to, batch->task});
         return sent(batch->job, scenarios_in(batch->scenarios));
     } else if (const auto* range = std::get_if<ScenarioRange>(&message)) {
+        tasks_given_.insert({route.to, range->task});
         std::vector<std::uint64_t>& scenarios = ranges_[{route.to, range->task}];
         scenarios = scenarios_in(*range);
         return sent(range->job, scenarios);
@@ -164,10 +182,13 @@ std::string Watcher::sent(JobId job, std::span<const std::uint64_t> scenarios) {
     return {};
 }
 
-std::string Watcher::check_kept(std::uint64_t worker, std::uint64_t sequence) const {
+std::string Watcher::check_kept(std::uint64_t worker, std::uint64_t sequence) {
     const auto found = deliveries_.find({worker, sequence});
     if (found == deliveries_.end()) {
         return "acknowledged what was never sent";
+    }
+    if (quarantine().contains(worker)) {
+        return {}; // Nobody wants what it says.
     }
     for (const auto& [id, scenario] : found->second) {
         const auto job = jobs_.find(id);
@@ -176,11 +197,15 @@ std::string Watcher::check_kept(std::uint64_t worker, std::uint64_t sequence) co
             !job->second.results.contains(scenario)) {
             return name_of(id, scenario) + " is acknowledged, and not on the disk";
         }
+        acknowledged(worker, id, scenario);
     }
     return {};
 }
 
 std::string Watcher::check_sources(const FetchFromPeers& directions) const {
+    if (directions.sources.size() > limits::peer_sources_max) {
+        return "more sources are named for a fetch than may be";
+    }
     for (const PeerSource& source : directions.sources) {
         for (const RootIndex root : directions.roots) {
             if (!held_.contains({source.worker, directions.tree, root})) {
@@ -214,7 +239,9 @@ std::string Watcher::check_answers(std::uint64_t worker, const Results& results)
 }
 
 std::string Watcher::worker_says(const Route& route, const Message& message) {
-    if (const auto* recalled = std::get_if<Recalled>(&message)) {
+    if (const auto* hello = std::get_if<Hello>(&message)) {
+        hellos_[route.connection] = *hello;
+    } else if (const auto* recalled = std::get_if<Recalled>(&message)) {
         given_back(route.from, *recalled);
     } else if (const auto* standing = std::get_if<Standing>(&message)) {
         for (const Recalled& task : standing->tasks) {
@@ -237,17 +264,44 @@ std::string Watcher::worker_says(const Route& route, const Message& message) {
     return {};
 }
 
-void Watcher::master_hears(const Route& route, const Message& message) {
+/// A session goes on only in the master's life in which it began.
+std::string Watcher::welcomed(const Route& route, const Welcome& welcome) {
+    worker_ids_[route.connection] = WorkerId{welcome.id};
+    connections_[route.to] = route.connection;
+    const Hello& hello = hellos_[route.connection];
+    old_sessions_ += hello.session != 0 && !welcome.is_resumed ? 1 : 0;
+    const bool is_right = hello.epoch == welcome.epoch && hello.session == welcome.id;
+    return welcome.is_resumed && !is_right ? "a session of a former life of the master goes on"
+                                           : "";
+}
+
+std::string Watcher::master_hears(const Route& route, const Message& message) {
     const auto id = worker_ids_.find(route.connection);
     if (id == worker_ids_.end()) {
-        return;
+        return {};
     }
+    if (connections_.at(route.from) != route.connection) {
+        ++late_messages_; // Of which the master is to take nothing.
+        return {};
+    }
+    note_held(id->second, message);
+    if (const auto* results = std::get_if<Results>(&message)) {
+        late_results_ += results->task == TaskId{} ? 1 : 0;
+        if (results->task != TaskId{} && !tasks_given_.contains({route.from, results->task})) {
+            return "task " + std::to_string(results->task.value) +
+                   " is answered by who never got it from this life of the master";
+        }
+    }
+    return {};
+}
+
+void Watcher::note_held(WorkerId worker, const Message& message) {
     const auto set = [&](TreeId tree, std::span<const RootIndex> roots, bool holds) {
         for (const RootIndex root : roots) {
             if (holds) {
-                held_.insert({id->second, tree, root});
+                held_.insert({worker, tree, root});
             } else {
-                held_.erase({id->second, tree, root});
+                held_.erase({worker, tree, root});
             }
         }
     };
@@ -258,7 +312,7 @@ void Watcher::master_hears(const Route& route, const Message& message) {
     } else if (const auto* want = std::get_if<WantSubtrees>(&message)) {
         set(want->tree, want->roots, false);
     } else if (const auto* standing = std::get_if<Standing>(&message)) {
-        std::erase_if(held_, [&](const auto& one) { return std::get<0>(one) == id->second; });
+        std::erase_if(held_, [&](const auto& one) { return std::get<0>(one) == worker; });
         for (const StandingTree& tree : standing->trees) {
             set(tree.tree, tree.held, true);
         }

@@ -16,6 +16,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -52,14 +53,20 @@ struct Host {
     std::shared_ptr<bool> is_silent = std::make_shared<bool>(false);
     bool is_odd = false;   ///< Messages from it may come twice, or in another order.
     bool is_dying = false; ///< Nothing more comes from it.
-    double slowness = 1;   ///< Of its threads.
-    Time stopped_until{};  ///< It does nothing until then (SIGSTOP),
-    Time cut_off_until{};  ///< and nothing comes to it, or from it.
+    std::vector<std::function<void()>> at_greeting; ///< What comes to the master with its next one.
+    std::optional<unsigned> liar; ///< Its results are now and then wrong; which liar it is.
+    double slowness = 1;          ///< Of its threads.
+    Time stopped_until{};         ///< It does nothing until then (SIGSTOP),
+    Time cut_off_until{};         ///< and nothing comes to it, or from it.
 };
 
 /// How often a message has which accident; of 1000.
 struct NetworkFaults {
     unsigned lost = 0; ///< Its connection breaks soon after.
+    /// Of those lost on their way to the master: only their sender takes the connection for broken,
+    /// and they come at the very moment of its next greeting.
+    unsigned late = 0;
+    unsigned unwelcome = 0; ///< Of welcomes to workers: they are lost.
     unsigned doubled = 0;
     unsigned overtaken = 0;
     unsigned delayed = 0;

@@ -1,0 +1,58 @@
+#include "tests/faults/lies.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/job/packed_records.hpp"
+#include "common/job/result.hpp"
+
+#include <optional>
+
+namespace cd::tests {
+
+namespace {
+
+bool concerns(unsigned liar, std::uint64_t scenario) {
+    const std::uint64_t mixed = (scenario + 1) * 0x9E3779B97F4A7C15u;
+    return (mixed >> 32) % Lies::liars_max == liar;
+}
+
+/// Nothing where a lie would be seen at once.
+std::optional<ScenarioResult> falsified(ScenarioResult truth) {
+    if (truth.level == Level::Any && truth.kind == ScenarioClass::Separate) {
+        truth.kind = ScenarioClass::Contact;
+    } else if (truth.pair_count != 0) {
+        ++truth.pair_count;
+    } else {
+        return std::nullopt;
+    }
+    return truth;
+}
+
+} // namespace
+
+Results Lies::told_by(std::uint64_t host, unsigned liar, const Results& truth) {
+    const Bytes records = unpack_records(truth.records, limits::results_bytes_max).value();
+    ByteReader in(records);
+    ByteWriter out;
+    for (std::uint32_t i = 0; i < truth.count; ++i) {
+        const ScenarioResult result = decode_result(in.get_bytes(in.get<std::uint32_t>())).value();
+        const auto lie = concerns(liar, result.index) ? falsified(result) : std::nullopt;
+        if (lie) {
+            told_.insert({truth.job, result.index, host});
+            liars_.insert(host);
+        }
+        const Bytes record = encode_result(lie.value_or(result));
+        out.put_text({reinterpret_cast<const char*>(record.data()), record.size()});
+    }
+    Results told = truth;
+    told.records = pack_records(out.take());
+    return told;
+}
+
+std::uint64_t Lies::author_of(JobId job, std::uint64_t scenario) const {
+    const auto found = told_.lower_bound({job, scenario, 0});
+    const bool is_of_it =
+        found != told_.end() && std::get<JobId>(*found) == job && std::get<1>(*found) == scenario;
+    return is_of_it ? std::get<2>(*found) : 0;
+}
+
+} // namespace cd::tests

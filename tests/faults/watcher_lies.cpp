@@ -1,0 +1,91 @@
+// What follows when workers are now and then wrong. Two results of a scenario that differ find one
+// of them out; from then on, as long as that master lives, nothing of it counts.
+#include "master/journal_records.hpp"
+#include "tests/faults/watcher.hpp"
+
+namespace cd::tests {
+
+namespace {
+
+std::string name_of(std::uint64_t worker) {
+    return "worker-" + std::to_string(worker);
+}
+
+bool is_work(const Message& message) {
+    return std::holds_alternative<Batch>(message) ||
+           std::holds_alternative<ScenarioRange>(message) ||
+           std::holds_alternative<Hint>(message) || std::holds_alternative<Recall>(message) ||
+           std::holds_alternative<AddJob>(message) || std::holds_alternative<AddTree>(message) ||
+           std::holds_alternative<Subtrees>(message) ||
+           std::holds_alternative<FetchFromPeers>(message);
+}
+
+} // namespace
+
+bool DurableJob::is_right(std::uint64_t scenario) const {
+    return results.at(scenario).digest == (failed.contains(scenario)
+                                               ? digest_of_lost(*known, scenario)
+                                               : known->digests[scenario]);
+}
+
+std::string Watcher::check_quarantined(const Route& route, const Message& message) const {
+    return is_work(message) && quarantine().contains(route.to)
+               ? name_of(route.to) + " is in quarantine, and gets something"
+               : "";
+}
+
+/// The master has taken the worker's answer, which was the first or was compared with it.
+void Watcher::acknowledged(std::uint64_t worker, JobId id, std::uint64_t scenario) {
+    const auto job = jobs_.find(id);
+    if (job == jobs_.end() || !job->second.end.empty() || job->second.failed.contains(scenario) ||
+        quarantine().contains(worker)) {
+        return; // Nothing is compared any more, or nothing of this worker.
+    }
+    if (!lies.is_told(worker, id, scenario)) {
+        job->second.results.at(scenario).is_witnessed = true;
+    } else if (job->second.is_right(scenario)) {
+        refuted_.insert({id, worker});
+    }
+}
+
+void Watcher::ends(JobId job) {
+    quarantined_at_end_[job] = quarantine();
+}
+
+/// The one place that says which wrong results are nobody's fault but a liar's: those of one that
+/// was never found out. And, as long as the master forgets with its process whose a result is,
+/// those that were committed before that process began.
+bool Watcher::may_be_wrong(const DurableResult& result,
+                           std::uint64_t author,
+                           const std::set<std::uint64_t>& quarantined) const {
+    return author != 0 &&
+           (result.life != life_ || (!result.is_witnessed && !quarantined.contains(author)));
+}
+
+std::string Watcher::check_end(JobId id, DurableJob& job) const {
+    if (decode_end(job.end).value().state != JobState::Done) {
+        return {};
+    }
+    const std::string name = "job " + std::to_string(id.value);
+    const std::set<std::uint64_t>& quarantined = quarantined_at_end_.at(id);
+    for (const auto& [in_job, worker] : refuted_) {
+        if (in_job == id && !quarantined.contains(worker)) {
+            return name + " ends, and " + name_of(worker) +
+                   ", which was found wrong, is not in quarantine";
+        }
+    }
+    for (const auto& [scenario, result] : job.results) {
+        if (job.is_right(scenario)) {
+            continue;
+        }
+        const std::uint64_t author = lies.author_of(id, scenario);
+        if (!may_be_wrong(result, author, quarantined)) {
+            return name + ": a wrong result of scenario " + std::to_string(scenario) +
+                   (author == 0 ? "" : " stays, of " + name_of(author));
+        }
+        job.borne.insert(scenario);
+    }
+    return {};
+}
+
+} // namespace cd::tests
