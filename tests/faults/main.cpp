@@ -3,6 +3,7 @@
 //   faults_test                              the tests
 //   faults_test --seed 1234 --log            one seed, with all that happens in it
 //   faults_test --seed 0 --count 100000      many
+//   faults_test --seed 3 --workers 1000      with so many workers at first
 //   faults_test --seed 0 --count 50 --fault 3  with a mutation (master/mutation.hpp), by number
 #include "common/core/log.hpp"
 #include "tests/faults/simulation.hpp"
@@ -20,6 +21,7 @@ struct Options {
     std::optional<std::uint64_t> seed;
     std::uint64_t count = 1;
     std::uint64_t fault = 0;
+    std::size_t workers = 0;
     bool logs = false;
 };
 
@@ -35,6 +37,8 @@ Options parse(int count, char** arguments) {
             options.count = number();
         } else if (std::strcmp(arguments[i], "--fault") == 0) {
             options.fault = number();
+        } else if (std::strcmp(arguments[i], "--workers") == 0) {
+            options.workers = number();
         } else if (std::strcmp(arguments[i], "--log") == 0) {
             options.logs = true;
         }
@@ -47,7 +51,8 @@ int simulate(const Options& options) {
     std::uint64_t failed = 0;
     cd::tests::Outcome sum;
     for (std::uint64_t seed = *options.seed; seed < *options.seed + options.count; ++seed) {
-        const cd::tests::Outcome outcome = cd::tests::simulate(seed, options.logs, fault);
+        const cd::tests::Outcome outcome =
+            cd::tests::simulate(seed, {options.logs, fault, options.workers});
         if (options.count == 1 || !outcome.problems.empty()) {
             std::printf("seed %llu: %s (%.1f s simulated, %llu events)\n",
                         static_cast<unsigned long long>(seed),

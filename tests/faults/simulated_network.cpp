@@ -6,6 +6,8 @@
 #include "proto/listener.hpp"
 #include "tests/faults/world.hpp"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -376,8 +378,23 @@ struct Listening {
 };
 
 std::map<std::uint16_t, std::weak_ptr<Listening>> listeners;
-/// Connections that were made and not yet accepted, by host, in their order.
-std::map<std::uint64_t, std::deque<std::shared_ptr<LinkEnd>>> backlog;
+/// Connections that were made and not yet accepted, by the descriptor of the socket that stands for
+/// one: who refuses a connection closes it.
+std::map<int, std::shared_ptr<LinkEnd>> backlog;
+
+void offer(Listening& listening, std::shared_ptr<LinkEnd> end) {
+    if (listening.on_socket == nullptr) {
+        return end->shut(true);
+    }
+    asio::ip::tcp::socket socket(listening.executor, asio::ip::tcp::v4());
+    const int descriptor = socket.native_handle();
+    backlog[descriptor] = end;
+    listening.on_socket(std::move(socket));
+    if (::fcntl(descriptor, F_GETFD) < 0) {
+        backlog.erase(descriptor);
+        end->shut(true);
+    }
+}
 
 } // namespace
 
@@ -389,7 +406,6 @@ Result<std::unique_ptr<Listener>> Listener::open(const asio::any_io_executor& ex
                                                  const Endpoint& endpoint) {
     const auto listening = std::make_shared<Listening>(Listening{executor, endpoint.port});
     listeners[endpoint.port] = listening;
-    backlog.erase(World::current()->host_of(executor)->id);
     return std::unique_ptr<Listener>(new Listener(std::make_shared<State>(State{listening})));
 }
 
@@ -397,7 +413,8 @@ Listener::Listener(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
 Listener::~Listener() {
     if (const Host* host = World::current()->host_of(state_->listening->executor)) {
-        backlog.erase(host->id);
+        std::erase_if(backlog,
+                      [&](const auto& waiting) { return waiting.second->host == host->id; });
     }
 }
 
@@ -435,24 +452,17 @@ asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Target target, std::ch
     other->other = here;
     here->this_host = other->other_host = from.name;
     here->other_host = other->this_host = there->name;
-    backlog[there->id].push_back(other);
-    asio::post(listener->executor, [listener] {
-        if (listener->on_socket != nullptr) {
-            listener->on_socket(asio::ip::tcp::socket(listener->executor));
-        }
-    });
+    asio::post(listener->executor, [listener, other] { offer(*listener, other); });
     world.wake(*there);
     next_end = here;
     co_return Channel::make(nullptr);
 }
 
 asio::awaitable<Result<std::shared_ptr<Channel>>>
-accept_channel(asio::ip::tcp::socket, std::shared_ptr<const Tls>, Duration) {
-    const Host* here = World::current()->host_of(co_await asio::this_coro::executor);
-    auto& waiting = backlog[here->id];
+accept_channel(asio::ip::tcp::socket socket, std::shared_ptr<const Tls>, Duration) {
+    const auto waiting = backlog.extract(socket.native_handle());
     CD_CHECK(!waiting.empty());
-    next_end = std::move(waiting.front());
-    waiting.pop_front();
+    next_end = waiting.mapped();
     co_return Channel::make(nullptr);
 }
 

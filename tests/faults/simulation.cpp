@@ -6,7 +6,8 @@ namespace cd::tests {
 
 using namespace std::chrono_literals;
 
-Simulation::Simulation(std::uint64_t seed, bool logs) : world_(seed, logs) {
+Simulation::Simulation(std::uint64_t seed, const SimulationOptions& options)
+    : world_(seed, options.logs) {
     world_.on_message = [this](const Route& route, const Message& message) {
         return observe(route, message);
     };
@@ -19,7 +20,7 @@ Simulation::Simulation(std::uint64_t seed, bool logs) : world_(seed, logs) {
         const Coordinator* coordinator = master_ == nullptr ? nullptr : master_->coordinator();
         return coordinator == nullptr ? std::set<std::uint64_t>{} : coordinator->quarantined();
     };
-    plan();
+    plan(options.workers);
 }
 
 Simulation::~Simulation() {
@@ -149,12 +150,12 @@ Outcome Simulation::run() {
     return outcome_;
 }
 
-Outcome simulate(std::uint64_t seed, bool logs, Mutation fault) {
+Outcome simulate(std::uint64_t seed, const SimulationOptions& options) {
     (void)known_jobs(); // Made outside of every simulation.
-    mutation = fault;
+    mutation = options.fault;
     Outcome outcome;
     {
-        Simulation simulation(seed, logs);
+        Simulation simulation(seed, options);
         outcome = simulation.run();
     }
     mutation = Mutation::None;

@@ -43,9 +43,15 @@ struct Outcome {
     [[nodiscard]] std::string counts() const;
 };
 
+struct SimulationOptions {
+    bool logs = false;
+    Mutation fault = Mutation::None;
+    std::size_t workers = 0; ///< 0: as the seed says, a few.
+};
+
 class Simulation {
   public:
-    explicit Simulation(std::uint64_t seed, bool logs = false);
+    Simulation(std::uint64_t seed, const SimulationOptions& options);
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
     ~Simulation();
@@ -68,7 +74,8 @@ class Simulation {
         unsigned liar = 0; ///< Of 1000 workers.
     };
 
-    void plan();
+    /// `workers`: 0, as the seed says.
+    void plan(std::size_t workers);
     void plan_liars();
     void plan_jobs();
     void tick();
@@ -110,7 +117,6 @@ class Simulation {
 };
 
 /// With this fault switched on.
-[[nodiscard]] Outcome
-simulate(std::uint64_t seed, bool logs = false, Mutation fault = Mutation::None);
+[[nodiscard]] Outcome simulate(std::uint64_t seed, const SimulationOptions& options = {});
 
 } // namespace cd::tests

@@ -19,9 +19,12 @@ constexpr Duration patience = 300s;
 
 // ---- The plan -----------------------------------------------------------------------------------
 
-void Simulation::plan() {
+void Simulation::plan(std::size_t workers) {
     trouble_ends_ = world_.now() + world_.between(trouble_min, trouble_max);
     workers_wanted_ = 1 + world_.below(5);
+    if (workers != 0) {
+        workers_wanted_ = workers;
+    }
     // Each seed has its own kinds of trouble: with all of them at once few get far.
     const auto maybe = [&](unsigned& danger, unsigned most) {
         danger = world_.happens(400) ? 1 + static_cast<unsigned>(world_.below(most)) : 0;
@@ -40,7 +43,7 @@ void Simulation::plan() {
         plan_liars();
     }
     maybe(network_.lost, 20);
-    maybe(network_.late, 800);
+    network_.late = static_cast<unsigned>(world_.below(1000));
     maybe(network_.unwelcome, 600);
     maybe(network_.doubled, 60);
     maybe(network_.overtaken, 60);

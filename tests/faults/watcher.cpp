@@ -6,7 +6,7 @@
 #include "common/job/pose_source.hpp"
 #include "common/job/result.hpp"
 #include "common/job/scenario.hpp"
-#include "master/result_group.hpp"
+#include "master/journal_records.hpp"
 
 #include <algorithm>
 
@@ -36,6 +36,14 @@ std::vector<std::uint64_t> scenarios_in(const ScenarioRange& range) {
         indices.push_back(range.first + i);
     }
     return indices;
+}
+
+std::vector<WorkerProcess> authors_of(const ResultGroup& group) {
+    std::vector<WorkerProcess> authors;
+    for (const AuthorRun& run : group.authors) {
+        authors.insert(authors.end(), run.rows, run.author);
+    }
+    return authors;
 }
 
 } // namespace
@@ -100,14 +108,17 @@ std::string Watcher::add_group(JobId id, const Bytes& bytes) {
         constexpr std::uint64_t any = 1u << 20;
         job.map.add(unpack_map(map, {any, any, any}).value());
     }
-    for (const ResultRow& row : group.rows) {
+    const std::vector<WorkerProcess> authors = authors_of(group);
+    for (std::size_t i = 0; i < group.rows.size(); ++i) {
+        const ResultRow& row = group.rows[i];
         const std::string name = name_of(id, row.scenario);
         const auto [result, is_new] =
-            job.results.emplace(row.scenario, DurableResult{row.digest, life_});
+            job.results.emplace(row.scenario, DurableResult{row.digest, authors[i]});
         if (!is_new && job.is_right(row.scenario)) {
             wrong = name + " is merged twice";
         } else if (!is_new) {
             result->second.digest = row.digest;
+            result->second.author = authors[i];
             ++corrected_;
         }
         if (row.facts.kind != ScenarioClass::Failed) {
@@ -127,13 +138,10 @@ void Watcher::master_began() {
     ranges_.clear();
     given_back_.clear();
     held_.clear();
-    ++life_;
     tasks_given_.clear();
-    refuted_.clear();
     done_before_.clear();
-    for (auto& [id, job] : jobs_) {
-        for (auto& [scenario, result] : job.results) {
-            result.is_witnessed = false;
+    for (const auto& [id, job] : jobs_) {
+        for (const auto& [scenario, result] : job.results) {
             done_before_[id].insert(scenario);
         }
     }
@@ -175,7 +183,10 @@ std::string Watcher::sent(JobId job, std::span<const std::uint64_t> scenarios) {
     for (const std::uint64_t scenario : scenarios) {
         ++scenarios_sent_;
         ++times_sent_[{job, scenario}];
-        if (done.contains(scenario)) {
+        const auto is_doubted = [&] {
+            return quarantine().contains(jobs_.at(job).results.at(scenario).author);
+        };
+        if (done.contains(scenario) && !is_doubted()) {
             return name_of(job, scenario) + " is done again after a restart";
         }
     }

@@ -5,6 +5,7 @@
 #include "common/core/id.hpp"
 #include "common/job/contact_map.hpp"
 #include "master/journal_database.hpp"
+#include "master/result_group.hpp"
 #include "proto/message.hpp"
 #include "tests/faults/jobs.hpp"
 #include "tests/faults/lies.hpp"
@@ -30,8 +31,8 @@ struct Route {
 
 struct DurableResult {
     Sha256 digest;
-    unsigned life = 0;         ///< Of the master, in which it was committed.
-    bool is_witnessed = false; ///< In this life it was compared with a right answer, or is one.
+    WorkerProcess author = 0;
+    bool is_witnessed = false; ///< It was compared with a right answer, or is one.
 };
 
 /// A job as the journal has it.
@@ -115,8 +116,7 @@ class Watcher {
     /// Of ranges, in the order of their places; by worker (its process).
     std::map<std::pair<std::uint64_t, TaskId>, std::vector<std::uint64_t>> ranges_;
     std::map<std::pair<std::uint64_t, TaskId>, std::set<std::uint64_t>> given_back_;
-    unsigned life_ = 0; ///< Of the master.
-    /// In this life: who told a lie that was compared with a right result,
+    /// Who told a lie that was compared with a right result,
     std::set<std::pair<JobId, std::uint64_t>> refuted_;
     /// and who was in quarantine when the job ended.
     std::map<JobId, std::set<std::uint64_t>> quarantined_at_end_;

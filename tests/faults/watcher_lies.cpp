@@ -1,5 +1,5 @@
 // What follows when workers are now and then wrong. Two results of a scenario that differ find one
-// of them out; from then on, as long as that master lives, nothing of it counts.
+// of them out; from then on, in all lives of the master, nothing of it counts.
 #include "master/journal_records.hpp"
 #include "tests/faults/watcher.hpp"
 
@@ -53,13 +53,11 @@ void Watcher::ends(JobId job) {
 }
 
 /// The one place that says which wrong results are nobody's fault but a liar's: those of one that
-/// was never found out. And, as long as the master forgets with its process whose a result is,
-/// those that were committed before that process began.
+/// was never found out, and that nobody else has answered.
 bool Watcher::may_be_wrong(const DurableResult& result,
                            std::uint64_t author,
                            const std::set<std::uint64_t>& quarantined) const {
-    return author != 0 &&
-           (result.life != life_ || (!result.is_witnessed && !quarantined.contains(author)));
+    return author != 0 && !result.is_witnessed && !quarantined.contains(author);
 }
 
 std::string Watcher::check_end(JobId id, DurableJob& job) const {
