@@ -140,7 +140,8 @@ class Coordinator {
     /// Why nothing can be accepted or acknowledged now; empty: it can.
     [[nodiscard]] const std::string& paused() const { return paused_; }
 
-    /// The processes of workers that were found wrong, and how many alarms there were, in all lives.
+    /// The processes of workers that were found wrong, and how many alarms there were, in all
+    /// lives.
     [[nodiscard]] const std::set<std::uint64_t>& quarantined() const { return quarantined_; }
     [[nodiscard]] std::uint64_t alarm_count() const { return alarms_.count; }
 
