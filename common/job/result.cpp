@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace cd {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::uint8_t version = 2;
 constexpr std::uint8_t flag_surfaces_only = 1;
+constexpr std::size_t head_bytes = 28;
 /// Two triangles share at most a hexagon.
 constexpr std::uint32_t points_of_pair_max = 6;
 
@@ -69,6 +71,26 @@ void put_shared_points(ByteWriter& out, const ScenarioResult& result) {
 
 Error bad(const char* what) {
     return {ErrorCode::BadFrame, std::string("result record: ") + what};
+}
+
+/// In one piece: at level count a record is nothing else, and the master writes a million a second.
+void put_head(ByteWriter& out, const ScenarioResult& result) {
+    std::array<std::uint8_t, head_bytes> head;
+    std::uint8_t* to = head.data();
+    const auto put = [&](auto value) {
+        std::memcpy(to, &value, sizeof value);
+        to += sizeof value;
+    };
+    put(version);
+    put(result.index);
+    put(result.body_a);
+    put(result.body_b);
+    put(static_cast<std::uint8_t>(result.level));
+    put(static_cast<std::uint8_t>(result.kind));
+    put(result.surfaces_only ? flag_surfaces_only : std::uint8_t{0});
+    put(result.pair_count);
+    CD_CHECK(to == head.data() + head.size());
+    out.put_array(std::span<const std::uint8_t>(head));
 }
 
 Status get_head(ByteReader& in, ScenarioResult& result) {
@@ -195,14 +217,7 @@ std::string_view to_text(ScenarioClass value) {
 
 Bytes encode_result(const ScenarioResult& result) {
     ByteWriter out;
-    out.put(version);
-    out.put(result.index);
-    out.put(result.body_a);
-    out.put(result.body_b);
-    out.put(static_cast<std::uint8_t>(result.level));
-    out.put(static_cast<std::uint8_t>(result.kind));
-    out.put(result.surfaces_only ? flag_surfaces_only : std::uint8_t{0});
-    out.put(result.pair_count);
+    put_head(out, result);
     if (result.kind == ScenarioClass::Undecided) {
         out.put(canonical(result.distance_bound));
     }
