@@ -1,11 +1,8 @@
-// The life of a job in the coordinator: prepared, fed, merged, ended.
-#include "common/core/check.hpp"
+// The life of a job in the coordinator: prepared, fed, ended.
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
-#include "common/job/packed_map.hpp"
 #include "master/coordinator.hpp"
 #include "master/job_geometry.hpp"
-#include "master/mutation.hpp"
 #include "master/run_on.hpp"
 
 #include <algorithm>
@@ -201,81 +198,6 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
     merge(*job, {std::move(finished), {}}, WorkerId{});
     end_if_complete(*job);
     feed();
-}
-
-void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
-    AddResults add{job.id, job.results, {}, {}, {}};
-    add.author = process_of(worker);
-    add.results.reserve(taken.results.size());
-    for (TakenResult& one : taken.results) {
-        job.statistics += one.cost;
-        if (one.record.size() > limits::result_record_bytes_max) {
-            const std::string scenario = std::to_string(one.result.index);
-            return end_job(job,
-                           JobState::Failed,
-                           "the result of scenario " + scenario + " takes " +
-                               std::to_string(one.record.size()) +
-                               " bytes; ask for a lower level or set limit_pairs");
-        }
-        if (merge_one(job, one, worker, add)) {
-            const ResultRow row{
-                one.result.index, one.record.size(), facts_of(one.result), one.digest};
-            ledger_.write(job.id, row.scenario, written_ + 1);
-            add.results.push_back({row, std::move(one.record)});
-        }
-    }
-    if (!add.results.empty() && add.author != 0 && !mutated(Mutation::LiarKept)) {
-        job.contributors.insert(add.author);
-    }
-    if (!add.results.empty() || !add.remarks.empty()) {
-        ++job.changes;
-        add.progress = job.progress(Clock::now());
-        if (!add.results.empty() && !taken.map.empty()) {
-            job.map.add(taken.map);
-            add.map = pack_map(taken.map);
-        }
-        write(std::move(add));
-    }
-}
-
-bool Coordinator::merge_one(MasterJob& job,
-                            const TakenResult& taken,
-                            WorkerId worker,
-                            AddResults& add) {
-    const std::uint64_t index = taken.result.index;
-    switch (job.merger.add(taken.result, taken.digest)) {
-    case ResultMerger::Outcome::Added:
-        break;
-    case ResultMerger::Outcome::Repeated:
-        if (doubt_ends(job, index, worker)) {
-            job.authors[index] = 0; // The author's word is not all that stands for it.
-            add.remarks.push_back({Remark::Kind::Vouched, index, {}, 0});
-        }
-        return mutated(Mutation::SecondAnswerMerged);
-    case ResultMerger::Outcome::Differs:
-        doubt_ends(job, index, worker);
-        open_dispute(job, {job.id, index, worker, taken.digest}, add);
-        return false;
-    case ResultMerger::Outcome::Foreign:
-        spdlog::error("result of no scenario: job={} scenario={} worker={}",
-                      job.id.value,
-                      index,
-                      worker.value);
-        return false;
-    }
-    if (worker != WorkerId{}) {
-        job.authors.resize(std::max<std::size_t>(job.authors.size(), index + 1));
-        job.authors[index] = static_cast<std::uint32_t>(worker.value);
-    }
-    close_analysis(job, index);
-    return true;
-}
-
-void Coordinator::close_analysis(MasterJob& job, std::uint64_t scenario) {
-    if (const auto open = job.open.find(scenario); open != job.open.end()) {
-        open_bytes_ -= open->second->bytes;
-        job.open.erase(open);
-    }
 }
 
 void Coordinator::end_if_complete(MasterJob& job) {
