@@ -210,7 +210,7 @@ std::vector<std::uint64_t> Dispatcher::State::take_batch(WorkerProxy& proxy,
     if (ends_with_long_ones(proxy, job)) {
         // The long ones first, so that the workers end together.
         proxy.order_buffer(job.id, [&](std::uint64_t one, std::uint64_t other) {
-            return job.at(one).weight.cost_ns > job.scenarios.at(other).weight.cost_ns;
+            return job.at(one).weight.cost_ns > job.at(other).weight.cost_ns;
         });
     }
     std::vector<std::uint64_t> batch;
