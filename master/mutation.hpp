@@ -31,6 +31,7 @@ enum class Mutation : std::uint8_t {
     LiarKept,               ///< What else came of a worker that was found wrong stays.
     OldEpochTaken,          ///< A session of a former life of the master goes on.
     TooMuchInFlight,        ///< A worker gets blocks however many are on their way to it.
+    ReadsOn,                ///< A worker is listened to however much of it is in hand.
     count,
 };
 

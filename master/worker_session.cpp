@@ -1,6 +1,8 @@
 #include "master/worker_session.hpp"
 
+#include "common/core/check.hpp"
 #include "common/core/limits.hpp"
+#include "master/mutation.hpp"
 #include "proto/codec.hpp"
 
 namespace cd {
@@ -34,7 +36,7 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
         }
         std::visit([this](auto& content) { on(content); }, message.value());
         // A worker that is faster than the merge is read more slowly.
-        while (results_in_hand_ >= limits::results_in_hand_max) {
+        while (results_in_hand_ >= limits::results_in_hand_max && !mutated(Mutation::ReadsOn)) {
             coordinator_.worker_unheard(worker_, *channel_);
             boost::system::error_code ignored;
             co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
@@ -85,6 +87,7 @@ void WorkerSession::on(const Failure& message) {
 
 void WorkerSession::on(Results& message) {
     ++results_in_hand_;
+    CD_CHECK(results_in_hand_ <= limits::results_in_hand_max);
     coordinator_.results_came(worker_, std::move(message), [self = shared_from_this()] {
         --self->results_in_hand_;
         self->room_.cancel();

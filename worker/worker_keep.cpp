@@ -1,7 +1,5 @@
 #include "worker/worker_keep.hpp"
 
-#include "common/core/limits.hpp"
-
 namespace cd {
 
 void UnkeptResults::add(Results& results) {
@@ -35,8 +33,7 @@ std::vector<Results> UnkeptResults::again() {
 }
 
 bool UnkeptResults::has_room() const {
-    return bytes_ < limits::results_unkept_bytes_max &&
-           messages_.size() < limits::results_unkept_messages_max;
+    return bytes_ < bounds_.bytes && messages_.size() < bounds_.messages;
 }
 
 void WorkerKeep::enter(const Sha256& its_cluster) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "common/core/hash.hpp"
+#include "common/core/limits.hpp"
 #include "proto/work_messages.hpp"
 #include "worker/subtree_cache.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -13,9 +15,17 @@
 
 namespace cd {
 
+/// Of results that are not acknowledged; at either of them nothing new is begun.
+struct UnkeptBounds {
+    std::uint64_t bytes = limits::results_unkept_bytes_max;
+    std::size_t messages = limits::results_unkept_messages_max;
+};
+
 /// Messages of results that the master has not acknowledged yet.
 class UnkeptResults {
   public:
+    explicit UnkeptResults(const UnkeptBounds& bounds = {}) : bounds_(bounds) {}
+
     /// Gives the message its number.
     void add(Results& results);
     /// The master has them. Unknown numbers are ignored.
@@ -32,6 +42,7 @@ class UnkeptResults {
     [[nodiscard]] bool has_room() const;
 
   private:
+    UnkeptBounds bounds_;
     std::map<std::uint64_t, Results> messages_;
     std::uint64_t last_ = 0;
     std::uint64_t bytes_ = 0; ///< Of their records.
@@ -39,7 +50,8 @@ class UnkeptResults {
 
 /// Between two sessions it holds both; during one the cache is the session's.
 struct WorkerKeep {
-    explicit WorkerKeep(std::uint64_t cache_bytes) : cache(cache_bytes) {}
+    explicit WorkerKeep(std::uint64_t cache_bytes, const UnkeptBounds& bounds = {})
+        : results(bounds), cache(cache_bytes) {}
 
     /// Of another cluster nothing that was kept means anything: it goes.
     void enter(const Sha256& its_cluster);

@@ -1,5 +1,6 @@
 #include "tests/faults/processes.hpp"
 
+#include "common/core/limits.hpp"
 #include "proto/codec.hpp"
 
 namespace cd::tests {
@@ -58,7 +59,7 @@ WorkerProcess::WorkerProcess(World& world, std::uint64_t id, const WorkerHabits&
     : world_(world),
       habits_(habits),
       host_(id, "worker-" + std::to_string(id)),
-      keep_(std::make_shared<WorkerKeep>(habits.cache_bytes)) {
+      keep_(std::make_shared<WorkerKeep>(habits.cache_bytes, habits.unkept)) {
     host_.is_odd = true;
     world.make_for(&host_);
     executor_ = std::make_unique<Executor>(host_.context.get_executor(), habits.threads);
@@ -75,6 +76,13 @@ void WorkerProcess::drain() {
         has_ended_ = true;
     }
     world_.wake(host_);
+}
+
+// What runs and what is finished but not sent when the bound is reached is sent, too.
+bool WorkerProcess::keeps_too_much() const {
+    const std::size_t running = limits::jobs_per_thread_max * habits_.threads;
+    return keep_->results.messages().size() >
+           habits_.unkept.messages + 2 * running + limits::batches_at_worker;
 }
 
 asio::awaitable<void> WorkerProcess::run() {

@@ -40,6 +40,7 @@ struct WorkerHabits {
     std::uint64_t cache_bytes = 1 << 20;
     double weight = 1;
     bool serves_peers = true;
+    UnkeptBounds unkept = {};
 };
 
 class WorkerProcess {
@@ -49,6 +50,8 @@ class WorkerProcess {
     [[nodiscard]] Host& host() { return host_; }
     /// SIGTERM.
     void drain();
+    /// Whether it goes on however many results the master has not acknowledged.
+    [[nodiscard]] bool keeps_too_much() const;
     [[nodiscard]] bool has_ended() const { return has_ended_; }
 
   private:

@@ -1,5 +1,7 @@
 #include "tests/faults/simulation.hpp"
 
+#include "common/core/limits.hpp"
+
 #include <algorithm>
 
 namespace cd::tests {
@@ -37,6 +39,7 @@ void Simulation::start_worker() {
     habits.cache_bytes = world_.happens(500) ? std::uint64_t{1} << 30 : 4000 + world_.below(60'000);
     habits.weight = world_.happens(300) ? 0.25 : 1;
     habits.serves_peers = world_.happens(800);
+    habits.unkept.messages = world_.happens(300) ? 1 : limits::results_unkept_messages_max;
     const std::uint64_t id = ++host_last_;
     const auto& worker =
         workers_.emplace(id, std::make_unique<WorkerProcess>(world_, id, habits)).first->second;

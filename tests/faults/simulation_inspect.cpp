@@ -32,6 +32,9 @@ bool Simulation::observe(const Route& route, const Message& message) {
             world_.problem(wrong);
         }
     }
+    if (worker->second->keeps_too_much()) {
+        world_.problem(host.name + " goes on with too many results that are not acknowledged");
+    }
     return !host.is_dying;
 }
 

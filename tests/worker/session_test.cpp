@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <latch>
+#include <numeric>
 
 namespace cd::tests {
 namespace {
@@ -122,25 +123,30 @@ TEST(Session, StopHandsBackWhatItHasNotBegun) {
     EXPECT_EQ(how, SessionEnd::Drained);
 }
 
-/// A scenario of half a million contacts that nearly touch, and so takes long.
+/// Until a thread is inside scenario 0 of job 2: of half a million contacts that nearly touch, it
+/// takes long.
+asio::awaitable<void> begin_what_takes_long(FakeMaster& master, const CutBody& dense) {
+    master.other_body = &dense;
+    const TreeId tree{7};
+    master.channel->send(dense.add(tree));
+    master.channel->send(AddJob{JobId{2}, tree, tree, {}, std::nullopt});
+    Batch batch;
+    batch.task = TaskId{1};
+    batch.job = JobId{2};
+    std::vector<Scenario> scenario(1);
+    batch.scenarios = pack_scenarios(scenario);
+    batch.pairs = colliding_roots(dense.top, dense.top, scenario.front().poses).value();
+    batch.pair_offsets = {0, static_cast<std::uint32_t>(batch.pairs.size())};
+    master.channel->send(batch);
+    const std::function<bool()> runs = [&] { return master.last_longest.has_value(); };
+    co_await master.serve_until(runs);
+}
+
 TEST(Session, WhatTakesTooLongIsHandedBackTooWhenItHasToEnd) {
     const CutBody dense = cut_body(make_sphere(7), 1);
     const auto play = [&](Stage& stage) -> asio::awaitable<void> {
         FakeMaster& master = stage.master;
-        master.other_body = &dense;
-        const TreeId tree{7};
-        master.channel->send(dense.add(tree));
-        master.channel->send(AddJob{JobId{2}, tree, tree, {}, std::nullopt});
-        Batch batch;
-        batch.task = TaskId{1};
-        batch.job = JobId{2};
-        std::vector<Scenario> scenario(1);
-        batch.scenarios = pack_scenarios(scenario);
-        batch.pairs = colliding_roots(dense.top, dense.top, scenario.front().poses).value();
-        batch.pair_offsets = {0, static_cast<std::uint32_t>(batch.pairs.size())};
-        master.channel->send(batch);
-        const std::function<bool()> runs = [&] { return master.last_longest.has_value(); };
-        co_await master.serve_until(runs);
+        co_await begin_what_takes_long(master, dense);
         stage.session->stop();
         stage.session->hand_back();
         co_await master.serve_until_ended(2); // Until the connection ends.
@@ -148,6 +154,49 @@ TEST(Session, WhatTakesTooLongIsHandedBackTooWhenItHasToEnd) {
         EXPECT_TRUE(master.records.empty());
     };
     EXPECT_EQ(perform(unlimited, 1, play), SessionEnd::Drained);
+}
+
+TEST(Session, WhatIsCancelledInsideItsRunStopsThereAndItsThreadIsFree) {
+    const CutBody dense = cut_body(make_sphere(7), 1);
+    const std::vector<Message> cancels{DropScenario{JobId{2}, 0}, RemoveJob{JobId{2}}};
+    for (const Message& cancel : cancels) {
+        perform(unlimited, 1, [&](Stage& stage) -> asio::awaitable<void> {
+            FakeMaster& master = stage.master;
+            co_await begin_what_takes_long(master, dense);
+            master.channel->send(cancel);
+            const auto scenarios = make_scenarios(100, 30);
+            master.channel->send(make_batch(TaskId{2}, scenarios));
+            co_await master.serve_until_ended(2);
+            expect_all_right(master, scenarios); // And nothing else.
+        });
+    }
+}
+
+TEST(Session, BeginsNothingWhileTooManyResultsAreNotAcknowledged) {
+    const auto keep = std::make_shared<WorkerKeep>(unlimited, UnkeptBounds{1 << 20, 1});
+    const auto play = [&](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        master.acknowledges = false;
+        const auto scenarios = make_scenarios(100, 60); // Each is a task and so a message.
+        for (std::size_t i = 0; i < scenarios.size(); ++i) {
+            master.channel->send(make_batch(TaskId{i + 1}, std::span(scenarios).subspan(i, 1)));
+        }
+        const std::function<bool()> has_answered = [&] { return master.results_messages != 0; };
+        co_await master.serve_until(has_answered);
+        const std::size_t then = master.heartbeats;
+        const std::function<bool()> has_had_time = [&] { return master.heartbeats > then + 20; };
+        co_await master.serve_until(has_had_time);
+        // What ran and what was finished when the first one was sent came, too.
+        EXPECT_LE(master.results_messages, 1 + 2 * limits::jobs_per_thread_max);
+        master.acknowledges = true;
+        std::vector<std::uint64_t> all(keep->results.messages().size());
+        std::iota(all.begin(), all.end(), 1);
+        master.channel->send(ResultsKept{all});
+        co_await master.serve_until_ended(scenarios.size());
+        expect_all_right(master, scenarios);
+    };
+    perform(unlimited, 1, play, true, keep);
+    EXPECT_TRUE(keep->results.empty());
 }
 
 TEST(Session, TerminateEndsAtOnce) {
