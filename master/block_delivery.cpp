@@ -20,7 +20,10 @@ BlockDirector::Time now() {
 BlockDelivery::BlockDelivery(asio::any_io_executor executor,
                              const TreeRegistry& trees,
                              std::function<void(TreeId, const Error&)> on_unreadable)
-    : executor_(std::move(executor)), trees_(trees), on_unreadable_(std::move(on_unreadable)) {}
+    : executor_(std::move(executor)),
+      trees_(trees),
+      on_unreadable_(std::move(on_unreadable)),
+      timer_(executor_) {}
 
 bool BlockDelivery::knows(WorkerId worker, TreeId tree) const {
     return links_.contains(worker) && trees_.find(tree) != nullptr;
@@ -136,7 +139,7 @@ void BlockDelivery::act(const BlockActions& actions) {
             direct(std::get<SendToPeers>(action));
         }
     }
-    if (!watching_ && director_.open() != 0) {
+    if (!watching_ && !closed_ && director_.open() != 0) {
         watching_ = true;
         spawn(executor_, "blocks under way", watch_time());
     }
@@ -205,13 +208,20 @@ void BlockDelivery::send_some(Link& link) {
 }
 
 asio::awaitable<void> BlockDelivery::watch_time() {
-    asio::steady_timer timer(executor_);
-    while (director_.open() != 0) {
-        timer.expires_after(limits::peer_check_period);
-        co_await timer.async_wait(asio::use_awaitable);
-        act(director_.time_is(now()));
+    while (!closed_ && director_.open() != 0) {
+        timer_.expires_after(limits::peer_check_period);
+        boost::system::error_code ignored;
+        co_await timer_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        if (!closed_) {
+            act(director_.time_is(now()));
+        }
     }
     watching_ = false;
+}
+
+void BlockDelivery::close() {
+    closed_ = true;
+    timer_.cancel();
 }
 
 } // namespace cd

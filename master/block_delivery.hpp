@@ -25,6 +25,8 @@ class BlockDelivery {
                   std::function<void(TreeId, const Error&)> on_unreadable);
     BlockDelivery(const BlockDelivery&) = delete;
     BlockDelivery& operator=(const BlockDelivery&) = delete;
+    /// The master ends: what is under way is not watched any more.
+    void close();
 
     /// `port`: where it serves others; 0: nowhere.
     void worker_joined(WorkerId worker,
@@ -80,7 +82,9 @@ class BlockDelivery {
     std::function<void(TreeId, const Error&)> on_unreadable_;
     BlockDirector director_;
     std::map<WorkerId, Link> links_;
+    asio::steady_timer timer_;
     bool watching_ = false;
+    bool closed_ = false;
 };
 
 } // namespace cd

@@ -48,6 +48,13 @@ struct Reception {
     bool is_resumed = false; ///< Its session goes on.
 };
 
+/// Messages of results of one worker's process that are being checked or wait for the journal, over
+/// all of its connections and sessions: who connects again has no more of them.
+struct WorkerIntake {
+    std::size_t messages = 0;
+    std::function<void()> has_room = {}; ///< Called when one has gone.
+};
+
 /// All jobs and all workers. Every member runs on the executor's thread.
 class Coordinator {
   public:
@@ -93,6 +100,8 @@ class Coordinator {
     void blocks_wanted(WorkerId worker, const WantSubtrees& want);
     void blocks_held(WorkerId worker, const Held& held);
     void peer_failed(WorkerId worker, const FetchFailed& failed);
+    /// That of the worker's process.
+    [[nodiscard]] std::shared_ptr<WorkerIntake> intake_of(WorkerId worker);
     /// Checks the results on the pool and merges them; then calls `done`, when the journal has room
     /// for more. They are acknowledged once they are durable. A worker whose results are none is
     /// cut off.
@@ -401,6 +410,7 @@ class Coordinator {
     std::set<WorkerProcess> quarantined_; ///< Those of the alarms.
     /// Of all workers that some result may be of. None is 0.
     std::map<WorkerId, WorkerProcess> processes_;
+    std::map<WorkerProcess, std::weak_ptr<WorkerIntake>> intakes_;
     // Workers that only an earlier life of the master knew have the first numbers.
     std::map<WorkerProcess, WorkerId> earlier_;
     WorkerId earlier_last_;

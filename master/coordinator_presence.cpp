@@ -98,6 +98,17 @@ void Coordinator::worker_joined(const Reception& reception,
     feed();
 }
 
+std::shared_ptr<WorkerIntake> Coordinator::intake_of(WorkerId worker) {
+    std::erase_if(intakes_, [](const auto& intake) { return intake.second.expired(); });
+    std::weak_ptr<WorkerIntake>& known = intakes_[process_of(worker)];
+    std::shared_ptr<WorkerIntake> intake = known.lock();
+    if (intake == nullptr) {
+        intake = std::make_shared<WorkerIntake>();
+        known = intake;
+    }
+    return intake;
+}
+
 void Coordinator::end_earlier_sessions(std::uint64_t instance) {
     std::vector<WorkerId> earlier;
     for (const auto& [id, link] : workers_) {
@@ -336,6 +347,7 @@ void Coordinator::check_workers() {
 
 void Coordinator::close() {
     closed_ = true;
+    blocks_.close();
     if (watch_timer_ != nullptr) {
         watch_timer_->cancel();
     }

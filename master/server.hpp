@@ -28,6 +28,8 @@ class Server {
            MasterIdentity* identity = nullptr);
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
+    /// That are open, greeted or not.
+    [[nodiscard]] std::size_t connections() const { return connections_.size(); }
     /// Accepts connections from now on.
     void start();
     /// Closes the listener, all connections, and the coordinator.

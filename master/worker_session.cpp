@@ -5,7 +5,34 @@
 #include "master/mutation.hpp"
 #include "proto/codec.hpp"
 
+#include <utility>
+
 namespace cd {
+
+namespace {
+
+/// Of one message of results; left at its end at the latest, which may come with its worker's.
+class PlaceInHand {
+  public:
+    explicit PlaceInHand(std::shared_ptr<WorkerIntake> intake) : intake_(std::move(intake)) {
+        ++intake_->messages;
+    }
+    PlaceInHand(const PlaceInHand&) = delete;
+    PlaceInHand& operator=(const PlaceInHand&) = delete;
+    ~PlaceInHand() { leave(); }
+
+    void leave() {
+        if (const auto intake = std::exchange(intake_, nullptr)) {
+            --intake->messages;
+            intake->has_room();
+        }
+    }
+
+  private:
+    std::shared_ptr<WorkerIntake> intake_; ///< Null once it is left.
+};
+
+} // namespace
 
 WorkerSession::WorkerSession(Coordinator& coordinator,
                              std::shared_ptr<Channel> channel,
@@ -15,14 +42,21 @@ WorkerSession::WorkerSession(Coordinator& coordinator,
       reception_(reception),
       worker_(reception.worker),
       heartbeat_(coordinator.executor()),
-      room_(coordinator.executor(), asio::steady_timer::time_point::max()) {}
+      room_(coordinator.executor()) {}
 
 asio::awaitable<void> WorkerSession::run(Hello hello) {
     const auto self = shared_from_this();
     coordinator_.worker_joined(reception_, hello, channel_);
     spawn(coordinator_.executor(), "heartbeats to a worker", send_heartbeats(self));
+    intake_ = coordinator_.intake_of(worker_);
+    intake_->has_room = [weak = weak_from_this()] {
+        if (const auto session = weak.lock()) {
+            session->room_.cancel();
+        }
+    };
     std::string why;
     for (;;) {
+        co_await wait_for_room();
         Result<Message> message = co_await channel_->receive(coordinator_.times().lost_after);
         if (!message && message.error().code == ErrorCode::Timeout && channel_->is_open()) {
             continue; // Whether the worker is lost does not hang on whole messages.
@@ -35,18 +69,22 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
             break;
         }
         std::visit([this](auto& content) { on(content); }, message.value());
-        // A worker that is faster than the merge is read more slowly.
-        while (results_in_hand_ >= limits::results_in_hand_max && !mutated(Mutation::ReadsOn)) {
-            coordinator_.worker_unheard(worker_, *channel_);
-            boost::system::error_code ignored;
-            co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-            // It is listened to again, and its silence counts from now on.
-            (void)coordinator_.worker_heard(worker_, *channel_);
-        }
     }
     channel_->close();
     heartbeat_.cancel();
     coordinator_.connection_ended(worker_, *channel_, why);
+}
+
+asio::awaitable<void> WorkerSession::wait_for_room() {
+    while (intake_->messages >= limits::results_in_hand_max && channel_->is_open() &&
+           !mutated(Mutation::ReadsOn)) {
+        coordinator_.worker_unheard(worker_, *channel_);
+        room_.expires_after(coordinator_.times().heartbeat); // The connection may end meanwhile.
+        boost::system::error_code ignored;
+        co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        // It is listened to again, and its silence counts from now on.
+        (void)coordinator_.worker_heard(worker_, *channel_);
+    }
 }
 
 // It begins some time after it was spawned, and the session may have ended by then.
@@ -79,6 +117,7 @@ void WorkerSession::on(const Standing& message) {
 
 void WorkerSession::on(const Drain& /*message*/) {
     coordinator_.worker_draining(worker_);
+    channel_->send(Drain{}); // After all that was on its way to it.
 }
 
 void WorkerSession::on(const Failure& message) {
@@ -86,12 +125,9 @@ void WorkerSession::on(const Failure& message) {
 }
 
 void WorkerSession::on(Results& message) {
-    ++results_in_hand_;
-    CD_CHECK(results_in_hand_ <= limits::results_in_hand_max);
-    coordinator_.results_came(worker_, std::move(message), [self = shared_from_this()] {
-        --self->results_in_hand_;
-        self->room_.cancel();
-    });
+    const auto place = std::make_shared<PlaceInHand>(intake_);
+    CD_CHECK(intake_->messages <= limits::results_in_hand_max);
+    coordinator_.results_came(worker_, std::move(message), [place] { place->leave(); });
 }
 
 void WorkerSession::on(const EndOfTask& message) {

@@ -39,6 +39,8 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     void on(const Other& message);
 
     [[nodiscard]] static asio::awaitable<void> send_heartbeats(std::shared_ptr<WorkerSession> self);
+    /// A worker that is faster than the merge is read more slowly.
+    [[nodiscard]] asio::awaitable<void> wait_for_room();
 
     Coordinator& coordinator_;
     std::shared_ptr<Channel> channel_;
@@ -46,7 +48,7 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     WorkerId worker_;
     asio::steady_timer heartbeat_;
     asio::steady_timer room_; ///< Cancelled when results have been merged.
-    std::size_t results_in_hand_ = 0;
+    std::shared_ptr<WorkerIntake> intake_;
 };
 
 } // namespace cd

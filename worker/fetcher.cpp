@@ -126,6 +126,13 @@ void Fetcher::admit(Token token, Need& need, Step& step) {
 }
 
 // What is needed at once would have to wait behind it, here and at the master.
+void Fetcher::hint(const Hinted& hinted) {
+    hinted_.push_back(hinted);
+    if (hinted_.size() > limits::hints_max) {
+        hinted_.pop_front();
+    }
+}
+
 void Fetcher::ask_for_hinted(Step& step) {
     const auto is_needed = [](const auto& request) { return !request.second.waiting.empty(); };
     if (hinted_.empty() || std::any_of(requested_.begin(), requested_.end(), is_needed)) {

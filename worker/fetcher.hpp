@@ -44,9 +44,9 @@ class Fetcher {
     /// `roots` are distinct and exist in the cache's trees. The token is new.
     void add(Token token, std::vector<SubtreeKey> roots);
     /// Scenarios to come will need it. It is asked for when no scenario here waits for anything
-    /// and little is under way, if nothing has to leave the cache for it; else it is forgotten.
-    /// The root exists in the cache's trees.
-    void hint(const Hinted& hinted) { hinted_.push_back(hinted); }
+    /// and little is under way, if nothing has to leave the cache for it; else it is forgotten, as
+    /// the oldest is when there are too many. The root exists in the cache's trees.
+    void hint(const Hinted& hinted);
     /// Ranges of a tree need its top, which stays once it has come. True: it is asked for now.
     bool want_top(TreeId tree);
     /// The cache holds this block now, or has refused it as unneeded.

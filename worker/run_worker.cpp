@@ -8,7 +8,7 @@
 #include "proto/join.hpp"
 #include "proto/signals.hpp"
 #include "worker/credential_keeper.hpp"
-#include "worker/session.hpp"
+#include "worker/membership.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -35,9 +35,9 @@ class Daemon {
           keeper_(std::move(keeper)),
           tls_(keeper_->tls()),
           executor_(context.get_executor(), config.threads),
+          membership_(executor_, config.cache_bytes),
           signals_(context.get_executor(), [this](unsigned count) { stop(count); }),
           pause_(context),
-          drain_timer_(context),
           backoff_(std::random_device{}()) {}
 
     asio::awaitable<void> run() {
@@ -46,7 +46,7 @@ class Daemon {
         for (;;) {
             Target target{config_.master, tls_->now};
             const Result<std::shared_ptr<Channel>> channel = co_await connect(
-                std::move(target), std::chrono::ceil<std::chrono::seconds>(patience()));
+                std::move(target), std::chrono::ceil<std::chrono::seconds>(membership_.patience()));
             if (channel) {
                 const std::optional<int> code = co_await serve(channel.value());
                 if (code) {
@@ -72,12 +72,6 @@ class Daemon {
     [[nodiscard]] int exit_code() const { return exit_code_; }
 
   private:
-    /// With a step of the greeting: while a session can go on, its time is short.
-    [[nodiscard]] std::chrono::milliseconds patience() const {
-        const std::chrono::milliseconds longest = limits::connect_timeout;
-        return session_ == nullptr ? longest : std::min(longest, times_.silent_after);
-    }
-
     /// From the greeting to the end of the session; an exit code when it was the last one.
     asio::awaitable<std::optional<int>> serve(std::shared_ptr<Channel> channel) {
         Hello hello;
@@ -90,51 +84,23 @@ class Daemon {
         hello.peer_port = peer_server_ == nullptr ? std::uint16_t{0} : peer_server_->port();
         hello.weight = config_.weight;
         hello.instance = instance_;
-        if (session_ != nullptr) {
-            hello.session = session_id_;
-            hello.epoch = epoch_;
-        }
-        const Result<Welcome> welcome = co_await greet(channel, hello, patience());
-        if (!welcome) {
-            spdlog::error("not welcome: error=\"{}\"", welcome.error().detail);
-            const bool refused = welcome.error().code == ErrorCode::Refused;
+        PeerParts peers{peer_server_, {}, config_.name, tls_};
+        const Result<Served> served =
+            co_await membership_.serve(std::move(channel), std::move(hello), std::move(peers));
+        if (!served) {
+            spdlog::error("not welcome: error=\"{}\"", served.error().detail);
+            const bool refused = served.error().code == ErrorCode::Refused;
             co_return refused ? std::optional<int>(exit_refused) : std::nullopt;
         }
-        spdlog::info("connected: master={} worker={} threads={} cache_bytes={}",
-                     channel->peer(),
-                     welcome.value().id,
-                     executor_.threads(),
-                     config_.cache_bytes);
         was_welcome_ = true;
         backoff_.reset();
-        is_connected_ = true;
-        const SessionEnd how = co_await converse(channel, welcome.value());
-        is_connected_ = false;
-        if (stopping_ || how == SessionEnd::Drained || how == SessionEnd::Terminated) {
+        const SessionEnd how = served.value().how;
+        const bool has_ended = how == SessionEnd::Drained || how == SessionEnd::Terminated;
+        if (has_ended || (stopping_ && !membership_.has_work())) {
             co_return exit_done;
         }
-        spdlog::warn("master lost: reason=\"{}\"", session_->reason());
-        if (how == SessionEnd::Disagreed) {
-            session_.reset();
-        }
+        spdlog::warn("master lost: reason=\"{}\"", served.value().reason);
         co_return std::nullopt;
-    }
-
-    asio::awaitable<SessionEnd> converse(std::shared_ptr<Channel> channel, Welcome welcome) {
-        if (welcome.is_resumed && session_ != nullptr) {
-            co_return co_await session_->resume(channel);
-        }
-        if (session_ != nullptr) {
-            session_->leave();
-        }
-        session_id_ = welcome.id;
-        epoch_ = welcome.epoch;
-        times_ = SessionTimes::of(welcome);
-        keep_->enter(welcome.cluster);
-        const PeerParts peers{peer_server_, welcome.peer_key, config_.name, tls_};
-        session_ = std::make_shared<Session>(
-            channel, executor_, config_.cache_bytes, peers, keep_, times_);
-        co_return co_await session_->run();
     }
 
     /// On the address by which the master sees this worker. Without it all works, too.
@@ -159,15 +125,9 @@ class Daemon {
             std::_Exit(exit_at_once);
         }
         stopping_ = true;
-        if (is_connected_) {
-            session_->stop();
-            drain_timer_.expires_after(config_.drain_timeout);
-            drain_timer_.async_wait([session = std::weak_ptr(session_)](const auto& error) {
-                const auto draining = session.lock();
-                if (!error && draining != nullptr) {
-                    draining->hand_back();
-                }
-            });
+        if (membership_.drain(config_.drain_timeout, [this] { context_.stop(); })) {
+            backoff_.reset(); // Without a connection the next one is what it waits for.
+            pause_.cancel();
         } else {
             spdlog::info("ended: nothing was under way");
             context_.stop();
@@ -177,10 +137,9 @@ class Daemon {
     void end(int code) {
         spdlog::info("ended: exit_code={}", code);
         exit_code_ = code;
-        session_.reset(); // It has a share in the server.
+        membership_.end();
         peer_server_.reset();
         keeper_->stop();
-        drain_timer_.cancel();
         signals_.cancel();
     }
 
@@ -189,19 +148,13 @@ class Daemon {
     std::unique_ptr<CredentialKeeper> keeper_;
     std::shared_ptr<const TlsSlot> tls_;
     Executor executor_;
+    Membership membership_;
     StopSignals signals_;
     asio::steady_timer pause_;
-    asio::steady_timer drain_timer_;
     Backoff backoff_;
     std::shared_ptr<PeerServer> peer_server_; ///< Null where others get nothing.
-    std::shared_ptr<WorkerKeep> keep_ = std::make_shared<WorkerKeep>(config_.cache_bytes);
     const std::uint64_t instance_ = std::random_device{}() | std::uint64_t{std::random_device{}()}
                                                                  << 32;
-    std::shared_ptr<Session> session_; ///< Also without a connection, as long as it may go on.
-    std::uint64_t session_id_ = 0;
-    std::uint64_t epoch_ = 0;
-    SessionTimes times_;
-    bool is_connected_ = false; ///< And welcome.
     bool was_welcome_ = false;
     bool stopping_ = false;
     int exit_code_ = exit_done;

@@ -32,8 +32,7 @@ Session::Session(std::shared_ptr<Channel> channel,
       times_(times),
       abandoned_(std::make_shared<std::atomic<bool>>(false)),
       heartbeat_timer_(executor_.home()),
-      flush_timer_(executor_.home()),
-      last_results_timer_(executor_.home()) {}
+      flush_timer_(executor_.home()) {}
 
 Session::~Session() {
     abandoned_->store(true);
@@ -44,7 +43,6 @@ void Session::stop() {
         return;
     }
     stopping_ = true;
-    draining_ = true;
     spdlog::info("draining: running={} unanswered={}", running_, unanswered());
     channel_->send(Drain{});
     drop_unstarted([](const Task&) { return true; });
@@ -195,7 +193,7 @@ Status Session::handle(ResultsKept& kept) {
 }
 
 Status Session::handle(Drain& /*drain*/) {
-    spdlog::info("draining: the master said so");
+    spdlog::debug("draining: nothing more comes from the master");
     draining_ = true;
     settle_soon();
     return Done{};

@@ -76,11 +76,15 @@ class Session : public std::enable_shared_from_this<Session> {
     void leave();
 
     /// Takes no more and begins nothing more; what runs is finished and sent, the rest of each task
-    /// handed back. Then `run` returns Drained.
+    /// handed back, as is what is still on its way here. When the master has said that nothing more
+    /// is, and has all results for good, `run` returns Drained. Before `run`, or in a session that
+    /// has no connection, it holds for the next one.
     void stop();
     /// After `stop`: what runs is not finished, either, but handed back.
     void hand_back();
 
+    /// There are tasks that the master has not heard the end of.
+    [[nodiscard]] bool has_tasks() const { return !tasks_.empty(); }
     /// Why the session was lost.
     [[nodiscard]] const std::string& reason() const { return reason_; }
 
@@ -195,13 +199,11 @@ class Session : public std::enable_shared_from_this<Session> {
     bool waiting_for_queue_ = false;
     bool flushing_soon_ = false;
     bool stopping_ = false;             ///< This host wants to end.
-    bool draining_ = false;             ///< The session ends when the last task has.
+    bool draining_ = false;             ///< No more comes: the session ends when the last task has.
     SessionEnd end_ = SessionEnd::Lost; ///< As far as is known.
     std::string reason_;
     asio::steady_timer heartbeat_timer_;
     asio::steady_timer flush_timer_;
-    asio::steady_timer last_results_timer_; ///< Runs when nothing but acknowledgements is awaited.
-    bool waits_for_last_results_ = false;
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 

@@ -1,6 +1,7 @@
 // A session and its connections: what is said at the start of each, heartbeats, and the end.
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
+#include "proto/codec.hpp"
 #include "worker/session.hpp"
 
 #include <algorithm>
@@ -80,9 +81,6 @@ void Session::take_up() {
 
 /// All that the master may have missed, and all by which it sees what got lost on its way here.
 void Session::stand() {
-    for (const auto& [sequence, results] : keep_->results.messages()) {
-        channel_->send(results);
-    }
     Standing standing;
     for (const TreeId tree : cache_.trees()) {
         standing.trees.push_back({tree, cache_.held(tree)});
@@ -92,6 +90,15 @@ void Session::stand() {
     }
     for (const auto& [id, task] : tasks_) {
         standing.tasks.push_back(task.given_back());
+    }
+    const std::uint16_t type = message_type(Message(standing));
+    if (encode_message(Message(standing)).size() > payload_bytes_max(type)) {
+        reason_ = "it holds more than can be said at once";
+        end_ = SessionEnd::Disagreed; // In another session it says it tree by tree.
+        return channel_->close();
+    }
+    for (const auto& [sequence, results] : keep_->results.messages()) {
+        channel_->send(results);
     }
     spdlog::info("session goes on: tasks={} unanswered={} results_again={}",
                  tasks_.size(),
@@ -115,7 +122,6 @@ void Session::leave() {
         peers_.server->stop_serving();
     }
     flush_timer_.cancel();
-    last_results_timer_.cancel();
     flush_all();
     cache_.park();
     keep_->cache = std::exchange(cache_, SubtreeCache(0));

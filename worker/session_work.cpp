@@ -90,30 +90,15 @@ void Session::settle() {
     ready_.insert(ready_.end(), step.ready.begin(), step.ready.end());
     start_ready();
     end_finished_tasks();
-    if (draining_ && tasks_.empty()) {
-        end_when_drained();
-    }
+    end_when_drained();
 }
 
-/// Not before the master has the last results on its disk, unless that takes too long.
+/// Not before the master has the last results on its disk.
 void Session::end_when_drained() {
-    if (keep_->results.empty()) {
+    if (draining_ && tasks_.empty() && keep_->results.empty() && channel_->is_open()) {
         end_ = SessionEnd::Drained;
-        return channel_->close(true);
+        channel_->close(true);
     }
-    if (std::exchange(waits_for_last_results_, true)) {
-        return;
-    }
-    last_results_timer_.expires_after(limits::results_kept_wait_max);
-    last_results_timer_.async_wait(
-        [weak = weak_from_this()](const boost::system::error_code& error) {
-            const auto session = weak.lock();
-            if (session != nullptr && !error) {
-                spdlog::warn("ending with results that the master has not acknowledged");
-                session->end_ = SessionEnd::Drained;
-                session->channel_->close(true);
-            }
-        });
 }
 
 void Session::start_ready() {

@@ -2,9 +2,17 @@
 
 namespace cd {
 
+namespace {
+
+std::uint64_t size_of(const Results& results) {
+    return results.records.size() + results.map.size();
+}
+
+} // namespace
+
 void UnkeptResults::add(Results& results) {
     results.sequence = ++last_;
-    bytes_ += results.records.size();
+    bytes_ += size_of(results);
     messages_.emplace(results.sequence, results);
 }
 
@@ -12,7 +20,7 @@ void UnkeptResults::kept(std::span<const std::uint64_t> sequences) {
     for (const std::uint64_t sequence : sequences) {
         const auto found = messages_.find(sequence);
         if (found != messages_.end()) {
-            bytes_ -= found->second.records.size();
+            bytes_ -= size_of(found->second);
             messages_.erase(found);
         }
     }

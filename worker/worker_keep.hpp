@@ -45,7 +45,7 @@ class UnkeptResults {
     UnkeptBounds bounds_;
     std::map<std::uint64_t, Results> messages_;
     std::uint64_t last_ = 0;
-    std::uint64_t bytes_ = 0; ///< Of their records.
+    std::uint64_t bytes_ = 0; ///< Of their records and maps.
 };
 
 /// Between two sessions it holds both; during one the cache is the session's.

@@ -120,7 +120,7 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::LiarKept, "LiarKept", "a wrong result of scenario"},
         {Mutation::OldEpochTaken, "OldEpochTaken", "a session of a former life of the master"},
         {Mutation::TooMuchInFlight, "TooMuchInFlight", "bytes of them are under way"},
-        {Mutation::ReadsOn, "ReadsOn", "results_in_hand_ <="},
+        {Mutation::ReadsOn, "ReadsOn", "messages <="},
     };
     return faults;
 }

@@ -56,55 +56,43 @@ MasterProcess::MasterProcess(World& world) : host_(master_host, "master") {
 // ---- A worker ---------------------------------------------------------------------------------
 
 WorkerProcess::WorkerProcess(World& world, std::uint64_t id, const WorkerHabits& habits)
-    : world_(world),
-      habits_(habits),
-      host_(id, "worker-" + std::to_string(id)),
-      keep_(std::make_shared<WorkerKeep>(habits.cache_bytes, habits.unkept)) {
+    : world_(world), habits_(habits), host_(id, "worker-" + std::to_string(id)) {
     host_.is_odd = true;
-    world.make_for(&host_);
+    world_.make_for(&host_);
     executor_ = std::make_unique<Executor>(host_.context.get_executor(), habits.threads);
-    world.make_for(nullptr);
+    world_.make_for(nullptr);
+    membership_ = std::make_unique<Membership>(*executor_, habits.cache_bytes, habits.unkept);
     spawn(host_.context.get_executor(), "worker", run());
     world.wake(host_);
 }
 
 void WorkerProcess::drain() {
     is_draining_ = true;
-    if (is_connected_) {
-        session_->stop();
-    } else {
-        has_ended_ = true;
-    }
+    has_ended_ = has_ended_ || !membership_->drain(25s, [this] { has_ended_ = true; });
     world_.wake(host_);
 }
 
 // What runs and what is finished but not sent when the bound is reached is sent, too.
 bool WorkerProcess::keeps_too_much() const {
     const std::size_t running = limits::jobs_per_thread_max * habits_.threads;
-    return keep_->results.messages().size() >
+    return membership_->unkept().messages().size() >
            habits_.unkept.messages + 2 * running + limits::batches_at_worker;
 }
 
 asio::awaitable<void> WorkerProcess::run() {
-    while (!is_draining_) {
+    while (!has_ended_) {
         Target master{Endpoint{"master", master_port}};
         const auto channel = co_await connect(std::move(master));
         if (channel) {
-            const SessionEnd how = co_await serve(channel.value());
-            is_connected_ = false;
-            if (how == SessionEnd::Drained || how == SessionEnd::Terminated) {
-                break;
-            }
-            if (how == SessionEnd::Disagreed) {
-                session_.reset();
-            }
+            co_await serve(channel.value());
         }
-        co_await pause_for(world_.between(100ms, 2s));
+        if (!has_ended_) {
+            co_await pause_for(world_.between(100ms, 2s));
+        }
     }
-    has_ended_ = true;
 }
 
-asio::awaitable<SessionEnd> WorkerProcess::serve(std::shared_ptr<Channel> channel) {
+asio::awaitable<void> WorkerProcess::serve(std::shared_ptr<Channel> channel) {
     if (habits_.serves_peers && peer_server_ == nullptr) {
         const Endpoint endpoint{host_.name, static_cast<std::uint16_t>(8000 + host_.id)};
         peer_server_ = PeerServer::listen(host_.context.get_executor(), endpoint).value();
@@ -117,33 +105,14 @@ asio::awaitable<SessionEnd> WorkerProcess::serve(std::shared_ptr<Channel> channe
     hello.weight = habits_.weight;
     hello.instance = host_.id;
     hello.peer_port = peer_server_ == nullptr ? std::uint16_t{0} : peer_server_->port();
-    if (session_ != nullptr) {
-        hello.session = session_id_;
-        hello.epoch = epoch_;
+    PeerParts peers{peer_server_, {}, host_.name};
+    const Result<Served> served =
+        co_await membership_->serve(std::move(channel), std::move(hello), std::move(peers));
+    if (served) {
+        const SessionEnd how = served.value().how;
+        has_ended_ = how == SessionEnd::Drained || how == SessionEnd::Terminated ||
+                     (is_draining_ && !membership_->has_work());
     }
-    const Result<Welcome> welcome = co_await greet(channel, hello);
-    if (!welcome) {
-        co_return SessionEnd::Lost;
-    }
-    if (welcome.value().is_resumed && session_ != nullptr) {
-        is_connected_ = true;
-        co_return co_await session_->resume(channel);
-    }
-    if (session_ != nullptr) {
-        session_->leave();
-    }
-    session_id_ = welcome.value().id;
-    epoch_ = welcome.value().epoch;
-    keep_->enter(welcome.value().cluster);
-    PeerParts peers{peer_server_, welcome.value().peer_key, host_.name};
-    session_ = std::make_shared<Session>(channel,
-                                         *executor_,
-                                         habits_.cache_bytes,
-                                         std::move(peers),
-                                         keep_,
-                                         SessionTimes::of(welcome.value()));
-    is_connected_ = true;
-    co_return co_await session_->run();
 }
 
 // ---- A client ---------------------------------------------------------------------------------

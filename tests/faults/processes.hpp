@@ -7,9 +7,8 @@
 #include "tests/faults/jobs.hpp"
 #include "tests/faults/world.hpp"
 #include "worker/executor.hpp"
+#include "worker/membership.hpp"
 #include "worker/peer_server.hpp"
-#include "worker/session.hpp"
-#include "worker/worker_keep.hpp"
 
 #include <memory>
 #include <optional>
@@ -56,18 +55,14 @@ class WorkerProcess {
 
   private:
     asio::awaitable<void> run();
-    asio::awaitable<SessionEnd> serve(std::shared_ptr<Channel> channel);
+    asio::awaitable<void> serve(std::shared_ptr<Channel> channel);
 
     World& world_;
     WorkerHabits habits_;
     Host host_;
     std::unique_ptr<Executor> executor_;
     std::shared_ptr<PeerServer> peer_server_;
-    std::shared_ptr<WorkerKeep> keep_;
-    std::shared_ptr<Session> session_; ///< Also without a connection, as long as it may go on.
-    std::uint64_t session_id_ = 0;
-    std::uint64_t epoch_ = 0;
-    bool is_connected_ = false;
+    std::unique_ptr<Membership> membership_;
     bool is_draining_ = false;
     bool has_ended_ = false;
 };

@@ -2,6 +2,8 @@
 // die, forget, lie, take too long or send what is none.
 #include "tests/master/master_stage.hpp"
 
+#include <latch>
+
 namespace cd::tests {
 namespace {
 
@@ -202,6 +204,65 @@ TEST(Server, AScenarioMayBeCancelledWhileAWorkerHasItAndAnAnswerThatComesLaterIs
     EXPECT_EQ(client.statuses.back().summary.failed, 1u);
     EXPECT_EQ(client.statuses.back().summary.merged(), reference().scenarios.size());
     EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+}
+
+/// A worker's connection of many messages of results of an earlier session, until it is closed.
+struct Pour {
+    std::shared_ptr<Channel> channel;
+    WorkerId worker;
+    bool ended = false;
+};
+
+asio::awaitable<void> pour(Master& master, JobId job, Pour& state) {
+    const Ending ending{state.ended};
+    state.channel = (co_await connect(master.endpoint())).value();
+    Hello hello;
+    hello.role = Role::Worker;
+    hello.name = "impatient";
+    hello.instance = 7;
+    const Result<Welcome> welcome = co_await greet(state.channel, hello);
+    for (std::uint64_t sequence = 1; sequence <= 3 * limits::results_in_hand_max; ++sequence) {
+        Results results;
+        results.job = job;
+        results.sequence = sequence;
+        results.records = pack_records({});
+        state.channel->send(results);
+    }
+    state.worker = WorkerId{welcome.value().id};
+    for (;;) {
+        const Result<Message> message = co_await state.channel->receive(patience);
+        if (!message) {
+            break;
+        }
+    }
+}
+
+/// The journal is full, or the disk: nothing gets any further.
+TEST(Server, WhoConnectsAgainAndAgainHasNoMoreResultsInHandAndLeavesNothingBehind) {
+    std::latch released(1);
+    Master master({.heartbeat = std::chrono::milliseconds(20),
+                   .return_within = std::chrono::milliseconds(0)});
+    FakeWorker other(master, {.batches_max = 1});
+    Client client(master);
+    client.start_submitting(reference().submission());
+    // So that the job is prepared.
+    master.run_until([&] { return client.done && other.batches != 0; });
+    for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
+        master.blocking.post([&] { released.wait(); });
+    }
+    const std::size_t connections = master.server->connections();
+    for (int round = 0; round < 2; ++round) {
+        Pour connection;
+        spawn(master.context.get_executor(), "worker", pour(master, *client.job, connection));
+        master.run_until([&] {
+            return connection.worker != WorkerId{} &&
+                   master.coordinator.intake_of(connection.worker)->messages ==
+                       limits::results_in_hand_max;
+        });
+        hang_up(master, connection.channel, connection.ended);
+        master.run_until([&] { return master.server->connections() == connections; });
+    }
+    released.count_down();
 }
 
 TEST(Server, AWorkerThatSendsRubbishOrHoldsWhatDoesNotExistIsCutOff) {

@@ -152,7 +152,12 @@ class FakeMaster {
         last_traffic = heartbeat.traffic;
         last_longest = heartbeat.longest;
     }
-    void on(const Drain&) { worker_drains = true; }
+    void on(const Drain&) {
+        worker_drains = true;
+        if (answers_drain) {
+            channel->send(Drain{});
+        }
+    }
     void on(const Failure& failure) { complaint = failure.detail; }
     template <class T>
     void on(const T&) {
@@ -170,6 +175,7 @@ class FakeMaster {
     std::optional<Standing> standing;
     std::vector<Recalled> recalled;
     bool acknowledges = true;
+    bool answers_drain = true;
     const CutBody* other_body = nullptr; ///< Of trees that are none of the two.
     std::size_t subtrees_sent = 0;
     std::size_t subtrees_evicted = 0;

@@ -123,6 +123,24 @@ TEST(Session, StopHandsBackWhatItHasNotBegun) {
     EXPECT_EQ(how, SessionEnd::Drained);
 }
 
+/// What the master sent before it heard of it is on its way, and would count as lost with a worker.
+TEST(Session, StopWaitsForTheMastersLastWordAndHandsBackWhatCameMeanwhile) {
+    const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        FakeMaster& master = stage.master;
+        master.answers_drain = false;
+        stage.session->stop();
+        const std::function<bool()> says_so = [&] { return master.worker_drains; };
+        co_await master.serve_until(says_so);
+        master.channel->send(make_batch(TaskId{1}, make_scenarios(0, 20)));
+        master.channel->send(make_range(TaskId{2}, make_scenarios(20, 20)));
+        master.channel->send(Drain{});
+        co_await master.serve_until_ended(99); // Until the connection ends.
+        EXPECT_EQ(master.ended, (std::set<TaskId>{TaskId{1}, TaskId{2}}));
+        EXPECT_TRUE(master.records.empty());
+    });
+    EXPECT_EQ(how, SessionEnd::Drained);
+}
+
 /// Until a thread is inside scenario 0 of job 2: of half a million contacts that nearly touch, it
 /// takes long.
 asio::awaitable<void> begin_what_takes_long(FakeMaster& master, const CutBody& dense) {

@@ -69,6 +69,16 @@ TEST(UnkeptResults, HaveRoomForSoMuchOnly) {
     EXPECT_TRUE(unkept.has_room());
 }
 
+TEST(UnkeptResults, CountTheirMapsToo) {
+    UnkeptResults unkept({1000, 100});
+    Results results = some_results(1);
+    results.map.resize(1000);
+    unkept.add(results);
+    EXPECT_FALSE(unkept.has_room());
+    unkept.kept(std::vector<std::uint64_t>{results.sequence});
+    EXPECT_TRUE(unkept.has_room());
+}
+
 TEST(WorkerKeep, DropsWhatBelongsToAnotherCluster) {
     WorkerKeep keep(1000);
     keep.enter(some_hash(1));

@@ -1,0 +1,114 @@
+#include "worker/membership.hpp"
+
+#include "common/core/limits.hpp"
+#include "common/core/log.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cd {
+
+Membership::Membership(Executor& executor, std::uint64_t cache_bytes, const UnkeptBounds& bounds)
+    : executor_(executor),
+      cache_bytes_(cache_bytes),
+      keep_(std::make_shared<WorkerKeep>(cache_bytes, bounds)),
+      drain_timer_(executor.home()) {}
+
+std::chrono::milliseconds Membership::patience() const {
+    const std::chrono::milliseconds longest = limits::connect_timeout;
+    return session_ == nullptr ? longest : std::min(longest, times_.silent_after);
+}
+
+asio::awaitable<Result<Served>>
+Membership::serve(std::shared_ptr<Channel> channel, Hello hello, PeerParts peers) {
+    if (session_ != nullptr) {
+        hello.session = session_id_;
+        hello.epoch = epoch_;
+    }
+    const Result<Welcome> greeted = co_await greet(channel, hello, patience());
+    if (!greeted) {
+        co_return greeted.error();
+    }
+    const Welcome& welcome = greeted.value();
+    spdlog::info("connected: master={} worker={} threads={} cache_bytes={}",
+                 channel->peer(),
+                 welcome.id,
+                 executor_.threads(),
+                 cache_bytes_);
+    is_connected_ = true;
+    SessionEnd how = SessionEnd::Lost;
+    if (welcome.is_resumed && session_ != nullptr) {
+        how = co_await session_->resume(channel);
+    } else {
+        if (session_ != nullptr) {
+            session_->leave();
+        }
+        session_id_ = welcome.id;
+        epoch_ = welcome.epoch;
+        times_ = SessionTimes::of(welcome);
+        keep_->enter(welcome.cluster);
+        peers.key = welcome.peer_key;
+        session_ = std::make_shared<Session>(
+            channel, executor_, cache_bytes_, std::move(peers), keep_, times_);
+        if (is_draining_) {
+            session_->stop();
+        }
+        how = co_await session_->run();
+    }
+    is_connected_ = false;
+    Served served{how, session_->reason()};
+    if (how == SessionEnd::Disagreed) {
+        session_.reset();
+    }
+    co_return served;
+}
+
+bool Membership::drain(std::chrono::milliseconds timeout, std::function<void()> out_of_time) {
+    is_draining_ = true;
+    if (session_ != nullptr) {
+        session_->stop();
+    }
+    if (!is_connected_ && !has_work()) {
+        return false;
+    }
+    const std::chrono::milliseconds at_most = limits::results_kept_wait_max;
+    const std::chrono::milliseconds last = std::min(at_most, timeout / 5);
+    spawn(executor_.home(), "drain", watch_drain(timeout - last, last, std::move(out_of_time)));
+    return true;
+}
+
+asio::awaitable<void> Membership::watch_drain(std::chrono::milliseconds to_finish,
+                                              std::chrono::milliseconds last,
+                                              std::function<void()> out_of_time) {
+    boost::system::error_code error;
+    drain_timer_.expires_after(to_finish);
+    co_await drain_timer_.async_wait(asio::redirect_error(asio::use_awaitable, error));
+    if (error) {
+        co_return; // It has ended.
+    }
+    if (session_ != nullptr) {
+        session_->hand_back();
+    }
+    drain_timer_.expires_after(last);
+    co_await drain_timer_.async_wait(asio::redirect_error(asio::use_awaitable, error));
+    if (!error) {
+        spdlog::warn("not drained in time: results_not_acknowledged={}",
+                     keep_->results.messages().size());
+        end();
+        out_of_time();
+    }
+}
+
+bool Membership::has_work() const {
+    return (session_ != nullptr && session_->has_tasks()) || !keep_->results.empty();
+}
+
+void Membership::end() {
+    drain_timer_.cancel();
+    if (session_ != nullptr) {
+        session_->leave();
+        session_.reset();
+    }
+}
+
+} // namespace cd
