@@ -159,7 +159,9 @@ ClusterStatus Coordinator::cluster_status() {
     }
     status.jobs = jobs_.statuses(Clock::now());
     for (JobStatus& job : status.jobs) {
-        job.paused = job.state == JobState::Running ? paused_ : "";
+        if (job.state == JobState::Running && !paused_.empty()) {
+            job.paused = paused_;
+        }
         add_long_scenarios(job);
     }
     status.alarms = alarms_.last;

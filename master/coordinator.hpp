@@ -259,6 +259,8 @@ class Coordinator {
     /// `done`: as `AnalysisInput` has it.
     asio::awaitable<void> prepare_job(JobId job, DoneScenarios done);
     void start_job(MasterJob& job, const JobGeometry& made, DoneScenarios done);
+    /// Its geometry cannot be written; or, with an empty text, is there.
+    void job_paused(MasterJob& job, const std::string& why);
     void block_came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
     /// The only place where results enter a job, and the journal. `worker`: who computed them; 0 is
     /// the master.
@@ -404,6 +406,7 @@ class Coordinator {
     std::uint64_t written_ = 0; ///< The position of the last entry.
     std::string paused_;        ///< Why the journal does not write; empty: it does.
     std::map<JobId, std::shared_ptr<asio::steady_timer>> waiting_for_acceptance_;
+    std::map<JobId, asio::steady_timer*> retries_; ///< Of jobs whose geometry waits for room.
     std::multimap<JobId, EarlyResults> early_results_;
     std::vector<std::function<void()>> waiting_for_room_; ///< In the journal.
     AlarmRecord alarms_;

@@ -101,16 +101,49 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
 asio::awaitable<void> Coordinator::prepare_job(JobId id, DoneScenarios done) {
     const Submit submit = jobs_.find(id)->submit;
     auto make = [&store = parts_.geometry, &submit] { return make_job_geometry(store, submit); };
-    const Result<JobGeometry> made = co_await run_on(parts_.blocking, make);
-    MasterJob* job = jobs_.find_running(id);
-    if (job == nullptr) {
-        co_return; // Cancelled meanwhile.
+    asio::steady_timer retry(parts_.executor);
+    for (;;) {
+        const StoreResult<JobGeometry> made = co_await run_on(parts_.blocking, make);
+        MasterJob* job = jobs_.find_running(id);
+        if (job == nullptr) {
+            co_return; // Cancelled meanwhile.
+        }
+        if (made) {
+            job_paused(*job, "");
+            start_job(*job, made.value(), std::move(done));
+            co_return;
+        }
+        if (!made.is_unwritten()) {
+            end_job(*job, JobState::Failed, made.error().detail);
+            co_return;
+        }
+        job_paused(*job, made.error().detail);
+        if (closed_) {
+            co_return;
+        }
+        retry.expires_after(limits::journal_retry_period);
+        retries_.emplace(id, &retry);
+        boost::system::error_code ignored;
+        co_await retry.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        retries_.erase(id);
+        if (jobs_.find_running(id) == nullptr || closed_) {
+            co_return;
+        }
     }
-    if (!made) {
-        end_job(*job, JobState::Failed, made.error().detail);
-        co_return;
+}
+
+void Coordinator::job_paused(MasterJob& job, const std::string& why) {
+    if (why == job.paused) {
+        return;
     }
-    start_job(*job, made.value(), std::move(done));
+    if (why.empty()) {
+        spdlog::info("job goes on: job={}", job.id.value);
+    } else {
+        spdlog::error(
+            "blocks cannot be written, the job waits: job={} error=\"{}\"", job.id.value, why);
+    }
+    job.paused = why;
+    ++job.changes;
 }
 
 void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenarios done) {
@@ -212,6 +245,9 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
         open_bytes_ -= analysis->bytes;
     }
     const bool has_trees = job.material != nullptr;
+    if (const auto retry = retries_.find(job.id); retry != retries_.end()) {
+        retry->second->cancel();
+    }
     jobs_.end(job, state, failure, Clock::now());
     act(dispatcher().job_closed(job.id));
     for (auto& [worker, link] : workers_) {

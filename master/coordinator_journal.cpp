@@ -118,7 +118,9 @@ void Coordinator::job_ended(JobId id) {
 JobStatus Coordinator::status_of(const MasterJob& job) const {
     JobStatus status = job.status(Clock::now());
     if (status.state == JobState::Running) {
-        status.paused = paused_;
+        if (!paused_.empty()) {
+            status.paused = paused_;
+        }
         add_long_scenarios(status);
     }
     return status;

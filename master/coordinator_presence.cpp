@@ -351,6 +351,9 @@ void Coordinator::close() {
     if (watch_timer_ != nullptr) {
         watch_timer_->cancel();
     }
+    for (const auto& [job, retry] : retries_) {
+        retry->cancel();
+    }
 }
 
 // ---- Leaving ----------------------------------------------------------------------------------

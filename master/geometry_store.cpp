@@ -74,9 +74,10 @@ struct GeometryStore::State {
     [[nodiscard]] std::shared_ptr<Entry> find_or_add(const Sha256& mesh);
     void keep(const std::shared_ptr<const ObbTree>& tree);
     Status store(Entry& entry, MeshUpload& upload);
-    Result<std::shared_ptr<const ObbTree>> build(std::shared_ptr<const Mesh> mesh, double& seconds);
+    std::shared_ptr<const ObbTree> build(std::shared_ptr<const Mesh> mesh, double& seconds);
+    [[nodiscard]] Status write(const ObbTree& tree) const;
     Result<std::shared_ptr<const ObbTree>> load_tree(Entry& entry, const Sha256& mesh);
-    Result<std::shared_ptr<const CutGeometry>>
+    StoreResult<std::shared_ptr<const CutGeometry>>
     load_cut(Entry& entry, const ObbTree& tree, std::uint32_t depth, SubtreeForm form);
 };
 
@@ -132,25 +133,29 @@ void GeometryStore::State::keep(const std::shared_ptr<const ObbTree>& tree) {
     }
 }
 
-/// Builds the tree and writes it.
-Result<std::shared_ptr<const ObbTree>> GeometryStore::State::build(std::shared_ptr<const Mesh> mesh,
-                                                                   double& seconds) {
-    const auto start = std::chrono::steady_clock::now();
-    const Sha256 hash = mesh->hash();
+/// The workers prepare it for searches.
+BuildOptions build_options() {
     BuildOptions options;
-    options.prepare_search = false; // The workers do.
-    auto tree = std::make_shared<const ObbTree>(build_tree(std::move(mesh), options, pool));
+    options.prepare_search = false;
+    return options;
+}
+
+std::shared_ptr<const ObbTree> GeometryStore::State::build(std::shared_ptr<const Mesh> mesh,
+                                                           double& seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    auto tree = std::make_shared<const ObbTree>(build_tree(std::move(mesh), build_options(), pool));
     seconds = seconds_since(start);
     spdlog::info("tree built: mesh={} triangles={} seconds={:.3f}",
-                 to_short_hex(hash),
+                 to_short_hex(tree->mesh().hash()),
                  tree->mesh().triangles().size(),
                  seconds);
-    if (const Status status =
-            write_tree_file(tree_path(hash), *tree, tree_key(hash, options), Durability::Synced);
-        !status) {
-        return status.error();
-    }
     return tree;
+}
+
+Status GeometryStore::State::write(const ObbTree& tree) const {
+    const Sha256 hash = tree.mesh().hash();
+    return write_tree_file(
+        tree_path(hash), tree, tree_key(hash, build_options()), Durability::Synced);
 }
 
 /// The mesh's name on the disk comes last, so that a mesh that is there has all else.
@@ -162,9 +167,9 @@ Status GeometryStore::State::store(Entry& entry, MeshUpload& upload) {
     const Sha256& hash = upload.mesh();
     const std::uint64_t triangles = mesh.value()->triangles().size();
     MeshStatus facts{hash, upload.name(), triangles, upload.bytes_total(), 0};
-    const Result<std::shared_ptr<const ObbTree>> tree = build(mesh.value(), facts.build_seconds);
-    if (!tree) {
-        return tree.error();
+    const std::shared_ptr<const ObbTree> tree = build(mesh.value(), facts.build_seconds);
+    if (Status status = write(*tree); !status) {
+        return status;
     }
     if (Status status = write_info(info_path(hash), {facts.name, facts.triangles}); !status) {
         return status;
@@ -172,8 +177,8 @@ Status GeometryStore::State::store(Entry& entry, MeshUpload& upload) {
     if (Status status = upload.commit(); !status) {
         return status;
     }
-    keep(tree.value());
-    entry.tree = tree.value();
+    keep(tree);
+    entry.tree = tree;
     entry.stored = true;
     const std::lock_guard lock(mutex);
     statuses[hash] = std::move(facts);
@@ -194,13 +199,19 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::load_tree(Entry& en
     Result<std::shared_ptr<const ObbTree>> tree =
         read_tree_file(path, mesh.value(), tree_key(mesh_hash, BuildOptions{}));
     double seconds = 0;
-    if (!tree && tree.error().code != ErrorCode::NotFound) {
-        if (const Status status = set_aside(path, tree.error().detail); !status) {
-            return status.error();
-        }
-    }
     if (!tree) {
+        Status status = tree.error().code == ErrorCode::NotFound
+                            ? Status(Done{})
+                            : set_aside(path, tree.error().detail);
         tree = build(mesh.value(), seconds);
+        if (status) {
+            status = write(*tree.value());
+        }
+        if (!status) {
+            spdlog::warn("tree not kept: mesh={} error=\"{}\"",
+                         to_short_hex(mesh_hash),
+                         status.error().detail);
+        }
     }
     if (tree) {
         keep(tree.value());
@@ -212,10 +223,11 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::load_tree(Entry& en
     return tree;
 }
 
-Result<std::shared_ptr<const CutGeometry>> GeometryStore::State::load_cut(Entry& entry,
-                                                                          const ObbTree& tree,
-                                                                          std::uint32_t depth,
-                                                                          SubtreeForm form) {
+StoreResult<std::shared_ptr<const CutGeometry>> GeometryStore::State::load_cut(Entry& entry,
+                                                                               const ObbTree& tree,
+                                                                               std::uint32_t depth,
+                                                                               SubtreeForm form) {
+    using Cut = StoreResult<std::shared_ptr<const CutGeometry>>;
     std::weak_ptr<const CutGeometry>& kept = entry.cuts[{depth, form}];
     if (auto cut = kept.lock()) {
         return cut;
@@ -224,13 +236,14 @@ Result<std::shared_ptr<const CutGeometry>> GeometryStore::State::load_cut(Entry&
     Result<std::shared_ptr<const CutGeometry>> cut = CutGeometry::open(path, tree, depth, form);
     if (!cut && cut.error().code != ErrorCode::NotFound) {
         if (const Status status = set_aside(path, cut.error().detail); !status) {
-            return status.error();
+            return Cut::unwritten(status.error());
         }
     }
     if (!cut) {
         const auto start = std::chrono::steady_clock::now();
         if (const Status status = write_blocks_file(path, tree, depth, form, pool); !status) {
-            return status.error();
+            const bool is_of_disk = status.error().code == ErrorCode::Io;
+            return is_of_disk ? Cut::unwritten(status.error()) : Cut(status.error());
         }
         spdlog::info("blocks encoded: mesh={} depth={} seconds={:.3f}",
                      to_short_hex(tree.mesh().hash()),
@@ -330,7 +343,7 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::tree(const Sha256& mesh) {
     return state_->load_tree(*entry, mesh);
 }
 
-Result<std::shared_ptr<const CutGeometry>>
+StoreResult<std::shared_ptr<const CutGeometry>>
 GeometryStore::cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form) {
     if (depth > limits::distribution_depth_max) {
         return Error{ErrorCode::TooLarge,

@@ -14,9 +14,30 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cd {
+
+/// What the store has, or why it has it not.
+template <class T>
+class [[nodiscard]] StoreResult : public Result<T> {
+  public:
+    using Result<T>::Result;
+    StoreResult(Result<T> result) : Result<T>(std::move(result)) {}
+    /// For want of a place on the disk.
+    [[nodiscard]] static StoreResult unwritten(Error why) {
+        StoreResult result(std::move(why));
+        result.is_unwritten_ = true;
+        return result;
+    }
+
+    /// It could be made, and not be written: with room on the disk it may be tried again.
+    [[nodiscard]] bool is_unwritten() const { return is_unwritten_; }
+
+  private:
+    bool is_unwritten_ = false;
+};
 
 /// The geometry under `<state>/meshes`, `trees` and `blocks`.
 ///
@@ -52,13 +73,13 @@ class GeometryStore {
     /// hash, or no valid mesh; Io.
     [[nodiscard]] Status finish_upload(std::unique_ptr<MeshUpload> upload);
 
-    /// The tree, from memory, from disk, or built now. Errors: NotFound; Io naming a file that is
-    /// damaged or cannot be read.
+    /// The tree, from memory, from disk, or built now; then it is used also if it cannot be
+    /// written. Errors: NotFound; Io naming a file that is damaged or cannot be read.
     [[nodiscard]] Result<std::shared_ptr<const ObbTree>> tree(const Sha256& mesh);
 
     /// The tree cut at `depth`, encoded now or earlier; wide only if it `suits_wide_tree`. Errors:
-    /// as `tree`; TooLarge over `limits::distribution_depth_max`.
-    [[nodiscard]] Result<std::shared_ptr<const CutGeometry>>
+    /// as `tree`; TooLarge over `limits::distribution_depth_max`; Io when it cannot be written.
+    [[nodiscard]] StoreResult<std::shared_ptr<const CutGeometry>>
     cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form = SubtreeForm::Wide);
 
     /// All meshes, by hash.

@@ -74,6 +74,7 @@ JobStatus MasterJob::status(Clock::time_point now) const {
     std::copy_n(submit.bodies.begin(),
                 std::min<std::size_t>(2, submit.bodies.size()),
                 status.bodies.begin());
+    status.paused = paused;
     status.answered_by_master = answered_by_master;
     status.statistics = statistics;
     status.compute_seconds = compute_seconds;
@@ -136,6 +137,7 @@ void JobBoard::end(MasterJob& job,
     job.analysis_input.reset();
     job.material.reset();
     job.poses.reset();
+    job.paused.clear();
     job.open.clear();
     job.given.clear();
     job.todo = PlaceQueue();

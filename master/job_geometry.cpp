@@ -14,7 +14,7 @@ std::shared_ptr<const TreeTop> top_of(const std::shared_ptr<const CutGeometry>& 
 
 } // namespace
 
-Result<JobGeometry> make_job_geometry(GeometryStore& store, const Submit& submit) {
+StoreResult<JobGeometry> make_job_geometry(GeometryStore& store, const Submit& submit) {
     const auto tree_a = store.tree(submit.bodies[0]);
     const auto tree_b = store.tree(submit.bodies[1]);
     for (const auto* tree : {&tree_a, &tree_b}) {
@@ -38,7 +38,8 @@ Result<JobGeometry> make_job_geometry(GeometryStore& store, const Submit& submit
     const auto cut_b = store.cut(submit.bodies[1], depth_b, form);
     for (const auto* cut : {&cut_a, &cut_b}) {
         if (!*cut) {
-            return cut->error();
+            return cut->is_unwritten() ? StoreResult<JobGeometry>::unwritten(cut->error())
+                                       : StoreResult<JobGeometry>(cut->error());
         }
     }
     return JobGeometry{tree_a.value(), tree_b.value(), cut_a.value(), cut_b.value()};

@@ -23,7 +23,8 @@ struct JobGeometry {
 };
 
 /// Cuts the bodies' trees as the job asks for. May take seconds. Errors: those of the store.
-[[nodiscard]] Result<JobGeometry> make_job_geometry(GeometryStore& store, const Submit& submit);
+[[nodiscard]] StoreResult<JobGeometry> make_job_geometry(GeometryStore& store,
+                                                         const Submit& submit);
 
 /// What the dispatcher has to know of a cut.
 [[nodiscard]] DispatchTree dispatch_tree(TreeId id, const CutGeometry& cut);

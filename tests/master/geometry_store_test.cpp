@@ -8,6 +8,7 @@
 #include "common/core/limits.hpp"
 #include "common/tree/subtree_block.hpp"
 #include "master/mesh_file.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -286,6 +287,71 @@ TEST_F(GeometryStoreTest, ALostDescriptionCostsTheNameAlone) {
     ASSERT_TRUE(store_->tree(sphere_.hash()));
     EXPECT_EQ(store_->meshes()[0].name, "");
     EXPECT_EQ(store_->meshes()[0].triangles, sphere_.triangles().size());
+}
+
+// ---- A full disk ----------------------------------------------------------------------------
+
+TEST_F(GeometryStoreTest, BlocksThatHaveNoRoomMayBeTriedAgainAndOtherErrorsMayNot) {
+    upload(sphere_);
+    {
+        const FileSizeLimit full(1000);
+        const auto cut = store_->cut(sphere_.hash(), 5);
+        ASSERT_FALSE(cut);
+        EXPECT_TRUE(cut.is_unwritten());
+        EXPECT_THAT(cut.error().detail, HasSubstr(".blocks"));
+        EXPECT_TRUE(files("blocks").empty()) << files("blocks")[0];
+    }
+    EXPECT_TRUE(store_->cut(sphere_.hash(), 5));
+    const auto absurd = store_->cut(sphere_.hash(), limits::distribution_depth_max + 1);
+    EXPECT_FALSE(absurd.is_unwritten());
+
+    flip_byte(only_file("meshes", ".mesh"), 100);
+    open();
+    const auto damaged = store_->cut(sphere_.hash(), 5);
+    ASSERT_FALSE(damaged);
+    EXPECT_FALSE(damaged.is_unwritten());
+}
+
+TEST_F(GeometryStoreTest, DamagedBlocksStayWhereTheyAreUntilTheyCanBeSetAside) {
+    upload(sphere_);
+    (void)store_->cut(sphere_.hash(), 3).value();
+    const auto path = only_file("blocks", ".blocks");
+    flip_byte(path, read_text(path).size() - 1);
+    const std::string bad = read_text(path);
+    open();
+    {
+        const FileSizeLimit full(1000);
+        EXPECT_TRUE(store_->cut(sphere_.hash(), 3).is_unwritten());
+    }
+    EXPECT_EQ(read_text(path.string() + ".damaged-1"), bad);
+    EXPECT_TRUE(store_->cut(sphere_.hash(), 3));
+}
+
+TEST_F(GeometryStoreTest, ATreeThatHasNoRoomIsUsedAllTheSame) {
+    upload(sphere_);
+    const auto path = only_file("trees", ".tree");
+    std::filesystem::remove(path);
+    open();
+    {
+        const FileSizeLimit full(1000);
+        const auto tree = store_->tree(sphere_.hash());
+        ASSERT_TRUE(tree) << tree.error().detail;
+    }
+    EXPECT_FALSE(std::filesystem::exists(path));
+    open();
+    EXPECT_TRUE(store_->tree(sphere_.hash()));
+    EXPECT_TRUE(std::filesystem::exists(path));
+}
+
+TEST_F(GeometryStoreTest, AMeshWhoseTreeHasNoRoomIsNotTaken) {
+    {
+        const FileSizeLimit full(sphere_.canonical_bytes().size());
+        const Status status = upload(sphere_.canonical_bytes(), sphere_.hash());
+        ASSERT_FALSE(status);
+        EXPECT_EQ(status.error().code, ErrorCode::Io);
+    }
+    EXPECT_TRUE(store_->meshes().empty());
+    upload(sphere_);
 }
 
 // ---- Hostile uploads ------------------------------------------------------------------------

@@ -7,11 +7,10 @@
 #include "common/job/pose_source.hpp"
 #include "proto/codec.hpp"
 #include "tests/master/journal_writer.hpp"
+#include "tests/support/file_size_limit.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <random>
 #include <set>
 
@@ -252,23 +251,6 @@ TEST(Journal, ASegmentMayBeLongerThanWhatWasCommittedAndNotShorter) {
 }
 
 // ---- A full disk --------------------------------------------------------------------------------
-
-/// Files of this process cannot grow beyond a size, as on a disk that is full.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t bytes) {
-        std::signal(SIGXFSZ, SIG_IGN);
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limited{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limited);
-    }
-    ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-  private:
-    rlimit before_{};
-};
 
 TEST(Journal, WithAFullDiskItWaitsAndGoesOnWhenThereIsRoom) {
     const TemporaryFolder folder;

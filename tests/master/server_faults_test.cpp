@@ -265,6 +265,69 @@ TEST(Server, WhoConnectsAgainAndAgainHasNoMoreResultsInHandAndLeavesNothingBehin
     released.count_down();
 }
 
+/// The master has the meshes, and no room for more.
+struct FullMaster : Master {
+    FullMaster() {
+        {
+            FakeWorker worker(*this, {});
+            Client first(*this);
+            first.start(reference().submission());
+            run_until([&] { return first.done; });
+        }
+        std::filesystem::rename(directory / "blocks", directory / "away");
+    }
+    void make_room() const { std::filesystem::rename(directory / "away", directory / "blocks"); }
+
+    [[nodiscard]] static Submit other_submission() {
+        Submit submit = reference().submission();
+        submit.cluster.depth_a = 5; // So that there are no such blocks.
+        return submit;
+    }
+    /// Until the job waits for room.
+    JobStatus wait_until_paused(JobId job) {
+        const auto status = [&] { return coordinator.job_status(job).value(); };
+        run_until([&] { return status().state != JobState::Running || !status().paused.empty(); });
+        return status();
+    }
+};
+
+TEST(Server, AJobWhoseBlocksCannotBeWrittenWaitsAndGoesOnWhenTheyCan) {
+    FullMaster master;
+    FakeWorker worker(master, {});
+    Client client(master);
+    client.start(FullMaster::other_submission());
+    master.run_until([&] { return client.job.has_value(); });
+    const JobStatus status = master.wait_until_paused(*client.job);
+    EXPECT_EQ(status.state, JobState::Running) << status.failure;
+    EXPECT_NE(status.paused.find("blocks"), std::string::npos) << status.paused;
+    const ClusterStatus all = master.coordinator.cluster_status();
+    EXPECT_TRUE(all.jobs.at(0).paused.empty()) << "it has ended";
+    EXPECT_EQ(all.jobs.at(1).paused, status.paused);
+    master.make_room();
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+    EXPECT_TRUE(client.statuses.back().paused.empty());
+}
+
+TEST(Server, AJobThatWaitsForRoomMayBeCancelledAndTheMasterEnded) {
+    FullMaster master;
+    Client client(master);
+    client.start(FullMaster::other_submission());
+    Client left(master);
+    left.start_submitting(FullMaster::other_submission());
+    master.run_until([&] { return client.job && left.done; });
+    EXPECT_EQ(master.wait_until_paused(*client.job).state, JobState::Running);
+    EXPECT_EQ(master.wait_until_paused(*left.job).state, JobState::Running);
+    Client other(master);
+    other.start_asking({Cancel{*client.job, std::nullopt}});
+    master.run_until([&] { return client.done && other.done; });
+    EXPECT_EQ(client.statuses.back().state, JobState::Cancelled);
+    EXPECT_TRUE(client.statuses.back().paused.empty());
+    // Nothing is left to be done once the master ends, although a job still waits.
+    master.end();
+    EXPECT_TRUE(master.context.stopped());
+}
+
 TEST(Server, AWorkerThatSendsRubbishOrHoldsWhatDoesNotExistIsCutOff) {
     for (const FakeWorker::Habits& habits :
          {FakeWorker::Habits{.sends_rubbish = true}, FakeWorker::Habits{.holds_too_much = true}}) {
