@@ -311,18 +311,20 @@ TEST(Server, AJobWhoseBlocksCannotBeWrittenWaitsAndGoesOnWhenTheyCan) {
 
 TEST(Server, AJobThatWaitsForRoomMayBeCancelledAndTheMasterEnded) {
     FullMaster master;
-    Client client(master);
-    client.start(FullMaster::other_submission());
-    Client left(master);
-    left.start_submitting(FullMaster::other_submission());
-    master.run_until([&] { return client.job && left.done; });
-    EXPECT_EQ(master.wait_until_paused(*client.job).state, JobState::Running);
-    EXPECT_EQ(master.wait_until_paused(*left.job).state, JobState::Running);
-    Client other(master);
-    other.start_asking({Cancel{*client.job, std::nullopt}});
-    master.run_until([&] { return client.done && other.done; });
-    EXPECT_EQ(client.statuses.back().state, JobState::Cancelled);
-    EXPECT_TRUE(client.statuses.back().paused.empty());
+    {
+        Client client(master);
+        client.start(FullMaster::other_submission());
+        Client left(master);
+        left.start_submitting(FullMaster::other_submission());
+        master.run_until([&] { return client.job && left.done; });
+        EXPECT_EQ(master.wait_until_paused(*client.job).state, JobState::Running);
+        EXPECT_EQ(master.wait_until_paused(*left.job).state, JobState::Running);
+        Client other(master);
+        other.start_asking({Cancel{*client.job, std::nullopt}});
+        master.run_until([&] { return client.done && other.done; });
+        EXPECT_EQ(client.statuses.back().state, JobState::Cancelled);
+        EXPECT_TRUE(client.statuses.back().paused.empty());
+    }
     // Nothing is left to be done once the master ends, although a job still waits.
     master.end();
     EXPECT_TRUE(master.context.stopped());
