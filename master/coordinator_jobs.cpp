@@ -4,6 +4,7 @@
 #include "master/coordinator.hpp"
 #include "master/job_geometry.hpp"
 #include "master/run_on.hpp"
+#include "master/way_out.hpp"
 
 #include <algorithm>
 
@@ -38,7 +39,7 @@ Status Coordinator::restore(Recovered recovered) {
         }
         const auto poses = open_poses(job.submit, parts_.journal.poses_path(job.id));
         if (!poses) {
-            return poses.error();
+            return with_way_out(poses.error());
         }
         job.poses = poses.value();
         ledger_.open_job(job.id);

@@ -6,6 +6,7 @@
 #include "common/core/log.hpp"
 #include "master/journal_database.hpp"
 #include "master/journal_groups.hpp"
+#include "master/way_out.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -119,9 +120,15 @@ void Journal::State::run() {
 
 namespace {
 
+bool is_of_a_job(const std::string& name) {
+    return name.ends_with(".results") || name.ends_with(".poses");
+}
+
 /// What a master that was killed has left half-made, and files of jobs that are no more. The
 /// journal has been found to be sound.
-void remove_leftovers(const std::filesystem::path& folder, const Recovered& recovered) {
+void remove_leftovers(const JournalOptions& options,
+                      const std::filesystem::path& folder,
+                      const Recovered& recovered) {
     std::set<std::string> known;
     for (const RecoveredJob& job : recovered.jobs) {
         const std::string number = std::to_string(job.record.id.value);
@@ -132,9 +139,14 @@ void remove_leftovers(const std::filesystem::path& folder, const Recovered& reco
     std::vector<std::filesystem::path> leftovers;
     for (const auto& file : std::filesystem::directory_iterator(folder, ignored)) {
         const std::string name = file.path().filename().string();
-        const bool is_ours = name.ends_with(".results") || name.ends_with(".poses") ||
-                             name.find(temporary_marker) != std::string::npos;
+        const bool is_ours = is_of_a_job(name) || name.find(temporary_marker) != std::string::npos;
         if (is_ours && !known.contains(name)) {
+            leftovers.push_back(file.path());
+        }
+    }
+    for (const auto& file : std::filesystem::directory_iterator(options.directory, ignored)) {
+        const std::string unfinished = "journal.mark" + std::string(temporary_marker);
+        if (file.path().filename().string().starts_with(unfinished)) {
             leftovers.push_back(file.path());
         }
     }
@@ -143,18 +155,15 @@ void remove_leftovers(const std::filesystem::path& folder, const Recovered& reco
     }
 }
 
-/// Results without a journal would be written over.
-Status check_none_left(const std::filesystem::path& folder) {
+/// Of whatever job; or nothing.
+std::filesystem::path file_of_a_job(const std::filesystem::path& folder) {
     std::error_code ignored;
     for (const auto& file : std::filesystem::directory_iterator(folder, ignored)) {
-        if (file.path().extension() == ".results") {
-            return Error{ErrorCode::Io,
-                         "journal.db is missing, but there is " + file.path().string() +
-                             "; restore the state directory from a copy, or start with an empty "
-                             "one"};
+        if (is_of_a_job(file.path().filename().string())) {
+            return file.path();
         }
     }
-    return Done{};
+    return {};
 }
 
 } // namespace
@@ -169,23 +178,18 @@ Result<std::unique_ptr<Journal>> Journal::open(const JournalOptions& options) {
         !status) {
         return status.error();
     }
-    if (!std::filesystem::exists(options.directory / "journal.db") &&
-        !std::filesystem::exists(options.directory / "journal.mark")) {
-        if (const Status status = check_none_left(state->jobs_folder()); !status) {
-            return status.error();
-        }
-    }
-    auto database = JournalDatabase::open(options.directory, {options.synced, options.create});
+    auto database = JournalDatabase::open(
+        options.directory, {options.synced, options.create, file_of_a_job(state->jobs_folder())});
     if (!database) {
         return database.error();
     }
     auto jobs = recover_jobs(*database.value(), state->jobs_folder(), options.check_records);
     if (!jobs) {
-        return jobs.error();
+        return with_way_out(jobs.error());
     }
     auto alarms = recover_alarms(*database.value());
     if (!alarms) {
-        return alarms.error();
+        return with_way_out(alarms.error());
     }
     state->database = std::move(database.value());
     Recovered& recovered = state->recovered;
@@ -194,7 +198,7 @@ Result<std::unique_ptr<Journal>> Journal::open(const JournalOptions& options) {
     recovered.jobs = std::move(jobs.value());
     recovered.alarms = std::move(alarms.value());
     if (options.create) {
-        remove_leftovers(state->jobs_folder(), recovered);
+        remove_leftovers(options, state->jobs_folder(), recovered);
     }
     return std::unique_ptr<Journal>(new Journal(std::move(state)));
 }

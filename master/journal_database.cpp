@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/disk_file.hpp"
+#include "master/way_out.hpp"
 
 #include <sqlite3.h>
 
@@ -19,9 +20,6 @@ constexpr int schema_version = 3;
 constexpr int schema_version_before = 2;
 constexpr std::uint64_t mark_magic = 0x31'4b'52'4d'44'43'00'00; // "\0\0CDMRK1"
 constexpr std::uint64_t mark_bytes = 3 * sizeof(std::uint64_t);
-constexpr const char* what_to_do =
-    "; nothing was changed: restore the state directory from a copy, or move it away and start "
-    "with an empty one (`cdmaster check` tells all that is wrong)";
 
 constexpr const char* schema =
     "CREATE TABLE meta(name TEXT PRIMARY KEY, value BLOB NOT NULL);"
@@ -138,8 +136,9 @@ struct JournalDatabase::State {
                     std::string(sqlite3_errmsg(database.get()))};
     }
     [[nodiscard]] Error damage(const std::string& why) const {
-        return {ErrorCode::Io, path.string() + " is damaged: " + why + what_to_do};
+        return {ErrorCode::Io, path.string() + " is damaged: " + why};
     }
+    [[nodiscard]] Error refusal(const std::string& why) const { return with_way_out(damage(why)); }
     [[nodiscard]] bool run(const char* text) const {
         return sqlite3_exec(database.get(), text, nullptr, nullptr, nullptr) == SQLITE_OK;
     }
@@ -147,6 +146,8 @@ struct JournalDatabase::State {
     [[nodiscard]] Status connect(const Options& options, bool create);
     [[nodiscard]] Status make();
     [[nodiscard]] Status make_mark();
+    [[nodiscard]] Status check_unmarked(const Options& options);
+    [[nodiscard]] Error missing_mark() const;
     [[nodiscard]] bool is_empty() const;
     [[nodiscard]] Status check();
     [[nodiscard]] Status check_version();
@@ -201,17 +202,30 @@ Status JournalDatabase::State::make() {
 
 Status JournalDatabase::State::make_mark() {
     const std::filesystem::path mark_path = path.parent_path() / "journal.mark";
-    Result<DiskFile> file = DiskFile::open_to_write(mark_path);
+    Result<DiskFile> file = DiskFile::create_for(mark_path);
     if (!file) {
         return file.error();
     }
     mark.emplace(std::move(file.value()));
-    for (const Status& status : {write_mark(), mark->sync(), sync_directory(path.parent_path())}) {
-        if (!status) {
-            return status;
-        }
+    if (Status status = write_mark(); !status) {
+        return status;
     }
-    return Done{};
+    return mark->commit();
+}
+
+/// Only one that was ended while it was made is without.
+Status JournalDatabase::State::check_unmarked(const Options& options) {
+    if (commits != 0 || !options.owned.empty()) {
+        return missing_mark();
+    }
+    return options.create ? make_mark() : Status(Done{});
+}
+
+Error JournalDatabase::State::missing_mark() const {
+    return with_way_out(
+        {ErrorCode::Io,
+         (path.parent_path() / "journal.mark").string() +
+             " is missing or empty, so that nothing tells whether commits are lost"});
 }
 
 /// A master may have been ended before it had made the tables.
@@ -223,20 +237,20 @@ bool JournalDatabase::State::is_empty() const {
 Status JournalDatabase::State::check() {
     Statement id(database.get(), "PRAGMA application_id");
     if (!id.step()) {
-        return damage(sqlite3_errmsg(database.get()));
+        return refusal(sqlite3_errmsg(database.get()));
     }
     if (id.number(0) != static_cast<std::uint64_t>(application_id)) {
-        return damage("it is no journal");
+        return refusal("it is no journal");
     }
     if (Status known = check_version(); !known) {
         return known;
     }
     Statement check(database.get(), "PRAGMA quick_check(1)");
     if (!check.step()) {
-        return damage(sqlite3_errmsg(database.get()));
+        return refusal(sqlite3_errmsg(database.get()));
     }
     if (check.text(0) != "ok") {
-        return damage(check.text(0));
+        return refusal(check.text(0));
     }
     return read_meta();
 }
@@ -244,7 +258,7 @@ Status JournalDatabase::State::check() {
 Status JournalDatabase::State::check_version() {
     Statement number(database.get(), "PRAGMA user_version");
     if (!number.step()) {
-        return damage(sqlite3_errmsg(database.get()));
+        return refusal(sqlite3_errmsg(database.get()));
     }
     version = static_cast<int>(number.number(0));
     if (version == schema_version || version == schema_version_before) {
@@ -276,10 +290,10 @@ Status JournalDatabase::State::read_meta() {
         return marked.error();
     }
     if (marked.value() > commits) {
-        return Error{ErrorCode::Io,
-                     path.string() +
-                         "-wal is damaged or missing: " + std::to_string(marked.value() - commits) +
-                         " commits are not in it" + what_to_do};
+        return with_way_out({ErrorCode::Io,
+                             path.string() + "-wal is damaged or missing: " +
+                                 std::to_string(marked.value() - commits) +
+                                 " commits are not in it"});
     }
     return Done{};
 }
@@ -287,15 +301,15 @@ Status JournalDatabase::State::read_meta() {
 Result<std::uint64_t> JournalDatabase::State::read_mark() const {
     const Result<Bytes> bytes = mark->read_at(0, mark_bytes);
     if (!bytes) {
-        return Error{ErrorCode::Io, bytes.error().detail + what_to_do};
+        return with_way_out(bytes.error());
     }
     ByteReader in(bytes.value());
     const auto magic = in.get<std::uint64_t>();
     const auto commit = in.get<std::uint64_t>();
     const auto sum = in.get<std::uint64_t>();
     if (magic != mark_magic || sum != checksum(std::span(bytes.value()).first(2 * sizeof sum))) {
-        return Error{ErrorCode::Io,
-                     mark->path().string() + " is damaged: its checksum is wrong" + what_to_do};
+        return with_way_out(
+            {ErrorCode::Io, mark->path().string() + " is damaged: its checksum is wrong"});
     }
     return commit;
 }
@@ -323,9 +337,13 @@ JournalDatabase::open(const std::filesystem::path& directory, const Options& opt
     state->path = directory / "journal.db";
     const std::filesystem::path mark_path = directory / "journal.mark";
     const bool is_there = std::filesystem::exists(state->path);
-    const bool has_mark = std::filesystem::exists(mark_path);
-    if (!is_there && has_mark) {
-        return Error{ErrorCode::Io, state->path.string() + " is missing" + what_to_do};
+    std::error_code none;
+    const std::uintmax_t mark_size = std::filesystem::file_size(mark_path, none);
+    const bool has_mark = !none && mark_size != 0;
+    if (!is_there && (has_mark || !options.owned.empty())) {
+        const std::string beside = has_mark ? mark_path.string() : options.owned.string();
+        return with_way_out(
+            {ErrorCode::Io, state->path.string() + " is missing, but there is " + beside});
     }
     if (!is_there && !options.create) {
         return Error{ErrorCode::NotFound, directory.string() + " holds no journal"};
@@ -338,12 +356,13 @@ JournalDatabase::open(const std::filesystem::path& directory, const Options& opt
         state->mark.emplace(std::move(mark.value()));
     }
     Status status = state->connect(options, !is_there);
-    if (status && !has_mark && options.create && state->is_empty()) {
+    const bool may_be_new = !has_mark && options.owned.empty() && options.create;
+    if (status && may_be_new && state->is_empty()) {
         status = state->make();
     } else if (status) {
         status = state->check();
-        if (status && !has_mark && options.create) {
-            status = state->make_mark();
+        if (status && !has_mark) {
+            status = state->check_unmarked(options);
         }
     }
     if (!status) {
@@ -368,11 +387,11 @@ Result<Bytes> JournalDatabase::State::meta(const char* name) const {
     Statement statement(database.get(), "SELECT value FROM meta WHERE name=?");
     statement.bind(1, name);
     if (!statement.step()) {
-        return damage(std::string(name) + " is missing");
+        return refusal(std::string(name) + " is missing");
     }
     auto value = unsealed(statement.bytes(0), RowKind::Meta, 0);
     if (!value) {
-        return damage(std::string(name) + " has a wrong checksum");
+        return refusal(std::string(name) + " has a wrong checksum");
     }
     return std::move(*value);
 }

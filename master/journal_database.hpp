@@ -32,13 +32,17 @@ struct DatabaseJob {
 };
 
 /// `journal.db` with its write-ahead log, and `journal.mark`, which holds the number of the last
-/// commit: the log's own checksums make damage look like an end, and this tells the two apart.
+/// commit: the log's own checksums make damage look like an end, and this tells the two apart. It
+/// gets its name before the first commit, so that none with commits is without it.
 /// Every row has a checksum of its own. One thread at a time.
 class JournalDatabase {
   public:
     struct Options {
         bool synced = true; ///< False: a loss of power may cost everything, a crash nothing.
         bool create = true; ///< Where there is none.
+        /// One of the files that only a journal with commits has beside it; or none. What looks
+        /// like a new state beside such a file has lost the rest.
+        std::filesystem::path owned = {};
     };
 
     /// Errors: Io, naming the file that cannot be used or is damaged and what to do. Then, and

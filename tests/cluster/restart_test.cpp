@@ -290,9 +290,23 @@ TEST_F(Restart, ADamagedStateIsNamedNotUsedAndNotChanged) {
                              (folder_ / "state").string()});
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_NE(refused.errors.find("1.results"), std::string::npos) << refused.errors;
+    EXPECT_NE(refused.errors.find("restore the state directory"), std::string::npos)
+        << refused.errors;
     EXPECT_EQ(read_text(results), bad);
 
     write_text(results, good);
+    const auto poses = folder_ / "state/jobs/1.poses";
+    std::filesystem::rename(poses, folder_ / "away");
+    const Ran without = run({program("cdmaster").string(),
+                             "--listen",
+                             "127.0.0.1:0",
+                             "--state",
+                             (folder_ / "state").string()});
+    EXPECT_EQ(without.exit_code, 2);
+    EXPECT_NE(without.errors.find("1.poses"), std::string::npos) << without.errors;
+    EXPECT_NE(without.errors.find("restore the state directory"), std::string::npos)
+        << without.errors;
+    std::filesystem::rename(folder_ / "away", poses);
     master_.start();
     connection = connect();
     EXPECT_EQ(finish(*connection, id).digest, job.digest_in_one_process(Query{}));

@@ -5,6 +5,7 @@
 
 #include "common/core/limits.hpp"
 #include "common/job/pose_source.hpp"
+#include "master/journal_database.hpp"
 #include "proto/codec.hpp"
 #include "tests/master/journal_writer.hpp"
 #include "tests/support/file_size_limit.hpp"
@@ -163,6 +164,10 @@ std::string name_in(const std::filesystem::path& path) {
     return path.filename().string();
 }
 
+void expect_way_out(const std::string& error) {
+    EXPECT_NE(error.find("restore the state directory from a copy"), std::string::npos) << error;
+}
+
 TEST(Journal, AKilledOneIsWhole) {
     const TemporaryFolder folder;
     fill(folder.path());
@@ -213,6 +218,7 @@ TEST(Journal, FlippedBytesAreFoundNamedAndLeftAsTheyAre) {
             ++found;
             EXPECT_NE(opened.error().detail.find(name_in(original).substr(0, 7)), std::string::npos)
                 << opened.error().detail;
+            expect_way_out(opened.error().detail);
             ASSERT_EQ(read_text(hit), bad) << "it was changed";
         }
     }
@@ -220,22 +226,68 @@ TEST(Journal, FlippedBytesAreFoundNamedAndLeftAsTheyAre) {
 }
 
 TEST(Journal, MissingFilesAreNamed) {
-    for (const char* gone : {"journal.db", "journal.db-wal", "jobs/1.results"}) {
+    for (const char* gone : {"journal.db", "journal.db-wal", "journal.mark", "jobs/1.results"}) {
         const TemporaryFolder folder;
         fill(folder.path());
         std::filesystem::remove(folder / "left" / gone);
         const auto opened = Journal::open({.directory = folder / "left"});
         ASSERT_FALSE(opened) << gone;
         EXPECT_NE(opened.error().detail.find(gone), std::string::npos) << opened.error().detail;
+        expect_way_out(opened.error().detail);
+        // SQLite makes an empty log where there is none; that says nothing.
+        std::error_code none;
+        const auto size = std::filesystem::file_size(folder / "left" / gone, none);
+        EXPECT_TRUE(none || size == 0) << "it was made anew: " << gone;
     }
-    const TemporaryFolder folder;
-    fill(folder.path());
-    for (const char* gone : {"journal.db", "journal.db-wal", "journal.mark"}) {
-        std::filesystem::remove(folder / "left" / gone);
+}
+
+/// All that a journal owns but these is gone.
+TEST(Journal, WhatLooksNewBesideFilesOfAJobIsRefusedAndTheyStay) {
+    using Names = std::vector<std::string>;
+    for (const Names& left :
+         {Names{"1.results"}, Names{"1.poses"}, Names{"1.poses", "1.results"}}) {
+        for (const char* journal : {"nothing", "an empty file", "one without its log"}) {
+            const TemporaryFolder folder;
+            if (journal == std::string("one without its log")) {
+                { const Writer writer(folder.path()); }
+                std::filesystem::remove(folder / "journal.mark");
+            }
+            if (journal == std::string("an empty file")) {
+                write_text(folder / "journal.db", "");
+            }
+            std::filesystem::create_directories(folder / "jobs");
+            for (const std::string& name : left) {
+                write_text(folder / "jobs" / name, "precious");
+            }
+            for (const bool create : {false, true, true}) {
+                const auto opened = Journal::open({.directory = folder.path(), .create = create});
+                ASSERT_FALSE(opened) << journal;
+                EXPECT_NE(opened.error().detail.find("journal."), std::string::npos)
+                    << opened.error().detail;
+                expect_way_out(opened.error().detail);
+            }
+            for (const std::string& name : left) {
+                EXPECT_EQ(read_text(folder / "jobs" / name), "precious");
+            }
+        }
     }
-    const auto opened = Journal::open({.directory = folder / "left"});
-    ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().detail.find("journal.db is missing"), std::string::npos);
+}
+
+/// Killed while it was made, before anything was written.
+TEST(Journal, AnEmptyOneWithoutAMarkGetsOne) {
+    for (const bool is_empty : {false, true}) {
+        const TemporaryFolder folder;
+        { const Writer writer(folder.path()); }
+        const std::string whole = read_text(folder / "journal.mark");
+        std::filesystem::remove(folder / "journal.mark");
+        if (is_empty) {
+            write_text(folder / "journal.mark", "");
+        }
+        write_text(folder / "journal.mark.tmp-abcdef", whole.substr(0, 5));
+        { const Writer writer(folder.path()); }
+        EXPECT_EQ(read_text(folder / "journal.mark"), whole);
+        EXPECT_FALSE(std::filesystem::exists(folder / "journal.mark.tmp-abcdef"));
+    }
 }
 
 TEST(Journal, ASegmentMayBeLongerThanWhatWasCommittedAndNotShorter) {
