@@ -122,10 +122,11 @@ Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group)
         if (changes.records.empty()) {
             continue;
         }
-        has_new_segments = has_new_segments || !changes.store->has_file();
         if (Status status = changes.store->write(changes.records); !status) {
             return status;
         }
+        // Also of an attempt before this one, that got no further.
+        has_new_segments = has_new_segments || changes.store->has_new_name();
         if (Status status = disk.synced && !mutated(Mutation::SegmentNotSynced)
                                 ? changes.store->sync()
                                 : Status(Done{});
@@ -140,6 +141,11 @@ Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group)
     if (disk.synced && (has_new_files || has_new_segments)) {
         if (Status status = sync_directory(disk.jobs_folder); !status) {
             return status;
+        }
+        for (auto& [job, changes] : by_job) {
+            if (changes.store != nullptr) {
+                changes.store->name_synced();
+            }
         }
     }
     if (Status status = disk.database.write(database_changes(group, by_job)); !status) {

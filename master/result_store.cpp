@@ -60,6 +60,7 @@ struct ResultStore::State {
     std::filesystem::path path;
     JobId job;
     std::optional<DiskFile> file; ///< Nothing before the first write.
+    bool has_new_name = false;
     std::uint64_t scenarios = 0;
     std::uint64_t end = 0; ///< Of what is committed.
     std::uint64_t records = 0;
@@ -154,8 +155,16 @@ Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::filesystem::pa
         std::make_unique<State>(path, job, std::move(file.value()), scenarios, end)));
 }
 
-bool ResultStore::has_file() const {
-    return state_->file.has_value();
+bool ResultStore::has_new_name() const {
+    return state_->has_new_name;
+}
+
+void ResultStore::name_synced() {
+    state_->has_new_name = false;
+}
+
+std::uint64_t ResultStore::first_end() {
+    return file_header_bytes;
 }
 
 std::uint64_t ResultStore::end() const {
@@ -178,6 +187,7 @@ Status ResultStore::State::make_file() {
     if (Status status = made.value().write_at(0, file_header(job)); !status) {
         return status;
     }
+    has_new_name = true;
     const std::lock_guard lock(mutex);
     file = std::move(made.value());
     return Done{};

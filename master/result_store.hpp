@@ -47,9 +47,14 @@ class ResultStore {
     ResultStore& operator=(const ResultStore&) = delete;
     ~ResultStore();
 
-    [[nodiscard]] bool has_file() const;
+    /// The name of the file may not survive a loss of power: it is new, and nobody has called
+    /// `name_synced` since.
+    [[nodiscard]] bool has_new_name() const;
+    void name_synced();
     /// Where `write` would put its first record.
     [[nodiscard]] std::uint64_t end() const;
+    /// That of one without records.
+    [[nodiscard]] static std::uint64_t first_end();
     /// Where a record stands that comes behind `end`, and where the next one would.
     [[nodiscard]] static RecordPlace place_at(std::uint64_t end, std::uint64_t length);
     [[nodiscard]] static std::uint64_t end_of(const RecordPlace& place);

@@ -4,17 +4,23 @@
 // Every operation on the files of a journal at work (SQLite's and ours) is recorded. The disk is
 // then made as it might be after the power failed behind each of them: what was synced is there, of
 // each later write a random choice of its sectors, of later names a random number in their order.
+// Or all of it, as when only the process is killed there; or nothing.
 #include "common/core/limits.hpp"
 #include "master/journal.hpp"
 #include "tests/support/process.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
+#include <cerrno>
 #include <condition_variable>
+#include <cstdarg>
+#include <cstring>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -25,11 +31,11 @@ namespace cd::tests {
 namespace {
 
 struct Operation {
-    enum class Kind { Write, Resize, Sync, Unlink, Confirm };
+    enum class Kind { Create, Write, Resize, Sync, Rename, Unlink, Confirm };
     Kind kind = Kind::Write;
     std::string name;     ///< Below the directory; of a Sync of a directory it is that.
     std::uint64_t at = 0; ///< Offset, size, or position confirmed.
-    std::string bytes;
+    std::string bytes;    ///< Or the new name.
 };
 
 /// What goes to the files below one directory, by whichever thread or library.
@@ -60,7 +66,10 @@ class Recorder {
     void add(const std::string& path, Operation operation) {
         const std::lock_guard lock(mutex_);
         if (!directory_.empty() && (path + "/").starts_with(directory_)) {
-            operation.name = path.size() < directory_.size() ? "" : path.substr(directory_.size());
+            operation.name = name_of(path);
+            if (operation.kind == Operation::Kind::Rename) {
+                operation.bytes = name_of(operation.bytes);
+            }
             operations_.push_back(std::move(operation));
         }
     }
@@ -72,7 +81,14 @@ class Recorder {
             std::move(operation));
     }
 
+    /// The next so many syncs of a folder fail.
+    std::atomic<int> failing_folder_syncs = 0;
+
   private:
+    [[nodiscard]] std::string name_of(const std::string& path) const {
+        return path.size() < directory_.size() ? "" : path.substr(directory_.size());
+    }
+
     std::mutex mutex_;
     std::string directory_; ///< Empty: nothing is recorded.
     std::vector<Operation> operations_;
@@ -85,14 +101,14 @@ class Disk {
   public:
     void apply(const Operation& operation) {
         switch (operation.kind) {
+        case Kind::Create:
+            live_[operation.name] = files_.size();
+            names_.push_back({operation.name, files_.size(), {}});
+            files_.emplace_back();
+            break;
         case Kind::Write:
         case Kind::Resize:
-            if (!live_.contains(operation.name)) {
-                live_[operation.name] = files_.size();
-                names_.push_back({operation.name, files_.size()});
-                files_.emplace_back();
-            }
-            files_[live_[operation.name]].pending.push_back(operation);
+            files_[live_.at(operation.name)].pending.push_back(operation);
             break;
         case Kind::Sync:
             if (const auto file = live_.find(operation.name); file != live_.end()) {
@@ -105,22 +121,34 @@ class Disk {
                 keep_names(names_.size());
             }
             break;
+        case Kind::Rename: {
+            const std::size_t file = live_.extract(operation.name).mapped();
+            live_[operation.bytes] = file;
+            names_.push_back({operation.bytes, file, operation.name});
+            break;
+        }
         case Kind::Unlink:
             live_.erase(operation.name);
-            names_.push_back({operation.name, std::nullopt});
+            names_.push_back({operation.name, std::nullopt, {}});
             break;
         case Kind::Confirm:
             break;
         }
     }
 
-    /// As the power failed now.
-    void write_to(const std::filesystem::path& directory, std::mt19937_64& random) const {
+    enum class Kept { Some, All, Nothing }; ///< Of what is not synced.
+    /// As it ended now.
+    void
+    write_to(const std::filesystem::path& directory, Kept kept, std::mt19937_64& random) const {
         Disk after = *this;
-        after.keep_names(random() % (names_.size() + 1));
+        const std::size_t some = random() % (names_.size() + 1);
+        after.keep_names(kept == Kept::Some ? some : kept == Kept::All ? names_.size() : 0);
         for (const auto& [name, file] : after.durable_names_) {
             std::string content = files_[file].durable;
-            const std::uint64_t mood = random() % 4; // Nothing, all, or some of it.
+            std::uint64_t mood = random() % 4; // Nothing, all, or some of it.
+            if (kept != Kept::Some) {
+                mood = kept == Kept::All ? 1 : 0;
+            }
             for (const Operation& pending : files_[file].pending) {
                 for (Operation& sector : sectors(pending)) {
                     if (mood == 1 || (mood > 1 && random() % 2 == 0)) {
@@ -140,13 +168,17 @@ class Disk {
     };
     struct Name {
         std::string name;
-        std::optional<std::size_t> file; ///< Nothing: it goes.
+        std::optional<std::size_t> file;   ///< Nothing: it goes.
+        std::optional<std::string> before; ///< That the file had, in the same step.
     };
 
     void keep_names(std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
             if (names_[i].file) {
                 durable_names_[names_[i].name] = *names_[i].file;
+                if (names_[i].before) {
+                    durable_names_.erase(*names_[i].before);
+                }
             } else {
                 durable_names_.erase(names_[i].name);
             }
@@ -210,7 +242,8 @@ struct History {
 
 constexpr std::uint64_t verdict_group = 30;
 
-History record(const std::filesystem::path& directory) {
+/// `failing_folder_syncs`: from the first results on.
+History record(const std::filesystem::path& directory, int failing_folder_syncs = 0) {
     History history;
     Recorder::instance().start(directory);
     {
@@ -224,7 +257,11 @@ History record(const std::filesystem::path& directory) {
                             committed = position;
                             changed.notify_all();
                         },
-                        [](const std::string& why) { ADD_FAILURE() << why; }});
+                        [=](const std::string& why) {
+                            if (failing_folder_syncs == 0) {
+                                ADD_FAILURE() << why;
+                            }
+                        }});
         const auto wait_for = [&](std::uint64_t position) {
             std::unique_lock lock(mutex);
             changed.wait(lock, [&] { return committed >= position; });
@@ -236,6 +273,7 @@ History record(const std::filesystem::path& directory) {
             ResultStore::create(journal->results_path(job.id), job.id, job.submit.scenarios);
         wait_for(journal->add(AcceptJob{job}));
         history.added.emplace_back();
+        Recorder::instance().failing_folder_syncs = failing_folder_syncs;
         std::uint64_t next = 0;
         for (std::uint64_t group = 0; group < 60; ++group) {
             AddResults add{job.id, store, {}, {}, {}};
@@ -314,18 +352,42 @@ TEST(JournalCrash, ThePowerMayFailBehindEveryOperation) {
             confirmed = history.operations[cut].at;
             ++confirms;
         }
-        SCOPED_TRACE(testing::Message() << "cut " << cut);
-        std::mt19937_64 random(cut);
-        const std::filesystem::path image = folder / "image";
-        disk.write_to(image, random);
-        expect_kept(image, history, confirmed);
-        if (HasFatalFailure()) {
-            return;
+        for (const Disk::Kept kept : {Disk::Kept::Some, Disk::Kept::All, Disk::Kept::Nothing}) {
+            SCOPED_TRACE(testing::Message() << "cut " << cut << ", kept " << int(kept));
+            std::mt19937_64 random(cut);
+            const std::filesystem::path image = folder / "image";
+            disk.write_to(image, kept, random);
+            expect_kept(image, history, confirmed);
+            if (HasFatalFailure()) {
+                return;
+            }
+            std::filesystem::remove_all(image);
         }
-        std::filesystem::remove_all(image);
     }
     EXPECT_GT(confirms, 20u);
     EXPECT_EQ(confirmed, history.ended_at);
+}
+
+/// The folder of the segments cannot be synced when there is a new one.
+TEST(JournalCrash, ANameThatCouldNotBeSyncedAtOnceIsSyncedBeforeAnythingCounts) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "live/jobs");
+    const History history = record(folder / "live", 1);
+    ASSERT_EQ(Recorder::instance().failing_folder_syncs, 0);
+    Disk disk;
+    for (const Operation& operation : history.operations) {
+        disk.apply(operation);
+        if (operation.kind != Kind::Confirm) {
+            continue;
+        }
+        std::mt19937_64 random(1);
+        disk.write_to(folder / "image", Disk::Kept::Nothing, random);
+        expect_kept(folder / "image", history, operation.at);
+        if (HasFatalFailure()) {
+            return;
+        }
+        std::filesystem::remove_all(folder / "image");
+    }
 }
 
 } // namespace
@@ -358,6 +420,13 @@ int fdatasync(int descriptor) {
 }
 
 int fsync(int descriptor) {
+    struct stat facts {};
+    std::atomic<int>& failing = cd::tests::Recorder::instance().failing_folder_syncs;
+    if (failing > 0 && ::fstat(descriptor, &facts) == 0 && S_ISDIR(facts.st_mode)) {
+        --failing;
+        errno = EIO;
+        return -1;
+    }
     const auto result = static_cast<int>(::syscall(SYS_fsync, descriptor));
     cd::tests::Recorder::instance().add(descriptor, {cd::tests::Kind::Sync, "", 0, ""});
     return result;
@@ -372,6 +441,46 @@ int ftruncate64(int descriptor, off64_t size) noexcept {
 
 int ftruncate(int descriptor, off_t size) noexcept {
     return ftruncate64(descriptor, size);
+}
+
+int rename(const char* path, const char* to) noexcept {
+    const auto result = static_cast<int>(::syscall(SYS_renameat, AT_FDCWD, path, AT_FDCWD, to));
+    if (result == 0) {
+        cd::tests::Recorder::instance().add(std::string(path),
+                                            {cd::tests::Kind::Rename, "", 0, to});
+    }
+    return result;
+}
+
+int open64(const char* path, int flags, ...) {
+    std::va_list rest;
+    va_start(rest, flags);
+    const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
+    va_end(rest);
+    const bool is_new = (flags & O_CREAT) != 0 && ::access(path, F_OK) != 0;
+    const auto descriptor =
+        static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags | O_LARGEFILE, mode));
+    if (descriptor >= 0 && is_new) {
+        cd::tests::Recorder::instance().add(std::string(path),
+                                            {cd::tests::Kind::Create, "", 0, ""});
+    }
+    return descriptor;
+}
+
+int open(const char* path, int flags, ...) {
+    std::va_list rest;
+    va_start(rest, flags);
+    const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
+    va_end(rest);
+    return open64(path, flags, mode);
+}
+
+int mkostemp(char* name, int flags) {
+    // The names are random enough for one process.
+    static std::atomic<unsigned> last = 0;
+    const std::string number = std::to_string(1'000'000 + ++last);
+    std::copy(number.end() - 6, number.end(), name + std::strlen(name) - 6);
+    return open64(name, flags | O_RDWR | O_CREAT | O_EXCL, 0600);
 }
 
 int unlink(const char* path) noexcept {
