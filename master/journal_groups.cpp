@@ -168,9 +168,9 @@ struct FoundJob {
     RecoveredJob job;
     std::vector<ResultRow> rows;
     std::vector<RecordPlace> places;
-    std::vector<WorkerProcess> authors;        ///< Of the rows.
-    std::unordered_set<std::uint64_t> vouched; ///< Scenarios: no author's word is all there is.
-    std::uint64_t end = 0;                     ///< Of its segment.
+    std::vector<WorkerProcess> authors;           ///< Of the rows.
+    std::unordered_set<std::uint64_t> vouched;    ///< Scenarios: no author's word is all there is.
+    std::uint64_t end = ResultStore::first_end(); ///< Of its segment.
 };
 
 using FoundJobs = std::map<JobId, FoundJob>;
@@ -261,7 +261,7 @@ Result<FoundJobs> find_jobs(const JournalDatabase& database) {
             return Status(damaged(database.path(), id, "results of a job that is not there"));
         }
         FoundJob& job = found->second;
-        if (job.end != 0 && group.value().begin != job.end) {
+        if (group.value().begin != job.end) {
             return Status(damaged(database.path(), id, "results are missing"));
         }
         take_rows(job, group.value());

@@ -290,6 +290,37 @@ TEST(Journal, AnEmptyOneWithoutAMarkGetsOne) {
     }
 }
 
+TEST(Journal, AFirstGroupThatIsNotTheFirstIsDamage) {
+    const TemporaryFolder folder;
+    {
+        Writer writer(folder.path());
+        writer.wait_for(writer.journal->add(AcceptJob{job_record(JobId{1}, 100)}));
+    }
+    {
+        // Two records, of which the first is in no group.
+        auto database = std::move(JournalDatabase::open(folder.path(), {}).value());
+        const auto store = ResultStore::create(folder / "jobs/2.results", JobId{2}, 100);
+        const JournalResult first = result_of(49);
+        const JournalResult second = result_of(50);
+        ASSERT_TRUE(
+            store->write(std::vector<StoredRecord>{{49, first.record}, {50, second.record}}));
+        ResultGroup group;
+        group.begin = ResultStore::end_of(ResultStore::place_at(store->end(), first.record.size()));
+        group.rows = {second.row};
+        group.authors = {{1, 0}};
+        Bytes record = encode_job(job_record(JobId{2}, 100));
+        using Kind = DatabaseChange::Kind;
+        ASSERT_TRUE(database->write(
+            std::vector<DatabaseChange>{{Kind::Accept, JobId{2}, std::move(record)},
+                                        {Kind::Results, JobId{2}, encode_group(group)}}));
+    }
+    const auto opened = Journal::open({.directory = folder.path()});
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().detail.find("job 2: results are missing"), std::string::npos)
+        << opened.error().detail;
+    expect_way_out(opened.error().detail);
+}
+
 TEST(Journal, ASegmentMayBeLongerThanWhatWasCommittedAndNotShorter) {
     const TemporaryFolder folder;
     fill(folder.path());
