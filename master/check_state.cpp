@@ -1,7 +1,8 @@
 #include "master/check_state.hpp"
 
 #include "common/core/disk_file.hpp"
-#include "master/journal.hpp"
+#include "master/journal_database.hpp"
+#include "master/journal_groups.hpp"
 #include "master/mesh_file.hpp"
 #include "master/pose_spool.hpp"
 
@@ -46,30 +47,37 @@ class Check {
     }
 
     void check_journal() {
-        const auto journal = Journal::open(
-            {.directory = directory_, .synced = true, .create = false, .check_records = false});
+        const std::filesystem::path folder = directory_ / "jobs";
+        const auto journal = JournalDatabase::open(
+            directory_, {.synced = true, .create = false, .owned = file_of_a_job(folder)});
         if (!journal) {
             return problem(journal.error().detail);
         }
+        const ExaminedJobs examined = examine_jobs(*journal.value(), folder);
+        for (const Error& damage : examined.damage) {
+            problem(damage.detail);
+        }
         std::uint64_t running = 0;
         std::uint64_t results = 0;
-        const Recovered recovered = journal.value()->take_recovered();
-        for (const RecoveredJob& job : recovered.jobs) {
-            results += job.results->count();
-            note(job.results->verify());
+        for (const RecoveredJob& job : examined.jobs) {
+            results += job.results == nullptr ? 0 : job.results->count();
             running += job.end ? 0 : 1;
             // Of a job that has ended they only explain; without them that is all that is missing.
-            const auto poses = journal.value()->poses_path(job.record.id);
+            const auto poses = folder / (std::to_string(job.record.id.value) + ".poses");
             if (!job.end || std::filesystem::exists(poses)) {
                 check_poses(job.record, poses);
             }
         }
-        report_.lines.push_back("journal: " + std::to_string(recovered.jobs.size()) + " jobs, " +
+        report_.lines.push_back("journal: " + std::to_string(examined.jobs.size()) + " jobs, " +
                                 std::to_string(running) + " of them unfinished, " +
                                 std::to_string(results) + " results");
+        const Result<AlarmRecord> alarms = recover_alarms(*journal.value());
+        if (!alarms) {
+            return problem(alarms.error().detail);
+        }
         report_.lines.push_back(
-            "alarms: " + std::to_string(recovered.alarms.count) +
-            ", quarantined workers: " + std::to_string(recovered.alarms.quarantined.size()));
+            "alarms: " + std::to_string(alarms.value().count) +
+            ", quarantined workers: " + std::to_string(alarms.value().quarantined.size()));
     }
 
     void check_poses(const JobRecord& job, const std::filesystem::path& path) {

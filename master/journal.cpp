@@ -120,10 +120,6 @@ void Journal::State::run() {
 
 namespace {
 
-bool is_of_a_job(const std::string& name) {
-    return name.ends_with(".results") || name.ends_with(".poses");
-}
-
 /// What a master that was killed has left half-made, and files of jobs that are no more. The
 /// journal has been found to be sound.
 void remove_leftovers(const JournalOptions& options,
@@ -153,17 +149,6 @@ void remove_leftovers(const JournalOptions& options,
     for (const auto& path : leftovers) {
         std::filesystem::remove(path, ignored);
     }
-}
-
-/// Of whatever job; or nothing.
-std::filesystem::path file_of_a_job(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    for (const auto& file : std::filesystem::directory_iterator(folder, ignored)) {
-        if (is_of_a_job(file.path().filename().string())) {
-            return file.path();
-        }
-    }
-    return {};
 }
 
 } // namespace

@@ -278,6 +278,10 @@ Result<FoundJobs> find_jobs(const JournalDatabase& database) {
     return read ? Result<FoundJobs>(std::move(jobs)) : Result<FoundJobs>(read.error());
 }
 
+std::filesystem::path segment_path(const std::filesystem::path& jobs_folder, JobId job) {
+    return jobs_folder / (std::to_string(job.value) + ".results");
+}
+
 /// Opens the job's segment and fills what is in memory.
 Status restore(FoundJob& found, const std::filesystem::path& path, bool check_records) {
     RecoveredJob& job = found.job;
@@ -346,14 +350,45 @@ Result<std::vector<RecoveredJob>> recover_jobs(const JournalDatabase& database,
     }
     std::vector<RecoveredJob> jobs;
     for (auto& [id, job] : found.value()) {
-        const auto path = jobs_folder / (std::to_string(id.value) + ".results");
-        const Status restored = restore(job, path, check_records && !job.job.end);
+        const Status restored =
+            restore(job, segment_path(jobs_folder, id), check_records && !job.job.end);
         if (!restored) {
             return restored.error();
         }
         jobs.push_back(std::move(job.job));
     }
     return jobs;
+}
+
+ExaminedJobs examine_jobs(const JournalDatabase& database,
+                          const std::filesystem::path& jobs_folder) {
+    ExaminedJobs examined;
+    Result<FoundJobs> found = find_jobs(database);
+    if (!found) {
+        examined.damage.push_back(found.error());
+        return examined;
+    }
+    for (auto& [id, job] : found.value()) {
+        if (const Status sound = restore(job, segment_path(jobs_folder, id), true); !sound) {
+            examined.damage.push_back(sound.error());
+        }
+        examined.jobs.push_back(std::move(job.job));
+    }
+    return examined;
+}
+
+bool is_of_a_job(const std::string& name) {
+    return name.ends_with(".results") || name.ends_with(".poses");
+}
+
+std::filesystem::path file_of_a_job(const std::filesystem::path& jobs_folder) {
+    std::error_code ignored;
+    for (const auto& file : std::filesystem::directory_iterator(jobs_folder, ignored)) {
+        if (is_of_a_job(file.path().filename().string())) {
+            return file.path();
+        }
+    }
+    return {};
 }
 
 } // namespace cd

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace cd {
@@ -33,5 +34,19 @@ struct JournalDisk {
 /// All jobs by id, with what of their results is committed.
 [[nodiscard]] Result<std::vector<RecoveredJob>> recover_jobs(
     const JournalDatabase& database, const std::filesystem::path& jobs_folder, bool check_records);
+
+/// What there is of a state, damaged or not.
+struct ExaminedJobs {
+    std::vector<RecoveredJob> jobs; ///< By id; without `results` where they cannot be read at all.
+    std::vector<Error> damage;      ///< As above; of each file one.
+};
+/// Reads all records against their checksums, and goes on behind what is damaged.
+[[nodiscard]] ExaminedJobs examine_jobs(const JournalDatabase& database,
+                                        const std::filesystem::path& jobs_folder);
+
+/// Of whatever job, if there is one in the folder: `JournalDatabase::Options::owned`.
+[[nodiscard]] std::filesystem::path file_of_a_job(const std::filesystem::path& jobs_folder);
+/// Whether files of jobs are called so.
+[[nodiscard]] bool is_of_a_job(const std::string& name);
 
 } // namespace cd

@@ -11,6 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace cd::tests {
 namespace {
 
@@ -110,6 +112,37 @@ TEST_F(CheckState, EveryDamagedFileIsNamedAtOnce) {
                                     mesh_path().filename().string()}) {
         EXPECT_NE(text.find(name), std::string::npos) << text;
     }
+}
+
+TEST_F(CheckState, AFileThatCannotBeReadAtAllHidesNoOther) {
+    flip(folder_ / "jobs/1.results", 3); // Its header.
+    flip(folder_ / "jobs/1.poses", 3);
+    std::filesystem::remove(folder_ / "jobs/2.results");
+    flip(mesh_path(), 50);
+    const StateReport report = check_state(folder_.path());
+    EXPECT_FALSE(report.is_sound);
+    const std::string text = text_of(report);
+    for (const std::string& name : {std::string("1.results"),
+                                    std::string("1.poses"),
+                                    std::string("2.results"),
+                                    mesh_path().filename().string(),
+                                    std::string("2 jobs, 1 of them unfinished, 0 results")}) {
+        EXPECT_NE(text.find(name), std::string::npos) << text;
+    }
+    EXPECT_EQ(
+        std::ranges::count_if(report.lines,
+                              [](const std::string& line) { return line.starts_with("PROBLEM"); }),
+        4)
+        << text;
+}
+
+TEST_F(CheckState, AJournalThatIsGoneIsNoNewState) {
+    for (const char* name : {"journal.db", "journal.mark", "jobs/1.results", "jobs/2.results"}) {
+        std::filesystem::remove(folder_ / name);
+    }
+    const StateReport report = check_state(folder_.path());
+    EXPECT_FALSE(report.is_sound);
+    EXPECT_NE(text_of(report).find("journal.db is missing"), std::string::npos) << text_of(report);
 }
 
 TEST_F(CheckState, NothingIsChanged) {
