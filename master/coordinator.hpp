@@ -15,13 +15,16 @@
 #include "proto/asio.hpp"
 #include "proto/channel.hpp"
 
+#include <atomic>
 #include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -132,7 +135,7 @@ class Coordinator {
     /// NotFound.
     [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel_job(JobId job);
     /// The scenario fails, and whoever runs it stops; the job goes on. Errors: NotFound; Refused
-    /// when it has a result.
+    /// when it has a result that is not in dispute.
     [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel_scenario(JobId job,
                                                                      std::uint64_t scenario);
     /// Errors: NotFound.
@@ -291,9 +294,14 @@ class Coordinator {
     /// Without evidence the first result stands.
     void settle(MasterJob& job, const Dispute& dispute, std::optional<Evidence> evidence);
     /// What follows from it for the journal goes to `verdict`.
-    void judge(MasterJob& job, const Dispute& dispute, Evidence evidence, AddResults& verdict);
+    /// Errors: TooLarge when the right result is.
+    [[nodiscard]] Status
+    judge(MasterJob& job, const Dispute& dispute, Evidence evidence, AddResults& verdict);
     /// The first result of the scenario was wrong.
     void correct(MasterJob& job, Evidence evidence, AddResults& verdict);
+    /// What is being computed to settle disputes of the job, or of one of its scenarios, is of no
+    /// use any more. False: nothing is.
+    bool stop_judging(JobId job, std::optional<std::uint64_t> scenario);
     void alarm(const std::string& text);
 
     // Who was wrong, and what else may be (coordinator_doubts.cpp).
@@ -417,6 +425,10 @@ class Coordinator {
     // Workers that only an earlier life of the master knew have the first numbers.
     std::map<WorkerProcess, WorkerId> earlier_;
     WorkerId earlier_last_;
+    /// What settles disputes, by scenario, and stops when it is true.
+    using Judging =
+        std::multimap<std::pair<JobId, std::uint64_t>, std::shared_ptr<std::atomic<bool>>>;
+    Judging judging_;
 };
 
 } // namespace cd

@@ -5,9 +5,11 @@
 // that ends anywhere between begins with the same question, or with all of the answer.
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
+#include "common/core/stop_check.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "master/coordinator.hpp"
+#include "master/record_size.hpp"
 #include "master/run_on.hpp"
 
 #include <algorithm>
@@ -17,12 +19,18 @@ namespace cd {
 /// What a dispute is settled by.
 struct Coordinator::Evidence {
     TakenResult right;
-    ScenarioFacts first; ///< Of the result that was merged.
+    ScenarioFacts first;       ///< Of the result that was merged.
+    bool is_cancelled = false; ///< Nobody knows what is right, and nobody is to blame.
 
-    [[nodiscard]] static Result<std::optional<Evidence>> find(const JobMaterial& material,
-                                                              PoseSource& poses,
-                                                              const ResultStore& results,
-                                                              std::uint64_t index);
+    struct Case {
+        std::shared_ptr<const JobMaterial> material;
+        std::shared_ptr<PoseSource> poses;
+        std::shared_ptr<const ResultStore> results;
+        std::uint64_t scenario = 0;
+        bool is_masters = false; ///< What was merged, as far as is known.
+    };
+    [[nodiscard]] static Result<std::optional<Evidence>> find(const Case& dispute,
+                                                              const StopCheck& stop);
 };
 
 namespace {
@@ -42,27 +50,35 @@ Result<ScenarioResult> merged_result(const ResultStore& results, std::uint64_t i
 
 } // namespace
 
-/// Nothing when a failure was merged: it stands. The scenario may be one that takes down whoever
-/// runs it, or that somebody has cancelled, and it would run here.
-Result<std::optional<Coordinator::Evidence>>
-Coordinator::Evidence::find(const JobMaterial& material,
-                            PoseSource& poses,
-                            const ResultStore& results,
-                            std::uint64_t index) {
-    const Result<ScenarioResult> first = merged_result(results, index);
+/// Nothing when a failure of the master's was merged: it stands. The scenario may be one that takes
+/// down whoever runs it, or that somebody has cancelled, and it would run here. A worker that says
+/// of a scenario that it fails may be as wrong as with any other answer.
+Result<std::optional<Coordinator::Evidence>> Coordinator::Evidence::find(const Case& dispute,
+                                                                         const StopCheck& stop) {
+    const Result<ScenarioResult> first = merged_result(*dispute.results, dispute.scenario);
     if (!first) {
         return first.error();
     }
-    if (first.value().kind == ScenarioClass::Failed) {
+    if (first.value().kind == ScenarioClass::Failed && dispute.is_masters) {
         return std::optional<Evidence>();
     }
-    const Result<std::vector<Scenario>> scenario = poses.read(index, 1);
-    if (!scenario) {
-        return scenario.error();
+    const Result<std::vector<Scenario>> read = dispute.poses->read(dispute.scenario, 1);
+    if (!read) {
+        return read.error();
     }
-    const ScenarioRunner runner(*material.a, *material.b, material.query);
-    return std::optional(Evidence{take_result(runner.run(scenario.value().front()).result, {}),
-                                  facts_of(first.value())});
+    const Scenario& scenario = read.value().front();
+    const JobMaterial& material = *dispute.material;
+    const ScenarioRunner runner(*material.a, *material.b, material.query, PairStage::Float, stop);
+    ScenarioRun run;
+    run.is_stopped = stop();
+    if (!run.is_stopped) {
+        run = runner.run(scenario);
+    }
+    if (run.is_stopped) {
+        run.result = failed_result(scenario, material.query, {ErrorCode::Interrupted, "cancelled"});
+    }
+    return std::optional(
+        Evidence{take_result(std::move(run.result), {}), facts_of(first.value()), run.is_stopped});
 }
 
 void Coordinator::alarm(const std::string& text) {
@@ -86,16 +102,18 @@ asio::awaitable<void> Coordinator::settle_dispute(Dispute dispute) {
     if (job == nullptr) {
         co_return;
     }
-    auto look = [material = job->material,
-                 poses = job->poses,
-                 results = job->results,
-                 index = dispute.scenario] {
-        return Evidence::find(*material, *poses, *results, index);
-    };
+    const std::uint64_t index = dispute.scenario;
+    const bool is_masters = index >= job->authors.size() || job->authors[index] == 0;
+    const auto stop = std::make_shared<std::atomic<bool>>(closed_);
+    const auto judging = judging_.emplace(std::pair(dispute.job, index), stop);
+    auto look = [content =
+                     Evidence::Case{job->material, job->poses, job->results, index, is_masters},
+                 stop] { return Evidence::find(content, [stop] { return stop->load(); }); };
     Result<std::optional<Evidence>> evidence = co_await run_on(parts_.blocking, look);
+    judging_.erase(judging);
     job = jobs_.find_running(dispute.job);
-    if (job == nullptr) {
-        co_return;
+    if (job == nullptr || closed_) {
+        co_return; // The next life of the master begins with it.
     }
     if (evidence) {
         settle(*job, dispute, std::move(evidence.value()));
@@ -110,9 +128,8 @@ void Coordinator::settle(MasterJob& job, const Dispute& dispute, std::optional<E
     AddResults verdict{job.id, job.results, {}, {}, {}};
     const WorkerProcess second = process_of(dispute.second);
     verdict.remarks.push_back({Remark::Kind::Settled, dispute.scenario, dispute.digest, second});
-    if (evidence) {
-        judge(job, dispute, std::move(*evidence), verdict);
-    }
+    const Status fits =
+        evidence ? judge(job, dispute, std::move(*evidence), verdict) : Status(Done{});
     if (alarms_.count != alarms_before) {
         verdict.alarms = alarms_;
     }
@@ -121,13 +138,25 @@ void Coordinator::settle(MasterJob& job, const Dispute& dispute, std::optional<E
     doubt_ends(job, dispute.scenario, WorkerId{}); // Its author may be in quarantine meanwhile.
     --job.disputes;
     ++job.changes;
+    if (!fits) {
+        return end_job(job, JobState::Failed, fits.error().detail);
+    }
     end_if_complete(job);
 }
 
-void Coordinator::judge(MasterJob& job,
-                        const Dispute& dispute,
-                        Evidence evidence,
-                        AddResults& verdict) {
+bool Coordinator::stop_judging(JobId job, std::optional<std::uint64_t> scenario) {
+    bool any = false;
+    for (const auto& [place, stop] : judging_) {
+        if (place.first == job && (!scenario || place.second == *scenario)) {
+            *stop = true;
+            any = true;
+        }
+    }
+    return any;
+}
+
+Status
+Coordinator::judge(MasterJob& job, const Dispute& dispute, Evidence evidence, AddResults& verdict) {
     const std::uint64_t index = dispute.scenario;
     const std::string where =
         "results of job " + std::to_string(job.id.value) + ", scenario " + std::to_string(index);
@@ -137,13 +166,22 @@ void Coordinator::judge(MasterJob& job,
     if (author != WorkerId{}) {
         job.authors[index] = 0; // The master's own stands for it.
     }
-    if (!first_is_right && is_quarantined(author)) {
+    if (evidence.is_cancelled) {
+        if (!first_is_right) { // It was not cancelled by another dispute before.
+            correct(job, std::move(evidence), verdict);
+        }
+        return Done{};
+    }
+    const Status fits = check_record_size(index, evidence.right.record.size());
+    const bool is_known_wrong = !first_is_right && is_quarantined(author);
+    if (is_known_wrong) {
         spdlog::warn("a result in doubt is corrected: job={} scenario={}", job.id.value, index);
-        correct(job, std::move(evidence), verdict);
     } else if (!first_is_right) {
         alarm(where + " differ, and the master's own says that the first one, of " +
               (author == WorkerId{} ? "an unknown worker" : name_of(author)) +
               ", was wrong; it is corrected");
+    }
+    if (!first_is_right && fits) {
         correct(job, std::move(evidence), verdict);
     }
     // What came again, as after a restart, tells nothing new.
@@ -155,13 +193,16 @@ void Coordinator::judge(MasterJob& job,
     if (!first_is_right) {
         quarantine(author);
     }
+    return fits;
 }
 
 void Coordinator::correct(MasterJob& job, Evidence evidence, AddResults& verdict) {
     TakenResult& right = evidence.right;
     const std::uint64_t index = right.result.index;
     job.merger.correct(index, evidence.first, facts_of(right.result), right.digest);
-    withdraw_map(job, "a result of the job was wrong and has been corrected");
+    withdraw_map(job,
+                 evidence.is_cancelled ? "a scenario with results that differ was cancelled"
+                                       : "a result of the job was wrong and has been corrected");
     const ResultRow row{index, right.record.size(), facts_of(right.result), right.digest};
     verdict.results.push_back({row, std::move(right.record)});
 }

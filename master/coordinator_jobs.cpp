@@ -249,6 +249,7 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
     if (const auto retry = retries_.find(job.id); retry != retries_.end()) {
         retry->second->cancel();
     }
+    (void)stop_judging(job.id, std::nullopt);
     jobs_.end(job, state, failure, Clock::now());
     act(dispatcher().job_closed(job.id));
     for (auto& [worker, link] : workers_) {
@@ -331,6 +332,10 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::u
         }
         return job;
     };
+    if (stop_judging(id, scenario)) {
+        spdlog::warn("scenario in dispute cancelled: job={} scenario={}", id.value, scenario);
+        co_return job_status(id);
+    }
     Result<MasterJob*> job = running();
     if (!job) {
         co_return job.error();

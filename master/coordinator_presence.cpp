@@ -354,6 +354,9 @@ void Coordinator::close() {
     for (const auto& [job, retry] : retries_) {
         retry->cancel();
     }
+    for (const auto& [scenario, stop] : judging_) {
+        *stop = true;
+    }
 }
 
 // ---- Leaving ----------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include "common/job/packed_map.hpp"
 #include "master/coordinator.hpp"
 #include "master/mutation.hpp"
+#include "master/record_size.hpp"
 
 #include <algorithm>
 #include <span>
@@ -169,13 +170,8 @@ void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
     add.results.reserve(taken.results.size());
     for (TakenResult& one : taken.results) {
         job.statistics += one.cost;
-        if (one.record.size() > limits::result_record_bytes_max) {
-            const std::string scenario = std::to_string(one.result.index);
-            return end_job(job,
-                           JobState::Failed,
-                           "the result of scenario " + scenario + " takes " +
-                               std::to_string(one.record.size()) +
-                               " bytes; ask for a lower level or set limit_pairs");
+        if (const Status fits = check_record_size(one.result.index, one.record.size()); !fits) {
+            return end_job(job, JobState::Failed, fits.error().detail);
         }
         if (merge_one(job, one, worker, add)) {
             const ResultRow row{

@@ -104,6 +104,7 @@ class FakeWorker {
         bool answers_twice = false;
         bool lies_first = false;      ///< It answers wrongly, then rightly;
         bool lies_second = false;     ///< or the other way round.
+        bool lies_say_failed = false; ///< Else that nothing touches.
         std::uint64_t lies_alone = 0; ///< So many first batches it answers wrongly, and that is it.
         std::optional<std::uint64_t> dies_of = {}; ///< A scenario.
         bool sends_rubbish = false;
@@ -312,8 +313,7 @@ class FakeWorker {
         }
     }
 
-    /// As if nothing had touched anything.
-    static Results false_results(Results results) {
+    [[nodiscard]] Results false_results(Results results) const {
         const Bytes records = unpack_records(results.records, 1u << 30).value();
         ByteReader in(records);
         ByteWriter out;
@@ -322,6 +322,10 @@ class FakeWorker {
             result.kind = ScenarioClass::Separate;
             result.pair_count = 0;
             result.pairs.clear();
+            if (habits_.lies_say_failed) {
+                result.kind = ScenarioClass::Failed;
+                result.failure = "too hard for me";
+            }
             const Bytes record = encode_result(result);
             out.put(static_cast<std::uint32_t>(record.size()));
             out.put_array(std::span(reinterpret_cast<const char*>(record.data()), record.size()));

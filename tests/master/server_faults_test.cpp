@@ -1,5 +1,6 @@
 // Proves that whatever workers do, the digest is that of the same scenarios without a cluster: they
 // die, forget, lie, take too long or send what is none.
+#include "master/record_size.hpp"
 #include "tests/master/master_stage.hpp"
 
 #include <latch>
@@ -64,7 +65,10 @@ TEST(Server, RepeatedAndForgottenAnswersDoNoHarm) {
 
 TEST(Server, OfResultsThatDifferTheRightOneStaysAndTheWorkerIsQuarantined) {
     for (const FakeWorker::Habits& habits :
-         {FakeWorker::Habits{.lies_first = true}, FakeWorker::Habits{.lies_second = true}}) {
+         {FakeWorker::Habits{.lies_first = true},
+          FakeWorker::Habits{.lies_second = true},
+          FakeWorker::Habits{.lies_first = true, .lies_say_failed = true},
+          FakeWorker::Habits{.lies_second = true, .lies_say_failed = true}}) {
         Master master;
         FakeWorker liar(master, habits);
         Client client(master);
@@ -328,6 +332,50 @@ TEST(Server, AJobThatWaitsForRoomMayBeCancelledAndTheMasterEnded) {
     // Nothing is left to be done once the master ends, although a job still waits.
     master.end();
     EXPECT_TRUE(master.context.stopped());
+}
+
+/// As with one that takes hours.
+TEST(Server, AScenarioInDisputeMayBeCancelledAndThenNobodyIsToBlame) {
+    Master master;
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.job && master.coordinator.analysis_input(*client.job); });
+    std::latch released(1);
+    for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
+        master.blocking.post([&] { released.wait(); }); // So that nothing is judged.
+    }
+    auto liar = std::make_unique<FakeWorker>(
+        master, FakeWorker::Habits{.lies_second = true, .instance = 7, .batches_max = 1});
+    master.run_until([&] { return liar->kept == 2; });
+    std::uint64_t cancelled = 0;
+    for (const Scenario& scenario : reference().scenarios) {
+        if (!master.coordinator.results_of(*client.job)->has(scenario.index)) {
+            continue;
+        }
+        Client other(master);
+        other.start_asking({Cancel{*client.job, scenario.index}});
+        master.run_until([&] { return other.done; });
+        cancelled += std::holds_alternative<Failure>(other.answer->value()) ? 0 : 1;
+    }
+    EXPECT_GT(cancelled, 0u);
+    released.count_down();
+    liar.reset(); // What it has besides is done by the other.
+    FakeWorker good(master, {});
+    master.run_until([&] { return client.done; });
+    EXPECT_EQ(client.statuses.back().state, JobState::Done);
+    EXPECT_EQ(client.statuses.back().summary.failed, cancelled);
+    EXPECT_EQ(client.statuses.back().summary.merged(), reference().scenarios.size());
+    EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+}
+
+TEST(Server, ARecordThatTheJournalDoesNotTakeIsAnErrorThatNamesTheLimit) {
+    EXPECT_TRUE(check_record_size(3, limits::result_record_bytes_max));
+    const Status large = check_record_size(3, limits::result_record_bytes_max + 1);
+    ASSERT_FALSE(large);
+    EXPECT_EQ(large.error().code, ErrorCode::TooLarge);
+    EXPECT_NE(large.error().detail.find("scenario 3 takes 268435457 bytes; at most 268435456"),
+              std::string::npos)
+        << large.error().detail;
 }
 
 TEST(Server, AWorkerThatSendsRubbishOrHoldsWhatDoesNotExistIsCutOff) {
