@@ -201,8 +201,11 @@ TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
             for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
                 master.blocking.post([&] { released.wait(); }); // So that nothing is judged.
             }
-            const FakeWorker liar(master, habits);
-            master.run_until([&] { return liar.kept == 2; });
+            {
+                const FakeWorker liar(master, habits);
+                master.run_until([&] { return liar.kept == 2; });
+            }
+            wait_until_gone(master);
             EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
             // All that there is is acknowledged, so nothing is being written.
             std::filesystem::copy(
