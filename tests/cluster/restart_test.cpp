@@ -3,6 +3,7 @@
 // that is done is done again, and the digest is that of one process.
 #include "client/job_id.hpp"
 #include "tests/cluster/mortal_master.hpp"
+#include "tests/support/comes_true.hpp"
 
 #include <sys/resource.h>
 
@@ -109,6 +110,71 @@ TEST_F(Restart, WhatIsDoneIsNotDoneAgainAndNoBlockIsSentAgain) {
     EXPECT_NE(explained.value().note.find("has ended"), std::string::npos);
     EXPECT_EQ(explained.value().workers.size(), 2u);
 }
+
+/// The other way needs other blocks: the tops of the trees.
+class RestartWithFullCaches : public Restart, public testing::WithParamInterface<AnalysisMode> {};
+
+TEST_P(RestartWithFullCaches, NotOneByteOfABlockIsSentAgain) {
+    // In one pose all scenarios touch the same blocks: a worker that has answered one has them all.
+    Job job = make_job(3000);
+    for (Scenario& scenario : job.scenarios) {
+        scenario.poses = {translation_pose(0, 0, 0), translation_pose(1.2, 0, 0)};
+    }
+    start_worker(1, {"--no-peers"});
+    start_worker(1, {"--no-peers"});
+    auto connection = connect();
+    ASSERT_TRUE(comes_true([&] {
+        const auto status = connection->status();
+        return status && status.value().workers.size() == 2;
+    }));
+    ClusterOptions options = many_blocks();
+    options.analysis = GetParam();
+    const JobId id = submit(*connection, job, Query{}, options);
+    ClusterStatus before;
+    ASSERT_TRUE(comes_true([&] {
+        const auto status = connection->status();
+        before = status ? status.value() : ClusterStatus{};
+        return before.workers.size() == 2 && before.workers[0].scenarios > 0 &&
+               before.workers[1].scenarios > 0;
+    }));
+    ASSERT_EQ(before.jobs.at(0).state, JobState::Running);
+    connection.reset();
+    master_.kill();
+    master_.start();
+    connection = connect();
+    const JobStatus status = finish(*connection, id);
+    EXPECT_EQ(status.state, JobState::Done) << status.failure;
+    EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
+    EXPECT_EQ(status.traffic.blocks.evictions, 0u);
+    const auto sent = blocks_sent(before);
+    EXPECT_GT(sent.at("worker0"), 100u) << "then this shows little";
+    EXPECT_EQ(sent.at("worker0"), sent.at("worker1"));
+    // Both lives together: at most once to each worker.
+    std::uint64_t bytes = 0;
+    for (const WorkerStatus& worker : before.workers) {
+        bytes += worker.subtree_bytes_sent;
+    }
+    EXPECT_LE(status.traffic.blocks.master_bytes, bytes);
+
+    const auto cluster = connection->status();
+    ASSERT_TRUE(cluster);
+    ASSERT_EQ(cluster.value().workers.size(), 2u);
+    std::uint64_t answered = 0;
+    for (const WorkerStatus& worker : cluster.value().workers) {
+        EXPECT_EQ(worker.subtrees_sent, 0u) << worker.name;
+        EXPECT_EQ(worker.subtree_bytes_sent, 0u) << worker.name;
+        answered += worker.scenarios;
+    }
+    EXPECT_GT(answered, 100u) << "then this shows little";
+}
+
+INSTANTIATE_TEST_SUITE_P(Analysis,
+                         RestartWithFullCaches,
+                         testing::Values(AnalysisMode::Always, AnalysisMode::Never),
+                         [](const auto& mode) {
+                             return mode.param == AnalysisMode::Always ? "ByTheMaster"
+                                                                       : "ByWorkers";
+                         });
 
 /// Does something before the poses of one place are read.
 class InterruptedPoses final : public PoseSource {
