@@ -125,7 +125,9 @@ TEST_F(BrokenNetwork, AHalfOpenConnectionIsNoticedAtBothEndsAndTheSessionGoesOn)
         progress(250);
         proxy_.set(Weather::Swallowed);
         const std::uint64_t before = proxy_.connections();
+        const std::uint64_t swallowed = proxy_.swallowed();
         wait_for_state(WorkerState::Silent); // The master noticed.
+        EXPECT_GT(proxy_.swallowed(), swallowed);
         EXPECT_TRUE(comes_true([&] { return proxy_.connections() > before; }))
             << "the worker noticed";
         proxy_.set(Weather::Fair);
@@ -139,8 +141,10 @@ TEST_F(BrokenNetwork, AConnectionThatStandsStillIsNoticedAndReplaced) {
     start_job(2000);
     for (int round = 0; round < 3; ++round) {
         progress(250);
+        const std::uint64_t stalled = proxy_.stalled();
         proxy_.set(Weather::Stalled);
         wait_for_state(WorkerState::Silent);
+        EXPECT_GT(proxy_.stalled(), stalled);
         proxy_.set(Weather::Fair);
         wait_for_state(WorkerState::Alive);
     }
@@ -152,6 +156,7 @@ TEST_F(BrokenNetwork, DelayOnlyCostsTime) {
     proxy_.set(Weather::Delayed);
     progress(500);
     proxy_.set(Weather::Fair);
+    EXPECT_GT(proxy_.delayed(), 0u);
     expect_right();
 }
 
@@ -161,6 +166,7 @@ TEST_F(BrokenNetwork, ATrickleOnlyCostsTime) {
     proxy_.set(Weather::Trickling);
     progress(200);
     proxy_.set(Weather::Fair);
+    EXPECT_GT(proxy_.trickled(), 0u);
     expect_right();
     EXPECT_EQ(resumed(), 0u) << "bytes come all the time";
 }
@@ -203,11 +209,16 @@ TEST_F(BrokenNetwork, WithTheMasterKilledInBetweenNothingIsLostEither) {
         master_.kill();
         master_.start();
         connection_ = connect();
+        const std::uint64_t swallowed = proxy_.swallowed();
         proxy_.set(Weather::Swallowed);
+        EXPECT_TRUE(comes_true([&] { return proxy_.swallowed() > swallowed; }));
         proxy_.set(Weather::Fair);
+        const std::uint64_t damaged = proxy_.damaged();
         proxy_.damage(true);
+        EXPECT_TRUE(comes_true([&] { return proxy_.damaged() > damaged; }));
     }
     expect_right();
+    EXPECT_EQ(proxy_.damaged(), 3u);
 }
 
 /// Workers that are not heard of are soon lost.

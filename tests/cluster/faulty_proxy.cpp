@@ -90,7 +90,8 @@ asio::awaitable<void> FaultyProxy::carry(std::shared_ptr<Link> link, bool toward
     std::array<char, 16384> buffer{};
     while (from.is_open() && to.is_open()) {
         if (weather_.load() == Weather::Stalled) {
-            co_await pause(std::chrono::milliseconds(1));
+            ++stalled_;
+            co_await stand_still(*link);
             continue;
         }
         error_code error;
@@ -99,19 +100,29 @@ asio::awaitable<void> FaultyProxy::carry(std::shared_ptr<Link> link, bool toward
         if (error) {
             break;
         }
+        link->has_lost_bytes |= weather_.load() == Weather::Swallowed;
+        if (link->has_lost_bytes) {
+            swallowed_ += bytes;
+            continue;
+        }
         std::string piece(buffer.data(), bytes);
         if (damage.exchange(false)) {
             piece[bytes / 2] = static_cast<char>(piece[bytes / 2] ^ 0x10);
             ++damaged_;
         }
         if (weather_.load() == Weather::Delayed) {
+            ++delayed_;
             co_await pause(delay);
         }
-        if (weather_.load() != Weather::Swallowed) {
-            co_await deliver(to, std::move(piece));
-        }
+        co_await deliver(to, std::move(piece));
     }
     link->close();
+}
+
+asio::awaitable<void> FaultyProxy::stand_still(const Link& link) {
+    while (weather_.load() == Weather::Stalled && link.client.is_open() && link.server.is_open()) {
+        co_await pause(std::chrono::milliseconds(1));
+    }
 }
 
 asio::awaitable<void> FaultyProxy::deliver(tcp::socket& to, std::string piece) {
@@ -129,6 +140,7 @@ asio::awaitable<void> FaultyProxy::deliver(tcp::socket& to, std::string piece) {
         }
         sent += bytes;
         if (trickles) {
+            ++trickled_;
             co_await pause(std::chrono::milliseconds(1));
         }
     }

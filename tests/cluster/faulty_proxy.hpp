@@ -17,7 +17,8 @@ namespace cd::tests {
 enum class Weather {
     Fair,
     Delayed,   ///< Each piece comes 20 ms later, both ways.
-    Swallowed, ///< All is taken and nothing comes out: half-open connections, new ones included.
+    Swallowed, ///< All is taken and nothing comes out: half-open connections, new ones included. A
+               ///< connection that has lost bytes so carries none any more, in any weather.
     Trickling, ///< Some bytes a millisecond.
     Stalled,   ///< Nothing is taken any more: the sender's buffers fill.
 };
@@ -43,7 +44,12 @@ class FaultyProxy {
     }
 
     [[nodiscard]] std::uint64_t connections() const { return connections_.load(); }
-    [[nodiscard]] std::uint64_t damaged() const { return damaged_.load(); }
+    // What has been done to the bytes so far, both ways together:
+    [[nodiscard]] std::uint64_t damaged() const { return damaged_.load(); }     ///< Bits flipped.
+    [[nodiscard]] std::uint64_t delayed() const { return delayed_.load(); }     ///< Pieces held up.
+    [[nodiscard]] std::uint64_t trickled() const { return trickled_.load(); }   ///< Small pieces.
+    [[nodiscard]] std::uint64_t swallowed() const { return swallowed_.load(); } ///< Bytes.
+    [[nodiscard]] std::uint64_t stalled() const { return stalled_.load(); }     ///< Streams halted.
 
   private:
     struct Link {
@@ -52,11 +58,13 @@ class FaultyProxy {
         void close();
         asio::ip::tcp::socket client;
         asio::ip::tcp::socket server;
+        bool has_lost_bytes = false; ///< TCP delivers all up to some byte, and then nothing.
     };
 
     asio::awaitable<void> accept();
     asio::awaitable<void> connect(std::shared_ptr<Link> link);
     asio::awaitable<void> carry(std::shared_ptr<Link> link, bool towards_target);
+    asio::awaitable<void> stand_still(const Link& link);
     asio::awaitable<void> deliver(asio::ip::tcp::socket& to, std::string piece);
     static asio::awaitable<void> pause(std::chrono::milliseconds time);
 
@@ -69,6 +77,10 @@ class FaultyProxy {
     std::atomic<bool> damage_back_ = false;
     std::atomic<std::uint64_t> connections_ = 0;
     std::atomic<std::uint64_t> damaged_ = 0;
+    std::atomic<std::uint64_t> delayed_ = 0;
+    std::atomic<std::uint64_t> trickled_ = 0;
+    std::atomic<std::uint64_t> swallowed_ = 0;
+    std::atomic<std::uint64_t> stalled_ = 0;
     std::thread thread_; ///< Last: it uses the members above.
 };
 
