@@ -8,14 +8,48 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 namespace cd::tests {
 namespace {
 
 constexpr std::uint64_t shards = 20;
 constexpr std::uint64_t seeds_of_shard = 100;
 
-std::string replay(std::uint64_t seed) {
-    return "replay it with: build/test/tests/faults_test --seed " + std::to_string(seed) + " --log";
+/// `workers`: as SimulationOptions has it.
+std::string replay(std::uint64_t seed, std::size_t workers = 0) {
+    return "replay it with: build/test/tests/faults_test --seed " + std::to_string(seed) +
+           " --log" + (workers == 0 ? "" : " --workers " + std::to_string(workers));
+}
+
+/// What is well below what each hundred seeds have shown, so that no kind of trouble ends unseen.
+void expect_trouble(const Troubles& troubles) {
+    constexpr std::uint64_t some = 2;
+    constexpr std::uint64_t many = seeds_of_shard / 8;
+    const std::map<Trouble, std::uint64_t> least = {
+        {Trouble::Doubled, many},
+        {Trouble::Overtaken, some},
+        {Trouble::Delayed, many},
+        {Trouble::Lost, many},
+        {Trouble::Unwelcomed, some},
+        {Trouble::Late, some},
+        {Trouble::WorkerCutOff, many},
+        {Trouble::WorkerStopped, many},
+        {Trouble::WorkerSlowed, many},
+        {Trouble::WorkerDrained, many},
+        {Trouble::WorkerKilled, many},
+        {Trouble::WorkerGone, many},
+        {Trouble::WorkerPoisoned, many},
+        {Trouble::MasterStopped, some},
+        {Trouble::MasterKilled, many},
+        {Trouble::PowerCut, some},
+        {Trouble::UnsyncedLost, 0},
+        {Trouble::DiskFull, many},
+    };
+    EXPECT_EQ(least.size(), static_cast<std::size_t>(Trouble::count));
+    for (const auto& [trouble, count] : least) {
+        EXPECT_GT(troubles.of(trouble), count) << to_text(trouble);
+    }
 }
 
 class Seeds : public testing::TestWithParam<std::uint64_t> {};
@@ -45,6 +79,7 @@ TEST_P(Seeds, EveryScenarioComesToExactlyOneResult) {
     EXPECT_GT(sum.late_messages, 0u);
     EXPECT_GT(sum.late_results, seeds_of_shard);
     EXPECT_GT(sum.old_sessions, seeds_of_shard / 2);
+    expect_trouble(sum.troubles);
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, Seeds, testing::Range<std::uint64_t>(0, shards));
@@ -54,7 +89,8 @@ TEST(ManyWorkers, EveryScenarioComesToExactlyOneResult) {
     constexpr std::size_t workers = 600;
     for (const std::uint64_t seed : {0, 3}) {
         const Outcome outcome = simulate(seed, {false, Mutation::None, workers});
-        ASSERT_TRUE(outcome.problems.empty()) << outcome.problems.front() << "\n" << replay(seed);
+        ASSERT_TRUE(outcome.problems.empty()) << outcome.problems.front() << "\n"
+                                              << replay(seed, workers);
         EXPECT_GE(outcome.workers, workers);
     }
 }

@@ -30,8 +30,9 @@ class Files {
   public:
     SimulatedFiles by_path;
 
-    /// Of what was not synced each write may be there or not, and a new name as well.
-    void lose_power(std::mt19937_64& random);
+    /// Of what was not synced each write may be there or not, and a new name as well. Whether
+    /// anything is gone.
+    bool lose_power(std::mt19937_64& random);
 };
 
 /// Of the files that no accident happens to: geometry.

@@ -39,6 +39,7 @@ Outcome& Outcome::operator+=(const Outcome& other) {
     for (const auto& [name, count] : all_counts) {
         this->*count += other.*count;
     }
+    troubles += other.troubles;
     return *this;
 }
 
@@ -47,7 +48,7 @@ std::string Outcome::counts() const {
     for (const auto& [name, count] : all_counts) {
         text += std::string(text.empty() ? "" : " ") + name + "=" + std::to_string(this->*count);
     }
-    return text;
+    return text + " " + troubles.text();
 }
 
 } // namespace cd::tests

@@ -42,6 +42,7 @@ Status touch(const std::string& path) {
     }
     World::current()->touch_disk();
     if (World::current()->disk_is_full) {
+        World::current()->troubles.add(tests::Trouble::DiskFull);
         return Error{ErrorCode::Io, "cannot write " + path + ": no space left on device"};
     }
     return Done{};

@@ -64,6 +64,7 @@ Status JournalDatabase::write(std::span<const DatabaseChange> changes) {
     World& world = *World::current();
     world.touch_disk();
     if (world.disk_is_full) {
+        world.troubles.add(tests::Trouble::DiskFull);
         return Error{ErrorCode::Io, "cannot write journal.db: no space left on device"};
     }
     if (const std::string wrong = world.watcher.committed(changes); !wrong.empty()) {

@@ -19,6 +19,7 @@ using namespace std::chrono_literals;
 using tests::Duration;
 using tests::Host;
 using tests::Time;
+using tests::Trouble;
 using tests::World;
 
 namespace {
@@ -44,6 +45,14 @@ bool may_be_odd(const Message& message) {
            std::holds_alternative<Heartbeat>(message);
 }
 
+/// A message on its way.
+struct Letter {
+    Message message;
+    std::uint64_t number = 0;       ///< Of its sender, ascending.
+    std::size_t bytes = 0;          ///< That its sender counts as queued until it comes.
+    std::optional<Trouble> trouble; ///< What happens to it, which counts when it comes.
+};
+
 /// One end of a connection.
 struct LinkEnd : std::enable_shared_from_this<LinkEnd> {
     LinkEnd(const asio::any_io_executor& executor, const Host& on)
@@ -66,23 +75,27 @@ struct LinkEnd : std::enable_shared_from_this<LinkEnd> {
     bool open = true;
     bool is_ended = false; ///< Nothing comes any more; what came can be read.
     std::weak_ptr<LinkEnd> other;
-    Time last_arrival{}; ///< Of what was sent from here.
+    Time last_arrival{};            ///< Of what was sent from here.
+    std::uint64_t sent_last = 0;    ///< Numbers of letters: of those that were sent from here,
+    std::uint64_t arrived_last = 0; ///< and the greatest of those that came here.
     std::size_t queued = 0;
     std::size_t blocks_queued = 0; ///< Of these bytes.
     Traffic traffic;
 
-    [[nodiscard]] Time arrival_at(const Host& from, const LinkEnd& to, World& world) const;
+    [[nodiscard]] Time
+    arrival_at(const Host& from, const Host& there, Duration delay, World& world) const;
     void send(const Message& message, bool is_open);
-    void deliver(const Message& message, Time when, std::size_t bytes);
-    void arrive(const Message& message, World& world);
+    void deliver(const Letter& letter, Time when);
+    void arrive(const Letter& letter, World& world);
+    static void count(const Letter& letter, std::uint64_t arrived_last, World& world);
     /// What has come and can be taken.
     [[nodiscard]] std::optional<Message> take();
     void shut(bool tells);
     /// Both ends notice it some time.
-    void cut();
+    void cut(Trouble trouble);
     /// Only this end notices it; the message is on its way until this host greets again.
-    void cut_late(const Message& message);
-    void notice_cut(Duration latest);
+    void cut_late(const Letter& letter);
+    void notice_cut(Duration latest, std::optional<Trouble> trouble);
     void check_flight(World& world) const;
     void wake_up(World& world);
 };
@@ -90,14 +103,14 @@ struct LinkEnd : std::enable_shared_from_this<LinkEnd> {
 // Channels are made by one function alone, which takes sockets: what the next one is made of.
 std::shared_ptr<LinkEnd> next_end;
 
-Time LinkEnd::arrival_at(const Host& from, const LinkEnd& to, World& world) const {
-    Duration takes = world.between(latency_min, latency_max);
-    if (world.happens(world.network.delayed)) {
-        takes += world.between(0s, 2s);
+Time LinkEnd::arrival_at(const Host& from, const Host& there, Duration delay, World& world) const {
+    Time when = world.now() + world.between(latency_min, latency_max) + delay;
+    for (const Host* end : {&from, &there}) {
+        if (end->cut_off_until > when) {
+            when = end->cut_off_until;
+            world.felt(Trouble::WorkerCutOff, *end, when);
+        }
     }
-    Time when = world.now() + takes;
-    const Host* there = world.find_host(to.host);
-    when = std::max({when, from.cut_off_until, there == nullptr ? Time{} : there->cut_off_until});
     return std::max(when, last_arrival);
 }
 
@@ -109,13 +122,24 @@ void LinkEnd::wake_up(World& world) {
     }
 }
 
-void LinkEnd::arrive(const Message& message, World& world) {
+void LinkEnd::count(const Letter& letter, std::uint64_t arrived_last, World& world) {
+    const bool is_first = letter.number > arrived_last;
+    if (letter.trouble && (letter.trouble != Trouble::Overtaken || !is_first)) {
+        world.troubles.add(*letter.trouble);
+    }
+}
+
+void LinkEnd::arrive(const Letter& letter, World& world) {
+    const Message& message = letter.message;
     if (!open || is_ended) {
         return;
     }
+    count(letter, arrived_last, world);
+    arrived_last = std::max(arrived_last, letter.number);
     inbox.push_back(message);
     arrived.cancel();
     if (Host* here = world.find_host(host)) {
+        world.felt_stop(*here);
         world.wake(*here);
     }
     if (host != tests::master_host || !std::holds_alternative<Hello>(message)) {
@@ -145,19 +169,20 @@ std::optional<Message> LinkEnd::take() {
     return message;
 }
 
-void LinkEnd::deliver(const Message& message, Time when, std::size_t bytes) {
+void LinkEnd::deliver(const Letter& letter, Time when) {
     World& world = *World::current();
-    world.at(when, [&world, self = weak_from_this(), to = other, message, bytes] {
+    world.at(when, [&world, self = weak_from_this(), to = other, letter] {
+        const std::size_t bytes = letter.bytes;
         if (const auto sender = self.lock(); sender != nullptr && bytes != 0) {
             sender->queued -= bytes;
-            sender->blocks_queued -= std::holds_alternative<Subtrees>(message) ? bytes : 0;
+            sender->blocks_queued -= std::holds_alternative<Subtrees>(letter.message) ? bytes : 0;
             sender->drained.cancel();
             if (Host* here = world.find_host(sender->host)) {
                 world.wake(*here);
             }
         }
         if (const auto there = to.lock()) {
-            there->arrive(message, world);
+            there->arrive(letter, world);
         }
     });
 }
@@ -186,22 +211,33 @@ void LinkEnd::send(const Message& message, bool is_open) {
     }
     queued += bytes;
     blocks_queued += bytes_of_blocks;
-    const Time when = arrival_at(*from, *to, world);
+    const Duration delay =
+        world.happens(world.network.delayed) ? world.between(0s, 2s) : Duration{};
+    const Time when = arrival_at(*from, *there, delay, world);
+    Letter letter{message, ++sent_last, bytes, std::nullopt};
     if (is_odd && world.happens(world.network.overtaken)) {
         world.log("overtaken: " + way);
-        return deliver(message, when + world.between(0s, 200ms), bytes);
+        letter.trouble = Trouble::Overtaken;
+        return deliver(letter, when + world.between(0s, 200ms));
     }
     last_arrival = when;
     if (world.happens(world.network.lost) || is_unwelcome) {
         world.log("lost: " + way);
         queued -= bytes;
         blocks_queued -= bytes_of_blocks;
-        return is_odd_host && world.happens(world.network.late) ? cut_late(message) : cut();
+        return is_odd_host && world.happens(world.network.late)
+                   ? cut_late(letter)
+                   : cut(is_unwelcome ? Trouble::Unwelcomed : Trouble::Lost);
     }
-    deliver(message, when, bytes);
+    if (delay > latency_max) {
+        letter.trouble = Trouble::Delayed;
+    }
+    deliver(letter, when);
     if (is_odd && world.happens(world.network.doubled)) {
         world.log("doubled: " + way);
-        deliver(message, when, 0);
+        letter.bytes = 0;
+        letter.trouble = Trouble::Doubled;
+        deliver(letter, when);
     }
 }
 
@@ -228,10 +264,13 @@ void LinkEnd::shut(bool tells) {
     });
 }
 
-void LinkEnd::notice_cut(Duration latest) {
+void LinkEnd::notice_cut(Duration latest, std::optional<Trouble> trouble) {
     World& world = *World::current();
-    world.in(world.between(0s, latest), [&world, end = weak_from_this()] {
+    world.in(world.between(0s, latest), [&world, end = weak_from_this(), trouble] {
         if (const auto state = end.lock(); state != nullptr && state->open) {
+            if (trouble && !state->is_ended) {
+                world.troubles.add(*trouble);
+            }
             state->inbox.clear();
             state->is_ended = true;
             state->wake_up(world);
@@ -239,22 +278,24 @@ void LinkEnd::notice_cut(Duration latest) {
     });
 }
 
-void LinkEnd::cut() {
-    notice_cut(4s);
+void LinkEnd::cut(Trouble trouble) {
+    notice_cut(4s, trouble);
     if (const auto there = other.lock()) {
-        there->notice_cut(4s);
+        there->notice_cut(4s, trouble);
     }
 }
 
-void LinkEnd::cut_late(const Message& message) {
+void LinkEnd::cut_late(const Letter& letter) {
     World& world = *World::current();
-    world.log("late: " + name_of(message) + ", of " + this_host);
-    world.find_host(host)->at_greeting.push_back([&world, end = other, message] {
+    world.log("late: " + name_of(letter.message) + ", of " + this_host);
+    Letter late = letter;
+    late.trouble = Trouble::Late;
+    world.find_host(host)->at_greeting.push_back([&world, end = other, late] {
         if (const auto old = end.lock()) {
-            old->arrive(message, world);
+            old->arrive(late, world);
         }
     });
-    notice_cut(1s);
+    notice_cut(1s, std::nullopt);
 }
 
 /// Who gives blocks waits until those before them are on their way.

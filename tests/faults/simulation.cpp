@@ -17,6 +17,9 @@ Simulation::Simulation(std::uint64_t seed, const SimulationOptions& options)
         if (const std::string wrong = world_.watcher.master_hears(route, message); !wrong.empty()) {
             world_.problem(wrong);
         }
+        if (std::holds_alternative<Drain>(message)) {
+            world_.troubles.add(Trouble::WorkerDrained);
+        }
     };
     world_.watcher.quarantine = [this] {
         const Coordinator* coordinator = master_ == nullptr ? nullptr : master_->coordinator();
@@ -69,6 +72,7 @@ void Simulation::end_master(bool by_power) {
     master_.reset();
     world_.power_cut_after = 0;
     world_.power_was_cut = false;
+    world_.troubles.add(by_power ? Trouble::PowerCut : Trouble::MasterKilled);
     if (by_power) {
         world_.lose_power();
     }
@@ -150,6 +154,7 @@ Outcome Simulation::run() {
     outcome_.lies = world_.watcher.lies.count();
     outcome_.found_out = found_out_.size();
     outcome_.corrected = world_.watcher.corrected();
+    outcome_.troubles = world_.troubles;
     return outcome_;
 }
 

@@ -36,6 +36,7 @@ struct Outcome {
     std::uint64_t found_out = 0;        ///< workers that were found wrong;
     std::uint64_t corrected = 0; ///< scenarios whose result was wrong on the disk for a time,
     std::uint64_t borne = 0;     ///< and those where it stays so: nobody could know.
+    Troubles troubles;
 
     /// Of the counts and the problems.
     Outcome& operator+=(const Outcome& other);

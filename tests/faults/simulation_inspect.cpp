@@ -25,6 +25,7 @@ bool Simulation::observe(const Route& route, const Message& message) {
     Host& host = worker->second->host();
     if (!host.is_dying && is_deadly(message)) {
         host.is_dying = true;
+        world_.troubles.add(Trouble::WorkerPoisoned);
         world_.at(world_.now(), [this, id = route.from] { end_worker(id, false); });
     }
     if (!host.is_dying) {

@@ -35,7 +35,7 @@ void Simulation::plan(std::size_t workers) {
     maybe(dangers_.worker_drained, 150);
     maybe(dangers_.worker_slowed, 200);
     maybe(dangers_.master_killed, 250);
-    maybe(dangers_.power_cut, 250);
+    maybe(dangers_.power_cut, 400);
     maybe(dangers_.master_stopped, 150);
     maybe(dangers_.disk_full, 200);
     maybe(dangers_.cancel, 60);
@@ -155,13 +155,16 @@ void Simulation::cause_worker_trouble(WorkerProcess& worker) {
     }
     if (strikes(dangers_.worker_slowed)) {
         host.slowness = 1 + static_cast<double>(world_.below(20));
+        host.slowed_at = world_.now();
     }
     if (strikes(dangers_.worker_drained) && !world_.is_stopped(host)) {
         world_.log(host.name + " drained");
         worker.drain();
     }
     if (strikes(dangers_.worker_killed)) {
-        end_worker(host.id, world_.happens(400));
+        const bool silently = world_.happens(400);
+        world_.troubles.add(silently ? Trouble::WorkerGone : Trouble::WorkerKilled);
+        end_worker(host.id, silently);
     }
 }
 
@@ -175,6 +178,7 @@ void Simulation::stop_trouble() {
         worker->host().stopped_until = {};
         worker->host().cut_off_until = {};
         worker->host().slowness = 1;
+        worker->host().slowed_at = {};
     }
     if (master_ != nullptr) {
         master_->host().stopped_until = {};

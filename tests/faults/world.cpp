@@ -171,6 +171,10 @@ void World::start_next(const ThreadPool* pool) {
     content.running.emplace(job, std::move(content.waiting.front()));
     content.waiting.pop_front();
     const Duration work = between(pool_work_min, pool_work_max);
+    if (const Host& host = *hosts_.at(content.host);
+        host.slowed_at != Time{} && host.slowness >= 2) {
+        felt(Trouble::WorkerSlowed, host, host.slowed_at);
+    }
     in(std::chrono::duration_cast<Duration>(work * hosts_.at(content.host)->slowness),
        [this, pool, number = content.number, job] { run_on_pool(pool, number, job); });
 }
@@ -182,6 +186,7 @@ void World::run_on_pool(const ThreadPool* pool, std::uint64_t number, std::uint6
     }
     Host& host = *hosts_.at(found->second.host);
     if (is_stopped(host)) {
+        felt_stop(host);
         return at(host.stopped_until,
                   [this, pool, number, job] { run_on_pool(pool, number, job); });
     }
@@ -207,6 +212,26 @@ void World::check_failed(const std::string& what) {
     throw BrokenInvariant();
 }
 
+void World::felt(Trouble trouble, const Host& host, Time since) {
+    if (std::exchange(felt_[{trouble, host.id}], since) != since) {
+        troubles.add(trouble);
+    }
+}
+
+void World::felt_stop(const Host& host) {
+    if (is_stopped(host)) {
+        felt(host.id == master_host ? Trouble::MasterStopped : Trouble::WorkerStopped,
+             host,
+             host.stopped_until);
+    }
+}
+
+void World::lose_power() {
+    if (disk.lose_power(random_)) {
+        troubles.add(Trouble::UnsyncedLost);
+    }
+}
+
 void World::touch_disk() {
     if (power_cut_after != 0 && --power_cut_after == 0) {
         power_was_cut = true;
@@ -214,11 +239,13 @@ void World::touch_disk() {
     }
 }
 
-void Files::lose_power(std::mt19937_64& random) {
+bool Files::lose_power(std::mt19937_64& random) {
+    bool is_any_gone = false;
     for (auto file = by_path.begin(); file != by_path.end();) {
         SimulatedFile& content = *file->second;
         if (!content.is_named_for_ever && random() % 2 == 0) {
             file = by_path.erase(file);
+            is_any_gone = true;
             continue;
         }
         Bytes left = content.durable;
@@ -231,10 +258,12 @@ void Files::lose_power(std::mt19937_64& random) {
             }
         }
         content.pending.clear();
+        is_any_gone |= content.content != left;
         content.content = left;
         content.durable = std::move(left);
         ++file;
     }
+    return is_any_gone;
 }
 
 Files& safe_files() {

@@ -7,6 +7,7 @@
 #include "proto/channel.hpp"
 #include "proto/message.hpp"
 #include "tests/faults/files.hpp"
+#include "tests/faults/troubles.hpp"
 #include "tests/faults/watcher.hpp"
 
 #include <chrono>
@@ -20,6 +21,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -56,6 +58,7 @@ struct Host {
     std::vector<std::function<void()>> at_greeting; ///< What comes to the master with its next one.
     std::optional<unsigned> liar; ///< Its results are now and then wrong; which liar it is.
     double slowness = 1;          ///< Of its threads.
+    Time slowed_at{};             ///< When they became so, if trouble made them.
     Time stopped_until{};         ///< It does nothing until then (SIGSTOP),
     Time cut_off_until{};         ///< and nothing comes to it, or from it.
 };
@@ -118,7 +121,7 @@ class World {
     Files disk; ///< Of the master.
     bool disk_is_full = false;
     /// What the disk had not synced may be gone.
-    void lose_power() { disk.lose_power(random_); }
+    void lose_power();
     /// After so many changes of the disk the master ends; 0: it does not.
     std::uint64_t power_cut_after = 0;
     bool power_was_cut = false;
@@ -127,6 +130,13 @@ class World {
     std::function<bool(const Route& route, const Message& message)> on_message;
     /// And with each that the master takes up.
     std::function<void(const Route& route, const Message& message)> on_heard;
+
+    /// Trouble took effect on the host: counts once for each `since`, which names the trouble
+    /// there.
+    void felt(Trouble trouble, const Host& host, Time since);
+    /// The same, of a host to which something came while it was stopped.
+    void felt_stop(const Host& host);
+    Troubles troubles;
 
     /// The first one is what a failing seed is about.
     void problem(const std::string& text);
@@ -154,6 +164,7 @@ class World {
     std::map<const ThreadPool*, Pool> pools_;
     std::uint64_t number_last_ = 0; ///< Of pools, what they run, and connections.
     Host* making_ = nullptr;
+    std::map<std::pair<Trouble, std::uint64_t>, Time> felt_; ///< By kind and host, the last one.
     std::vector<std::string> problems_;
 };
 
