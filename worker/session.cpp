@@ -55,6 +55,12 @@ void Session::hand_back() {
     settle_soon();
 }
 
+std::size_t Session::let_go(std::uint64_t bytes) {
+    const std::size_t gone = cache_.let_go(bytes);
+    settle_soon();
+    return gone;
+}
+
 // ---- What the master says -------------------------------------------------------------------
 
 Status Session::handle(AddTree& add) {

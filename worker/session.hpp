@@ -82,6 +82,13 @@ class Session : public std::enable_shared_from_this<Session> {
     void stop();
     /// After `stop`: what runs is not finished, either, but handed back.
     void hand_back();
+    /// The host needs memory: of the subtrees that nothing here waits for or uses, those leave that
+    /// went unused for longest, until all together take no more. How many.
+    std::size_t let_go(std::uint64_t bytes);
+    /// What is here now.
+    [[nodiscard]] const SubtreeCache& cache() const { return cache_; }
+    /// Over which it goes on, until it is closed.
+    [[nodiscard]] bool is_connected() const { return channel_->is_open(); }
 
     /// There are tasks that the master has not heard the end of.
     [[nodiscard]] bool has_tasks() const { return !tasks_.empty(); }

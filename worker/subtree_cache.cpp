@@ -313,8 +313,14 @@ void SubtreeCache::set_idle(Slot& slot, const SubtreeKey& key) {
     slot.place = idle_.insert(idle_.end(), key);
 }
 
-void SubtreeCache::evict_beyond_limit() {
-    while (bytes_ > bytes_max_ && !idle_.empty()) {
+std::size_t SubtreeCache::let_go(std::uint64_t bytes) {
+    const std::uint64_t evictions_before = evictions_;
+    evict_beyond(bytes);
+    return static_cast<std::size_t>(evictions_ - evictions_before);
+}
+
+void SubtreeCache::evict_beyond(std::uint64_t bytes_max) {
+    while (bytes_ > bytes_max && !idle_.empty()) {
         const SubtreeKey key = idle_.front();
         idle_.pop_front();
         Tree& tree = trees_.at(key.tree);

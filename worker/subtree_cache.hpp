@@ -79,6 +79,8 @@ class SubtreeCache {
     void pin(const SubtreeKey& key);
     void unpin(const SubtreeKey& key);
 
+    /// As if this were the limit, for once. How many subtrees left.
+    std::size_t let_go(std::uint64_t bytes);
     /// What left since the last call, in order. Slots of removed trees are not among them.
     [[nodiscard]] std::vector<SubtreeKey> take_evicted();
 
@@ -119,7 +121,8 @@ class SubtreeCache {
     void rename(TreeId from, TreeId to);
     Tree* find_tree(const SubtreeKey& key); ///< Null also for a root out of range.
     void set_idle(Slot& slot, const SubtreeKey& key);
-    void evict_beyond_limit();
+    void evict_beyond_limit() { evict_beyond(bytes_max_); }
+    void evict_beyond(std::uint64_t bytes_max);
 
     std::uint64_t bytes_max_;
     std::uint64_t bytes_ = 0;

@@ -77,6 +77,21 @@ TEST_F(SubtreeCacheTest, BeyondTheLimitTheLongestUnusedLeaves) {
     EXPECT_TRUE(cache.take_evicted().empty()) << "each is told once";
 }
 
+TEST_F(SubtreeCacheTest, WhenMemoryIsShortTheLongestUnusedLeavesButNothingPinned) {
+    SubtreeCache cache = cache_for(unlimited);
+    insert(cache, 0);
+    insert(cache, 1);
+    insert(cache, 2);
+    cache.pin({tree, 0});
+    EXPECT_EQ(cache.let_go(bytes_of({0, 2})), 1u);
+    EXPECT_EQ(cache.at({tree, 1}), nullptr);
+    EXPECT_EQ(cache.let_go(0), 1u);
+    EXPECT_NE(cache.at({tree, 0}), nullptr);
+    EXPECT_EQ(cache.take_evicted(), (std::vector{SubtreeKey{tree, 1}, SubtreeKey{tree, 2}}));
+    insert(cache, 1); // For once: there is room again.
+    EXPECT_NE(cache.at({tree, 1}), nullptr);
+}
+
 TEST_F(SubtreeCacheTest, WhatIsPinnedStaysEvenBeyondTheLimit) {
     SubtreeCache cache = cache_for(1);
     for (RootIndex root = 0; root < 3; ++root) {
