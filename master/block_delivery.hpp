@@ -52,6 +52,10 @@ class BlockDelivery {
         std::uint64_t bytes = 0; ///< Compressed.
     };
     [[nodiscard]] Sent sent_to(WorkerId worker) const;
+    /// What a worker that has a connection, and serves others, holds as it has said.
+    [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
+        return director_.held_by(worker);
+    }
     /// Aborts when an invariant is broken; for tests, after each event.
     void check_invariants() const { director_.check_invariants(); }
 

@@ -79,6 +79,10 @@ class BlockDirector {
 
     /// Blocks wanted and not yet held.
     [[nodiscard]] std::size_t open() const;
+    /// What a worker that is here, and serves others, holds as it has said.
+    [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
+        return peers_.at(worker).holds;
+    }
     /// The worker is not named as a source any more.
     [[nodiscard]] bool is_avoided(WorkerId worker) const;
 

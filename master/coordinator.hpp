@@ -159,6 +159,9 @@ class Coordinator {
 
     /// Aborts when an invariant is broken; for tests, between two events.
     void check_invariants() const;
+    /// What others may be sent to the worker for. Nothing of one that has no connection, or has not
+    /// said how it stands. For tests, the same.
+    [[nodiscard]] std::set<BlockKey> blocks_held_by(WorkerId worker) const;
 
   private:
     struct WorkerLink {

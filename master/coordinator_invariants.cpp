@@ -21,6 +21,13 @@ void Coordinator::check_invariants() const {
     CD_CHECK(open_bytes == open_bytes_);
 }
 
+std::set<BlockKey> Coordinator::blocks_held_by(WorkerId worker) const {
+    const auto link = workers_.find(worker);
+    const bool is_known = link != workers_.end() && link->second.is_settled &&
+                          !link->second.quarantined && link->second.channel->is_open();
+    return is_known ? blocks_.held_by(worker) : std::set<BlockKey>{};
+}
+
 /// Whatever goes out is at a worker that is here, and watched, so that it ends some time; the
 /// dispatcher and the sessions agree on it.
 void Coordinator::check_leases() const {

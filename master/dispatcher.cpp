@@ -4,6 +4,7 @@
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
 #include "master/dispatcher_state.hpp"
+#include "master/mutation.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -98,7 +99,7 @@ Actions Dispatcher::worker_silent(WorkerId worker) {
 
 Actions Dispatcher::worker_heard(WorkerId worker) {
     WorkerProxy* proxy = state_->pool.find(worker);
-    if (proxy == nullptr || !proxy->is_silent()) {
+    if (proxy == nullptr || !proxy->is_silent() || mutated(Mutation::HeardAgainForgotten)) {
         return {};
     }
     proxy->set_silent(false);

@@ -262,7 +262,8 @@ bool Dispatcher::State::has_room_for_task(const WorkerProxy& proxy, const Dispat
     if (job.is_by_time()) {
         return has_room_by_time(proxy, job);
     }
-    return proxy.has_room_for_task(job.id, job.options);
+    return proxy.has_room_for_task(job.id, job.options) ||
+           (mutated(Mutation::BatchesWithoutBound) && !proxy.is_claimed());
 }
 
 bool Dispatcher::State::would_run_dry(const WorkerProxy& proxy, const DispatchJob& job) const {

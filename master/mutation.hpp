@@ -32,6 +32,9 @@ enum class Mutation : std::uint8_t {
     OldEpochTaken,          ///< A session of a former life of the master goes on.
     TooMuchInFlight,        ///< A worker gets blocks however many are on their way to it.
     ReadsOn,                ///< A worker is listened to however much of it is in hand.
+    EvictionNotTold,        ///< A worker lets a block go, and says nothing.
+    HeardAgainForgotten,    ///< A worker that was silent is heard again, and gets nothing more.
+    BatchesWithoutBound,    ///< A worker gets batch after batch, however many stand there.
     count,
 };
 

@@ -9,6 +9,8 @@
 #include "tests/support/shapes.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 namespace cd::tests {
 
@@ -19,18 +21,22 @@ struct Known {
     TemporaryFolder folder; ///< Stays empty: the files are in memory.
     ThreadPool pool{1};
     std::unique_ptr<GeometryStore> store;
+    std::vector<Sha256> meshes;
     std::vector<std::shared_ptr<const CutGeometry>> cuts; ///< Stay in memory with this.
     std::vector<KnownJob> jobs;
+    std::optional<KnownJob> large;
+    Sha256 sphere;
+    Sha256 torus;
 
     Known() {
         for (const char* name : {"meshes", "trees", "blocks"}) {
             std::filesystem::create_directories(folder / name);
         }
         store = std::move(GeometryStore::open(folder.path(), pool).value());
-        const Sha256 sphere = upload(make_sphere(2));
-        const Sha256 torus = upload(make_torus(1, 0.4, 12, 8));
+        sphere = upload(make_sphere(2));
+        torus = upload(make_torus(1, 0.4, 12, 8));
         const Sha256 box = upload(make_gridded_box({1, 2, 1}, 3));
-        add_grid(torus, sphere);
+        jobs.push_back(grid_job(torus, sphere, {8, 6, 1}));
         add_list(torus, box, 70, Level::Contacts);
         add_list(sphere, box, 330, Level::Any);
         add_list(sphere, sphere, 24, Level::Count);
@@ -42,17 +48,31 @@ struct Known {
         auto begun = std::move(store->begin_upload(mesh.hash(), "mesh", bytes.size()).value());
         CD_CHECK(begun->append(0, bytes).has_value());
         CD_CHECK(store->finish_upload(std::move(begun)).has_value());
-        // Depth 0 is what the master chooses where a job gives none. What a simulation made first
-        // would take its time in that one alone.
-        for (std::uint32_t depth = 0; depth <= 3; ++depth) {
-            cuts.push_back(store->cut(mesh.hash(), depth).value());
-        }
+        meshes.push_back(mesh.hash());
+        cut(mesh.hash());
         return mesh.hash();
     }
 
-    void add_grid(const Sha256& a, const Sha256& b) {
+    // Depth 0 is what the master chooses where a job gives none. What a simulation made first
+    // would take its time in that one alone.
+    void cut(const Sha256& mesh) {
+        for (std::uint32_t depth = 0; depth <= 3; ++depth) {
+            cuts.push_back(store->cut(mesh, depth).value());
+        }
+    }
+
+    const KnownJob& make_large() {
+        if (!large) {
+            large = grid_job(torus, sphere, {20, 15, 10});
+        }
+        return *large;
+    }
+
+    KnownJob grid_job(const Sha256& a, const Sha256& b, const std::array<std::uint32_t, 3>& steps) {
         Grid grid;
-        grid.position = {GridAxis{-2.4, 2.4, 8}, GridAxis{-1.5, 1.5, 6}, GridAxis{0.1, 0.1, 1}};
+        grid.position = {GridAxis{-2.4, 2.4, steps[0]},
+                         GridAxis{-1.5, 1.5, steps[1]},
+                         GridAxis{0.1, steps[2] == 1 ? 0.1 : 1.1, steps[2]}};
         Submit submit;
         submit.bodies = {a, b};
         submit.scenarios = grid.count();
@@ -61,7 +81,7 @@ struct Known {
         for (std::uint64_t place = 0; place < grid.count(); ++place) {
             scenarios.push_back(scenario_on(grid, place));
         }
-        add(std::move(submit), std::move(scenarios));
+        return make(std::move(submit), std::move(scenarios));
     }
 
     void add_list(
@@ -79,10 +99,10 @@ struct Known {
             scenario.poses.b = make_pose(random, 2);
             scenarios.push_back(scenario);
         }
-        add(std::move(submit), std::move(scenarios));
+        jobs.push_back(make(std::move(submit), std::move(scenarios)));
     }
 
-    void add(Submit submit, std::vector<Scenario> scenarios) {
+    KnownJob make(Submit submit, std::vector<Scenario> scenarios) {
         submit.name = "job " + std::to_string(jobs.size());
         const auto a = store->tree(submit.bodies[0]).value();
         const auto b = store->tree(submit.bodies[1]).value();
@@ -95,8 +115,7 @@ struct Known {
                 pairs.push_back(run.found);
             }
         }
-        jobs.push_back(
-            {std::move(submit), std::move(scenarios), std::move(digests), std::move(pairs)});
+        return {std::move(submit), std::move(scenarios), std::move(digests), std::move(pairs)};
     }
 };
 
@@ -112,14 +131,47 @@ std::span<const KnownJob> known_jobs() {
 }
 
 const KnownJob& known_job(const std::string& name) {
+    if (known().large && name == known().large->submit.name) {
+        return *known().large;
+    }
     const auto found = std::ranges::find(
         known().jobs, name, [](const KnownJob& job) -> const auto& { return job.submit.name; });
     CD_CHECK(found != known().jobs.end());
     return *found;
 }
 
+const KnownJob& large_job() {
+    return known().make_large();
+}
+
 GeometryStore& known_geometry() {
     return *known().store;
+}
+
+void lose_known_blocks(World& world) {
+    known().cuts.clear();
+    SimulatedFiles& files = safe_files().by_path;
+    for (auto file = files.begin(); file != files.end();) {
+        const bool is_hit = file->first.find("/blocks/") != std::string::npos && world.happens(500);
+        if (is_hit && world.happens(500)) {
+            file = files.erase(file);
+            continue;
+        }
+        if (is_hit) {
+            // Who still reads the file reads what it was.
+            file->second = std::make_shared<SimulatedFile>(*file->second);
+            file->second->content.resize(world.below(file->second->content.size() + 1));
+        }
+        ++file;
+    }
+}
+
+void keep_known_blocks() {
+    if (known().cuts.empty()) {
+        for (const Sha256& mesh : known().meshes) {
+            known().cut(mesh);
+        }
+    }
 }
 
 Sha256 digest_of_lost(const KnownJob& job, std::uint64_t index) {

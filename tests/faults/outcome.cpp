@@ -9,15 +9,17 @@ namespace {
 
 using Count = std::uint64_t Outcome::*;
 
-constexpr std::array<std::pair<const char*, Count>, 19> all_counts{{
+constexpr std::array<std::pair<const char*, Count>, 21> all_counts{{
     {"events", &Outcome::events},
     {"checks", &Outcome::checks},
+    {"blocks_checked", &Outcome::blocks_checked},
     {"scenarios", &Outcome::scenarios},
     {"scenarios_sent", &Outcome::scenarios_sent},
     {"failed", &Outcome::failed},
     {"results_repeated", &Outcome::results_repeated},
     {"masters", &Outcome::masters},
     {"workers", &Outcome::workers},
+    {"answering", &Outcome::answering},
     {"cancelled", &Outcome::cancelled},
     {"recalled", &Outcome::recalled},
     {"copies", &Outcome::copies},

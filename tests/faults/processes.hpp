@@ -52,6 +52,8 @@ class WorkerProcess {
     /// Whether it goes on however many results the master has not acknowledged.
     [[nodiscard]] bool keeps_too_much() const;
     [[nodiscard]] bool has_ended() const { return has_ended_; }
+    /// Null before the first.
+    [[nodiscard]] Session* session() { return session_.get(); }
 
   private:
     asio::awaitable<void> run();

@@ -1,6 +1,7 @@
 // Instead of connections: messages that take their time, and have accidents on the way.
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
+#include "master/mutation.hpp"
 #include "proto/channel.hpp"
 #include "proto/codec.hpp"
 #include "proto/listener.hpp"
@@ -30,8 +31,17 @@ constexpr Duration latency_max = 3ms;
 constexpr std::size_t block_bytes = 6u << 20;
 
 std::size_t bytes_of(const Message& message) {
-    const auto* subtrees = std::get_if<Subtrees>(&message);
-    return 100 + (subtrees == nullptr ? 0 : subtrees->blocks.size() * block_bytes);
+    std::size_t bytes = 100;
+    if (const auto* subtrees = std::get_if<Subtrees>(&message)) {
+        bytes += subtrees->blocks.size() * block_bytes;
+    } else if (const auto* batch = std::get_if<Batch>(&message)) {
+        bytes += batch->scenarios.size() + batch->pairs.size() * sizeof(batch->pairs.front());
+    } else if (const auto* range = std::get_if<ScenarioRange>(&message)) {
+        bytes += range->scenarios.size();
+    } else if (const auto* results = std::get_if<Results>(&message)) {
+        bytes += results->records.size();
+    }
+    return bytes;
 }
 
 std::string name_of(const Message& message) {
@@ -80,6 +90,7 @@ struct LinkEnd : std::enable_shared_from_this<LinkEnd> {
     std::uint64_t arrived_last = 0; ///< and the greatest of those that came here.
     std::size_t queued = 0;
     std::size_t blocks_queued = 0; ///< Of these bytes.
+    bool is_broken = false;        ///< What was sent from here vanished, and so does all after it.
     Traffic traffic;
 
     [[nodiscard]] Time
@@ -96,7 +107,10 @@ struct LinkEnd : std::enable_shared_from_this<LinkEnd> {
     /// Only this end notices it; the message is on its way until this host greets again.
     void cut_late(const Letter& letter);
     void notice_cut(Duration latest, std::optional<Trouble> trouble);
+    /// It is not known here, until the sender has waited in vain for long enough.
+    void break_off(const Host& from, const Host& there, World& world);
     void check_flight(World& world) const;
+    void check_queue(World& world) const;
     void wake_up(World& world);
 };
 
@@ -108,7 +122,10 @@ Time LinkEnd::arrival_at(const Host& from, const Host& there, Duration delay, Wo
     for (const Host* end : {&from, &there}) {
         if (end->cut_off_until > when) {
             when = end->cut_off_until;
-            world.felt(Trouble::WorkerCutOff, *end, when);
+            world.felt(end->id == tests::master_host ? Trouble::MasterCutOff
+                                                     : Trouble::WorkerCutOff,
+                       *end,
+                       when);
         }
     }
     return std::max(when, last_arrival);
@@ -211,6 +228,11 @@ void LinkEnd::send(const Message& message, bool is_open) {
     }
     queued += bytes;
     blocks_queued += bytes_of_blocks;
+    check_queue(world);
+    break_off(*from, *there, world);
+    if (is_broken) {
+        return world.log("vanished: " + way);
+    }
     const Duration delay =
         world.happens(world.network.delayed) ? world.between(0s, 2s) : Duration{};
     const Time when = arrival_at(*from, *there, delay, world);
@@ -252,7 +274,12 @@ void LinkEnd::shut(bool tells) {
     }
     open = false;
     wake_up(*world);
-    if (!tells) {
+    const Host* from = world->find_host(host);
+    const Host* into = world->find_host(other_id);
+    if (from != nullptr && into != nullptr) {
+        break_off(*from, *into, *world);
+    }
+    if (!tells || is_broken) {
         return;
     }
     const Time when = std::max(last_arrival, world->now() + latency_max);
@@ -274,6 +301,18 @@ void LinkEnd::notice_cut(Duration latest, std::optional<Trouble> trouble) {
             state->inbox.clear();
             state->is_ended = true;
             state->wake_up(world);
+        }
+    });
+}
+
+void LinkEnd::break_off(const Host& from, const Host& there, World& world) {
+    if (is_broken || !world.is_severed(from, there)) {
+        return;
+    }
+    is_broken = true;
+    world.in(limits::write_stall_max, [end = weak_from_this()] {
+        if (const auto state = end.lock()) {
+            state->notice_cut(1s, std::nullopt);
         }
     });
 }
@@ -305,6 +344,14 @@ void LinkEnd::check_flight(World& world) const {
     if (blocks_queued >= most) {
         world.problem("blocks go to " + other_host + ", and " + std::to_string(blocks_queued) +
                       " bytes of them are under way");
+    }
+}
+
+/// And of all else no more queues up than one connection may hold.
+void LinkEnd::check_queue(World& world) const {
+    if (queued - blocks_queued > limits::write_queue_bytes_max) {
+        world.problem(std::to_string(queued - blocks_queued) + " bytes queue up towards " +
+                      other_host);
     }
 }
 
@@ -357,6 +404,9 @@ asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::dur
 void Channel::send(const Message& message) {
     World& world = *World::current();
     const Host* from = world.find_host(state_->end->host);
+    if (mutated(Mutation::EvictionNotTold) && std::holds_alternative<Evicted>(message)) {
+        return;
+    }
     const auto* results = std::get_if<Results>(&message);
     if (results != nullptr && from != nullptr && from->liar) {
         state_->end->send(world.watcher.lies.told_by(from->id, *from->liar, *results), is_open());
@@ -480,7 +530,8 @@ asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Target target, std::ch
     const std::shared_ptr<Listening> listener = listeners[target.endpoint.port].lock();
     Host* there = listener == nullptr ? nullptr : world.host_of(listener->executor);
     const bool reaches = there != nullptr && listener->on_socket != nullptr &&
-                         world.now() >= from.cut_off_until && world.now() >= there->cut_off_until;
+                         world.now() >= from.cut_off_until && world.now() >= there->cut_off_until &&
+                         !world.is_severed(from, *there) && !world.is_severed(*there, from);
     if (!reaches) {
         co_return Error{ErrorCode::Disconnected, "nobody is there"};
     }

@@ -8,6 +8,13 @@ namespace cd::tests {
 
 using namespace std::chrono_literals;
 
+namespace {
+
+/// Looks at the master, between two looks at what it believes of the workers' caches.
+constexpr std::uint64_t checks_between_caches = 8;
+
+} // namespace
+
 Simulation::Simulation(std::uint64_t seed, const SimulationOptions& options)
     : world_(seed, options.logs) {
     world_.on_message = [this](const Route& route, const Message& message) {
@@ -76,6 +83,9 @@ void Simulation::end_master(bool by_power) {
     if (by_power) {
         world_.lose_power();
     }
+    if (world_.happens(dangers_.blocks_lost)) {
+        lose_known_blocks(world_);
+    }
     world_.in(world_.between(100ms, 4s), [this] { start_master(); });
 }
 
@@ -94,6 +104,9 @@ void Simulation::check() {
     if (master_ == nullptr || master_->coordinator() == nullptr || !world_.has_run(master_host)) {
         return;
     }
+    if (++runs_ % runs_between_checks_ != 0) {
+        return;
+    }
     ++outcome_.checks;
     try {
         master_->coordinator()->check_invariants();
@@ -103,6 +116,36 @@ void Simulation::check() {
         world_.problem(std::string("an exception: ") + error.what());
     }
     check_quarantine();
+    if (outcome_.checks % checks_between_caches == 0) {
+        check_caches();
+    }
+}
+
+void Simulation::check_caches() {
+    if (master_ == nullptr || master_->coordinator() == nullptr) {
+        return;
+    }
+    for (const auto& [id, worker] : workers_) {
+        check_cache(*worker);
+    }
+}
+
+/// What the master takes for a source has the block, or has said that it has not.
+void Simulation::check_cache(WorkerProcess& worker) {
+    const Session* session = worker.session();
+    const std::uint64_t host = worker.host().id;
+    const WorkerId id = world_.watcher.session_of(host);
+    if (session == nullptr || !session->is_connected() || id == WorkerId{}) {
+        return;
+    }
+    for (const BlockKey& block : master_->coordinator()->blocks_held_by(id)) {
+        ++outcome_.blocks_checked;
+        if (!session->cache().has({block.tree, block.root}) &&
+            !world_.watcher.is_correction_under_way(host, block.tree, block.root)) {
+            return world_.problem("the master believes that " + worker.host().name +
+                                  " holds a block that is not there");
+        }
+    }
 }
 
 void Simulation::check_quarantine() {
@@ -140,6 +183,7 @@ Outcome Simulation::run() {
         check();
     }
     if (world_.problems().empty()) {
+        check_caches();
         inspect();
     }
     outcome_.seconds = std::chrono::duration<double>(world_.now() - began).count();
@@ -147,6 +191,7 @@ Outcome Simulation::run() {
     outcome_.scenarios_sent = world_.watcher.scenarios_sent();
     outcome_.results_repeated = world_.watcher.results_repeated();
     outcome_.recalled = world_.watcher.recalled();
+    outcome_.answering = world_.watcher.answering();
     outcome_.called_off = world_.watcher.called_off();
     outcome_.late_messages = world_.watcher.late_messages();
     outcome_.late_results = world_.watcher.late_results();
@@ -160,12 +205,16 @@ Outcome Simulation::run() {
 
 Outcome simulate(std::uint64_t seed, const SimulationOptions& options) {
     (void)known_jobs(); // Made outside of every simulation.
+    if (options.workers != 0) {
+        (void)large_job();
+    }
     mutation = options.fault;
     Outcome outcome;
     {
         Simulation simulation(seed, options);
         outcome = simulation.run();
     }
+    keep_known_blocks();
     mutation = Mutation::None;
     return outcome;
 }

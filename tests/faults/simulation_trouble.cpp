@@ -24,6 +24,7 @@ void Simulation::plan(std::size_t workers) {
     workers_wanted_ = 1 + world_.below(5);
     if (workers != 0) {
         workers_wanted_ = workers;
+        runs_between_checks_ = 128; // A look takes the longer, the more there are.
     }
     // Each seed has its own kinds of trouble: with all of them at once few get far.
     const auto maybe = [&](unsigned& danger, unsigned most) {
@@ -36,6 +37,12 @@ void Simulation::plan(std::size_t workers) {
     maybe(dangers_.worker_slowed, 200);
     maybe(dangers_.master_killed, 250);
     maybe(dangers_.power_cut, 400);
+    maybe(dangers_.worker_mute, 60);
+    maybe(dangers_.worker_deaf, 60);
+    maybe(dangers_.worker_apart, 300);
+    maybe(dangers_.cache_shrunk, 300);
+    maybe(dangers_.blocks_lost, 1000);
+    maybe(dangers_.master_cut_off, 100);
     maybe(dangers_.master_stopped, 150);
     maybe(dangers_.disk_full, 200);
     maybe(dangers_.cancel, 60);
@@ -49,6 +56,13 @@ void Simulation::plan(std::size_t workers) {
     maybe(network_.overtaken, 60);
     maybe(network_.delayed, 60);
     world_.network = network_;
+    if (workers != 0) {
+        ClusterOptions options = any_options();
+        options.q = 1; // And none of it is gathered with few workers.
+        options.strategy = Strategy::Random;
+        options.analysis = AnalysisMode::Always;
+        plan_job(large_job(), options);
+    }
     plan_jobs();
     start_master();
     for (std::size_t i = 0; i < workers_wanted_; ++i) {
@@ -66,31 +80,40 @@ void Simulation::plan_liars() {
 }
 
 void Simulation::plan_jobs() {
-    clients_to_come_ = 1 + world_.below(3);
-    for (std::size_t i = 0; i < clients_to_come_; ++i) {
+    const std::uint64_t jobs = 1 + world_.below(3);
+    for (std::uint64_t i = 0; i < jobs; ++i) {
         const KnownJob& job = known_jobs()[world_.below(known_jobs().size())];
-        ClusterOptions options;
-        options.strategy = static_cast<Strategy>(world_.below(6));
-        options.depth_a = static_cast<std::uint32_t>(1 + world_.below(3));
-        options.depth_b = static_cast<std::uint32_t>(1 + world_.below(3));
-        options.q = static_cast<std::uint32_t>(1 + world_.below(12));
-        options.claim = world_.happens(200);
-        options.seed = world_.below(100);
-        options.analysis = static_cast<AnalysisMode>(world_.below(3));
-        options.hints = options.seed % 4 != 0;
-        if (options.seed % 8 == 1) {
-            options.depth_b.reset();
-        }
-        if (world_.happens(250)) {
-            deadly_[job.submit.name] = world_.below(job.submit.scenarios);
-        }
-        outcome_.scenarios += job.submit.scenarios;
-        world_.in(world_.between(0s, 8s), [this, &job, options] {
-            --clients_to_come_;
-            clients_known_.insert(++host_last_);
-            clients_.push_back(std::make_unique<ClientProcess>(world_, host_last_, job, options));
-        });
+        plan_job(job, any_options());
     }
+}
+
+ClusterOptions Simulation::any_options() {
+    ClusterOptions options;
+    options.strategy = static_cast<Strategy>(world_.below(6));
+    options.depth_a = static_cast<std::uint32_t>(1 + world_.below(3));
+    options.depth_b = static_cast<std::uint32_t>(1 + world_.below(3));
+    options.q = static_cast<std::uint32_t>(1 + world_.below(12));
+    options.claim = world_.happens(200);
+    options.seed = world_.below(100);
+    options.analysis = static_cast<AnalysisMode>(world_.below(3));
+    options.hints = options.seed % 4 != 0;
+    if (options.seed % 8 == 1) {
+        options.depth_b.reset();
+    }
+    return options;
+}
+
+void Simulation::plan_job(const KnownJob& job, ClusterOptions options) {
+    if (world_.happens(250)) {
+        deadly_[job.submit.name] = world_.below(job.submit.scenarios);
+    }
+    outcome_.scenarios += job.submit.scenarios;
+    ++clients_to_come_;
+    world_.in(world_.between(0s, 8s), [this, &job, options] {
+        --clients_to_come_;
+        clients_known_.insert(++host_last_);
+        clients_.push_back(std::make_unique<ClientProcess>(world_, host_last_, job, options));
+    });
 }
 
 // ---- Trouble
@@ -134,6 +157,10 @@ void Simulation::cause_trouble() {
         world_.log("master stopped");
         master_->host().stopped_until = world_.now() + world_.between(100ms, 18s);
     }
+    if (strikes(dangers_.master_cut_off)) {
+        world_.log("master cut off");
+        master_->host().cut_off_until = world_.now() + world_.between(100ms, 18s);
+    }
     if (strikes(dangers_.power_cut) && world_.power_cut_after == 0) {
         world_.power_cut_after = 1 + world_.below(12);
     }
@@ -153,6 +180,15 @@ void Simulation::cause_worker_trouble(WorkerProcess& worker) {
         world_.log(host.name + " cut off");
         host.cut_off_until = world_.now() + world_.between(100ms, 20s);
     }
+    cut_ways(host);
+    if (strikes(dangers_.cache_shrunk) && worker.session() != nullptr && !world_.is_stopped(host)) {
+        Session& session = *worker.session();
+        if (session.let_go(world_.below(session.cache().bytes() + 1)) != 0) {
+            world_.log(host.name + " lets go of blocks");
+            world_.troubles.add(Trouble::CacheShrunk);
+        }
+        world_.wake(host);
+    }
     if (strikes(dangers_.worker_slowed)) {
         host.slowness = 1 + static_cast<double>(world_.below(20));
         host.slowed_at = world_.now();
@@ -168,8 +204,22 @@ void Simulation::cause_worker_trouble(WorkerProcess& worker) {
     }
 }
 
+/// One way to the master, or all ways to other workers.
+void Simulation::cut_ways(Host& host) {
+    const auto cut = [&](unsigned danger, const char* what, Time& until) {
+        if (world_.below(10'000) < danger) {
+            world_.log(host.name + what);
+            until = world_.now() + world_.between(100ms, 20s);
+        }
+    };
+    cut(dangers_.worker_mute, " mute", host.mute_until);
+    cut(dangers_.worker_deaf, " deaf", host.deaf_until);
+    cut(dangers_.worker_apart, " apart", host.apart_until);
+}
+
 void Simulation::stop_trouble() {
     world_.log("no more trouble");
+    check_caches();
     is_trouble_ = false;
     world_.network = {};
     world_.disk_is_full = false;
@@ -177,11 +227,15 @@ void Simulation::stop_trouble() {
     for (const auto& [id, worker] : workers_) {
         worker->host().stopped_until = {};
         worker->host().cut_off_until = {};
+        worker->host().mute_until = {};
+        worker->host().deaf_until = {};
+        worker->host().apart_until = {};
         worker->host().slowness = 1;
         worker->host().slowed_at = {};
     }
     if (master_ != nullptr) {
         master_->host().stopped_until = {};
+        master_->host().cut_off_until = {};
     }
     world_.in(patience, [this] {
         if (!is_done()) {

@@ -30,6 +30,16 @@ const char* to_text(Trouble trouble) {
         return "worker_gone";
     case Trouble::WorkerPoisoned:
         return "worker_poisoned";
+    case Trouble::WorkerMute:
+        return "worker_mute";
+    case Trouble::WorkerDeaf:
+        return "worker_deaf";
+    case Trouble::WorkerApart:
+        return "worker_apart";
+    case Trouble::CacheShrunk:
+        return "cache_shrunk";
+    case Trouble::MasterCutOff:
+        return "master_cut_off";
     case Trouble::MasterStopped:
         return "master_stopped";
     case Trouble::MasterKilled:
@@ -40,6 +50,8 @@ const char* to_text(Trouble trouble) {
         return "unsynced_lost";
     case Trouble::DiskFull:
         return "disk_full";
+    case Trouble::BlocksLost:
+        return "blocks_lost";
     case Trouble::count:
         break;
     }

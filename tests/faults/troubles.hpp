@@ -24,12 +24,18 @@ enum class Trouble : std::uint8_t {
     WorkerKilled,
     WorkerGone,     ///< The same, and its peers are not told.
     WorkerPoisoned, ///< A scenario took it down.
+    WorkerMute,     ///< A message of it to the master vanished, and nothing said so;
+    WorkerDeaf,     ///< one of the master to it;
+    WorkerApart,    ///< one between it and another worker, or they could not connect.
+    CacheShrunk,    ///< It had to let go of subtrees that nothing there waited for.
     // Of the master.
+    MasterCutOff, ///< From everybody: as for a worker.
     MasterStopped,
     MasterKilled,
     PowerCut,
     UnsyncedLost, ///< The disk was another one after a power cut.
     DiskFull,     ///< It refused to write.
+    BlocksLost,   ///< A file of blocks was gone or damaged, and made again.
     count,
 };
 

@@ -138,6 +138,7 @@ void Watcher::master_began() {
     ranges_.clear();
     given_back_.clear();
     held_.clear();
+    sessions_.clear();
     tasks_given_.clear();
     done_before_.clear();
     for (const auto& [id, job] : jobs_) {
@@ -252,6 +253,7 @@ std::string Watcher::check_answers(std::uint64_t worker, const Results& results)
 std::string Watcher::worker_says(const Route& route, const Message& message) {
     if (const auto* hello = std::get_if<Hello>(&message)) {
         hellos_[route.connection] = *hello;
+        corrections_[route.from] = {route.connection, {}, 0};
     } else if (const auto* recalled = std::get_if<Recalled>(&message)) {
         given_back(route.from, *recalled);
     } else if (const auto* standing = std::get_if<Standing>(&message)) {
@@ -259,6 +261,7 @@ std::string Watcher::worker_says(const Route& route, const Message& message) {
             given_back(route.from, task);
         }
     }
+    note_correction(route, message, false);
     const auto* results = std::get_if<Results>(&message);
     if (results == nullptr) {
         return {};
@@ -279,6 +282,7 @@ std::string Watcher::worker_says(const Route& route, const Message& message) {
 std::string Watcher::welcomed(const Route& route, const Welcome& welcome) {
     worker_ids_[route.connection] = WorkerId{welcome.id};
     connections_[route.to] = route.connection;
+    sessions_[route.to] = WorkerId{welcome.id};
     const Hello& hello = hellos_[route.connection];
     old_sessions_ += hello.session != 0 && !welcome.is_resumed ? 1 : 0;
     const bool is_right = hello.epoch == welcome.epoch && hello.session == welcome.id;
@@ -296,7 +300,9 @@ std::string Watcher::master_hears(const Route& route, const Message& message) {
         return {};
     }
     note_held(id->second, message);
+    note_correction(route, message, true);
     if (const auto* results = std::get_if<Results>(&message)) {
+        answering_.insert(route.from);
         late_results_ += results->task == TaskId{} ? 1 : 0;
         if (results->task != TaskId{} && !tasks_given_.contains({route.from, results->task})) {
             return "task " + std::to_string(results->task.value) +
@@ -304,6 +310,40 @@ std::string Watcher::master_hears(const Route& route, const Message& message) {
         }
     }
     return {};
+}
+
+WorkerId Watcher::session_of(std::uint64_t worker) const {
+    const auto found = sessions_.find(worker);
+    return found == sessions_.end() ? WorkerId{} : found->second;
+}
+
+bool Watcher::is_correction_under_way(std::uint64_t worker, TreeId tree, RootIndex root) const {
+    const auto found = corrections_.find(worker);
+    return found != corrections_.end() &&
+           (found->second.standings != 0 || found->second.blocks.contains({tree, root}));
+}
+
+void Watcher::note_correction(const Route& route, const Message& message, bool is_heard) {
+    Corrections& corrections = corrections_[route.from];
+    if (corrections.connection != route.connection) {
+        return; // Said in vain.
+    }
+    const auto note = [&](TreeId tree, std::span<const RootIndex> roots) {
+        for (const RootIndex root : roots) {
+            const auto place = corrections.blocks.try_emplace({tree, root}).first;
+            place->second += is_heard ? -1 : 1;
+            if (place->second == 0) {
+                corrections.blocks.erase(place);
+            }
+        }
+    };
+    if (const auto* evicted = std::get_if<Evicted>(&message)) {
+        note(evicted->tree, evicted->roots);
+    } else if (const auto* want = std::get_if<WantSubtrees>(&message)) {
+        note(want->tree, want->roots);
+    } else if (std::holds_alternative<Standing>(message)) {
+        corrections.standings += is_heard ? -1 : 1;
+    }
 }
 
 void Watcher::note_held(WorkerId worker, const Message& message) {

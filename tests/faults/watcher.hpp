@@ -59,6 +59,12 @@ class Watcher {
     /// Messages that came to the master: what it may know of its workers' blocks.
     [[nodiscard]] std::string master_hears(const Route& route, const Message& message);
     void master_began();
+    /// The session that the master, in this life, gave the worker (its process) last; 0: none.
+    [[nodiscard]] WorkerId session_of(std::uint64_t worker) const;
+    /// The worker has said over its last connection what the master has not heard: that the block
+    /// has gone, that it is wanted, or all that is there.
+    [[nodiscard]] bool
+    is_correction_under_way(std::uint64_t worker, TreeId tree, RootIndex root) const;
     /// The master has asked its journal to write that the job has ended.
     void ends(JobId job);
 
@@ -67,6 +73,8 @@ class Watcher {
     [[nodiscard]] std::uint64_t scenarios_sent() const { return scenarios_sent_; }
     [[nodiscard]] std::uint64_t results_repeated() const { return results_repeated_; }
     [[nodiscard]] std::uint64_t recalled() const { return recalled_; }
+    /// Workers of which the master has heard results.
+    [[nodiscard]] std::size_t answering() const { return answering_.size(); }
     [[nodiscard]] std::uint64_t called_off() const { return called_off_; }
     /// Messages of a connection whose worker had greeted on another one,
     [[nodiscard]] std::uint64_t late_messages() const { return late_messages_; }
@@ -98,6 +106,7 @@ class Watcher {
                                     const std::set<std::uint64_t>& quarantined) const;
     [[nodiscard]] std::string welcomed(const Route& route, const Welcome& welcome);
     void note_held(WorkerId worker, const Message& message);
+    void note_correction(const Route& route, const Message& message, bool is_heard);
     [[nodiscard]] std::string check_quarantined(const Route& route, const Message& message) const;
 
     std::map<JobId, DurableJob> jobs_;
@@ -113,6 +122,14 @@ class Watcher {
     std::uint64_t late_results_ = 0;
     std::uint64_t old_sessions_ = 0;
     std::set<std::tuple<WorkerId, TreeId, RootIndex>> held_; ///< As the master was told.
+    std::map<std::uint64_t, WorkerId> sessions_; ///< By worker (its process), this life.
+    struct Corrections {
+        std::uint64_t connection = 0;
+        std::map<std::pair<TreeId, RootIndex>, std::size_t> blocks; ///< In how many messages.
+        std::size_t standings = 0;
+    };
+    /// By worker (its process): what the master has not heard of its last connection.
+    std::map<std::uint64_t, Corrections> corrections_;
     /// Of ranges, in the order of their places; by worker (its process).
     std::map<std::pair<std::uint64_t, TaskId>, std::vector<std::uint64_t>> ranges_;
     std::map<std::pair<std::uint64_t, TaskId>, std::set<std::uint64_t>> given_back_;
@@ -122,6 +139,7 @@ class Watcher {
     std::map<JobId, std::set<std::uint64_t>> quarantined_at_end_;
     std::uint64_t corrected_ = 0;
     std::uint64_t scenarios_sent_ = 0;
+    std::set<std::uint64_t> answering_;
     std::uint64_t recalled_ = 0;
     std::uint64_t called_off_ = 0;
     std::uint64_t results_repeated_ = 0;

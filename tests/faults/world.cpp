@@ -139,6 +139,24 @@ Host* World::host_of(const asio::any_io_executor& executor) {
     return nullptr;
 }
 
+bool World::is_severed(const Host& from, const Host& to) {
+    const auto is_so = [&](Trouble trouble, const Host& worker, Time until) {
+        if (now() >= until) {
+            return false;
+        }
+        felt(trouble, worker, until);
+        return true;
+    };
+    if (to.id == master_host) {
+        return is_so(Trouble::WorkerMute, from, from.mute_until);
+    }
+    if (from.id == master_host) {
+        return is_so(Trouble::WorkerDeaf, to, to.deaf_until);
+    }
+    return is_so(Trouble::WorkerApart, from, from.apart_until) ||
+           is_so(Trouble::WorkerApart, to, to.apart_until);
+}
+
 Host* World::find_host(std::uint64_t id) {
     const auto found = hosts_.find(id);
     return found == hosts_.end() ? nullptr : found->second;

@@ -60,7 +60,11 @@ struct Host {
     double slowness = 1;          ///< Of its threads.
     Time slowed_at{};             ///< When they became so, if trouble made them.
     Time stopped_until{};         ///< It does nothing until then (SIGSTOP),
-    Time cut_off_until{};         ///< and nothing comes to it, or from it.
+    Time cut_off_until{};         ///< and nothing comes to it, or from it, before.
+    // Of a worker. What vanishes takes its connection with it, which nobody is told:
+    Time mute_until{};  ///< What it says to the master vanishes,
+    Time deaf_until{};  ///< what the master says to it,
+    Time apart_until{}; ///< and all between it and other workers.
 };
 
 /// How often a message has which accident; of 1000.
@@ -108,6 +112,8 @@ class World {
     [[nodiscard]] Host* host_of(const asio::any_io_executor& executor);
     [[nodiscard]] Host* find_host(std::uint64_t id);
     [[nodiscard]] bool is_stopped(const Host& host) const { return now() < host.stopped_until; }
+    /// What goes there vanishes now. Asked only where something goes: then that took effect.
+    [[nodiscard]] bool is_severed(const Host& from, const Host& to);
 
     // ---- What the replaced parts call ---------------------------------------------------------
     void pool_made(const ThreadPool* pool, unsigned threads);
