@@ -22,9 +22,11 @@ class Exchange : public std::enable_shared_from_this<Exchange> {
   public:
     using Answer = std::function<HttpAnswer(const HttpRequest&)>;
 
-    Exchange(std::unique_ptr<Stream> stream, Answer answer)
+    Exchange(std::unique_ptr<Stream> stream,
+             Answer answer,
+             std::chrono::steady_clock::duration timeout)
         : stream_(std::move(stream)),
-          deadline_(stream_->socket(), limits::http_exchange_max),
+          deadline_(stream_->socket(), timeout),
           answer_(std::move(answer)) {
         parser_.header_limit(limits::http_request_bytes_max);
     }
@@ -83,8 +85,9 @@ class Exchange : public std::enable_shared_from_this<Exchange> {
 } // namespace
 
 void serve_http(std::unique_ptr<Stream> stream,
-                std::function<HttpAnswer(const HttpRequest&)> answer) {
-    std::make_shared<Exchange>(std::move(stream), std::move(answer))->read();
+                std::function<HttpAnswer(const HttpRequest&)> answer,
+                std::chrono::steady_clock::duration timeout) {
+    std::make_shared<Exchange>(std::move(stream), std::move(answer), timeout)->read();
 }
 
 } // namespace cd
