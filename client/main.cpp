@@ -3,6 +3,7 @@
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_commands.hpp"
 #include "client/heap.hpp"
+#include "common/core/log.hpp"
 
 #include <cstdio>
 #include <exception>
@@ -10,6 +11,7 @@
 int main(int argc, char** argv) {
     try {
         cd::keep_heap_small();
+        cd::start_logging("cdctl", "warning"); // What is on stdout is for programs.
         const cd::CommandLine line = cd::parse_command_line({argv + 1, argv + argc});
         if (!line.command) {
             std::fputs(line.text.c_str(), line.exit_code == 0 ? stdout : stderr);

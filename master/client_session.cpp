@@ -2,6 +2,7 @@
 
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
+#include "common/core/printable.hpp"
 #include "master/identity.hpp"
 #include "master/run_on.hpp"
 #include "master/submission.hpp"
@@ -23,8 +24,12 @@ asio::awaitable<void> ClientSession::run() {
     for (;;) {
         Result<Message> message = co_await channel_->receive(limits::client_idle_max);
         if (!message) {
-            spdlog::debug(
-                "client left: peer={} reason=\"{}\"", channel_->peer(), message.error().detail);
+            const ErrorCode code = message.error().code;
+            const bool is_wrong = code == ErrorCode::BadFrame || code == ErrorCode::TooLarge;
+            spdlog::log(is_wrong ? spdlog::level::warn : spdlog::level::debug,
+                        "client left: peer={} reason=\"{}\"",
+                        channel_->peer(),
+                        message.error().detail);
             break;
         }
         if (const Status allowed = access_.check(message.value()); !allowed) {
@@ -99,6 +104,9 @@ Status ClientSession::take_bytes(std::uint64_t bytes) {
 asio::awaitable<Status> ClientSession::take_mesh_part(MeshPart message) {
     if (const Status taken = take_bytes(message.bytes.size()); !taken) {
         co_return taken;
+    }
+    if (!is_printable(message.name)) {
+        co_return Error{ErrorCode::BadInput, "the mesh's name has control characters in it"};
     }
     GeometryStore& store = coordinator_.geometry();
     if (message.offset == 0) {

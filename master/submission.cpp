@@ -1,6 +1,7 @@
 #include "master/submission.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/printable.hpp"
 #include "common/job/tolerance.hpp"
 
 #include <algorithm>
@@ -46,6 +47,9 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     if (submit.name.size() > limits::hello_text_bytes_max) {
         return bad("the job's name is longer than " + std::to_string(limits::hello_text_bytes_max) +
                    " bytes");
+    }
+    if (!is_printable(submit.name)) {
+        return bad("the job's name has control characters in it");
     }
     std::array<std::uint64_t, 2> triangles{};
     for (std::size_t body = 0; body < 2; ++body) {

@@ -1,6 +1,7 @@
 #include "proto/certificate.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/printable.hpp"
 #include "proto/openssl.hpp"
 
 #include <openssl/ec.h>
@@ -170,9 +171,7 @@ WallTime to_wall_time(const ASN1_TIME* time) {
 }
 
 bool is_good_name(std::string_view name) {
-    const auto is_printable = [](unsigned char c) { return c >= 32 && c != 127; };
-    return !name.empty() && name.size() <= limits::certified_name_bytes_max &&
-           std::all_of(name.begin(), name.end(), is_printable);
+    return !name.empty() && name.size() <= limits::certified_name_bytes_max && is_printable(name);
 }
 
 std::string common_name(X509* certificate) {

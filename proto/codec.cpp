@@ -1,6 +1,7 @@
 #include "proto/codec.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/printable.hpp"
 #include "proto/wire_messages.hpp"
 
 #include <algorithm>
@@ -17,11 +18,6 @@ using Problem = const char*;
 template <class T>
 Problem problem_of(const T& /*message*/) {
     return nullptr;
-}
-
-bool is_printable(const std::string& text) {
-    return std::none_of(
-        text.begin(), text.end(), [](unsigned char c) { return c < 32 || c == 127; });
 }
 
 Problem problem_of(const Hello& hello) {

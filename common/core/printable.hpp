@@ -1,0 +1,15 @@
+// Texts from others, before people see them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace cd {
+
+/// Without anything that ends a line or steers a terminal: control characters of ASCII, and those
+/// of Unicode's second block (U+0080 to U+009F) in UTF-8.
+[[nodiscard]] bool is_printable(std::string_view text);
+/// With such characters as \n, \t or \x1b in their place.
+[[nodiscard]] std::string escaped(std::string_view text);
+
+} // namespace cd
