@@ -37,12 +37,6 @@ std::size_t bytes_on_the_wire(std::size_t payload) {
     return payload + std::max<std::size_t>(1, frames) * frame_header_bytes;
 }
 
-bool may_come_first(std::uint16_t type) {
-    static const std::array<std::uint16_t, 3> types{
-        message_type(Hello{}), message_type(Welcome{}), message_type(Failure{})};
-    return std::find(types.begin(), types.end(), type) != types.end();
-}
-
 asio::ip::tcp::endpoint remote_end(const asio::ip::tcp::socket& socket) {
     error_code ignored; // Of a socket that is not connected any more: 0.0.0.0:0.
     return socket.remote_endpoint(ignored);
@@ -69,6 +63,7 @@ struct Channel::State : std::enable_shared_from_this<State> {
           written(stream->socket().get_executor()),
           write_deadline(stream->socket().get_executor()),
           flush_deadline(stream->socket().get_executor()) {
+        assembler.expect(Party::Stranger);
         written.expires_at(Clock::time_point::max());
         error_code ignored;
         stream->socket().set_option(asio::ip::tcp::no_delay(true), ignored);
@@ -85,6 +80,7 @@ struct Channel::State : std::enable_shared_from_this<State> {
     void deliver(const MessageAssembler::Whole& whole_message);
     void read_failed(const error_code& error);
     void drop_incoming();
+    void refuse(Error error);
 
     void send(const Message& message);
     void write_next();
@@ -114,7 +110,6 @@ struct Channel::State : std::enable_shared_from_this<State> {
     std::optional<Message> incoming; ///< The one message that has come and nobody has taken.
     bool reading = false;
     bool receiving = false;
-    bool greeted = false;
     asio::steady_timer received; ///< Ends early when `incoming` or `failure` is there.
     asio::steady_timer read_deadline;
 
@@ -173,9 +168,9 @@ void Channel::State::header_came() {
         return fail(decoded.error());
     }
     header = decoded.value();
-    if (!greeted && !may_come_first(header.type)) {
-        return fail({ErrorCode::BadFrame,
-                     "message '" + std::string(message_name(header.type)) + "' before a greeting"});
+    // Before memory is taken for it.
+    if (const Status good = assembler.check(header); !good) {
+        return refuse(good.error());
     }
     if (!may_be_large() && payload_bytes_max(header.type) > limits::message_control_bytes_max) {
         return fail({ErrorCode::BadFrame,
@@ -241,9 +236,21 @@ void Channel::State::deliver(const MessageAssembler::Whole& whole_message) {
     if (!decoded) {
         return fail(decoded.error());
     }
-    greeted = true;
+    if (assembler.sender() == Party::Stranger) {
+        assembler.expect(Party::Anyone);
+    }
     incoming = std::move(decoded.value());
     received.cancel();
+}
+
+/// Who has greeted is told why it is not listened to any more.
+void Channel::State::refuse(Error error) {
+    if (assembler.sender() == Party::Stranger) {
+        return fail(std::move(error));
+    }
+    send(Failure{error.code, error.detail});
+    failure = std::move(error);
+    flush_and_close();
 }
 
 void Channel::State::read_failed(const error_code& error) {
@@ -362,7 +369,9 @@ void Channel::State::watch_write() {
 
 void Channel::State::flush_and_close() {
     phase = Phase::Flushing;
-    failure = Error{ErrorCode::Disconnected, "closed on this side"};
+    if (!failure) {
+        failure = Error{ErrorCode::Disconnected, "closed on this side"};
+    }
     received.cancel();
     written.cancel();
     flush_deadline.expires_after(limits::close_flush_max);
@@ -450,6 +459,18 @@ std::size_t Channel::queued_bytes() const {
 asio::awaitable<void> Channel::wait_until_queued_below(std::size_t bytes) {
     const std::shared_ptr<State> state = state_;
     while (state->phase == Phase::Open && state->queued_bytes >= bytes) {
+        error_code ignored;
+        co_await state->written.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+}
+
+void Channel::expect(Party party) {
+    state_->assembler.expect(party);
+}
+
+asio::awaitable<void> Channel::wait_until_closed() {
+    const std::shared_ptr<State> state = state_;
+    while (state->phase != Phase::Closed) {
         error_code ignored;
         co_await state->written.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }

@@ -5,6 +5,7 @@
 #include "common/core/result.hpp"
 #include "proto/asio.hpp"
 #include "proto/message.hpp"
+#include "proto/party.hpp"
 #include "proto/stream.hpp"
 #include "proto/tls.hpp"
 
@@ -34,7 +35,8 @@ struct Exposure {
     bool listening = false;
 };
 /// Without TLS nothing leaves or enters beyond loopback unless `insecure` says so. Errors: Refused
-/// saying how TLS is had, and naming the option; with `insecure` a warning is logged.
+/// saying how TLS is had, and naming the option; with `insecure` a warning is logged, whatever the
+/// level.
 [[nodiscard]] Status check_exposure(const Endpoint& endpoint, const Exposure& exposure);
 
 /// Counts of one connection.
@@ -56,10 +58,14 @@ class Channel : public std::enable_shared_from_this<Channel> {
     /// The next message. Nothing is read from the socket beyond one message that nobody awaits, so
     /// a slow caller slows the peer. Errors: Timeout when `timeout` passes without one (the channel
     /// stays usable); Disconnected; Refused, by a peer that does not take this end's certificate;
-    /// BadFrame or TooLarge for bytes that are none, after which the channel is closed. The first
-    /// message must be a Hello, Welcome or Failure. One caller at a time.
+    /// BadFrame or TooLarge for bytes that are none, or are not for the other end to send, after
+    /// which the channel is closed. The first message must be a Hello, Welcome or Failure, and
+    /// small. One caller at a time.
     [[nodiscard]] asio::awaitable<Result<Message>>
     receive(std::chrono::steady_clock::duration timeout);
+
+    /// What the other end is, past its greeting: by that goes what it may send, and memory for it.
+    void expect(Party party);
 
     /// Queues the message, which must not be over its type's limit (`payload_bytes_max`). Never
     /// blocks; after `close` it does nothing. Who sends much awaits `wait_until_queued_below`.
@@ -75,6 +81,8 @@ class Channel : public std::enable_shared_from_this<Channel> {
     /// it, dropping the channel closes it at once.
     void close(bool flush = false);
     [[nodiscard]] bool is_open() const;
+    /// Returns when the connection has ended, which a `close` with `flush` does not do at once.
+    [[nodiscard]] asio::awaitable<void> wait_until_closed();
 
     [[nodiscard]] const Traffic& traffic() const;
     /// The other end's address, for logs.
@@ -123,7 +131,8 @@ accept_channel(asio::ip::tcp::socket socket,
                std::shared_ptr<const Tls> tls,
                std::chrono::steady_clock::duration timeout = limits::connect_timeout);
 
-/// Says hello and awaits the answer within the timeout. Errors: Refused with the other side's
+/// Says hello and awaits the answer within the timeout; a channel then expects what the role asked
+/// for. Errors: Refused with the other side's
 /// reason, and those of `receive`.
 [[nodiscard]] asio::awaitable<Result<Welcome>>
 greet(std::shared_ptr<Channel> channel,
@@ -134,8 +143,9 @@ greet(std::shared_ptr<Channel> channel,
 [[nodiscard]] Result<std::uint16_t> negotiate(const Hello& hello);
 
 /// Awaits the hello of whoever connected, within `limits::connect_timeout`. A peer without a common
-/// version, or that says something else, is told so and the channel closed. The caller answers with
-/// a Welcome of the `negotiate`d version. Errors: Refused, BadFrame, and those of `receive`.
+/// version, or that says something else, is told so and the channel closed; else it expects what
+/// the role sends. The caller answers with a Welcome of the `negotiate`d version. Errors: Refused,
+/// BadFrame, and those of `receive`.
 [[nodiscard]] asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel);
 
 /// Runs a coroutine on its own; what escapes from it is logged under `name`.

@@ -1,7 +1,6 @@
 #include "proto/frame.hpp"
 
 #include "common/core/hash.hpp"
-#include "common/core/limits.hpp"
 #include "proto/codec.hpp"
 
 #include <algorithm>
@@ -64,31 +63,54 @@ Result<FrameHeader> decode_header(std::span<const std::byte, frame_header_bytes>
     return header;
 }
 
+const MessageAssembler::Open* MessageAssembler::find(std::uint32_t stream) const {
+    const auto open = std::find_if(
+        open_.begin(), open_.end(), [&](const Open& each) { return each.stream == stream; });
+    return open == open_.end() ? nullptr : &*open;
+}
+
+Status MessageAssembler::check(const FrameHeader& header) const {
+    const std::string name(message_name(header.type));
+    const std::uint64_t bytes_max = payload_bytes_max_from(sender_, header.type);
+    if (bytes_max == 0) {
+        return Error{ErrorCode::BadFrame,
+                     sender_ == Party::Stranger
+                         ? "message '" + name + "' before a greeting"
+                         : std::string(to_text(sender_)) + " does not send '" + name + "'"};
+    }
+    // Otherwise a peer could send frames for ever without getting anywhere.
+    if (header.has_more && header.payload_bytes == 0) {
+        return Error{ErrorCode::BadFrame, "an empty frame that promises more"};
+    }
+    const Open* const open = find(header.stream);
+    if (open == nullptr && open_.size() >= streams_max_of(sender_)) {
+        return Error{ErrorCode::TooLarge, "too many messages begun at once"};
+    }
+    if (open != nullptr && open->type != header.type) {
+        return Error{ErrorCode::BadFrame, "a message that changes its type midway"};
+    }
+    const std::size_t begun = open == nullptr ? 0 : open->payload.size();
+    if (begun + header.payload_bytes > bytes_max) {
+        return Error{ErrorCode::TooLarge,
+                     "message '" + name + "' over its limit of " + std::to_string(bytes_max) +
+                         " bytes"};
+    }
+    return Done{};
+}
+
 Result<std::optional<MessageAssembler::Whole>>
 MessageAssembler::add(const FrameHeader& header, std::span<const std::byte> payload) {
     if (payload.size() != header.payload_bytes || checksum(payload) != header.payload_checksum) {
         return Error{ErrorCode::BadFrame, "damaged frame payload"};
     }
-    // Otherwise a peer could send frames for ever without getting anywhere.
-    if (header.has_more && payload.empty()) {
-        return Error{ErrorCode::BadFrame, "an empty frame that promises more"};
+    if (const Status good = check(header); !good) {
+        return good.error();
     }
     auto open = std::find_if(open_.begin(), open_.end(), [&](const Open& candidate) {
         return candidate.stream == header.stream;
     });
     if (open == open_.end()) {
-        if (open_.size() == limits::streams_max) {
-            return Error{ErrorCode::TooLarge, "too many messages begun at once"};
-        }
         open = open_.insert(open, Open{header.stream, header.type, {}});
-    }
-    if (open->type != header.type) {
-        return Error{ErrorCode::BadFrame, "a message that changes its type midway"};
-    }
-    if (open->payload.size() + payload.size() > payload_bytes_max(header.type)) {
-        return Error{ErrorCode::TooLarge,
-                     "message '" + std::string(message_name(header.type)) + "' over its limit of " +
-                         std::to_string(payload_bytes_max(header.type)) + " bytes"};
     }
     open->payload.insert(open->payload.end(), payload.begin(), payload.end());
     if (header.has_more) {

@@ -3,6 +3,7 @@
 
 #include "common/core/bytes.hpp"
 #include "common/core/result.hpp"
+#include "proto/party.hpp"
 
 #include <array>
 #include <cstddef>
@@ -34,13 +35,20 @@ struct FrameHeader {
 decode_header(std::span<const std::byte, frame_header_bytes> bytes);
 
 /// Puts messages together from frames; a pure state machine, no I/O. Holds at most what
-/// `payload_bytes_max` of each type allows, over few streams.
+/// `payload_bytes_max_from` their sender allows, over few streams.
 class MessageAssembler {
   public:
     struct Whole {
         std::uint16_t type = 0;
         Bytes payload;
     };
+
+    /// Who sends from now on. At first it is anyone.
+    void expect(Party sender) { sender_ = sender; }
+    [[nodiscard]] Party sender() const { return sender_; }
+
+    /// Whether such a frame may come now, by its header alone. Errors: those of `add`.
+    [[nodiscard]] Status check(const FrameHeader& header) const;
 
     /// Nothing while the message is not whole. Errors: BadFrame, TooLarge; the connection then
     /// ends.
@@ -56,7 +64,10 @@ class MessageAssembler {
         std::uint16_t type = 0;
         Bytes payload;
     };
+    [[nodiscard]] const Open* find(std::uint32_t stream) const;
+
     std::vector<Open> open_;
+    Party sender_ = Party::Anyone;
 };
 
 } // namespace cd

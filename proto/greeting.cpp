@@ -36,6 +36,7 @@ greet(std::shared_ptr<Channel> channel, Hello hello, std::chrono::steady_clock::
         channel->close();
         co_return unexpected("welcome in a version that this side speaks");
     }
+    channel->expect(hello.role == Role::Peer ? Party::Giver : Party::Master);
     co_return *welcome;
 }
 
@@ -62,6 +63,7 @@ asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel) {
     if (hello != nullptr) {
         const Result<std::uint16_t> version = negotiate(*hello);
         if (version) {
+            channel->expect(party_of(hello->role));
             co_return std::move(*hello);
         }
         problem = version.error();

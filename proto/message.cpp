@@ -1,7 +1,9 @@
 #include "proto/message.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/limits_identity.hpp"
 #include "proto/codec.hpp"
+#include "proto/party.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,9 +14,20 @@ namespace {
 
 enum class Lane { Control, Data };
 
+// Who sends a type; one bit each.
+constexpr unsigned of_stranger = 1;
+constexpr unsigned of_joiner = 2;
+constexpr unsigned of_client = 4;
+constexpr unsigned of_worker = 8;
+constexpr unsigned of_peer = 16;
+constexpr unsigned of_giver = 32;
+constexpr unsigned of_master = 64;
+constexpr unsigned of_all = 127;
+
 /// What the wire knows of a type beside its members.
 struct Kind {
     std::string_view name;
+    unsigned senders = 0;
     Lane lane = Lane::Control;
     std::uint64_t bytes_max = limits::message_control_bytes_max;
 };
@@ -22,59 +35,59 @@ struct Kind {
 // In the order of `Message`. What must not overtake data (the end of something, a removal) travels
 // in the lane of data itself.
 constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
-    {"hello"},
-    {"welcome"},
-    {"failure"},
-    {"heartbeat"},
-    {"add tree", Lane::Data},
-    {"remove tree", Lane::Data},
-    {"subtrees", Lane::Data, limits::message_subtrees_bytes_max},
-    {"batch", Lane::Data, limits::message_data_bytes_max},
-    {"drain", Lane::Data},
-    {"terminate"},
-    {"want subtrees", Lane::Control, limits::message_roots_bytes_max},
-    {"results", Lane::Data, limits::message_results_bytes_max},
-    {"end of task", Lane::Data},
-    {"evicted", Lane::Control, limits::message_roots_bytes_max},
-    {"meshes query"},
-    {"meshes missing"},
-    {"mesh part", Lane::Data, limits::message_data_bytes_max},
-    {"mesh stored"},
-    {"submit", Lane::Data, limits::message_data_bytes_max},
-    {"poses part", Lane::Data, limits::message_data_bytes_max},
-    {"poses end", Lane::Data},
-    {"accepted"},
-    {"watch"},
-    {"job status"},
-    {"status query"},
-    {"cluster status", Lane::Control, limits::message_data_bytes_max},
-    {"results query"},
-    {"results part", Lane::Data, limits::message_results_bytes_max},
-    {"cancel"},
-    {"fetch from peers", Lane::Data, limits::message_data_bytes_max},
-    {"held", Lane::Control, limits::message_roots_bytes_max},
-    {"fetch failed", Lane::Control, limits::message_roots_bytes_max},
-    {"peer fetch", Lane::Control, limits::message_roots_bytes_max},
-    {"peer fetched", Lane::Data, limits::message_roots_bytes_max},
-    {"explain"},
-    {"explained", Lane::Control, limits::message_data_bytes_max},
-    {"add job", Lane::Data, limits::message_data_bytes_max},
-    {"remove job", Lane::Data},
-    {"scenario range", Lane::Data, limits::message_data_bytes_max},
-    {"results kept"},
-    {"holding", Lane::Control, limits::message_roots_bytes_max},
-    {"join"},
-    {"renew"},
-    {"certified"},
-    {"token create"},
-    {"token created"},
-    {"standing", Lane::Data, limits::message_roots_bytes_max},
-    {"drop scenario", Lane::Data},
-    {"recall", Lane::Data, limits::message_roots_bytes_max},
-    {"recalled", Lane::Data, limits::message_roots_bytes_max},
-    {"hint", Lane::Data, limits::message_roots_bytes_max},
-    {"contact map query"},
-    {"contact map", Lane::Data, limits::message_results_bytes_max},
+    {"hello", of_stranger, Lane::Control, limits::greeting_bytes_max},
+    {"welcome", of_stranger},
+    {"failure", of_all},
+    {"heartbeat", of_worker | of_client | of_master},
+    {"add tree", of_master, Lane::Data},
+    {"remove tree", of_master, Lane::Data},
+    {"subtrees", of_master | of_giver, Lane::Data, limits::message_subtrees_bytes_max},
+    {"batch", of_master, Lane::Data, limits::message_data_bytes_max},
+    {"drain", of_worker | of_master, Lane::Data},
+    {"terminate", of_master},
+    {"want subtrees", of_worker, Lane::Control, limits::message_roots_bytes_max},
+    {"results", of_worker, Lane::Data, limits::message_results_bytes_max},
+    {"end of task", of_worker, Lane::Data},
+    {"evicted", of_worker, Lane::Control, limits::message_roots_bytes_max},
+    {"meshes query", of_client},
+    {"meshes missing", of_master},
+    {"mesh part", of_client, Lane::Data, limits::message_data_bytes_max},
+    {"mesh stored", of_master},
+    {"submit", of_client, Lane::Data, limits::message_data_bytes_max},
+    {"poses part", of_client, Lane::Data, limits::message_data_bytes_max},
+    {"poses end", of_client, Lane::Data},
+    {"accepted", of_master},
+    {"watch", of_client},
+    {"job status", of_master},
+    {"status query", of_client},
+    {"cluster status", of_master, Lane::Control, limits::message_data_bytes_max},
+    {"results query", of_client},
+    {"results part", of_master, Lane::Data, limits::message_results_bytes_max},
+    {"cancel", of_client},
+    {"fetch from peers", of_master, Lane::Data, limits::message_data_bytes_max},
+    {"held", of_worker, Lane::Control, limits::message_roots_bytes_max},
+    {"fetch failed", of_worker, Lane::Control, limits::message_roots_bytes_max},
+    {"peer fetch", of_peer, Lane::Control, limits::message_roots_bytes_max},
+    {"peer fetched", of_giver, Lane::Data, limits::message_roots_bytes_max},
+    {"explain", of_client},
+    {"explained", of_master, Lane::Control, limits::message_data_bytes_max},
+    {"add job", of_master, Lane::Data, limits::message_data_bytes_max},
+    {"remove job", of_master, Lane::Data},
+    {"scenario range", of_master, Lane::Data, limits::message_data_bytes_max},
+    {"results kept", of_master},
+    {"holding", of_worker, Lane::Control, limits::message_roots_bytes_max},
+    {"join", of_joiner, Lane::Control, limits::join_bytes_max},
+    {"renew", of_joiner, Lane::Control, limits::join_bytes_max},
+    {"certified", of_master},
+    {"token create", of_client},
+    {"token created", of_master},
+    {"standing", of_worker, Lane::Data, limits::message_roots_bytes_max},
+    {"drop scenario", of_master, Lane::Data},
+    {"recall", of_master, Lane::Data, limits::message_roots_bytes_max},
+    {"recalled", of_worker, Lane::Data, limits::message_roots_bytes_max},
+    {"hint", of_master, Lane::Data, limits::message_roots_bytes_max},
+    {"contact map query", of_client},
+    {"contact map", of_master, Lane::Data, limits::message_results_bytes_max},
 }};
 static_assert(!kinds.back().name.empty(), "a message without a row");
 
@@ -82,6 +95,38 @@ const Kind* kind_of(std::uint16_t type) {
     return type >= 1 && type <= kinds.size() ? &kinds[type - 1u] : nullptr;
 }
 
+unsigned sender_bit(Party party) {
+    switch (party) {
+    case Party::Stranger:
+        return of_stranger;
+    case Party::Anyone:
+        return of_all;
+    case Party::Joiner:
+        return of_joiner;
+    case Party::Observer: // Whether it may ask is another question, which it gets an answer to.
+    case Party::Client:
+        return of_client;
+    case Party::Worker:
+        return of_worker;
+    case Party::Peer:
+        return of_peer;
+    case Party::Giver:
+        return of_giver;
+    case Party::Master:
+        return of_master;
+    }
+    return 0;
+}
+
+constexpr std::array<std::string_view, 9> party_names{"a stranger",
+                                                      "a peer",
+                                                      "a joiner",
+                                                      "an observer",
+                                                      "a client",
+                                                      "a worker",
+                                                      "a fetching worker",
+                                                      "a giving worker",
+                                                      "a master"};
 constexpr std::array<std::string_view, 6> names_of_strategies{
     "best-match", "best-match-load", "random", "lowest", "best-match-pull", "earliest-finish"};
 constexpr std::array<std::string_view, 3> names_of_modes{"auto", "always", "never"};
@@ -121,6 +166,48 @@ std::string_view message_name(std::uint16_t type) {
 std::uint64_t payload_bytes_max(std::uint16_t type) {
     const Kind* kind = kind_of(type);
     return kind == nullptr ? 0 : kind->bytes_max;
+}
+
+Party party_of(Role role) {
+    switch (role) {
+    case Role::Worker:
+        return Party::Worker;
+    case Role::Client:
+        return Party::Client;
+    case Role::Peer:
+        return Party::Peer;
+    case Role::Joiner:
+        break;
+    }
+    return Party::Joiner;
+}
+
+std::string_view to_text(Party party) {
+    return party_names[static_cast<std::size_t>(party)];
+}
+
+std::uint64_t payload_bytes_max_from(Party party, std::uint16_t type) {
+    const Kind* kind = kind_of(type);
+    if (kind == nullptr || (kind->senders & sender_bit(party)) == 0) {
+        return 0;
+    }
+    if (party == Party::Stranger) {
+        return std::min(kind->bytes_max, limits::greeting_bytes_max);
+    }
+    if (party == Party::Observer) {
+        return std::min(kind->bytes_max, limits::observer_bytes_max);
+    }
+    return party == Party::Joiner ? std::min(kind->bytes_max, limits::join_bytes_max)
+                                  : kind->bytes_max;
+}
+
+std::size_t streams_max_of(Party party) {
+    const bool is_small =
+        party == Party::Stranger || party == Party::Joiner || party == Party::Observer;
+    const bool is_known = party != Party::Anyone;
+    return is_small   ? limits::streams_small_max
+           : is_known ? limits::streams_of_lanes_max
+                      : limits::streams_max;
 }
 
 bool travels_as_data(std::uint16_t type) {

@@ -75,6 +75,7 @@ struct LinkEnd : std::enable_shared_from_this<LinkEnd> {
     std::uint64_t other_id = 0;
     std::uint64_t connection = 0;
     std::shared_ptr<const bool> is_silent;
+    Party other_party = Party::Anyone; // Of what is lost the rest may come, and be no greeting.
     std::string other_host = "";
     std::string this_host = "";
     asio::steady_timer arrived;
@@ -179,6 +180,7 @@ std::optional<Message> LinkEnd::take() {
         return message;
     }
     is_awaited = false;
+    CD_CHECK(payload_bytes_max_from(other_party, message_type(*message)) != 0);
     if (host == tests::master_host) {
         World::current()->log("heard: " + name_of(*message) + ", of " + other_host);
         World::current()->on_heard({other_id, host, connection}, *message);
@@ -413,6 +415,14 @@ void Channel::send(const Message& message) {
     } else {
         state_->end->send(message, is_open());
     }
+}
+
+void Channel::expect(Party party) {
+    state_->end->other_party = party;
+}
+
+asio::awaitable<void> Channel::wait_until_closed() {
+    co_return;
 }
 
 std::size_t Channel::queued_bytes() const {

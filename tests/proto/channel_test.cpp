@@ -213,6 +213,40 @@ TEST(Channel, APeerThatClosesMidFrameIsDisconnected) {
     });
 }
 
+TEST(Channel, WhatThePeerMayNotSendIsRefusedBeforeItHasCome) {
+    run_conversation([]() -> asio::awaitable<void> {
+        const auto executor = co_await asio::this_coro::executor;
+        const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
+        asio::ip::tcp::acceptor acceptor(executor, any_port);
+        asio::ip::tcp::socket raw(executor);
+        co_await raw.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
+        asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
+        const auto channel = Channel::make(std::make_unique<Stream>(std::move(socket)));
+        const Bytes hello = frame_of(Hello{});
+        co_await asio::async_write(raw, asio::buffer(hello), asio::use_awaitable);
+        const Result<Hello> greeted = co_await accept_hello(channel);
+        EXPECT_TRUE(greeted);
+        // Of the largest message there is, the first header and no byte more.
+        FrameHeader header;
+        header.type = message_type(Subtrees{});
+        header.has_more = true;
+        header.payload_bytes = frame_payload_bytes_max;
+        const auto head = encode_header(header);
+        co_await asio::async_write(raw, asio::buffer(head), asio::use_awaitable);
+        const Result<Message> refused = co_await channel->receive(patience);
+        EXPECT_EQ(refused.error().code, ErrorCode::BadFrame);
+        EXPECT_THAT(refused.error().detail, testing::HasSubstr("does not send 'subtrees'"));
+        EXPECT_FALSE(channel->is_open());
+        // It is told why, and the connection ends when it has had the time to read that.
+        const Bytes told = frame_of(Failure{refused.error().code, refused.error().detail});
+        Bytes came(told.size());
+        co_await asio::async_read(raw, asio::buffer(came), asio::use_awaitable);
+        EXPECT_EQ(came, told);
+        raw.close();
+        co_await channel->wait_until_closed();
+    });
+}
+
 /// Connects, says these bytes and no more, and waits until the other end has had enough.
 asio::awaitable<Error> verdict_on_standstill_after(Bytes bytes) {
     const auto executor = co_await asio::this_coro::executor;

@@ -9,8 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <random>
+#include <vector>
 
 namespace cd::tests {
 namespace {
@@ -142,6 +145,124 @@ TEST(MessageAssembler, AMessageMayNotChangeItsType) {
     ASSERT_TRUE(assembler.add(header, piece));
     header.type = 8;
     EXPECT_FALSE(assembler.add(header, piece));
+}
+
+// ---- Who sends what -------------------------------------------------------------------------
+
+constexpr std::array<Party, 8> parties{Party::Stranger,
+                                       Party::Joiner,
+                                       Party::Observer,
+                                       Party::Client,
+                                       Party::Worker,
+                                       Party::Peer,
+                                       Party::Giver,
+                                       Party::Master};
+
+template <class... Types>
+std::vector<std::uint16_t> types_of() {
+    return {message_type(Types{})...};
+}
+
+std::vector<std::uint16_t> types_from(Party party) {
+    std::vector<std::uint16_t> types;
+    for (std::uint16_t type = 0; type <= std::variant_size_v<Message> + 1; ++type) {
+        if (payload_bytes_max_from(party, type) != 0) {
+            types.push_back(type);
+        }
+    }
+    return types;
+}
+
+/// The most memory for what has come of messages that are not whole.
+std::uint64_t begun_bytes_max(Party party) {
+    std::uint64_t largest = 0;
+    for (const std::uint16_t type : types_from(party)) {
+        largest = std::max(largest, payload_bytes_max_from(party, type));
+    }
+    return largest * streams_max_of(party);
+}
+
+TEST(Party, EachSendsWhatTheProtocolSays) {
+    EXPECT_EQ(types_from(Party::Stranger), (types_of<Hello, Welcome, Failure>()));
+    EXPECT_EQ(types_from(Party::Joiner), (types_of<Failure, Join, Renew>()));
+    EXPECT_EQ(types_from(Party::Peer), (types_of<Failure, PeerFetch>()));
+    EXPECT_EQ(types_from(Party::Giver), (types_of<Failure, Subtrees, PeerFetched>()));
+    EXPECT_EQ(types_from(Party::Worker),
+              (types_of<Failure,
+                        Heartbeat,
+                        Drain,
+                        WantSubtrees,
+                        Results,
+                        EndOfTask,
+                        Evicted,
+                        Held,
+                        FetchFailed,
+                        Holding,
+                        Standing,
+                        Recalled>()));
+    EXPECT_EQ(types_from(Party::Client),
+              (types_of<Failure,
+                        Heartbeat,
+                        MeshesQuery,
+                        MeshPart,
+                        Submit,
+                        PosesPart,
+                        PosesEnd,
+                        Watch,
+                        StatusQuery,
+                        ResultsQuery,
+                        Cancel,
+                        Explain,
+                        TokenCreate,
+                        ContactMapQuery>()));
+    EXPECT_EQ(types_from(Party::Observer), types_from(Party::Client));
+    for (std::uint16_t type = 1; type <= std::variant_size_v<Message>; ++type) {
+        EXPECT_TRUE(std::any_of(parties.begin(), parties.end(), [&](Party party) {
+            return payload_bytes_max_from(party, type) != 0;
+        })) << message_name(type);
+        EXPECT_EQ(payload_bytes_max_from(Party::Anyone, type), payload_bytes_max(type));
+    }
+}
+
+TEST(Party, TheLessItIsKnownTheLessMemoryIsTakenForIt) {
+    EXPECT_EQ(begun_bytes_max(Party::Stranger), 4u << 10);
+    EXPECT_EQ(begun_bytes_max(Party::Observer), 4u << 10);
+    EXPECT_EQ(begun_bytes_max(Party::Joiner), 64u << 10);
+    EXPECT_EQ(begun_bytes_max(Party::Peer), 16u << 20);
+    EXPECT_EQ(begun_bytes_max(Party::Client), 128u << 20);
+    EXPECT_EQ(begun_bytes_max(Party::Worker), 514u << 20);
+}
+
+TEST(MessageAssembler, WhatItsSenderDoesNotSendIsRefusedByItsHeader) {
+    FrameHeader header;
+    header.type = message_type(Subtrees{});
+    header.payload_bytes = frame_payload_bytes_max;
+    header.has_more = true;
+    for (const Party party : parties) {
+        MessageAssembler assembler;
+        assembler.expect(party);
+        const bool sends_it = party == Party::Master || party == Party::Giver;
+        EXPECT_EQ(assembler.check(header).has_value(), sends_it) << to_text(party);
+    }
+}
+
+TEST(MessageAssembler, WhatIsTooLargeIsRefusedByItsHeader) {
+    MessageAssembler stranger;
+    stranger.expect(Party::Stranger);
+    const Bytes piece(4u << 10);
+    FrameHeader header = header_of(message_type(Hello{}), piece);
+    header.has_more = true;
+    EXPECT_TRUE(stranger.check(header));
+    FrameHeader over = header;
+    over.payload_bytes += 1;
+    EXPECT_EQ(stranger.check(over).error().code, ErrorCode::TooLarge);
+    // What has come of it counts; and it may not begin a second one.
+    ASSERT_TRUE(stranger.add(header, piece));
+    FrameHeader next = header;
+    next.payload_bytes = 1;
+    EXPECT_EQ(stranger.check(next).error().code, ErrorCode::TooLarge);
+    next.stream = 1;
+    EXPECT_EQ(stranger.check(next).error().code, ErrorCode::TooLarge);
 }
 
 } // namespace
