@@ -71,7 +71,7 @@ Status check_exposure(const Endpoint& endpoint, const Exposure& exposure) {
                                              : "join the cluster with a token (`join`)") +
                          ", or give --insecure on a network that you trust"};
     }
-    spdlog::warn("insecure: {} without encryption or authentication", what);
+    warn_always("insecure: " + what + " without encryption or authentication");
     return Done{};
 }
 

@@ -1,5 +1,6 @@
 // Proves that endpoints are read as people write them, and that nothing leaves loopback unasked.
 #include "proto/channel.hpp"
+#include "tests/support/logged.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,7 +57,11 @@ TEST(Endpoint, BeyondLoopbackTheOptionIsNeeded) {
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().code, ErrorCode::Refused);
         EXPECT_THAT(refused.error().detail, testing::HasSubstr("--insecure"));
+        // Whatever is logged else.
+        const Logged logged(spdlog::level::off);
         EXPECT_TRUE(check_exposure({"0.0.0.0", 7600}, {false, true, listening}));
+        EXPECT_THAT(logged.text(), testing::HasSubstr("warning test insecure: "));
+        EXPECT_THAT(logged.text(), testing::HasSubstr(listening ? "listening" : "connecting"));
         EXPECT_TRUE(check_exposure({"0.0.0.0", 7600}, {true, false, listening}));
     }
 }
