@@ -1,5 +1,7 @@
 #include "client/local_cluster.hpp"
 
+#include "common/core/state_folder.hpp"
+
 #include <chrono>
 #include <fstream>
 #include <optional>
@@ -48,8 +50,10 @@ Result<std::string> wait_for_port(ChildProcess& master,
 
 Result<LocalCluster> LocalCluster::start(const LocalClusterOptions& options,
                                          const std::function<bool()>& stopped) {
+    if (const Status made = make_private_folder(options.state); !made) {
+        return made.error();
+    }
     std::error_code error;
-    fs::create_directories(options.state, error);
     fs::create_directories(options.logs, error);
     const fs::path port_file = options.logs / "port";
     fs::remove(port_file, error);

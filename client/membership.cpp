@@ -88,6 +88,10 @@ Result<Identity> join_as_client(const Endpoint& master,
                                 const JoinToken& token,
                                 const std::string& name,
                                 const std::filesystem::path& path) {
+    // A token's use is spent when there is a credential to be written.
+    if (const Status can_write = check_can_write(path); !can_write) {
+        return can_write.error();
+    }
     const Result<Credential> credential = run(join_cluster(master, token, name));
     if (!credential) {
         return credential.error();

@@ -2,6 +2,7 @@
 
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
+#include "common/core/state_folder.hpp"
 #include "common/core/thread_pool.hpp"
 #include "master/coordinator.hpp"
 #include "master/geometry_store.hpp"
@@ -77,6 +78,9 @@ listen_http(const MasterConfig& config, Coordinator& coordinator, MasterIdentity
 } // namespace
 
 Status init_master(const MasterConfig& config) {
+    if (Status made = make_private_folder(config.state); !made) {
+        return made;
+    }
     const MasterIdentity::Options options{config.certificate_life};
     if (Status made = MasterIdentity::init(config.state, options); !made) {
         return made;
@@ -99,6 +103,9 @@ Status init_master(const MasterConfig& config) {
 }
 
 Status run_master(const MasterConfig& config) {
+    if (Status made = make_private_folder(config.state); !made) {
+        return made;
+    }
     const auto identity = MasterIdentity::open(config.state, {config.certificate_life});
     if (!identity) {
         return identity.error();

@@ -2,11 +2,16 @@
 
 #include "common/core/disk_file.hpp"
 #include "common/core/limits.hpp"
+#include "common/core/state_folder.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <span>
+#include <system_error>
 
 namespace cd {
 
@@ -30,17 +35,74 @@ std::array<std::string, 3> three_blocks(std::string_view text) {
     return blocks;
 }
 
-Status check_owner_alone(const std::filesystem::path& path) {
+/// A file that is open to be read.
+class Opened {
+  public:
+    explicit Opened(const std::filesystem::path& path)
+        : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    Opened(const Opened&) = delete;
+    Opened& operator=(const Opened&) = delete;
+    ~Opened() {
+        if (descriptor_ >= 0) {
+            ::close(descriptor_);
+        }
+    }
+    [[nodiscard]] int get() const { return descriptor_; }
+
+  private:
+    int descriptor_;
+};
+
+/// Of the file that is open, whatever its name stands for by now.
+Status check_owner_alone(const Opened& file, const std::filesystem::path& path) {
     struct stat status {};
-    if (::stat(path.c_str(), &status) != 0) {
-        return Error{ErrorCode::Io, "cannot look at " + path.string()};
+    if (::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
+        return Error{ErrorCode::Io, path.string() + " is no file"};
     }
     if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
         return Error{ErrorCode::Refused,
                      path.string() + " may be read by others than its owner: chmod 600 it, or "
                                      "better, join anew"};
     }
+    // Who may give somebody a key may know it. Root does anyway.
+    if (status.st_uid != ::geteuid() && status.st_uid != 0) {
+        return Error{ErrorCode::Refused, path.string() + " belongs to another user"};
+    }
     return Done{};
+}
+
+/// Up to one byte more than such files have.
+Result<std::string> read_all(const Opened& file, const std::filesystem::path& path) {
+    std::string text(file_bytes_max + 1, '\0');
+    std::size_t size = 0;
+    while (size < text.size()) {
+        const ssize_t count = ::read(file.get(), text.data() + size, text.size() - size);
+        if (count == 0) {
+            break;
+        }
+        if (count < 0 && errno != EINTR) {
+            return Error{ErrorCode::Io, "cannot read " + path.string()};
+        }
+        size += count < 0 ? 0 : static_cast<std::size_t>(count);
+    }
+    text.resize(size);
+    return text;
+}
+
+/// A temporary file in the folder of `path`, which is made if it is missing.
+Result<DiskFile> create_private(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(path, error);
+    if (error || !whole.has_filename()) {
+        return Error{ErrorCode::BadInput, "'" + path.string() + "' is no name of a file"};
+    }
+    if (std::filesystem::is_directory(whole, error)) {
+        return Error{ErrorCode::BadInput, path.string() + " is a folder"};
+    }
+    if (const Status made = make_private_folder(whole.parent_path()); !made) {
+        return made.error();
+    }
+    return DiskFile::create_for(whole);
 }
 
 } // namespace
@@ -49,11 +111,13 @@ std::filesystem::path credential_path(const std::filesystem::path& folder, const
     return folder / (master.host + "_" + std::to_string(master.port) + ".pem");
 }
 
+Status check_can_write(const std::filesystem::path& path) {
+    const Result<DiskFile> file = create_private(path);
+    return file ? Status(Done{}) : Status(file.error());
+}
+
 Status write_private(const std::filesystem::path& path, std::string_view text) {
-    if (Status made = make_directories(path.parent_path()); !made) {
-        return made;
-    }
-    Result<DiskFile> file = DiskFile::create_for(path);
+    Result<DiskFile> file = create_private(path);
     if (!file) {
         return file.error();
     }
@@ -64,22 +128,20 @@ Status write_private(const std::filesystem::path& path, std::string_view text) {
 }
 
 Result<std::string> read_private(const std::filesystem::path& path) {
-    const Result<DiskFile> file = DiskFile::open(path);
-    if (!file) {
-        return file.error();
+    const Opened file(path);
+    if (file.get() < 0) {
+        const std::error_code why(errno, std::generic_category());
+        return Error{errno == ENOENT ? ErrorCode::NotFound : ErrorCode::Io,
+                     "cannot open " + path.string() + ": " + why.message()};
     }
-    if (const Status own = check_owner_alone(path); !own) {
+    if (const Status own = check_owner_alone(file, path); !own) {
         return own.error();
     }
-    const Result<std::uint64_t> size = file.value().size();
-    if (!size || size.value() > file_bytes_max) {
-        return size ? Error{ErrorCode::TooLarge, path.string() + " is too large"} : size.error();
+    Result<std::string> text = read_all(file, path);
+    if (text && text.value().size() > file_bytes_max) {
+        return Error{ErrorCode::TooLarge, path.string() + " is too large"};
     }
-    const Result<Bytes> bytes = file.value().read_at(0, size.value());
-    if (!bytes) {
-        return bytes.error();
-    }
-    return std::string(reinterpret_cast<const char*>(bytes.value().data()), bytes.value().size());
+    return text;
 }
 
 Status write_credential(const std::filesystem::path& path, const Credential& credential) {

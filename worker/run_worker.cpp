@@ -183,6 +183,12 @@ int exit_code_of(const Error& error) {
 } // namespace
 
 int join_as_worker(const WorkerConfig& config) {
+    // A token's use is spent when there is a credential to be written.
+    const std::filesystem::path path = credential_path(config.state, config.master);
+    if (const Status can_write = check_can_write(path); !can_write) {
+        spdlog::error("not joined: {}", can_write.error().detail);
+        return exit_code_of(can_write.error());
+    }
     asio::io_context context(1);
     std::optional<Result<Credential>> credential;
     std::string name = config.name.substr(0, limits::certified_name_bytes_max);
@@ -191,7 +197,6 @@ int join_as_worker(const WorkerConfig& config) {
     if (!credential) {
         return exit_unreachable; // Logged by `spawn`.
     }
-    const std::filesystem::path path = credential_path(config.state, config.master);
     const Status done =
         *credential ? write_credential(path, credential->value()) : Status(credential->error());
     if (!done) {

@@ -7,6 +7,9 @@
 #include "tests/support/process.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
 
 namespace cd::tests {
 namespace {
@@ -46,6 +49,54 @@ TEST(CredentialFile, WhatOthersMayReadIsNotUsed) {
         fs::permissions(path, fs::perms::owner_read | others);
         EXPECT_EQ(read_credential(path).error().code, ErrorCode::Refused);
     }
+}
+
+TEST(CredentialFile, WhatBelongsToAnotherIsNotUsed) {
+    if (::geteuid() != 0) {
+        GTEST_SKIP() << "only root gives files away";
+    }
+    const TemporaryFolder folder;
+    const fs::path path = folder / "c.pem";
+    ASSERT_TRUE(write_credential(path, some_credential()));
+    ASSERT_EQ(::chown(path.c_str(), 12345, 12345), 0);
+    EXPECT_EQ(read_credential(path).error().code, ErrorCode::Refused);
+    EXPECT_EQ(read_credential(folder.path()).error().code, ErrorCode::Io) << "no file";
+}
+
+/// While alive, this folder is where names without one are looked for.
+class WorkingFolder {
+  public:
+    explicit WorkingFolder(const fs::path& folder) { fs::current_path(folder); }
+    WorkingFolder(const WorkingFolder&) = delete;
+    WorkingFolder& operator=(const WorkingFolder&) = delete;
+    ~WorkingFolder() { fs::current_path(before_); }
+
+  private:
+    fs::path before_ = fs::current_path();
+};
+
+TEST(CredentialFile, ItsNameMayStandAlone) {
+    const TemporaryFolder folder;
+    const WorkingFolder here(folder.path());
+    ASSERT_TRUE(check_can_write("me.pem"));
+    EXPECT_FALSE(fs::exists("me.pem")) << "nothing is left of a try";
+    const Status written = write_credential("me.pem", some_credential());
+    ASSERT_TRUE(written) << written.error().detail;
+    EXPECT_TRUE(read_credential("me.pem"));
+}
+
+TEST(CredentialFile, WhereNoneCanBeWrittenIsKnownBefore) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "file") << "text";
+    for (const fs::path& path : {fs::path(folder / "file") / "me.pem",
+                                 fs::path(folder.path()) / "",
+                                 folder.path(),
+                                 fs::path("/proc/none/me.pem"),
+                                 fs::path()}) {
+        EXPECT_FALSE(check_can_write(path)) << path;
+    }
+    EXPECT_TRUE(check_can_write(fs::path(folder / "new") / "me.pem"));
+    EXPECT_EQ(fs::status(folder / "new").permissions(), fs::perms::owner_all);
 }
 
 TEST(CredentialFile, WhatIsNoneIsRefused) {
