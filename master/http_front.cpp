@@ -1,12 +1,9 @@
 #include "master/http_front.hpp"
 
-#include "common/core/limits_http.hpp"
-#include "common/core/log.hpp"
 #include "master/access.hpp"
 #include "master/coordinator.hpp"
 #include "master/identity.hpp"
 #include "master/metrics.hpp"
-#include "proto/http.hpp"
 #include "proto/stream.hpp"
 
 #include <utility>
@@ -64,17 +61,19 @@ void HttpFront::close() {
 }
 
 void HttpFront::accept(asio::ip::tcp::socket socket) {
-    const auto open = static_cast<std::size_t>(connection_.use_count() - 1);
-    if (open >= limits::http_connections_max) {
-        spdlog::warn("http connection refused: reason=\"{} are open\"", open);
+    Seats::Seat seat = seats_.take(socket);
+    if (seat == nullptr) {
+        refusals_.log(spdlog::level::warn,
+                      "http connection refused",
+                      peer_name(socket),
+                      std::to_string(seats_.taken()) + " are open");
         return;
     }
-    spawn(coordinator_.executor(), "http", serve(std::move(socket)));
+    spawn(coordinator_.executor(), "http", serve(std::move(socket), std::move(seat)));
 }
 
-asio::awaitable<void> HttpFront::serve(asio::ip::tcp::socket socket) {
-    // Whatever holds it is a connection.
-    const auto counted = connection_;
+asio::awaitable<void> HttpFront::serve(asio::ip::tcp::socket socket, Seats::Seat seat) {
+    const std::string peer = peer_name(socket);
     auto stream = std::make_unique<Stream>(std::move(socket));
     Status secured = Done{};
     if (identity_ != nullptr) {
@@ -83,14 +82,25 @@ asio::awaitable<void> HttpFront::serve(asio::ip::tcp::socket socket) {
             co_await stream->secure(std::move(tls), TlsEnd::Accepting, limits::http_exchange_max);
     }
     if (!secured) {
-        spdlog::info("http connection refused: reason=\"{}\"", secured.error().detail);
+        refusals_.log(spdlog::level::warn, "http connection refused", peer, secured.error().detail);
         co_return;
     }
     const Access access =
         identity_ == nullptr ? Access() : Access(*identity_, stream->peer_identity());
-    serve_http(std::move(stream), [this, access, counted](const HttpRequest& request) {
-        return answer_to(request, coordinator_, access);
+    // The seat goes with the stream.
+    serve_http(std::move(stream), [this, access, peer, seat](const HttpRequest& request) {
+        return answer(request, access, peer);
     });
+}
+
+HttpAnswer
+HttpFront::answer(const HttpRequest& request, const Access& access, const std::string& peer) {
+    HttpAnswer answer = answer_to(request, coordinator_, access);
+    if (answer.status == 403) {
+        const std::string reason = answer.body.substr(0, answer.body.find('\n'));
+        refusals_.log(spdlog::level::warn, "http request refused", peer, reason);
+    }
+    return answer;
 }
 
 } // namespace cd

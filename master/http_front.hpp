@@ -1,16 +1,22 @@
 // Pages for machines that watch the master: /healthz, /readyz, /metrics.
 #pragma once
 
+#include "common/core/limits_http.hpp"
 #include "common/core/result.hpp"
 #include "proto/asio.hpp"
 #include "proto/channel.hpp"
+#include "proto/http.hpp"
 #include "proto/listener.hpp"
+#include "proto/refusals.hpp"
+#include "proto/seats.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 namespace cd {
 
+class Access;
 class Coordinator;
 class MasterIdentity;
 
@@ -35,12 +41,15 @@ class HttpFront {
               Coordinator& coordinator,
               MasterIdentity* identity);
     void accept(asio::ip::tcp::socket socket);
-    [[nodiscard]] asio::awaitable<void> serve(asio::ip::tcp::socket socket);
+    [[nodiscard]] asio::awaitable<void> serve(asio::ip::tcp::socket socket, Seats::Seat seat);
+    [[nodiscard]] HttpAnswer
+    answer(const HttpRequest& request, const Access& access, const std::string& peer);
 
     std::unique_ptr<Listener> listener_;
     Coordinator& coordinator_;
-    MasterIdentity* identity_;                                               ///< Null: plain.
-    std::shared_ptr<const int> connection_ = std::make_shared<const int>(0); ///< Held by each.
+    MasterIdentity* identity_;                  ///< Null: plain.
+    Seats seats_{limits::http_connections_max}; ///< Held by each connection.
+    Refusals refusals_;
 };
 
 } // namespace cd

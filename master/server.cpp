@@ -9,25 +9,6 @@
 
 namespace cd {
 
-namespace {
-
-std::string peer_name(const asio::ip::tcp::socket& socket) {
-    boost::system::error_code ignored;
-    const auto end = socket.remote_endpoint(ignored);
-    return end.address().to_string() + ":" + std::to_string(end.port());
-}
-
-void refuse_greeting(Channel& channel, const Error& error) {
-    spdlog::warn("greeting refused: peer={} reason=\"{}\"", channel.peer(), error.detail);
-    Failure failure;
-    failure.code = ErrorCode::Refused;
-    failure.detail = error.detail;
-    channel.send(failure);
-    channel.close(true);
-}
-
-} // namespace
-
 Result<std::unique_ptr<Server>> Server::listen(const asio::any_io_executor& executor,
                                                const Endpoint& endpoint,
                                                Coordinator& coordinator,
@@ -58,40 +39,56 @@ void Server::close() {
     }
 }
 
-void Server::accept(asio::ip::tcp::socket socket) {
-    if (connections_.size() >= limits::connections_max || greetings_ >= limits::greetings_max) {
-        spdlog::warn("connection refused: reason=\"{} are open, {} not yet greeted\"",
-                     connections_.size(),
-                     greetings_);
-        return;
-    }
-    ++greetings_;
-    const std::uint64_t connection = ++connection_last_;
-    connections_.emplace(connection, nullptr);
-    spawn(coordinator_.executor(), "session", serve(connection, std::move(socket)));
+void Server::refuse_greeting(Channel& channel, const Error& error) {
+    refusals_.log(spdlog::level::warn, "greeting refused", channel.peer(), error.detail);
+    Failure failure;
+    failure.code = ErrorCode::Refused;
+    failure.detail = error.detail;
+    channel.send(failure);
+    channel.close(true);
 }
 
-asio::awaitable<void> Server::serve(std::uint64_t connection, asio::ip::tcp::socket socket) {
+void Server::accept(asio::ip::tcp::socket socket) {
+    Seats::Seat seat = greetings_.take(socket);
+    if (connections_.size() >= limits::connections_max || seat == nullptr) {
+        refusals_.log(spdlog::level::warn,
+                      "connection refused",
+                      peer_name(socket),
+                      std::to_string(connections_.size()) + " are open, " +
+                          std::to_string(greetings_.taken()) + " not yet greeted");
+        return;
+    }
+    const std::uint64_t connection = ++connection_last_;
+    connections_.emplace(connection, nullptr);
+    spawn(
+        coordinator_.executor(), "session", serve(connection, std::move(socket), std::move(seat)));
+}
+
+asio::awaitable<void>
+Server::serve(std::uint64_t connection, asio::ip::tcp::socket socket, Seats::Seat seat) {
     const std::string peer = peer_name(socket);
     std::shared_ptr<const Tls> tls = identity_ == nullptr ? nullptr : identity_->tls()->now;
     const Result<std::shared_ptr<Channel>> channel =
         co_await accept_channel(std::move(socket), std::move(tls));
     if (channel) {
         connections_[connection] = channel.value();
-        co_await converse(channel.value());
+        co_await converse(channel.value(), seat);
+        // One that is told why it is refused is there until it has had the time to read that.
+        if (channel.value()->is_open()) {
+            channel.value()->close();
+        }
+        co_await channel.value()->wait_until_closed();
     } else {
-        --greetings_;
-        spdlog::warn("connection refused: peer={} reason=\"{}\"", peer, channel.error().detail);
+        refusals_.log(spdlog::level::warn, "connection refused", peer, channel.error().detail);
     }
     connections_.erase(connection);
 }
 
-asio::awaitable<void> Server::converse(std::shared_ptr<Channel> channel) {
+asio::awaitable<void> Server::converse(std::shared_ptr<Channel> channel, Seats::Seat& seat) {
     const Result<Hello> hello = co_await accept_hello(channel);
-    --greetings_;
     if (!hello) {
-        spdlog::info(
-            "greeting failed: peer={} error=\"{}\"", channel->peer(), hello.error().detail);
+        refusals_.log(
+            spdlog::level::info, "greeting failed", channel->peer(), hello.error().detail);
         co_return;
     }
     const Access access =
@@ -101,18 +98,21 @@ asio::awaitable<void> Server::converse(std::shared_ptr<Channel> channel) {
         allowed = Error{ErrorCode::Refused, "this is a master; workers fetch from each other"};
     }
     if (allowed) {
-        co_return co_await welcome_as(channel, hello.value(), access);
+        co_return co_await welcome_as(channel, hello.value(), access, seat);
     }
     refuse_greeting(*channel, allowed.error());
 }
 
-asio::awaitable<void>
-Server::welcome_as(std::shared_ptr<Channel> channel, Hello hello, Access access) {
+asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
+                                         Hello hello,
+                                         Access access,
+                                         Seats::Seat& seat) {
     Welcome welcome;
     welcome.cluster = coordinator_.cluster();
     welcome.version = negotiate(hello).value();
     welcome.build = version;
     if (hello.role == Role::Worker) {
+        seat.reset();
         const Reception reception = coordinator_.receive_worker(hello);
         welcome.id = reception.worker.value;
         welcome.peer_key = reception.key;
@@ -128,16 +128,22 @@ Server::welcome_as(std::shared_ptr<Channel> channel, Hello hello, Access access)
         co_await admit(channel, access);
     } else {
         welcome.id = connection_last_;
-        co_await serve_client(channel, welcome, access);
+        co_await serve_client(channel, welcome, access, seat);
     }
 }
 
-asio::awaitable<void>
-Server::serve_client(std::shared_ptr<Channel> channel, Welcome welcome, Access access) {
+asio::awaitable<void> Server::serve_client(std::shared_ptr<Channel> channel,
+                                           Welcome welcome,
+                                           Access access,
+                                           Seats::Seat& seat) {
     const std::string client = access.holder() ? access.holder()->name : channel->peer_host();
     if (const Status allowed = quotas_.connect(client); !allowed) {
         refuse_greeting(*channel, allowed.error());
         co_return;
+    }
+    seat.reset();
+    if (access.holder() && access.holder()->role == CertifiedRole::Metrics) {
+        channel->expect(Party::Observer);
     }
     channel->send(welcome);
     const auto session = std::make_shared<ClientSession>(

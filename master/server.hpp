@@ -1,6 +1,7 @@
 // Listens, greets whoever connects, and hands the connection to its kind of session.
 #pragma once
 
+#include "common/core/limits.hpp"
 #include "common/core/result.hpp"
 #include "master/access.hpp"
 #include "master/coordinator.hpp"
@@ -9,6 +10,8 @@
 #include "proto/asio.hpp"
 #include "proto/channel.hpp"
 #include "proto/listener.hpp"
+#include "proto/refusals.hpp"
+#include "proto/seats.hpp"
 
 #include <cstdint>
 #include <map>
@@ -39,13 +42,18 @@ class Server {
     Server(std::unique_ptr<Listener> listener, Coordinator& coordinator, MasterIdentity* identity);
 
     void accept(asio::ip::tcp::socket socket);
-    [[nodiscard]] asio::awaitable<void> serve(std::uint64_t connection,
-                                              asio::ip::tcp::socket socket);
-    [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel);
     [[nodiscard]] asio::awaitable<void>
-    serve_client(std::shared_ptr<Channel> channel, Welcome welcome, Access access);
+    serve(std::uint64_t connection, asio::ip::tcp::socket socket, Seats::Seat seat);
+    // Who is welcome leaves its seat.
+    [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel,
+                                                 Seats::Seat& seat);
     [[nodiscard]] asio::awaitable<void>
-    welcome_as(std::shared_ptr<Channel> channel, Hello hello, Access access);
+    welcome_as(std::shared_ptr<Channel> channel, Hello hello, Access access, Seats::Seat& seat);
+    [[nodiscard]] asio::awaitable<void> serve_client(std::shared_ptr<Channel> channel,
+                                                     Welcome welcome,
+                                                     Access access,
+                                                     Seats::Seat& seat);
+    void refuse_greeting(Channel& channel, const Error& error);
 
     std::unique_ptr<Listener> listener_;
     Coordinator& coordinator_;
@@ -53,7 +61,10 @@ class Server {
     /// Null until it is secured, if it is to be.
     std::map<std::uint64_t, std::shared_ptr<Channel>> connections_;
     std::uint64_t connection_last_ = 0;
-    std::size_t greetings_ = 0; ///< Connections before the end of their greeting.
+    /// Of connections before the end of their greeting, of joiners, and of those that are refused,
+    /// until they are gone.
+    Seats greetings_{limits::greetings_max};
+    Refusals refusals_;
     Quotas quotas_;
 };
 

@@ -89,14 +89,15 @@ asio::awaitable<Error> refuse_tls(asio::ip::tcp::socket& socket) {
     co_return Error{ErrorCode::Refused, "TLS at a port that does not speak it"};
 }
 
-Error refuse_plaintext(asio::ip::tcp::socket socket) {
+asio::awaitable<Error> refuse_plaintext(asio::ip::tcp::socket socket) {
     Failure failure;
     failure.code = ErrorCode::Refused;
     failure.detail = "only TLS is spoken here: join with a token, or name a credential";
     const auto channel = Channel::make(std::make_unique<Stream>(std::move(socket)));
     channel->send(failure);
     channel->close(true);
-    return {ErrorCode::Refused, "plaintext at a port of TLS"};
+    co_await channel->wait_until_closed();
+    co_return Error{ErrorCode::Refused, "plaintext at a port of TLS"};
 }
 
 } // namespace
@@ -150,7 +151,7 @@ accept_channel(asio::ip::tcp::socket socket,
         co_return co_await refuse_tls(socket);
     }
     if (tls != nullptr && !speaks_tls) {
-        co_return refuse_plaintext(std::move(socket));
+        co_return co_await refuse_plaintext(std::move(socket));
     }
     auto stream = std::make_unique<Stream>(std::move(socket));
     if (tls != nullptr) {

@@ -49,45 +49,53 @@ void PeerServer::stop_serving() {
 }
 
 void PeerServer::accept(asio::ip::tcp::socket socket) {
-    if (connections_ >= limits::peer_connections_max) {
+    Seats::Seat seat = greetings_.take(socket);
+    if (seat == nullptr || connections_ >= limits::peer_connections_max) {
         return; // It is closed, and the other worker goes to the next source.
     }
-    spawn(executor_, "a peer", serve(shared_from_this(), std::move(socket)));
+    spawn(executor_, "a peer", serve(shared_from_this(), std::move(socket), std::move(seat)));
 }
 
 asio::awaitable<void> PeerServer::serve(std::shared_ptr<PeerServer> self,
-                                        asio::ip::tcp::socket socket) {
-    ++self->connections_;
+                                        asio::ip::tcp::socket socket,
+                                        Seats::Seat seat) {
+    const std::string peer = peer_name(socket);
     const Result<std::shared_ptr<Channel>> channel =
         co_await accept_channel(std::move(socket), tls_->now);
     if (!channel) {
-        spdlog::warn("peer refused: reason=\"{}\"", channel.error().detail);
+        self->refusals_.log(spdlog::level::warn, "peer refused", peer, channel.error().detail);
     } else if (tls_->now != nullptr && !is_worker(channel.value()->peer_identity())) {
-        spdlog::warn("peer refused: peer={} reason=\"not the certificate of a worker\"",
-                     channel.value()->peer());
+        self->refusals_.log(
+            spdlog::level::warn, "peer refused", peer, "not the certificate of a worker");
     } else {
-        co_await converse(channel.value());
+        co_await converse(channel.value(), seat);
     }
-    --connections_;
 }
 
-asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel) {
+asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel, Seats::Seat& seat) {
     const Result<Hello> hello = co_await accept_hello(channel);
-    if (hello && hello.value().role == Role::Peer) {
+    if (hello && hello.value().role == Role::Peer && connections_ < limits::peer_connections_max) {
+        seat.reset();
+        ++connections_;
         Welcome welcome;
         welcome.version = negotiate(hello.value()).value();
         welcome.build = version;
         channel->send(welcome);
-        for (;;) {
-            Result<Message> message = co_await channel->receive(limits::peer_idle_max);
-            const auto* fetch = message ? std::get_if<PeerFetch>(&message.value()) : nullptr;
-            if (fetch == nullptr) {
-                break;
-            }
-            co_await answer(channel, *fetch);
-        }
+        co_await answer_all(channel);
+        --connections_;
     }
     channel->close();
+}
+
+asio::awaitable<void> PeerServer::answer_all(std::shared_ptr<Channel> channel) {
+    for (;;) {
+        Result<Message> message = co_await channel->receive(limits::peer_idle_max);
+        const auto* fetch = message ? std::get_if<PeerFetch>(&message.value()) : nullptr;
+        if (fetch == nullptr) {
+            break;
+        }
+        co_await answer(channel, *fetch);
+    }
 }
 
 asio::awaitable<void> PeerServer::answer(std::shared_ptr<Channel> channel, PeerFetch fetch) {

@@ -3,6 +3,8 @@
 
 #include "proto/listener.hpp"
 #include "proto/peer_ticket.hpp"
+#include "proto/refusals.hpp"
+#include "proto/seats.hpp"
 #include "worker/subtree_cache.hpp"
 
 #include <cstdint>
@@ -42,9 +44,11 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
 
     void accept(asio::ip::tcp::socket socket);
     /// It begins some time after it was spawned, and the server may have ended by then.
-    [[nodiscard]] asio::awaitable<void> serve(std::shared_ptr<PeerServer> self,
-                                              asio::ip::tcp::socket socket);
-    [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel);
+    [[nodiscard]] asio::awaitable<void>
+    serve(std::shared_ptr<PeerServer> self, asio::ip::tcp::socket socket, Seats::Seat seat);
+    [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel,
+                                                 Seats::Seat& seat);
+    [[nodiscard]] asio::awaitable<void> answer_all(std::shared_ptr<Channel> channel);
     [[nodiscard]] asio::awaitable<void> answer(std::shared_ptr<Channel> channel, PeerFetch fetch);
     [[nodiscard]] asio::awaitable<void> upload(std::shared_ptr<Channel> channel, PeerFetch fetch);
 
@@ -53,7 +57,9 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
     std::shared_ptr<const TlsSlot> tls_;
     std::optional<TicketCheck> tickets_;
     Blocks blocks_;
-    std::size_t connections_ = 0;
+    Seats greetings_{limits::peer_connections_max}; ///< Of those that have not greeted yet.
+    Refusals refusals_;
+    std::size_t connections_ = 0; ///< Of those that have.
     std::size_t uploads_ = 0;
     std::uint64_t uploaded_bytes_ = 0;
 };

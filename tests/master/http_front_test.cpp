@@ -6,6 +6,7 @@
 #include "master/identity.hpp"
 #include "proto/stream.hpp"
 #include "tests/master/master_stage.hpp"
+#include "tests/support/logged.hpp"
 
 #include <gmock/gmock.h>
 
@@ -124,12 +125,20 @@ TEST(SecuredHttpPages, AreForWhoMayLookAtTheCluster) {
     };
     const auto nobody = Tls::make_joining(identity->fingerprint());
     EXPECT_THAT(get(nobody, "/healthz"), StartsWith("HTTP/1.1 200 "));
-    EXPECT_THAT(get(nobody, "/metrics"), StartsWith("HTTP/1.1 403 "));
+    {
+        const Logged logged;
+        EXPECT_THAT(get(nobody, "/metrics"), StartsWith("HTTP/1.1 403 "));
+        EXPECT_THAT(logged.text(), HasSubstr("http request refused: peer=127.0.0.1:"));
+        EXPECT_THAT(logged.text(), HasSubstr("certificate of a nobody"));
+    }
     EXPECT_THAT(get(tls_of(CertifiedRole::Worker), "/metrics"), StartsWith("HTTP/1.1 403 "));
     EXPECT_THAT(get(tls_of(CertifiedRole::Metrics), "/metrics"), StartsWith("HTTP/1.1 200 "));
     EXPECT_THAT(get(tls_of(CertifiedRole::Admin), "/metrics"), StartsWith("HTTP/1.1 200 "));
-    EXPECT_THAT(Asking(master, front->port(), nullptr, request_for("/healthz")).answer(),
+    const auto other = make_front(master, identity.get());
+    const Logged logged;
+    EXPECT_THAT(Asking(master, other->port(), nullptr, request_for("/healthz")).answer(),
                 Not(HasSubstr("200")));
+    EXPECT_THAT(logged.text(), HasSubstr("http connection refused: peer=127.0.0.1:"));
 }
 
 } // namespace

@@ -1,0 +1,50 @@
+#include "proto/refusals.hpp"
+
+#include "common/core/limits_identity.hpp"
+
+#include <tuple>
+#include <utility>
+
+namespace cd {
+
+std::optional<std::uint64_t> Refusals::admit(const std::string& host, Time now) {
+    const auto is_due = [now](const Host& each) {
+        return now - each.last >= limits::refusal_log_period;
+    };
+    auto known = hosts_.find(host);
+    if (known == hosts_.end() && hosts_.size() >= limits::refusal_hosts_max) {
+        std::erase_if(hosts_, [&](const auto& entry) { return is_due(entry.second); });
+    }
+    if (known == hosts_.end()) {
+        const bool is_full = hosts_.size() >= limits::refusal_hosts_max;
+        bool is_new = false;
+        std::tie(known, is_new) = hosts_.try_emplace(is_full ? std::string() : host, Host{now});
+        if (is_new) {
+            return 0;
+        }
+    }
+    if (!is_due(known->second)) {
+        ++known->second.left_out;
+        return std::nullopt;
+    }
+    known->second.last = now;
+    return std::exchange(known->second.left_out, 0);
+}
+
+void Refusals::log(spdlog::level::level_enum level,
+                   const char* what,
+                   const std::string& peer,
+                   const std::string& reason) {
+    const std::string host = peer.substr(0, peer.rfind(':'));
+    const auto left_out = admit(host, std::chrono::steady_clock::now());
+    if (!left_out) {
+        return;
+    }
+    if (*left_out == 0) {
+        spdlog::log(level, "{}: peer={} reason=\"{}\"", what, peer, reason);
+    } else {
+        spdlog::log(level, "{}: peer={} reason=\"{}\" left_out={}", what, peer, reason, *left_out);
+    }
+}
+
+} // namespace cd

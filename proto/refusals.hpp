@@ -1,0 +1,37 @@
+// Log lines about peers that have proven nothing, and may come as often as they like.
+#pragma once
+
+#include "common/core/log.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace cd {
+
+/// One line about a host in `limits::refusal_log_period`; how many were left out before stands in
+/// the next one. All hosts beyond those that are remembered count as one. One thread.
+class Refusals {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    /// How many were left out since the last line; nothing: leave out this one, too.
+    [[nodiscard]] std::optional<std::uint64_t> admit(const std::string& host, Time now);
+
+    /// Logs "WHAT: peer=PEER reason=REASON", or leaves it out. A peer is HOST:PORT.
+    void log(spdlog::level::level_enum level,
+             const char* what,
+             const std::string& peer,
+             const std::string& reason);
+
+  private:
+    struct Host {
+        Time last;
+        std::uint64_t left_out = 0;
+    };
+    std::map<std::string, Host> hosts_;
+};
+
+} // namespace cd
