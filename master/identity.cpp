@@ -6,11 +6,18 @@
 #include "proto/credential_file.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 namespace cd {
 
 namespace {
+
+constexpr const char* master_name = "master";
+constexpr const char* admin_name = "admin";
+constexpr std::array<std::string_view, 3> reserved_names{
+    master_name, admin_name, "cdcluster authority"};
 
 std::filesystem::path folder_of(const std::filesystem::path& state) {
     return state / "identity";
@@ -42,6 +49,16 @@ Result<CertificateAuthority> read_authority(const std::filesystem::path& folder)
         return Error{ErrorCode::BadInput, folder.string() + " holds " + authority.error().detail};
     }
     return authority;
+}
+
+/// Names that mean something else than a peer. Tools that go by a certificate's name take neither
+/// its case nor a dot at its end for a difference.
+bool is_reserved(std::string name) {
+    name.erase(name.find_last_not_of('.') + 1);
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
+        return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    });
+    return std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
 }
 
 /// The certificate last: where it is, all is.
@@ -134,7 +151,7 @@ Status MasterIdentity::keep_valid() {
 
 void MasterIdentity::renew_own() {
     const Identity own =
-        identity_from_now(CertifiedRole::Master, "master", limits::master_certificate_life);
+        identity_from_now(CertifiedRole::Master, master_name, limits::master_certificate_life);
     auto tls = Tls::make(authority_.issue(own));
     CD_CHECK(tls.has_value());
     tls_->now = std::move(tls.value());
@@ -142,7 +159,7 @@ void MasterIdentity::renew_own() {
 
 Status MasterIdentity::renew_admin() const {
     const Identity admin =
-        identity_from_now(CertifiedRole::Admin, "admin", limits::master_certificate_life);
+        identity_from_now(CertifiedRole::Admin, admin_name, limits::master_certificate_life);
     return write_credential(folder_ / "admin.pem", authority_.issue(admin));
 }
 
@@ -170,6 +187,10 @@ Status MasterIdentity::save_tokens() const {
 }
 
 Result<Certified> MasterIdentity::join(const Join& message, const Sha256& binding) {
+    if (is_reserved(message.name)) {
+        return Error{ErrorCode::Refused,
+                     "nobody joins under the name '" + message.name + "': choose another --name"};
+    }
     const Result<CertifiedRole> role =
         tokens_.redeem({message.token, message.proof, binding, message.request}, options_.now());
     if (!role) {

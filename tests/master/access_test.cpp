@@ -3,6 +3,7 @@
 
 #include "common/core/limits.hpp"
 #include "master/identity.hpp"
+#include "proto/join_token.hpp"
 #include "tests/proto/sample_messages.hpp"
 #include "tests/support/process.hpp"
 
@@ -92,6 +93,29 @@ TEST_F(AccessOfRoles, AnIdentityIsThereOnceItWasMadeAndStaysTheSame) {
     EXPECT_EQ(MasterIdentity::open(folder_.path(), options).error().code, ErrorCode::BadInput);
     EXPECT_FALSE(MasterIdentity::init(folder_.path(), options)) << "nothing is overwritten";
     EXPECT_EQ(read_text(folder_ / "identity/authority.pem"), "damaged");
+}
+
+TEST_F(AccessOfRoles, NobodyJoinsUnderANameThatMeansTheMaster) {
+    const auto made = identity_->create_token({CertifiedRole::Worker, 3600, 2});
+    const JoinToken token = parse_join_token(made.value().token).value();
+    const auto join_as = [&](const std::string& name) {
+        Join join;
+        join.token = token.id;
+        join.name = name;
+        join.request = make_certificate_request().request;
+        join.proof = join_proof(token, Sha256{}, join.request);
+        return identity_->join(join, Sha256{});
+    };
+    for (const char* name : {"master", "Master", "master.", "admin", "cdcluster authority"}) {
+        const auto refused = join_as(name);
+        ASSERT_FALSE(refused) << name;
+        EXPECT_EQ(refused.error().code, ErrorCode::Refused);
+        EXPECT_NE(refused.error().detail.find("choose another"), std::string::npos);
+    }
+    // No use of the token is spent by that.
+    EXPECT_TRUE(join_as("master-2"));
+    EXPECT_TRUE(join_as("the master"));
+    EXPECT_FALSE(join_as("worker"));
 }
 
 TEST_F(AccessOfRoles, TheMastersOwnCertificateIsRenewedInTime) {
