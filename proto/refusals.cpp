@@ -9,7 +9,7 @@ namespace cd {
 
 std::optional<std::uint64_t> Refusals::admit(const std::string& host, Time now) {
     const auto is_due = [now](const Host& each) {
-        return now - each.last >= limits::refusal_log_period;
+        return now - each.since >= limits::refusal_log_period;
     };
     auto known = hosts_.find(host);
     if (known == hosts_.end() && hosts_.size() >= limits::refusal_hosts_max) {
@@ -18,17 +18,23 @@ std::optional<std::uint64_t> Refusals::admit(const std::string& host, Time now) 
     if (known == hosts_.end()) {
         const bool is_full = hosts_.size() >= limits::refusal_hosts_max;
         bool is_new = false;
-        std::tie(known, is_new) = hosts_.try_emplace(is_full ? std::string() : host, Host{now});
+        std::tie(known, is_new) = hosts_.try_emplace(is_full ? std::string() : host, Host{now, 1});
         if (is_new) {
             return 0;
         }
     }
-    if (!is_due(known->second)) {
-        ++known->second.left_out;
-        return std::nullopt;
+    Host& entry = known->second;
+    if (is_due(entry)) {
+        entry.since = now;
+        entry.lines = 1;
+        return std::exchange(entry.left_out, 0);
     }
-    known->second.last = now;
-    return std::exchange(known->second.left_out, 0);
+    if (entry.lines < limits::refusal_lines_max) {
+        ++entry.lines;
+        return 0;
+    }
+    ++entry.left_out;
+    return std::nullopt;
 }
 
 void Refusals::log(spdlog::level::level_enum level,

@@ -4,6 +4,7 @@
 #include "common/core/log.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -11,8 +12,8 @@
 
 namespace cd {
 
-/// One line about a host in `limits::refusal_log_period`; how many were left out before stands in
-/// the next one. All hosts beyond those that are remembered count as one. One thread.
+/// So many lines about a host in `limits::refusal_log_period`; how many were left out then stands
+/// in the next one. All hosts beyond those that are remembered count as one. One thread.
 class Refusals {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -28,7 +29,8 @@ class Refusals {
 
   private:
     struct Host {
-        Time last;
+        Time since; ///< Of the period.
+        std::size_t lines = 0;
         std::uint64_t left_out = 0;
     };
     std::map<std::string, Host> hosts_;

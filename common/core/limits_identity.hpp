@@ -17,6 +17,7 @@ inline constexpr std::size_t streams_small_max = 1;           ///< Of a peer wit
 inline constexpr std::size_t streams_of_lanes_max = 2;        ///< of all others, one a lane.
 
 inline constexpr std::chrono::seconds refusal_log_period{1}; ///< Of lines about one host.
+inline constexpr std::size_t refusal_lines_max = 8;          ///< In that time; then it is counted.
 inline constexpr std::size_t refusal_hosts_max = 1024;       ///< Remembered for that.
 
 } // namespace cd::limits
