@@ -42,6 +42,8 @@ class Membership {
 
     /// What a step of the greeting may take: while a session can go on, its time is short.
     [[nodiscard]] std::chrono::milliseconds patience() const;
+    /// The one that goes on or may go on over the next connection. Null: none.
+    [[nodiscard]] Session* session() const { return session_.get(); }
     [[nodiscard]] const UnkeptResults& unkept() const { return keep_->results; }
 
   private:

@@ -53,7 +53,7 @@ class WorkerProcess {
     [[nodiscard]] bool keeps_too_much() const;
     [[nodiscard]] bool has_ended() const { return has_ended_; }
     /// Null before the first.
-    [[nodiscard]] Session* session() { return session_.get(); }
+    [[nodiscard]] Session* session() { return membership_->session(); }
 
   private:
     asio::awaitable<void> run();
