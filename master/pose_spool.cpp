@@ -3,6 +3,7 @@
 #include "common/core/check.hpp"
 #include "common/core/hash.hpp"
 #include "common/core/limits.hpp"
+#include "common/core/limits_clients.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -49,6 +50,10 @@ struct PoseSpool::State {
 
     [[nodiscard]] std::uint64_t count() const {
         return is_sealed ? announced : run_ends.size() * limits::spool_run_scenarios + last.size();
+    }
+    [[nodiscard]] Error too_many() const {
+        return {ErrorCode::BadInput,
+                "more scenarios than the " + std::to_string(announced) + " that were announced"};
     }
     [[nodiscard]] Status write_run(std::span<const Scenario> run);
     [[nodiscard]] Status write_index();
@@ -132,7 +137,8 @@ Result<std::vector<Scenario>> PoseSpool::State::read_run(std::uint64_t run) cons
     if (checksum(packed.value()) != sum) {
         return damaged(file, "a run of poses has a wrong checksum");
     }
-    Result<std::vector<Scenario>> scenarios = unpack_scenarios(packed.value());
+    Result<std::vector<Scenario>> scenarios =
+        unpack_scenarios(packed.value(), limits::spool_run_scenarios);
     if (!scenarios) {
         return damaged(file, scenarios.error().detail);
     }
@@ -201,7 +207,13 @@ Status PoseSpool::verify() const {
 }
 
 Status PoseSpool::append(std::span<const std::byte> packed) {
-    const Result<std::vector<Scenario>> scenarios = unpack_scenarios(packed);
+    const std::uint64_t left = state_->announced - this->count();
+    const Result<std::vector<Scenario>> scenarios =
+        unpack_scenarios(packed, std::min(left, limits::poses_part_scenarios_max));
+    if (!scenarios && scenarios.error().code == ErrorCode::TooLarge &&
+        left <= limits::poses_part_scenarios_max) {
+        return state_->too_many();
+    }
     if (!scenarios) {
         return scenarios.error();
     }
@@ -213,9 +225,7 @@ Status PoseSpool::append(std::span<const std::byte> packed) {
         }
     }
     if (scenarios.value().size() > state_->announced - count) {
-        return Error{ErrorCode::BadInput,
-                     "more scenarios than the " + std::to_string(state_->announced) +
-                         " that were announced"};
+        return state_->too_many();
     }
     std::vector<Scenario> waiting = state_->last;
     waiting.insert(waiting.end(), scenarios.value().begin(), scenarios.value().end());

@@ -29,7 +29,8 @@ class PoseSpool final : public PoseSource {
 
     /// The next scenarios, `pack_scenarios`, as received. After an error nothing of them is kept.
     /// Errors: those of `unpack_scenarios`; BadInput when an index does not continue, the job has
-    /// no such bodies, or more come than were announced; Io.
+    /// no such bodies, or more come than were announced; TooLarge over
+    /// `limits::poses_part_scenarios_max` at once; Io.
     [[nodiscard]] Status append(std::span<const std::byte> packed);
 
     /// All have come: the file gets this name, in its folder, and stays. Errors: Io.

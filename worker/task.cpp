@@ -14,8 +14,8 @@ Error bad_task(TaskId task, const std::string& why) {
     return {ErrorCode::BadFrame, "task " + std::to_string(task.value) + " " + why};
 }
 
-Result<std::vector<Scenario>> unpack(TaskId task, const Bytes& packed) {
-    auto scenarios = unpack_scenarios(packed);
+Result<std::vector<Scenario>> unpack(TaskId task, const Bytes& packed, std::uint64_t count_max) {
+    auto scenarios = unpack_scenarios(packed, count_max);
     if (!scenarios) {
         return bad_task(task, "has bad scenarios: " + scenarios.error().detail);
     }
@@ -44,7 +44,7 @@ Task::make(Batch batch, std::shared_ptr<const WorkerJob> job, const SubtreeCache
     if (!in_range) {
         return bad_task(batch.task, "names a root that its tree does not have");
     }
-    auto scenarios = unpack(batch.task, batch.scenarios);
+    auto scenarios = unpack(batch.task, batch.scenarios, batch.pair_offsets.size());
     if (!scenarios) {
         return scenarios.error();
     }
@@ -66,7 +66,7 @@ Result<Task> Task::make(const ScenarioRange& range, std::shared_ptr<const Worker
         }
         scenarios.emplace(job, range.first, range.count);
     } else {
-        auto list = unpack(range.task, range.scenarios);
+        auto list = unpack(range.task, range.scenarios, range.count);
         if (!list) {
             return list.error();
         }

@@ -8,6 +8,7 @@
 #include "bench/accuracy/sources.hpp"
 #include "bench/accuracy/timing.hpp"
 #include "common/core/check.hpp"
+#include "common/core/limits.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build.hpp"
@@ -48,7 +49,7 @@ void save(const Options& options, const Scene& scene) {
 std::vector<Scenario> load(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     const std::string text(std::istreambuf_iterator<char>(file), {});
-    auto scenarios = unpack_scenarios(std::as_bytes(std::span(text)));
+    auto scenarios = unpack_scenarios(std::as_bytes(std::span(text)), limits::scenarios_max);
     CD_CHECK(scenarios.has_value());
     return std::move(scenarios.value());
 }

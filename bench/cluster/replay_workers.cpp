@@ -95,7 +95,8 @@ class ReplayWorker {
 
   private:
     static std::vector<std::uint64_t> indices_of(const Bytes& packed) {
-        const Result<std::vector<Scenario>> scenarios = unpack_scenarios(packed);
+        const Result<std::vector<Scenario>> scenarios =
+            unpack_scenarios(packed, limits::scenarios_max);
         std::vector<std::uint64_t> indices;
         for (const Scenario& scenario : scenarios.value()) {
             indices.push_back(scenario.index);

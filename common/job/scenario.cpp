@@ -183,7 +183,8 @@ Bytes pack_scenarios(std::span<const Scenario> scenarios) {
     return out.take();
 }
 
-Result<std::vector<Scenario>> unpack_scenarios(std::span<const std::byte> bytes) {
+Result<std::vector<Scenario>> unpack_scenarios(std::span<const std::byte> bytes,
+                                               std::uint64_t count_max) {
     ByteReader in(bytes);
     if (in.get<std::uint8_t>() != version) {
         return bad_frame("unknown version");
@@ -191,6 +192,11 @@ Result<std::vector<Scenario>> unpack_scenarios(std::span<const std::byte> bytes)
     const auto count = get_varint(in);
     if (!count) {
         return bad_frame("no count");
+    }
+    if (*count > count_max) {
+        return Error{ErrorCode::TooLarge,
+                     "packed scenarios: " + std::to_string(*count) + " of them, and at most " +
+                         std::to_string(count_max) + " are taken"};
     }
     std::vector<Scenario> scenarios;
     std::uint64_t index_expected = 0;

@@ -31,8 +31,10 @@ struct Scenario {
 /// run in which a scenario has no doubles has length 1.
 [[nodiscard]] Bytes pack_scenarios(std::span<const Scenario> scenarios);
 
-/// The inverse. The bytes may be hostile. Errors: BadFrame; BadInput naming the scenario whose pose
-/// is not finite or whose quaternion is zero.
-[[nodiscard]] Result<std::vector<Scenario>> unpack_scenarios(std::span<const std::byte> bytes);
+/// The inverse. The bytes may be hostile, and take memory for no more than `count_max` scenarios.
+/// Errors: BadFrame; TooLarge when there are more; BadInput naming the scenario whose pose is not
+/// finite or whose quaternion is zero.
+[[nodiscard]] Result<std::vector<Scenario>> unpack_scenarios(std::span<const std::byte> bytes,
+                                                             std::uint64_t count_max);
 
 } // namespace cd

@@ -3,6 +3,7 @@
 
 #include "client/connection.hpp"
 
+#include "common/core/limits.hpp"
 #include "common/job/packed_records.hpp"
 #include "tests/client/fake_master.hpp"
 #include "tests/support/shapes.hpp"
@@ -186,7 +187,7 @@ TEST(Connection, OtherPosesFollowInOrderAndToTheEnd) {
     EXPECT_EQ(master.received_of<Submit>()[0].scenarios, scenarios.size());
     std::vector<Scenario> received;
     for (const PosesPart& part : master.received_of<PosesPart>()) {
-        const auto run = unpack_scenarios(part.scenarios).value();
+        const auto run = unpack_scenarios(part.scenarios, limits::scenarios_max).value();
         received.insert(received.end(), run.begin(), run.end());
     }
     EXPECT_EQ(received, scenarios);

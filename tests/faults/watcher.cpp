@@ -20,7 +20,7 @@ std::string name_of(JobId job, std::uint64_t scenario) {
 
 std::vector<std::uint64_t> scenarios_in(const Bytes& packed) {
     std::vector<std::uint64_t> indices;
-    const std::vector<Scenario> scenarios = unpack_scenarios(packed).value();
+    const std::vector<Scenario> scenarios = unpack_scenarios(packed, limits::scenarios_max).value();
     for (const Scenario& scenario : scenarios) {
         indices.push_back(scenario.index);
     }

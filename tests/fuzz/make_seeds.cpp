@@ -177,6 +177,21 @@ void add_rows(Seeds& seeds) {
         grid.rotation[static_cast<std::size_t>(axis)] = rotation_axis({0, 90, 2}, axis);
     }
     seeds.add("grid", "grid", encode_grid(grid));
+
+    const Pose moved = Pose::from_matrix(Mat3::Identity(), {1, 2, 3});
+    const Pose turned = Pose::from_quaternion({1, 2, 3, 4}, {1, 2, 3});
+    Mat3 quarter;
+    quarter << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    const Pose by_matrix = Pose::from_matrix(quarter, {1, 2, 3});
+    std::vector<Scenario> scenarios;
+    for (const Pose& a : {Pose{}, moved, turned, by_matrix}) {
+        for (const std::uint64_t index : {0, 1, 2, 9}) {
+            scenarios.push_back({index, 0, 1, {a, index == 2 ? turned : moved}});
+        }
+    }
+    seeds.add("scenarios", "mixed", pack_scenarios(scenarios));
+    seeds.add(
+        "scenarios", "identities", pack_scenarios(std::vector<Scenario>(5, Scenario{0, 0, 1, {}})));
 }
 
 constexpr std::string_view job_text = R"(name = "van"

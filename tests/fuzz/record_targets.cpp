@@ -4,6 +4,7 @@
 #include "common/job/packed_records.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/result.hpp"
+#include "common/job/scenario.hpp"
 #include "common/tree/subtree_block.hpp"
 #include "common/tree/top_block.hpp"
 #include "master/alarm_record.hpp"
@@ -24,6 +25,7 @@ namespace {
 constexpr std::uint64_t unpacked_bytes_max = 1u << 20;
 constexpr JobId segment_job{7};
 constexpr std::uint64_t segment_scenarios = 1000;
+constexpr std::uint64_t scenarios_max = 1000;
 
 /// Of forms in which the same can be said in several ways: a hash or a database vouches for them.
 template <class Decode, class Encode>
@@ -142,6 +144,15 @@ void grid(Input input) {
         const std::uint64_t last = decoded.value().count() - 1;
         require(scenario_on(decoded.value(), last).index == last, "the last place can be had");
     }
+}
+
+/// Runs may be cut anywhere, so the same poses have several forms.
+void scenarios(Input input) {
+    const auto decode = [](Input bytes) { return unpack_scenarios(bytes, scenarios_max); };
+    check_repeats(input, decode, [](const std::vector<Scenario>& all) {
+        require(all.size() <= scenarios_max, "no more come than may");
+        return pack_scenarios(all);
+    });
 }
 
 } // namespace cd::fuzz

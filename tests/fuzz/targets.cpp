@@ -17,6 +17,7 @@ std::span<const Target> targets() {
         Target{"journal_row", journal_row},
         Target{"segment", segment},
         Target{"grid", grid},
+        Target{"scenarios", scenarios},
         Target{"job_file", job_file},
         Target{"csv_poses", csv_poses},
         Target{"tum_poses", tum_poses},

@@ -24,6 +24,7 @@ void map(Input input);         ///< A map of contacts, before it is compressed.
 void journal_row(Input input); ///< Which kind of row (a byte), then its bytes.
 void segment(Input input);     ///< A file of a job's results.
 void grid(Input input);        ///< A grid of poses.
+void scenarios(Input input);   ///< Poses, one by one, as they travel.
 
 // Files of users.
 void job_file(Input input);

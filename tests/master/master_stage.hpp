@@ -226,7 +226,7 @@ class FakeWorker {
     }
 
     [[nodiscard]] static bool has(const Batch& batch, std::optional<std::uint64_t> index) {
-        const auto scenarios = unpack_scenarios(batch.scenarios).value();
+        const auto scenarios = unpack_scenarios(batch.scenarios, limits::scenarios_max).value();
         return index &&
                std::any_of(scenarios.begin(), scenarios.end(), [&](const Scenario& scenario) {
                    return scenario.index == *index;
@@ -262,7 +262,7 @@ class FakeWorker {
                 scenarios.push_back(scenario_on(grid, range.first + place));
             }
         } else {
-            scenarios = unpack_scenarios(range.scenarios).value();
+            scenarios = unpack_scenarios(range.scenarios, range.count).value();
             EXPECT_EQ(scenarios.size(), range.count);
         }
         Batch batch{range.task, range.job, pack_scenarios(scenarios), {0}, {}};
@@ -335,7 +335,7 @@ class FakeWorker {
     }
 
     void compute(const Batch& batch, const AddJob& job) {
-        const auto scenarios = unpack_scenarios(batch.scenarios).value();
+        const auto scenarios = unpack_scenarios(batch.scenarios, limits::scenarios_max).value();
         Results results;
         results.task = batch.task;
         results.job = batch.job;

@@ -4,6 +4,7 @@
 #include "master/pose_spool.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/limits_clients.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -93,6 +94,21 @@ TEST_F(PoseSpoolTest, RefusesMoreThanWasAnnounced) {
     EXPECT_EQ(status.error().code, ErrorCode::BadInput);
     EXPECT_EQ(PoseSpool::create(folder_.path(), limits::scenarios_max + 1).error().code,
               ErrorCode::TooLarge);
+}
+
+TEST_F(PoseSpoolTest, RefusesMoreAtOnceThanTheirMemoryIsWorth) {
+    // Poses of no bytes: a few on the wire would be hundreds each in memory.
+    std::vector<Scenario> scenarios(limits::poses_part_scenarios_max + 1);
+    for (std::uint64_t i = 0; i < scenarios.size(); ++i) {
+        scenarios[i].index = i;
+    }
+    const auto spool = make_spool(limits::scenarios_max);
+    const Status status = spool->append(pack_scenarios(scenarios));
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().code, ErrorCode::TooLarge);
+    scenarios.pop_back();
+    EXPECT_TRUE(spool->append(pack_scenarios(scenarios)));
+    EXPECT_EQ(spool->count(), limits::poses_part_scenarios_max);
 }
 
 TEST_F(PoseSpoolTest, RefusesBytesThatAreNoScenarios) {
