@@ -5,6 +5,7 @@
 #include "common/core/log.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cd {
 
@@ -21,7 +22,10 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       ended(now),
       answered_by_master(recovered.progress.answered_by_master),
       statistics(recovered.progress.statistics),
-      compute_seconds(recovered.progress.compute_seconds),
+      // One that an earlier version let a worker spoil would spoil every status.
+      compute_seconds(std::isfinite(recovered.progress.compute_seconds)
+                          ? recovered.progress.compute_seconds
+                          : 0),
       traffic(recovered.progress.traffic),
       help(recovered.progress.help),
       depth_a(recovered.progress.depth_a),

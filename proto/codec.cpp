@@ -1,6 +1,7 @@
 #include "proto/codec.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/limits_clients.hpp"
 #include "common/core/printable.hpp"
 #include "proto/wire_messages.hpp"
 
@@ -26,6 +27,9 @@ Problem problem_of(const Hello& hello) {
     }
     if (!(hello.weight > 0) || hello.weight > limits::worker_weight_max) {
         return "a weight that is none";
+    }
+    if (hello.threads > limits::worker_threads_max) {
+        return "more threads than a worker has";
     }
     for (const std::string* text : {&hello.name, &hello.build}) {
         if (text->size() > limits::hello_text_bytes_max || !is_printable(*text)) {
@@ -143,7 +147,11 @@ Problem problem_of(const MeshPart& part) {
 }
 
 Problem problem_of(const Results& results) {
-    return results.compute_seconds < 0 ? "a negative time" : nullptr;
+    if (!(results.compute_seconds >= 0)) {
+        return "a negative time";
+    }
+    return results.compute_seconds > limits::compute_seconds_max ? "a time that cannot be"
+                                                                 : nullptr;
 }
 
 Problem problem_of_pem(const std::string& text) {

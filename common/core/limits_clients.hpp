@@ -9,5 +9,10 @@ namespace cd::limits {
 
 /// In one message: identities take a few bytes on the wire, and hundreds in memory.
 inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16;
+inline constexpr std::size_t grid_bytes_max = 8u << 20;        ///< In memory and the journal, each.
+inline constexpr std::size_t ended_grid_bytes_max = 64u << 10; ///< In memory, when it has ended.
+
+/// Told in one message of results: sums of it stay numbers.
+inline constexpr double compute_seconds_max = 1e7;
 
 } // namespace cd::limits

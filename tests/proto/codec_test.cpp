@@ -10,7 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -289,6 +291,36 @@ TEST(Codec, AMeshPartLiesWithinItsMesh) {
     EXPECT_TRUE(decode_message(message_type(MeshPart{}), bytes));
     bytes[32 + 8 + 8] = std::byte{41}; // The offset.
     EXPECT_FALSE(decode_message(message_type(MeshPart{}), bytes));
+}
+
+/// Whether a message is taken in which these eight bytes stand for another number.
+template <class T>
+bool is_taken_with(const Message& message, T marker, T number) {
+    Bytes bytes = encode_message(message);
+    const auto wanted = std::as_bytes(std::span(&marker, 1));
+    const auto found = std::search(bytes.begin(), bytes.end(), wanted.begin(), wanted.end());
+    EXPECT_NE(found, bytes.end());
+    std::ranges::copy(std::as_bytes(std::span(&number, 1)), found);
+    return decode_message(message_type(message), bytes).has_value();
+}
+
+TEST(Codec, ATimeOfComputingIsOneThatCanBeAddedUp) {
+    Results results;
+    results.compute_seconds = 1234.5678;
+    for (const double seconds : {0.0, 1e-9, 1e7}) {
+        EXPECT_TRUE(is_taken_with(results, 1234.5678, seconds)) << seconds;
+    }
+    for (const double seconds : {-1.0, 1.0001e7, 1.7e308, std::nan("")}) {
+        EXPECT_FALSE(is_taken_with(results, 1234.5678, seconds)) << seconds;
+    }
+}
+
+TEST(Codec, AWorkerHasNoMoreThreadsThanThereMayBe) {
+    Hello hello;
+    hello.threads = 0xabc;
+    EXPECT_TRUE(is_taken_with<std::uint32_t>(hello, 0xabc, limits::worker_threads_max));
+    EXPECT_FALSE(is_taken_with<std::uint32_t>(hello, 0xabc, limits::worker_threads_max + 1));
+    EXPECT_FALSE(is_taken_with<std::uint32_t>(hello, 0xabc, 0xffffffff));
 }
 
 TEST(Codec, AWeightIsAboveZeroAndBounded) {
