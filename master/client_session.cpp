@@ -3,6 +3,7 @@
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
 #include "common/core/printable.hpp"
+#include "master/answers.hpp"
 #include "master/identity.hpp"
 #include "master/run_on.hpp"
 #include "master/submission.hpp"
@@ -230,7 +231,7 @@ asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<Pos
 // ---- Asking -------------------------------------------------------------------------------------
 
 asio::awaitable<void> ClientSession::on(StatusQuery /*message*/) {
-    channel_->send(coordinator_.cluster_status());
+    channel_->send(fitting(coordinator_.cluster_status()));
     co_return;
 }
 
@@ -283,7 +284,7 @@ asio::awaitable<void> ClientSession::on(ResultsQuery message) {
 asio::awaitable<void> ClientSession::on(ContactMapQuery message) {
     const Result<ContactMapAnswer> map = coordinator_.contact_map(message.job);
     if (map) {
-        channel_->send(map.value());
+        channel_->send(fitting(map.value()));
     } else {
         refuse(map.error());
     }
@@ -294,7 +295,7 @@ asio::awaitable<void> ClientSession::on(Explain message) {
     const Result<Explained> explained =
         co_await coordinator_.explain(message.job, message.scenario);
     if (explained) {
-        channel_->send(explained.value());
+        channel_->send(fitting(explained.value()));
     } else {
         refuse(explained.error());
     }

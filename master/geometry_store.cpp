@@ -39,12 +39,16 @@ struct Entry {
 } // namespace
 
 struct GeometryStore::State {
-    State(std::filesystem::path where, DiskFile locked, ThreadPool& threads)
-        : directory(std::move(where)), lock_file(std::move(locked)), pool(threads) {}
+    State(std::filesystem::path where, DiskFile locked, ThreadPool& threads, std::size_t meshes)
+        : directory(std::move(where)),
+          lock_file(std::move(locked)),
+          pool(threads),
+          meshes_max(meshes) {}
 
     std::filesystem::path directory;
     DiskFile lock_file;
     ThreadPool& pool;
+    std::size_t meshes_max;
     std::shared_ptr<std::atomic<std::size_t>> open_uploads =
         std::make_shared<std::atomic<std::size_t>>(0);
 
@@ -70,6 +74,7 @@ struct GeometryStore::State {
 
     void find_meshes();
     [[nodiscard]] bool has(const Sha256& mesh) const;
+    [[nodiscard]] Status check_room(const Sha256& mesh) const;
     [[nodiscard]] std::shared_ptr<Entry> find(const Sha256& mesh) const;
     [[nodiscard]] std::shared_ptr<Entry> find_or_add(const Sha256& mesh);
     void keep(const std::shared_ptr<const ObbTree>& tree);
@@ -107,6 +112,17 @@ void GeometryStore::State::find_meshes() {
 bool GeometryStore::State::has(const Sha256& mesh) const {
     const std::lock_guard lock(mutex);
     return statuses.contains(mesh);
+}
+
+Status GeometryStore::State::check_room(const Sha256& mesh) const {
+    const std::lock_guard lock(mutex);
+    if (statuses.size() < meshes_max || statuses.contains(mesh)) {
+        return Done{};
+    }
+    return Error{ErrorCode::TooLarge,
+                 std::to_string(statuses.size()) + " meshes are stored, of " +
+                     std::to_string(meshes_max) +
+                     " that may be; whoever runs the master has to remove some"};
 }
 
 std::shared_ptr<Entry> GeometryStore::State::find(const Sha256& mesh) const {
@@ -261,7 +277,8 @@ GeometryStore::GeometryStore(std::unique_ptr<State> state) : state_(std::move(st
 GeometryStore::~GeometryStore() = default;
 
 Result<std::unique_ptr<GeometryStore>> GeometryStore::open(const std::filesystem::path& directory,
-                                                           ThreadPool& pool) {
+                                                           ThreadPool& pool,
+                                                           std::size_t meshes_max) {
     for (const char* folder : {"meshes", "trees", "blocks"}) {
         if (const Status status = make_directories(directory / folder); !status) {
             return status.error();
@@ -271,7 +288,7 @@ Result<std::unique_ptr<GeometryStore>> GeometryStore::open(const std::filesystem
     if (!lock_file) {
         return lock_file.error();
     }
-    auto state = std::make_unique<State>(directory, std::move(lock_file.value()), pool);
+    auto state = std::make_unique<State>(directory, std::move(lock_file.value()), pool, meshes_max);
     try {
         state->find_meshes();
     } catch (const std::filesystem::filesystem_error& error) {
@@ -306,6 +323,9 @@ Result<std::unique_ptr<MeshUpload>> GeometryStore::begin_upload(const Sha256& me
     if (*state_->open_uploads >= limits::mesh_uploads_max) {
         return Error{ErrorCode::TooLarge, "too many meshes are being uploaded; try again later"};
     }
+    if (const Status room = state_->check_room(mesh); !room) {
+        return room.error();
+    }
     Result<DiskFile> file = DiskFile::create_for(state_->mesh_path(mesh));
     if (!file) {
         return file.error();
@@ -320,7 +340,10 @@ Status GeometryStore::finish_upload(std::unique_ptr<MeshUpload> given) {
     const Sha256 mesh = upload->mesh();
     const std::shared_ptr<Entry> entry = state_->find_or_add(mesh);
     const std::lock_guard making(entry->making);
-    Status status = entry->stored ? Status(Done{}) : state_->store(*entry, *upload);
+    Status status = entry->stored ? Status(Done{}) : state_->check_room(mesh);
+    if (status && !entry->stored) {
+        status = state_->store(*entry, *upload);
+    }
     const std::lock_guard lock(state_->mutex);
     if (status) {
         state_->entries[mesh] = entry;

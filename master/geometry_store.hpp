@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/hash.hpp"
+#include "common/core/limits_clients.hpp"
 #include "common/core/result.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/tree/obb_tree.hpp"
@@ -54,7 +55,9 @@ class GeometryStore {
     /// Makes the directories where they are missing, and locks them against another process.
     /// Errors: Io.
     [[nodiscard]] static Result<std::unique_ptr<GeometryStore>>
-    open(const std::filesystem::path& directory, ThreadPool& pool);
+    open(const std::filesystem::path& directory,
+         ThreadPool& pool,
+         std::size_t meshes_max = limits::meshes_max);
     GeometryStore(const GeometryStore&) = delete;
     GeometryStore& operator=(const GeometryStore&) = delete;
     ~GeometryStore();
@@ -64,7 +67,8 @@ class GeometryStore {
     [[nodiscard]] std::vector<Sha256> missing(std::span<const Sha256> meshes) const;
 
     /// `name` is for people and is kept with the mesh. Errors: TooLarge over
-    /// `limits::mesh_bytes_max` or with `limits::mesh_uploads_max` open; Io.
+    /// `limits::mesh_bytes_max`, with `limits::mesh_uploads_max` open, or with as many meshes
+    /// stored as may be; Io.
     [[nodiscard]] Result<std::unique_ptr<MeshUpload>>
     begin_upload(const Sha256& mesh, const std::string& name, std::uint64_t bytes_total);
 

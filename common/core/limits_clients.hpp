@@ -11,6 +11,7 @@ namespace cd::limits {
 inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16;
 inline constexpr std::size_t grid_bytes_max = 8u << 20;        ///< In memory and the journal, each.
 inline constexpr std::size_t ended_grid_bytes_max = 64u << 10; ///< In memory, when it has ended.
+inline constexpr std::size_t meshes_max = 1u << 16;            ///< So that a status fits a message.
 
 /// Told in one message of results: sums of it stay numbers.
 inline constexpr double compute_seconds_max = 1e7;

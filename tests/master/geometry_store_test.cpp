@@ -426,5 +426,24 @@ TEST_F(HostileUploads, TooLargeAndTooManyAreRefused) {
     EXPECT_TRUE(store_->has(sphere_.hash()));
 }
 
+TEST_F(GeometryStoreTest, NoMoreMeshesAreStoredThanMayBe) {
+    store_.reset();
+    store_ = std::move(GeometryStore::open(folder_.path(), pool_, 1).value());
+    const Mesh first = make_sphere(1);
+    const Mesh second = make_sphere(2);
+    const Bytes bytes = second.canonical_bytes();
+    auto early = store_->begin_upload(second.hash(), "early", bytes.size());
+    ASSERT_TRUE(early);
+    ASSERT_TRUE(early.value()->append(0, bytes));
+    upload(first);
+    EXPECT_EQ(store_->finish_upload(std::move(early.value())).error().code, ErrorCode::TooLarge);
+    const Status late = upload(bytes, second.hash());
+    EXPECT_EQ(late.error().code, ErrorCode::TooLarge);
+    EXPECT_THAT(late.error().detail, HasSubstr("1 meshes are stored"));
+    EXPECT_FALSE(store_->has(second.hash()));
+    upload(first); // It is here, and may come again.
+    EXPECT_EQ(store_->meshes().size(), 1u);
+}
+
 } // namespace
 } // namespace cd::tests
