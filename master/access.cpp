@@ -1,5 +1,6 @@
 #include "master/access.hpp"
 
+#include "master/identity.hpp"
 #include "proto/codec.hpp"
 
 #include <string>
@@ -43,6 +44,17 @@ Rank rank_needed(const Other& /*message*/) {
 
 } // namespace
 
+Status Access::check_holder() const {
+    if (identity_ == nullptr || !holder_) {
+        return Done{};
+    }
+    if (holder_->until <= identity_->now()) {
+        return Error{ErrorCode::Refused,
+                     "the certificate of '" + holder_->name + "' has expired; renew it"};
+    }
+    return identity_->check_refused(holder_->name);
+}
+
 Status Access::check(Role role) const {
     if (identity_ == nullptr) {
         return role == Role::Joiner
@@ -51,8 +63,8 @@ Status Access::check(Role role) const {
                                   "makes it an identity"})
                    : Status(Done{});
     }
-    if (role == Role::Joiner) {
-        return Done{};
+    if (const Status holder = check_holder(); !holder || role == Role::Joiner) {
+        return holder;
     }
     if (!holder_) {
         return Error{ErrorCode::Refused, "no certificate was shown: join with a token first"};
@@ -74,7 +86,7 @@ Status Access::check(const Message& message) const {
     const Rank needed =
         std::visit([](const auto& content) { return rank_needed(content); }, message);
     if (holder_ && rank_of(holder_->role) >= needed) {
-        return Done{};
+        return check_holder();
     }
     return Error{ErrorCode::Refused,
                  "the certificate of a " +

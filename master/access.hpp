@@ -24,6 +24,9 @@ class Access {
     /// Nobody, where no certificate was shown.
     [[nodiscard]] const std::optional<Identity>& holder() const { return holder_; }
 
+    /// Whether the holder's certificate is still good, and the holder is not refused. Nobody is
+    /// anybody without TLS, or joining. Errors: Refused saying why not.
+    [[nodiscard]] Status check_holder() const;
     /// Whether the holder may greet in this role. Errors: Refused saying why not.
     [[nodiscard]] Status check(Role role) const;
     /// Whether the holder may send this, as a client. Errors: Refused saying why not.

@@ -310,6 +310,9 @@ class Coordinator {
     // Who was wrong, and what else may be (coordinator_doubts.cpp).
     void quarantine(WorkerId worker);
     [[nodiscard]] bool is_quarantined(WorkerId worker) const;
+    /// One whose process was found wrong is not trusted with its next one either.
+    [[nodiscard]] bool is_holder_quarantined(const std::string& holder) const;
+    void quarantine_holder(WorkerId worker);
     /// 0: the master, or not known any more.
     [[nodiscard]] WorkerProcess process_of(WorkerId worker) const;
     /// For people; also of one that an earlier life of the master knew.
@@ -421,10 +424,12 @@ class Coordinator {
     std::multimap<JobId, EarlyResults> early_results_;
     std::vector<std::function<void()>> waiting_for_room_; ///< In the journal.
     AlarmRecord alarms_;
-    std::set<WorkerProcess> quarantined_; ///< Those of the alarms.
+    std::set<WorkerProcess> quarantined_; ///< Those of the alarms, holders among them.
     /// Of all workers that some result may be of. None is 0.
     std::map<WorkerId, WorkerProcess> processes_;
     std::map<WorkerProcess, std::weak_ptr<WorkerIntake>> intakes_;
+    /// Of those with a certificate: its holder. No longer than `processes_`.
+    std::map<WorkerId, std::string> holders_;
     // Workers that only an earlier life of the master knew have the first numbers.
     std::map<WorkerProcess, WorkerId> earlier_;
     WorkerId earlier_last_;

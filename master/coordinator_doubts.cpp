@@ -18,7 +18,9 @@ WorkerProcess Coordinator::process_of(WorkerId worker) const {
 }
 
 bool Coordinator::is_quarantined(WorkerId worker) const {
-    return quarantined_.contains(process_of(worker));
+    const auto link = workers_.find(worker);
+    return quarantined_.contains(process_of(worker)) ||
+           (link != workers_.end() && link->second.quarantined);
 }
 
 std::string Coordinator::name_of(WorkerId worker) const {
@@ -26,8 +28,10 @@ std::string Coordinator::name_of(WorkerId worker) const {
     const auto is_its = [&](WorkerId id) {
         return id == worker || (process != 0 && process_of(id) == process);
     };
-    const auto named = [](const std::string& name, WorkerId id) {
-        return name + " (w-" + std::to_string(id.value) + ")";
+    const auto named = [this](const std::string& name, WorkerId id) {
+        const auto holder = holders_.find(id);
+        return name + " (w-" + std::to_string(id.value) +
+               (holder == holders_.end() ? ")" : ", certified as " + holder->second + ")");
     };
     // It may have left, and come back as another.
     for (const auto& [id, link] : workers_) {
@@ -60,6 +64,8 @@ WorkerId Coordinator::earlier_worker(WorkerProcess process) {
 void Coordinator::forget_processes() {
     if (jobs_.running().empty()) {
         std::erase_if(processes_,
+                      [this](const auto& known) { return !workers_.contains(known.first); });
+        std::erase_if(holders_,
                       [this](const auto& known) { return !workers_.contains(known.first); });
     }
 }
@@ -113,6 +119,7 @@ void Coordinator::quarantine(WorkerId worker) {
     }
     spdlog::error("worker quarantined: worker={}", worker.value);
     alarms_.quarantine(process);
+    quarantine_holder(worker);
     quarantined_ = {alarms_.quarantined.begin(), alarms_.quarantined.end()};
     doubt_results_of(worker);
     // It may have left, and come back as another.

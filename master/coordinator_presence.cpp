@@ -21,9 +21,26 @@ bool names(const std::vector<Recalled>& list, TaskId one) {
     return std::ranges::find(list, one, &Recalled::task) != list.end();
 }
 
+WorkerProcess number_in(const Sha256& hash) {
+    return std::max<WorkerProcess>(1, ByteReader(hash.bytes).get<WorkerProcess>());
+}
+
 WorkerProcess random_process() {
-    const Sha256 drawn = random_secret();
-    return std::max<WorkerProcess>(1, ByteReader(drawn.bytes).get<WorkerProcess>());
+    return number_in(random_secret());
+}
+
+WorkerProcess number_of(const std::string& text) {
+    return number_in(sha256(std::as_bytes(std::span(text))));
+}
+
+/// One that does not say what process it is is taken for a process of its own. A certified one is
+/// so by its holder, too: who says another's number is not taken for that one.
+WorkerProcess process_that_greets(const Hello& hello, const std::string& holder) {
+    if (hello.instance == 0) {
+        return random_process();
+    }
+    return holder.empty() ? hello.instance
+                          : number_of("process " + std::to_string(hello.instance) + " " + holder);
 }
 
 /// All roots below `count` that are not in `held`, which ascends.
@@ -65,9 +82,12 @@ void Coordinator::worker_joined(const Reception& reception,
     if (hello.instance != 0) {
         end_earlier_sessions(hello.instance);
     }
-    spdlog::info("worker joined: worker={} name={} threads={} cache_bytes={} peer={}",
+    const auto& certified = channel->peer_identity();
+    const std::string holder = certified ? certified->name : "";
+    spdlog::info("worker joined: worker={} name={} holder=\"{}\" threads={} cache_bytes={} peer={}",
                  worker.value,
                  hello.name,
+                 holder,
                  hello.threads,
                  hello.cache_bytes,
                  channel->peer());
@@ -78,10 +98,12 @@ void Coordinator::worker_joined(const Reception& reception,
     link.threads = std::max(1u, hello.threads);
     link.cache_bytes = hello.cache_bytes;
     link.instance = hello.instance;
-    // One that does not say what process it is is taken for a process of its own.
-    processes_[worker] = hello.instance != 0 ? hello.instance : random_process();
-    link.quarantined = is_quarantined(worker);
-    const bool is_trusted = !link.quarantined;
+    processes_[worker] = process_that_greets(hello, holder);
+    if (!holder.empty()) {
+        holders_[worker] = holder;
+    }
+    const bool is_trusted = !is_quarantined(worker) && !is_holder_quarantined(holder);
+    link.quarantined = !is_trusted;
     workers_.emplace(worker, std::move(link));
     watch_.joined(worker, Clock::now());
     if (watch_timer_ == nullptr && !closed_) {
@@ -107,6 +129,17 @@ std::shared_ptr<WorkerIntake> Coordinator::intake_of(WorkerId worker) {
         known = intake;
     }
     return intake;
+}
+
+bool Coordinator::is_holder_quarantined(const std::string& holder) const {
+    return !holder.empty() && quarantined_.contains(number_of("holder " + holder));
+}
+
+void Coordinator::quarantine_holder(WorkerId worker) {
+    const auto holder = holders_.find(worker);
+    if (holder != holders_.end() && !is_holder_quarantined(holder->second)) {
+        alarms_.quarantine(number_of("holder " + holder->second));
+    }
 }
 
 void Coordinator::end_earlier_sessions(std::uint64_t instance) {

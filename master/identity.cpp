@@ -2,11 +2,13 @@
 
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
+#include "common/core/limits_clients.hpp"
 #include "common/core/log.hpp"
 #include "proto/credential_file.hpp"
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <string_view>
 #include <utility>
 
@@ -31,6 +33,16 @@ std::filesystem::path certificate_path(const std::filesystem::path& folder) {
 }
 std::filesystem::path tokens_path(const std::filesystem::path& folder) {
     return folder / "tokens";
+}
+
+std::filesystem::path refused_path(const std::filesystem::path& folder) {
+    return folder.parent_path() / "refused";
+}
+
+std::string_view trimmed(std::string_view line) {
+    constexpr std::string_view blank = " \t\r";
+    const std::size_t begin = std::min(line.find_first_not_of(blank), line.size());
+    return line.substr(begin, line.find_last_not_of(blank) + 1 - begin);
 }
 
 /// Errors: NotFound where there is none.
@@ -186,10 +198,35 @@ Status MasterIdentity::save_tokens() const {
     return write_private(tokens_path(folder_), tokens_.to_text());
 }
 
+Status MasterIdentity::check_refused(const std::string& name) const {
+    const std::filesystem::path path = refused_path(folder_);
+    std::error_code missing;
+    if (!std::filesystem::exists(path, missing) && !missing) {
+        return Done{};
+    }
+    std::ifstream file(path);
+    std::size_t bytes = 0;
+    for (std::string line; std::getline(file, line);) {
+        bytes += line.size() + 1;
+        if (bytes > limits::refused_bytes_max) {
+            return Error{ErrorCode::Refused, path.string() + " is too long to be read"};
+        }
+        if (trimmed(line) == name) {
+            return Error{ErrorCode::Refused, "'" + name + "' is refused by this cluster"};
+        }
+    }
+    // A list that cannot be read refuses nobody in particular, so everybody.
+    return file.eof() ? Status(Done{})
+                      : Status(Error{ErrorCode::Refused, path.string() + " cannot be read"});
+}
+
 Result<Certified> MasterIdentity::join(const Join& message, const Sha256& binding) {
     if (is_reserved(message.name)) {
         return Error{ErrorCode::Refused,
                      "nobody joins under the name '" + message.name + "': choose another --name"};
+    }
+    if (const Status allowed = check_refused(message.name); !allowed) {
+        return allowed.error();
     }
     const Result<CertifiedRole> role =
         tokens_.redeem({message.token, message.proof, binding, message.request}, options_.now());
@@ -203,6 +240,9 @@ Result<Certified> MasterIdentity::join(const Join& message, const Sha256& bindin
 }
 
 Result<Certified> MasterIdentity::renew(const Renew& message, const Identity& holder) const {
+    if (const Status allowed = check_refused(holder.name); !allowed) {
+        return allowed.error();
+    }
     return certify(message.request, holder.role, holder.name);
 }
 

@@ -40,6 +40,11 @@ class MasterIdentity {
     /// Where the credential is that `init` has made.
     [[nodiscard]] static std::filesystem::path admin_path(const std::filesystem::path& state);
 
+    [[nodiscard]] WallTime now() const { return options_.now(); }
+    /// Whether the list `refused` in the state directory, one name in a line, names this holder; it
+    /// is read each time. Errors: Refused, also where there is a list that cannot be read.
+    [[nodiscard]] Status check_refused(const std::string& name) const;
+
     /// A new certificate of its own, and one for the admin's file, where it is time. Errors: Io.
     [[nodiscard]] Status keep_valid();
 

@@ -4,6 +4,7 @@
 #include "common/core/log.hpp"
 #include "common/core/version.hpp"
 #include "master/admission.hpp"
+#include "master/certificate_watch.hpp"
 #include "master/client_session.hpp"
 #include "master/worker_session.hpp"
 
@@ -98,7 +99,14 @@ asio::awaitable<void> Server::converse(std::shared_ptr<Channel> channel, Seats::
         allowed = Error{ErrorCode::Refused, "this is a master; workers fetch from each other"};
     }
     if (allowed) {
-        co_return co_await welcome_as(channel, hello.value(), access, seat);
+        const auto pause = std::make_shared<asio::steady_timer>(coordinator_.executor());
+        if (access.identity() != nullptr) {
+            spawn(
+                coordinator_.executor(), "certificate", watch_certificate(channel, access, pause));
+        }
+        co_await welcome_as(channel, hello.value(), access, seat);
+        pause->cancel();
+        co_return;
     }
     refuse_greeting(*channel, allowed.error());
 }

@@ -12,6 +12,8 @@ inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16;
 inline constexpr std::size_t grid_bytes_max = 8u << 20;        ///< In memory and the journal, each.
 inline constexpr std::size_t ended_grid_bytes_max = 64u << 10; ///< In memory, when it has ended.
 inline constexpr std::size_t meshes_max = 1u << 16;            ///< So that a status fits a message.
+inline constexpr std::chrono::seconds holder_check_period{10}; ///< Of those who are connected.
+inline constexpr std::size_t refused_bytes_max = 1u << 20;     ///< The list of refused holders.
 
 /// Told in one message of results: sums of it stay numbers.
 inline constexpr double compute_seconds_max = 1e7;

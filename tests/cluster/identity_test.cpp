@@ -155,6 +155,10 @@ TEST_F(ShortLived, AWorkerRenewsItsCertificateByItself) {
     const JobStatus status = run(job, Query{});
     EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
     EXPECT_THAT(workers_.front()->errors(), HasSubstr("certificate renewed"));
+    // The session of the first certificate has ended with it, and goes on with the next.
+    EXPECT_TRUE(comes_true([&] { return log().find("session ended") != std::string::npos; }));
+    EXPECT_TRUE(comes_true([&] { return log().find("worker came back") != std::string::npos; }));
+    EXPECT_THAT(log(), HasSubstr("has expired"));
 }
 
 TEST_F(SecuredCluster, ItsStateIsForItsUserAlone) {
@@ -254,6 +258,31 @@ TEST_F(SecuredCluster, AnotherRoleIsRefused) {
     Process& as_worker = start_worker(1, {"--state", place.string()});
     EXPECT_EQ(as_worker.wait(), 5);
     EXPECT_THAT(log(), HasSubstr("the certificate of a submitter is not that of a worker"));
+}
+
+TEST_F(SecuredCluster, AHolderWhoIsRefusedIsOut) {
+    const fs::path client = write_issued(authority(), CertifiedRole::Submitter);
+    const auto open = Connection::open(
+        master_->address(),
+        false,
+        [] { return false; },
+        Tls::make(read_credential(client).value()).value());
+    ASSERT_TRUE(open && open.value()->status());
+    const fs::path place = folder_ / "worker";
+    ASSERT_TRUE(write_credential(
+        credential_path(place, parse_endpoint(master_->address()).value()),
+        read_credential(write_issued(authority(), CertifiedRole::Worker)).value()));
+    Process& worker = start_worker(1, {"--state", place.string()});
+    EXPECT_TRUE(comes_true([&] { return log().find("holder=\"someone\"") != std::string::npos; }));
+
+    write_text(state() / "refused", "someone\n");
+    EXPECT_FALSE(open.value()->status());
+    const Ran again = cdctl({"status"}, client);
+    EXPECT_EQ(again.exit_code, 5);
+    EXPECT_THAT(again.errors, HasSubstr("refused by this cluster"));
+    EXPECT_EQ(worker.wait(), 5);
+    EXPECT_THAT(log(), HasSubstr("session ended"));
+    EXPECT_TRUE(connection_->status()) << "others go on";
 }
 
 TEST_F(SecuredCluster, AnExhaustedOrWrongTokenIsRefused) {

@@ -26,7 +26,7 @@ class AccessOfRoles : public testing::Test {
     }
 
     [[nodiscard]] Access of(CertifiedRole role) const {
-        return {*identity_, Identity{role, "someone", {}, {}}};
+        return {*identity_, Identity{role, "someone", {}, identity_->now() + 1h}};
     }
 
     TemporaryFolder folder_;
@@ -77,6 +77,45 @@ TEST_F(AccessOfRoles, OneGreetsAsWhatItsCertificateSays) {
     EXPECT_TRUE(Access().check(Role::Worker));
     EXPECT_TRUE(Access().check(Role::Client));
     EXPECT_FALSE(Access().check(Role::Joiner)) << "without TLS there is nothing to join";
+}
+
+TEST_F(AccessOfRoles, WhoseCertificateHasEndedMayNothing) {
+    for (const auto left : {0s, -1s}) {
+        const Access late(*identity_,
+                          Identity{CertifiedRole::Admin, "someone", {}, identity_->now() + left});
+        EXPECT_EQ(late.check_holder().error().code, ErrorCode::Refused);
+        EXPECT_FALSE(late.check(Role::Client));
+        EXPECT_FALSE(late.check(Role::Joiner));
+        EXPECT_FALSE(late.check(Message{StatusQuery{}}));
+    }
+    EXPECT_TRUE(of(CertifiedRole::Admin).check_holder());
+}
+
+TEST_F(AccessOfRoles, AHolderWhoIsRefusedMayNothingFromThenOn) {
+    const Access someone = of(CertifiedRole::Admin);
+    const auto may = [&] {
+        const bool may_ask = someone.check(Message{StatusQuery{}}).has_value();
+        EXPECT_EQ(someone.check_holder().has_value(), may_ask);
+        EXPECT_EQ(someone.check(Role::Client).has_value(), may_ask);
+        EXPECT_EQ(someone.check(Role::Joiner).has_value(), may_ask);
+        const auto request = make_certificate_request().request;
+        EXPECT_EQ(identity_->renew(Renew{request}, *someone.holder()).has_value(), may_ask);
+        return may_ask;
+    };
+    EXPECT_TRUE(may());
+    write_text(folder_ / "refused", "someone else\nsome\n");
+    EXPECT_TRUE(may());
+    write_text(folder_ / "refused", "other\n  someone \r\n");
+    EXPECT_FALSE(may());
+    Join join;
+    join.name = "someone";
+    EXPECT_NE(identity_->join(join, {}).error().detail.find("refused by this cluster"),
+              std::string::npos);
+    std::filesystem::remove(folder_ / "refused");
+    EXPECT_TRUE(may());
+    // What cannot be read as a list refuses everybody.
+    std::filesystem::create_directory(folder_ / "refused");
+    EXPECT_FALSE(may());
 }
 
 TEST_F(AccessOfRoles, AnIdentityIsThereOnceItWasMadeAndStaysTheSame) {

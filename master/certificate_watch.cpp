@@ -1,0 +1,33 @@
+#include "master/certificate_watch.hpp"
+
+#include "common/core/limits_clients.hpp"
+#include "common/core/log.hpp"
+#include "master/identity.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+asio::awaitable<void> watch_certificate(std::shared_ptr<Channel> channel,
+                                        Access access,
+                                        std::shared_ptr<asio::steady_timer> pause) {
+    while (channel->is_open()) {
+        if (const Status allowed = access.check_holder(); !allowed) {
+            spdlog::warn(
+                "session ended: peer={} reason=\"{}\"", channel->peer(), allowed.error().detail);
+            channel->close();
+            co_return;
+        }
+        // The time of day may be set anew, and the list of the refused grow at any time.
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+            access.holder()->until - access.identity()->now());
+        pause->expires_after(
+            std::clamp<std::chrono::milliseconds>(left + std::chrono::milliseconds(1),
+                                                  std::chrono::milliseconds(1),
+                                                  limits::holder_check_period));
+        boost::system::error_code ignored;
+        co_await pause->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+}
+
+} // namespace cd
