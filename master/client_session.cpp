@@ -22,8 +22,18 @@ ClientSession::ClientSession(Coordinator& coordinator,
 
 asio::awaitable<void> ClientSession::run() {
     const auto self = shared_from_this();
+    co_await converse();
+    drop_upload();
+    drop_poses();
+    // One that is being flushed closes by itself.
+    if (channel_->is_open()) {
+        channel_->close();
+    }
+}
+
+asio::awaitable<void> ClientSession::converse() {
     for (;;) {
-        Result<Message> message = co_await channel_->receive(limits::client_idle_max);
+        Result<Message> message = co_await receive();
         if (!message) {
             const ErrorCode code = message.error().code;
             const bool is_wrong = code == ErrorCode::BadFrame || code == ErrorCode::TooLarge;
@@ -43,10 +53,23 @@ asio::awaitable<void> ClientSession::run() {
         // Who does not read the answers is not asked for more questions.
         co_await channel_->wait_until_queued_below(limits::write_queue_bytes_max);
     }
-    // One that is being flushed closes by itself.
-    if (channel_->is_open()) {
-        channel_->close();
+}
+
+asio::awaitable<Result<Message>> ClientSession::receive() {
+    if (!is_submitting()) {
+        co_return co_await channel_->receive(limits::client_idle_max);
     }
+    // Other messages are no progress.
+    const auto left = progressed_ + quota_.submission_idle_max - std::chrono::steady_clock::now();
+    Result<Message> message = Error{ErrorCode::Timeout, "nothing came in time"};
+    if (left > std::chrono::steady_clock::duration::zero()) {
+        message = co_await channel_->receive(left);
+    }
+    if (!message && message.error().code == ErrorCode::Timeout && channel_->is_open()) {
+        refuse({ErrorCode::Timeout, "a mesh or poses were begun, and did not go on in time"});
+        channel_->close(true);
+    }
+    co_return message;
 }
 
 void ClientSession::refuse(const Error& error) {
@@ -91,7 +114,7 @@ asio::awaitable<void> ClientSession::on(MeshPart message) {
     }
     const Status taken = co_await take_mesh_part(std::move(message));
     if (!taken) {
-        upload_.reset();
+        drop_upload();
         refuse(taken.error());
     } else if (is_last) {
         channel_->send(MeshStored{mesh});
@@ -102,6 +125,28 @@ Status ClientSession::take_bytes(std::uint64_t bytes) {
     return quota_.quotas->take_bytes(quota_.client, bytes, std::chrono::steady_clock::now());
 }
 
+Status ClientSession::begin_upload(MeshPart& part) {
+    drop_upload(); // One at a time; its temporary file goes.
+    if (Status allowed = quota_.quotas->begin_upload(quota_.client); !allowed) {
+        return allowed;
+    }
+    part.name.resize(std::min(part.name.size(), limits::hello_text_bytes_max));
+    auto begun = coordinator_.geometry().begin_upload(part.mesh, part.name, part.bytes_total);
+    if (!begun) {
+        quota_.quotas->end_upload(quota_.client);
+        return begun.error();
+    }
+    upload_ = std::move(begun.value());
+    return Done{};
+}
+
+void ClientSession::drop_upload() {
+    if (upload_ != nullptr) {
+        upload_.reset();
+        quota_.quotas->end_upload(quota_.client);
+    }
+}
+
 asio::awaitable<Status> ClientSession::take_mesh_part(MeshPart message) {
     if (const Status taken = take_bytes(message.bytes.size()); !taken) {
         co_return taken;
@@ -109,33 +154,49 @@ asio::awaitable<Status> ClientSession::take_mesh_part(MeshPart message) {
     if (!is_printable(message.name)) {
         co_return Error{ErrorCode::BadInput, "the mesh's name has control characters in it"};
     }
-    GeometryStore& store = coordinator_.geometry();
     if (message.offset == 0) {
-        upload_.reset(); // One at a time; its temporary file goes.
-        message.name.resize(std::min(message.name.size(), limits::hello_text_bytes_max));
-        auto begun = store.begin_upload(message.mesh, message.name, message.bytes_total);
-        if (!begun) {
-            co_return begun.error();
+        if (const Status begun = begin_upload(message); !begun) {
+            co_return begun;
         }
-        upload_ = std::move(begun.value());
     }
     auto append = [this, &message] { return upload_->append(message.offset, message.bytes); };
     Status status = co_await run_on(coordinator_.blocking(), append);
     if (status && upload_->is_complete()) {
-        auto finish = [this, &store] { return store.finish_upload(std::move(upload_)); };
+        auto finish = [this, &store = coordinator_.geometry()] {
+            return store.finish_upload(std::move(upload_));
+        };
         status = co_await run_on(coordinator_.blocking(), finish);
+        quota_.quotas->end_upload(quota_.client);
     }
+    progressed_ = std::chrono::steady_clock::now();
     co_return status;
 }
 
 // ---- Submitting ---------------------------------------------------------------------------------
 
-asio::awaitable<void> ClientSession::on(Submit message) {
+Status ClientSession::queue_bytes(std::uint64_t bytes) {
+    if (Status queued = quota_.quotas->queue(quota_.client, bytes); !queued) {
+        return queued;
+    }
+    queued_ += bytes;
+    return take_bytes(bytes);
+}
+
+void ClientSession::drop_poses() {
     spool_.reset();
+    quota_.quotas->unqueue(quota_.client, std::exchange(queued_, 0));
+}
+
+asio::awaitable<void> ClientSession::on(Submit message) {
+    drop_poses();
     refused_ = false;
     const bool poses_follow = !message.grid;
-    const Status begun = co_await begin_poses(std::move(message));
+    Status begun = queue_bytes(bulk_bytes(message));
+    if (begun) {
+        begun = co_await begin_poses(std::move(message));
+    }
     if (!begun) {
+        drop_poses();
         refuse(begun.error());
         refused_ = poses_follow;
     }
@@ -158,6 +219,7 @@ asio::awaitable<Status> ClientSession::begin_poses(Submit message) {
                                 " were announced"};
         }
         co_await open_job(std::move(message), nullptr);
+        drop_poses();
         co_return Done{};
     }
     auto spool = PoseSpool::create(coordinator_.directory(), message.scenarios);
@@ -165,6 +227,7 @@ asio::awaitable<Status> ClientSession::begin_poses(Submit message) {
         co_return spool.error();
     }
     spool_ = std::move(spool.value());
+    progressed_ = std::chrono::steady_clock::now();
     submit_ = std::move(message);
     co_return Done{};
 }
@@ -177,12 +240,13 @@ asio::awaitable<void> ClientSession::on(PosesPart message) {
         refuse_poses({ErrorCode::BadInput, "poses without a job before them"});
         co_return;
     }
-    if (const Status taken = take_bytes(message.scenarios.size()); !taken) {
+    if (const Status taken = queue_bytes(message.scenarios.size()); !taken) {
         refuse_poses(taken.error());
         co_return;
     }
     auto append = [spool = spool_, &message] { return spool->append(message.scenarios); };
     const Status appended = co_await run_on(coordinator_.blocking(), append);
+    progressed_ = std::chrono::steady_clock::now();
     if (!appended) {
         refuse_poses(appended.error());
     }
@@ -202,28 +266,28 @@ asio::awaitable<void> ClientSession::on(PosesEnd /*message*/) {
     } else {
         co_await open_job(std::move(submit_), spool);
     }
+    drop_poses();
 }
 
 void ClientSession::refuse_poses(const Error& error) {
-    spool_.reset();
+    drop_poses();
     refused_ = true;
     refuse(error);
 }
 
 asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<PoseSpool> poses) {
-    const auto is_running = [this](JobId earlier) {
-        const Result<JobStatus> status = coordinator_.job_status(earlier);
-        return status && status.value().state == JobState::Running;
-    };
-    if (const Status allowed = quota_.quotas->check_jobs(quota_.client, is_running); !allowed) {
+    Quotas& quotas = *quota_.quotas;
+    if (const Status allowed = quotas.begin_job(quota_.client); !allowed) {
         refuse(allowed.error());
         co_return;
     }
     const Result<JobId> job = co_await coordinator_.open_job(std::move(submit), std::move(poses));
     if (job) {
-        quota_.quotas->add_job(quota_.client, job.value());
+        quotas.add_job(quota_.client, job.value(), std::exchange(queued_, 0));
+        quota_.jobs_changed();
         channel_->send(Accepted{job.value()});
     } else {
+        quotas.give_up_job(quota_.client);
         refuse(job.error());
     }
 }

@@ -9,6 +9,8 @@
 #include "proto/asio.hpp"
 #include "proto/channel.hpp"
 
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -18,6 +20,9 @@ namespace cd {
 struct ClientQuota {
     Quotas* quotas; ///< Outlives the session.
     std::string client;
+    std::function<void()> jobs_changed; ///< Called when one was added.
+    /// Between two messages, while a mesh or poses are coming.
+    std::chrono::milliseconds submission_idle_max = limits::submission_idle_max;
 };
 
 /// Answers a client's requests, one after the other; watches go on beside them. What a client did
@@ -35,6 +40,11 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     [[nodiscard]] asio::awaitable<void> run();
 
   private:
+    [[nodiscard]] asio::awaitable<void> converse();
+    /// Errors: those of the channel; Timeout, told, when a mesh or poses do not go on.
+    [[nodiscard]] asio::awaitable<Result<Message>> receive();
+    [[nodiscard]] bool is_submitting() const { return upload_ != nullptr || spool_ != nullptr; }
+
     // One for each message that a client sends; all others end the connection.
     asio::awaitable<void> on(MeshesQuery message);
     asio::awaitable<void> on(MeshPart message);
@@ -61,6 +71,11 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
                                                      JobId job);
 
     [[nodiscard]] Status take_bytes(std::uint64_t bytes);
+    /// The same, of poses or a grid.
+    [[nodiscard]] Status queue_bytes(std::uint64_t bytes);
+    [[nodiscard]] Status begin_upload(MeshPart& part);
+    void drop_upload();
+    void drop_poses();
     void refuse(const Error& error);
     void refuse_poses(const Error& error);
     void answer(const Result<JobStatus>& status);
@@ -73,6 +88,8 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     /// A submitted job whose poses are coming.
     Submit submit_;
     std::shared_ptr<PoseSpool> spool_;
+    std::uint64_t queued_ = 0;                         ///< Bytes of it, in the quota.
+    std::chrono::steady_clock::time_point progressed_; ///< The mesh or the poses.
     /// Its poses are passed over, up to their end: it was refused, and the client has been told.
     bool refused_ = false;
     std::size_t watches_ = 0;

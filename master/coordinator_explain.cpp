@@ -40,6 +40,9 @@ struct Coordinator::EndedScenario {
                          "the job has ended, and what explains its scenarios is gone: " +
                              error.detail};
         };
+        if (submit.grid && submit.grid->empty()) {
+            return gone({ErrorCode::NotFound, "its grid was too large to be kept"});
+        }
         Result<JobGeometry> geometry = make_job_geometry(store, submit);
         if (!geometry) {
             return gone(geometry.error());

@@ -3,6 +3,7 @@
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
+#include "master/submission.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,11 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       help(recovered.progress.help),
       depth_a(recovered.progress.depth_a),
       depth_b(recovered.progress.depth_b),
-      map(std::move(recovered.map)) {}
+      map(std::move(recovered.map)) {
+    if (end) {
+        drop_bulk(submit);
+    }
+}
 
 GivenPlaces MasterJob::take_given(const PlaceRange& places) {
     // The first of it may come back and be given again before the rest is taken.
@@ -140,6 +145,7 @@ void JobBoard::end(MasterJob& job,
     job.submitter.reset();
     job.analysis_input.reset();
     job.material.reset();
+    drop_bulk(job.submit);
     job.poses.reset();
     job.paused.clear();
     job.open.clear();

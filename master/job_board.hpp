@@ -53,7 +53,7 @@ struct MasterJob {
     MasterJob(RecoveredJob recovered, Clock::time_point now);
 
     JobId id;
-    Submit submit;
+    Submit submit; ///< Once it has ended, without its bulk (`drop_bulk`).
     Clock::time_point started;
     double seconds_before = 0;          ///< In earlier lives of the master.
     JobState state = JobState::Running; ///< As clients are told.

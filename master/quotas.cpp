@@ -1,25 +1,44 @@
 #include "master/quotas.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace cd {
 
 namespace {
 
-Error too_much(const std::string& client, const std::string& what) {
-    return {ErrorCode::Refused, "quota: " + client + " has " + what};
+Error too_much(const std::string& client,
+               const std::string& what,
+               std::chrono::seconds retry_after = limits::retry_after) {
+    return {ErrorCode::Refused,
+            "busy: quota: " + client + " has " + what + "; retry after " +
+                std::to_string(retry_after.count()) + " s"};
+}
+
+std::string of(std::uint64_t count, std::uint64_t limit, const std::string& what) {
+    return std::to_string(count) + " " + what + ", of " + std::to_string(limit) + " that it may";
 }
 
 } // namespace
 
+// ---- Connections, and what comes over them ------------------------------------------------------
+
 Status Quotas::connect(const std::string& client) {
-    // Names are the peer's choice: more of them are not remembered than there may be connections.
+    // Names are the peer's choice: more of them are not remembered than there may be connections
+    // and jobs.
     if (clients_.size() >= limits::connections_max && !clients_.contains(client)) {
-        std::erase_if(clients_, [](const auto& entry) { return entry.second.connections == 0; });
+        for (auto& [name, entry] : clients_) {
+            forget_ended(entry);
+        }
+        std::erase_if(clients_, [](const auto& entry) {
+            return entry.second.connections == 0 && entry.second.jobs.empty() &&
+                   entry.second.jobs_begun == 0;
+        });
     }
     Client& entry = clients_[client];
     if (entry.connections >= limits_.connections) {
-        return too_much(client, std::to_string(entry.connections) + " connections");
+        return too_much(client, of(entry.connections, limits_.connections, "connections"));
     }
     ++entry.connections;
     return Done{};
@@ -32,29 +51,17 @@ void Quotas::disconnect(const std::string& client) {
     }
 }
 
-Status Quotas::check_jobs(const std::string& client, const std::function<bool(JobId)>& is_running) {
-    std::vector<JobId>& jobs = clients_[client].jobs;
-    if (jobs.size() >= limits_.jobs) {
-        std::erase_if(jobs, [&](JobId job) { return !is_running(job); });
-    }
-    if (jobs.size() >= limits_.jobs) {
-        return too_much(client, std::to_string(jobs.size()) + " jobs running");
-    }
-    return Done{};
-}
-
-void Quotas::add_job(const std::string& client, JobId job) {
-    clients_[client].jobs.push_back(job);
-}
-
 Status Quotas::take_bytes(const std::string& client, std::uint64_t bytes, Time now) {
     Client& entry = clients_[client];
     const double sum = bytes_now(entry, now) + static_cast<double>(bytes);
-    if (sum > static_cast<double>(limits_.bytes)) {
+    const double excess = sum - static_cast<double>(limits_.bytes);
+    if (excess > 0) {
+        const double seconds = excess * static_cast<double>(limits_.period.count()) /
+                               static_cast<double>(limits_.bytes);
         return too_much(client,
-                        "sent " + std::to_string(static_cast<std::uint64_t>(sum)) +
-                            " bytes of the " + std::to_string(limits_.bytes) + " that it may in " +
-                            std::to_string(limits_.period.count()) + " s");
+                        "sent " + of(static_cast<std::uint64_t>(sum), limits_.bytes, "bytes") +
+                            " in " + std::to_string(limits_.period.count()) + " s",
+                        std::chrono::seconds(1 + static_cast<std::int64_t>(seconds)));
     }
     entry.bytes = sum;
     entry.since = now;
@@ -66,6 +73,100 @@ double Quotas::bytes_now(const Client& client, Time now) const {
     const double leaked =
         static_cast<double>(limits_.bytes) * passed / static_cast<double>(limits_.period.count());
     return std::max(0.0, client.bytes - leaked);
+}
+
+Status Quotas::begin_upload(const std::string& client) {
+    Client& entry = clients_[client];
+    if (entry.uploads >= limits_.uploads) {
+        return too_much(client, of(entry.uploads, limits_.uploads, "meshes begun"));
+    }
+    ++entry.uploads;
+    return Done{};
+}
+
+void Quotas::end_upload(const std::string& client) {
+    --clients_[client].uploads;
+}
+
+// ---- Jobs, and what waits of them ---------------------------------------------------------------
+
+Status Quotas::queue(const std::string& client, std::uint64_t bytes) {
+    Client& entry = clients_[client];
+    const auto is_too_much = [&] {
+        return bytes > limits_.queued || entry.queued > limits_.queued - bytes;
+    };
+    if (is_too_much()) {
+        forget_ended(entry);
+    }
+    if (is_too_much()) {
+        return too_much(client,
+                        of(entry.queued + bytes, limits_.queued, "bytes of poses not yet done"));
+    }
+    entry.queued += bytes;
+    return Done{};
+}
+
+void Quotas::unqueue(const std::string& client, std::uint64_t bytes) {
+    clients_[client].queued -= bytes;
+}
+
+Status Quotas::begin_job(const std::string& client) {
+    Client& entry = clients_[client];
+    const auto count = [&] { return entry.jobs.size() + entry.jobs_begun; };
+    if (count() >= limits_.jobs) {
+        forget_ended(entry);
+    }
+    if (count() >= limits_.jobs) {
+        return too_much(client, of(count(), limits_.jobs, "jobs running"));
+    }
+    ++entry.jobs_begun;
+    return Done{};
+}
+
+void Quotas::add_job(const std::string& client, JobId job, std::uint64_t bytes) {
+    Client& entry = clients_[client];
+    --entry.jobs_begun;
+    entry.jobs[job] = bytes;
+}
+
+void Quotas::give_up_job(const std::string& client) {
+    --clients_[client].jobs_begun;
+}
+
+void Quotas::forget_ended(Client& client) const {
+    std::erase_if(client.jobs, [&](const auto& job) {
+        const bool is_over = !is_running_(job.first);
+        client.queued -= is_over ? job.second : 0;
+        return is_over;
+    });
+}
+
+// ---- Over a restart -----------------------------------------------------------------------------
+
+std::string Quotas::jobs_text() {
+    std::ostringstream out;
+    for (auto& [name, client] : clients_) {
+        forget_ended(client);
+        for (const auto& [job, bytes] : client.jobs) {
+            out << job.value << ' ' << bytes << ' ' << name << '\n';
+        }
+    }
+    return out.str();
+}
+
+void Quotas::restore_jobs(std::string_view text) {
+    std::istringstream lines{std::string(text)};
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line);
+        JobId job;
+        std::uint64_t bytes = 0;
+        std::string name;
+        fields >> job.value >> bytes >> std::ws;
+        if (std::getline(fields, name) && is_running_(job)) {
+            Client& client = clients_[name];
+            client.queued += client.jobs.emplace(job, bytes).second ? bytes : 0;
+        }
+    }
 }
 
 } // namespace cd

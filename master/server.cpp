@@ -8,25 +8,39 @@
 #include "master/client_session.hpp"
 #include "master/worker_session.hpp"
 
+#include <fstream>
+#include <iterator>
+
 namespace cd {
 
 Result<std::unique_ptr<Server>> Server::listen(const asio::any_io_executor& executor,
                                                const Endpoint& endpoint,
                                                Coordinator& coordinator,
-                                               MasterIdentity* identity) {
+                                               MasterIdentity* identity,
+                                               const ClientLimits& clients) {
     Result<std::unique_ptr<Listener>> listener = Listener::open(executor, endpoint);
     if (!listener) {
         return listener.error();
     }
-    return std::unique_ptr<Server>(new Server(std::move(listener.value()), coordinator, identity));
+    return std::unique_ptr<Server>(
+        new Server(std::move(listener.value()), coordinator, identity, clients));
 }
 
 Server::Server(std::unique_ptr<Listener> listener,
                Coordinator& coordinator,
-               MasterIdentity* identity)
-    : listener_(std::move(listener)), coordinator_(coordinator), identity_(identity) {}
+               MasterIdentity* identity,
+               const ClientLimits& clients)
+    : listener_(std::move(listener)),
+      coordinator_(coordinator),
+      identity_(identity),
+      clients_(clients),
+      quotas_(clients.quotas, [&coordinator](JobId job) {
+          const Result<JobStatus> status = coordinator.job_status(job);
+          return status && status.value().state == JobState::Running;
+      }) {}
 
 void Server::start() {
+    restore_jobs();
     listener_->start([this](asio::ip::tcp::socket socket) { accept(std::move(socket)); });
 }
 
@@ -140,6 +154,31 @@ asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
     }
 }
 
+std::filesystem::path Server::jobs_path() const {
+    return coordinator_.directory() / "clients";
+}
+
+// Whole or not at all, and never waited for: where it is lost, the quotas count less than they
+// might, and nothing else follows.
+void Server::save_jobs() {
+    const std::filesystem::path unfinished = jobs_path().string() + ".new";
+    std::ofstream file(unfinished);
+    file << quotas_.jobs_text();
+    file.close();
+    std::error_code error;
+    if (file) {
+        std::filesystem::rename(unfinished, jobs_path(), error);
+    }
+    if (!file || error) {
+        spdlog::warn("clients of jobs not written: path={}", jobs_path().string());
+    }
+}
+
+void Server::restore_jobs() {
+    std::ifstream file(jobs_path());
+    quotas_.restore_jobs(std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
 asio::awaitable<void> Server::serve_client(std::shared_ptr<Channel> channel,
                                            Welcome welcome,
                                            Access access,
@@ -154,8 +193,9 @@ asio::awaitable<void> Server::serve_client(std::shared_ptr<Channel> channel,
         channel->expect(Party::Observer);
     }
     channel->send(welcome);
-    const auto session = std::make_shared<ClientSession>(
-        coordinator_, channel, access, ClientQuota{&quotas_, client});
+    ClientQuota quota{&quotas_, client, [this] { save_jobs(); }, clients_.submission_idle_max};
+    const auto session =
+        std::make_shared<ClientSession>(coordinator_, channel, access, std::move(quota));
     co_await session->run();
     quotas_.disconnect(client);
 }

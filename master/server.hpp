@@ -13,11 +13,19 @@
 #include "proto/refusals.hpp"
 #include "proto/seats.hpp"
 
+#include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 
 namespace cd {
+
+/// What clients may have; tests make it small.
+struct ClientLimits {
+    Quotas::Limits quotas = {};
+    std::chrono::milliseconds submission_idle_max = limits::submission_idle_max;
+};
 
 class Server {
   public:
@@ -28,7 +36,8 @@ class Server {
     listen(const asio::any_io_executor& executor,
            const Endpoint& endpoint,
            Coordinator& coordinator,
-           MasterIdentity* identity = nullptr);
+           MasterIdentity* identity = nullptr,
+           const ClientLimits& clients = {});
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
     /// That are open, greeted or not.
@@ -39,7 +48,10 @@ class Server {
     void close();
 
   private:
-    Server(std::unique_ptr<Listener> listener, Coordinator& coordinator, MasterIdentity* identity);
+    Server(std::unique_ptr<Listener> listener,
+           Coordinator& coordinator,
+           MasterIdentity* identity,
+           const ClientLimits& clients);
 
     void accept(asio::ip::tcp::socket socket);
     [[nodiscard]] asio::awaitable<void>
@@ -54,6 +66,10 @@ class Server {
                                                      Access access,
                                                      Seats::Seat& seat);
     void refuse_greeting(Channel& channel, const Error& error);
+    /// Which running jobs are whose outlives the master beside its journal.
+    [[nodiscard]] std::filesystem::path jobs_path() const;
+    void save_jobs();
+    void restore_jobs();
 
     std::unique_ptr<Listener> listener_;
     Coordinator& coordinator_;
@@ -65,6 +81,7 @@ class Server {
     /// until they are gone.
     Seats greetings_{limits::greetings_max};
     Refusals refusals_;
+    ClientLimits clients_;
     Quotas quotas_;
 };
 

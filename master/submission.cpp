@@ -1,6 +1,7 @@
 #include "master/submission.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/limits_clients.hpp"
 #include "common/core/printable.hpp"
 #include "common/job/tolerance.hpp"
 
@@ -51,6 +52,11 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     if (!is_printable(submit.name)) {
         return bad("the job's name has control characters in it");
     }
+    if (submit.grid && submit.grid->size() > limits::grid_bytes_max) {
+        return Error{ErrorCode::TooLarge,
+                     "a grid of " + std::to_string(submit.grid->size()) + " bytes; at most " +
+                         std::to_string(limits::grid_bytes_max) + " are taken"};
+    }
     std::array<std::uint64_t, 2> triangles{};
     for (std::size_t body = 0; body < 2; ++body) {
         const auto mesh = std::find_if(stored.begin(), stored.end(), [&](const MeshStatus& status) {
@@ -79,6 +85,18 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
         }
     }
     return Done{};
+}
+
+std::uint64_t bulk_bytes(const Submit& submit) {
+    return (submit.grid ? submit.grid->size() : 0) +
+           submit.query.ignored.size() * sizeof(IgnoredRange);
+}
+
+void drop_bulk(Submit& submit) {
+    submit.query.ignored = {};
+    if (submit.grid && submit.grid->size() > limits::ended_grid_bytes_max) {
+        submit.grid = Bytes();
+    }
 }
 
 } // namespace cd

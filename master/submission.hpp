@@ -12,4 +12,11 @@ namespace cd {
 /// field and what it may be.
 [[nodiscard]] Status check_submission(const Submit& submit, std::span<const MeshStatus> stored);
 
+/// What it takes beside its name: of a grid, and of parts that are ignored.
+[[nodiscard]] std::uint64_t bulk_bytes(const Submit& submit);
+
+/// Of a job that has ended: what nothing needs any more goes, and a large grid, which only explains
+/// scenarios. Of that one empty bytes are left.
+void drop_bulk(Submit& submit);
+
 } // namespace cd

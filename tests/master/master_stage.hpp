@@ -12,6 +12,7 @@
 #include "common/tree/partial_tree.hpp"
 #include "common/tree/top_block.hpp"
 #include "master/coordinator.hpp"
+#include "master/identity.hpp"
 #include "master/server.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
@@ -28,14 +29,29 @@ namespace cd::tests {
 
 inline constexpr std::chrono::seconds patience{60};
 
+/// What is not as usual of a master.
+struct Stage {
+    ClientLimits clients = {};
+    bool is_secured = false; ///< With an identity, which is made where there is none.
+};
+
 /// A whole master on one context, which the test runs.
 class Master {
   public:
     /// Unless told, a worker whose connection breaks does not come back.
     explicit Master(
         const FailureTimes& failure_times = {.return_within = std::chrono::milliseconds(0)},
-        const std::filesystem::path& state = {}) ///< Empty: a folder of its own.
-        : directory(state.empty() ? folder.path() : state), times(failure_times) {
+        const std::filesystem::path& state = {}, ///< Empty: a folder of its own.
+        const Stage& stage = {})
+        : directory(state.empty() ? folder.path() : state),
+          times(failure_times),
+          identity(stage.is_secured ? make_identity() : nullptr),
+          server(std::move(Server::listen(context.get_executor(),
+                                          {"127.0.0.1", 0},
+                                          coordinator,
+                                          identity.get(),
+                                          stage.clients)
+                               .value())) {
         EXPECT_TRUE(coordinator.restore(journal->take_recovered()));
         server->start();
     }
@@ -57,6 +73,19 @@ class Master {
         ASSERT_TRUE(condition()) << "this took too long";
     }
     [[nodiscard]] Endpoint endpoint() const { return {"127.0.0.1", server->port()}; }
+    /// For a holder of that name and role; plain without an identity.
+    [[nodiscard]] Target target(CertifiedRole role, const std::string& holder) const {
+        if (identity == nullptr) {
+            return endpoint();
+        }
+        const auto authority =
+            CertificateAuthority::parse(read_text(directory / "identity/authority.pem"),
+                                        read_text(directory / "identity/authority.key"));
+        const WallTime now = identity->now();
+        const std::chrono::hours hour(1);
+        return {endpoint(),
+                Tls::make(authority.value().issue({role, holder, now - hour, now + hour})).value()};
+    }
 
     TemporaryFolder folder;
     std::filesystem::path directory;
@@ -76,8 +105,17 @@ class Master {
                              directory / "jobs",
                              Durability::Unsynced,
                              times}};
-    std::unique_ptr<Server> server =
-        std::move(Server::listen(context.get_executor(), {"127.0.0.1", 0}, coordinator).value());
+    std::unique_ptr<MasterIdentity> identity;
+    std::unique_ptr<Server> server;
+
+  private:
+    [[nodiscard]] std::unique_ptr<MasterIdentity> make_identity() const {
+        const MasterIdentity::Options options{std::chrono::hours(1)};
+        if (!std::filesystem::exists(directory / "identity")) {
+            EXPECT_TRUE(MasterIdentity::init(directory, options));
+        }
+        return std::move(MasterIdentity::open(directory, options).value());
+    }
 };
 
 /// The end of a peer's conversation with the master, which a test must not outlive.
@@ -116,6 +154,7 @@ class FakeWorker {
         std::uint64_t batches_max = ~std::uint64_t{0}; ///< It answers so many, and rests.
         std::optional<Results> comes_with = {};        ///< Of an earlier session.
         std::optional<std::uint64_t> holds = {};       ///< A scenario, until it is told to go on.
+        std::string holder = "worker";                 ///< Of its certificate, if it needs one.
     };
 
     FakeWorker(Master& master, Habits habits) : master_(master), habits_(habits) {
@@ -146,7 +185,8 @@ class FakeWorker {
 
     asio::awaitable<void> run() {
         const Ending ending{ended};
-        auto connected = co_await connect(master_.endpoint());
+        Target target = master_.target(CertifiedRole::Worker, habits_.holder);
+        auto connected = co_await connect(std::move(target));
         channel_ = connected.value();
         Hello hello;
         hello.role = Role::Worker;
@@ -460,7 +500,8 @@ class Client {
 
   private:
     asio::awaitable<void> greet_master() {
-        channel_ = (co_await connect(master_.endpoint())).value();
+        Target target = master_.target(CertifiedRole::Submitter, "client");
+        channel_ = (co_await connect(std::move(target))).value();
         const Hello hello; // Named: GCC 12 copies temporaries in such an expression bit by bit.
         (void)co_await greet(channel_, hello);
     }

@@ -12,8 +12,12 @@ using namespace std::chrono_literals;
 
 const Quotas::Time start{};
 
+bool all_run(JobId /*job*/) {
+    return true;
+}
+
 TEST(Quotas, ConnectionsAreCountedByClientAndComeBack) {
-    Quotas quotas({2, 9, 9, 1s});
+    Quotas quotas({.connections = 2}, all_run);
     EXPECT_TRUE(quotas.connect("ann"));
     EXPECT_TRUE(quotas.connect("ann"));
     const Status third = quotas.connect("ann");
@@ -26,24 +30,31 @@ TEST(Quotas, ConnectionsAreCountedByClientAndComeBack) {
     EXPECT_FALSE(quotas.connect("ann"));
 }
 
-TEST(Quotas, OnlyJobsThatRunCount) {
-    Quotas quotas({9, 2, 9, 1s});
+TEST(Quotas, OnlyJobsThatRunOrAreBeingOpenedCount) {
     bool first_runs = true;
-    const auto is_running = [&](JobId job) { return job != JobId{1} || first_runs; };
-    for (const std::uint64_t job : {1u, 2u}) {
-        EXPECT_TRUE(quotas.check_jobs("ann", is_running));
-        quotas.add_job("ann", JobId{job});
-    }
-    EXPECT_EQ(quotas.check_jobs("ann", is_running).error().code, ErrorCode::Refused);
-    EXPECT_TRUE(quotas.check_jobs("bob", is_running));
+    Quotas quotas({.jobs = 2}, [&](JobId job) { return job != JobId{1} || first_runs; });
+    EXPECT_TRUE(quotas.begin_job("ann"));
+    EXPECT_TRUE(quotas.begin_job("ann"));
+    EXPECT_FALSE(quotas.begin_job("ann")) << "they wait for the disk, and count";
+    quotas.give_up_job("ann");
+    EXPECT_TRUE(quotas.begin_job("ann"));
+    quotas.add_job("ann", JobId{1}, 0);
+    quotas.add_job("ann", JobId{2}, 0);
+    const Status third = quotas.begin_job("ann");
+    EXPECT_EQ(third.error().code, ErrorCode::Refused);
+    EXPECT_EQ(third.error().detail,
+              "busy: quota: ann has 2 jobs running, of 2 that it may; retry after 30 s");
+    EXPECT_TRUE(quotas.begin_job("bob"));
     first_runs = false;
-    EXPECT_TRUE(quotas.check_jobs("ann", is_running));
+    EXPECT_TRUE(quotas.begin_job("ann"));
 }
 
-TEST(Quotas, BytesLeakAwayWithTime) {
-    Quotas quotas({9, 9, 1000, 100s});
+TEST(Quotas, BytesLeakAwayWithTimeAndItIsSaidHowMuchThatTakes) {
+    Quotas quotas({.bytes = 1000, .period = 100s}, all_run);
     EXPECT_TRUE(quotas.take_bytes("ann", 1000, start));
-    EXPECT_EQ(quotas.take_bytes("ann", 1, start).error().code, ErrorCode::Refused);
+    const Status more = quotas.take_bytes("ann", 95, start);
+    EXPECT_EQ(more.error().code, ErrorCode::Refused);
+    EXPECT_THAT(more.error().detail, testing::HasSubstr("retry after 10 s"));
     EXPECT_TRUE(quotas.take_bytes("bob", 1000, start));
     // Ten a second; what was refused did not count.
     EXPECT_FALSE(quotas.take_bytes("ann", 101, start + 10s));
@@ -52,8 +63,55 @@ TEST(Quotas, BytesLeakAwayWithTime) {
     EXPECT_TRUE(quotas.take_bytes("ann", 1000, start + 1000s));
 }
 
+TEST(Quotas, WhatIsNotDoneIsQueuedUntilItsJobEnds) {
+    bool runs = true;
+    Quotas quotas({.queued = 100}, [&](JobId /*job*/) { return runs; });
+    EXPECT_TRUE(quotas.queue("ann", 60));
+    EXPECT_TRUE(quotas.begin_job("ann"));
+    quotas.add_job("ann", JobId{1}, 60);
+    EXPECT_TRUE(quotas.queue("ann", 40));
+    const Status more = quotas.queue("ann", 1);
+    EXPECT_EQ(more.error().code, ErrorCode::Refused);
+    EXPECT_THAT(more.error().detail, testing::HasSubstr("101 bytes of poses not yet done, of 100"));
+    EXPECT_TRUE(quotas.queue("bob", 100));
+    quotas.unqueue("ann", 40);
+    EXPECT_TRUE(quotas.queue("ann", 1));
+    EXPECT_FALSE(quotas.queue("ann", 40));
+    runs = false;
+    EXPECT_TRUE(quotas.queue("ann", 99));
+    EXPECT_FALSE(quotas.queue("ann", 1));
+    EXPECT_FALSE(quotas.queue("carl", ~0ull));
+}
+
+TEST(Quotas, OneClientBeginsOnlyItsShareOfUploads) {
+    Quotas quotas({.uploads = 1}, all_run);
+    EXPECT_TRUE(quotas.begin_upload("ann"));
+    EXPECT_EQ(quotas.begin_upload("ann").error().code, ErrorCode::Refused);
+    EXPECT_TRUE(quotas.begin_upload("bob"));
+    quotas.end_upload("ann");
+    EXPECT_TRUE(quotas.begin_upload("ann"));
+}
+
+TEST(Quotas, JobsThatRunAreCountedAfterARestart) {
+    Quotas before({}, all_run);
+    for (const std::uint64_t job : {3u, 4u, 5u}) {
+        const std::string client = job == 5 ? "bob with a blank" : "ann";
+        EXPECT_TRUE(before.queue(client, 10 * job));
+        EXPECT_TRUE(before.begin_job(client));
+        before.add_job(client, JobId{job}, 10 * job);
+    }
+    Quotas after({.jobs = 1, .queued = 50}, [](JobId job) { return job != JobId{3}; });
+    after.restore_jobs(before.jobs_text() + "rubbish\n\n7\n");
+    EXPECT_FALSE(after.begin_job("ann"));
+    EXPECT_FALSE(after.begin_job("bob with a blank"));
+    EXPECT_TRUE(after.begin_job("carl"));
+    EXPECT_FALSE(after.queue("ann", 11));
+    EXPECT_TRUE(after.queue("ann", 10));
+    EXPECT_FALSE(after.queue("bob with a blank", 1));
+}
+
 TEST(Quotas, NamesThatComeAndGoAreForgotten) {
-    Quotas quotas;
+    Quotas quotas({}, all_run);
     for (std::size_t i = 0; i < 2 * limits::connections_max + 2; ++i) {
         const std::string name = std::to_string(i);
         EXPECT_TRUE(quotas.connect(name));

@@ -1,0 +1,54 @@
+// Proves that quarantine holds for who holds the certificate, and for nobody who is named like a
+// process of another one: a new number does not end it, nor does a restart of the master.
+#include "tests/master/master_stage.hpp"
+
+namespace cd::tests {
+namespace {
+
+constexpr FailureTimes no_return{.return_within = std::chrono::milliseconds(0)};
+constexpr Stage secured{.is_secured = true};
+
+std::optional<WorkerStatus> alive_at(Master& master) {
+    const auto workers = master.coordinator.cluster_status().workers;
+    const auto here = std::ranges::find(workers, WorkerState::Alive, &WorkerStatus::state);
+    return here == workers.end() ? std::nullopt : std::optional(*here);
+}
+
+/// Joins, and leaves again.
+bool joins_in_quarantine(Master& master, const std::string& holder, std::uint64_t instance) {
+    std::optional<WorkerStatus> found;
+    {
+        const FakeWorker worker(master, {.instance = instance, .holder = holder});
+        master.run_until([&] { return (found = alive_at(master)).has_value(); });
+    }
+    master.run_until([&] { return !alive_at(master); });
+    return found && found->quarantined;
+}
+
+TEST(ServerHolder, WhoWasWrongIsInQuarantineWithItsNextProcess) {
+    const TemporaryFolder state;
+    {
+        Master master(no_return, state.path(), secured);
+        Client client(master);
+        client.start_submitting(reference().submission());
+        master.run_until([&] { return client.done; });
+        {
+            const FakeWorker liar(master, {.lies_first = true, .instance = 1, .holder = "liar"});
+            master.run_until([&] { return !master.coordinator.quarantined().empty(); });
+        }
+        master.run_until([&] { return !alive_at(master); });
+        EXPECT_TRUE(joins_in_quarantine(master, "liar", 1));
+        EXPECT_TRUE(joins_in_quarantine(master, "liar", 2));
+        EXPECT_FALSE(joins_in_quarantine(master, "honest", 3));
+        EXPECT_FALSE(joins_in_quarantine(master, "honest", 1)) << "the same number by chance";
+        const auto alarms = master.coordinator.cluster_status().alarms;
+        ASSERT_FALSE(alarms.empty());
+        EXPECT_NE(alarms.front().find("certified as liar"), std::string::npos) << alarms.front();
+    }
+    Master master(no_return, state.path(), secured);
+    EXPECT_TRUE(joins_in_quarantine(master, "liar", 4));
+    EXPECT_FALSE(joins_in_quarantine(master, "honest", 5));
+}
+
+} // namespace
+} // namespace cd::tests
