@@ -310,6 +310,8 @@ class Coordinator {
     // Who was wrong, and what else may be (coordinator_doubts.cpp).
     void quarantine(WorkerId worker);
     [[nodiscard]] bool is_quarantined(WorkerId worker) const;
+    /// Nothing that it says is taken: it is in quarantine, for its own sake or for its holder's.
+    [[nodiscard]] bool is_distrusted(WorkerId worker) const;
     /// One whose process was found wrong is not trusted with its next one either.
     [[nodiscard]] bool is_holder_quarantined(const std::string& holder) const;
     void quarantine_holder(WorkerId worker);

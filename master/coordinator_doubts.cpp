@@ -17,6 +17,11 @@ WorkerProcess Coordinator::process_of(WorkerId worker) const {
     return known == processes_.end() ? 0 : known->second;
 }
 
+bool Coordinator::is_distrusted(WorkerId worker) const {
+    const auto link = workers_.find(worker);
+    return is_quarantined(worker) || (link != workers_.end() && link->second.quarantined);
+}
+
 bool Coordinator::is_quarantined(WorkerId worker) const {
     const auto link = workers_.find(worker);
     return quarantined_.contains(process_of(worker)) ||

@@ -27,7 +27,7 @@ measured_work(const MasterJob& job, const Results& results, std::span<const Take
 } // namespace
 
 void Coordinator::results_came(WorkerId worker, Results results, std::function<void()> done) {
-    if (is_quarantined(worker)) {
+    if (is_distrusted(worker)) {
         ledger_.promise(Delivery{worker, results.sequence}, written_); // It may forget them.
         keep_promises();
         return done();
@@ -104,7 +104,7 @@ void Coordinator::results_taken(WorkerId worker,
     }
     const JobId id = task == nullptr ? results.job : task->job;
     const Delivery delivery{worker, results.sequence};
-    MasterJob* const job = is_quarantined(worker) ? nullptr : jobs_.find_running(id);
+    MasterJob* const job = is_distrusted(worker) ? nullptr : jobs_.find_running(id);
     if (job != nullptr) {
         job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;

@@ -112,25 +112,6 @@ TEST(ServerRestart, WhatAnotherWorkerHasVouchedForIsNotDoubtedAgain) {
     EXPECT_EQ(master.coordinator.cluster_status().jobs.at(0).doubted, doubted_last);
 }
 
-Results right_results(JobId job, std::uint64_t index) {
-    static const auto trees = [] {
-        ThreadPool pool(2);
-        return std::pair(build_tree(share(reference().a), {}, pool),
-                         build_tree(share(reference().b), {}, pool));
-    }();
-    const std::vector<SubtreePair> whole{{trees.first.view(), trees.second.view()}};
-    const Bytes record =
-        encode_result(run_on_subtrees(whole, reference().scenarios[index], {}).result);
-    ByteWriter records;
-    records.put(static_cast<std::uint32_t>(record.size()));
-    put_bytes(records, record);
-    Results results;
-    results.job = job;
-    results.count = 1;
-    results.records = pack_records(records.bytes());
-    return results;
-}
-
 /// That is answered as if nothing touched, and something does.
 std::optional<std::uint64_t> wrong_scenario(Master& master, JobId job) {
     for (const Scenario& scenario : reference().scenarios) {
