@@ -112,7 +112,7 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
         ->capture_default_str();
     option(app.add_option("--drain-timeout",
                           texts.drain_timeout,
-                          "After a signal what runs may take so long; then it is handed back"),
+                          "After a signal it may take so long; what runs too long is handed back"),
            "SECONDS")
         ->check(CLI::Range(std::int64_t{0},
                            std::int64_t{std::chrono::seconds(limits::drain_timeout_max).count()}))
@@ -136,6 +136,7 @@ CLI::App* add_join(CLI::App& app, Texts& texts) {
                              ->type_name("TOKEN");
     join->add_option("--token-file", texts.token_file, "Its first line is the token")
         ->excludes(token)
+        ->envname("CDWORKER_TOKEN_FILE")
         ->type_name("FILE");
     return join;
 }

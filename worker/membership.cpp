@@ -72,7 +72,7 @@ bool Membership::drain(std::chrono::milliseconds timeout, std::function<void()> 
         return false;
     }
     const std::chrono::milliseconds at_most = limits::results_kept_wait_max;
-    const std::chrono::milliseconds last = std::min(at_most, timeout / 5);
+    const std::chrono::milliseconds last = std::min(at_most, timeout / 2);
     spawn(executor_.home(), "drain", watch_drain(timeout - last, last, std::move(out_of_time)));
     return true;
 }
@@ -92,7 +92,7 @@ asio::awaitable<void> Membership::watch_drain(std::chrono::milliseconds to_finis
     drain_timer_.expires_after(last);
     co_await drain_timer_.async_wait(asio::redirect_error(asio::use_awaitable, error));
     if (!error) {
-        spdlog::warn("not drained in time: results_not_acknowledged={}",
+        spdlog::warn("ended before it was drained: results_not_acknowledged={}",
                      keep_->results.messages().size());
         end();
         out_of_time();

@@ -118,7 +118,7 @@ class StopSignalInALongScenario : public StopSignal {
 };
 
 TEST_F(StopSignalInALongScenario, WhatRunsLongerThanTheDrainTimeoutIsHandedBackToo) {
-    Process& leaving = start_worker_inside({"--drain-timeout", "0"});
+    Process& leaving = start_worker_inside({"--drain-timeout", "10"});
     leaving.signal(SIGTERM);
     EXPECT_EQ(leaving.wait(), 0) << leaving.errors();
     EXPECT_THAT(leaving.errors(), HasSubstr("not drained in time: running=1"));
