@@ -60,6 +60,23 @@ struct Job {
     return scenarios;
 }
 
+/// First scenarios that each take far longer than a test, since all pairs of triangles have to be
+/// looked at, some billions; then such that take no time.
+[[nodiscard]] inline Job make_long_job(std::uint64_t long_ones, std::uint64_t short_ones) {
+    std::mt19937_64 random(3);
+    ThreadPool pool(2);
+    Job job;
+    job.a = std::make_shared<const ObbTree>(
+        build_tree(share(make_triangle_soup(random, 60000, 2)), {}, pool));
+    job.b = job.a;
+    job.scenarios.resize(long_ones + short_ones);
+    for (std::uint64_t i = 0; i < job.scenarios.size(); ++i) {
+        job.scenarios[i].index = i;
+        job.scenarios[i].poses.b = translation_pose(i < long_ones ? 0 : 100, 0, 0);
+    }
+    return job;
+}
+
 /// A torus and a sphere; closed, so that `inside` occurs.
 [[nodiscard]] inline Job make_job(std::uint64_t count, double reach = 1.6) {
     ThreadPool pool(2);

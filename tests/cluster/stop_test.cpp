@@ -63,22 +63,6 @@ TEST_F(StopSignal, ABusyWorkerHandsBackWhatItHasNotBegunAndEnds) {
 /// One scenario that takes far longer than a test, and nine that take no time.
 class StopSignalInALongScenario : public StopSignal {
   protected:
-    /// All pairs of triangles have to be looked at: some billions.
-    static Job make_long_job() {
-        std::mt19937_64 random(3);
-        ThreadPool pool(2);
-        Job job;
-        job.a = std::make_shared<const ObbTree>(
-            build_tree(share(make_triangle_soup(random, 60000, 2)), {}, pool));
-        job.b = job.a;
-        job.scenarios.resize(10);
-        for (std::uint64_t i = 0; i < job.scenarios.size(); ++i) {
-            job.scenarios[i].index = i;
-            job.scenarios[i].poses.b = translation_pose(i == 0 ? 0 : 100, 0, 0);
-        }
-        return job;
-    }
-
     /// Returns when a worker with these options is inside the long scenario.
     Process& start_worker_inside(const std::vector<std::string>& options) {
         Query query;
@@ -86,7 +70,7 @@ class StopSignalInALongScenario : public StopSignal {
         ClusterOptions one_block;
         one_block.depth_a = one_block.depth_b = 0;
         Process& worker = start_worker(1, options);
-        id_ = submit(*connection_, make_long_job(), query, one_block);
+        id_ = submit(*connection_, make_long_job(1, 9), query, one_block);
         wait_until_it_is_inside("worker" + std::to_string(workers_.size() - 1));
         return worker;
     }

@@ -2,6 +2,7 @@
 // die, forget, lie, take too long or send what is none.
 #include "master/record_size.hpp"
 #include "tests/master/master_stage.hpp"
+#include "tests/support/logged.hpp"
 
 #include <latch>
 
@@ -69,6 +70,7 @@ TEST(Server, OfResultsThatDifferTheRightOneStaysAndTheWorkerIsQuarantined) {
           FakeWorker::Habits{.lies_second = true},
           FakeWorker::Habits{.lies_first = true, .lies_say_failed = true},
           FakeWorker::Habits{.lies_second = true, .lies_say_failed = true}}) {
+        const Logged log;
         Master master;
         FakeWorker liar(master, habits);
         Client client(master);
@@ -81,6 +83,7 @@ TEST(Server, OfResultsThatDifferTheRightOneStaysAndTheWorkerIsQuarantined) {
         FakeWorker good(master, {});
         master.run_until([&] { return client.done; });
         expect_right(client);
+        EXPECT_NE(log.text().find("[critical] ALARM: "), std::string::npos) << log.text();
     }
 }
 

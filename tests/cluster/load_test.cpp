@@ -1,0 +1,44 @@
+// Proves that a worker whose host has far more to compute than it has processors is not taken for
+// lost: its heartbeats do not wait for that.
+#include "tests/cluster/mortal_master.hpp"
+#include "tests/support/comes_true.hpp"
+
+#include <chrono>
+
+namespace cd::tests {
+namespace {
+
+class FullLoad : public MortalCluster {
+  protected:
+    FullLoad() : MortalCluster({"--heartbeat", "0.2", "--lost-after", "4"}) {}
+};
+
+TEST_F(FullLoad, OfAHostWithFewProcessorsDoesNotMakeItsWorkerLost) {
+    constexpr unsigned threads = 48;
+    start_worker(threads, {"--drain-timeout", "0"});
+    const auto connection = connect();
+    Query query;
+    query.level = Level::Count;
+    ClusterOptions one_block;
+    one_block.depth_a = one_block.depth_b = 0;
+    const JobId id = submit(*connection, make_long_job(threads, 0), query, one_block);
+    const auto is_inside = [&] {
+        const auto status = connection->status();
+        return status && !status.value().workers.empty() && status.value().workers[0].longest;
+    };
+    ASSERT_TRUE(comes_true(is_inside)) << master_.log();
+    // Longer than after which it would be lost.
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(6);
+    while (std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        ASSERT_TRUE(is_inside()) << "then this shows little";
+    }
+    const auto status = connection->status();
+    ASSERT_TRUE(status);
+    EXPECT_EQ(status.value().workers_lost, 0u) << master_.log();
+    ASSERT_TRUE(connection->cancel(id));
+    EXPECT_EQ(finish(*connection, id).state, JobState::Cancelled);
+}
+
+} // namespace
+} // namespace cd::tests
