@@ -83,7 +83,7 @@ TEST(Server, OfResultsThatDifferTheRightOneStaysAndTheWorkerIsQuarantined) {
         FakeWorker good(master, {});
         master.run_until([&] { return client.done; });
         expect_right(client);
-        EXPECT_NE(log.text().find("[critical] ALARM: "), std::string::npos) << log.text();
+        EXPECT_NE(log.text().find(" critical test ALARM: "), std::string::npos) << log.text();
     }
 }
 

@@ -262,7 +262,7 @@ TEST(Session, DisagreementEndsTheConnectionWithAReason) {
     Batch few_offsets = make_batch(TaskId{1}, scenarios);
     few_offsets.pairs = {};
     few_offsets.pair_offsets = {0};
-    EXPECT_THAT(complaint_about(few_offsets), testing::HasSubstr("number of scenarios"));
+    EXPECT_THAT(complaint_about(few_offsets), testing::HasSubstr("2 of them, and at most 1"));
 
     AddTree no_tree = bodies().a.add(TreeId{9});
     no_tree.roots = 0;
