@@ -1,13 +1,17 @@
 // Workers that replay: each speaks the real protocol over its own connection and answers with the
 // true records of a job, which were found before; a task takes as long as finding them took, or no
-// time. What is measured is the master. See README.md.
+// time. What is measured is the master. The job's digest, as these records make it, is printed
+// first: the master has to come to the same. See README.md.
 //
 //   replay_workers JOB --master 127.0.0.1:7600 [--workers 64] [--no-waits]
 #include "client/job_file.hpp"
 #include "client/prepared_job.hpp"
+#include "common/core/hash.hpp"
 #include "common/core/limits.hpp"
+#include "common/job/merge.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
 #include "proto/channel.hpp"
 
 #include <CLI/CLI.hpp>
@@ -34,6 +38,7 @@ struct Options {
 struct Recorded {
     std::vector<Bytes> records;
     std::vector<float> seconds;
+    Sha256 digest; ///< Of the job, as one process has it.
 };
 
 Result<Recorded> record(const PreparedJob& job, ThreadPool& pool) {
@@ -42,15 +47,26 @@ Result<Recorded> record(const PreparedJob& job, ThreadPool& pool) {
     if (!scenarios) {
         return scenarios.error();
     }
-    Recorded recorded{std::vector<Bytes>(count), std::vector<float>(count)};
+    Recorded recorded{std::vector<Bytes>(count), std::vector<float>(count), {}};
+    std::vector<Sha256> digests(count);
+    std::vector<ScenarioFacts> facts(count);
     const SubtreePair whole{job.trees[0]->view(), job.trees[1]->view()};
     parallel_for(pool, count, [&](std::size_t i) {
         const auto begin = std::chrono::steady_clock::now();
-        const ScenarioRun run = run_on_subtrees({&whole, 1}, scenarios.value()[i], job.query);
+        ScenarioRun run = run_on_subtrees({&whole, 1}, scenarios.value()[i], job.query);
         recorded.records[i] = encode_result(run.result);
         recorded.seconds[i] =
             std::chrono::duration<float>(std::chrono::steady_clock::now() - begin).count();
+        // The rest is the master's work.
+        settle_class(*job.trees[0], *job.trees[1], scenarios.value()[i], job.query, run.result);
+        digests[i] = digest_of(run.result);
+        facts[i] = facts_of(run.result);
     });
+    ResultMerger merger(count);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        (void)merger.add(i, facts[i], digests[i]);
+    }
+    recorded.digest = merger.digest().value();
     return recorded;
 }
 
@@ -188,6 +204,7 @@ Status run(const Options& options) {
               "worker",
               workers.back()->run(endpoint.value(), "replay-" + std::to_string(i)));
     }
+    std::printf("digest %s\n", to_hex(recorded.value().digest).c_str());
     std::puts("ready");
     std::fflush(stdout);
     context.run();
