@@ -30,10 +30,10 @@ def resident_kb(process):
         return 0
 
 
-def digest_of(programs, body, seed, count):
-    """Of so many random scenarios, as one process has it: the first digits."""
-    done = subprocess.run([programs / "cdctl", "run", *body, "--random", str(count), "--seed", str(seed),
-                           "--tree-cache", "off", "--quiet"], capture_output=True, text=True, check=True)
+def digest_of(programs, *job):
+    """Of a job that `cdctl run` does in one process: the first digits."""
+    done = subprocess.run([programs / "cdctl", "run", *job, "--tree-cache", "off", "--quiet"],
+                          capture_output=True, text=True, check=True)
     return re.search(r"digest +([0-9a-f]+)", done.stdout)[1]
 
 
@@ -93,10 +93,9 @@ class Cluster:
         printed = self.cdctl("status", "-o", "json")
         return None if printed is None else json.loads(printed)
 
-    def submit_random(self, body, seed, count, *options):
+    def submit(self, *job):
         """The job's number in text, or nothing where the master cannot be asked now."""
-        accepted = self.cdctl("submit", *body, "--random", str(count), "--seed", str(seed), "--name", f"seed{seed}",
-                              "--quiet", "-o", "name", *options)
+        accepted = self.cdctl("submit", *job, "--quiet", "-o", "name")
         return None if accepted is None else accepted.strip()
 
     def processes(self):
