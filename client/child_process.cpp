@@ -1,5 +1,7 @@
 #include "client/child_process.hpp"
 
+#include "common/core/limits_client.hpp"
+
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -14,8 +16,6 @@
 namespace cd {
 
 namespace {
-
-constexpr std::chrono::milliseconds poll_period{10};
 
 /// Between fork and exec, where only calls that are safe in a signal handler are allowed.
 [[noreturn]] void become(const char* program, char* const* arguments, int log, pid_t parent) {
@@ -82,7 +82,7 @@ void ChildProcess::stop(std::chrono::milliseconds grace) {
     kill(id_, SIGTERM);
     const auto deadline = std::chrono::steady_clock::now() + grace;
     while (is_running() && std::chrono::steady_clock::now() < deadline) {
-        std::this_thread::sleep_for(poll_period);
+        std::this_thread::sleep_for(limits::process_poll_period);
     }
     if (is_running()) {
         kill(id_, SIGKILL);

@@ -2,6 +2,7 @@
 
 #include "client/result_records.hpp"
 #include "common/core/limits.hpp"
+#include "common/core/limits_client.hpp"
 #include "common/core/version.hpp"
 #include "proto/channel.hpp"
 
@@ -18,12 +19,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How often a call that waits looks whether it has been stopped.
-constexpr std::chrono::milliseconds stop_period{100};
-/// After a stop, how long a call may take to end by itself.
-constexpr std::chrono::milliseconds stop_patience{1000};
-constexpr std::size_t piece_bytes = 1u << 20;
-constexpr std::size_t queued_bytes_max = 4u << 20;
 constexpr std::uint64_t poses_together = 4096;
 
 Error interrupted() {
@@ -105,7 +100,7 @@ void Connection::State::run_until(const bool& done) {
     std::optional<Clock::time_point> stopped_at;
     while (!done) {
         context.restart();
-        context.run_for(stop_period);
+        context.run_for(limits::stop_check_period);
         if (done || !is_stopped()) {
             continue;
         }
@@ -113,7 +108,7 @@ void Connection::State::run_until(const bool& done) {
         if (channel == nullptr) {
             return;
         }
-        if (Clock::now() - *stopped_at > stop_patience) {
+        if (Clock::now() - *stopped_at > limits::stop_patience) {
             channel->close();
         }
     }
@@ -127,7 +122,7 @@ asio::awaitable<Result<Message>> Connection::State::receive(Clock::duration time
         }
         const Clock::duration left = deadline - Clock::now();
         Result<Message> message = co_await channel->receive(
-            std::clamp<Clock::duration>(left, Clock::duration(0), stop_period));
+            std::clamp<Clock::duration>(left, Clock::duration(0), limits::stop_check_period));
         if (message || message.error().code != ErrorCode::Timeout) {
             co_return message;
         }
@@ -142,7 +137,7 @@ asio::awaitable<Status> Connection::State::make_room() {
     if (is_stopped()) {
         co_return interrupted();
     }
-    co_await channel->wait_until_queued_below(queued_bytes_max);
+    co_await channel->wait_until_queued_below(limits::client_write_queue_bytes_max);
     if (is_stopped()) {
         co_return interrupted();
     }
@@ -211,12 +206,12 @@ asio::awaitable<Status> Connection::State::upload_one(const NamedMesh& mesh,
                                                       const UploadProgress& progress) {
     const Bytes bytes = mesh.mesh->canonical_bytes();
     progress(mesh, 0, bytes.size());
-    for (std::size_t offset = 0; offset < bytes.size(); offset += piece_bytes) {
+    for (std::size_t offset = 0; offset < bytes.size(); offset += limits::mesh_piece_bytes) {
         if (Status status = co_await make_room(); !status) {
             co_return status;
         }
-        const auto piece =
-            std::span(bytes).subspan(offset, std::min(piece_bytes, bytes.size() - offset));
+        const auto piece = std::span(bytes).subspan(
+            offset, std::min(limits::mesh_piece_bytes, bytes.size() - offset));
         channel->send(MeshPart{
             mesh.mesh->hash(), mesh.name, bytes.size(), offset, Bytes(piece.begin(), piece.end())});
         progress(mesh, offset + piece.size(), bytes.size());
@@ -410,8 +405,9 @@ Status Connection::pause(std::chrono::milliseconds time) {
             return interrupted();
         }
         state_->context.restart();
-        asio::steady_timer timer(state_->context,
-                                 std::min<Clock::duration>(stop_period, end - Clock::now()));
+        asio::steady_timer timer(
+            state_->context,
+            std::min<Clock::duration>(limits::stop_check_period, end - Clock::now()));
         bool is_over = false;
         timer.async_wait([&is_over](const boost::system::error_code&) { is_over = true; });
         // Not until there is nothing to do: the channel's own deadlines may be far away.

@@ -1,5 +1,6 @@
 #include "client/local_cluster.hpp"
 
+#include "common/core/limits_client.hpp"
 #include "common/core/state_folder.hpp"
 
 #include <chrono>
@@ -12,9 +13,6 @@ namespace cd {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::chrono::seconds start_timeout{30};
-constexpr std::chrono::milliseconds poll_period{10};
 
 /// The port, once the whole line is in the file.
 std::optional<std::string> read_port(const fs::path& path) {
@@ -30,7 +28,7 @@ Result<std::string> wait_for_port(ChildProcess& master,
                                   const fs::path& port_file,
                                   const fs::path& log,
                                   const std::function<bool()>& stopped) {
-    const auto deadline = std::chrono::steady_clock::now() + start_timeout;
+    const auto deadline = std::chrono::steady_clock::now() + limits::local_start_max;
     while (std::chrono::steady_clock::now() < deadline) {
         if (auto port = read_port(port_file)) {
             return *port;
@@ -41,7 +39,7 @@ Result<std::string> wait_for_port(ChildProcess& master,
         if (!master.is_running()) {
             return Error{ErrorCode::Incomplete, "cdmaster ended at once; see " + log.string()};
         }
-        std::this_thread::sleep_for(poll_period);
+        std::this_thread::sleep_for(limits::process_poll_period);
     }
     return Error{ErrorCode::Timeout, "cdmaster does not listen; see " + log.string()};
 }

@@ -2,6 +2,7 @@
 
 #include "client/ordered_run.hpp"
 #include "common/core/check.hpp"
+#include "common/core/limits_client.hpp"
 #include "common/job/run_scenario.hpp"
 
 #include <algorithm>
@@ -16,7 +17,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds progress_period{100};
 constexpr std::uint64_t cost_poses_max = 64;
 
 double seconds_since(Clock::time_point start) {
@@ -106,9 +106,9 @@ Result<RunOutcome> run_locally(const ObbTree& a,
         }
         if (Clock::now() >= progress_due) {
             observer.progress(merger.summary(), seconds_since(start));
-            progress_due = Clock::now() + progress_period;
+            progress_due = Clock::now() + limits::progress_period;
         }
-        auto results = run.take(progress_period, fed < poses.count());
+        auto results = run.take(limits::progress_period, fed < poses.count());
         if (Status delivered = deliver(std::move(results), observer, merger); !delivered) {
             return delivered.error();
         }

@@ -1,5 +1,7 @@
 #include "client/ordered_run.hpp"
 
+#include "common/core/limits_client.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -10,15 +12,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Of results that have not been taken.
-constexpr std::uint64_t bytes_ahead_max = 256u << 20;
 /// A thread has enough before it with so many scenarios, and this many are added at a time.
 constexpr std::uint64_t waiting_enough = 256;
 constexpr std::uint64_t block_scenarios = 512;
-/// What is taken at a time from here, and what a thread does before it hands over.
-constexpr std::size_t taken_at_once_max = 256;
-constexpr std::size_t batch_scenarios_max = 64;
-constexpr std::uint64_t batch_bytes_max = 1u << 20;
+/// What a thread does before it hands over.
 constexpr std::chrono::steady_clock::duration batch_time = 250us;
 
 std::uint64_t bytes_of(const ScenarioResult& result) {
@@ -50,8 +47,8 @@ std::uint64_t OrderedRun::wanted() {
 }
 
 std::uint64_t OrderedRun::wanted_now() const {
-    const bool has_room =
-        bytes_ahead_ < bytes_ahead_max && added_ - taken_ + block_scenarios <= scenarios_ahead_max;
+    const bool has_room = bytes_ahead_ < limits::run_bytes_ahead_max &&
+                          added_ - taken_ + block_scenarios <= limits::run_scenarios_ahead_max;
     return has_room && waiting_.size() < waiting_enough * thread_count_ ? block_scenarios : 0;
 }
 
@@ -68,7 +65,7 @@ bool OrderedRun::is_next_done() const {
 
 std::vector<DoneScenario> OrderedRun::take(std::chrono::milliseconds period, bool may_add) {
     std::unique_lock lock(mutex_);
-    const bool was_full = bytes_ahead_ >= bytes_ahead_max;
+    const bool was_full = bytes_ahead_ >= limits::run_bytes_ahead_max;
     bytes_ahead_ -= bytes_in_hand_;
     bytes_in_hand_ = 0;
     if (was_full) {
@@ -77,13 +74,13 @@ std::vector<DoneScenario> OrderedRun::take(std::chrono::milliseconds period, boo
     state_changed_.wait_for(
         lock, period, [this, may_add] { return is_next_done() || (may_add && wanted_now() > 0); });
     std::vector<DoneScenario> taken;
-    while (is_next_done() && taken.size() < taken_at_once_max) {
+    while (is_next_done() && taken.size() < limits::run_taken_at_once_max) {
         bytes_in_hand_ += bytes_of(done_.front()->result);
         taken.push_back(std::move(*done_.front()));
         done_.pop_front();
         ++taken_;
     }
-    if (bytes_ahead_ >= bytes_ahead_max) {
+    if (bytes_ahead_ >= limits::run_bytes_ahead_max) {
         work_came_.notify_all(); // The scenario that is due may be another one now.
     }
     return taken;
@@ -116,8 +113,8 @@ bool OrderedRun::refill(Batch& batch) {
     std::unique_lock lock(mutex_);
     work_came_.wait(lock, [this] {
         // Beyond the bound only what is due next is run, without which nothing can be taken.
-        return stopping_ || (!waiting_.empty() &&
-                             (bytes_ahead_ < bytes_ahead_max || waiting_.front().index == taken_));
+        return stopping_ || (!waiting_.empty() && (bytes_ahead_ < limits::run_bytes_ahead_max ||
+                                                   waiting_.front().index == taken_));
     });
     if (stopping_) {
         return false;
@@ -135,7 +132,7 @@ void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
     std::chrono::steady_clock::duration spent{};
     batch.ran = 0;
     while (batch.ran < batch.waiting.size() && spent < 4 * batch_time &&
-           batch.bytes < batch_bytes_max) {
+           batch.bytes < limits::run_batch_bytes_max) {
         ScenarioRun run = session.run(batch.waiting[batch.ran++]);
         spent = std::chrono::steady_clock::now() - start;
         if (run.is_stopped) {
@@ -150,7 +147,8 @@ void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
         batch.done.push_back({std::move(run.result), digest});
     }
     const auto fits = batch_time * batch.ran / std::max(spent, 1ns);
-    batch.size = std::clamp<std::size_t>(static_cast<std::size_t>(fits), 1, batch_scenarios_max);
+    batch.size =
+        std::clamp<std::size_t>(static_cast<std::size_t>(fits), 1, limits::run_batch_scenarios_max);
 }
 
 void OrderedRun::hand_over(Batch& batch) {

@@ -34,9 +34,6 @@ struct DoneScenario {
 /// number and in bytes.
 class OrderedRun {
   public:
-    /// How many scenarios may have been added and not been taken.
-    static constexpr std::uint64_t scenarios_ahead_max = 16384;
-
     /// `ended` is what the runner's check for an end looks at.
     OrderedRun(const ScenarioRunner& runner, std::atomic<bool>& ended, ThreadPool& pool);
     OrderedRun(const OrderedRun&) = delete;

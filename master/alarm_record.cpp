@@ -1,5 +1,6 @@
 #include "master/alarm_record.hpp"
 
+#include "common/core/limits_master.hpp"
 #include "master/row_bytes.hpp"
 
 namespace cd {
@@ -18,11 +19,11 @@ void add_to(std::vector<T>& list, const T& one, std::size_t most) {
 
 void AlarmRecord::add(const std::string& text) {
     ++count;
-    add_to(last, text, alarms_kept_max);
+    add_to(last, text, limits::alarms_kept_max);
 }
 
 void AlarmRecord::quarantine(WorkerProcess process) {
-    add_to(quarantined, process, quarantined_kept_max);
+    add_to(quarantined, process, limits::quarantined_kept_max);
 }
 
 Bytes encode_alarms(const AlarmRecord& alarms) {
@@ -41,15 +42,15 @@ Result<AlarmRecord> decode_alarms(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     AlarmRecord alarms;
     alarms.count = in.get<std::uint64_t>();
-    const std::uint64_t texts = get_varint(in).value_or(alarms_kept_max + 1);
-    if (texts > alarms_kept_max) {
+    const std::uint64_t texts = get_varint(in).value_or(limits::alarms_kept_max + 1);
+    if (texts > limits::alarms_kept_max) {
         return damaged_row("a list of alarms");
     }
     for (std::uint64_t i = 0; i < texts; ++i) {
         alarms.last.push_back(in.get_text());
     }
-    const std::uint64_t processes = get_varint(in).value_or(quarantined_kept_max + 1);
-    if (processes > quarantined_kept_max) {
+    const std::uint64_t processes = get_varint(in).value_or(limits::quarantined_kept_max + 1);
+    if (processes > limits::quarantined_kept_max) {
         return damaged_row("a list of alarms");
     }
     alarms.quarantined = in.get_array<WorkerProcess>(processes);

@@ -12,10 +12,6 @@
 
 namespace cd {
 
-inline constexpr std::size_t alarms_kept_max = 20;
-/// Processes, and not hosts: one that begins anew is another. More wrong ones no cluster survives.
-inline constexpr std::size_t quarantined_kept_max = 4096;
-
 struct AlarmRecord {
     std::uint64_t count = 0;                ///< Of all alarms that there ever were.
     std::vector<std::string> last;          ///< Of them, oldest first.

@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
+#include "common/core/limits_dispatch.hpp"
 #include "master/mutation.hpp"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace cd {
 namespace {
 
 /// Of a block that thousands hold, so many are looked at for a better source, or for more of them.
-constexpr std::size_t sources_looked_at_max = 64;
 
 } // namespace
 
@@ -227,7 +227,7 @@ BlockDirector::first_source(const Block& block,
             best = source;
             least = uploads;
         }
-        if (least == 0 || ++looked_at == sources_looked_at_max) {
+        if (least == 0 || ++looked_at == limits::sources_looked_at_max) {
             break;
         }
     }
@@ -332,7 +332,8 @@ void BlockDirector::fetch(
     std::vector<WorkerId> sources{source};
     std::size_t looked_at = 0;
     for (const WorkerId other : blocks_.at({tree, roots.front()}).holders) {
-        if (sources.size() == limits::peer_sources_max || ++looked_at > sources_looked_at_max) {
+        if (sources.size() == limits::peer_sources_max ||
+            ++looked_at > limits::sources_looked_at_max) {
             break;
         }
         const bool has_all = std::ranges::all_of(roots, [&](RootIndex root) {

@@ -1,6 +1,7 @@
 #include "master/run_master.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/limits_master.hpp"
 #include "common/core/log.hpp"
 #include "common/core/state_folder.hpp"
 #include "common/core/thread_pool.hpp"
@@ -21,8 +22,6 @@
 namespace cd {
 
 namespace {
-
-constexpr unsigned blocking_threads = 4;
 
 /// Whole or not at all: a script may be waiting for the file.
 Status write_port(const std::string& path, std::uint16_t port) {
@@ -129,7 +128,7 @@ Status run_master(const MasterConfig& config) {
     if (!journal) {
         return journal.error();
     }
-    ThreadPool blocking(blocking_threads);
+    ThreadPool blocking(limits::blocking_threads);
     Coordinator coordinator({context.get_executor(),
                              *geometry.value(),
                              compute,

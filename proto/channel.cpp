@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
+#include "common/core/limits_wire.hpp"
 #include "proto/codec.hpp"
 #include "proto/frame.hpp"
 
@@ -33,7 +34,8 @@ constexpr std::size_t lane_control = 0;
 constexpr std::size_t lane_data = 1;
 
 std::size_t bytes_on_the_wire(std::size_t payload) {
-    const std::size_t frames = (payload + frame_payload_bytes_max - 1) / frame_payload_bytes_max;
+    const std::size_t frames =
+        (payload + limits::frame_payload_bytes_max - 1) / limits::frame_payload_bytes_max;
     return payload + std::max<std::size_t>(1, frames) * frame_header_bytes;
 }
 
@@ -311,7 +313,7 @@ void Channel::State::write_next() {
     }
     const Outgoing& message = lanes[lane].front();
     const auto rest = std::span(message.payload).subspan(message.sent);
-    const auto slice = rest.first(std::min(rest.size(), frame_payload_bytes_max));
+    const auto slice = rest.first(std::min(rest.size(), limits::frame_payload_bytes_max));
     FrameHeader out;
     out.type = message.type;
     out.has_more = slice.size() < rest.size();

@@ -1,5 +1,6 @@
 // How connections begin: connecting and accepting.
 #include "common/core/limits.hpp"
+#include "common/core/limits_wire.hpp"
 #include "common/core/log.hpp"
 #include "proto/channel.hpp"
 #include "proto/deadline.hpp"
@@ -16,8 +17,6 @@ using boost::system::error_code;
 constexpr std::byte tls_handshake{22};
 /// A fatal alert: the version is not spoken. OpenSSL's clients name it in their error.
 constexpr std::array<unsigned char, 7> tls_not_spoken{21, 3, 3, 0, 2, 2, 70};
-/// Of what still comes from a peer that was refused.
-constexpr std::size_t refused_bytes_max = 1u << 20;
 
 using Addresses = std::vector<asio::ip::tcp::endpoint>;
 
@@ -75,7 +74,7 @@ asio::awaitable<void> end_gently(asio::ip::tcp::socket& socket) {
     socket.shutdown(asio::ip::tcp::socket::shutdown_send, error);
     const Deadline deadline(socket, limits::close_flush_max);
     std::array<std::byte, 4096> dropped{};
-    for (std::size_t bytes = 0; !error && bytes < refused_bytes_max;) {
+    for (std::size_t bytes = 0; !error && bytes < limits::refused_tls_bytes_max;) {
         bytes += co_await socket.async_read_some(asio::buffer(dropped),
                                                  asio::redirect_error(asio::use_awaitable, error));
     }

@@ -1,6 +1,7 @@
 #include "proto/frame.hpp"
 
 #include "common/core/hash.hpp"
+#include "common/core/limits_wire.hpp"
 #include "proto/codec.hpp"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ Result<FrameHeader> decode_header(std::span<const std::byte, frame_header_bytes>
     if (payload_bytes_max(header.type) == 0) {
         return Error{ErrorCode::BadFrame, "unknown message " + std::to_string(header.type)};
     }
-    if (header.payload_bytes > frame_payload_bytes_max) {
+    if (header.payload_bytes > limits::frame_payload_bytes_max) {
         return Error{ErrorCode::TooLarge,
                      "frame of " + std::to_string(header.payload_bytes) + " bytes"};
     }

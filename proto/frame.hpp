@@ -14,7 +14,6 @@
 namespace cd {
 
 inline constexpr std::size_t frame_header_bytes = 32;
-inline constexpr std::size_t frame_payload_bytes_max = 1u << 20;
 
 /// The fixed header, little-endian on the wire: magic, type, flags, stream, payload length, session
 /// epoch, checksum of the payload, checksum of the header.

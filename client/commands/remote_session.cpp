@@ -4,6 +4,7 @@
 #include "client/job_id.hpp"
 #include "client/membership.hpp"
 #include "client/words.hpp"
+#include "common/core/limits_client.hpp"
 #include "common/job/packed_map.hpp"
 
 #include <algorithm>
@@ -24,18 +25,15 @@ std::string mesh_name(const ClusterStatus& status, const Sha256& mesh) {
     return found == status.meshes.end() || found->name.empty() ? to_short_hex(mesh) : found->name;
 }
 
-constexpr std::chrono::seconds come_back_max{60};
-constexpr std::chrono::milliseconds come_back_poll{300};
-
 Result<std::unique_ptr<Connection>> open_again(const MasterOptions& master) {
-    const auto give_up_at = std::chrono::steady_clock::now() + come_back_max;
+    const auto give_up_at = std::chrono::steady_clock::now() + limits::come_back_max;
     for (;;) {
         auto opened = open_master(master);
         if (opened || opened.error().code != ErrorCode::Disconnected ||
             std::chrono::steady_clock::now() > give_up_at) {
             return opened;
         }
-        std::this_thread::sleep_for(come_back_poll);
+        std::this_thread::sleep_for(limits::come_back_period);
     }
 }
 

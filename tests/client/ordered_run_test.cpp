@@ -2,6 +2,7 @@
 // and that no more run ahead than is allowed.
 #include "client/ordered_run.hpp"
 
+#include "common/core/limits_client.hpp"
 #include "common/tree/build.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -62,13 +63,13 @@ TEST_F(Ordered, NoMoreIsWantedThanMayRunAhead) {
     OrderedRun run(runner_, ended_, pool_);
     std::uint64_t added = 0;
     std::uint64_t taken = 0;
-    while (added < OrderedRun::scenarios_ahead_max) {
+    while (added < limits::run_scenarios_ahead_max) {
         const std::uint64_t wanted = run.wanted();
         run.add(make_scenarios(added, wanted));
         added += wanted;
         std::this_thread::yield();
     }
-    EXPECT_EQ(added, OrderedRun::scenarios_ahead_max);
+    EXPECT_EQ(added, limits::run_scenarios_ahead_max);
     EXPECT_EQ(run.wanted(), 0u);
     take_all(run, added, taken);
     EXPECT_GT(run.wanted(), 0u);

@@ -2,6 +2,8 @@
 // them, and that other bytes are errors.
 #include "master/alarm_record.hpp"
 
+#include "common/core/limits_master.hpp"
+
 #include <gtest/gtest.h>
 
 namespace cd::tests {
@@ -31,9 +33,9 @@ TEST(AlarmRecord, KeepsTheLastOnesAndCountsAll) {
         alarms.quarantine(i);
     }
     EXPECT_EQ(alarms.count, 10'000u);
-    EXPECT_EQ(alarms.last.size(), alarms_kept_max);
+    EXPECT_EQ(alarms.last.size(), limits::alarms_kept_max);
     EXPECT_EQ(alarms.last.back(), "9999");
-    EXPECT_EQ(alarms.quarantined.size(), quarantined_kept_max);
+    EXPECT_EQ(alarms.quarantined.size(), limits::quarantined_kept_max);
     EXPECT_EQ(alarms.quarantined.back(), 9999u);
     EXPECT_EQ(decode_alarms(encode_alarms(alarms)).value(), alarms);
 }
@@ -46,7 +48,7 @@ TEST(AlarmRecord, CutShortFollowedByMoreOrTooLongIsAnError) {
     whole.push_back(std::byte{0});
     EXPECT_FALSE(decode_alarms(whole));
     AlarmRecord many;
-    many.last.resize(alarms_kept_max + 1);
+    many.last.resize(limits::alarms_kept_max + 1);
     EXPECT_FALSE(decode_alarms(encode_alarms(many)));
 }
 

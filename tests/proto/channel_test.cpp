@@ -4,6 +4,7 @@
 #include "proto/channel.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/limits_wire.hpp"
 #include "proto/codec.hpp"
 #include "proto/frame.hpp"
 #include "proto/signals.hpp"
@@ -230,7 +231,7 @@ TEST(Channel, WhatThePeerMayNotSendIsRefusedBeforeItHasCome) {
         FrameHeader header;
         header.type = message_type(Subtrees{});
         header.has_more = true;
-        header.payload_bytes = frame_payload_bytes_max;
+        header.payload_bytes = limits::frame_payload_bytes_max;
         const auto head = encode_header(header);
         co_await asio::async_write(raw, asio::buffer(head), asio::use_awaitable);
         const Result<Message> refused = co_await channel->receive(patience);

@@ -4,6 +4,7 @@
 
 #include "common/core/hash.hpp"
 #include "common/core/limits.hpp"
+#include "common/core/limits_wire.hpp"
 #include "proto/codec.hpp"
 #include "tests/proto/sample_messages.hpp"
 
@@ -72,7 +73,7 @@ TEST(Frame, ForgedHeadersAreRefused) {
     EXPECT_FALSE(decode_header(forged(header, 4, 0, 2))) << "type 0";
     EXPECT_FALSE(decode_header(forged(header, 4, 999, 2))) << "unknown type";
     EXPECT_FALSE(decode_header(forged(header, 6, 2, 2))) << "unknown flag";
-    const auto overlong = decode_header(forged(header, 12, frame_payload_bytes_max + 1, 4));
+    const auto overlong = decode_header(forged(header, 12, limits::frame_payload_bytes_max + 1, 4));
     ASSERT_FALSE(overlong);
     EXPECT_EQ(overlong.error().code, ErrorCode::TooLarge);
 }
@@ -113,7 +114,7 @@ TEST(MessageAssembler, ADamagedPayloadIsRefused) {
 
 TEST(MessageAssembler, AMessageThatNeverEndsIsRefusedAtItsTypesLimit) {
     MessageAssembler assembler;
-    const Bytes piece(frame_payload_bytes_max);
+    const Bytes piece(limits::frame_payload_bytes_max);
     FrameHeader header = header_of(message_type(Heartbeat{}), piece);
     header.has_more = true;
     ASSERT_TRUE(assembler.add(header, piece));
@@ -236,7 +237,7 @@ TEST(Party, TheLessItIsKnownTheLessMemoryIsTakenForIt) {
 TEST(MessageAssembler, WhatItsSenderDoesNotSendIsRefusedByItsHeader) {
     FrameHeader header;
     header.type = message_type(Subtrees{});
-    header.payload_bytes = frame_payload_bytes_max;
+    header.payload_bytes = limits::frame_payload_bytes_max;
     header.has_more = true;
     for (const Party party : parties) {
         MessageAssembler assembler;

@@ -1,0 +1,33 @@
+// The bounds of cdctl: what it queues, and how long it waits.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+namespace cd::limits {
+
+// A run on one machine. Scenarios that were added and not taken, and bytes of results among them.
+inline constexpr std::uint64_t run_scenarios_ahead_max = 16384;
+inline constexpr std::uint64_t run_bytes_ahead_max = 256u << 20;
+/// What is taken at a time from there, and what a thread does before it hands over.
+inline constexpr std::size_t run_taken_at_once_max = 256;
+inline constexpr std::size_t run_batch_scenarios_max = 64;
+inline constexpr std::uint64_t run_batch_bytes_max = 1u << 20;
+inline constexpr std::chrono::milliseconds progress_period{100};
+
+// Talking to a master.
+inline constexpr std::size_t mesh_piece_bytes = 1u << 20;             ///< Of one message.
+inline constexpr std::size_t client_write_queue_bytes_max = 4u << 20; ///< Then it waits.
+/// How often a call that waits looks whether it has been stopped.
+inline constexpr std::chrono::milliseconds stop_check_period{100};
+/// After a stop, how long a call may take to end by itself.
+inline constexpr std::chrono::milliseconds stop_patience{1000};
+inline constexpr std::chrono::seconds come_back_max{60}; ///< For a master that went away.
+inline constexpr std::chrono::milliseconds come_back_period{300};
+
+// A cluster of its own.
+inline constexpr std::chrono::seconds local_start_max{30};
+inline constexpr std::chrono::milliseconds process_poll_period{10};
+
+} // namespace cd::limits
