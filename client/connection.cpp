@@ -82,13 +82,15 @@ template <class T>
 Result<T> Connection::State::run(asio::awaitable<Result<T>> coroutine) {
     std::optional<Result<T>> result;
     bool done = false;
-    asio::co_spawn(
-        context, keep(std::move(coroutine), result), [&done](const std::exception_ptr& thrown) {
-            if (thrown) {
-                std::rethrow_exception(thrown);
-            }
-            done = true;
-        });
+    asio::co_spawn(context,
+                   keep(std::move(coroutine), result),
+                   [this, &done](const std::exception_ptr& thrown) {
+                       if (thrown) {
+                           std::rethrow_exception(thrown);
+                       }
+                       done = true;
+                       context.stop(); // The channel reads on, and would be waited for.
+                   });
     run_until(done);
     return done ? std::move(*result) : Result<T>(interrupted());
 }
