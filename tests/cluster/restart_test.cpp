@@ -349,11 +349,12 @@ TEST_F(Restart, ADamagedStateIsNamedNotUsedAndNotChanged) {
     const Ran damaged = run(check);
     EXPECT_EQ(damaged.exit_code, 2);
     EXPECT_NE(damaged.output.find("1.results"), std::string::npos) << damaged.output;
-    const Ran refused = run({program("cdmaster").string(),
-                             "--listen",
-                             "127.0.0.1:0",
-                             "--state",
-                             (folder_ / "state").string()});
+    const std::vector<std::string> start{program("cdmaster").string(),
+                                         "--listen",
+                                         "127.0.0.1:0",
+                                         "--state",
+                                         (folder_ / "state").string()};
+    const Ran refused = run(start);
     EXPECT_EQ(refused.exit_code, 2);
     EXPECT_NE(refused.errors.find("1.results"), std::string::npos) << refused.errors;
     EXPECT_NE(refused.errors.find("restore the state directory"), std::string::npos)
@@ -363,11 +364,7 @@ TEST_F(Restart, ADamagedStateIsNamedNotUsedAndNotChanged) {
     write_text(results, good);
     const auto poses = folder_ / "state/jobs/1.poses";
     std::filesystem::rename(poses, folder_ / "away");
-    const Ran without = run({program("cdmaster").string(),
-                             "--listen",
-                             "127.0.0.1:0",
-                             "--state",
-                             (folder_ / "state").string()});
+    const Ran without = run(start);
     EXPECT_EQ(without.exit_code, 2);
     EXPECT_NE(without.errors.find("1.poses"), std::string::npos) << without.errors;
     EXPECT_NE(without.errors.find("restore the state directory"), std::string::npos)
