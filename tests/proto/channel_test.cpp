@@ -216,12 +216,9 @@ TEST(Channel, APeerThatClosesMidFrameIsDisconnected) {
 
 TEST(Channel, WhatThePeerMayNotSendIsRefusedBeforeItHasCome) {
     run_conversation([]() -> asio::awaitable<void> {
-        const auto executor = co_await asio::this_coro::executor;
-        const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
-        asio::ip::tcp::acceptor acceptor(executor, any_port);
-        asio::ip::tcp::socket raw(executor);
-        co_await raw.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
-        asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
+        SocketEnds ends = co_await connect_sockets();
+        asio::ip::tcp::socket& raw = ends.left;
+        asio::ip::tcp::socket& socket = ends.right;
         const auto channel = Channel::make(std::make_unique<Stream>(std::move(socket)));
         const Bytes hello = frame_of(Hello{});
         co_await asio::async_write(raw, asio::buffer(hello), asio::use_awaitable);
@@ -295,12 +292,9 @@ TEST(Channel, AFrameThatPromisesMoreIsHeldToIt) {
 
 TEST(Channel, BetweenMessagesOneMayBeSilent) {
     run_conversation([]() -> asio::awaitable<void> {
-        const auto executor = co_await asio::this_coro::executor;
-        const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
-        asio::ip::tcp::acceptor acceptor(executor, any_port);
-        asio::ip::tcp::socket quiet(executor);
-        co_await quiet.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
-        asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
+        SocketEnds ends = co_await connect_sockets();
+        asio::ip::tcp::socket& quiet = ends.left;
+        asio::ip::tcp::socket& socket = ends.right;
         const std::shared_ptr<Channel> channel =
             Channel::make(std::make_unique<Stream>(std::move(socket)), 500ms);
         const Bytes hello = frame_of(Hello{});

@@ -68,12 +68,9 @@ struct Flooded {
 };
 
 asio::awaitable<Flooded> flood(std::string bytes) {
-    const auto executor = co_await asio::this_coro::executor;
-    const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
-    asio::ip::tcp::acceptor acceptor(executor, any_port);
-    asio::ip::tcp::socket silent(executor);
-    co_await silent.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
-    asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
+    SocketEnds ends = co_await connect_sockets();
+    asio::ip::tcp::socket& silent = ends.left;
+    asio::ip::tcp::socket& socket = ends.right;
     asio::write(silent, asio::buffer(bytes));
     co_return Flooded{std::move(silent), std::make_unique<Stream>(std::move(socket))};
 }

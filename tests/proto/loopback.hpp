@@ -14,6 +14,22 @@ namespace cd::tests {
 /// Longer than any test takes, even under a sanitizer; a test that hangs ends here and fails.
 inline constexpr std::chrono::seconds patience{60};
 
+/// Both ends of a connection before there are channels.
+struct SocketEnds {
+    asio::ip::tcp::socket left;
+    asio::ip::tcp::socket right;
+};
+
+inline asio::awaitable<SocketEnds> connect_sockets() {
+    const auto executor = co_await asio::this_coro::executor;
+    const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
+    asio::ip::tcp::acceptor acceptor(executor, any_port);
+    asio::ip::tcp::socket left(executor);
+    co_await left.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
+    asio::ip::tcp::socket right = co_await acceptor.async_accept(asio::use_awaitable);
+    co_return SocketEnds{std::move(left), std::move(right)};
+}
+
 struct Ends {
     std::shared_ptr<Channel> left;
     std::shared_ptr<Channel> right;
