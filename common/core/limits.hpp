@@ -10,10 +10,11 @@ namespace cd::limits {
 // Messages. A type's cap is checked while its frames come in, before more is kept (PROTOCOL.md).
 inline constexpr std::uint64_t message_control_bytes_max = 1u << 20;
 inline constexpr std::uint64_t message_roots_bytes_max = 8u << 20; ///< Lists of roots of one tree.
-inline constexpr std::uint64_t message_data_bytes_max = 64u << 20; ///< Batches, poses, mesh parts.
+inline constexpr std::uint64_t message_part_bytes_max = 16u << 20; ///< Of what a client submits.
+inline constexpr std::uint64_t message_data_bytes_max = 64u << 20; ///< Batches.
 inline constexpr std::uint64_t message_results_bytes_max = 257u << 20;   ///< One largest record.
 inline constexpr std::uint64_t message_subtrees_bytes_max = 1025u << 20; ///< One largest block.
-inline constexpr std::size_t streams_max = 4; ///< Messages that one peer may have begun.
+inline constexpr std::size_t streams_max = 4; ///< Messages begun by one of whom no role is known.
 inline constexpr std::size_t hello_text_bytes_max = 256;
 inline constexpr std::size_t write_queue_bytes_max = 64u << 20; ///< Then the sender waits.
 

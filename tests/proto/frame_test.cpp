@@ -230,7 +230,7 @@ TEST(Party, TheLessItIsKnownTheLessMemoryIsTakenForIt) {
     EXPECT_EQ(begun_bytes_max(Party::Observer), 4u << 10);
     EXPECT_EQ(begun_bytes_max(Party::Joiner), 64u << 10);
     EXPECT_EQ(begun_bytes_max(Party::Peer), 16u << 20);
-    EXPECT_EQ(begun_bytes_max(Party::Client), 128u << 20);
+    EXPECT_EQ(begun_bytes_max(Party::Client), 32u << 20);
     EXPECT_EQ(begun_bytes_max(Party::Worker), 514u << 20);
 }
 
