@@ -11,6 +11,7 @@
 #include "master/pose_spool.hpp"
 #include "master/transfer_meter.hpp"
 #include "master/tree_registry.hpp"
+#include "master/worker_sessions.hpp"
 #include "master/worker_watch.hpp"
 #include "proto/asio.hpp"
 #include "proto/channel.hpp"
@@ -315,13 +316,10 @@ class Coordinator {
     /// One whose process was found wrong is not trusted with its next one either.
     [[nodiscard]] bool is_holder_quarantined(const std::string& holder) const;
     void quarantine_holder(WorkerId worker);
-    /// 0: the master, or not known any more.
-    [[nodiscard]] WorkerProcess process_of(WorkerId worker) const;
     /// For people; also of one that an earlier life of the master knew.
     [[nodiscard]] std::string name_of(WorkerId worker) const;
     /// A number for one of whom only that is known.
     [[nodiscard]] WorkerId earlier_worker(WorkerProcess process);
-    [[nodiscard]] bool is_earlier(WorkerId worker) const { return worker <= earlier_last_; }
     /// Goes on with the doubts and disputes of an earlier life.
     void restore_authors(MasterJob& job,
                          std::span<const std::uint64_t> done,
@@ -337,7 +335,8 @@ class Coordinator {
     void do_again(MasterJob& job, std::vector<std::uint64_t> places);
     /// False: it was not in doubt.
     bool doubt_ends(MasterJob& job, std::uint64_t scenario, WorkerId by);
-    void forget_processes();
+    /// Of those that are gone: to whom no running job owes a doubt.
+    void forget_sessions();
 
     void end_job(MasterJob& job, JobState state, const std::string& failure);
     void release_tree(TreeId tree);
@@ -427,14 +426,8 @@ class Coordinator {
     std::vector<std::function<void()>> waiting_for_room_; ///< In the journal.
     AlarmRecord alarms_;
     std::set<WorkerProcess> quarantined_; ///< Those of the alarms, holders among them.
-    /// Of all workers that some result may be of. None is 0.
-    std::map<WorkerId, WorkerProcess> processes_;
+    WorkerSessions sessions_;
     std::map<WorkerProcess, std::weak_ptr<WorkerIntake>> intakes_;
-    /// Of those with a certificate: its holder. No longer than `processes_`.
-    std::map<WorkerId, std::string> holders_;
-    // Workers that only an earlier life of the master knew have the first numbers.
-    std::map<WorkerProcess, WorkerId> earlier_;
-    WorkerId earlier_last_;
     /// What settles disputes, by scenario, and stops when it is true.
     using Judging =
         std::multimap<std::pair<JobId, std::uint64_t>, std::shared_ptr<std::atomic<bool>>>;

@@ -92,8 +92,10 @@ void Coordinator::open_dispute(MasterJob& job, const Dispute& dispute, AddResult
                   dispute.scenario,
                   dispute.second.value);
     ++job.disputes;
-    add.remarks.push_back(
-        {Remark::Kind::Disputed, dispute.scenario, dispute.digest, process_of(dispute.second)});
+    add.remarks.push_back({Remark::Kind::Disputed,
+                           dispute.scenario,
+                           dispute.digest,
+                           sessions_.process_of(dispute.second)});
     ledger_.promise(dispute, written_ + 1);
 }
 
@@ -126,7 +128,7 @@ asio::awaitable<void> Coordinator::settle_dispute(Dispute dispute) {
 void Coordinator::settle(MasterJob& job, const Dispute& dispute, std::optional<Evidence> evidence) {
     const std::uint64_t alarms_before = alarms_.count;
     AddResults verdict{job.id, job.results, {}, {}, {}};
-    const WorkerProcess second = process_of(dispute.second);
+    const WorkerProcess second = sessions_.process_of(dispute.second);
     verdict.remarks.push_back({Remark::Kind::Settled, dispute.scenario, dispute.digest, second});
     const Status fits =
         evidence ? judge(job, dispute, std::move(*evidence), verdict) : Status(Done{});

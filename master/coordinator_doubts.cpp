@@ -7,15 +7,11 @@
 #include "master/coordinator.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace cd {
 
 // ---- Who is who ---------------------------------------------------------------------------------
-
-WorkerProcess Coordinator::process_of(WorkerId worker) const {
-    const auto known = processes_.find(worker);
-    return known == processes_.end() ? 0 : known->second;
-}
 
 bool Coordinator::is_distrusted(WorkerId worker) const {
     const auto link = workers_.find(worker);
@@ -24,19 +20,19 @@ bool Coordinator::is_distrusted(WorkerId worker) const {
 
 bool Coordinator::is_quarantined(WorkerId worker) const {
     const auto link = workers_.find(worker);
-    return quarantined_.contains(process_of(worker)) ||
+    return quarantined_.contains(sessions_.process_of(worker)) ||
            (link != workers_.end() && link->second.quarantined);
 }
 
 std::string Coordinator::name_of(WorkerId worker) const {
-    const WorkerProcess process = process_of(worker);
+    const WorkerProcess process = sessions_.process_of(worker);
     const auto is_its = [&](WorkerId id) {
-        return id == worker || (process != 0 && process_of(id) == process);
+        return id == worker || (process != 0 && sessions_.process_of(id) == process);
     };
     const auto named = [this](const std::string& name, WorkerId id) {
-        const auto holder = holders_.find(id);
+        const std::string holder = sessions_.holder_of(id);
         return name + " (w-" + std::to_string(id.value) +
-               (holder == holders_.end() ? ")" : ", certified as " + holder->second + ")");
+               (holder.empty() ? ")" : ", certified as " + holder + ")");
     };
     // It may have left, and come back as another.
     for (const auto& [id, link] : workers_) {
@@ -49,30 +45,32 @@ std::string Coordinator::name_of(WorkerId worker) const {
             return named(lost.status.name, id);
         }
     }
-    return is_earlier(worker) ? "a worker that is not here any more"
-                              : "w-" + std::to_string(worker.value);
+    return sessions_.is_earlier(worker) ? "a worker that is not here any more"
+                                        : "w-" + std::to_string(worker.value);
 }
 
 WorkerId Coordinator::earlier_worker(WorkerProcess process) {
     if (process == 0) {
         return {};
     }
-    const auto [known, is_new] = earlier_.try_emplace(process, WorkerId{worker_last_ + 1});
-    if (is_new) {
-        earlier_last_ = WorkerId{++worker_last_};
-        processes_.emplace(known->second, process);
-    }
-    return known->second;
+    const WorkerId found = sessions_.earlier(process, WorkerId{worker_last_ + 1});
+    worker_last_ = std::max(worker_last_, found.value);
+    return found;
 }
 
-/// Of workers that are gone, once no job runs whose results could be theirs.
-void Coordinator::forget_processes() {
-    if (jobs_.running().empty()) {
-        std::erase_if(processes_,
-                      [this](const auto& known) { return !workers_.contains(known.first); });
-        std::erase_if(holders_,
-                      [this](const auto& known) { return !workers_.contains(known.first); });
+void Coordinator::forget_sessions() {
+    const std::set<JobId>& running = jobs_.running();
+    if (std::ranges::any_of(running, [this](JobId id) { return jobs_.find(id)->disputes != 0; })) {
+        return; // Who may be wrong is being looked for.
     }
+    std::unordered_set<std::uint64_t> needed; // For results that may come to be in doubt.
+    for (const JobId id : running) {
+        const std::vector<std::uint32_t>& authors = jobs_.find(id)->authors;
+        needed.insert(authors.begin(), authors.end());
+    }
+    sessions_.forget(
+        [&](WorkerId worker) { return workers_.contains(worker) || needed.contains(worker.value); },
+        running.empty());
 }
 
 // ---- After a restart ----------------------------------------------------------------------------
@@ -118,7 +116,7 @@ void Coordinator::take_up_doubts(MasterJob& job) {
 // ---- Quarantine ---------------------------------------------------------------------------------
 
 void Coordinator::quarantine(WorkerId worker) {
-    const WorkerProcess process = process_of(worker);
+    const WorkerProcess process = sessions_.process_of(worker);
     if (process == 0 || is_quarantined(worker)) {
         return;
     }
@@ -129,7 +127,7 @@ void Coordinator::quarantine(WorkerId worker) {
     doubt_results_of(worker);
     // It may have left, and come back as another.
     for (auto& [id, link] : workers_) {
-        if (process_of(id) == process) {
+        if (sessions_.process_of(id) == process) {
             link.quarantined = true;
             blocks_.worker_left(id);
             forget_tasks(id);
@@ -139,13 +137,8 @@ void Coordinator::quarantine(WorkerId worker) {
 }
 
 void Coordinator::doubt_results_of(WorkerId worker) {
-    const WorkerProcess process = process_of(worker);
-    std::set<std::uint32_t> numbers;
-    for (const auto& [id, of] : processes_) {
-        if (of == process) {
-            numbers.insert(static_cast<std::uint32_t>(id.value));
-        }
-    }
+    const WorkerProcess process = sessions_.process_of(worker);
+    const std::set<WorkerId> sessions = sessions_.all_of(process);
     std::string ended;
     for (const JobStatus& known : jobs_.statuses(Clock::now())) {
         MasterJob& job = *jobs_.find(known.job);
@@ -158,7 +151,7 @@ void Coordinator::doubt_results_of(WorkerId worker) {
         }
         std::vector<std::uint64_t> scenarios;
         for (std::uint64_t index = 0; index < job.authors.size(); ++index) {
-            if (numbers.contains(job.authors[index])) {
+            if (sessions.contains(WorkerId{job.authors[index]})) {
                 scenarios.push_back(index);
             }
         }

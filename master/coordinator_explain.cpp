@@ -170,7 +170,7 @@ Coordinator::answered_by(const MasterJob& job, std::uint64_t scenario, bool need
     const auto link = workers_.find(author);
     const auto lost = lost_.find(author);
     const std::string number = "w-" + std::to_string(author.value);
-    if (is_earlier(author)) {
+    if (sessions_.is_earlier(author)) {
         return "answered by " + name_of(author) + ", before the master was started again";
     }
     if (link != workers_.end()) {

@@ -261,7 +261,9 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
         release_tree(job.tree_a);
         release_tree(job.tree_b);
     }
-    forget_processes();
+    if (jobs_.running().empty()) {
+        forget_sessions();
+    }
     ledger_.promise(JobEnded{job.id}, write(EndJob{job.id, *job.end, job.progress(Clock::now())}));
     const auto [begin, end] = early_results_.equal_range(job.id);
     for (auto early = begin; early != end; ++early) {

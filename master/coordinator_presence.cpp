@@ -98,10 +98,10 @@ void Coordinator::worker_joined(const Reception& reception,
     link.threads = std::max(1u, hello.threads);
     link.cache_bytes = hello.cache_bytes;
     link.instance = hello.instance;
-    processes_[worker] = process_that_greets(hello, holder);
-    if (!holder.empty()) {
-        holders_[worker] = holder;
+    if (sessions_.are_many()) {
+        forget_sessions();
     }
+    sessions_.joined(worker, process_that_greets(hello, holder), holder);
     const bool is_trusted = !is_quarantined(worker) && !is_holder_quarantined(holder);
     link.quarantined = !is_trusted;
     workers_.emplace(worker, std::move(link));
@@ -122,7 +122,7 @@ void Coordinator::worker_joined(const Reception& reception,
 
 std::shared_ptr<WorkerIntake> Coordinator::intake_of(WorkerId worker) {
     std::erase_if(intakes_, [](const auto& intake) { return intake.second.expired(); });
-    std::weak_ptr<WorkerIntake>& known = intakes_[process_of(worker)];
+    std::weak_ptr<WorkerIntake>& known = intakes_[sessions_.process_of(worker)];
     std::shared_ptr<WorkerIntake> intake = known.lock();
     if (intake == nullptr) {
         intake = std::make_shared<WorkerIntake>();
@@ -136,9 +136,9 @@ bool Coordinator::is_holder_quarantined(const std::string& holder) const {
 }
 
 void Coordinator::quarantine_holder(WorkerId worker) {
-    const auto holder = holders_.find(worker);
-    if (holder != holders_.end() && !is_holder_quarantined(holder->second)) {
-        alarms_.quarantine(number_of("holder " + holder->second));
+    const std::string holder = sessions_.holder_of(worker);
+    if (!holder.empty() && !is_holder_quarantined(holder)) {
+        alarms_.quarantine(number_of("holder " + holder));
     }
 }
 

@@ -166,7 +166,7 @@ void Coordinator::results_taken(WorkerId worker,
 
 void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
     AddResults add{job.id, job.results, {}, {}, {}};
-    add.author = process_of(worker);
+    add.author = sessions_.process_of(worker);
     add.results.reserve(taken.results.size());
     for (TakenResult& one : taken.results) {
         job.statistics += one.cost;
