@@ -46,6 +46,7 @@ void BlockDelivery::worker_joined(WorkerId worker,
     link.port = port;
     links_.emplace(worker, std::move(link));
     director_.worker_joined(worker, port != 0);
+    probe(worker);
 }
 
 void BlockDelivery::worker_left(WorkerId worker) {
@@ -66,7 +67,31 @@ void BlockDelivery::worker_returned(WorkerId worker, std::shared_ptr<Channel> ch
         link->second.host = channel->peer_host();
         link->second.channel = std::move(channel);
         director_.worker_joined(worker, link->second.port != 0);
+        probe(worker);
     }
+}
+
+void BlockDelivery::probe(WorkerId worker) {
+    const Link& link = links_.at(worker);
+    if (link.port != 0) {
+        spawn(executor_,
+              "probe of a worker's port",
+              probe(worker, {link.host, link.port}, link.channel));
+    }
+}
+
+asio::awaitable<void>
+BlockDelivery::probe(WorkerId worker, Endpoint endpoint, std::weak_ptr<Channel> channel) {
+    const Status reached = co_await reach(endpoint, limits::peer_connect_timeout);
+    const auto link = links_.find(worker);
+    if (reached || closed_ || link == links_.end() || link->second.channel != channel.lock()) {
+        co_return;
+    }
+    spdlog::warn("worker serves no others: worker={} port={} reason=\"{}\"",
+                 worker.value,
+                 endpoint.port,
+                 reached.error().detail);
+    act(director_.not_reached(worker, now()));
 }
 
 Status BlockDelivery::wanted(WorkerId worker, const WantSubtrees& want) {

@@ -28,7 +28,8 @@ class BlockDelivery {
     /// The master ends: what is under way is not watched any more.
     void close();
 
-    /// `port`: where it serves others; 0: nowhere.
+    /// `port`: where it serves others; 0: nowhere. One that a probe does not reach is nobody's
+    /// source.
     void worker_joined(WorkerId worker,
                        std::shared_ptr<Channel> channel,
                        const PeerKey& key,
@@ -74,6 +75,9 @@ class BlockDelivery {
     [[nodiscard]] bool knows(WorkerId worker, TreeId tree) const;
     /// The tree is known.
     [[nodiscard]] Status check_roots(TreeId tree, const std::vector<RootIndex>& roots) const;
+    void probe(WorkerId worker);
+    [[nodiscard]] asio::awaitable<void>
+    probe(WorkerId worker, Endpoint endpoint, std::weak_ptr<Channel> channel);
     void act(const BlockActions& actions);
     void send(const SendBlock& action);
     void direct(const SendToPeers& action);

@@ -121,11 +121,16 @@ BlockActions BlockDirector::peer_failed(WorkerId worker,
         peer.cannot_reach_it.insert(worker);
         peer.is_avoided |= how == PeerOutcome::Damaged ||
                            peer.cannot_reach_it.size() >= limits::peer_unreachable_by_max;
-        note_places(source);
-        event.less_hope.insert(peer.holds.begin(), peer.holds.end());
-        for (const auto& [block, fetch] : peer.comes) {
-            event.less_hope.insert(block);
-        }
+        serves_fewer(source, event);
+    }
+    return settle(std::move(event));
+}
+
+BlockActions BlockDirector::not_reached(WorkerId source, Time now) {
+    Event event{now, {}, {}, {}};
+    if (const auto found = peers_.find(source); found != peers_.end()) {
+        found->second.is_avoided = true;
+        serves_fewer(source, event);
     }
     return settle(std::move(event));
 }
@@ -336,9 +341,10 @@ void BlockDirector::fetch(
             ++looked_at > limits::sources_looked_at_max) {
             break;
         }
-        const bool has_all = std::ranges::all_of(roots, [&](RootIndex root) {
-            return blocks_.at({tree, root}).holders.contains(other);
-        });
+        const bool has_all =
+            mutated(Mutation::OthersSourceNamed) || std::ranges::all_of(roots, [&](RootIndex root) {
+                return blocks_.at({tree, root}).holders.contains(other);
+            });
         if (other != source && has_all && can_serve(other, worker)) {
             sources.push_back(other);
         }
@@ -382,6 +388,15 @@ void BlockDirector::add_hold(WorkerId worker, const BlockKey& block) {
     held.holders.insert(worker);
     if (!held.awaited_by.empty()) {
         peer.could_give.insert(block);
+    }
+}
+
+void BlockDirector::serves_fewer(WorkerId source, Event& event) {
+    const Peer& peer = peers_.at(source);
+    note_places(source);
+    event.less_hope.insert(peer.holds.begin(), peer.holds.end());
+    for (const auto& [block, fetch] : peer.comes) {
+        event.less_hope.insert(block);
     }
 }
 

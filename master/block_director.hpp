@@ -50,9 +50,9 @@ using BlockActions = std::vector<BlockAction>;
 /// tree and costs the master a bounded number of uploads. Who wants a block that nobody can give
 /// now, but somebody is about to hold, waits; after `limits::peer_wait_max` the master gives it.
 ///
-/// A worker holds a block when it says so, never before. A source that two workers cannot reach, or
-/// that gives a damaged block, is not named again. What a worker wants a second time while it was
-/// to come from peers, the master gives.
+/// A worker holds a block when it says so, never before. A source that the master or two workers
+/// cannot reach, or that gives a damaged block, is not named again. What a worker wants a second
+/// time while it was to come from peers, the master gives.
 class BlockDirector {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -72,6 +72,8 @@ class BlockDirector {
                              std::span<const RootIndex> roots,
                              PeerOutcome how,
                              Time now);
+    /// A probe did not reach its port.
+    BlockActions not_reached(WorkerId source, Time now);
     BlockActions tree_removed(TreeId tree, Time now);
 
     /// To be called every `limits::peer_check_period` or so while something is `open`.
@@ -147,6 +149,8 @@ class BlockDirector {
     void free_place(Fetch& fetch, Event& event);
     void add_hold(WorkerId worker, const BlockKey& block);
     void lose_hold(WorkerId worker, const BlockKey& block, Event& event);
+    /// It may have become one that some, or all, are not sent to: those may wait for it in vain.
+    void serves_fewer(WorkerId source, Event& event);
     void forget_if_unused(const BlockKey& block);
 
     BlockActions settle(Event event);

@@ -123,6 +123,10 @@ struct Target {
 [[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
 connect(Target target, std::chrono::seconds timeout = limits::connect_timeout);
 
+/// Somebody takes connections there, whatever they speak. Errors: Disconnected naming host and
+/// port.
+[[nodiscard]] asio::awaitable<Status> reach(Endpoint endpoint, std::chrono::seconds timeout);
+
 /// What follows when a socket was accepted, within the timeout. A peer that speaks TLS where `tls`
 /// is null, or does not where it is there, is told so in its own terms. Errors: those of
 /// `Stream::secure`.

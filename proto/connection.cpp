@@ -99,12 +99,11 @@ asio::awaitable<Error> refuse_plaintext(asio::ip::tcp::socket socket) {
     co_return Error{ErrorCode::Refused, "plaintext at a port of TLS"};
 }
 
-} // namespace
-
-asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Target target,
-                                                          std::chrono::seconds timeout) {
+/// To the first of its addresses that answers, each within the timeout.
+asio::awaitable<Result<asio::ip::tcp::socket>> open_socket(Endpoint endpoint,
+                                                           std::chrono::seconds timeout) {
     error_code error;
-    const Addresses addresses = co_await resolve(target.endpoint, error);
+    const Addresses addresses = co_await resolve(endpoint, error);
     std::string why = error ? error.message() : "no such host";
     for (const auto& address : addresses) {
         asio::ip::tcp::socket socket(co_await asio::this_coro::executor);
@@ -114,17 +113,32 @@ asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Target target,
                                           asio::redirect_error(asio::use_awaitable, error));
             why = deadline.expired() ? "no answer in time" : error.message();
         }
-        if (error) {
-            continue;
+        if (!error) {
+            co_return socket;
         }
-        auto stream = std::make_unique<Stream>(std::move(socket));
-        const Status secured = co_await secure(*stream, target, timeout);
-        if (!secured) {
-            co_return secured.error();
-        }
-        co_return Channel::make(std::move(stream));
     }
-    co_return unreachable(target.endpoint, why);
+    co_return unreachable(endpoint, why);
+}
+
+} // namespace
+
+asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Target target,
+                                                          std::chrono::seconds timeout) {
+    Result<asio::ip::tcp::socket> socket = co_await open_socket(target.endpoint, timeout);
+    if (!socket) {
+        co_return socket.error();
+    }
+    auto stream = std::make_unique<Stream>(std::move(socket.value()));
+    const Status secured = co_await secure(*stream, target, timeout);
+    if (!secured) {
+        co_return secured.error();
+    }
+    co_return Channel::make(std::move(stream));
+}
+
+asio::awaitable<Status> reach(Endpoint endpoint, std::chrono::seconds timeout) {
+    const Result<asio::ip::tcp::socket> socket = co_await open_socket(endpoint, timeout);
+    co_return socket ? Status(Done{}) : Status(socket.error());
 }
 
 asio::awaitable<Result<std::shared_ptr<Channel>>>

@@ -63,7 +63,10 @@ asio::awaitable<void> PeerServer::serve(std::shared_ptr<PeerServer> self,
     const Result<std::shared_ptr<Channel>> channel =
         co_await accept_channel(std::move(socket), tls_->now);
     if (!channel) {
-        self->refusals_.log(spdlog::level::warn, "peer refused", peer, channel.error().detail);
+        // A probe of the master's says nothing.
+        const auto level = channel.error().code == ErrorCode::Disconnected ? spdlog::level::debug
+                                                                           : spdlog::level::warn;
+        self->refusals_.log(level, "peer refused", peer, channel.error().detail);
     } else if (tls_->now != nullptr && !is_worker(channel.value()->peer_identity())) {
         self->refusals_.log(
             spdlog::level::warn, "peer refused", peer, "not the certificate of a worker");

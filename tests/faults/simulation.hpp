@@ -5,7 +5,8 @@
 // - None is lost: Coordinator::check_job, the dispatcher's check_counts and check_job, check_kept
 //   of what is acknowledged, inspect_job at the end. LostRangeForgotten, AnswerKeptTooEarly.
 // - Who is taken for the holder of a block has it, or its word that it has not is under way:
-//   check_cache; by what was said, Watcher::check_sources. EvictionNotTold, EvictionIgnored.
+//   check_cache; by what was said, Watcher::check_sources. EvictionNotTold, EvictionIgnored,
+//   OthersSourceNamed.
 // - No credit is below zero: check_counts (what is unsent), WorkerSession (results in hand).
 //   RoomNotGivenBack, ReadsOn.
 // - What is in flight is bounded: tasks at a worker by the dispatcher's check_flight, blocks and

@@ -130,6 +130,26 @@ TEST_F(BlockDirectorTest, ASourceThatTwoCannotReachIsAvoided) {
     EXPECT_TRUE(from_master(want(4, {8})));
 }
 
+TEST_F(BlockDirectorTest, ASourceThatAProbeDidNotReachIsAvoided) {
+    join(3);
+    (void)hold(1, {hot});
+    EXPECT_TRUE(director.not_reached(worker(1), now).empty());
+    EXPECT_TRUE(director.is_avoided(worker(1)));
+    EXPECT_TRUE(from_master(want(2, {hot})));
+    EXPECT_TRUE(director.not_reached(worker(9), now).empty()) << "it has left";
+}
+
+TEST_F(BlockDirectorTest, WhoWaitsForASourceThatIsNotReachedGetsItFromTheMaster) {
+    join(4);
+    (void)hold(1, {hot, 8});
+    ASSERT_TRUE(from_peers(want(2, {8})));
+    ASSERT_TRUE(from_peers(want(3, {8})));
+    ASSERT_TRUE(want(4, {hot}).empty()) << "it waits for a place";
+    const auto send = from_master(director.not_reached(worker(1), now));
+    ASSERT_TRUE(send);
+    EXPECT_EQ(*send, (SendBlock{worker(4), {tree, hot}}));
+}
+
 TEST_F(BlockDirectorTest, WhoCannotReachASourceIsNotSentThereAgain) {
     join(3);
     (void)hold(1, {hot, 8});

@@ -5,6 +5,8 @@
 #include "common/core/limits_http.hpp"
 #include "master/identity.hpp"
 #include "proto/stream.hpp"
+#include "tests/master/fake_client.hpp"
+#include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
 #include "tests/support/logged.hpp"
 

@@ -1,6 +1,8 @@
 // Proves that whatever workers do, the digest is that of the same scenarios without a cluster: they
 // die, forget, lie, take too long or send what is none.
 #include "master/record_size.hpp"
+#include "tests/master/fake_client.hpp"
+#include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
 #include "tests/support/logged.hpp"
 

@@ -1,5 +1,7 @@
 // Proves that quarantine holds for who holds the certificate, and for nobody who is named like a
 // process of another one: a new number does not end it, nor does a restart of the master.
+#include "tests/master/fake_client.hpp"
+#include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
 
 namespace cd::tests {

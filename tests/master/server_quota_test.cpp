@@ -2,6 +2,7 @@
 // one there is too much of, and lets others go on; and that what a client has begun and does not go
 // on with ends.
 #include "master/submission.hpp"
+#include "tests/master/fake_client.hpp"
 #include "tests/master/master_stage.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,8 @@
 // Proves that trust outlives the master: after a restart it still knows who is in quarantine, whose
 // each result is, which of them are in doubt or in dispute, and which alarms there were; and no job
 // ends with what a worker that was wrong has answered.
+#include "tests/master/fake_client.hpp"
+#include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
 
 #include <latch>

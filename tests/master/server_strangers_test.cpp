@@ -1,6 +1,7 @@
 // Proves that who connects and does not go on takes no others' places: not from another address,
 // and not by saying that it joins.
 #include "master/identity.hpp"
+#include "tests/master/fake_client.hpp"
 #include "tests/master/master_stage.hpp"
 #include "tests/support/logged.hpp"
 

@@ -379,6 +379,24 @@ TEST(Connect, AClosedPortIsAnErrorThatNamesIt) {
     });
 }
 
+TEST(Connect, ReachSaysWhetherSomebodyListens) {
+    run_conversation([]() -> asio::awaitable<void> {
+        const auto executor = co_await asio::this_coro::executor;
+        const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
+        asio::ip::tcp::acceptor acceptor(executor, any_port);
+        const Endpoint endpoint{"127.0.0.1", acceptor.local_endpoint().port()};
+        const Status open = co_await reach(endpoint, patience);
+        EXPECT_TRUE(open);
+        acceptor.close();
+        const Status closed = co_await reach(endpoint, patience);
+        EXPECT_FALSE(closed);
+        if (!closed) {
+            EXPECT_EQ(closed.error().code, ErrorCode::Disconnected);
+            EXPECT_THAT(closed.error().detail, testing::HasSubstr(std::to_string(endpoint.port)));
+        }
+    });
+}
+
 TEST(StopSignals, CountsTheSignalsUntilCancelled) {
     asio::io_context context;
     std::vector<unsigned> seen;

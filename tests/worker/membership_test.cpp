@@ -44,8 +44,9 @@ asio::awaitable<FakeMaster> welcome(Bond& bond, std::uint64_t epoch) {
     answer.cluster = some_hash(1);
     answer.epoch = epoch;
     answer.is_resumed = hello && hello.value().epoch == epoch;
-    answer.heartbeat_ms = 10;
-    answer.lost_after_ms = 60'000;
+    // It sends none, and must not seem silent however slow the machine is.
+    answer.heartbeat_ms = std::chrono::milliseconds(patience).count();
+    answer.lost_after_ms = 2 * answer.heartbeat_ms;
     ends.right->send(answer);
     FakeMaster master(std::move(ends.right));
     co_return master;

@@ -1,0 +1,207 @@
+// A client that submits, watches and fetches, and what is right of its job.
+#pragma once
+
+#include "common/job/packed_records.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/job/run_scenario.hpp"
+#include "common/tree/build.hpp"
+#include "tests/master/master_stage.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <utility>
+
+namespace cd::tests {
+
+/// The meshes and scenarios of the tests, and what is right.
+struct Reference {
+    Reference() {
+        std::mt19937_64 random(1);
+        for (std::uint64_t i = 0; i < 90; ++i) {
+            Scenario scenario;
+            scenario.index = i;
+            scenario.poses.b = make_pose(random, 1.6);
+            scenarios.push_back(scenario);
+        }
+        ThreadPool pool(2);
+        const ObbTree tree_a = build_tree(share(a), {}, pool);
+        const ObbTree tree_b = build_tree(share(b), {}, pool);
+        ResultMerger merger(scenarios.size());
+        for (const Scenario& scenario : scenarios) {
+            (void)merger.add(run_scenario(tree_a, tree_b, scenario, {}).result);
+        }
+        summary = merger.summary();
+        digest = merger.digest().value();
+    }
+
+    [[nodiscard]] Submit submission() const {
+        Submit submit;
+        submit.name = "test";
+        submit.bodies = {a.hash(), b.hash()};
+        submit.cluster.strategy = Strategy::BestMatch; // With small batches.
+        submit.cluster.depth_a = 4;
+        submit.cluster.depth_b = 3;
+        submit.cluster.q = 5;
+        submit.scenarios = scenarios.size();
+        return submit;
+    }
+
+    Mesh a = make_sphere(3);
+    Mesh b = make_torus(0.7, 0.2, 24, 12);
+    std::vector<Scenario> scenarios;
+    Summary summary;
+    Sha256 digest;
+};
+
+inline const Reference& reference() {
+    static const Reference instance;
+    return instance;
+}
+
+/// Of no task, as of an earlier session.
+inline Results right_results(JobId job, std::uint64_t index) {
+    static const auto trees = [] {
+        ThreadPool pool(2);
+        return std::pair(build_tree(share(reference().a), {}, pool),
+                         build_tree(share(reference().b), {}, pool));
+    }();
+    const std::vector<SubtreePair> whole{{trees.first.view(), trees.second.view()}};
+    const Bytes record =
+        encode_result(run_on_subtrees(whole, reference().scenarios[index], {}).result);
+    ByteWriter records;
+    records.put(static_cast<std::uint32_t>(record.size()));
+    put_bytes(records, record);
+    Results results;
+    results.job = job;
+    results.count = 1;
+    results.records = pack_records(records.bytes());
+    return results;
+}
+
+/// A client that runs one conversation.
+class Client {
+  public:
+    explicit Client(Master& master) : master_(master) {}
+    ~Client() { hang_up(master_, channel_, ended_); }
+
+    /// Uploads what is missing, submits with poses, watches to the end, and fetches all results.
+    void start(Submit submit) {
+        spawn(master_.context.get_executor(), "client", run(std::move(submit)));
+    }
+    /// Of that only the beginning: it is done when the job is accepted.
+    void start_submitting(Submit submit) {
+        spawn(master_.context.get_executor(), "client", submit_and_leave(std::move(submit)));
+    }
+    /// Sends the messages and keeps one answer.
+    void start_asking(std::vector<Message> messages) {
+        spawn(master_.context.get_executor(), "client", ask(std::move(messages)));
+    }
+
+    std::vector<JobStatus> statuses;
+    std::uint64_t records = 0;
+    std::optional<Result<Message>> answer;
+    std::optional<JobId> job;
+    std::uint64_t meshes_sent = 0;
+    bool done = false;
+
+  private:
+    asio::awaitable<void> greet_master() {
+        Target target = master_.target(CertifiedRole::Submitter, "client");
+        channel_ = (co_await connect(std::move(target))).value();
+        const Hello hello; // Named: GCC 12 copies temporaries in such an expression bit by bit.
+        (void)co_await greet(channel_, hello);
+    }
+
+    asio::awaitable<void> ask(std::vector<Message> messages) {
+        const Ending ending{ended_};
+        co_await greet_master();
+        for (const Message& message : messages) {
+            channel_->send(message);
+        }
+        answer = co_await channel_->receive(patience);
+        done = true;
+    }
+
+    asio::awaitable<void> submit_and_leave(Submit submit) {
+        const Ending ending{ended_};
+        co_await submit_job(std::move(submit));
+        done = true;
+    }
+
+    asio::awaitable<void> run(Submit submit) {
+        const Ending ending{ended_};
+        co_await submit_job(std::move(submit));
+        channel_->send(Watch{*job});
+        do {
+            statuses.push_back(std::get<JobStatus>((co_await channel_->receive(patience)).value()));
+        } while (statuses.back().state == JobState::Running);
+        co_await fetch();
+        done = true;
+    }
+
+    asio::awaitable<void> submit_job(Submit submit) {
+        co_await greet_master();
+        channel_->send(MeshesQuery{submit.bodies});
+        const auto missing =
+            std::get<MeshesMissing>((co_await channel_->receive(patience)).value());
+        for (const Sha256& hash : missing.meshes) {
+            co_await upload(hash);
+        }
+        channel_->send(submit);
+        const std::span<const Scenario> all(reference().scenarios);
+        channel_->send(PosesPart{pack_scenarios(all.first(40))});
+        channel_->send(PosesPart{pack_scenarios(all.subspan(40))});
+        channel_->send(PosesEnd{});
+        job = std::get<Accepted>((co_await channel_->receive(patience)).value()).job;
+    }
+
+    asio::awaitable<void> upload(Sha256 hash) {
+        const Mesh& mesh = hash == reference().a.hash() ? reference().a : reference().b;
+        const Bytes bytes = mesh.canonical_bytes();
+        const std::size_t half = bytes.size() / 2;
+        const auto part = [&](std::size_t begin, std::size_t end) {
+            return MeshPart{hash,
+                            "mesh",
+                            bytes.size(),
+                            begin,
+                            Bytes(bytes.begin() + static_cast<std::ptrdiff_t>(begin),
+                                  bytes.begin() + static_cast<std::ptrdiff_t>(end))};
+        };
+        channel_->send(part(0, half));
+        channel_->send(part(half, bytes.size()));
+        const auto stored = std::get<MeshStored>((co_await channel_->receive(patience)).value());
+        EXPECT_EQ(stored.mesh, hash);
+        ++meshes_sent;
+    }
+
+    asio::awaitable<void> fetch() {
+        for (;;) {
+            channel_->send(ResultsQuery{*job, records, 1000});
+            const auto part = std::get<ResultsPart>((co_await channel_->receive(patience)).value());
+            EXPECT_EQ(part.first, records);
+            if (part.count == 0) {
+                co_return;
+            }
+            records += part.count;
+        }
+    }
+
+    Master& master_;
+    std::shared_ptr<Channel> channel_;
+    bool ended_ = false;
+};
+
+inline void expect_right(const Client& client) {
+    ASSERT_TRUE(client.done);
+    const JobStatus& last = client.statuses.back();
+    EXPECT_EQ(last.state, JobState::Done) << last.failure;
+    EXPECT_EQ(last.digest, reference().digest);
+    EXPECT_EQ(last.summary.merged(), reference().scenarios.size());
+    EXPECT_EQ(last.summary.pairs, reference().summary.pairs);
+    EXPECT_EQ(last.summary.cross, reference().summary.cross);
+    EXPECT_EQ(client.records, reference().scenarios.size());
+}
+
+} // namespace cd::tests

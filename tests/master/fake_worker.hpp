@@ -1,0 +1,324 @@
+// A worker in its simplest form, with habits that none should have.
+#pragma once
+
+#include "common/core/compress.hpp"
+#include "common/core/limits.hpp"
+#include "common/job/packed_records.hpp"
+#include "common/job/pose_source.hpp"
+#include "common/job/run_scenario.hpp"
+#include "common/tree/partial_tree.hpp"
+#include "common/tree/top_block.hpp"
+#include "tests/master/master_stage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace cd::tests {
+
+/// It asks for all that a batch lacks, then computes the batch.
+class FakeWorker {
+  public:
+    struct Habits {
+        std::uint64_t dies_at_batch = 0; ///< Counted from 1; 0 lives on.
+        std::uint64_t dies_at_range = 0; ///< The same.
+        bool answers_twice = false;
+        bool lies_first = false;      ///< It answers wrongly, then rightly;
+        bool lies_second = false;     ///< or the other way round.
+        bool lies_say_failed = false; ///< Else that nothing touches.
+        std::uint64_t lies_alone = 0; ///< So many first batches it answers wrongly, and that is it.
+        std::optional<std::uint64_t> dies_of = {}; ///< A scenario.
+        bool sends_rubbish = false;
+        bool forgets_one = false;    ///< Once, it ends a task without an answer.
+        bool holds_too_much = false; ///< Roots that the tree does not have.
+        bool says_what_it_holds = false;
+        bool only_takes = false;                       ///< It does nothing with what it gets.
+        std::uint64_t instance = 0;                    ///< Of its process; 0: not known.
+        std::uint64_t batches_max = ~std::uint64_t{0}; ///< It answers so many, and rests.
+        std::optional<Results> comes_with = {};        ///< Of an earlier session.
+        std::optional<std::uint64_t> holds = {};       ///< A scenario, until it is told to go on.
+        std::string holder = "worker";                 ///< Of its certificate, if it needs one.
+        std::uint16_t peer_port = 0; ///< Where it says that it serves others, which it does not.
+    };
+
+    FakeWorker(Master& master, Habits habits) : master_(master), habits_(habits) {
+        spawn(master.context.get_executor(), "fake worker", run());
+    }
+    ~FakeWorker() { hang_up(master_, channel_, ended); }
+
+    std::uint64_t batches = 0;
+    std::uint64_t ranges = 0;
+    std::uint64_t blocks = 0;
+    std::uint64_t sent_to_peers = 0; ///< Times.
+    std::uint64_t trees_removed = 0;
+    std::uint64_t kept = 0; ///< Messages of results that the master says it has for good.
+    bool is_held = false;
+    std::optional<std::uint64_t> dropped; ///< The last scenario that nobody waits for.
+    bool ended = false;
+
+    void go_on() {
+        habits_.holds.reset();
+        work();
+    }
+
+  private:
+    struct Tree {
+        std::optional<TreeTop> top;
+        bool is_top_wanted = false;
+        std::map<RootIndex, Subtree> subtrees;
+    };
+
+    asio::awaitable<void> run() {
+        const Ending ending{ended};
+        Target target = master_.target(CertifiedRole::Worker, habits_.holder);
+        auto connected = co_await connect(std::move(target));
+        channel_ = connected.value();
+        Hello hello;
+        hello.role = Role::Worker;
+        hello.name = "fake";
+        hello.threads = 1;
+        hello.cache_bytes = 1 << 20;
+        hello.instance = habits_.instance;
+        hello.peer_port = habits_.peer_port;
+        (void)co_await greet(channel_, hello);
+        if (habits_.comes_with) {
+            channel_->send(*habits_.comes_with);
+        }
+        for (;;) {
+            Result<Message> message = co_await channel_->receive(patience);
+            if (!message) {
+                break;
+            }
+            if (const auto* add = std::get_if<AddTree>(&message.value())) {
+                trees_[add->tree];
+            } else if (auto* add_job = std::get_if<AddJob>(&message.value())) {
+                jobs_[add_job->job] = *add_job;
+            } else if (const auto* remove = std::get_if<RemoveTree>(&message.value())) {
+                trees_removed += trees_.erase(remove->tree);
+            } else if (const auto* subtrees = std::get_if<Subtrees>(&message.value())) {
+                keep(*subtrees);
+            } else if (const auto* directions = std::get_if<FetchFromPeers>(&message.value())) {
+                ++sent_to_peers;
+                channel_->send(WantSubtrees{directions->tree, directions->roots});
+            } else if (std::holds_alternative<Heartbeat>(message.value())) {
+                channel_->send(Heartbeat{});
+            } else if (const auto* drop = std::get_if<DropScenario>(&message.value())) {
+                dropped = drop->scenario;
+            } else if (const auto* acknowledged = std::get_if<ResultsKept>(&message.value())) {
+                kept += acknowledged->sequences.size();
+            } else if (auto* range = std::get_if<ScenarioRange>(&message.value())) {
+                ++ranges;
+                unwalked_.push_back(std::move(*range));
+            } else if (auto* batch = std::get_if<Batch>(&message.value())) {
+                if (++batches == habits_.dies_at_batch || is_deadly(*batch)) {
+                    channel_->close();
+                    break;
+                }
+                if (!habits_.only_takes) {
+                    waiting_.push_back(std::move(*batch));
+                    ask();
+                }
+            }
+            if (ranges != 0 && ranges == habits_.dies_at_range) {
+                channel_->close();
+                break;
+            }
+            if (!walk()) {
+                channel_->close();
+                break;
+            }
+            work();
+        }
+    }
+
+    /// False: one of them is deadly.
+    bool walk() {
+        for (; !unwalked_.empty() && has_tops(unwalked_.front()); unwalked_.pop_front()) {
+            waiting_.push_back(analysed(unwalked_.front()));
+            if (is_deadly(waiting_.back())) {
+                return false;
+            }
+            ask();
+        }
+        return true;
+    }
+
+    bool has_tops(const ScenarioRange& range) {
+        const AddJob& job = jobs_.at(range.job);
+        bool has_all = true;
+        for (const TreeId id : {job.tree_a, job.tree_b}) {
+            Tree& tree = trees_.at(id);
+            has_all = has_all && tree.top;
+            if (!tree.top && !std::exchange(tree.is_top_wanted, true)) {
+                channel_->send(WantSubtrees{id, {top_root}});
+            }
+        }
+        return has_all;
+    }
+
+    [[nodiscard]] static bool has(const Batch& batch, std::optional<std::uint64_t> index) {
+        const auto scenarios = unpack_scenarios(batch.scenarios, limits::scenarios_max).value();
+        return index &&
+               std::any_of(scenarios.begin(), scenarios.end(), [&](const Scenario& scenario) {
+                   return scenario.index == *index;
+               });
+    }
+    [[nodiscard]] bool is_deadly(const Batch& batch) const { return has(batch, habits_.dies_of); }
+
+    void keep(const Subtrees& subtrees) {
+        for (const SubtreeBlock& block : subtrees.blocks) {
+            const Bytes bytes =
+                decompress(block.compressed, limits::subtree_block_bytes_max).value();
+            EXPECT_EQ(sha256(bytes), block.hash);
+            if (block.root == top_root) {
+                trees_.at(subtrees.tree).top = decode_top(bytes).value();
+                continue;
+            }
+            trees_.at(subtrees.tree)
+                .subtrees.emplace(block.root, std::move(decode_subtree(bytes).value()));
+            if (habits_.says_what_it_holds) {
+                channel_->send(Held{subtrees.tree, {block.root}});
+            }
+            ++blocks;
+        }
+    }
+
+    /// A range as the batch that an analysis would make of it.
+    [[nodiscard]] Batch analysed(const ScenarioRange& range) {
+        const AddJob& job = jobs_.at(range.job);
+        std::vector<Scenario> scenarios;
+        if (job.grid) {
+            const Grid grid = decode_grid(*job.grid).value();
+            for (std::uint64_t place = 0; place < range.count; ++place) {
+                scenarios.push_back(scenario_on(grid, range.first + place));
+            }
+        } else {
+            scenarios = unpack_scenarios(range.scenarios, range.count).value();
+            EXPECT_EQ(scenarios.size(), range.count);
+        }
+        Batch batch{range.task, range.job, pack_scenarios(scenarios), {0}, {}};
+        for (const Scenario& scenario : scenarios) {
+            const auto pairs = colliding_roots(
+                *trees_.at(job.tree_a).top, *trees_.at(job.tree_b).top, scenario.poses);
+            batch.pairs.insert(batch.pairs.end(), pairs.value().begin(), pairs.value().end());
+            batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
+        }
+        return batch;
+    }
+
+    [[nodiscard]] std::vector<RootIndex> missing(TreeId tree, const std::vector<RootIndex>& roots) {
+        std::vector<RootIndex> lacking;
+        for (const RootIndex root : roots) {
+            if (!trees_.at(tree).subtrees.contains(root)) {
+                lacking.push_back(root);
+            }
+        }
+        return lacking;
+    }
+
+    void ask() {
+        const Batch& batch = waiting_.back();
+        const AddJob& job = jobs_.at(batch.job);
+        const auto a = missing(job.tree_a, roots_of_a(batch.pairs));
+        const auto b = missing(job.tree_b, roots_of_b(batch.pairs));
+        if (habits_.holds_too_much) {
+            channel_->send(Held{job.tree_a, {1u << 30}});
+        }
+        // Twice, as a worker might: the master sends each once, or twice, but never fails.
+        channel_->send(WantSubtrees{job.tree_a, a});
+        channel_->send(WantSubtrees{job.tree_a, a});
+        channel_->send(WantSubtrees{job.tree_b, b});
+    }
+
+    void work() {
+        while (!waiting_.empty() && batches_answered_ < habits_.batches_max) {
+            const Batch& batch = waiting_.front();
+            const AddJob& job = jobs_.at(batch.job);
+            is_held = has(batch, habits_.holds);
+            if (is_held || !missing(job.tree_a, roots_of_a(batch.pairs)).empty() ||
+                !missing(job.tree_b, roots_of_b(batch.pairs)).empty()) {
+                return;
+            }
+            compute(batch, job);
+            waiting_.erase(waiting_.begin());
+        }
+    }
+
+    [[nodiscard]] Results false_results(Results results) const {
+        const Bytes records = unpack_records(results.records, 1u << 30).value();
+        ByteReader in(records);
+        ByteWriter out;
+        for (std::uint32_t i = 0; i < results.count; ++i) {
+            ScenarioResult result = decode_result(in.get_bytes(in.get<std::uint32_t>())).value();
+            result.kind = ScenarioClass::Separate;
+            result.pair_count = 0;
+            result.pairs.clear();
+            if (habits_.lies_say_failed) {
+                result.kind = ScenarioClass::Failed;
+                result.failure = "too hard for me";
+            }
+            const Bytes record = encode_result(result);
+            out.put(static_cast<std::uint32_t>(record.size()));
+            out.put_array(std::span(reinterpret_cast<const char*>(record.data()), record.size()));
+        }
+        results.records = pack_records(out.bytes());
+        return results;
+    }
+
+    void compute(const Batch& batch, const AddJob& job) {
+        const auto scenarios = unpack_scenarios(batch.scenarios, limits::scenarios_max).value();
+        Results results;
+        results.task = batch.task;
+        results.job = batch.job;
+        ByteWriter records;
+        const std::size_t left_out = std::exchange(habits_.forgets_one, false) ? 1 : 0;
+        for (std::size_t i = left_out; i < scenarios.size(); ++i) {
+            std::vector<SubtreePair> pairs;
+            for (std::uint32_t p = batch.pair_offsets[i]; p < batch.pair_offsets[i + 1]; ++p) {
+                pairs.push_back({trees_.at(job.tree_a).subtrees.at(batch.pairs[p].a).view(),
+                                 trees_.at(job.tree_b).subtrees.at(batch.pairs[p].b).view()});
+            }
+            const ScenarioRun run = run_on_subtrees(pairs, scenarios[i], job.query);
+            const Bytes record = encode_result(run.result);
+            records.put(static_cast<std::uint32_t>(record.size()));
+            records.put_array(
+                std::span(reinterpret_cast<const char*>(record.data()), record.size()));
+            results.statistics += run.statistics;
+            ++results.count;
+        }
+        results.records = pack_records(records.bytes());
+        if (habits_.sends_rubbish) {
+            results.records.resize(results.records.size() / 2);
+        }
+        if (batches_answered_++ < habits_.lies_alone) {
+            channel_->send(false_results(results));
+            channel_->send(EndOfTask{batch.task});
+            return;
+        }
+        if (habits_.lies_first) {
+            channel_->send(false_results(results));
+        }
+        channel_->send(results);
+        if (habits_.lies_second) {
+            channel_->send(false_results(results));
+        }
+        if (habits_.answers_twice) {
+            channel_->send(results);
+        }
+        channel_->send(EndOfTask{batch.task});
+    }
+
+    Master& master_;
+    Habits habits_;
+    std::shared_ptr<Channel> channel_;
+    std::map<TreeId, Tree> trees_;
+    std::map<JobId, AddJob> jobs_;
+    std::vector<Batch> waiting_;
+    std::deque<ScenarioRange> unwalked_; ///< Wait for tops.
+    std::uint64_t batches_answered_ = 0;
+};
+
+} // namespace cd::tests
