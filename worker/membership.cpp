@@ -1,6 +1,7 @@
 #include "worker/membership.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/limits_worker.hpp"
 #include "common/core/log.hpp"
 
 #include <algorithm>
@@ -16,7 +17,16 @@ Membership::Membership(Executor& executor, std::uint64_t cache_bytes, const Unke
 
 std::chrono::milliseconds Membership::patience() const {
     const std::chrono::milliseconds longest = limits::connect_timeout;
-    return session_ == nullptr ? longest : std::min(longest, times_.silent_after);
+    return session_ == nullptr ? longest : std::min(longest, silence_borne_);
+}
+
+void Membership::learn_from(bool was_silent, std::chrono::steady_clock::duration lasted) {
+    const bool was_short = lasted < limits::short_connection_silences * silence_borne_;
+    silence_borne_ = was_silent && was_short ? std::min(2 * silence_borne_, times_.lost_after)
+                                             : times_.silent_after;
+    if (session_ != nullptr) {
+        session_->bear_silence_for(silence_borne_);
+    }
 }
 
 asio::awaitable<Result<Served>>
@@ -27,6 +37,7 @@ Membership::serve(std::shared_ptr<Channel> channel, Hello hello, PeerParts peers
     }
     const Result<Welcome> greeted = co_await greet(channel, hello, patience());
     if (!greeted) {
+        learn_from(greeted.error().code == ErrorCode::Timeout, {});
         co_return greeted.error();
     }
     const Welcome& welcome = greeted.value();
@@ -36,27 +47,31 @@ Membership::serve(std::shared_ptr<Channel> channel, Hello hello, PeerParts peers
                  executor_.threads(),
                  cache_bytes_);
     is_connected_ = true;
+    const auto since = std::chrono::steady_clock::now();
     SessionEnd how = SessionEnd::Lost;
-    if (welcome.is_resumed && session_ != nullptr) {
-        how = co_await session_->resume(channel);
+    std::shared_ptr<Session> session = session_;
+    if (welcome.is_resumed && session != nullptr) {
+        how = co_await session->resume(channel);
     } else {
-        if (session_ != nullptr) {
-            session_->leave();
+        if (session != nullptr) {
+            session->leave();
         }
         session_id_ = welcome.id;
         epoch_ = welcome.epoch;
         times_ = SessionTimes::of(welcome);
+        silence_borne_ = times_.silent_after;
         keep_->enter(welcome.cluster);
         peers.key = welcome.peer_key;
-        session_ = std::make_shared<Session>(
+        session_ = session = std::make_shared<Session>(
             channel, executor_, cache_bytes_, std::move(peers), keep_, times_);
         if (is_draining_) {
-            session_->stop();
+            session->stop();
         }
-        how = co_await session_->run();
+        how = co_await session->run();
     }
     is_connected_ = false;
-    Served served{how, session_->reason()};
+    learn_from(session->met_silence(), std::chrono::steady_clock::now() - since);
+    Served served{how, session->reason()};
     if (how == SessionEnd::Disagreed) {
         session_.reset();
     }

@@ -41,12 +41,17 @@ class Membership {
     void end();
 
     /// What a step of the greeting may take: while a session can go on, its time is short.
+    /// A master that has a lot to do for each worker that comes back is silent for longer than its
+    /// heartbeats promise; who then came back again would only add to that. So each silence soon
+    /// after a connection was made doubles the next one that is borne, and one that lasted ends
+    /// that.
     [[nodiscard]] std::chrono::milliseconds patience() const;
     /// The one that goes on or may go on over the next connection. Null: none.
     [[nodiscard]] Session* session() const { return session_.get(); }
     [[nodiscard]] const UnkeptResults& unkept() const { return keep_->results; }
 
   private:
+    void learn_from(bool was_silent, std::chrono::steady_clock::duration lasted);
     asio::awaitable<void> watch_drain(std::chrono::milliseconds to_finish,
                                       std::chrono::milliseconds last,
                                       std::function<void()> out_of_time);
@@ -58,6 +63,7 @@ class Membership {
     std::uint64_t session_id_ = 0;
     std::uint64_t epoch_ = 0;
     SessionTimes times_;
+    std::chrono::milliseconds silence_borne_{0};
     bool is_connected_ = false; ///< And welcome.
     bool is_draining_ = false;
     asio::steady_timer drain_timer_;

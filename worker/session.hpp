@@ -47,6 +47,8 @@ struct SessionTimes {
     /// A connection on which nothing came for so long is taken for broken.
     std::chrono::milliseconds silent_after =
         limits::heartbeats_missed_max * std::chrono::milliseconds(limits::heartbeat_period);
+    /// After such a silence of this worker its work goes to others. Not below `silent_after`.
+    std::chrono::milliseconds lost_after = limits::peer_lost_after;
 
     [[nodiscard]] static SessionTimes of(const Welcome& welcome);
 };
@@ -72,6 +74,10 @@ class Session : public std::enable_shared_from_this<Session> {
     [[nodiscard]] asio::awaitable<SessionEnd> run();
     /// Goes on over another connection, on which the master has said that it does, too.
     [[nodiscard]] asio::awaitable<SessionEnd> resume(std::shared_ptr<Channel> channel);
+    /// From the next connection on; instead of the time that the master's heartbeats suggest.
+    void bear_silence_for(std::chrono::milliseconds time) { times_.silent_after = time; }
+    /// The last connection ended because nothing came.
+    [[nodiscard]] bool met_silence() const { return met_silence_; }
     /// Ends a session that has no connection.
     void leave();
 
@@ -200,6 +206,7 @@ class Session : public std::enable_shared_from_this<Session> {
     /// Of what is at the threads; gone with it.
     std::list<std::weak_ptr<const ScenarioClock>> clocks_;
     SessionTimes times_;
+    bool met_silence_ = false;
     std::shared_ptr<std::atomic<bool>> abandoned_; ///< Threads skip what nobody waits for.
 
     bool settling_ = false;

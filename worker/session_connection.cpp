@@ -14,6 +14,8 @@ SessionTimes SessionTimes::of(const Welcome& welcome) {
     SessionTimes times;
     times.heartbeat = std::max(heartbeat, limits::heartbeat_period_min);
     times.silent_after = limits::heartbeats_missed_max * times.heartbeat;
+    const std::chrono::milliseconds lost_after(welcome.lost_after_ms);
+    times.lost_after = std::max(lost_after, times.silent_after);
     return times;
 }
 
@@ -26,6 +28,7 @@ asio::awaitable<SessionEnd> Session::run() {
 asio::awaitable<SessionEnd> Session::resume(std::shared_ptr<Channel> channel) {
     channel_ = std::move(channel);
     reason_.clear();
+    met_silence_ = false;
     stand();
     settle_soon();
     co_return co_await serve();
@@ -47,6 +50,7 @@ asio::awaitable<SessionEnd> Session::serve() {
         if (!message) {
             if (reason_.empty()) {
                 reason_ = message.error().detail;
+                met_silence_ = message.error().code == ErrorCode::Timeout;
             }
             break;
         }

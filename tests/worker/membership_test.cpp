@@ -4,6 +4,7 @@
 
 #include "tests/worker/session_stage.hpp"
 
+#include <array>
 #include <memory>
 
 namespace cd::tests {
@@ -33,8 +34,10 @@ asio::awaitable<void> serve(Bond& bond, std::shared_ptr<Channel> channel) {
 }
 
 /// Another connection, past the greeting. `epoch`: of the master's process; the session goes on in
-/// the same one.
-asio::awaitable<FakeMaster> welcome(Bond& bond, std::uint64_t epoch) {
+/// the same one. `heartbeat`: its period, which the master does not keep to: it sends none. So long
+/// a one that it does not seem silent, however slow the machine is.
+asio::awaitable<FakeMaster>
+welcome(Bond& bond, std::uint64_t epoch, std::chrono::milliseconds heartbeat = patience) {
     Ends ends = co_await connect_ends();
     spawn(bond.executor.home(), "worker", serve(bond, std::move(ends.left)));
     const Result<Hello> hello = co_await accept_hello(ends.right);
@@ -44,19 +47,22 @@ asio::awaitable<FakeMaster> welcome(Bond& bond, std::uint64_t epoch) {
     answer.cluster = some_hash(1);
     answer.epoch = epoch;
     answer.is_resumed = hello && hello.value().epoch == epoch;
-    // It sends none, and must not seem silent however slow the machine is.
-    answer.heartbeat_ms = std::chrono::milliseconds(patience).count();
-    answer.lost_after_ms = 2 * answer.heartbeat_ms;
+    answer.heartbeat_ms = static_cast<std::uint32_t>(heartbeat.count());
+    answer.lost_after_ms = 10 * answer.heartbeat_ms;
     ends.right->send(answer);
     FakeMaster master(std::move(ends.right));
     co_return master;
 }
 
-asio::awaitable<void> end_of_connection(Bond& bond, const FakeMaster& master) {
-    master.channel->close();
+asio::awaitable<void> end_of_connection(Bond& bond) {
     while (!bond.how) {
         co_await asio::post(bond.executor.home(), asio::use_awaitable);
     }
+}
+
+asio::awaitable<void> end_of_connection(Bond& bond, const FakeMaster& master) {
+    master.channel->close();
+    co_await end_of_connection(bond);
 }
 
 /// Results that the first master did not acknowledge.
@@ -118,6 +124,48 @@ TEST(Membership, ThatNobodyRelievesEndsAtItsTime) {
             co_await asio::post(bond.executor.home(), asio::use_awaitable);
         }
         EXPECT_FALSE(bond.membership.unkept().empty()) << "it must not say that it was drained";
+    });
+}
+
+TEST(Membership, BearsTwiceTheSilenceWhenItMeetsItAgainAndAgain) {
+    // Three heartbeats, twice that, and what the master waits for this worker in any case.
+    static constexpr std::array<std::chrono::milliseconds, 4> times{60ms, 120ms, 200ms, 200ms};
+    perform_bond([](Bond& bond) -> asio::awaitable<void> {
+        for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+            const auto since = std::chrono::steady_clock::now();
+            const FakeMaster master = co_await welcome(bond, 1, 20ms);
+            co_await end_of_connection(bond);
+            EXPECT_EQ(bond.how, SessionEnd::Lost);
+            EXPECT_GE(std::chrono::steady_clock::now() - since, times[i]);
+            EXPECT_EQ(bond.membership.patience(), times[i + 1]);
+        }
+        bond.membership.end();
+    });
+}
+
+TEST(Membership, BearsTheUsualSilenceAgainAfterAConnectionThatWasGood) {
+    perform_bond([](Bond& bond) -> asio::awaitable<void> {
+        const FakeMaster silent = co_await welcome(bond, 1, 20ms);
+        co_await end_of_connection(bond);
+        EXPECT_EQ(bond.membership.patience(), 120ms);
+        const auto since = std::chrono::steady_clock::now();
+        const FakeMaster master = co_await welcome(bond, 1, 20ms);
+        while (std::chrono::steady_clock::now() - since < 600ms) {
+            master.channel->send(Heartbeat{});
+            co_await asio::post(bond.executor.home(), asio::use_awaitable);
+        }
+        co_await end_of_connection(bond);
+        EXPECT_EQ(bond.membership.patience(), 60ms);
+        bond.membership.end();
+    });
+}
+
+TEST(Membership, ABrokenConnectionIsNoSilence) {
+    perform_bond([](Bond& bond) -> asio::awaitable<void> {
+        const FakeMaster master = co_await welcome(bond, 1, 20ms);
+        co_await end_of_connection(bond, master);
+        EXPECT_EQ(bond.membership.patience(), 60ms);
+        bond.membership.end();
     });
 }
 
