@@ -357,7 +357,7 @@ class Coordinator {
     void give_unmerged(MasterJob& job, const GivenPlaces& given);
     void take_places_back(MasterJob& job);
     /// What of these places has no result, and is in no task, is still to be done.
-    void give_again(MasterJob& job, const GivenPlaces& ended, std::uint32_t losses);
+    void give_again(MasterJob& job, const GivenPlaces& ended, const Losses& losses);
     /// Of these places, those whose scenarios have no result.
     [[nodiscard]] static std::vector<PlaceRange> unmerged(const MasterJob& job,
                                                           const GivenPlaces& given);

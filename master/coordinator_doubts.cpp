@@ -227,8 +227,10 @@ void Coordinator::do_again(MasterJob& job, std::vector<std::uint64_t> places) {
         }
         ++runs.back().count;
     }
+    Losses losses; // So that each is analysed, and out once only.
+    losses.add(0);
     for (const PlaceRange& run : runs) {
-        job.todo.put_back({run, 1}); // So that each is analysed, and out once only.
+        job.todo.put_back({run, losses});
     }
 }
 

@@ -31,7 +31,7 @@ void Coordinator::feed() {
         }
         give_places(*job);
         // What was lost is analysed all the same.
-        return job->todo.empty() || job->todo.front().losses == 0;
+        return job->todo.empty() || job->todo.front().losses.none();
     });
     for (bool any_started = true; any_started;) {
         any_started = false;
@@ -84,7 +84,7 @@ bool Coordinator::prefers_ranges_now(const MasterJob& job) const {
 }
 
 void Coordinator::give_places(MasterJob& job) {
-    while (journal_has_room() && !job.todo.empty() && job.todo.front().losses == 0 &&
+    while (journal_has_room() && !job.todo.empty() && job.todo.front().losses.none() &&
            dispatcher_.places_unsent(job.id) + job.places_loading <
                dispatcher_.places_enough(job.id)) {
         const PlaceRange places = job.todo.take(limits::range_scenarios_max).places;
@@ -146,7 +146,7 @@ void Coordinator::take_places_back(MasterJob& job) {
         return;
     }
     for (const PlaceRange& places : dispatcher_.take_places(job.id)) {
-        job.todo.put_back({places, 0});
+        job.todo.put_back({places});
     }
     job.given.clear();
 }
@@ -188,8 +188,7 @@ void Coordinator::perform(const RangeEnded& action) {
     if (task.empty() || job == nullptr || mutated(Mutation::LostRangeForgotten)) {
         return;
     }
-    give_again(
-        *job, {action.places, task.mapped().content->range->window}, action.are_lost ? 1u : 0u);
+    give_again(*job, {action.places, task.mapped().content->range->window}, action.losses);
 }
 
 void Coordinator::perform(const GivenBack& action) {
@@ -205,11 +204,11 @@ void Coordinator::perform(const GivenBack& action) {
     PlaceRange& kept = *task->second.places;
     kept.count = action.places.first - kept.first;
     if (!mutated(Mutation::RecalledIsLost)) {
-        give_again(*job, {action.places, task->second.content->range->window}, 0);
+        give_again(*job, {action.places, task->second.content->range->window}, {});
     }
 }
 
-void Coordinator::give_again(MasterJob& job, const GivenPlaces& ended, std::uint32_t losses) {
+void Coordinator::give_again(MasterJob& job, const GivenPlaces& ended, const Losses& losses) {
     std::vector<PlaceRange> runs = unmerged(job, ended);
     for (const auto& [id, task] : tasks_) {
         if (task.content->job == job.id && task.places) {

@@ -115,8 +115,12 @@ void Coordinator::worker_joined(const Reception& reception,
         return;
     }
     blocks_.worker_joined(worker, std::move(channel), reception.key, hello.peer_port);
-    act(dispatcher().worker_joined(
-        worker, {hello.name, std::max(1u, hello.threads), hello.weight, hello.cache_bytes}));
+    act(dispatcher().worker_joined(worker,
+                                   {hello.name,
+                                    std::max(1u, hello.threads),
+                                    hello.weight,
+                                    hello.cache_bytes,
+                                    sessions_.process_of(worker)}));
     feed();
 }
 

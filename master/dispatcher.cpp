@@ -61,7 +61,7 @@ Actions Dispatcher::worker_lost(WorkerId worker) {
     // The newest task first, so that the oldest ends up first in line.
     while (!proxy->tasks().empty()) {
         const TaskId task = proxy->tasks().rbegin()->first;
-        state_->end_task(task, proxy->end_task(task), true, actions);
+        state_->end_task(task, proxy->end_task(task), proxy->facts().process, actions);
     }
     for (auto& [id, job] : state_->jobs) {
         job.place_rates.erase(worker);
@@ -114,7 +114,7 @@ Actions Dispatcher::task_unbegun(WorkerId worker, TaskId task) {
         return {};
     }
     Actions actions;
-    state_->end_task(task, proxy->end_task(task), false, actions);
+    state_->end_task(task, proxy->end_task(task), std::nullopt, actions);
     state_->settle(actions);
     return actions;
 }
@@ -139,7 +139,9 @@ Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
     const ProxyTask ended = proxy->end_task(task);
     proxy->judge_batch(ended, state_->now);
     Actions actions;
-    state_->end_task(task, ended, !handed_back, actions);
+    // A worker that is here and does not answer is no process that this has killed.
+    const WorkerProcess not_killed = 0;
+    state_->end_task(task, ended, handed_back ? std::nullopt : std::optional(not_killed), actions);
     if (state_->is_due(state_->settled) || state_->something_waits()) {
         state_->settle(actions);
     } else {
@@ -172,7 +174,7 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     DispatchJob* job = state_->find_job(job_id);
     CD_CHECK(job != nullptr);
     DispatchScenario scenario = make_dispatch_scenario(*job, analysed);
-    CD_CHECK(analysed.losses + 1 < limits::scenario_losses_max);
+    CD_CHECK(analysed.losses.count() + 1 < limits::scenario_losses_max);
     scenario.losses = analysed.losses;
     job->work_ns += scenario.weight.cost_ns;
     job->places_after = 0; // They are analysed instead, or come with the next places.

@@ -8,6 +8,7 @@
 #include "master/dispatch_tree.hpp"
 #include "master/finish_estimate.hpp"
 #include "master/range_choice.hpp"
+#include "master/worker_process.hpp"
 #include "master/worker_proxy.hpp"
 #include "proto/client_messages.hpp"
 #include "proto/cluster_options.hpp"
@@ -75,13 +76,13 @@ struct CallOff {
     friend bool operator==(const CallOff&, const CallOff&) = default;
 };
 
-/// The task of a range is over. What of it is not answered is to be analysed now, and counts as
-/// lost once if `are_lost`; else it was handed back.
+/// The task of a range is over. What of it is not answered is to be analysed now, with these
+/// losses; without any it was handed back.
 struct RangeEnded {
     TaskId task;
     JobId job;
     PlaceRange places;
-    bool are_lost = false;
+    Losses losses;
 
     friend bool operator==(const RangeEnded&, const RangeEnded&) = default;
 };
@@ -96,7 +97,7 @@ struct SendHint {
     friend bool operator==(const SendHint&, const SendHint&) = default;
 };
 
-/// This scenario has been lost with `limits::scenario_losses_max` workers; it fails.
+/// This scenario has been lost with `limits::scenario_losses_max` workers' processes; it fails.
 struct GiveUp {
     JobId job;
     std::uint64_t scenario = 0;
@@ -116,7 +117,7 @@ struct AnalysedScenario {
     std::uint64_t bytes = 0; ///< What it adds to a batch on the wire.
     /// Predicted, of one thread; only how scenarios compare matters. 0: not known.
     std::uint64_t predicted_ns = 0;
-    std::uint32_t losses = 0; ///< It was in ranges that were lost with their workers.
+    Losses losses = {}; ///< It was in ranges that were lost with their workers.
 };
 
 /// What a worker's threads did for scenarios of a task that it has answered.

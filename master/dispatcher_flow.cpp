@@ -318,22 +318,26 @@ void Dispatcher::State::take_back_buffers(WorkerProxy& proxy) {
 
 void Dispatcher::State::end_task(TaskId task,
                                  const ProxyTask& ended,
-                                 bool are_lost,
+                                 LostWith lost_with,
                                  Actions& actions) {
     std::erase_if(recalls, [&](const auto& asked) { return asked.second.task == task; });
     if (ended.is_range()) {
         if (DispatchJob* job = find_job(ended.job)) {
             job->work_ns -= std::min(job->work_ns, ended.cost_ns); // It goes out again.
         }
-        actions.push_back(RangeEnded{task, ended.job, *ended.places, are_lost});
+        Losses losses;
+        if (lost_with) {
+            losses.add(*lost_with);
+        }
+        actions.push_back(RangeEnded{task, ended.job, *ended.places, losses});
     } else {
-        take_back(task, ended, are_lost, actions);
+        take_back(task, ended, lost_with, actions);
     }
 }
 
 void Dispatcher::State::take_back(TaskId task,
                                   const ProxyTask& ended,
-                                  bool are_lost,
+                                  LostWith lost_with,
                                   Actions& actions) {
     const JobId job_id = ended.job;
     DispatchJob* job = find_job(job_id);
@@ -342,24 +346,26 @@ void Dispatcher::State::take_back(TaskId task,
     }
     std::vector<std::uint64_t> again;
     for (const std::uint64_t index : ended.scenarios) {
-        if (mutated(are_lost ? Mutation::LostLeaseForgotten : Mutation::DrainedWorkForgotten)) {
+        if (mutated(lost_with ? Mutation::LostLeaseForgotten : Mutation::DrainedWorkForgotten)) {
             job->scenarios.erase(index);
             continue;
         }
         DispatchScenario& scenario = job->at(index);
         // As long as the first one is at work, a copy that is lost is no loss.
         const bool is_copy = scenario.copy && scenario.copy->task == task;
-        scenario.losses += are_lost && !is_copy ? 1 : 0;
+        if (lost_with && !is_copy) {
+            scenario.losses.add(*lost_with);
+        }
         if (leave_task(scenario, task) && !mutated(Mutation::CopyIsAlone)) {
             continue;
         }
-        if (scenario.losses >= losses_max()) {
+        if (scenario.losses.count() >= losses_max()) {
             job->scenarios.erase(index);
             actions.push_back(GiveUp{job_id, index});
             continue;
         }
         ++unsent;
-        if (scenario.losses + 1 == limits::scenario_losses_max) {
+        if (scenario.losses.count() + 1 == limits::scenario_losses_max) {
             scenario.where = Whereabouts::Suspect;
             suspects.push_back({job_id, index});
         } else {

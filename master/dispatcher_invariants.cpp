@@ -58,7 +58,7 @@ void Dispatcher::State::check_job(const DispatchJob& job) const {
     }
     CD_CHECK(unsent_places == job.places_unsent);
     for (const auto& [index, scenario] : job.scenarios) {
-        CD_CHECK(scenario.losses < limits::scenario_losses_max);
+        CD_CHECK(scenario.losses.count() < limits::scenario_losses_max);
         CD_CHECK(!scenario.copy || scenario.where == Whereabouts::Sent);
         switch (scenario.where) {
         case Whereabouts::Waiting:

@@ -33,8 +33,8 @@ struct Assignment {
 struct DispatchScenario {
     ScenarioRoots roots;
     ScenarioWeight weight;
-    bool fetches = false;     ///< Its worker lacked blocks of it.
-    std::uint32_t losses = 0; ///< Tasks that came to an end without its answer.
+    bool fetches = false; ///< Its worker lacked blocks of it.
+    Losses losses;        ///< Tasks that came to an end without its answer.
     Whereabouts where = Whereabouts::Waiting;
     WorkerId worker;                ///< Of Buffered and Sent.
     TaskId task;                    ///< Of Sent.
@@ -43,7 +43,7 @@ struct DispatchScenario {
     std::uint32_t recalls = 0; ///< How often it was given back when it was recalled.
 
     /// One that was lost may take down whoever runs it.
-    [[nodiscard]] bool may_be_copied() const { return !was_copied && losses == 0; }
+    [[nodiscard]] bool may_be_copied() const { return !was_copied && losses.none(); }
     [[nodiscard]] bool is_in(TaskId one) const {
         return where == Whereabouts::Sent && (task == one || (copy && copy->task == one));
     }
@@ -326,11 +326,13 @@ struct Dispatcher::State {
     // ---- Taking back ----------------------------------------------------------------------------
     /// Buffered scenarios wait again, first in line.
     void take_back_buffers(WorkerProxy& proxy);
+    /// Whose loss the end of a task is; nothing: what of it is not answered was handed back.
+    using LostWith = std::optional<WorkerProcess>;
     /// Scenarios of an ended task without answers wait again; where they are lost, some are
     /// suspected or given up.
-    void take_back(TaskId task, const ProxyTask& ended, bool are_lost, Actions& actions);
+    void take_back(TaskId task, const ProxyTask& ended, LostWith lost_with, Actions& actions);
     /// What of the task, which has ended, is not answered has to be done again.
-    void end_task(TaskId task, const ProxyTask& ended, bool are_lost, Actions& actions);
+    void end_task(TaskId task, const ProxyTask& ended, LostWith lost_with, Actions& actions);
     /// Removes the scenario from where it is; its entry stays. Who else has a copy is told.
     void withdraw(DispatchJob& job,
                   std::uint64_t index,

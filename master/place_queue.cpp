@@ -24,7 +24,7 @@ std::vector<PlaceRange> without(std::span<const PlaceRange> runs, const PlaceRan
 
 PlaceQueue::PlaceQueue(std::uint64_t scenarios) {
     if (scenarios != 0) {
-        put_back({{0, scenarios}, 0});
+        put_back({{0, scenarios}});
     }
 }
 

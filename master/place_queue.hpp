@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/job/ordered_poses.hpp"
+#include "master/worker_process.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -21,7 +22,7 @@ class PlaceQueue {
 
     struct Piece {
         PlaceRange places;
-        std::uint32_t losses = 0; ///< How often these were lost with a worker.
+        Losses losses = {}; ///< With whom these were lost.
     };
 
     [[nodiscard]] bool empty() const { return pieces_.empty(); }

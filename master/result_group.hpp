@@ -6,6 +6,7 @@
 #include "common/core/hash.hpp"
 #include "common/core/result.hpp"
 #include "common/job/merge.hpp"
+#include "master/worker_process.hpp"
 
 #include <cstdint>
 #include <span>
@@ -22,10 +23,6 @@ struct ResultRow {
 
     friend bool operator==(const ResultRow&, const ResultRow&) = default;
 };
-
-/// A process of a worker, by the number that it drew (`Hello::instance`). 0: the master, or nobody
-/// knows.
-using WorkerProcess = std::uint64_t;
 
 /// So many rows, one after the other, have one author.
 struct AuthorRun {

@@ -55,7 +55,7 @@ void analyse_block(const AnalysisInput& input, AnalysedBlock& block) {
     const std::uint64_t pose_bytes = pack_scenarios(scenarios.value()).size() / places.count;
     block.scenarios.reserve(places.count);
     for (const Scenario& scenario : scenarios.value()) {
-        if (block.losses == 0 && input.done != nullptr && scenario.index < input.done->size() &&
+        if (block.losses.none() && input.done != nullptr && scenario.index < input.done->size() &&
             (*input.done)[scenario.index]) {
             continue;
         }
@@ -140,7 +140,7 @@ Submitter::~Submitter() {
     state_->changed.wait(lock, [this] { return !state_->delivering; });
 }
 
-void Submitter::start(const PlaceRange& places, std::uint32_t losses) {
+void Submitter::start(const PlaceRange& places, const Losses& losses) {
     CD_CHECK(places.count != 0 && places.count <= limits::analysis_block_scenarios);
     std::uint64_t number = 0;
     {

@@ -10,6 +10,7 @@
 #include "common/job/statistics.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
+#include "master/worker_process.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -55,7 +56,7 @@ struct Analysis {
 /// no block after this one comes.
 struct AnalysedBlock {
     PlaceRange places;
-    std::uint32_t losses = 0; ///< As it was said when the block was started.
+    Losses losses = {}; ///< As they were said when the block was started.
     std::vector<Analysis> scenarios;
     double seconds = 0; ///< Of a thread.
     std::optional<Error> error;
@@ -76,7 +77,7 @@ class Submitter {
 
     /// Starts a block of at most `limits::analysis_block_scenarios` places. After an error or the
     /// end: nothing.
-    void start(const PlaceRange& places, std::uint32_t losses = 0);
+    void start(const PlaceRange& places, const Losses& losses = {});
 
     /// Blocks started and not yet delivered.
     [[nodiscard]] std::uint64_t under_way() const;

@@ -5,6 +5,7 @@
 #include "common/core/limits.hpp"
 #include "common/job/ordered_poses.hpp"
 #include "master/worker_pace.hpp"
+#include "master/worker_process.hpp"
 #include "proto/client_messages.hpp"
 #include "proto/cluster_options.hpp"
 
@@ -22,6 +23,7 @@ struct WorkerFacts {
     std::uint32_t threads = 1;
     double weight = 1;             ///< Multiplies its speed, where matching is by time.
     std::uint64_t cache_bytes = 0; ///< The limit of its subtree cache; 0: none.
+    WorkerProcess process = 0;     ///< 0: not known. A session of it may have been lost before.
 };
 
 /// Scenarios of one job that go to the worker as the next task.

@@ -4,7 +4,7 @@
 
 #include "common/core/id.hpp"
 #include "common/core/limits_master.hpp"
-#include "master/result_group.hpp"
+#include "master/worker_process.hpp"
 
 #include <algorithm>
 #include <cstddef>

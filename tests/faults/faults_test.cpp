@@ -135,7 +135,7 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::LostRangeForgotten, "LostRangeForgotten", "in_ranges[index]"},
         {Mutation::AnswerLeftAtWorker, "AnswerLeftAtWorker", "known == placed"},
         {Mutation::RoomNotGivenBack, "RoomNotGivenBack", "unsent == not_sent"},
-        {Mutation::PoisonToleratedTooLong, "PoisonToleratedTooLong", "losses <"},
+        {Mutation::PoisonToleratedTooLong, "PoisonToleratedTooLong", "losses.count() <"},
         {Mutation::PoisonGivenUpTooEarly, "PoisonGivenUpTooEarly", "went out 2 times"},
         {Mutation::SecondAnswerMerged, "SecondAnswerMerged", "!block.written"},
         {Mutation::AnswerKeptTooEarly, "AnswerKeptTooEarly", "acknowledged, and not on the disk"},

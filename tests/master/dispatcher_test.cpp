@@ -17,8 +17,8 @@ constexpr WorkerId worker_2{2};
 /// A dispatcher that checks itself after each event, and keeps the actions.
 class Driver {
   public:
-    void join(WorkerId worker, std::uint32_t threads = 1) {
-        keep(dispatcher.worker_joined(worker, {"w", threads}));
+    void join(WorkerId worker, std::uint32_t threads = 1, WorkerProcess process = 0) {
+        keep(dispatcher.worker_joined(worker, {"w", threads, 1, 0, process}));
     }
     void open(JobId job, ClusterOptions options) {
         keep(dispatcher.job_opened(job,
@@ -332,6 +332,26 @@ TEST(Dispatcher, WhatADrainingWorkerHandsBackIsNotLost) {
     }
     EXPECT_TRUE(driver.given_up.empty());
     EXPECT_EQ(driver.dispatcher.unsent(), 2u);
+}
+
+TEST(Dispatcher, AProcessThatIsLostAgainAndAgainIsNoEvidenceAgainstAScenario) {
+    Driver driver;
+    driver.open(job_1, options_with(1, false));
+    driver.feed(job_1, 0, 1);
+    driver.pause();
+    std::uint64_t sessions = 0;
+    const auto lose_with = [&](WorkerProcess process) {
+        driver.join(WorkerId{++sessions}, 1, process);
+        ASSERT_EQ(driver.batches.size(), sessions) << "it goes out again";
+        driver.keep(driver.dispatcher.worker_lost(WorkerId{sessions}));
+    };
+    for (unsigned i = 0; i < 2 * limits::scenario_losses_max; ++i) {
+        lose_with(70);
+        lose_with(71);
+        EXPECT_TRUE(driver.given_up.empty()) << "it was with two";
+    }
+    lose_with(72);
+    EXPECT_EQ(driver.given_up, (std::vector<GiveUp>{{job_1, 0}}));
 }
 
 TEST(Dispatcher, OneDeadlyScenarioIsGivenUpAndItsNeighboursAreNot) {

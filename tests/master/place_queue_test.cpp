@@ -19,7 +19,7 @@ TEST(PlaceQueue, HandsOutEveryPlaceOnceAndNoPieceLeavesItsWindow) {
         EXPECT_EQ(piece.places.first, next);
         EXPECT_LE(piece.places.count, 10'000u);
         EXPECT_EQ(piece.places.first / window, (piece.places.end() - 1) / window);
-        EXPECT_EQ(piece.losses, 0u);
+        EXPECT_TRUE(piece.losses.none());
         next = piece.places.end();
     }
     EXPECT_EQ(next, 2 * window + 5);
@@ -29,12 +29,14 @@ TEST(PlaceQueue, HandsOutEveryPlaceOnceAndNoPieceLeavesItsWindow) {
 TEST(PlaceQueue, WhatCameBackIsFirst) {
     PlaceQueue queue(100);
     const auto first = queue.take(10);
-    queue.put_back({{3, 4}, 1});
+    Losses one;
+    one.add(70);
+    queue.put_back({{3, 4}, one});
     EXPECT_EQ(queue.left(), 94u);
-    EXPECT_EQ(queue.front().losses, 1u);
+    EXPECT_EQ(queue.front().losses, one);
     const auto again = queue.take(100);
     EXPECT_EQ(again.places, (PlaceRange{3, 4}));
-    EXPECT_EQ(again.losses, 1u);
+    EXPECT_EQ(again.losses, one);
     EXPECT_EQ(queue.take(1).places.first, first.places.end());
 }
 

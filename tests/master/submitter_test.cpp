@@ -80,9 +80,17 @@ class SubmitterTest : public testing::Test {
     ThreadPool pool_{3};
 };
 
+Losses two_losses() {
+    Losses losses;
+    losses.add(70);
+    losses.add(71);
+    return losses;
+}
+
 void start_blocks(Submitter& submitter, std::uint64_t first, std::uint64_t end) {
     for (; first < end; first += limits::analysis_block_scenarios) {
-        submitter.start({first, std::min(limits::analysis_block_scenarios, end - first)}, 2);
+        submitter.start({first, std::min(limits::analysis_block_scenarios, end - first)},
+                        two_losses());
     }
 }
 
@@ -145,7 +153,7 @@ TEST_F(SubmitterTest, BlocksComeInOrderAndOnlyThoseAskedFor) {
     for (const AnalysedBlock& block : blocks) {
         EXPECT_FALSE(block.error);
         EXPECT_EQ(block.places.first, next);
-        EXPECT_EQ(block.losses, 2u);
+        EXPECT_EQ(block.losses, two_losses());
         for (const Analysis& analysis : block.scenarios) {
             ASSERT_EQ(analysis.scenario, scenarios[next]);
             const Analysis expected = analyse(input, scenarios[next]);
@@ -196,8 +204,8 @@ TEST_F(SubmitterTest, WhatIsDoneIsPassedOverUnlessItWasLost) {
     input.done = std::make_shared<const std::vector<bool>>(std::vector<bool>{true, false, true});
     Collected collected;
     Submitter submitter(pool_, input, collected.taker());
-    submitter.start({0, 6}, 0);
-    submitter.start({0, 6}, 1);
+    submitter.start({0, 6});
+    submitter.start({0, 6}, two_losses());
     const auto blocks = collected.wait_for(2);
     EXPECT_EQ(blocks[0].scenarios.size(), 4u);
     EXPECT_EQ(blocks[0].scenarios.at(0).scenario.index, 1u);

@@ -1,0 +1,41 @@
+// A worker's process, whatever its sessions, and with which ones a scenario was lost.
+#pragma once
+
+#include "common/core/limits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace cd {
+
+/// A process of a worker, by the number that it drew (`Hello::instance`). 0: the master, or nobody
+/// knows.
+using WorkerProcess = std::uint64_t;
+
+/// Of scenarios: with whom they were lost. A process that comes back was not killed by them, and
+/// however often it is lost again, it counts once.
+class Losses {
+  public:
+    /// 0: one that nobody knows, or that is still here; it counts each time.
+    void add(WorkerProcess process) {
+        if (process != 0 && std::ranges::find(processes_, process) != processes_.end()) {
+            return;
+        }
+        if (count_ < processes_.size()) {
+            processes_[count_] = process;
+        }
+        ++count_;
+    }
+    [[nodiscard]] std::size_t count() const { return count_; }
+    [[nodiscard]] bool none() const { return count_ == 0; }
+
+    friend bool operator==(const Losses&, const Losses&) = default;
+
+  private:
+    std::array<WorkerProcess, limits::scenario_losses_max> processes_{};
+    std::size_t count_ = 0;
+};
+
+} // namespace cd
