@@ -34,6 +34,7 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       map(std::move(recovered.map)) {
     if (end) {
         drop_bulk(submit);
+        merger.close();
     }
 }
 
@@ -142,6 +143,7 @@ void JobBoard::end(MasterJob& job,
         job.end->digest = job.merger.digest();
         CD_CHECK(job.end->digest.has_value());
     }
+    job.merger.close();
     job.submitter.reset();
     job.analysis_input.reset();
     job.material.reset();

@@ -22,6 +22,7 @@ ResultMerger::Outcome ResultMerger::add(const ScenarioResult& result, const Sha2
 
 ResultMerger::Outcome
 ResultMerger::add(std::uint64_t index, const ScenarioFacts& facts, const Sha256& digest) {
+    CD_CHECK(is_open());
     if (index >= summary_.total) {
         return Outcome::Foreign;
     }
@@ -46,7 +47,7 @@ void ResultMerger::correct(std::uint64_t index,
                            const ScenarioFacts& wrong,
                            const ScenarioFacts& right,
                            const Sha256& digest) {
-    CD_CHECK(has(index));
+    CD_CHECK(is_open() && has(index));
     digests_[index] = digest;
     --count_of(wrong.kind);
     summary_.pairs -= wrong.pair_count;
@@ -82,11 +83,20 @@ void ResultMerger::count(const ScenarioFacts& facts) {
     summary_.cut += facts.is_cut ? 1 : 0;
 }
 
+const Sha256& ResultMerger::digest_of(std::uint64_t index) const {
+    CD_CHECK(is_open() && has(index));
+    return digests_[index];
+}
+
+void ResultMerger::close() {
+    digests_ = {};
+}
+
 std::optional<Sha256> ResultMerger::digest() const {
     if (!summary_.is_complete()) {
         return std::nullopt;
     }
-    CD_CHECK(digests_.size() == summary_.total);
+    CD_CHECK(is_open() && digests_.size() == summary_.total);
     Sha256Stream stream;
     stream.update(std::as_bytes(std::span<const Sha256>(digests_)));
     return stream.finish();

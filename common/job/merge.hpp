@@ -70,14 +70,19 @@ class ResultMerger {
                  const Sha256& digest);
     [[nodiscard]] bool has(std::uint64_t index) const;
     /// Of a result that is here.
-    [[nodiscard]] const Sha256& digest_of(std::uint64_t index) const { return digests_[index]; }
+    [[nodiscard]] const Sha256& digest_of(std::uint64_t index) const;
 
     [[nodiscard]] const Summary& summary() const { return summary_; }
 
     /// SHA-256 over the scenarios' digests in submitted order; nothing until all are merged.
     [[nodiscard]] std::optional<Sha256> digest() const;
 
+    /// Gives back the memory of the hashes. What needs them is over: `add`, `correct`, `digest_of`
+    /// and `digest`.
+    void close();
+
   private:
+    [[nodiscard]] bool is_open() const { return digests_.size() == merged_.size(); }
     [[nodiscard]] std::uint64_t& count_of(ScenarioClass kind);
     void count(const ScenarioFacts& facts);
 

@@ -88,6 +88,18 @@ TEST(ResultMerger, TheFirstResultStays) {
     EXPECT_EQ(merger.summary().pairs, 5u);
 }
 
+TEST(ResultMerger, ClosedItStillKnowsWhatCame) {
+    ResultMerger merger(4);
+    for (const std::uint64_t index : {0u, 2u}) {
+        EXPECT_EQ(merger.add(make_result(index)), ResultMerger::Outcome::Added);
+    }
+    const std::uint64_t merged = merger.summary().merged();
+    merger.close();
+    EXPECT_TRUE(merger.has(2));
+    EXPECT_FALSE(merger.has(1));
+    EXPECT_EQ(merger.summary().merged(), merged);
+}
+
 TEST(ResultMerger, AClaimedSizeCostsNothing) {
     ResultMerger merger(std::uint64_t{1} << 40);
     EXPECT_EQ(merger.add(make_result(3)), ResultMerger::Outcome::Added);
