@@ -277,17 +277,18 @@ void ClientSession::refuse_poses(const Error& error) {
 
 asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<PoseSpool> poses) {
     Quotas& quotas = *quota_.quotas;
-    if (const Status allowed = quotas.begin_job(quota_.client); !allowed) {
+    const std::uint64_t scenarios = submit.scenarios;
+    if (const Status allowed = quotas.begin_job(quota_.client, scenarios); !allowed) {
         refuse(allowed.error());
         co_return;
     }
     const Result<JobId> job = co_await coordinator_.open_job(std::move(submit), std::move(poses));
     if (job) {
-        quotas.add_job(quota_.client, job.value(), std::exchange(queued_, 0));
+        quotas.add_job(quota_.client, job.value(), {scenarios, std::exchange(queued_, 0)});
         quota_.jobs_changed();
         channel_->send(Accepted{job.value()});
     } else {
-        quotas.give_up_job(quota_.client);
+        quotas.give_up_job(quota_.client, scenarios);
         refuse(job.error());
     }
 }

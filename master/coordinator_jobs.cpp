@@ -63,7 +63,7 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
     if (!paused_.empty()) {
         co_return Error{ErrorCode::Io, "the master takes no jobs now: " + paused_};
     }
-    const Result<JobId> next = jobs_.next();
+    const Result<JobId> next = jobs_.next(submit.scenarios);
     if (!next) {
         co_return next.error();
     }

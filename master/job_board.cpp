@@ -2,11 +2,13 @@
 
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
+#include "common/core/limits_master.hpp"
 #include "common/core/log.hpp"
 #include "master/submission.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace cd {
 
@@ -34,7 +36,6 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       map(std::move(recovered.map)) {
     if (end) {
         drop_bulk(submit);
-        merger.close();
     }
 }
 
@@ -102,10 +103,20 @@ Error no_job(JobId job) {
     return {ErrorCode::NotFound, "no job " + std::to_string(job.value) + " is known here"};
 }
 
-Result<JobId> JobBoard::next() {
+Result<JobId> JobBoard::next(std::uint64_t scenarios) {
     if (running_.size() >= limits::jobs_running_max) {
         return Error{ErrorCode::Refused,
                      std::to_string(running_.size()) + " jobs are running; submit again later"};
+    }
+    std::uint64_t sum = scenarios;
+    for (const JobId job : running_) {
+        sum += jobs_.at(job).submit.scenarios;
+    }
+    if (sum > limits::scenarios_running_max) {
+        return Error{ErrorCode::Refused,
+                     "with this one " + std::to_string(sum) +
+                         " scenarios would be of jobs that run, and there may be " +
+                         std::to_string(limits::scenarios_running_max) + "; submit again later"};
     }
     return JobId{++last_};
 }
@@ -167,14 +178,29 @@ std::vector<JobId> JobBoard::announce(MasterJob& job) {
     CD_CHECK(!job.is_running());
     job.state = job.end->state;
     ++job.changes;
+    // Which one is the oldest, its end says, and not its number.
+    std::vector<std::tuple<Clock::time_point, JobId, std::uint64_t>> ended;
+    std::uint64_t scenarios = 0;
+    for (const auto& [id, one] : jobs_) {
+        if (one.state != JobState::Running) {
+            ended.emplace_back(one.ended, id, one.submit.scenarios);
+            scenarios += one.submit.scenarios;
+        }
+    }
+    std::ranges::sort(ended);
+    std::size_t left = ended.size();
     std::vector<JobId> dropped;
-    while (jobs_.size() - running_.size() > limits::jobs_ended_kept_max) {
-        const auto oldest = std::find_if(jobs_.begin(), jobs_.end(), [](const auto& entry) {
-            return entry.second.state != JobState::Running;
-        });
-        spdlog::info("results dropped: job={} reason=\"newer jobs\"", oldest->first.value);
-        dropped.push_back(oldest->first);
-        jobs_.erase(oldest);
+    for (const auto& [when, id, count] : ended) {
+        if (left <= limits::jobs_ended_kept_max && scenarios <= limits::scenarios_ended_kept_max) {
+            break;
+        }
+        if (id != job.id) {
+            spdlog::info("results dropped: job={} reason=\"newer jobs\"", id.value);
+            dropped.push_back(id);
+            jobs_.erase(id);
+            scenarios -= count;
+            --left;
+        }
     }
     return dropped;
 }

@@ -120,11 +120,11 @@ struct MasterJob {
 [[nodiscard]] Error no_job(JobId job);
 
 /// Jobs by id. Those that have ended are kept with their results, the last
-/// `limits::jobs_ended_kept_max` of them.
+/// `limits::jobs_ended_kept_max` of them, or fewer with many scenarios.
 class JobBoard {
   public:
-    /// The number of a new job. Errors: Refused with too many jobs running.
-    [[nodiscard]] Result<JobId> next();
+    /// The number of a new job. Errors: Refused with too many jobs, or scenarios, running.
+    [[nodiscard]] Result<JobId> next(std::uint64_t scenarios);
     /// The number is new.
     MasterJob& add(MasterJob job);
     /// No job gets this number, or a lesser one, any more.
@@ -138,7 +138,8 @@ class JobBoard {
 
     /// Writes down how it ended and frees what only a running job needs. Done takes a digest.
     void end(MasterJob& job, JobState state, const std::string& failure, Clock::time_point now);
-    /// From now on clients see that it has ended. The jobs that are dropped for it.
+    /// From now on clients see that it has ended. The jobs that are dropped for it, those first
+    /// that ended first.
     [[nodiscard]] std::vector<JobId> announce(MasterJob& job);
 
     /// Those that run.

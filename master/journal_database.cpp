@@ -440,18 +440,29 @@ Result<Bytes> JournalDatabase::alarms() const {
 }
 
 Status JournalDatabase::for_each_results(
-    const std::function<Status(JobId, std::span<const std::byte>)>& take) const {
-    Statement statement(state_->database.get(), "SELECT job, content FROM results ORDER BY number");
+    JobId job, const std::function<Status(std::span<const std::byte>)>& take) const {
+    Statement statement(state_->database.get(),
+                        "SELECT content FROM results WHERE job=? ORDER BY number");
+    statement.bind(1, job.value);
     while (statement.step()) {
-        const std::uint64_t job = statement.number(0);
-        const auto content = unsealed(statement.bytes(1), RowKind::Results, job);
+        const auto content = unsealed(statement.bytes(0), RowKind::Results, job.value);
         if (!content) {
-            return state_->damage("results of job " + std::to_string(job) +
+            return state_->damage("results of job " + std::to_string(job.value) +
                                   " have a wrong checksum");
         }
-        if (Status status = take(JobId{job}, *content); !status) {
+        if (Status status = take(*content); !status) {
             return status;
         }
+    }
+    return statement.failed() ? Status(state_->failure("read")) : Status(Done{});
+}
+
+Status JournalDatabase::check_owners() const {
+    Statement statement(state_->database.get(),
+                        "SELECT job FROM results WHERE job NOT IN (SELECT job FROM jobs) LIMIT 1");
+    if (statement.step()) {
+        return state_->damage("results of job " + std::to_string(statement.number(0)) +
+                              ", which is not there");
     }
     return statement.failed() ? Status(state_->failure("read")) : Status(Done{});
 }

@@ -61,9 +61,13 @@ class JournalDatabase {
     [[nodiscard]] Result<std::vector<DatabaseJob>> jobs() const;
     /// Empty before the first. Errors: Io.
     [[nodiscard]] Result<Bytes> alarms() const;
-    /// All groups of results in the order of their commits. An error of `take` ends it. Errors: Io.
+    /// All groups of results of a job in the order of their commits. An error of `take` ends it.
+    /// Errors: Io.
     [[nodiscard]] Status
-    for_each_results(const std::function<Status(JobId, std::span<const std::byte>)>& take) const;
+    for_each_results(JobId job,
+                     const std::function<Status(std::span<const std::byte>)>& take) const;
+    /// No job has results that is not there. Errors: Io.
+    [[nodiscard]] Status check_owners() const;
 
     /// All of it in one commit, which is on the disk when this returns; or, with an error, none of
     /// it, and it may be tried again. Errors: Io.

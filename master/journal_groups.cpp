@@ -6,6 +6,7 @@
 #include "master/mutation.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <unordered_set>
 #include <utility>
@@ -173,8 +174,6 @@ struct FoundJob {
     std::uint64_t end = ResultStore::first_end(); ///< Of its segment.
 };
 
-using FoundJobs = std::map<JobId, FoundJob>;
-
 /// Of any meshes: whose they were is known when the map is used.
 constexpr ContactMapBounds journal_map_bounds{
     limits::mesh_triangles_max, limits::mesh_triangles_max, limits::scenarios_max};
@@ -241,41 +240,48 @@ void take_remarks(FoundJob& job, std::span<const Remark> remarks) {
     }
 }
 
-Result<FoundJobs> find_jobs(const JournalDatabase& database) {
-    const Result<std::vector<DatabaseJob>> rows = database.jobs();
-    if (!rows) {
-        return rows.error();
+Result<FoundJob> find_job(const JournalDatabase& database, const DatabaseJob& row) {
+    Result<FoundJob> found = decode_found(row);
+    if (!found) {
+        return damaged(database.path(), row.id, found.error().detail);
     }
-    FoundJobs jobs;
-    for (const DatabaseJob& row : rows.value()) {
-        Result<FoundJob> found = decode_found(row);
-        if (!found) {
-            return damaged(database.path(), row.id, found.error().detail);
-        }
-        jobs.emplace(row.id, std::move(found.value()));
-    }
-    const Status read = database.for_each_results([&](JobId id, std::span<const std::byte> bytes) {
-        const auto found = jobs.find(id);
+    FoundJob& job = found.value();
+    const Status read = database.for_each_results(row.id, [&](std::span<const std::byte> bytes) {
         const Result<ResultGroup> group = decode_group(bytes);
-        if (found == jobs.end() || !group) {
-            return Status(damaged(database.path(), id, "results of a job that is not there"));
+        if (!group) {
+            return Status(damaged(database.path(), row.id, group.error().detail));
         }
-        FoundJob& job = found->second;
         if (group.value().begin != job.end) {
-            return Status(damaged(database.path(), id, "results are missing"));
+            return Status(damaged(database.path(), row.id, "results are missing"));
         }
         take_rows(job, group.value());
         take_remarks(job, group.value().remarks);
         for (const Bytes& packed : group.value().maps) {
             const Result<ContactMap> map = unpack_map(packed, journal_map_bounds);
             if (!map) {
-                return Status(damaged(database.path(), id, "a map that is none"));
+                return Status(damaged(database.path(), row.id, "a map that is none"));
             }
             job.job.map.add(map.value());
         }
         return Status(Done{});
     });
-    return read ? Result<FoundJobs>(std::move(jobs)) : Result<FoundJobs>(read.error());
+    return read ? std::move(found) : Result<FoundJob>(read.error());
+}
+
+/// One job after the other, since the rows of each take much more memory than what stays of it.
+/// An error of `take` ends it.
+Status for_each_job(const JournalDatabase& database,
+                    const std::function<Status(Result<FoundJob>)>& take) {
+    const Result<std::vector<DatabaseJob>> rows = database.jobs();
+    if (!rows) {
+        return rows.error();
+    }
+    for (const DatabaseJob& row : rows.value()) {
+        if (Status taken = take(find_job(database, row)); !taken) {
+            return taken;
+        }
+    }
+    return database.check_owners();
 }
 
 std::filesystem::path segment_path(const std::filesystem::path& jobs_folder, JobId job) {
@@ -344,35 +350,46 @@ Result<AlarmRecord> recover_alarms(const JournalDatabase& database) {
 Result<std::vector<RecoveredJob>> recover_jobs(const JournalDatabase& database,
                                                const std::filesystem::path& jobs_folder,
                                                bool check_records) {
-    Result<FoundJobs> found = find_jobs(database);
-    if (!found) {
-        return found.error();
-    }
     std::vector<RecoveredJob> jobs;
-    for (auto& [id, job] : found.value()) {
-        const Status restored =
-            restore(job, segment_path(jobs_folder, id), check_records && !job.job.end);
-        if (!restored) {
-            return restored.error();
+    const Status read = for_each_job(database, [&](Result<FoundJob> found) {
+        if (!found) {
+            return Status(found.error());
         }
-        jobs.push_back(std::move(job.job));
-    }
-    return jobs;
+        RecoveredJob& job = found.value().job;
+        const auto segment = segment_path(jobs_folder, job.record.id);
+        if (Status restored = restore(found.value(), segment, check_records && !job.end);
+            !restored) {
+            return restored;
+        }
+        if (job.end) {
+            job.merger.close();
+        }
+        jobs.push_back(std::move(job));
+        return Status(Done{});
+    });
+    return read ? Result<std::vector<RecoveredJob>>(std::move(jobs))
+                : Result<std::vector<RecoveredJob>>(read.error());
 }
 
 ExaminedJobs examine_jobs(const JournalDatabase& database,
                           const std::filesystem::path& jobs_folder) {
     ExaminedJobs examined;
-    Result<FoundJobs> found = find_jobs(database);
-    if (!found) {
-        examined.damage.push_back(found.error());
-        return examined;
-    }
-    for (auto& [id, job] : found.value()) {
-        if (const Status sound = restore(job, segment_path(jobs_folder, id), true); !sound) {
+    const Status read = for_each_job(database, [&](Result<FoundJob> found) {
+        if (!found) {
+            examined.damage.push_back(found.error());
+            return Status(Done{});
+        }
+        RecoveredJob& job = found.value().job;
+        const auto segment = segment_path(jobs_folder, job.record.id);
+        if (const Status sound = restore(found.value(), segment, true); !sound) {
             examined.damage.push_back(sound.error());
         }
-        examined.jobs.push_back(std::move(job.job));
+        job.merger.close();
+        examined.jobs.push_back(std::move(job));
+        return Status(Done{});
+    });
+    if (!read) {
+        examined.damage.push_back(read.error());
     }
     return examined;
 }

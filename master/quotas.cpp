@@ -110,34 +110,41 @@ void Quotas::unqueue(const std::string& client, std::uint64_t bytes) {
     clients_[client].queued -= bytes;
 }
 
-Status Quotas::begin_job(const std::string& client) {
+Status Quotas::begin_job(const std::string& client, std::uint64_t scenarios) {
     Client& entry = clients_[client];
-    const auto count = [&] { return entry.jobs.size() + entry.jobs_begun; };
-    if (count() >= limits_.jobs) {
-        forget_ended(entry);
+    forget_ended(entry);
+    const std::size_t jobs = entry.jobs.size() + entry.jobs_begun;
+    if (jobs >= limits_.jobs) {
+        return too_much(client, of(jobs, limits_.jobs, "jobs running"));
     }
-    if (count() >= limits_.jobs) {
-        return too_much(client, of(count(), limits_.jobs, "jobs running"));
+    if (scenarios > limits_.scenarios || entry.scenarios > limits_.scenarios - scenarios) {
+        return too_much(client,
+                        of(entry.scenarios + scenarios, limits_.scenarios, "scenarios of jobs"));
     }
     ++entry.jobs_begun;
+    entry.scenarios += scenarios;
     return Done{};
 }
 
-void Quotas::add_job(const std::string& client, JobId job, std::uint64_t bytes) {
+void Quotas::add_job(const std::string& client, JobId job, const JobSize& size) {
     Client& entry = clients_[client];
     --entry.jobs_begun;
-    entry.jobs[job] = bytes;
+    entry.jobs[job] = size;
 }
 
-void Quotas::give_up_job(const std::string& client) {
+void Quotas::give_up_job(const std::string& client, std::uint64_t scenarios) {
     --clients_[client].jobs_begun;
+    clients_[client].scenarios -= scenarios;
 }
 
 void Quotas::forget_ended(Client& client) const {
     std::erase_if(client.jobs, [&](const auto& job) {
-        const bool is_over = !is_running_(job.first);
-        client.queued -= is_over ? job.second : 0;
-        return is_over;
+        if (scenarios_of_(job.first)) {
+            return false;
+        }
+        client.queued -= job.second.bytes;
+        client.scenarios -= job.second.scenarios;
+        return true;
     });
 }
 
@@ -147,8 +154,8 @@ std::string Quotas::jobs_text() {
     std::ostringstream out;
     for (auto& [name, client] : clients_) {
         forget_ended(client);
-        for (const auto& [job, bytes] : client.jobs) {
-            out << job.value << ' ' << bytes << ' ' << name << '\n';
+        for (const auto& [job, size] : client.jobs) {
+            out << job.value << ' ' << size.bytes << ' ' << name << '\n';
         }
     }
     return out.str();
@@ -159,12 +166,19 @@ void Quotas::restore_jobs(std::string_view text) {
     for (std::string line; std::getline(lines, line);) {
         std::istringstream fields(line);
         JobId job;
-        std::uint64_t bytes = 0;
+        JobSize size;
         std::string name;
-        fields >> job.value >> bytes >> std::ws;
-        if (std::getline(fields, name) && is_running_(job)) {
+        fields >> job.value >> size.bytes >> std::ws;
+        if (!std::getline(fields, name)) {
+            continue;
+        }
+        if (const auto scenarios = scenarios_of_(job)) {
+            size.scenarios = *scenarios;
             Client& client = clients_[name];
-            client.queued += client.jobs.emplace(job, bytes).second ? bytes : 0;
+            if (client.jobs.emplace(job, size).second) {
+                client.queued += size.bytes;
+                client.scenarios += size.scenarios;
+            }
         }
     }
 }

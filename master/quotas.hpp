@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,11 +22,17 @@ namespace cd {
 class Quotas {
   public:
     using Time = std::chrono::steady_clock::time_point;
-    using IsRunning = std::function<bool(JobId)>;
+    using ScenariosOf = std::function<std::optional<std::uint64_t>(JobId)>;
+
+    struct JobSize {
+        std::uint64_t scenarios = 0;
+        std::uint64_t bytes = 0; ///< Of its poses.
+    };
 
     struct Limits {
         std::size_t connections = limits::client_connections_max;
-        std::size_t jobs = limits::client_jobs_max; ///< Running.
+        std::size_t jobs = limits::client_jobs_max;             ///< Running.
+        std::uint64_t scenarios = limits::client_scenarios_max; ///< Of these.
         /// Of meshes, poses and grids, that it may send at once, and again in each `period`.
         std::uint64_t bytes = limits::client_bytes_max;
         std::chrono::seconds period = limits::client_bytes_period;
@@ -33,9 +40,9 @@ class Quotas {
         std::size_t uploads = limits::client_uploads_max;       ///< Of meshes, begun.
     };
 
-    /// `is_running` tells of jobs that were added.
-    Quotas(const Limits& limits, IsRunning is_running)
-        : limits_(limits), is_running_(std::move(is_running)) {}
+    /// `scenarios_of` tells of jobs that were added: nothing when they do not run any more.
+    Quotas(const Limits& limits, ScenariosOf scenarios_of)
+        : limits_(limits), scenarios_of_(std::move(scenarios_of)) {}
 
     /// Errors, of all: Refused, saying what there is too much of, and when to try again.
     [[nodiscard]] Status connect(const std::string& client);
@@ -51,10 +58,10 @@ class Quotas {
     void unqueue(const std::string& client, std::uint64_t bytes);
 
     /// Before a job is opened: its place is taken, until it is added or given up.
-    [[nodiscard]] Status begin_job(const std::string& client);
-    /// The last step of one that was begun. `bytes`, which were queued, are its own from now on.
-    void add_job(const std::string& client, JobId job, std::uint64_t bytes);
-    void give_up_job(const std::string& client);
+    [[nodiscard]] Status begin_job(const std::string& client, std::uint64_t scenarios);
+    /// The last step of one that was begun. Its bytes, which were queued, are its own from now on.
+    void add_job(const std::string& client, JobId job, const JobSize& size);
+    void give_up_job(const std::string& client, std::uint64_t scenarios);
 
     /// Which jobs are whose, as text; and back, after a restart. Lines that are none are passed
     /// over.
@@ -69,9 +76,10 @@ class Quotas {
         std::size_t connections = 0;
         std::size_t uploads = 0;
         std::size_t jobs_begun = 0;
-        std::map<JobId, std::uint64_t> jobs; ///< With their bytes.
-        std::uint64_t queued = 0;            ///< Of these, and of what is being submitted.
-        double bytes = 0;                    ///< At `since`; they leak away with time.
+        std::map<JobId, JobSize> jobs;
+        std::uint64_t scenarios = 0; ///< Of these, and of those that are begun.
+        std::uint64_t queued = 0;    ///< Bytes of these, and of what is being submitted.
+        double bytes = 0;            ///< At `since`; they leak away with time.
         Time since;
     };
 
@@ -79,7 +87,7 @@ class Quotas {
     void forget_ended(Client& client) const;
 
     Limits limits_;
-    IsRunning is_running_;
+    ScenariosOf scenarios_of_;
     std::map<std::string, Client> clients_;
 };
 

@@ -36,7 +36,9 @@ Server::Server(std::unique_ptr<Listener> listener,
       clients_(clients),
       quotas_(clients.quotas, [&coordinator](JobId job) {
           const Result<JobStatus> status = coordinator.job_status(job);
-          return status && status.value().state == JobState::Running;
+          return status && status.value().state == JobState::Running
+                     ? std::optional(status.value().summary.total)
+                     : std::nullopt;
       }) {}
 
 void Server::start() {

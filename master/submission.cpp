@@ -71,8 +71,13 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     }
     const ClusterOptions& cluster = submit.cluster;
     const auto depth_max = limits::distribution_depth_max;
+    if (submit.scenarios > limits::client_scenarios_max) {
+        return Error{ErrorCode::TooLarge,
+                     "a job of " + std::to_string(submit.scenarios) + " scenarios; at most " +
+                         std::to_string(limits::client_scenarios_max) +
+                         " are taken: split it into several jobs, one after the other"};
+    }
     for (const Status& status : {
-             check_range("the number of scenarios", submit.scenarios, 0, limits::scenarios_max),
              check_range("the distribution depth of A", cluster.depth_a.value_or(0), 0, depth_max),
              check_range("the distribution depth of B", cluster.depth_b.value_or(0), 0, depth_max),
              check_range("q", cluster.q, 1, limits::q_max),

@@ -12,6 +12,7 @@ inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16;
 inline constexpr std::size_t grid_bytes_max = 8u << 20;        ///< In memory and the journal, each.
 inline constexpr std::size_t ended_grid_bytes_max = 64u << 10; ///< In memory, when it has ended.
 inline constexpr std::uint64_t client_queued_bytes_max = 64ull << 30; ///< Of jobs not yet done.
+inline constexpr std::uint64_t client_scenarios_max = 1ull << 27;     ///< Of its jobs that run.
 inline constexpr std::size_t client_uploads_max = 8;                  ///< Meshes, begun.
 inline constexpr std::chrono::seconds submission_idle_max{60}; ///< Of a begun mesh, or poses.
 inline constexpr std::chrono::seconds retry_after{30};         ///< Told who asks too much.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace cd::limits {
 
@@ -11,6 +12,12 @@ inline constexpr std::size_t quarantined_kept_max = 4096;
 /// Of workers that are gone, while a job runs: those that some result of it may be of come in
 /// addition.
 inline constexpr std::size_t worker_sessions_kept = 4096;
+/// Of all jobs that run. For each that has a result: its hash, its place in a file, its author,
+/// about 52 bytes of memory.
+inline constexpr std::uint64_t scenarios_running_max = 1ull << 28;
+/// Of all jobs that have ended: their places, 16 bytes each. Then the oldest job goes, but never
+/// the latest.
+inline constexpr std::uint64_t scenarios_ended_kept_max = 1ull << 27;
 inline constexpr unsigned blocking_threads = 4; ///< For the disk.
 
 } // namespace cd::limits

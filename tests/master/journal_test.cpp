@@ -321,6 +321,23 @@ TEST(Journal, AFirstGroupThatIsNotTheFirstIsDamage) {
     expect_way_out(opened.error().detail);
 }
 
+TEST(Journal, ResultsOfAJobThatIsNotThereAreDamage) {
+    const TemporaryFolder folder;
+    { const Writer writer(folder.path()); }
+    {
+        auto database = std::move(JournalDatabase::open(folder.path(), {}).value());
+        ResultGroup group;
+        group.begin = ResultStore::first_end();
+        ASSERT_TRUE(database->write(std::vector<DatabaseChange>{
+            {DatabaseChange::Kind::Results, JobId{7}, encode_group(group)}}));
+    }
+    const auto opened = Journal::open({.directory = folder.path()});
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().detail.find("results of job 7, which is not there"), std::string::npos)
+        << opened.error().detail;
+    expect_way_out(opened.error().detail);
+}
+
 TEST(Journal, ASegmentMayBeLongerThanWhatWasCommittedAndNotShorter) {
     const TemporaryFolder folder;
     fill(folder.path());

@@ -12,8 +12,10 @@ using namespace std::chrono_literals;
 
 const Quotas::Time start{};
 
-bool all_run(JobId /*job*/) {
-    return true;
+using Scenarios = std::optional<std::uint64_t>;
+
+Scenarios all_run(JobId /*job*/) {
+    return 1;
 }
 
 TEST(Quotas, ConnectionsAreCountedByClientAndComeBack) {
@@ -32,21 +34,23 @@ TEST(Quotas, ConnectionsAreCountedByClientAndComeBack) {
 
 TEST(Quotas, OnlyJobsThatRunOrAreBeingOpenedCount) {
     bool first_runs = true;
-    Quotas quotas({.jobs = 2}, [&](JobId job) { return job != JobId{1} || first_runs; });
-    EXPECT_TRUE(quotas.begin_job("ann"));
-    EXPECT_TRUE(quotas.begin_job("ann"));
-    EXPECT_FALSE(quotas.begin_job("ann")) << "they wait for the disk, and count";
-    quotas.give_up_job("ann");
-    EXPECT_TRUE(quotas.begin_job("ann"));
-    quotas.add_job("ann", JobId{1}, 0);
-    quotas.add_job("ann", JobId{2}, 0);
-    const Status third = quotas.begin_job("ann");
+    Quotas quotas({.jobs = 2}, [&](JobId job) {
+        return job != JobId{1} || first_runs ? Scenarios(1) : std::nullopt;
+    });
+    EXPECT_TRUE(quotas.begin_job("ann", 1));
+    EXPECT_TRUE(quotas.begin_job("ann", 1));
+    EXPECT_FALSE(quotas.begin_job("ann", 1)) << "they wait for the disk, and count";
+    quotas.give_up_job("ann", 1);
+    EXPECT_TRUE(quotas.begin_job("ann", 1));
+    quotas.add_job("ann", JobId{1}, {1, 0});
+    quotas.add_job("ann", JobId{2}, {1, 0});
+    const Status third = quotas.begin_job("ann", 1);
     EXPECT_EQ(third.error().code, ErrorCode::Refused);
     EXPECT_EQ(third.error().detail,
               "busy: quota: ann has 2 jobs running, of 2 that it may; retry after 30 s");
-    EXPECT_TRUE(quotas.begin_job("bob"));
+    EXPECT_TRUE(quotas.begin_job("bob", 1));
     first_runs = false;
-    EXPECT_TRUE(quotas.begin_job("ann"));
+    EXPECT_TRUE(quotas.begin_job("ann", 1));
 }
 
 TEST(Quotas, BytesLeakAwayWithTimeAndItIsSaidHowMuchThatTakes) {
@@ -65,10 +69,11 @@ TEST(Quotas, BytesLeakAwayWithTimeAndItIsSaidHowMuchThatTakes) {
 
 TEST(Quotas, WhatIsNotDoneIsQueuedUntilItsJobEnds) {
     bool runs = true;
-    Quotas quotas({.queued = 100}, [&](JobId /*job*/) { return runs; });
+    Quotas quotas({.queued = 100},
+                  [&](JobId /*job*/) { return runs ? Scenarios(1) : std::nullopt; });
     EXPECT_TRUE(quotas.queue("ann", 60));
-    EXPECT_TRUE(quotas.begin_job("ann"));
-    quotas.add_job("ann", JobId{1}, 60);
+    EXPECT_TRUE(quotas.begin_job("ann", 1));
+    quotas.add_job("ann", JobId{1}, {1, 60});
     EXPECT_TRUE(quotas.queue("ann", 40));
     const Status more = quotas.queue("ann", 1);
     EXPECT_EQ(more.error().code, ErrorCode::Refused);
@@ -92,19 +97,46 @@ TEST(Quotas, OneClientBeginsOnlyItsShareOfUploads) {
     EXPECT_TRUE(quotas.begin_upload("ann"));
 }
 
+TEST(Quotas, ScenariosCountFromTheBeginningOfAJobToItsEnd) {
+    bool runs = true;
+    Quotas quotas({.scenarios = 100}, [&](JobId job) {
+        return job != JobId{1} || runs ? Scenarios(60) : std::nullopt;
+    });
+    EXPECT_TRUE(quotas.begin_job("ann", 60));
+    const Status more = quotas.begin_job("ann", 41);
+    EXPECT_EQ(more.error().code, ErrorCode::Refused);
+    EXPECT_THAT(more.error().detail, testing::HasSubstr("101 scenarios of jobs, of 100"));
+    EXPECT_FALSE(quotas.begin_job("ann", ~0ull));
+    EXPECT_TRUE(quotas.begin_job("bob", 100));
+    quotas.add_job("ann", JobId{1}, {60, 0});
+    EXPECT_TRUE(quotas.begin_job("ann", 40));
+    EXPECT_FALSE(quotas.begin_job("ann", 1));
+    quotas.give_up_job("ann", 40);
+    EXPECT_FALSE(quotas.begin_job("ann", 41));
+
+    Quotas after({.scenarios = 100}, [](JobId) { return Scenarios(60); });
+    after.restore_jobs(quotas.jobs_text());
+    EXPECT_FALSE(after.begin_job("ann", 41));
+    EXPECT_TRUE(after.begin_job("ann", 40));
+
+    runs = false;
+    EXPECT_TRUE(quotas.begin_job("ann", 100));
+}
+
 TEST(Quotas, JobsThatRunAreCountedAfterARestart) {
     Quotas before({}, all_run);
     for (const std::uint64_t job : {3u, 4u, 5u}) {
         const std::string client = job == 5 ? "bob with a blank" : "ann";
         EXPECT_TRUE(before.queue(client, 10 * job));
-        EXPECT_TRUE(before.begin_job(client));
-        before.add_job(client, JobId{job}, 10 * job);
+        EXPECT_TRUE(before.begin_job(client, 1));
+        before.add_job(client, JobId{job}, {1, 10 * job});
     }
-    Quotas after({.jobs = 1, .queued = 50}, [](JobId job) { return job != JobId{3}; });
+    Quotas after({.jobs = 1, .queued = 50},
+                 [](JobId job) { return job != JobId{3} ? Scenarios(1) : std::nullopt; });
     after.restore_jobs(before.jobs_text() + "rubbish\n\n7\n");
-    EXPECT_FALSE(after.begin_job("ann"));
-    EXPECT_FALSE(after.begin_job("bob with a blank"));
-    EXPECT_TRUE(after.begin_job("carl"));
+    EXPECT_FALSE(after.begin_job("ann", 1));
+    EXPECT_FALSE(after.begin_job("bob with a blank", 1));
+    EXPECT_TRUE(after.begin_job("carl", 1));
     EXPECT_FALSE(after.queue("ann", 11));
     EXPECT_TRUE(after.queue("ann", 10));
     EXPECT_FALSE(after.queue("bob with a blank", 1));

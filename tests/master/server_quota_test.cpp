@@ -64,11 +64,12 @@ JobId accepted(Master& master, std::vector<Message> messages) {
     return job == nullptr ? JobId{} : job->job;
 }
 
-/// A grid of so many steps about each axis.
+/// A grid of so many steps about one axis.
 Submit grid_submission(std::uint32_t steps) {
     Grid grid;
     for (int axis = 0; axis < 3; ++axis) {
-        grid.rotation[static_cast<std::size_t>(axis)] = rotation_axis({0, 360, steps}, axis);
+        grid.rotation[static_cast<std::size_t>(axis)] =
+            rotation_axis({0, 360, axis == 0 ? steps : 1}, axis);
     }
     Submit submit = reference().submission();
     submit.scenarios = grid.count();
@@ -88,6 +89,22 @@ TEST(ServerQuota, JobsThatRunAreCountedAlsoAfterARestart) {
     }
     Master master(usual, state.path(), one_job);
     EXPECT_THAT(refusal_of(master, submission_of(90)), HasSubstr("retry after"));
+    ASSERT_TRUE(std::holds_alternative<JobStatus>(first_answer(master, {Cancel{job}})));
+    accepted(master, submission_of(90));
+}
+
+TEST(ServerQuota, ScenariosOfJobsThatRunAreCountedAlsoAfterARestart) {
+    const TemporaryFolder state;
+    const Stage stage{.clients = {.quotas = {.scenarios = 100}}};
+    JobId job;
+    {
+        Master master(usual, state.path(), stage);
+        store_meshes(master);
+        job = accepted(master, submission_of(90));
+    }
+    Master master(usual, state.path(), stage);
+    EXPECT_THAT(refusal_of(master, submission_of(90)), HasSubstr("180 scenarios of jobs"));
+    accepted(master, submission_of(10));
     ASSERT_TRUE(std::holds_alternative<JobStatus>(first_answer(master, {Cancel{job}})));
     accepted(master, submission_of(90));
 }
@@ -183,6 +200,10 @@ TEST(ServerQuota, OfAJobThatHasEndedALargeGridIsNotKept) {
 
 TEST(ServerQuota, AGridOfAnySizeIsNotTaken) {
     Master master;
+    store_meshes(master);
+    Submit many = grid_submission(10);
+    many.scenarios = limits::client_scenarios_max + 1;
+    EXPECT_THAT(refusal_of(master, {many}), HasSubstr("split it into several jobs"));
     Submit submit = reference().submission();
     submit.grid = Bytes(limits::grid_bytes_max + 1);
     EXPECT_THAT(refusal_of(master, {submit}), HasSubstr("a grid of"));
