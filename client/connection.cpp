@@ -3,6 +3,7 @@
 #include "client/result_records.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/limits_client.hpp"
+#include "common/core/printable.hpp"
 #include "common/core/version.hpp"
 #include "proto/channel.hpp"
 
@@ -214,8 +215,11 @@ asio::awaitable<Status> Connection::State::upload_one(const NamedMesh& mesh,
         }
         const auto piece = std::span(bytes).subspan(
             offset, std::min(limits::mesh_piece_bytes, bytes.size() - offset));
-        channel->send(MeshPart{
-            mesh.mesh->hash(), mesh.name, bytes.size(), offset, Bytes(piece.begin(), piece.end())});
+        channel->send(MeshPart{mesh.mesh->hash(),
+                               escaped(mesh.name),
+                               bytes.size(),
+                               offset,
+                               Bytes(piece.begin(), piece.end())});
         progress(mesh, offset + piece.size(), bytes.size());
     }
     const auto stored = co_await answer<MeshStored>(limits::mesh_stored_timeout);

@@ -152,7 +152,7 @@ asio::awaitable<Status> ClientSession::take_mesh_part(MeshPart message) {
         co_return taken;
     }
     if (!is_printable(message.name)) {
-        co_return Error{ErrorCode::BadInput, "the mesh's name has control characters in it"};
+        co_return Error{ErrorCode::BadInput, "the mesh's name is not printable"};
     }
     if (message.offset == 0) {
         if (const Status begun = begin_upload(message); !begun) {

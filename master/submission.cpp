@@ -50,7 +50,7 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
                    " bytes");
     }
     if (!is_printable(submit.name)) {
-        return bad("the job's name has control characters in it");
+        return bad("the job's name is not printable");
     }
     if (submit.grid && submit.grid->size() > limits::grid_bytes_max) {
         return Error{ErrorCode::TooLarge,
@@ -73,9 +73,9 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     const auto depth_max = limits::distribution_depth_max;
     if (submit.scenarios > limits::client_scenarios_max) {
         return Error{ErrorCode::TooLarge,
-                     "a job of " + std::to_string(submit.scenarios) + " scenarios; at most " +
-                         std::to_string(limits::client_scenarios_max) +
-                         " are taken: split it into several jobs, one after the other"};
+                     "the number of scenarios is " + std::to_string(submit.scenarios) +
+                         "; at most " + std::to_string(limits::client_scenarios_max) +
+                         " are taken: split the job into several, one after the other"};
     }
     for (const Status& status : {
              check_range("the distribution depth of A", cluster.depth_a.value_or(0), 0, depth_max),

@@ -170,10 +170,6 @@ WallTime to_wall_time(const ASN1_TIME* time) {
     return std::chrono::system_clock::from_time_t(timegm(&fields));
 }
 
-bool is_good_name(std::string_view name) {
-    return !name.empty() && name.size() <= limits::certified_name_bytes_max && is_printable(name);
-}
-
 std::string common_name(X509* certificate) {
     std::array<char, limits::certified_name_bytes_max + 2> text{};
     const int size = X509_NAME_get_text_by_NID(X509_get_subject_name(certificate),
@@ -207,6 +203,11 @@ Error no_certificate() {
 }
 
 } // namespace
+
+bool is_good_name(std::string_view name) {
+    return !name.empty() && name.size() <= limits::certified_name_bytes_max && is_printable(name) &&
+           name.front() != ' ' && name.back() != ' ';
+}
 
 namespace openssl {
 
@@ -347,7 +348,9 @@ Sha256 CertificateAuthority::fingerprint() const {
 Result<std::string> CertificateAuthority::sign(const std::string& request,
                                                const Identity& identity) const {
     if (!is_good_name(identity.name)) {
-        return Error{ErrorCode::BadInput, "a name that is empty, too long or not printable"};
+        return Error{
+            ErrorCode::BadInput,
+            "a name that is empty, too long or not printable, or begins or ends with a blank"};
     }
     if (is_too_long(request)) {
         return Error{ErrorCode::BadInput, "a request for a certificate that is too long"};

@@ -3,6 +3,7 @@
 #include "common/core/limits.hpp"
 #include "common/core/limits_clients.hpp"
 #include "common/core/printable.hpp"
+#include "proto/certificate.hpp"
 #include "proto/wire_messages.hpp"
 
 #include <algorithm>
@@ -159,9 +160,8 @@ Problem problem_of_pem(const std::string& text) {
 }
 
 Problem problem_of(const Join& join) {
-    if (join.name.empty() || join.name.size() > limits::certified_name_bytes_max ||
-        !is_printable(join.name)) {
-        return "a name that is empty, too long or not printable";
+    if (!is_good_name(join.name)) {
+        return "a name that is empty, too long or not printable, or begins or ends with a blank";
     }
     return problem_of_pem(join.request);
 }

@@ -1,5 +1,7 @@
 #include "proto/join.hpp"
 
+#include "common/core/limits.hpp"
+#include "common/core/printable.hpp"
 #include "common/core/version.hpp"
 
 #include <utility>
@@ -53,6 +55,13 @@ ask(std::shared_ptr<Channel> channel, Message question, CertificateRequest reque
 
 asio::awaitable<Result<Credential>>
 join_cluster(Endpoint master, JoinToken token, std::string name) {
+    if (!is_good_name(name)) {
+        co_return Error{
+            ErrorCode::BadInput,
+            "the name '" + escaped(name) + "' is not 1 to " +
+                std::to_string(limits::certified_name_bytes_max) +
+                " printable bytes without a blank at either end: choose another --name"};
+    }
     Target target{std::move(master), Tls::make_joining(token.authority)};
     const auto channel = co_await open(std::move(target), name);
     if (!channel) {

@@ -9,8 +9,8 @@
 namespace cd {
 
 /// Proves the token to the master that it pins, and gets a certificate for a new key. `name` is for
-/// people, 1 to 64 printable bytes. Errors: those of `connect` and `greet`; Refused with the
-/// master's reason.
+/// people. Errors: BadInput for a name that is not good; those of `connect` and `greet`; Refused
+/// with the master's reason.
 [[nodiscard]] asio::awaitable<Result<Credential>>
 join_cluster(Endpoint master, JoinToken token, std::string name);
 

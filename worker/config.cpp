@@ -3,6 +3,7 @@
 #include "common/core/daemon_options.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/memory_limit.hpp"
+#include "common/core/printable.hpp"
 #include "common/core/state_folder.hpp"
 #include "common/core/version.hpp"
 
@@ -165,9 +166,7 @@ WorkerCommandLine wrong(const std::string& option, const Error& error) {
 }
 
 Status check_name(const std::string& name) {
-    const bool is_printable =
-        std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; });
-    if (name.size() > limits::hello_text_bytes_max || !is_printable) {
+    if (name.size() > limits::hello_text_bytes_max || !is_printable(name)) {
         return Error{ErrorCode::BadInput,
                      "expected at most " + std::to_string(limits::hello_text_bytes_max) +
                          " printable characters"};

@@ -5,6 +5,7 @@
 #include "client/membership.hpp"
 #include "client/words.hpp"
 #include "common/core/limits_client.hpp"
+#include "common/core/printable.hpp"
 #include "common/job/packed_map.hpp"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
         return uploaded.error();
     }
     Submit submit;
-    submit.name = job.spec.name;
+    submit.name = escaped(job.spec.name); // It may be that of a file.
     submit.bodies = {job.meshes[0]->hash(), job.meshes[1]->hash()};
     submit.query = job.query;
     submit.cluster = job.spec.cluster;

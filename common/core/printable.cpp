@@ -1,21 +1,39 @@
 #include "common/core/printable.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace cd {
 
 namespace {
 
-/// Bytes of the control character that the text begins with; 0: it begins with something else.
-std::size_t control_bytes(std::string_view text) {
-    const auto first = static_cast<unsigned char>(text[0]);
-    if (first < 0x20 || first == 0x7f) {
-        return 1;
+struct Character {
+    std::size_t bytes = 1;
+    bool is_printable = false;
+};
+
+/// What the text, which is not empty, begins with. Of what is no UTF-8 (RFC 3629: also longer than
+/// need be, a surrogate, beyond U+10FFFF) each byte is a character of its own.
+Character first_of(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = byte(0);
+    if (first < 0x80) {
+        return {1, first >= 0x20 && first != 0x7f};
     }
-    const bool is_second_block =
-        first == 0xc2 && text.size() > 1 && (static_cast<unsigned char>(text[1]) & 0xe0) == 0x80;
-    return is_second_block ? 2 : 0;
+    const std::size_t bytes = first < 0xc2 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    if (bytes == 1 || first > 0xf4 || bytes > text.size()) {
+        return {};
+    }
+    unsigned point = first & (0xffU >> (bytes + 1));
+    for (std::size_t i = 1; i < bytes; ++i) {
+        if ((byte(i) & 0xc0U) != 0x80) {
+            return {};
+        }
+        point = point << 6 | (byte(i) & 0x3fU);
+    }
+    const bool is_valid = bytes == 2 ||
+                          (bytes == 3 && point >= 0x800 && (point < 0xd800 || point > 0xdfff)) ||
+                          (bytes == 4 && point >= 0x10000 && point <= 0x10ffff);
+    return is_valid ? Character{bytes, point >= 0xa0} : Character{};
 }
 
 void append_escaped(std::string& out, char character) {
@@ -35,10 +53,12 @@ void append_escaped(std::string& out, char character) {
 } // namespace
 
 bool is_printable(std::string_view text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (control_bytes(text.substr(i)) != 0) {
+    while (!text.empty()) {
+        const Character character = first_of(text);
+        if (!character.is_printable) {
             return false;
         }
+        text.remove_prefix(character.bytes);
     }
     return true;
 }
@@ -47,14 +67,15 @@ std::string escaped(std::string_view text) {
     std::string out;
     out.reserve(text.size());
     while (!text.empty()) {
-        const std::size_t bytes = control_bytes(text);
-        for (const char character : text.substr(0, bytes)) {
-            append_escaped(out, character);
+        const Character character = first_of(text);
+        for (const char byte : text.substr(0, character.bytes)) {
+            if (character.is_printable) {
+                out += byte;
+            } else {
+                append_escaped(out, byte);
+            }
         }
-        if (bytes == 0) {
-            out += text[0];
-        }
-        text.remove_prefix(std::max<std::size_t>(bytes, 1));
+        text.remove_prefix(character.bytes);
     }
     return out;
 }

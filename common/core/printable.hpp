@@ -6,10 +6,10 @@
 
 namespace cd {
 
-/// Without anything that ends a line or steers a terminal: control characters of ASCII, and those
-/// of Unicode's second block (U+0080 to U+009F) in UTF-8.
+/// Valid UTF-8, and without anything that ends a line or steers a terminal: control characters of
+/// ASCII, and those of Unicode's second block (U+0080 to U+009F).
 [[nodiscard]] bool is_printable(std::string_view text);
-/// With such characters as \n, \t or \x1b in their place.
+/// With what is not printable as \n, \t or \x1b in its place.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 } // namespace cd

@@ -194,6 +194,27 @@ TEST_F(SecuredCluster, NobodyJoinsAsTheMaster) {
     EXPECT_THAT(log(), HasSubstr("nobody joins under the name 'master'"));
 }
 
+TEST_F(SecuredCluster, NobodyJoinsUnderANameThatPeopleCannotRead) {
+    const std::string once = token("worker", "1");
+    const auto join_as = [&](const std::string& name) {
+        return tests::run({program("cdworker").string(),
+                           "join",
+                           master_->address(),
+                           "--token",
+                           once,
+                           "--name",
+                           name,
+                           "--state",
+                           (folder_ / "one").string()});
+    };
+    for (const char* name : {"\xff", "a\nb", "evil ", " evil"}) {
+        const Ran ran = join_as(name);
+        EXPECT_EQ(ran.exit_code, 2) << ran.errors;
+        EXPECT_THAT(ran.errors, HasSubstr("name")) << name;
+    }
+    EXPECT_EQ(join_as("\xc3\x84 friend").exit_code, 0) << "and the token was not spent";
+}
+
 // ---- Those who do not -----------------------------------------------------------------------
 
 TEST_F(SecuredCluster, PlaintextIsRefused) {

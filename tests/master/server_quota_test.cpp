@@ -203,7 +203,7 @@ TEST(ServerQuota, AGridOfAnySizeIsNotTaken) {
     store_meshes(master);
     Submit many = grid_submission(10);
     many.scenarios = limits::client_scenarios_max + 1;
-    EXPECT_THAT(refusal_of(master, {many}), HasSubstr("split it into several jobs"));
+    EXPECT_THAT(refusal_of(master, {many}), HasSubstr("split the job into several"));
     Submit submit = reference().submission();
     submit.grid = Bytes(limits::grid_bytes_max + 1);
     EXPECT_THAT(refusal_of(master, {submit}), HasSubstr("a grid of"));

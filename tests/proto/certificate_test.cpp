@@ -92,6 +92,10 @@ TEST(Certificate, ANameThatIsNoneIsNotSigned) {
     const std::string request = make_certificate_request().request;
     for (const std::string& name : {std::string(),
                                     std::string("a\nb"),
+                                    std::string("\xff"),
+                                    std::string("\xed\xa0\x80"),
+                                    std::string(" a"),
+                                    std::string("a "),
                                     std::string(limits::certified_name_bytes_max + 1, 'x')}) {
         Identity identity = identity_of(CertifiedRole::Worker);
         identity.name = name;

@@ -34,14 +34,42 @@ TEST(Log, NoLevelHidesWhatIsAlwaysSaid) {
     }
 }
 
-TEST(Printable, IsAllButControlCharacters) {
+TEST(Printable, IsUtf8WithoutControlCharacters) {
     EXPECT_TRUE(is_printable(""));
     EXPECT_TRUE(is_printable("a name, \xc3\xa4 \xc2\xa0 \xe2\x82\xac ~"));
-    for (const char* text : {"\n", "a\x1b", "\x7f", "a\xc2\x80", "\xc2\x9f z"}) {
+    // The ends of what two, three and four bytes say, and of what lies between the surrogates.
+    for (const char* text : {"\xdf\xbf",
+                             "\xe0\xa0\x80",
+                             "\xed\x9f\xbf",
+                             "\xee\x80\x80",
+                             "\xef\xbf\xbf",
+                             "\xf0\x90\x80\x80",
+                             "\xf4\x8f\xbf\xbf"}) {
+        EXPECT_TRUE(is_printable(text)) << text;
+        EXPECT_EQ(escaped(text), text);
+    }
+    for (const char* text : {"\n",
+                             "a\x1b",
+                             "\x7f",
+                             "a\xc2\x80",
+                             "\xc2\x9f z",
+                             // Cut short, without a beginning, longer than need be.
+                             "\xff",
+                             "\xc3",
+                             "\xe2\x82",
+                             "\x80",
+                             "\xc1\x81",
+                             "\xe0\x9f\xbf",
+                             "\xf0\x8f\xbf\xbf",
+                             // Surrogates, and beyond the end.
+                             "\xed\xa0\x80",
+                             "\xed\xbf\xbf",
+                             "\xf4\x90\x80\x80",
+                             "\xf5\x80\x80\x80"}) {
         EXPECT_FALSE(is_printable(text)) << escaped(text);
     }
     EXPECT_FALSE(is_printable(std::string(1, '\0')));
-    EXPECT_EQ(escaped("\xc2"), "\xc2") << "cut short";
+    EXPECT_EQ(escaped("Caf\xe9"), "Caf\\xe9");
     EXPECT_EQ(escaped("back\\slash"), "back\\slash");
 }
 
