@@ -15,7 +15,7 @@ inline constexpr int compression_level_geometry = 9; ///< Blocks, made once and 
 [[nodiscard]] Bytes compress(std::span<const std::byte> bytes, int level);
 
 /// Errors: BadFrame if the bytes are not one zstd frame, TooLarge if it holds more than `size_max`
-/// bytes. Allocates at most `size_max`, and never trusts the frame's own claim beyond it.
+/// bytes. Takes no more memory than what really comes out, whatever the frame claims.
 [[nodiscard]] Result<Bytes> decompress(std::span<const std::byte> bytes, std::size_t size_max);
 
 } // namespace cd

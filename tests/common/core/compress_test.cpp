@@ -3,6 +3,7 @@
 #include "common/core/compress.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <random>
 
@@ -70,6 +71,32 @@ TEST(Compress, DamageStaysWithinTheLimit) {
             EXPECT_LE(result.value().size(), 1000u) << bit;
         }
     }
+}
+
+TEST(Compress, AClaimTakesNoMemory) {
+    // A frame of a GiB that has one block, of one byte.
+    Bytes lie = compress(Bytes(std::size_t{1} << 30), compression_level_fast);
+    const Bytes little = compress(Bytes(1), compression_level_fast);
+    // Magic number, descriptor, window and the size in 4 bytes; or no window, and the size in 1.
+    ASSERT_EQ(std::to_integer<int>(lie[4]), 0x80);
+    ASSERT_EQ(std::to_integer<int>(little[4]), 0x20);
+    lie.resize(10);
+    lie.insert(lie.end(), little.begin() + 6, little.end());
+    const auto peak = [] {
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        return usage.ru_maxrss;
+    };
+    const long before = peak();
+    EXPECT_EQ(error_of(lie, std::size_t{1} << 30), ErrorCode::BadFrame);
+    EXPECT_LT(peak() - before, 256 * 1024) << "KiB";
+}
+
+TEST(Compress, WhatCompressesWellComesBackAsWell) {
+    const Bytes nothing(10'000'000);
+    const Bytes packed = compress(nothing, compression_level_geometry);
+    ASSERT_LT(packed.size(), nothing.size() / 1000);
+    EXPECT_EQ(decompress(packed, nothing.size()).value(), nothing);
 }
 
 } // namespace cd::tests
