@@ -170,6 +170,9 @@ void Channel::State::header_came() {
         return fail(decoded.error());
     }
     header = decoded.value();
+    if (header.has_more && header.payload_bytes < limits::frame_with_more_bytes_min) {
+        return fail({ErrorCode::BadFrame, "a message in pieces that are too small"});
+    }
     // Before memory is taken for it.
     if (const Status good = assembler.check(header); !good) {
         return refuse(good.error());

@@ -246,7 +246,7 @@ TEST(Channel, WhatThePeerMayNotSendIsRefusedBeforeItHasCome) {
 }
 
 /// Connects, says these bytes and no more, and waits until the other end has had enough.
-asio::awaitable<Error> verdict_on_standstill_after(Bytes bytes) {
+asio::awaitable<Error> verdict_on_standstill_after(Bytes bytes, bool is_greeted = false) {
     const auto executor = co_await asio::this_coro::executor;
     const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
     asio::ip::tcp::acceptor acceptor(executor, any_port);
@@ -257,6 +257,10 @@ asio::awaitable<Error> verdict_on_standstill_after(Bytes bytes) {
         Channel::make(std::make_unique<Stream>(std::move(socket)), 20ms);
     co_await asio::async_write(slow, asio::buffer(bytes), asio::use_awaitable);
     Result<Message> message = co_await channel->receive(patience);
+    if (is_greeted) {
+        EXPECT_TRUE(message);
+        message = co_await channel->receive(patience);
+    }
     EXPECT_FALSE(channel->is_open());
     co_return message.error();
 }
@@ -277,16 +281,32 @@ TEST(Channel, AMessageThatStandsStillMidwayEndsTheConnection) {
 TEST(Channel, AFrameThatPromisesMoreIsHeldToIt) {
     run_conversation([]() -> asio::awaitable<void> {
         FrameHeader header;
-        header.type = message_type(Hello{});
+        header.type = message_type(Results{});
         header.has_more = true;
-        header.payload_bytes = 1;
-        const Bytes payload(1);
+        header.payload_bytes = limits::frame_with_more_bytes_min;
+        const Bytes payload(header.payload_bytes);
         header.payload_checksum = checksum(payload);
         const auto head = encode_header(header);
-        Bytes begun(head.begin(), head.end());
+        Bytes begun = frame_of(Hello{});
+        begun.insert(begun.end(), head.begin(), head.end());
         begun.insert(begun.end(), payload.begin(), payload.end());
-        const Error verdict = co_await verdict_on_standstill_after(std::move(begun));
+        const Error verdict = co_await verdict_on_standstill_after(std::move(begun), true);
         EXPECT_EQ(verdict.code, ErrorCode::Timeout);
+    });
+}
+
+TEST(Channel, AMessageInSmallPiecesIsNotTaken) {
+    run_conversation([]() -> asio::awaitable<void> {
+        FrameHeader header;
+        header.type = message_type(Results{});
+        header.has_more = true;
+        header.payload_bytes = limits::frame_with_more_bytes_min - 1;
+        const auto head = encode_header(header);
+        Bytes begun = frame_of(Hello{});
+        begun.insert(begun.end(), head.begin(), head.end());
+        const Error verdict = co_await verdict_on_standstill_after(std::move(begun), true);
+        EXPECT_EQ(verdict.code, ErrorCode::BadFrame);
+        EXPECT_THAT(verdict.detail, testing::HasSubstr("too small"));
     });
 }
 
