@@ -275,9 +275,10 @@ void LinkEnd::check_flight(World& world) const {
     }
 }
 
-/// And of all else no more queues up than one connection may hold.
+/// And of all else little queues up: jobs and results are small here.
 void LinkEnd::check_queue(World& world) const {
-    if (queued - blocks_queued > limits::write_queue_bytes_max) {
+    constexpr std::size_t most = 256u << 10;
+    if (queued - blocks_queued > most) {
         world.problem(std::to_string(queued - blocks_queued) + " bytes queue up towards " +
                       other_host);
     }

@@ -8,13 +8,6 @@ namespace cd::tests {
 
 using namespace std::chrono_literals;
 
-namespace {
-
-/// Looks at the master, between two looks at what it believes of the workers' caches.
-constexpr std::uint64_t checks_between_caches = 8;
-
-} // namespace
-
 Simulation::Simulation(std::uint64_t seed, const SimulationOptions& options)
     : world_(seed, options.logs) {
     world_.on_message = [this](const Route& route, const Message& message) {
@@ -116,9 +109,7 @@ void Simulation::check() {
         world_.problem(std::string("an exception: ") + error.what());
     }
     check_quarantine();
-    if (outcome_.checks % checks_between_caches == 0) {
-        check_caches();
-    }
+    check_caches();
 }
 
 void Simulation::check_caches() {
