@@ -41,6 +41,8 @@ class BlockDelivery {
     void worker_returned(WorkerId worker, std::shared_ptr<Channel> channel);
 
     /// Errors: BadFrame for a root that the tree does not have.
+    /// Blocks of the tree may be sent to the worker.
+    [[nodiscard]] bool knows(WorkerId worker, TreeId tree) const;
     [[nodiscard]] Status wanted(WorkerId worker, const WantSubtrees& want);
     [[nodiscard]] Status held(WorkerId worker, const Held& held);
     void evicted(WorkerId worker, const Evicted& evicted);
@@ -72,7 +74,6 @@ class BlockDelivery {
         Sent sent;
     };
 
-    [[nodiscard]] bool knows(WorkerId worker, TreeId tree) const;
     /// The tree is known.
     [[nodiscard]] Status check_roots(TreeId tree, const std::vector<RootIndex>& roots) const;
     void probe(WorkerId worker);

@@ -102,21 +102,28 @@ BlockActions BlockDirector::peer_failed(WorkerId worker,
         return {};
     }
     Event event{now, {}, {}, {}};
+    bool was_named = false;
     for (const RootIndex root : roots) {
         const BlockKey block{tree, root};
         const auto comes = peers_.at(worker).comes.find(block);
-        if (comes != peers_.at(worker).comes.end() && comes->second != 0) {
-            Fetch& fetch = fetches_.at(comes->second);
-            if (fetch.source == source) {
-                free_place(fetch, event);
-            }
+        if (comes == peers_.at(worker).comes.end() || comes->second == 0) {
+            continue;
+        }
+        Fetch& fetch = fetches_.at(comes->second);
+        if (std::ranges::find(fetch.named, source) == fetch.named.end()) {
+            continue;
+        }
+        was_named = true;
+        if (fetch.source == source) {
+            free_place(fetch, event);
         }
         if (how == PeerOutcome::Missing) {
             lose_hold(source, block, event);
         }
     }
     const auto found = peers_.find(source);
-    if (found != peers_.end() && (how == PeerOutcome::Unreachable || how == PeerOutcome::Damaged)) {
+    if (was_named && found != peers_.end() &&
+        (how == PeerOutcome::Unreachable || how == PeerOutcome::Damaged)) {
         Peer& peer = found->second;
         peer.cannot_reach_it.insert(worker);
         peer.is_avoided |= how == PeerOutcome::Damaged ||
@@ -324,7 +331,11 @@ void BlockDirector::send_from_master(WorkerId worker, const BlockKey& block, Eve
 void BlockDirector::fetch(
     WorkerId worker, TreeId tree, std::vector<RootIndex> roots, WorkerId source, Event& event) {
     const FetchId id = ++fetch_last_;
-    fetches_.emplace(id, Fetch{worker, source, roots.size(), event.now + limits::peer_fetch_max});
+    Fetch& begun =
+        fetches_
+            .emplace(id,
+                     Fetch{worker, source, {}, roots.size(), event.now + limits::peer_fetch_max})
+            .first->second;
     ++peers_.at(source).uploads;
     note_places(source);
     for (const RootIndex root : roots) {
@@ -349,6 +360,7 @@ void BlockDirector::fetch(
             sources.push_back(other);
         }
     }
+    begun.named = sources;
     event.actions.emplace_back(SendToPeers{worker, tree, std::move(roots), std::move(sources)});
 }
 

@@ -65,7 +65,8 @@ class BlockDirector {
     BlockActions held(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now);
     BlockActions evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now);
     /// The source gave the worker none of these; the worker goes on to the next source, or wants
-    /// them again.
+    /// them again. Nothing happens where the worker was not told of this source: it could keep
+    /// others from serving.
     BlockActions peer_failed(WorkerId worker,
                              WorkerId source,
                              TreeId tree,
@@ -109,6 +110,7 @@ class BlockDirector {
     struct Fetch {
         WorkerId to;
         WorkerId source; ///< The first one, whose place is taken; 0 when it has none any more.
+        std::vector<WorkerId> named; ///< All that the worker was told of.
         std::size_t left = 0;
         Time deadline;
     };

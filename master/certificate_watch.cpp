@@ -11,7 +11,8 @@ namespace cd {
 asio::awaitable<void> watch_certificate(std::shared_ptr<Channel> channel,
                                         Access access,
                                         std::shared_ptr<asio::steady_timer> pause) {
-    while (channel->is_open()) {
+    const auto& holder = access.holder();
+    while (holder && channel->is_open()) {
         if (const Status allowed = access.check_holder(); !allowed) {
             spdlog::warn(
                 "session ended: peer={} reason=\"{}\"", channel->peer(), allowed.error().detail);
@@ -20,7 +21,7 @@ asio::awaitable<void> watch_certificate(std::shared_ptr<Channel> channel,
         }
         // The time of day may be set anew, and the list of the refused grow at any time.
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-            access.holder()->until - access.identity()->now());
+            holder->until - access.identity()->now());
         pause->expires_after(
             std::clamp<std::chrono::milliseconds>(left + std::chrono::milliseconds(1),
                                                   std::chrono::milliseconds(1),

@@ -223,6 +223,9 @@ class Coordinator {
     void worker_lost(WorkerId worker, const std::string& why);
     [[nodiscard]] bool is_its_channel(WorkerId worker, const Channel& channel) const;
     /// Of a process that is back, whatever it was before.
+    /// Whatever of its tasks is not answered is still to be done, and does not count as lost. It
+    /// gets nothing any more.
+    void take_all_back(WorkerId worker);
     void end_earlier_sessions(std::uint64_t instance);
     [[nodiscard]] Status check_standing(const Standing& standing) const;
     asio::awaitable<void> watch_workers();

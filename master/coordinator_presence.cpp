@@ -155,16 +155,7 @@ void Coordinator::end_earlier_sessions(std::uint64_t instance) {
     }
     for (const WorkerId id : earlier) {
         // The process lives: what it was given did not end it, and may never have come to it.
-        std::vector<TaskId> given;
-        for (const auto& [task, running] : tasks_) {
-            if (running.worker == id) {
-                given.push_back(task);
-            }
-        }
-        act(dispatcher().worker_draining(id)); // Or it would get some of it again.
-        for (const TaskId task : given) {
-            act(dispatcher().task_unbegun(id, task));
-        }
+        take_all_back(id);
         worker_lost(id, "it has begun another session");
     }
     for (auto lost = lost_.begin(); lost != lost_.end();) {
@@ -174,6 +165,19 @@ void Coordinator::end_earlier_sessions(std::uint64_t instance) {
         } else {
             ++lost;
         }
+    }
+}
+
+void Coordinator::take_all_back(WorkerId worker) {
+    std::vector<TaskId> given;
+    for (const auto& [task, running] : tasks_) {
+        if (running.worker == worker) {
+            given.push_back(task);
+        }
+    }
+    act(dispatcher().worker_draining(worker)); // Or it would get some of it again.
+    for (const TaskId task : given) {
+        act(dispatcher().task_unbegun(worker, task));
     }
 }
 
@@ -329,10 +333,12 @@ void Coordinator::connection_ended(WorkerId worker,
     }
     const auto link = workers_.find(worker);
     const WorkerStatus status = dispatcher_.worker_status(worker);
-    if ((status.draining && status.working == 0) || link->second.quarantined) {
+    const bool is_cut_off = link->second.is_cut_off;
+    const bool is_drained = status.draining && status.working == 0 && !is_cut_off;
+    if (is_drained || link->second.quarantined) {
         return worker_left(worker, why);
     }
-    if (link->second.is_cut_off) {
+    if (is_cut_off) {
         return worker_lost(worker, why);
     }
     spdlog::warn("connection broke: worker={} name={} working={} reason=\"{}\"",

@@ -1,5 +1,6 @@
 // What workers do to the coordinator.
 #include "common/core/check.hpp"
+#include "common/core/limits_master.hpp"
 #include "common/core/log.hpp"
 #include "master/coordinator.hpp"
 
@@ -27,6 +28,9 @@ void Coordinator::evicted(WorkerId worker, const Evicted& evicted) {
 }
 
 void Coordinator::blocks_wanted(WorkerId worker, const WantSubtrees& want) {
+    if (!blocks_.knows(worker, want.tree)) {
+        return; // It is in quarantine, or the tree is gone.
+    }
     if (const Status known = blocks_.wanted(worker, want); !known) {
         return cut_off(worker, known.error());
     }
@@ -61,6 +65,9 @@ void Coordinator::cuts_held(WorkerId worker, const Holding& holding) {
     const auto link = workers_.find(worker);
     if (link != workers_.end() && !link->second.quarantined) {
         link->second.cuts.insert(holding.cuts.begin(), holding.cuts.end());
+        if (link->second.cuts.size() > limits::cuts_held_max) {
+            return cut_off(worker, {ErrorCode::TooLarge, "it holds blocks of too many cuts"});
+        }
         add_held_trees(link->second);
     }
 }
@@ -107,8 +114,16 @@ void Coordinator::end_task_if_complete(TaskId id) {
     if (!task->second.content->range) {
         tasks_.erase(task);
     }
+    const std::uint64_t left = unbegun ? 0 : dispatcher_.owed(worker, id);
     act(unbegun ? dispatcher().task_unbegun(worker, id) : dispatcher().task_ended(worker, id));
     note_work(worker);
+    if (left != 0) {
+        // It is here: nothing that it was given has ended it.
+        take_all_back(worker);
+        cut_off(worker,
+                {ErrorCode::BadFrame,
+                 "it ended a task without an answer for " + std::to_string(left) + " scenarios"});
+    }
 }
 
 void Coordinator::add_job_to(WorkerLink& link, const MasterJob& job) {

@@ -135,13 +135,11 @@ Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
     if (proxy == nullptr || !proxy->tasks().contains(task)) {
         return {};
     }
-    const bool handed_back = proxy->is_draining();
     const ProxyTask ended = proxy->end_task(task);
     proxy->judge_batch(ended, state_->now);
     Actions actions;
-    // A worker that is here and does not answer is no process that this has killed.
-    const WorkerProcess not_killed = 0;
-    state_->end_task(task, ended, handed_back ? std::nullopt : std::optional(not_killed), actions);
+    // A worker that is here was not killed by what it has not answered.
+    state_->end_task(task, ended, std::nullopt, actions);
     if (state_->is_due(state_->settled) || state_->something_waits()) {
         state_->settle(actions);
     } else {
@@ -336,6 +334,12 @@ std::vector<TaskId> Dispatcher::tasks_of(WorkerId worker) const {
         ids.push_back(id);
     }
     return ids;
+}
+
+std::uint64_t Dispatcher::owed(WorkerId worker, TaskId task) const {
+    const WorkerProxy* const proxy = state_->pool.find(worker);
+    const bool owes = proxy != nullptr && !proxy->is_draining() && proxy->tasks().contains(task);
+    return owes ? proxy->tasks().at(task).left() : 0;
 }
 
 std::uint64_t Dispatcher::unanswered(JobId job) const {

@@ -174,8 +174,8 @@ class Dispatcher {
     /// So many scenarios of a range are answered; they took its threads that long. Of a task that
     /// is not here: nothing.
     Actions places_answered(WorkerId worker, TaskId task, std::uint64_t count, double busy_seconds);
-    /// The worker has sent all results of the task. Scenarios of it that are not answered go back:
-    /// those of a draining worker are handed back, those of another one count as lost with it.
+    /// The worker has sent all results of the task. Scenarios of it that are not answered go back,
+    /// and do not count as lost.
     Actions task_ended(WorkerId worker, TaskId task);
     /// The task got lost on its way to the worker, which is well: what of it is not answered goes
     /// back, and does not count as lost.
@@ -215,6 +215,9 @@ class Dispatcher {
     [[nodiscard]] std::vector<WorkerId> workers() const;
     /// At the worker, which is here.
     [[nodiscard]] std::vector<TaskId> tasks_of(WorkerId worker) const;
+    /// Scenarios of the task that would have to be answered before it ends: 0 of a worker that
+    /// drains, or is not here.
+    [[nodiscard]] std::uint64_t owed(WorkerId worker, TaskId task) const;
     /// Scenarios that were analysed and are not answered: 0 of a job that is not open. The places
     /// that were given and not sent; the job is open.
     [[nodiscard]] std::uint64_t unanswered(JobId job) const;

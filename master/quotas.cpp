@@ -40,7 +40,11 @@ Status Quotas::connect(const std::string& client) {
     if (entry.connections >= limits_.connections) {
         return too_much(client, of(entry.connections, limits_.connections, "connections"));
     }
+    if (connections_ >= limits_.all_connections) {
+        return too_much("everybody", of(connections_, limits_.all_connections, "connections"));
+    }
     ++entry.connections;
+    ++connections_;
     return Done{};
 }
 
@@ -48,6 +52,7 @@ void Quotas::disconnect(const std::string& client) {
     const auto found = clients_.find(client);
     if (found != clients_.end() && found->second.connections != 0) {
         --found->second.connections;
+        --connections_;
     }
 }
 

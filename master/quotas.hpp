@@ -31,6 +31,7 @@ class Quotas {
 
     struct Limits {
         std::size_t connections = limits::client_connections_max;
+        std::size_t all_connections = limits::connections_max;
         std::size_t jobs = limits::client_jobs_max;             ///< Running.
         std::uint64_t scenarios = limits::client_scenarios_max; ///< Of these.
         /// Of meshes, poses and grids, that it may send at once, and again in each `period`.
@@ -68,6 +69,7 @@ class Quotas {
     [[nodiscard]] std::string jobs_text();
     void restore_jobs(std::string_view text);
 
+    [[nodiscard]] std::size_t connections() const { return connections_; }
     /// Of whom anything is remembered.
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 
@@ -89,6 +91,7 @@ class Quotas {
     Limits limits_;
     ScenariosOf scenarios_of_;
     std::map<std::string, Client> clients_;
+    std::size_t connections_ = 0; ///< Of all.
 };
 
 } // namespace cd

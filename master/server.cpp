@@ -13,6 +13,15 @@
 
 namespace cd {
 
+namespace {
+
+/// As whom the peer is counted.
+std::string name_of(const Access& access, const Channel& channel) {
+    return access.holder() ? access.holder()->name : channel.peer_host();
+}
+
+} // namespace
+
 Result<std::unique_ptr<Server>> Server::listen(const asio::any_io_executor& executor,
                                                const Endpoint& endpoint,
                                                Coordinator& coordinator,
@@ -34,12 +43,14 @@ Server::Server(std::unique_ptr<Listener> listener,
       coordinator_(coordinator),
       identity_(identity),
       clients_(clients),
-      quotas_(clients.quotas, [&coordinator](JobId job) {
-          const Result<JobStatus> status = coordinator.job_status(job);
-          return status && status.value().state == JobState::Running
-                     ? std::optional(status.value().summary.total)
-                     : std::nullopt;
-      }) {}
+      quotas_(clients.quotas,
+              [&coordinator](JobId job) {
+                  const Result<JobStatus> status = coordinator.job_status(job);
+                  return status && status.value().state == JobState::Running
+                             ? std::optional(status.value().summary.total)
+                             : std::nullopt;
+              }),
+      worker_quotas_(clients.workers, [](JobId) { return std::nullopt; }) {}
 
 void Server::start() {
     restore_jobs();
@@ -136,6 +147,11 @@ asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
     welcome.version = negotiate(hello).value();
     welcome.build = version;
     if (hello.role == Role::Worker) {
+        const std::string holder = name_of(access, *channel);
+        if (const Status allowed = worker_quotas_.connect(holder); !allowed) {
+            refuse_greeting(*channel, allowed.error());
+            co_return;
+        }
         seat.reset();
         const Reception reception = coordinator_.receive_worker(hello);
         welcome.id = reception.worker.value;
@@ -147,6 +163,7 @@ asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
         channel->send(welcome);
         const auto session = std::make_shared<WorkerSession>(coordinator_, channel, reception);
         co_await session->run(hello);
+        worker_quotas_.disconnect(holder);
     } else if (hello.role == Role::Joiner) {
         channel->send(welcome);
         co_await admit(channel, access);
@@ -185,7 +202,7 @@ asio::awaitable<void> Server::serve_client(std::shared_ptr<Channel> channel,
                                            Welcome welcome,
                                            Access access,
                                            Seats::Seat& seat) {
-    const std::string client = access.holder() ? access.holder()->name : channel->peer_host();
+    const std::string client = name_of(access, *channel);
     if (const Status allowed = quotas_.connect(client); !allowed) {
         refuse_greeting(*channel, allowed.error());
         co_return;

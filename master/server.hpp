@@ -24,6 +24,8 @@ namespace cd {
 /// What clients may have; tests make it small.
 struct ClientLimits {
     Quotas::Limits quotas = {};
+    Quotas::Limits workers = {.connections = limits::worker_connections_max,
+                              .all_connections = limits::all_worker_connections_max};
     std::chrono::milliseconds submission_idle_max = limits::submission_idle_max;
 };
 
@@ -83,6 +85,7 @@ class Server {
     Refusals refusals_;
     ClientLimits clients_;
     Quotas quotas_;
+    Quotas worker_quotas_; ///< Of their connections.
 };
 
 } // namespace cd

@@ -50,7 +50,7 @@ void PeerServer::stop_serving() {
 
 void PeerServer::accept(asio::ip::tcp::socket socket) {
     Seats::Seat seat = greetings_.take(socket);
-    if (seat == nullptr || connections_ >= limits::peer_connections_max) {
+    if (seat == nullptr || places_.taken() >= limits::peer_connections_max) {
         return; // It is closed, and the other worker goes to the next source.
     }
     spawn(executor_, "a peer", serve(shared_from_this(), std::move(socket), std::move(seat)));
@@ -77,15 +77,16 @@ asio::awaitable<void> PeerServer::serve(std::shared_ptr<PeerServer> self,
 
 asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel, Seats::Seat& seat) {
     const Result<Hello> hello = co_await accept_hello(channel);
-    if (hello && hello.value().role == Role::Peer && connections_ < limits::peer_connections_max) {
+    boost::system::error_code no_address;
+    const asio::ip::address host = asio::ip::make_address(channel->peer_host(), no_address);
+    const Seats::Seat place = no_address ? nullptr : places_.take(host);
+    if (hello && hello.value().role == Role::Peer && place != nullptr) {
         seat.reset();
-        ++connections_;
         Welcome welcome;
         welcome.version = negotiate(hello.value()).value();
         welcome.build = version;
         channel->send(welcome);
         co_await answer_all(channel);
-        --connections_;
     }
     channel->close();
 }
@@ -103,10 +104,11 @@ asio::awaitable<void> PeerServer::answer_all(std::shared_ptr<Channel> channel) {
 
 asio::awaitable<void> PeerServer::answer(std::shared_ptr<Channel> channel, PeerFetch fetch) {
     if (!tickets_ || !tickets_->take(fetch)) {
-        spdlog::warn("peer refused: peer={} tree={} ticket={}",
-                     channel->peer(),
-                     fetch.tree.value,
-                     fetch.ticket);
+        refusals_.log(spdlog::level::warn,
+                      "peer refused",
+                      channel->peer(),
+                      "tree " + std::to_string(fetch.tree.value) + ", ticket " +
+                          std::to_string(fetch.ticket));
         channel->send(PeerFetched{fetch.tree, std::move(fetch.roots), PeerOutcome::Refused});
     } else if (uploads_ >= limits::peer_uploads_max) {
         channel->send(PeerFetched{fetch.tree, std::move(fetch.roots), PeerOutcome::Busy});

@@ -59,7 +59,7 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
     Blocks blocks_;
     Seats greetings_{limits::peer_connections_max}; ///< Of those that have not greeted yet.
     Refusals refusals_;
-    std::size_t connections_ = 0; ///< Of those that have.
+    Seats places_{limits::peer_connections_max}; ///< Of those that have.
     std::size_t uploads_ = 0;
     std::uint64_t uploaded_bytes_ = 0;
 };

@@ -14,6 +14,10 @@ inline constexpr std::size_t ended_grid_bytes_max = 64u << 10; ///< In memory, w
 inline constexpr std::uint64_t client_queued_bytes_max = 64ull << 30; ///< Of jobs not yet done.
 inline constexpr std::uint64_t client_scenarios_max = 1ull << 27;     ///< Of its jobs that run.
 inline constexpr std::size_t client_uploads_max = 8;                  ///< Meshes, begun.
+/// Of the workers of one holder, or, without TLS, host.
+inline constexpr std::size_t worker_connections_max = 2048;
+/// Of all: then only other clients find a place.
+inline constexpr std::size_t all_worker_connections_max = 7168;
 inline constexpr std::chrono::seconds submission_idle_max{60}; ///< Of a begun mesh, or poses.
 inline constexpr std::chrono::seconds retry_after{30};         ///< Told who asks too much.
 inline constexpr std::size_t meshes_max = 1u << 16;            ///< So that a status fits a message.

@@ -32,7 +32,6 @@ class FakeWorker {
         std::uint64_t lies_alone = 0; ///< So many first batches it answers wrongly, and that is it.
         std::optional<std::uint64_t> dies_of = {}; ///< A scenario.
         bool sends_rubbish = false;
-        bool forgets_one = false;    ///< Once, it ends a task without an answer.
         bool holds_too_much = false; ///< Roots that the tree does not have.
         bool says_what_it_holds = false;
         bool only_takes = false;                       ///< It does nothing with what it gets.
@@ -274,8 +273,7 @@ class FakeWorker {
         results.task = batch.task;
         results.job = batch.job;
         ByteWriter records;
-        const std::size_t left_out = std::exchange(habits_.forgets_one, false) ? 1 : 0;
-        for (std::size_t i = left_out; i < scenarios.size(); ++i) {
+        for (std::size_t i = 0; i < scenarios.size(); ++i) {
             std::vector<SubtreePair> pairs;
             for (std::uint32_t p = batch.pair_offsets[i]; p < batch.pair_offsets[i + 1]; ++p) {
                 pairs.push_back({trees_.at(job.tree_a).subtrees.at(batch.pairs[p].a).view(),

@@ -11,21 +11,18 @@
 namespace cd::tests {
 namespace {
 
-TEST(Server, RangesOfAWorkerThatDiesOrForgetsAreAnalysedAndDoneByAnother) {
-    for (const FakeWorker::Habits& habits :
-         {FakeWorker::Habits{.dies_at_range = 2}, FakeWorker::Habits{.forgets_one = true}}) {
-        Master master;
-        FakeWorker bad(master, habits);
-        Client client(master);
-        Submit submit = reference().submission();
-        submit.cluster.analysis = AnalysisMode::Never;
-        client.start(submit);
-        master.run_until([&] { return bad.ranges >= 2; });
-        FakeWorker other(master, {});
-        master.run_until([&] { return client.done; });
-        expect_right(client);
-        EXPECT_GT(bad.batches + other.batches, 0u);
-    }
+TEST(Server, RangesOfAWorkerThatDiesAreAnalysedAndDoneByAnother) {
+    Master master;
+    const FakeWorker bad(master, {.dies_at_range = 2});
+    Client client(master);
+    Submit submit = reference().submission();
+    submit.cluster.analysis = AnalysisMode::Never;
+    client.start(submit);
+    master.run_until([&] { return bad.ranges >= 2; });
+    const FakeWorker other(master, {});
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+    EXPECT_GT(bad.batches + other.batches, 0u);
 }
 
 TEST(Server, AWorkerThatDiesHasItsScenariosDoneByAnother) {
@@ -57,9 +54,9 @@ TEST(Server, ConnectionsThatOneProcessHasLeftAreNoEvidenceAgainstAScenario) {
     expect_right(client);
 }
 
-TEST(Server, RepeatedAndForgottenAnswersDoNoHarm) {
+TEST(Server, RepeatedAnswersDoNoHarm) {
     Master master;
-    FakeWorker twice(master, {.answers_twice = true, .forgets_one = true});
+    const FakeWorker twice(master, {.answers_twice = true});
     Client client(master);
     client.start(reference().submission());
     master.run_until([&] { return client.done; });

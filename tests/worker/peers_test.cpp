@@ -208,5 +208,53 @@ TEST(Peers, TurnAwayWhoIsNoPeer) {
     });
 }
 
+TEST(Peers, TurnAwayWhoHasNoWorkersCertificate) {
+    const WallTime now = std::chrono::system_clock::now();
+    const std::chrono::hours hour(1);
+    const auto authority = CertificateAuthority::make(now);
+    const auto tls_of = [&](CertifiedRole role) {
+        return Tls::make(authority.issue({role, "somebody", now - hour, now + hour})).value();
+    };
+    run_conversation([&]() -> asio::awaitable<void> {
+        const auto executor = co_await asio::this_coro::executor;
+        const auto slot = std::make_shared<TlsSlot>();
+        slot->now = tls_of(CertifiedRole::Worker);
+        const auto server = PeerServer::listen(executor, {"127.0.0.1", 0}, slot).value();
+        for (const CertifiedRole role :
+             {CertifiedRole::Worker, CertifiedRole::Submitter, CertifiedRole::Metrics}) {
+            Target target({"127.0.0.1", server->port()}, tls_of(role), CertifiedRole::Worker);
+            const auto channel = co_await connect(std::move(target));
+            EXPECT_TRUE(channel);
+            Hello hello;
+            hello.role = Role::Peer;
+            const Result<Welcome> welcome = co_await greet(channel.value(), hello);
+            EXPECT_EQ(welcome.has_value(), role == CertifiedRole::Worker);
+            channel.value()->close();
+        }
+    });
+}
+
+TEST(Peers, LeaveRoomForOtherHosts) {
+    run_conversation([]() -> asio::awaitable<void> {
+        Source source(co_await asio::this_coro::executor);
+        const Endpoint address{"127.0.0.1", source.server->port()};
+        Hello hello;
+        hello.role = Role::Peer;
+        std::vector<std::shared_ptr<Channel>> channels;
+        std::size_t welcome = 0;
+        for (std::size_t i = 0; i <= limits::peer_connections_max / 2; ++i) {
+            Target target(address);
+            const auto channel = co_await connect(std::move(target));
+            channels.push_back(channel.value());
+            const Result<Welcome> answer = co_await greet(channel.value(), hello);
+            welcome += answer ? 1 : 0;
+        }
+        EXPECT_EQ(welcome, limits::peer_connections_max / 2);
+        for (const auto& channel : channels) {
+            channel->close();
+        }
+    });
+}
+
 } // namespace
 } // namespace cd::tests
