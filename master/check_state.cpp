@@ -1,6 +1,7 @@
 #include "master/check_state.hpp"
 
 #include "common/core/disk_file.hpp"
+#include "master/identity.hpp"
 #include "master/journal_database.hpp"
 #include "master/journal_groups.hpp"
 #include "master/mesh_file.hpp"
@@ -30,6 +31,7 @@ class Check {
         }
         check_journal();
         check_meshes();
+        note(MasterIdentity::check(directory_));
         report_.lines.push_back(report_.is_sound ? "the state is sound"
                                                  : "the state is damaged; nothing was changed");
         return std::move(report_);

@@ -12,9 +12,9 @@ struct StateReport {
     bool is_sound = true;
 };
 
-/// Reads every byte that matters: the journal, all records of results, poses, and meshes against
-/// their hashes. Trees and blocks are not looked at: they are made again from the meshes. A
-/// directory that a master uses cannot be checked, and counts as not sound.
+/// Reads every byte that matters: the journal, all records of results, poses, meshes against their
+/// hashes, and the identity. Trees and blocks are not looked at: they are made again from the
+/// meshes. A directory that a master uses cannot be checked, and counts as not sound.
 [[nodiscard]] StateReport check_state(const std::filesystem::path& directory);
 
 } // namespace cd

@@ -131,7 +131,7 @@ void Coordinator::perform(const GiveUp& action) {
     fail_scenario(*job,
                   analysis->scenario,
                   "lost with " + std::to_string(limits::scenario_losses_max) +
-                      " workers, one after the other");
+                      " workers, one after the other, or with fewer again and again");
 }
 
 void Coordinator::add_long_scenarios(JobStatus& job) const {

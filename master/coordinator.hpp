@@ -197,6 +197,7 @@ class Coordinator {
         std::size_t in_hand = 0;               ///< Messages of results that are being checked.
         bool ended = false;                    ///< The worker says that it has sent all.
         bool unbegun = false;                  ///< It got lost on its way to the worker.
+        bool is_called_off = false;            ///< Of a range, some at least: no answer is owed.
         bool is_copy = false;                  ///< Another worker has the same.
         std::optional<PlaceRange> places = {}; ///< Of a range: what was not given back.
     };

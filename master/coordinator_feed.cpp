@@ -221,11 +221,12 @@ void Coordinator::give_again(MasterJob& job, const GivenPlaces& ended, const Los
 }
 
 void Coordinator::call_off_places(const MasterJob& job, WorkerId worker, std::uint64_t scenario) {
-    for (const auto& [id, task] : tasks_) {
+    for (auto& [id, task] : tasks_) {
         const auto link = workers_.find(task.worker);
         if (task.content->job == job.id && task.places && task.worker != worker &&
             link != workers_.end() && task.content->range->scenario(scenario)) {
             link->second.channel->send(DropScenario{job.id, scenario, id});
+            task.is_called_off = true;
         }
     }
 }

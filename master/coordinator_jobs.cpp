@@ -73,6 +73,7 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
             return spool->seal(parts_.journal.poses_path(id), parts_.durability);
         };
         if (const Status sealed = co_await run_on(parts_.blocking, seal); !sealed) {
+            jobs_.give_up(id);
             co_return sealed.error();
         }
     }
@@ -114,7 +115,8 @@ asio::awaitable<void> Coordinator::prepare_job(JobId id, DoneScenarios done) {
             start_job(*job, made.value(), std::move(done));
             co_return;
         }
-        if (!made.is_unwritten()) {
+        // What the disk does not take, or does not give, may be mended; nothing is lost by waiting.
+        if (!made.is_unwritten() && made.error().code != ErrorCode::Io) {
             end_job(*job, JobState::Failed, made.error().detail);
             co_return;
         }
@@ -140,8 +142,7 @@ void Coordinator::job_paused(MasterJob& job, const std::string& why) {
     if (why.empty()) {
         spdlog::info("job goes on: job={}", job.id.value);
     } else {
-        spdlog::error(
-            "blocks cannot be written, the job waits: job={} error=\"{}\"", job.id.value, why);
+        spdlog::error("no geometry for now, the job waits: job={} error=\"{}\"", job.id.value, why);
     }
     job.paused = why;
     ++job.changes;

@@ -111,10 +111,11 @@ void Coordinator::end_task_if_complete(TaskId id) {
     }
     const WorkerId worker = task->second.worker;
     const bool unbegun = task->second.unbegun;
+    const bool is_excused = unbegun || task->second.is_called_off;
     if (!task->second.content->range) {
         tasks_.erase(task);
     }
-    const std::uint64_t left = unbegun ? 0 : dispatcher_.owed(worker, id);
+    const std::uint64_t left = is_excused ? 0 : dispatcher_.owed(worker, id);
     act(unbegun ? dispatcher().task_unbegun(worker, id) : dispatcher().task_ended(worker, id));
     note_work(worker);
     if (left != 0) {

@@ -58,7 +58,10 @@ Result<CertificateAuthority> read_authority(const std::filesystem::path& folder)
     }
     auto authority = CertificateAuthority::parse(certificate.value(), key.value());
     if (!authority) {
-        return Error{ErrorCode::BadInput, folder.string() + " holds " + authority.error().detail};
+        return Error{ErrorCode::BadInput,
+                     folder.string() + " holds " + authority.error().detail +
+                         "; nothing was changed: restore it from a copy, or move it away, run "
+                         "`cdmaster init`, and have everybody join again"};
     }
     return authority;
 }
@@ -90,7 +93,9 @@ Result<TokenBook> read_tokens(const std::filesystem::path& folder) {
     auto tokens = TokenBook::parse(text.value());
     if (!tokens) {
         return Error{ErrorCode::BadInput,
-                     tokens_path(folder).string() + ": " + tokens.error().detail};
+                     tokens_path(folder).string() + ": " + tokens.error().detail +
+                         "; nothing was changed: restore it from a copy, or move it away, and make "
+                         "new tokens"};
     }
     return tokens;
 }
@@ -132,6 +137,17 @@ Result<std::unique_ptr<MasterIdentity>> MasterIdentity::open(const std::filesyst
         return valid.error();
     }
     return identity;
+}
+
+Status MasterIdentity::check(const std::filesystem::path& state) {
+    const std::filesystem::path folder = folder_of(state);
+    const Result<CertificateAuthority> authority = read_authority(folder);
+    if (!authority) {
+        return authority.error().code == ErrorCode::NotFound ? Status(Done{})
+                                                             : Status(authority.error());
+    }
+    const Result<TokenBook> tokens = read_tokens(folder);
+    return tokens ? Status(Done{}) : Status(tokens.error());
 }
 
 std::filesystem::path MasterIdentity::admin_path(const std::filesystem::path& state) {

@@ -34,6 +34,10 @@ class MasterIdentity {
     [[nodiscard]] static Result<std::unique_ptr<MasterIdentity>>
     open(const std::filesystem::path& state, const Options& options);
 
+    /// Whether the files of an identity, where there are any, can be read; changes nothing. Errors:
+    /// those of `open`.
+    [[nodiscard]] static Status check(const std::filesystem::path& state);
+
     /// With which the master listens.
     [[nodiscard]] std::shared_ptr<const TlsSlot> tls() const { return tls_; }
     [[nodiscard]] Sha256 fingerprint() const { return authority_.fingerprint(); }

@@ -104,13 +104,17 @@ Error no_job(JobId job) {
 }
 
 Result<JobId> JobBoard::next(std::uint64_t scenarios) {
-    if (running_.size() >= limits::jobs_running_max) {
+    const std::size_t jobs = running_.size() + begun_.size();
+    if (jobs >= limits::jobs_running_max) {
         return Error{ErrorCode::Refused,
-                     std::to_string(running_.size()) + " jobs are running; submit again later"};
+                     std::to_string(jobs) + " jobs are running; submit again later"};
     }
     std::uint64_t sum = scenarios;
     for (const JobId job : running_) {
         sum += jobs_.at(job).submit.scenarios;
+    }
+    for (const auto& [job, count] : begun_) {
+        sum += count;
     }
     if (sum > limits::scenarios_running_max) {
         return Error{ErrorCode::Refused,
@@ -118,12 +122,14 @@ Result<JobId> JobBoard::next(std::uint64_t scenarios) {
                          " scenarios would be of jobs that run, and there may be " +
                          std::to_string(limits::scenarios_running_max) + "; submit again later"};
     }
-    return JobId{++last_};
+    begun_.emplace(JobId{++last_}, scenarios);
+    return JobId{last_};
 }
 
 MasterJob& JobBoard::add(MasterJob job) {
     const JobId id = job.id;
     reserve(id);
+    begun_.erase(id);
     const auto [place, is_new] = jobs_.emplace(id, std::move(job));
     CD_CHECK(is_new);
     if (place->second.is_running()) {
@@ -180,25 +186,25 @@ std::vector<JobId> JobBoard::announce(MasterJob& job) {
     ++job.changes;
     // Which one is the oldest, its end says, and not its number.
     std::vector<std::tuple<Clock::time_point, JobId, std::uint64_t>> ended;
-    std::uint64_t scenarios = 0;
+    std::uint64_t results = 0;
     for (const auto& [id, one] : jobs_) {
         if (one.state != JobState::Running) {
-            ended.emplace_back(one.ended, id, one.submit.scenarios);
-            scenarios += one.submit.scenarios;
+            ended.emplace_back(one.ended, id, one.merger.summary().merged());
+            results += one.merger.summary().merged();
         }
     }
     std::ranges::sort(ended);
     std::size_t left = ended.size();
     std::vector<JobId> dropped;
     for (const auto& [when, id, count] : ended) {
-        if (left <= limits::jobs_ended_kept_max && scenarios <= limits::scenarios_ended_kept_max) {
+        if (left <= limits::jobs_ended_kept_max && results <= results_kept_) {
             break;
         }
         if (id != job.id) {
             spdlog::info("results dropped: job={} reason=\"newer jobs\"", id.value);
             dropped.push_back(id);
             jobs_.erase(id);
-            scenarios -= count;
+            results -= count;
             --left;
         }
     }

@@ -1,6 +1,7 @@
 // The jobs that the master knows, from their acceptance until their results are dropped.
 #pragma once
 
+#include "common/core/limits_master.hpp"
 #include "common/core/result.hpp"
 #include "common/job/merge.hpp"
 #include "common/job/ordered_poses.hpp"
@@ -120,11 +121,16 @@ struct MasterJob {
 [[nodiscard]] Error no_job(JobId job);
 
 /// Jobs by id. Those that have ended are kept with their results, the last
-/// `limits::jobs_ended_kept_max` of them, or fewer with many scenarios.
+/// `limits::jobs_ended_kept_max` of them, or fewer with many results.
 class JobBoard {
   public:
-    /// The number of a new job. Errors: Refused with too many jobs, or scenarios, running.
+    explicit JobBoard(std::uint64_t results_kept = limits::results_ended_kept_max)
+        : results_kept_(results_kept) {}
+
+    /// The number of a new job, which counts among those that run until it is added or given up.
+    /// Errors: Refused with too many jobs, or scenarios, running.
     [[nodiscard]] Result<JobId> next(std::uint64_t scenarios);
+    void give_up(JobId job) { begun_.erase(job); }
     /// The number is new.
     MasterJob& add(MasterJob job);
     /// No job gets this number, or a lesser one, any more.
@@ -149,7 +155,9 @@ class JobBoard {
   private:
     std::map<JobId, MasterJob> jobs_;
     std::set<JobId> running_;
+    std::map<JobId, std::uint64_t> begun_; ///< Their scenarios.
     std::uint64_t last_ = 0;
+    std::uint64_t results_kept_;
 };
 
 } // namespace cd

@@ -34,9 +34,10 @@ MeshInfo read_info(const std::filesystem::path& path) {
 Result<std::shared_ptr<const Mesh>> read_mesh(const std::filesystem::path& path,
                                               const Sha256& hash) {
     const auto damaged = [&](const std::string& why) {
-        return Error{ErrorCode::Io,
-                     path.string() + " is damaged: " + why +
-                         "; move it away, restart cdmaster and submit the mesh again"};
+        return Error{
+            ErrorCode::Io,
+            path.string() + " is damaged: " + why +
+                "; restore it, or move it away, restart cdmaster and submit the mesh again"};
     };
     const Result<DiskFile> file = DiskFile::open(path);
     if (!file) {

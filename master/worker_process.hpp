@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/limits.hpp"
+#include "common/core/limits_master.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,15 +16,18 @@ namespace cd {
 using WorkerProcess = std::uint64_t;
 
 /// Of scenarios: with whom they were lost. A process that comes back was not killed by them, and
-/// however often it is lost again, it counts once.
+/// counts once. But what silences its host each time would never come to an end where there are no
+/// others: so after so many more losses it counts again.
 class Losses {
   public:
     /// 0: one that nobody knows, or that is still here; it counts each time.
     void add(WorkerProcess process) {
-        if (process != 0 && std::ranges::find(processes_, process) != processes_.end()) {
+        const bool is_known =
+            process != 0 && std::ranges::find(processes_, process) != processes_.end();
+        if (is_known && ++again_ % limits::losses_again_that_count != 0) {
             return;
         }
-        if (count_ < processes_.size()) {
+        if (!is_known && count_ < processes_.size()) {
             processes_[count_] = process;
         }
         ++count_;
@@ -36,6 +40,7 @@ class Losses {
   private:
     std::array<WorkerProcess, limits::scenario_losses_max> processes_{};
     std::size_t count_ = 0;
+    std::size_t again_ = 0; ///< With those that are known.
 };
 
 } // namespace cd

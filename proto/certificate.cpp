@@ -204,11 +204,6 @@ Error no_certificate() {
 
 } // namespace
 
-bool is_good_name(std::string_view name) {
-    return !name.empty() && name.size() <= limits::certified_name_bytes_max && is_printable(name) &&
-           name.front() != ' ' && name.back() != ' ';
-}
-
 namespace openssl {
 
 Certificate parse_certificate(const std::string& pem) {

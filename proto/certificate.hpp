@@ -35,10 +35,6 @@ struct Identity {
     WallTime until;
 };
 
-/// Printable, 1 to 64 bytes. No blank begins or ends it, which nobody would see: so it could pass
-/// for another's.
-[[nodiscard]] bool is_good_name(std::string_view name);
-
 /// A new private key (ECDSA, P-256), and a request for a certificate that proves that the key is
 /// there. Both are PEM. The key never leaves the process but into a file of its own.
 struct CertificateRequest {

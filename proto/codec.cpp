@@ -3,7 +3,6 @@
 #include "common/core/limits.hpp"
 #include "common/core/limits_clients.hpp"
 #include "common/core/printable.hpp"
-#include "proto/certificate.hpp"
 #include "proto/wire_messages.hpp"
 
 #include <algorithm>

@@ -77,9 +77,9 @@ asio::awaitable<void> PeerServer::serve(std::shared_ptr<PeerServer> self,
 
 asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel, Seats::Seat& seat) {
     const Result<Hello> hello = co_await accept_hello(channel);
-    boost::system::error_code no_address;
-    const asio::ip::address host = asio::ip::make_address(channel->peer_host(), no_address);
-    const Seats::Seat place = no_address ? nullptr : places_.take(host);
+    // One without an address shares the places of all such.
+    boost::system::error_code ignored;
+    const Seats::Seat place = places_.take(asio::ip::make_address(channel->peer_host(), ignored));
     if (hello && hello.value().role == Role::Peer && place != nullptr) {
         seat.reset();
         Welcome welcome;

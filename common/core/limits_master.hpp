@@ -17,8 +17,9 @@ inline constexpr std::size_t worker_sessions_kept = 4096;
 inline constexpr std::uint64_t scenarios_running_max = 1ull << 28;
 /// Of all jobs that have ended: their places, 16 bytes each. Then the oldest job goes, but never
 /// the latest.
-inline constexpr std::uint64_t scenarios_ended_kept_max = 1ull << 27;
-inline constexpr std::size_t cuts_held_max = 1u << 15; ///< Told of by one worker when it comes.
-inline constexpr unsigned blocking_threads = 4;        ///< For the disk.
+inline constexpr std::uint64_t results_ended_kept_max = 1ull << 27;
+inline constexpr std::size_t losses_again_that_count = 8; ///< Of a scenario, with one process.
+inline constexpr std::size_t cuts_held_max = 1u << 15;    ///< Told of by one worker when it comes.
+inline constexpr unsigned blocking_threads = 4;           ///< For the disk.
 
 } // namespace cd::limits

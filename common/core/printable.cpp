@@ -1,5 +1,7 @@
 #include "common/core/printable.hpp"
 
+#include "common/core/limits.hpp"
+
 #include <cstddef>
 
 namespace cd {
@@ -61,6 +63,11 @@ bool is_printable(std::string_view text) {
         text.remove_prefix(character.bytes);
     }
     return true;
+}
+
+bool is_good_name(std::string_view name) {
+    return !name.empty() && name.size() <= limits::certified_name_bytes_max && is_printable(name) &&
+           name.front() != ' ' && name.back() != ' ';
 }
 
 std::string escaped(std::string_view text) {

@@ -82,14 +82,16 @@ INSTANTIATE_TEST_SUITE_P(Faults, Seeds, testing::Range<std::uint64_t>(0, shards)
 // More than can be greeted at once, and a few scenarios for each of them.
 TEST(ManyWorkers, EveryScenarioComesToExactlyOneResult) {
     constexpr std::size_t workers = 1000;
+    std::uint64_t answering = 0;
     for (const std::uint64_t seed : {0, 3}) {
         const Outcome outcome = simulate(seed, {false, Mutation::None, workers});
         ASSERT_TRUE(outcome.problems.empty()) << outcome.problems.front() << "\n"
                                               << replay(seed, workers);
         EXPECT_GE(outcome.workers, workers);
         EXPECT_GE(outcome.scenarios, 3 * workers);
-        EXPECT_GE(outcome.answering, workers / 2);
+        answering += outcome.answering;
     }
+    EXPECT_GE(answering, workers) << "half of them all; some never get to anything";
 }
 
 TEST(Replay, ASeedIsTheSameEachTime) {

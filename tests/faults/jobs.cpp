@@ -180,7 +180,8 @@ Sha256 digest_of_lost(const KnownJob& job, std::uint64_t index) {
     result.level = job.submit.query.level;
     result.kind = ScenarioClass::Failed;
     result.failure = "scenario " + std::to_string(index) + ": lost with " +
-                     std::to_string(limits::scenario_losses_max) + " workers, one after the other";
+                     std::to_string(limits::scenario_losses_max) +
+                     " workers, one after the other, or with fewer again and again";
     return digest_of(result);
 }
 

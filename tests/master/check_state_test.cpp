@@ -3,6 +3,7 @@
 #include "master/check_state.hpp"
 
 #include "master/geometry_store.hpp"
+#include "master/identity.hpp"
 #include "master/journal.hpp"
 #include "master/pose_spool.hpp"
 #include "tests/support/process.hpp"
@@ -95,6 +96,21 @@ TEST_F(CheckState, ASoundOneIsSaidToBeSo) {
                 testing::Contains("journal: 2 jobs, 1 of them unfinished, 2 results"));
     EXPECT_THAT(report.lines, testing::Contains("alarms: 1, quarantined workers: 1"));
     EXPECT_THAT(report.lines, testing::Contains("meshes: 1"));
+}
+
+TEST_F(CheckState, ADamagedIdentityIsNamed) {
+    ASSERT_TRUE(MasterIdentity::init(folder_.path(), {std::chrono::hours(1)}));
+    EXPECT_TRUE(check_state(folder_.path()).is_sound);
+    flip(folder_ / "identity/authority.key", 60);
+    const StateReport key = check_state(folder_.path());
+    EXPECT_FALSE(key.is_sound);
+    EXPECT_NE(text_of(key).find("cdmaster init"), std::string::npos) << "what to do";
+    flip(folder_ / "identity/authority.key", 60);
+    write_text(folder_ / "identity/tokens", "rubbish");
+    std::filesystem::permissions(folder_ / "identity/tokens", std::filesystem::perms::owner_read);
+    const StateReport tokens = check_state(folder_.path());
+    EXPECT_FALSE(tokens.is_sound);
+    EXPECT_NE(text_of(tokens).find("identity/tokens"), std::string::npos) << text_of(tokens);
 }
 
 TEST_F(CheckState, EveryDamagedFileIsNamedAtOnce) {

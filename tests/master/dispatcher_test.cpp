@@ -334,7 +334,7 @@ TEST(Dispatcher, WhatADrainingWorkerHandsBackIsNotLost) {
     EXPECT_EQ(driver.dispatcher.unsent(), 2u);
 }
 
-TEST(Dispatcher, AProcessThatIsLostAgainAndAgainIsNoEvidenceAgainstAScenario) {
+TEST(Dispatcher, AProcessThatIsLostAgainIsNoEvidenceAgainstAScenario) {
     Driver driver;
     driver.open(job_1, options_with(1, false));
     driver.feed(job_1, 0, 1);
@@ -345,7 +345,7 @@ TEST(Dispatcher, AProcessThatIsLostAgainAndAgainIsNoEvidenceAgainstAScenario) {
         ASSERT_EQ(driver.batches.size(), sessions) << "it goes out again";
         driver.keep(driver.dispatcher.worker_lost(WorkerId{sessions}));
     };
-    for (unsigned i = 0; i < 2 * limits::scenario_losses_max; ++i) {
+    for (std::size_t i = 0; i < limits::losses_again_that_count / 2; ++i) {
         lose_with(70);
         lose_with(71);
         EXPECT_TRUE(driver.given_up.empty()) << "it was with two";

@@ -3,6 +3,7 @@
 #include "master/job_board.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/limits_clients.hpp"
 #include "common/core/limits_master.hpp"
 
 #include <gmock/gmock.h>
@@ -46,7 +47,7 @@ TEST_F(Jobs, OfSoManyScenariosRunAtATime) {
     const auto more = board_.next(7);
     EXPECT_EQ(more.error().code, ErrorCode::Refused);
     EXPECT_THAT(more.error().detail, HasSubstr("268435457 scenarios"));
-    EXPECT_TRUE(board_.next(6));
+    board_.give_up(board_.next(6).value());
     end(little);
     EXPECT_TRUE(board_.next(7));
 }
@@ -66,24 +67,56 @@ TEST_F(Jobs, ThatEndedFirstAreDroppedFirst) {
     EXPECT_THAT(end_and_announce(open(1)), ElementsAre(first));
 }
 
-TEST_F(Jobs, WithManyScenariosAreKeptInFewerNumbers) {
-    const std::uint64_t half = limits::scenarios_ended_kept_max / 2;
-    const JobId first = open(half);
-    const JobId second = open(half);
-    EXPECT_THAT(end_and_announce(first), IsEmpty());
-    EXPECT_THAT(end_and_announce(second), IsEmpty());
-    EXPECT_THAT(end_and_announce(open(1)), ElementsAre(first));
-    const JobId largest = open(limits::scenarios_ended_kept_max + 1);
-    EXPECT_THAT(end_and_announce(largest), testing::SizeIs(2));
+TEST_F(Jobs, CountFromTheirBeginning) {
+    const JobId first = board_.next(limits::scenarios_running_max - 5).value();
+    EXPECT_FALSE(board_.next(6));
+    board_.give_up(first);
+    const JobId second = board_.next(limits::scenarios_running_max - 5).value();
+    Submit submit;
+    submit.scenarios = limits::scenarios_running_max - 5;
+    board_.add(MasterJob(second, submit, nullptr, now_));
+    EXPECT_FALSE(board_.next(6)) << "once, and not twice";
+    EXPECT_TRUE(board_.next(5));
+}
+
+TEST_F(Jobs, WithManyResultsAreKeptInFewerNumbers) {
+    board_ = JobBoard(10);
+    const auto end_with = [&](std::uint64_t results) {
+        const JobId id = open(100);
+        for (std::uint64_t i = 0; i < results; ++i) {
+            (void)board_.find(id)->merger.add(i, {}, Sha256{});
+        }
+        return std::pair(id, end_and_announce(id));
+    };
+    const auto [first, none] = end_with(5);
+    const auto [second, neither] = end_with(5);
+    EXPECT_THAT(none, IsEmpty());
+    EXPECT_THAT(neither, IsEmpty());
+    EXPECT_THAT(end_with(0).second, IsEmpty());
+    EXPECT_THAT(end_with(1).second, ElementsAre(first));
+    const auto [largest, displaced] = end_with(11);
+    EXPECT_THAT(displaced, testing::Contains(second));
     EXPECT_NE(board_.find(largest), nullptr) << "the latest stays";
 }
 
+TEST_F(Jobs, OfManyScenariosWithoutResultsDisplaceNobody) {
+    const JobId little = open(10);
+    EXPECT_THAT(end_and_announce(little), IsEmpty());
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_THAT(end_and_announce(open(limits::client_scenarios_max)), IsEmpty());
+    }
+}
+
 TEST_F(Jobs, WhoseEndIsNotToldAreNotDropped) {
-    const JobId silent = open(limits::scenarios_ended_kept_max);
-    const JobId told = open(limits::scenarios_ended_kept_max);
-    end(silent);
-    EXPECT_THAT(end_and_announce(told), IsEmpty());
-    EXPECT_THAT(announce(silent), ElementsAre(told));
+    std::vector<JobId> jobs;
+    for (std::size_t i = 0; i <= limits::jobs_ended_kept_max; ++i) {
+        jobs.push_back(open(1));
+        end(jobs.back());
+    }
+    for (std::size_t i = 1; i < jobs.size(); ++i) {
+        ASSERT_THAT(announce(jobs[i]), IsEmpty());
+    }
+    EXPECT_THAT(announce(jobs[0]), ElementsAre(jobs[1]));
 }
 
 } // namespace

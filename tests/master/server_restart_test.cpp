@@ -69,6 +69,28 @@ ClusterStatus run_to_the_alarm(Master& master, AnalysisMode mode) {
     return master.coordinator.cluster_status();
 }
 
+TEST(ServerRestart, AJobWhoseMeshIsDamagedWaitsUntilThatIsMended) {
+    const TemporaryFolder state;
+    JobId job;
+    {
+        Master master(no_return, state.path());
+        job = submit_to(master, AnalysisMode::Always);
+    }
+    const auto mesh = state / "meshes" / (to_hex(reference().a.hash()) + ".mesh");
+    const std::string whole = read_text(mesh);
+    std::string damaged = whole;
+    damaged[50] = static_cast<char>(damaged[50] ^ 1);
+    write_text(mesh, damaged);
+    Master master(no_return, state.path());
+    const FakeWorker worker(master, {});
+    const auto status = [&] { return master.coordinator.job_status(job).value(); };
+    master.run_until([&] { return !status().paused.empty(); });
+    EXPECT_NE(status().paused.find(mesh.filename()), std::string::npos) << status().paused;
+    EXPECT_EQ(status().state, JobState::Running);
+    write_text(mesh, whole);
+    expect_right_end(master, job);
+}
+
 TEST(ServerRestart, QuarantineAlarmsAndDoubtsAreAsTheyWere) {
     for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
         const TemporaryFolder state;

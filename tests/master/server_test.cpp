@@ -175,7 +175,8 @@ TEST(Server, WhatIsSubmittedWrongIsRefusedWithAReason) {
     expect_failure(with([](Submit& s) { s.bodies.pop_back(); }), "two bodies");
     expect_failure(with([](Submit& s) { s.bodies[1] = Sha256{}; }), "not stored");
     expect_failure(with([](Submit& s) { s.name = "a\nb"; }), "job's name is not printable");
-    expect_failure({MeshPart{Sha256{}, "x\x1b[2J", 100, 0, Bytes(100)}}, "mesh's name is not printable");
+    expect_failure({MeshPart{Sha256{}, "x\x1b[2J", 100, 0, Bytes(100)}},
+                   "mesh's name is not printable");
     expect_failure(with([](Submit& s) { s.cluster.depth_a = 21; }), "depth of A");
     expect_failure(with([](Submit& s) { s.cluster.q = 0; }), "q is 0");
     expect_failure(with([](Submit& s) { s.cluster.v_kb = 0; }), "v_kb");

@@ -18,6 +18,15 @@ TEST(Losses, AProcessCountsOnce) {
     EXPECT_FALSE(losses.none());
 }
 
+TEST(Losses, WhatIsLostWithOneProcessForEverComesToAnEnd) {
+    Losses losses;
+    for (std::size_t i = 0; i <= 2 * limits::losses_again_that_count; ++i) {
+        EXPECT_LT(losses.count(), limits::scenario_losses_max);
+        losses.add(70);
+    }
+    EXPECT_EQ(losses.count(), limits::scenario_losses_max);
+}
+
 TEST(Losses, OneThatNobodyKnowsCountsEachTime) {
     Losses losses;
     for (std::size_t i = 1; i <= 2 * limits::scenario_losses_max; ++i) {
