@@ -227,7 +227,7 @@ Status MasterIdentity::check_refused(const std::string& name) const {
         if (bytes > limits::refused_bytes_max) {
             return Error{ErrorCode::Refused, path.string() + " is too long to be read"};
         }
-        if (trimmed(line) == trimmed(name)) {
+        if (trimmed(line) == name) {
             return Error{ErrorCode::Refused, "'" + name + "' is refused by this cluster"};
         }
     }

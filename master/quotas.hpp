@@ -69,7 +69,6 @@ class Quotas {
     [[nodiscard]] std::string jobs_text();
     void restore_jobs(std::string_view text);
 
-    [[nodiscard]] std::size_t connections() const { return connections_; }
     /// Of whom anything is remembered.
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 

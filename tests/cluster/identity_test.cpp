@@ -68,14 +68,18 @@ class SecuredCluster : public Cluster {
         return made.output.substr(0, made.output.find('\n'));
     }
 
-    [[nodiscard]] Ran join_worker(const std::string& token_text, const fs::path& place) const {
-        return tests::run({program("cdworker").string(),
-                           "join",
-                           master_->address(),
-                           "--token",
-                           token_text,
-                           "--state",
-                           place.string()});
+    [[nodiscard]] Ran join_worker(const std::string& token_text,
+                                  const fs::path& place,
+                                  const std::vector<std::string>& options = {}) const {
+        std::vector<std::string> words{program("cdworker").string(),
+                                       "join",
+                                       master_->address(),
+                                       "--token",
+                                       token_text,
+                                       "--state",
+                                       place.string()};
+        words.insert(words.end(), options.begin(), options.end());
+        return tests::run(words);
     }
 
     Process& start_joined(const std::string& token_text, const std::string& name) {
@@ -181,15 +185,7 @@ TEST_F(SecuredCluster, ATokenIsNotSpentOnACredentialThatCannotBeWritten) {
 }
 
 TEST_F(SecuredCluster, NobodyJoinsAsTheMaster) {
-    const Ran ran = tests::run({program("cdworker").string(),
-                                "join",
-                                master_->address(),
-                                "--token",
-                                token("worker", "1"),
-                                "--name",
-                                "master",
-                                "--state",
-                                (folder_ / "one").string()});
+    const Ran ran = join_worker(token("worker", "1"), folder_ / "one", {"--name", "master"});
     EXPECT_EQ(ran.exit_code, 5) << ran.errors;
     EXPECT_THAT(log(), HasSubstr("nobody joins under the name 'master'"));
 }
@@ -197,15 +193,7 @@ TEST_F(SecuredCluster, NobodyJoinsAsTheMaster) {
 TEST_F(SecuredCluster, NobodyJoinsUnderANameThatPeopleCannotRead) {
     const std::string once = token("worker", "1");
     const auto join_as = [&](const std::string& name) {
-        return tests::run({program("cdworker").string(),
-                           "join",
-                           master_->address(),
-                           "--token",
-                           once,
-                           "--name",
-                           name,
-                           "--state",
-                           (folder_ / "one").string()});
+        return join_worker(once, folder_ / "one", {"--name", name});
     };
     for (const char* name : {"\xff", "a\nb", "evil ", " evil"}) {
         const Ran ran = join_as(name);
