@@ -7,6 +7,7 @@
 #include "master/geometry_store.hpp"
 #include "master/job_board.hpp"
 #include "master/journal.hpp"
+#include "master/late_results.hpp"
 #include "master/ledger.hpp"
 #include "master/pose_spool.hpp"
 #include "master/transfer_meter.hpp"
@@ -201,10 +202,10 @@ class Coordinator {
         bool is_copy = false;                  ///< Another worker has the same.
         std::optional<PlaceRange> places = {}; ///< Of a range: what was not given back.
     };
-    /// Results that cannot be checked yet: the geometry of their job is being prepared.
-    struct EarlyResults {
+    /// Results of no task: of an earlier session, or of a job that has ended.
+    struct LateResults {
         WorkerId worker;
-        Results results;
+        std::shared_ptr<const Results> message;
         std::function<void()> done;
     };
     /// Results that have been checked.
@@ -237,11 +238,12 @@ class Coordinator {
     void take_lost_jobs(WorkerLink& link, const Standing& standing);
     void take_lost_tasks(WorkerId worker, const Standing& standing);
     void forget_tasks(WorkerId worker);
-    /// `task`: null for what came late.
-    void results_taken(WorkerId worker,
-                       const TaskContent* task,
-                       const Results& results,
-                       Result<TakenResults> taken);
+    /// `task`: null for what came late. False: the job has ended, and they are still to be compared
+    /// with what was kept.
+    [[nodiscard]] bool results_taken(WorkerId worker,
+                                     const TaskContent* task,
+                                     const Results& results,
+                                     Result<TakenResults> taken);
     void take_in(std::shared_ptr<ResultsInHand> hand);
     /// Those of the results that are not merged.
     [[nodiscard]] static std::vector<std::uint64_t>
@@ -251,11 +253,17 @@ class Coordinator {
                   std::shared_ptr<ResultsInHand> hand,
                   std::vector<std::uint64_t> scenarios);
     void withdraw_map(MasterJob& job, const std::string& why);
-    /// Of a task that is not known (any more), but maybe of a job that is.
     /// A message of that number has come before: it is no measure of anything.
     [[nodiscard]] bool is_repeated(WorkerId worker, std::uint64_t sequence);
-    void late_results_came(WorkerId worker, Results results, std::function<void()> done);
-    void check_late_results(const MasterJob& job, EarlyResults early);
+
+    // Results of no task (coordinator_late.cpp).
+    void late_results_came(LateResults late);
+    /// Those that waited for the job's geometry, or for its end to be durable.
+    void look_at_late_results(JobId job);
+    void check_late_results(const MasterJob& job, LateResults late);
+    asio::awaitable<void> compare_late_results(LateResults late);
+    struct LateCase;
+    asio::awaitable<void> judge_late(JobId job, WorkerId worker, LateDifference difference);
     void add_held_trees(WorkerLink& link);
     void end_task_if_complete(TaskId task);
     /// Other workers that have the place of a scenario which this one has answered need not.
@@ -425,8 +433,8 @@ class Coordinator {
     std::uint64_t written_ = 0; ///< The position of the last entry.
     std::string paused_;        ///< Why the journal does not write; empty: it does.
     std::map<JobId, std::shared_ptr<asio::steady_timer>> waiting_for_acceptance_;
-    std::map<JobId, asio::steady_timer*> retries_; ///< Of jobs whose geometry waits for room.
-    std::multimap<JobId, EarlyResults> early_results_;
+    std::map<JobId, asio::steady_timer*> retries_;   ///< Of jobs whose geometry waits for room.
+    std::multimap<JobId, LateResults> late_results_; ///< That cannot be looked at yet.
     std::vector<std::function<void()>> waiting_for_room_; ///< In the journal.
     AlarmRecord alarms_;
     std::set<WorkerProcess> quarantined_; ///< Those of the alarms, holders among them.

@@ -33,29 +33,12 @@ struct Coordinator::Evidence {
                                                               const StopCheck& stop);
 };
 
-namespace {
-
-Result<ScenarioResult> merged_result(const ResultStore& results, std::uint64_t index) {
-    const Result<ResultsPart> part = results.read(index, 1, 1);
-    if (!part) {
-        return part.error();
-    }
-    const Result<Bytes> records = unpack_records(part.value().records, limits::results_bytes_max);
-    if (!records) {
-        return records.error();
-    }
-    ByteReader in(records.value());
-    return decode_result(in.get_bytes(in.get<std::uint32_t>()));
-}
-
-} // namespace
-
 /// Nothing when a failure of the master's was merged: it stands. The scenario may be one that takes
 /// down whoever runs it, or that somebody has cancelled, and it would run here. A worker that says
 /// of a scenario that it fails may be as wrong as with any other answer.
 Result<std::optional<Coordinator::Evidence>> Coordinator::Evidence::find(const Case& dispute,
                                                                          const StopCheck& stop) {
-    const Result<ScenarioResult> first = merged_result(*dispute.results, dispute.scenario);
+    const Result<ScenarioResult> first = kept_result(*dispute.results, dispute.scenario);
     if (!first) {
         return first.error();
     }

@@ -186,11 +186,7 @@ void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenari
                                 submit.cluster,
                                 dispatch_tree(job.tree_a, *made.cut_a),
                                 dispatch_tree(job.tree_b, *made.cut_b)));
-    const auto [begin, end] = early_results_.equal_range(job.id);
-    for (auto early = begin; early != end; ++early) {
-        check_late_results(job, std::move(early->second));
-    }
-    early_results_.erase(begin, end);
+    look_at_late_results(job.id);
     take_up_doubts(job);
     end_if_complete(job); // A job without scenarios, or without any that were left.
     feed();
@@ -266,12 +262,6 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
         forget_sessions();
     }
     ledger_.promise(JobEnded{job.id}, write(EndJob{job.id, *job.end, job.progress(Clock::now())}));
-    const auto [begin, end] = early_results_.equal_range(job.id);
-    for (auto early = begin; early != end; ++early) {
-        ledger_.promise(Delivery{early->second.worker, early->second.results.sequence}, written_);
-        early->second.done();
-    }
-    early_results_.erase(begin, end);
 }
 
 void Coordinator::release_tree(TreeId tree) {

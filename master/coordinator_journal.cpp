@@ -113,6 +113,7 @@ void Coordinator::job_ended(JobId id) {
         }
     }
     waiting_for_end_.erase(begin, end);
+    look_at_late_results(id);
 }
 
 JobStatus Coordinator::status_of(const MasterJob& job) const {

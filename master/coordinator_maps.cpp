@@ -51,8 +51,11 @@ void Coordinator::take_in(std::shared_ptr<ResultsInHand> hand) {
             return make_map(*job, std::move(hand), std::move(fresh));
         }
     }
-    results_taken(hand->worker, hand->task.get(), *hand->message, std::move(hand->taken));
-    go_on(hand->done);
+    if (results_taken(hand->worker, hand->task.get(), *hand->message, std::move(hand->taken))) {
+        go_on(hand->done);
+    } else {
+        late_results_came({hand->worker, hand->message, hand->done});
+    }
 }
 
 void Coordinator::make_map(const MasterJob& job,

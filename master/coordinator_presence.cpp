@@ -453,7 +453,7 @@ void Coordinator::worker_left(WorkerId worker, const std::string& why) {
     }
     blocks_.worker_left(worker);
     ledger_.forget(worker);
-    std::erase_if(early_results_, [&](const auto& early) { return early.second.worker == worker; });
+    std::erase_if(late_results_, [&](const auto& late) { return late.second.worker == worker; });
     forget_tasks(worker);
     act(dispatcher().worker_lost(worker));
     feed();

@@ -35,7 +35,8 @@ void Coordinator::results_came(WorkerId worker, Results results, std::function<v
     const auto task = tasks_.find(results.task);
     if (is_repeated(worker, results.sequence) || task == tasks_.end() ||
         task->second.worker != worker || task->second.content->job != results.job) {
-        return late_results_came(worker, std::move(results), std::move(done));
+        return late_results_came(
+            {worker, std::make_shared<const Results>(std::move(results)), std::move(done)});
     }
     ++task->second.in_hand;
     parts_.compute.post([this,
@@ -59,52 +60,18 @@ bool Coordinator::is_repeated(WorkerId worker, std::uint64_t sequence) {
     return std::exchange(last, std::max(last, sequence)) >= sequence;
 }
 
-void Coordinator::late_results_came(WorkerId worker, Results results, std::function<void()> done) {
-    const MasterJob* job = jobs_.find_running(results.job);
-    if (job == nullptr) {
-        // Of a job that has ended, or that nobody was ever told of: nobody wants them.
-        ledger_.promise(Delivery{worker, results.sequence}, written_);
-        keep_promises();
-        return done();
-    }
-    EarlyResults early{worker, std::move(results), std::move(done)};
-    if (job->material == nullptr) {
-        early_results_.emplace(job->id, std::move(early));
-    } else {
-        check_late_results(*job, std::move(early));
-    }
-}
-
-void Coordinator::check_late_results(const MasterJob& job, EarlyResults early) {
-    parts_.blocking.post([this,
-                          executor = parts_.executor,
-                          id = job.id,
-                          material = job.material,
-                          poses = job.poses,
-                          early = std::make_shared<EarlyResults>(std::move(early))] {
-        const auto came = std::make_shared<const Results>(std::move(early->results));
-        const auto hand = std::make_shared<ResultsInHand>(
-            ResultsInHand{early->worker,
-                          nullptr,
-                          came,
-                          take_late_results(id, material, *poses, *came),
-                          early->done,
-                          {}});
-        asio::post(executor, [this, hand] { take_in(hand); });
-    });
-}
-
-void Coordinator::results_taken(WorkerId worker,
+bool Coordinator::results_taken(WorkerId worker,
                                 const TaskContent* task,
                                 const Results& results,
                                 Result<TakenResults> taken) {
     if (!taken) {
         cut_off(worker, taken.error());
-        return;
+        return true;
     }
     const JobId id = task == nullptr ? results.job : task->job;
     const Delivery delivery{worker, results.sequence};
     MasterJob* const job = is_distrusted(worker) ? nullptr : jobs_.find_running(id);
+    const bool is_late = job == nullptr && !is_distrusted(worker);
     if (job != nullptr) {
         job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;
@@ -150,7 +117,7 @@ void Coordinator::results_taken(WorkerId worker,
             ledger_.promise(delivery, written_); // Or nobody would know of the dispute any more.
         }
         end_if_complete(*job);
-    } else {
+    } else if (!is_late) {
         ledger_.promise(delivery, written_);
     }
     keep_promises();
@@ -162,6 +129,7 @@ void Coordinator::results_taken(WorkerId worker,
     }
     note_work(worker);
     feed();
+    return !is_late;
 }
 
 void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {

@@ -35,7 +35,7 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       depth_b(recovered.progress.depth_b),
       map(std::move(recovered.map)) {
     if (end) {
-        drop_bulk(submit);
+        has_dropped_bulk = drop_bulk(submit);
     }
 }
 
@@ -164,7 +164,7 @@ void JobBoard::end(MasterJob& job,
     job.submitter.reset();
     job.analysis_input.reset();
     job.material.reset();
-    drop_bulk(job.submit);
+    job.has_dropped_bulk = drop_bulk(job.submit);
     job.poses.reset();
     job.paused.clear();
     job.open.clear();

@@ -95,6 +95,7 @@ struct MasterJob {
     // Once it has ended. Clients are told when that is in the journal.
     std::optional<JobEnd> end;
     Clock::time_point ended;
+    bool has_dropped_bulk = false; ///< Its scenarios cannot be run any more.
 
     std::uint64_t answered_by_master = 0;
     JobStatistics statistics;

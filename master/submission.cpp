@@ -97,11 +97,13 @@ std::uint64_t bulk_bytes(const Submit& submit) {
            submit.query.ignored.size() * sizeof(IgnoredRange);
 }
 
-void drop_bulk(Submit& submit) {
-    submit.query.ignored = {};
+bool drop_bulk(Submit& submit) {
+    bool is_dropped = !std::exchange(submit.query.ignored, {}).empty();
     if (submit.grid && submit.grid->size() > limits::ended_grid_bytes_max) {
         submit.grid = Bytes();
+        is_dropped = true;
     }
+    return is_dropped;
 }
 
 } // namespace cd

@@ -16,7 +16,8 @@ namespace cd {
 [[nodiscard]] std::uint64_t bulk_bytes(const Submit& submit);
 
 /// Of a job that has ended: what nothing needs any more goes, and a large grid, which only explains
-/// scenarios. Of that one empty bytes are left.
-void drop_bulk(Submit& submit);
+/// scenarios. Of that one empty bytes are left. True: something went without which they cannot be
+/// run.
+bool drop_bulk(Submit& submit);
 
 } // namespace cd

@@ -60,16 +60,20 @@ inline const Reference& reference() {
     return instance;
 }
 
-/// Of no task, as of an earlier session.
-inline Results right_results(JobId job, std::uint64_t index) {
+/// As a worker has it.
+inline ScenarioResult right_result(std::uint64_t index) {
     static const auto trees = [] {
         ThreadPool pool(2);
         return std::pair(build_tree(share(reference().a), {}, pool),
                          build_tree(share(reference().b), {}, pool));
     }();
     const std::vector<SubtreePair> whole{{trees.first.view(), trees.second.view()}};
-    const Bytes record =
-        encode_result(run_on_subtrees(whole, reference().scenarios[index], {}).result);
+    return run_on_subtrees(whole, reference().scenarios[index], {}).result;
+}
+
+/// Of no task, as of an earlier session.
+inline Results late_results(JobId job, const ScenarioResult& result) {
+    const Bytes record = encode_result(result);
     ByteWriter records;
     records.put(static_cast<std::uint32_t>(record.size()));
     put_bytes(records, record);
@@ -78,6 +82,19 @@ inline Results right_results(JobId job, std::uint64_t index) {
     results.count = 1;
     results.records = pack_records(records.bytes());
     return results;
+}
+
+inline Results right_results(JobId job, std::uint64_t index) {
+    return late_results(job, right_result(index));
+}
+
+/// A scenario that a worker has to answer.
+inline std::uint64_t scenario_with_contact() {
+    std::uint64_t index = 0;
+    while (right_result(index).pair_count == 0) {
+        ++index;
+    }
+    return index;
 }
 
 /// A client that runs one conversation.

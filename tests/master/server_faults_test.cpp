@@ -109,20 +109,6 @@ TEST(Server, AfterAnAlarmWhatElseTheWorkerHasAnsweredIsDoneAgain) {
     }
 }
 
-/// A scenario that a worker has to answer.
-std::uint64_t scenario_with_contact() {
-    const Reference& all = reference();
-    ThreadPool pool(2);
-    const ObbTree a = build_tree(share(all.a), {}, pool);
-    const ObbTree b = build_tree(share(all.b), {}, pool);
-    for (const Scenario& scenario : all.scenarios) {
-        if (run_scenario(a, b, scenario, {}).result.pair_count != 0) {
-            return scenario.index;
-        }
-    }
-    return 0;
-}
-
 TEST(Server, AScenarioThatTakesItsWorkersDownFailsAndTheJobGoesOn) {
     const std::uint64_t deadly = scenario_with_contact();
     for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {

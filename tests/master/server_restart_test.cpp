@@ -140,14 +140,7 @@ TEST(ServerRestart, WhatAnotherWorkerHasVouchedForIsNotDoubtedAgain) {
 std::optional<std::uint64_t> wrong_scenario(Master& master, JobId job) {
     for (const Scenario& scenario : reference().scenarios) {
         const auto results = master.coordinator.results_of(job);
-        if (!results->has(scenario.index)) {
-            continue;
-        }
-        const Bytes right =
-            unpack_records(right_results(job, scenario.index).records, 1u << 30).value();
-        ByteReader in(right);
-        const auto result = decode_result(in.get_bytes(in.get<std::uint32_t>())).value();
-        if (result.pair_count != 0) {
+        if (results->has(scenario.index) && right_result(scenario.index).pair_count != 0) {
             return scenario.index;
         }
     }
