@@ -144,7 +144,9 @@ asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
                                          Seats::Seat& seat) {
     Welcome welcome;
     welcome.cluster = coordinator_.cluster();
-    welcome.version = negotiate(hello).value();
+    const Agreement agreed = negotiate(hello).value();
+    welcome.version = agreed.version;
+    welcome.choices = agreed.choices;
     welcome.build = version;
     if (hello.role == Role::Worker) {
         const std::string holder = name_of(access, *channel);

@@ -4,6 +4,7 @@
 #include "proto/channel.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace cd {
 namespace {
@@ -14,6 +15,29 @@ Error unexpected(const std::string& what) {
 
 std::string versions(std::uint16_t min, std::uint16_t max) {
     return std::to_string(min) + " to " + std::to_string(max);
+}
+
+/// The greatest way that both can go.
+Result<std::uint32_t> common_way(std::uint32_t ours, std::uint32_t theirs, const char* of_what) {
+    if ((ours & theirs) == 0) {
+        return Error{ErrorCode::Refused,
+                     std::string("no common ") + of_what + ": the peer has " +
+                         std::to_string(theirs) + ", this side " + std::to_string(ours)};
+    }
+    return std::bit_floor(ours & theirs);
+}
+
+bool is_one_of(std::uint32_t way, std::uint32_t ways) {
+    return std::has_single_bit(way) && (way & ways) != 0;
+}
+
+/// It answers this hello.
+bool is_agreement(const Welcome& welcome, const Hello& hello) {
+    const Choices& chosen = welcome.choices;
+    return welcome.version >= hello.version_min && welcome.version <= hello.version_max &&
+           (chosen.features & ~hello.choices.features) == 0 &&
+           is_one_of(chosen.digests, hello.choices.digests) &&
+           is_one_of(chosen.compressors, hello.choices.compressors);
 }
 
 } // namespace
@@ -31,16 +55,15 @@ greet(std::shared_ptr<Channel> channel, Hello hello, std::chrono::steady_clock::
         co_return Error{ErrorCode::Refused, failure->detail};
     }
     const auto* welcome = std::get_if<Welcome>(&answer.value());
-    if (welcome == nullptr || welcome->version < hello.version_min ||
-        welcome->version > hello.version_max) {
+    if (welcome == nullptr || !is_agreement(*welcome, hello)) {
         channel->close();
-        co_return unexpected("welcome in a version that this side speaks");
+        co_return unexpected("welcome in a version, and with choices, that this side has");
     }
     channel->expect(hello.role == Role::Peer ? Party::Giver : Party::Master);
     co_return *welcome;
 }
 
-Result<std::uint16_t> negotiate(const Hello& hello) {
+Result<Agreement> negotiate(const Hello& hello) {
     const std::uint16_t lowest = std::max(hello.version_min, protocol_version_min);
     const std::uint16_t highest = std::min(hello.version_max, protocol_version_max);
     if (lowest > highest) {
@@ -49,7 +72,15 @@ Result<std::uint16_t> negotiate(const Hello& hello) {
                          versions(hello.version_min, hello.version_max) + ", this side " +
                          versions(protocol_version_min, protocol_version_max)};
     }
-    return highest;
+    const Choices ours;
+    const Choices& theirs = hello.choices;
+    const auto digest = common_way(ours.digests, theirs.digests, "digest");
+    const auto compressor = common_way(ours.compressors, theirs.compressors, "compressor");
+    if (!digest || !compressor) {
+        return digest ? compressor.error() : digest.error();
+    }
+    return Agreement{highest,
+                     {ours.features & theirs.features, digest.value(), compressor.value()}};
 }
 
 asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel) {
@@ -61,12 +92,12 @@ asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel) {
     auto* hello = std::get_if<Hello>(&first.value());
     Error problem = unexpected("hello");
     if (hello != nullptr) {
-        const Result<std::uint16_t> version = negotiate(*hello);
-        if (version) {
+        const Result<Agreement> agreement = negotiate(*hello);
+        if (agreement) {
             channel->expect(party_of(hello->role));
             co_return std::move(*hello);
         }
-        problem = version.error();
+        problem = agreement.error();
     }
     Failure failure;
     failure.code = problem.code;

@@ -13,7 +13,9 @@
 namespace cd {
 
 inline constexpr std::uint16_t protocol_version_min = 7;
-inline constexpr std::uint16_t protocol_version_max = 7;
+inline constexpr std::uint16_t protocol_version_max = 8;
+/// From which on greetings have `Choices`.
+inline constexpr std::uint16_t protocol_version_choices = 8;
 
 enum class Role : std::uint8_t {
     Worker = 1,
@@ -22,7 +24,19 @@ enum class Role : std::uint8_t {
     Joiner = 4, ///< Wants a certificate, and nothing else.
 };
 
-/// First message of whoever connects.
+/// What programs of one version may do in different ways, each way a bit. A Hello has all that the
+/// program can; a Welcome the features that both have, and of the others the way to be taken, which
+/// is the greatest that both can.
+struct Choices {
+    std::uint64_t features = 0;    ///< None has a bit yet.
+    std::uint32_t digests = 1;     ///< Of blocks. 1: SHA-256.
+    std::uint32_t compressors = 1; ///< Of blocks, results and poses. 1: Zstandard.
+
+    friend bool operator==(const Choices&, const Choices&) = default;
+};
+
+/// First message of whoever connects. Later versions append to it; what one does not know is not
+/// read.
 struct Hello {
     std::uint16_t version_min = protocol_version_min;
     std::uint16_t version_max = protocol_version_max;
@@ -37,6 +51,7 @@ struct Hello {
     // Of a worker that would go on with a session whose connection broke: what its Welcome said.
     std::uint64_t session = 0; ///< The WorkerId; 0: it has none to go on with.
     std::uint64_t epoch = 0;
+    Choices choices = {};
 };
 
 /// A secret of the master and one worker, by which the worker knows the master's tickets.
@@ -53,6 +68,7 @@ struct Welcome {
     bool is_resumed = false; ///< The worker's session goes on: what both hold of it still counts.
     std::uint32_t heartbeat_ms = 0;  ///< The period of heartbeats, which a worker keeps to, too;
     std::uint32_t lost_after_ms = 0; ///< after so long a silence its work goes to others.
+    Choices choices = {};
 };
 
 /// The other side cannot or will not. To a client it answers the request before it.

@@ -73,6 +73,7 @@ class WireInput : public cereal::InputArchive<WireInput, cereal::AllowEmptyClass
     }
 
     [[nodiscard]] std::size_t remaining() const { return rest_.size(); }
+    void skip_rest() { rest_ = {}; }
 
   private:
     std::span<const std::byte> rest_;

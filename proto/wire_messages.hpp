@@ -34,17 +34,33 @@ void serialize(Archive& archive, Summary& s) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, Choices& c) {
+    archive(c.features, c.digests, c.compressors);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Hello& m) {
     archive(m.version_min, m.version_max);
     enumeration(archive, m.role, Role::Worker, Role::Joiner);
     archive(m.name, m.build, m.threads, m.cache_bytes, m.peer_port, m.weight);
     archive(m.instance, m.session, m.epoch);
+    if (m.version_max >= protocol_version_choices) {
+        archive(m.choices);
+    }
+    if constexpr (Archive::is_input) {
+        if (m.version_max > protocol_version_max) {
+            archive.skip_rest();
+        }
+    }
 }
 
 template <class Archive>
 void serialize(Archive& archive, Welcome& m) {
     archive(m.version, m.id, m.build, m.peer_key, m.cluster);
     archive(m.epoch, m.is_resumed, m.heartbeat_ms, m.lost_after_ms);
+    if (m.version >= protocol_version_choices) {
+        archive(m.choices);
+    }
 }
 
 template <class Archive>

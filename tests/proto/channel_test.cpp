@@ -339,7 +339,7 @@ TEST(Greeting, BothSidesAgreeOnTheVersion) {
         ends.left->send(hello);
         const Result<Hello> accepted = co_await accept_hello(ends.right);
         EXPECT_EQ(accepted.value().name, "node");
-        EXPECT_EQ(negotiate(accepted.value()).value(), protocol_version_max);
+        EXPECT_EQ(negotiate(accepted.value()).value().version, protocol_version_max);
         ends.left->close();
     });
 }
@@ -382,7 +382,53 @@ TEST(Greeting, WithoutACommonVersionBothSidesKnowWhy) {
         hello.version_max = protocol_version_max + 3;
         const Result<Welcome> welcome = co_await greet(ends.left, hello);
         EXPECT_EQ(welcome.error().code, ErrorCode::Refused);
-        EXPECT_THAT(welcome.error().detail, testing::HasSubstr("8 to 10"));
+        EXPECT_THAT(welcome.error().detail, testing::HasSubstr("9 to 11"));
+    });
+}
+
+TEST(Greeting, AnEarlierVersionIsSpokenWithWhoeverHasNoChoices) {
+    Hello hello;
+    hello.version_max = 7;
+    const Agreement agreed = negotiate(hello).value();
+    EXPECT_EQ(agreed.version, 7);
+    EXPECT_EQ(agreed.choices, Choices{});
+}
+
+TEST(Greeting, OfWhatBothCanTheGreatestIsChosen) {
+    Hello hello;
+    hello.choices = {6, 0b111, 0b101}; // More than this side can.
+    EXPECT_EQ(negotiate(hello).value().choices, (Choices{0, 1, 1}));
+    hello.choices = {0, 0b110, 1};
+    EXPECT_EQ(negotiate(hello).error().code, ErrorCode::Refused);
+    EXPECT_THAT(negotiate(hello).error().detail, testing::HasSubstr("no common digest"));
+    hello.choices = {0, 1, 0};
+    EXPECT_THAT(negotiate(hello).error().detail, testing::HasSubstr("no common compressor"));
+}
+
+asio::awaitable<void> welcome_with(std::shared_ptr<Channel> channel, Welcome welcome) {
+    const Result<Hello> accepted = co_await accept_hello(channel);
+    EXPECT_TRUE(accepted);
+    channel->send(welcome);
+    const Result<Message> end = co_await channel->receive(patience);
+    EXPECT_FALSE(end);
+}
+
+TEST(Greeting, AWelcomeThatChoosesWhatWasNotOfferedIsNone) {
+    run_conversation([]() -> asio::awaitable<void> {
+        std::vector<Welcome> wrong(4);
+        wrong[0].version = protocol_version_max + 1;
+        wrong[1].choices.features = 1;
+        wrong[2].choices.digests = 2;
+        wrong[3].choices.compressors = 0;
+        const auto executor = co_await asio::this_coro::executor;
+        for (const Welcome& welcome : wrong) {
+            Ends ends = co_await connect_ends();
+            spawn(executor, "welcome", welcome_with(std::move(ends.right), welcome));
+            const Hello hello;
+            const Result<Welcome> answer = co_await greet(ends.left, hello);
+            EXPECT_EQ(answer.error().code, ErrorCode::BadFrame);
+            EXPECT_FALSE(ends.left->is_open());
+        }
     });
 }
 

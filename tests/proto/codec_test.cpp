@@ -329,11 +329,49 @@ TEST(Codec, AWeightIsAboveZeroAndBounded) {
         hello.weight = weight;
         EXPECT_TRUE(decode_message(message_type(hello), encode_message(hello)));
     }
-    // A refused message cannot be encoded either; its weight stands before the last three numbers.
+    // A refused message cannot be encoded either; its weight stands before three numbers and the
+    // choices.
     Bytes bytes = encode_message(hello);
     for (const double weight : {0.0, -1.0, 1001.0}) {
-        std::memcpy(bytes.data() + bytes.size() - 4 * sizeof(weight), &weight, sizeof(weight));
+        std::memcpy(bytes.data() + bytes.size() - 4 * sizeof(weight) - sizeof(Choices),
+                    &weight,
+                    sizeof(weight));
         EXPECT_FALSE(decode_message(message_type(hello), bytes)) << weight;
+    }
+}
+
+TEST(Codec, GreetingsHaveChoicesFromVersion8On) {
+    Hello hello;
+    hello.version_max = 7;
+    hello.choices.features = 5;
+    const Bytes old = encode_message(hello);
+    EXPECT_EQ(std::get<Hello>(decode_message(message_type(hello), old).value()).choices, Choices{});
+    hello.version_max = 8;
+    const Bytes now = encode_message(hello);
+    EXPECT_EQ(now.size(), old.size() + 16);
+    EXPECT_EQ(to_short_hex(sha256(now)), "");
+    EXPECT_EQ(std::get<Hello>(decode_message(message_type(hello), now).value()).choices,
+              hello.choices);
+    Welcome welcome;
+    welcome.version = 7;
+    const Bytes old_answer = encode_message(welcome);
+    welcome.version = 8;
+    EXPECT_EQ(encode_message(welcome).size(), old_answer.size() + 16);
+}
+
+TEST(Codec, WhatANewerHelloHasBesidesIsNotRead) {
+    constexpr std::uint16_t newer = protocol_version_max + 1;
+    for (const std::uint16_t version : {protocol_version_max, newer}) {
+        Hello hello;
+        hello.version_max = version;
+        hello.name = "node";
+        Bytes bytes = encode_message(hello);
+        bytes.insert(bytes.end(), 20, std::byte{1});
+        const auto decoded = decode_message(message_type(hello), bytes);
+        ASSERT_EQ(decoded.has_value(), version == newer);
+        if (decoded) {
+            EXPECT_EQ(std::get<Hello>(decoded.value()).name, "node");
+        }
     }
 }
 
