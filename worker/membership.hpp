@@ -48,6 +48,8 @@ class Membership {
     [[nodiscard]] std::chrono::milliseconds patience() const;
     /// The one that goes on or may go on over the next connection. Null: none.
     [[nodiscard]] Session* session() const { return session_.get(); }
+    /// In all sessions, whatever became of them.
+    [[nodiscard]] std::uint64_t scenarios_computed() const { return keep_->computed->load(); }
     [[nodiscard]] const UnkeptResults& unkept() const { return keep_->results; }
 
   private:

@@ -129,13 +129,15 @@ class Daemon {
             backoff_.reset(); // Without a connection the next one is what it waits for.
             pause_.cancel();
         } else {
-            spdlog::info("ended: nothing was under way");
+            spdlog::info("ended: nothing was under way, scenarios_computed={}",
+                         membership_.scenarios_computed());
             context_.stop();
         }
     }
 
     void end(int code) {
-        spdlog::info("ended: exit_code={}", code);
+        spdlog::info(
+            "ended: exit_code={} scenarios_computed={}", code, membership_.scenarios_computed());
         exit_code_ = code;
         membership_.end();
         peer_server_.reset();

@@ -160,6 +160,7 @@ void Session::start(Token token) {
          dropped = task.job().dropped,
          answered = task.answered_elsewhere(),
          token,
+         computed = keep_->computed,
          ready = std::make_shared<const ReadyScenario>(task.ready(place.scenario, cache_))]() {
             if (abandoned->load()) {
                 return Executor::Continuation([] {});
@@ -177,7 +178,9 @@ void Session::start(Token token) {
                 });
             }
             clock->begin(index);
-            return Executor::Continuation([weak, token, finished = execute(*ready, stop)] {
+            auto finished = execute(*ready, stop);
+            *computed += finished ? finished->count : 0;
+            return Executor::Continuation([weak, token, finished = std::move(finished)] {
                 if (const auto session = weak.lock()) {
                     session->scenario_ran(token, finished);
                 }
@@ -203,11 +206,13 @@ void Session::start_walk(Task& task) {
                       clock = new_clock(task.job().id),
                       id = task.id(),
                       stop,
+                      computed = keep_->computed,
                       part] {
         if (abandoned->load()) {
             return Executor::Continuation([] {});
         }
         auto found = std::make_shared<Walked>(walk(*part, stop, *clock));
+        *computed += found->finished.count;
         return Executor::Continuation([weak, id, found] {
             if (const auto session = weak.lock()) {
                 session->walked(id, std::move(*found));

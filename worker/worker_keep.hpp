@@ -1,5 +1,5 @@
-// What a worker keeps from one session to the next: results that are not acknowledged, and
-// subtrees.
+// What a worker keeps from one session to the next: results that are not acknowledged, subtrees,
+// and how much it has done.
 #pragma once
 
 #include "common/core/hash.hpp"
@@ -7,9 +7,11 @@
 #include "proto/work_messages.hpp"
 #include "worker/subtree_cache.hpp"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -59,6 +61,9 @@ struct WorkerKeep {
     UnkeptResults results;
     SubtreeCache cache;
     Sha256 cluster; ///< Of the last session; zeros before the first.
+    /// Scenarios that were run to their end, whatever became of the results.
+    std::shared_ptr<std::atomic<std::uint64_t>> computed =
+        std::make_shared<std::atomic<std::uint64_t>>();
 };
 
 } // namespace cd
