@@ -5,6 +5,8 @@
 #include "master/mutation.hpp"
 #include "proto/peer_ticket.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace cd {
@@ -19,10 +21,10 @@ BlockDirector::Time now() {
 
 BlockDelivery::BlockDelivery(asio::any_io_executor executor,
                              const TreeRegistry& trees,
-                             std::function<void(TreeId, const Error&)> on_unreadable)
+                             std::function<void(TreeId, const std::string&)> on_trouble)
     : executor_(std::move(executor)),
       trees_(trees),
-      on_unreadable_(std::move(on_unreadable)),
+      on_trouble_(std::move(on_trouble)),
       timer_(executor_) {}
 
 bool BlockDelivery::knows(WorkerId worker, TreeId tree) const {
@@ -50,13 +52,16 @@ void BlockDelivery::worker_joined(WorkerId worker,
 }
 
 void BlockDelivery::worker_left(WorkerId worker) {
-    links_.erase(worker);
+    if (const auto link = links_.find(worker); link != links_.end()) {
+        forget_queue(worker, link->second);
+        links_.erase(link);
+    }
     act(director_.worker_left(worker, now()));
 }
 
 void BlockDelivery::worker_detached(WorkerId worker) {
     if (const auto link = links_.find(worker); link != links_.end()) {
-        link->second.queue.clear();
+        forget_queue(worker, link->second);
         act(director_.worker_left(worker, now()));
     }
 }
@@ -144,7 +149,10 @@ void BlockDelivery::failed(WorkerId worker, const FetchFailed& failed) {
 
 void BlockDelivery::tree_removed(TreeId tree) {
     for (auto& [worker, link] : links_) {
-        std::erase_if(link.queue, [&](const BlockKey& block) { return block.tree == tree; });
+        const auto is_of_tree = [&](const BlockKey& block) { return block.tree == tree; };
+        std::erase_if(link.queue, is_of_tree);
+        std::erase_if(link.later, is_of_tree);
+        end_trouble(worker, tree);
     }
     act(director_.tree_removed(tree, now()));
 }
@@ -172,6 +180,12 @@ void BlockDelivery::act(const BlockActions& actions) {
 
 void BlockDelivery::send(const SendBlock& action) {
     Link& link = links_.at(action.to);
+    const bool is_put_off = std::ranges::any_of(
+        link.later, [&](const BlockKey& block) { return block.tree == action.block.tree; });
+    if (is_put_off) {
+        link.later.push_back(action.block);
+        return;
+    }
     link.queue.push_back(action.block);
     if (!std::exchange(link.sending, true)) {
         spawn(executor_, "subtrees to a worker", send_queue(action.to));
@@ -204,7 +218,12 @@ asio::awaitable<void> BlockDelivery::send_queue(WorkerId worker) {
             }
             co_return;
         }
-        send_some(link->second);
+        const TreeId tree = link->second.queue.front().tree;
+        if (const Status sent = send_some(link->second); sent) {
+            end_trouble(worker, tree);
+        } else {
+            put_off(worker, link->second, tree, sent.error().detail);
+        }
         const auto channel = link->second.channel;
         if (!mutated(Mutation::TooMuchInFlight)) {
             co_await channel->wait_until_queued_below(limits::subtrees_queue_bytes_max);
@@ -212,24 +231,77 @@ asio::awaitable<void> BlockDelivery::send_queue(WorkerId worker) {
     }
 }
 
-void BlockDelivery::send_some(Link& link) {
+Status BlockDelivery::send_some(Link& link) {
     Subtrees subtrees;
     subtrees.tree = link.queue.front().tree;
     const auto geometry = trees_.find(subtrees.tree);
     std::uint64_t bytes = 0;
+    Status read = Done{};
     while (!link.queue.empty() && link.queue.front().tree == subtrees.tree &&
            bytes < limits::subtrees_bytes_min) {
         Result<SubtreeBlock> block = geometry->block(link.queue.front().root);
         if (!block) {
-            return on_unreadable_(subtrees.tree, block.error());
+            read = block.error();
+            break;
         }
         link.queue.pop_front();
         bytes += block.value().compressed.size();
         subtrees.blocks.push_back(std::move(block.value()));
     }
-    link.sent.blocks += subtrees.blocks.size();
-    link.sent.bytes += bytes;
-    link.channel->send(subtrees);
+    if (!subtrees.blocks.empty()) {
+        link.sent.blocks += subtrees.blocks.size();
+        link.sent.bytes += bytes;
+        link.channel->send(subtrees);
+    }
+    return read;
+}
+
+// ---- Blocks that cannot be read ---------------------------------------------------------------
+
+void BlockDelivery::put_off(WorkerId worker, Link& link, TreeId tree, const std::string& why) {
+    const auto is_of_tree = [&](const BlockKey& block) { return block.tree == tree; };
+    std::ranges::copy_if(link.queue, std::back_inserter(link.later), is_of_tree);
+    std::erase_if(link.queue, is_of_tree);
+    if (link.retry == nullptr) {
+        link.retry = std::make_shared<asio::steady_timer>(executor_, limits::journal_retry_period);
+        spawn(executor_, "blocks that could not be read", send_later(worker, link.retry));
+    }
+    troubles_[tree].insert(worker);
+    on_trouble_(tree, why);
+}
+
+asio::awaitable<void> BlockDelivery::send_later(WorkerId worker,
+                                                std::shared_ptr<asio::steady_timer> retry) {
+    boost::system::error_code ignored;
+    co_await retry->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    const auto link = links_.find(worker);
+    if (closed_ || link == links_.end() || link->second.retry != retry) {
+        co_return;
+    }
+    link->second.retry.reset();
+    for (const BlockKey& block : std::exchange(link->second.later, {})) {
+        send({worker, block});
+    }
+}
+
+void BlockDelivery::end_trouble(WorkerId worker, TreeId tree) {
+    const auto trouble = troubles_.find(tree);
+    if (trouble != troubles_.end() && trouble->second.erase(worker) != 0 &&
+        trouble->second.empty()) {
+        troubles_.erase(trouble);
+        on_trouble_(tree, "");
+    }
+}
+
+void BlockDelivery::forget_queue(WorkerId worker, Link& link) {
+    for (const BlockKey& block : std::exchange(link.later, {})) {
+        end_trouble(worker, block.tree);
+    }
+    link.queue.clear();
+    if (link.retry != nullptr) {
+        link.retry->cancel();
+        link.retry.reset();
+    }
 }
 
 asio::awaitable<void> BlockDelivery::watch_time() {
@@ -247,6 +319,9 @@ asio::awaitable<void> BlockDelivery::watch_time() {
 void BlockDelivery::close() {
     closed_ = true;
     timer_.cancel();
+    for (auto& [worker, link] : links_) {
+        forget_queue(worker, link);
+    }
 }
 
 } // namespace cd

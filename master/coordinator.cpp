@@ -30,8 +30,8 @@ Coordinator::Coordinator(CoordinatorParts parts)
     : parts_(std::move(parts)),
       epoch_(std::random_device{}() | std::uint64_t{std::random_device{}()} << 32),
       watch_(parts_.times),
-      blocks_(parts_.executor, trees_, [this](TreeId tree, const Error& why) {
-          tree_failed(tree, why);
+      blocks_(parts_.executor, trees_, [this](TreeId tree, const std::string& why) {
+          tree_unreadable(tree, why);
       }) {}
 Coordinator::~Coordinator() = default;
 
@@ -118,30 +118,13 @@ void Coordinator::perform(const GiveUp& action) {
         return;
     }
     const auto analysis = job->open.at(action.scenario);
-    if (job->merger.has(action.scenario)) {
-        // It has a result, which was to be checked: by the master, then.
-        const Sha256 merged = job->merger.digest_of(action.scenario);
-        doubt_ends(*job, action.scenario, WorkerId{});
-        AddResults add{job->id, job->results, {}, job->progress(Clock::now()), {}};
-        open_dispute(*job, {job->id, action.scenario, WorkerId{}, merged}, add);
-        write(std::move(add));
-        return;
-    }
     spdlog::error("scenario given up: job={} scenario={}", job->id.value, action.scenario);
-    fail_scenario(*job,
-                  analysis->scenario,
-                  "lost with " + std::to_string(limits::scenario_losses_max) +
-                      " workers, one after the other, or with fewer again and again");
-}
-
-void Coordinator::add_long_scenarios(JobStatus& job) const {
-    for (const auto& [id, link] : workers_) {
-        const auto& longest = link.longest;
-        if (longest && longest->job == job.job &&
-            longest->seconds >= limits::scenario_seconds_shown &&
-            job.long_scenarios.size() < limits::long_scenarios_shown) {
-            job.long_scenarios.push_back({longest->scenario, id, link.name, longest->seconds});
-        }
+    const std::string why = "lost with " + std::to_string(limits::scenario_losses_max) +
+                            " workers, one after the other, or with fewer again and again";
+    if (job->merger.has(action.scenario)) {
+        give_up_doubt(*job, analysis->scenario, why);
+    } else {
+        fail_scenario(*job, analysis->scenario, why);
     }
 }
 
@@ -159,10 +142,7 @@ ClusterStatus Coordinator::cluster_status() {
     }
     status.jobs = jobs_.statuses(Clock::now());
     for (JobStatus& job : status.jobs) {
-        if (job.state == JobState::Running && !paused_.empty()) {
-            job.paused = paused_;
-        }
-        add_long_scenarios(job);
+        add_what_it_waits_for(job);
     }
     status.alarms = alarms_.last;
     status.alarm_count = alarms_.count;

@@ -261,6 +261,7 @@ class Coordinator {
     /// Those that waited for the job's geometry, or for its end to be durable.
     void look_at_late_results(JobId job);
     void check_late_results(const MasterJob& job, LateResults late);
+    void late_results_checked(std::shared_ptr<ResultsInHand> hand);
     asio::awaitable<void> compare_late_results(LateResults late);
     struct LateCase;
     asio::awaitable<void> judge_late(JobId job, WorkerId worker, LateDifference difference);
@@ -278,8 +279,6 @@ class Coordinator {
     /// `done`: as `AnalysisInput` has it.
     asio::awaitable<void> prepare_job(JobId job, DoneScenarios done);
     void start_job(MasterJob& job, const JobGeometry& made, DoneScenarios done);
-    /// Its geometry cannot be written; or, with an empty text, is there.
-    void job_paused(MasterJob& job, const std::string& why);
     void block_came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
     /// The only place where results enter a job, and the journal. `worker`: who computed them; 0 is
     /// the master.
@@ -291,7 +290,21 @@ class Coordinator {
     /// It has a result: what it was analysed for is of no use any more.
     void close_analysis(MasterJob& job, std::uint64_t scenario);
     void fail_scenario(MasterJob& job, const Scenario& scenario, const std::string& why);
-    void add_long_scenarios(JobStatus& job) const;
+
+    // Jobs that wait for the disk (coordinator_pauses.cpp).
+    /// Why the job waits; empty: it does not.
+    void job_paused(MasterJob& job, const std::string& why);
+    /// The disk does not take, or give, something of the job: it says so, and nothing of it is
+    /// handed out, until it tries `again` a little later. Whatever else is wrong fails it.
+    void wait_for_disk(MasterJob& job, const Error& why, std::function<void()> again);
+    asio::awaitable<void> try_again(JobId job, std::function<void()> again);
+    /// Something of the job could be read.
+    void disk_gives(MasterJob& job);
+    /// The job ends.
+    void stop_waiting(JobId job);
+    /// Blocks of the tree cannot be read; or, with an empty text, can again.
+    void tree_unreadable(TreeId tree, const std::string& why);
+    void add_what_it_waits_for(JobStatus& job) const;
 
     // Explaining.
     struct EndedScenario;
@@ -313,8 +326,12 @@ class Coordinator {
     /// Errors: TooLarge when the right result is.
     [[nodiscard]] Status
     judge(MasterJob& job, const Dispute& dispute, Evidence evidence, AddResults& verdict);
-    /// The first result of the scenario was wrong.
-    void correct(MasterJob& job, Evidence evidence, AddResults& verdict);
+    /// The merged result of the scenario was wrong. `why` the job has no map any more.
+    void correct(MasterJob& job,
+                 TakenResult right,
+                 const ScenarioFacts& wrong,
+                 const std::string& why,
+                 AddResults& verdict);
     /// What is being computed to settle disputes of the job, or of one of its scenarios, is of no
     /// use any more. False: nothing is.
     bool stop_judging(JobId job, std::optional<std::uint64_t> scenario);
@@ -347,13 +364,14 @@ class Coordinator {
     void do_again(MasterJob& job, std::vector<std::uint64_t> places);
     /// False: it was not in doubt.
     bool doubt_ends(MasterJob& job, std::uint64_t scenario, WorkerId by);
+    /// It was lost with too many workers. To be judged, it would have to run here.
+    void give_up_doubt(MasterJob& job, const Scenario& scenario, const std::string& why);
+    asio::awaitable<void> fail_doubted(JobId job, Scenario scenario, std::string why);
     /// Of those that are gone: to whom no running job owes a doubt.
     void forget_sessions();
 
     void end_job(MasterJob& job, JobState state, const std::string& failure);
     void release_tree(TreeId tree);
-    /// A block of the tree cannot be read: the jobs that use it end.
-    void tree_failed(TreeId tree, const Error& why);
 
     // What is handed out next (coordinator_feed.cpp).
     /// Asks for more analyses where there is room for them, and gives places; tells the dispatcher
@@ -433,8 +451,9 @@ class Coordinator {
     std::uint64_t written_ = 0; ///< The position of the last entry.
     std::string paused_;        ///< Why the journal does not write; empty: it does.
     std::map<JobId, std::shared_ptr<asio::steady_timer>> waiting_for_acceptance_;
-    std::map<JobId, asio::steady_timer*> retries_;   ///< Of jobs whose geometry waits for room.
-    std::multimap<JobId, LateResults> late_results_; ///< That cannot be looked at yet.
+    std::multimap<JobId, asio::steady_timer*> retries_;   ///< Of jobs that wait for the disk.
+    std::map<TreeId, std::string> unreadable_;            ///< Why.
+    std::multimap<JobId, LateResults> late_results_;      ///< That cannot be looked at yet.
     std::vector<std::function<void()>> waiting_for_room_; ///< In the journal.
     AlarmRecord alarms_;
     std::set<WorkerProcess> quarantined_; ///< Those of the alarms, holders among them.

@@ -6,7 +6,6 @@
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
 #include "common/core/stop_check.hpp"
-#include "common/job/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "master/coordinator.hpp"
 #include "master/record_size.hpp"
@@ -101,9 +100,12 @@ asio::awaitable<void> Coordinator::settle_dispute(Dispute dispute) {
         co_return; // The next life of the master begins with it.
     }
     if (evidence) {
+        disk_gives(*job);
         settle(*job, dispute, std::move(evidence.value()));
     } else {
-        end_job(*job, JobState::Failed, evidence.error().detail);
+        wait_for_disk(*job, evidence.error(), [this, dispute] {
+            spawn(parts_.executor, "results that differ", settle_dispute(dispute));
+        });
     }
     feed();
 }
@@ -153,7 +155,11 @@ Coordinator::judge(MasterJob& job, const Dispute& dispute, Evidence evidence, Ad
     }
     if (evidence.is_cancelled) {
         if (!first_is_right) { // It was not cancelled by another dispute before.
-            correct(job, std::move(evidence), verdict);
+            correct(job,
+                    std::move(evidence.right),
+                    evidence.first,
+                    "a scenario with results that differ was cancelled",
+                    verdict);
         }
         return Done{};
     }
@@ -167,7 +173,11 @@ Coordinator::judge(MasterJob& job, const Dispute& dispute, Evidence evidence, Ad
               ", was wrong; it is corrected");
     }
     if (!first_is_right && fits) {
-        correct(job, std::move(evidence), verdict);
+        correct(job,
+                std::move(evidence.right),
+                evidence.first,
+                "a result of the job was wrong and has been corrected",
+                verdict);
     }
     // What came again, as after a restart, tells nothing new.
     if (!second_is_right && dispute.second != WorkerId{} && !is_quarantined(dispute.second)) {
@@ -181,13 +191,14 @@ Coordinator::judge(MasterJob& job, const Dispute& dispute, Evidence evidence, Ad
     return fits;
 }
 
-void Coordinator::correct(MasterJob& job, Evidence evidence, AddResults& verdict) {
-    TakenResult& right = evidence.right;
+void Coordinator::correct(MasterJob& job,
+                          TakenResult right,
+                          const ScenarioFacts& wrong,
+                          const std::string& why,
+                          AddResults& verdict) {
     const std::uint64_t index = right.result.index;
-    job.merger.correct(index, evidence.first, facts_of(right.result), right.digest);
-    withdraw_map(job,
-                 evidence.is_cancelled ? "a scenario with results that differ was cancelled"
-                                       : "a result of the job was wrong and has been corrected");
+    job.merger.correct(index, wrong, facts_of(right.result), right.digest);
+    withdraw_map(job, why);
     const ResultRow row{index, right.record.size(), facts_of(right.result), right.digest};
     verdict.results.push_back({row, std::move(right.record)});
 }

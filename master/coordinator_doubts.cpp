@@ -4,7 +4,9 @@
 // who else vouches for it, which the journal has.
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
+#include "common/job/run_scenario.hpp"
 #include "master/coordinator.hpp"
+#include "master/run_on.hpp"
 
 #include <algorithm>
 #include <unordered_set>
@@ -205,8 +207,11 @@ void Coordinator::answer_again(MasterJob& job, std::span<const std::uint64_t> sc
                     return;
                 }
                 if (!found) {
-                    return end_job(*running, JobState::Failed, found.error().detail);
+                    return wait_for_disk(*running, found.error(), [this, id, indices] {
+                        answer_again(*jobs_.find(id), indices);
+                    });
                 }
+                disk_gives(*running);
                 std::vector<std::uint64_t> places;
                 for (const std::uint64_t index : indices) {
                     places.push_back(found.value()->place_of(index));
@@ -227,10 +232,8 @@ void Coordinator::do_again(MasterJob& job, std::vector<std::uint64_t> places) {
         }
         ++runs.back().count;
     }
-    Losses losses; // So that each is analysed, and out once only.
-    losses.add(0);
     for (const PlaceRange& run : runs) {
-        job.todo.put_back({run, losses});
+        job.todo.put_back({run, Losses::in_doubt()});
     }
 }
 
@@ -243,6 +246,49 @@ bool Coordinator::doubt_ends(MasterJob& job, std::uint64_t scenario, WorkerId by
     close_analysis(job, scenario);
     act(dispatcher().scenario_answered(by, job.id, scenario));
     return true;
+}
+
+void Coordinator::give_up_doubt(MasterJob& job, const Scenario& scenario, const std::string& why) {
+    doubt_ends(job, scenario.index, WorkerId{});
+    ++job.disputes; // The job does not end before it has failed.
+    spawn(parts_.executor, "scenario in doubt given up", fail_doubted(job.id, scenario, why));
+}
+
+asio::awaitable<void> Coordinator::fail_doubted(JobId id, Scenario scenario, std::string why) {
+    MasterJob* job = jobs_.find_running(id);
+    if (job == nullptr) {
+        co_return;
+    }
+    const std::uint64_t index = scenario.index;
+    const Sha256 merged = job->merger.digest_of(index);
+    auto look = [results = job->results, index] { return kept_result(*results, index); };
+    const Result<ScenarioResult> kept = co_await run_on(parts_.blocking, look);
+    job = jobs_.find_running(id);
+    if (job == nullptr || closed_) {
+        co_return; // The next life of the master has the same doubt.
+    }
+    if (!kept) {
+        wait_for_disk(*job, kept.error(), [this, id, scenario, why] {
+            spawn(parts_.executor, "scenario in doubt given up", fail_doubted(id, scenario, why));
+        });
+        co_return;
+    }
+    disk_gives(*job);
+    if (job->merger.digest_of(index) == merged) { // Else it was judged meanwhile.
+        const Error error{ErrorCode::Interrupted, why};
+        AddResults verdict{id, job->results, {}, {}, {}};
+        correct(*job,
+                take_result(failed_result(scenario, job->submit.query, error), {}),
+                facts_of(kept.value()),
+                "a scenario whose result was in doubt was given up",
+                verdict);
+        job->authors[index] = 0;
+        verdict.progress = job->progress(Clock::now());
+        write(std::move(verdict));
+    }
+    --job->disputes;
+    ++job->changes;
+    end_if_complete(*job);
 }
 
 } // namespace cd

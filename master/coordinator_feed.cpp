@@ -13,9 +13,12 @@ void Coordinator::feed() {
     std::uint64_t under_way = 0;
     for (const JobId id : jobs_.running()) {
         MasterJob& job = *jobs_.find(id);
-        if (job.submitter != nullptr) {
+        if (job.submitter == nullptr) {
+            continue;
+        }
+        under_way += job.submitter->under_way();
+        if (!retries_.contains(id)) {
             jobs.push_back(&job);
-            under_way += job.submitter->under_way();
         }
     }
     // In turns: first the job after the one that was fed last.
@@ -111,9 +114,11 @@ void Coordinator::places_came(JobId id,
     }
     job->places_loading -= places.count;
     if (window) {
+        disk_gives(*job);
         give_unmerged(*job, {places, window.value()});
     } else {
-        end_job(*job, JobState::Failed, window.error().detail);
+        job->todo.put_back({places});
+        wait_for_disk(*job, window.error(), [] {});
     }
     feed();
 }

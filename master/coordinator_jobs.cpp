@@ -1,6 +1,7 @@
 // The life of a job in the coordinator: prepared, fed, ended.
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
+#include "common/job/run_scenario.hpp"
 #include "master/coordinator.hpp"
 #include "master/job_geometry.hpp"
 #include "master/run_on.hpp"
@@ -103,49 +104,22 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
 asio::awaitable<void> Coordinator::prepare_job(JobId id, DoneScenarios done) {
     const Submit submit = jobs_.find(id)->submit;
     auto make = [&store = parts_.geometry, &submit] { return make_job_geometry(store, submit); };
-    asio::steady_timer retry(parts_.executor);
-    for (;;) {
-        const StoreResult<JobGeometry> made = co_await run_on(parts_.blocking, make);
-        MasterJob* job = jobs_.find_running(id);
-        if (job == nullptr) {
-            co_return; // Cancelled meanwhile.
-        }
-        if (made) {
-            job_paused(*job, "");
-            start_job(*job, made.value(), std::move(done));
-            co_return;
-        }
-        // What the disk does not take, or does not give, may be mended; nothing is lost by waiting.
-        if (!made.is_unwritten() && made.error().code != ErrorCode::Io) {
-            end_job(*job, JobState::Failed, made.error().detail);
-            co_return;
-        }
-        job_paused(*job, made.error().detail);
-        if (closed_) {
-            co_return;
-        }
-        retry.expires_after(limits::journal_retry_period);
-        retries_.emplace(id, &retry);
-        boost::system::error_code ignored;
-        co_await retry.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-        retries_.erase(id);
-        if (jobs_.find_running(id) == nullptr || closed_) {
-            co_return;
-        }
+    const StoreResult<JobGeometry> made = co_await run_on(parts_.blocking, make);
+    MasterJob* job = jobs_.find_running(id);
+    if (job == nullptr) {
+        co_return; // Cancelled meanwhile.
     }
-}
-
-void Coordinator::job_paused(MasterJob& job, const std::string& why) {
-    if (why == job.paused) {
-        return;
+    if (made) {
+        job_paused(*job, "");
+        start_job(*job, made.value(), std::move(done));
+        co_return;
     }
-    if (why.empty()) {
-        spdlog::info("job goes on: job={}", job.id.value);
-    } else {
-        spdlog::error("no geometry for now, the job waits: job={} error=\"{}\"", job.id.value, why);
-    }
-    job.paused = why;
-    ++job.changes;
+    const Error& why = made.error();
+    wait_for_disk(*job,
+                  made.is_unwritten() ? Error{ErrorCode::Io, why.detail} : why,
+                  [this, id, done = std::move(done)] {
+                      spawn(parts_.executor, "prepare job", prepare_job(id, done));
+                  });
 }
 
 void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenarios done) {
@@ -198,9 +172,11 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
         return;
     }
     if (block.error) {
-        end_job(*job, JobState::Failed, block.error->detail);
+        job->todo.put_back({block.places, block.losses});
+        wait_for_disk(*job, *block.error, [] {});
         return feed();
     }
+    disk_gives(*job);
     const auto begin = Clock::now();
     std::uint64_t handed_out = 0;
     for (Analysis& analysis : block.scenarios) {
@@ -243,9 +219,7 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
         open_bytes_ -= analysis->bytes;
     }
     const bool has_trees = job.material != nullptr;
-    if (const auto retry = retries_.find(job.id); retry != retries_.end()) {
-        retry->second->cancel();
-    }
+    stop_waiting(job.id);
     (void)stop_judging(job.id, std::nullopt);
     jobs_.end(job, state, failure, Clock::now());
     act(dispatcher().job_closed(job.id));
@@ -275,16 +249,6 @@ void Coordinator::release_tree(TreeId tree) {
             link.channel->send(RemoveTree{tree});
         }
     }
-}
-
-void Coordinator::tree_failed(TreeId tree, const Error& why) {
-    for (const JobId id : std::set<JobId>(jobs_.running())) {
-        MasterJob& job = *jobs_.find(id);
-        if (job.material != nullptr && (job.tree_a == tree || job.tree_b == tree)) {
-            end_job(job, JobState::Failed, why.detail);
-        }
-    }
-    feed();
 }
 
 // ---- Questions
@@ -358,15 +322,9 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::u
 }
 
 void Coordinator::fail_scenario(MasterJob& job, const Scenario& scenario, const std::string& why) {
-    ScenarioResult result;
-    result.index = scenario.index;
-    result.body_a = scenario.body_a;
-    result.body_b = scenario.body_b;
-    result.level = job.submit.query.level;
-    result.kind = ScenarioClass::Failed;
-    result.failure = "scenario " + std::to_string(scenario.index) + ": " + why;
+    const Error error{ErrorCode::Interrupted, why};
     std::vector<TakenResult> taken;
-    taken.push_back(take_result(std::move(result), {}));
+    taken.push_back(take_result(failed_result(scenario, job.submit.query, error), {}));
     merge(job, {std::move(taken), {}}, WorkerId{});
     end_if_complete(job);
 }

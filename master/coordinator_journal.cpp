@@ -118,12 +118,7 @@ void Coordinator::job_ended(JobId id) {
 
 JobStatus Coordinator::status_of(const MasterJob& job) const {
     JobStatus status = job.status(Clock::now());
-    if (status.state == JobState::Running) {
-        if (!paused_.empty()) {
-            status.paused = paused_;
-        }
-        add_long_scenarios(status);
-    }
+    add_what_it_waits_for(status);
     return status;
 }
 

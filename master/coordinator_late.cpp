@@ -47,15 +47,26 @@ void Coordinator::check_late_results(const MasterJob& job, LateResults late) {
                           material = job.material,
                           poses = job.poses,
                           late = std::move(late)] {
+        auto taken = take_late_results(id, material, *poses, *late.message);
         const auto hand = std::make_shared<ResultsInHand>(
-            ResultsInHand{late.worker,
-                          nullptr,
-                          late.message,
-                          take_late_results(id, material, *poses, *late.message),
-                          late.done,
-                          {}});
-        asio::post(executor, [this, hand] { take_in(hand); });
+            ResultsInHand{late.worker, nullptr, late.message, std::move(taken), late.done, {}});
+        asio::post(executor, [this, hand] { late_results_checked(hand); });
     });
+}
+
+void Coordinator::late_results_checked(std::shared_ptr<ResultsInHand> hand) {
+    if (hand->taken || hand->taken.error().code != ErrorCode::Io) {
+        return take_in(std::move(hand));
+    }
+    // That their poses cannot be read is not the worker's fault.
+    const JobId id = hand->message->job;
+    LateResults late{hand->worker, hand->message, hand->done};
+    MasterJob* job = jobs_.find_running(id);
+    if (job == nullptr) {
+        return late_results_came(std::move(late));
+    }
+    late_results_.emplace(id, std::move(late));
+    wait_for_disk(*job, hand->taken.error(), [this, id] { look_at_late_results(id); });
 }
 
 asio::awaitable<void> Coordinator::compare_late_results(LateResults late) {
@@ -93,9 +104,10 @@ struct Coordinator::LateCase {
 
     /// May take long. Errors: those of what is gone; Interrupted.
     [[nodiscard]] Result<ScenarioResult> run(const StopCheck& stop) const {
-        const Result<JobGeometry> geometry = make_job_geometry(store, submit);
-        if (!geometry) {
-            return geometry.error();
+        const auto a = store.tree(submit.bodies[0]);
+        const auto b = store.tree(submit.bodies[1]);
+        if (!a || !b) {
+            return a ? b.error() : a.error();
         }
         const Result<std::shared_ptr<PoseSource>> source = open_poses(submit, poses);
         if (!source) {
@@ -105,11 +117,7 @@ struct Coordinator::LateCase {
         if (!read) {
             return read.error();
         }
-        const ScenarioRunner runner(*geometry.value().tree_a,
-                                    *geometry.value().tree_b,
-                                    submit.query,
-                                    PairStage::Float,
-                                    stop);
+        const ScenarioRunner runner(*a.value(), *b.value(), submit.query, PairStage::Float, stop);
         ScenarioRun run;
         if (!stop()) {
             run = runner.run(read.value().front());

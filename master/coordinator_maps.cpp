@@ -63,18 +63,22 @@ void Coordinator::make_map(const MasterJob& job,
                            std::vector<std::uint64_t> scenarios) {
     parts_.blocking.post([this,
                           executor = parts_.executor,
+                          id = job.id,
                           material = job.material,
                           poses = job.poses,
                           hand = std::move(hand),
                           scenarios = std::move(scenarios)] {
         Result<ContactMap> map = map_of(*material, *poses, scenarios);
-        if (map) {
-            hand->taken.value().map = std::move(map.value());
-        } else {
-            hand->taken = map.error();
-        }
+        std::string why_none = map ? "" : map.error().detail;
+        hand->taken.value().map = map ? std::move(map.value()) : ContactMap{};
         hand->mapped = scenarios;
-        asio::post(executor, [this, hand] { take_in(hand); });
+        asio::post(executor, [this, hand, id, why_none = std::move(why_none)] {
+            if (MasterJob* running = jobs_.find_running(id);
+                running != nullptr && !why_none.empty()) {
+                withdraw_map(*running, why_none);
+            }
+            take_in(hand);
+        });
     });
 }
 

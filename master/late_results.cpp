@@ -23,6 +23,9 @@ Result<ScenarioResult> kept_result(const ResultStore& results, std::uint64_t sce
     if (!part) {
         return part.error();
     }
+    if (part.value().count == 0) {
+        return Error{ErrorCode::Io, "scenario " + std::to_string(scenario) + " has no result yet"};
+    }
     const Result<Bytes> records = unpack_records(part.value().records, limits::results_bytes_max);
     if (!records) {
         return records.error();

@@ -117,7 +117,6 @@ void Submitter::State::deliver_ready() {
         AnalysedBlock block = std::move(ready.begin()->second);
         ready.erase(ready.begin());
         ++delivered;
-        stopped = block.error.has_value();
         lock.unlock();
         deliver(std::move(block));
         lock.lock();

@@ -20,6 +20,12 @@ using WorkerProcess = std::uint64_t;
 /// others: so after so many more losses it counts again.
 class Losses {
   public:
+    /// Of scenarios that were not lost: their results are in doubt.
+    [[nodiscard]] static Losses in_doubt() {
+        Losses losses;
+        losses.in_doubt_ = true;
+        return losses;
+    }
     /// 0: one that nobody knows, or that is still here; it counts each time.
     void add(WorkerProcess process) {
         const bool is_known =
@@ -33,7 +39,8 @@ class Losses {
         ++count_;
     }
     [[nodiscard]] std::size_t count() const { return count_; }
-    [[nodiscard]] bool none() const { return count_ == 0; }
+    /// Nothing speaks against handing them out many at a time.
+    [[nodiscard]] bool none() const { return count_ == 0 && !in_doubt_; }
 
     friend bool operator==(const Losses&, const Losses&) = default;
 
@@ -41,6 +48,7 @@ class Losses {
     std::array<WorkerProcess, limits::scenario_losses_max> processes_{};
     std::size_t count_ = 0;
     std::size_t again_ = 0; ///< With those that are known.
+    bool in_doubt_ = false;
 };
 
 } // namespace cd

@@ -38,7 +38,8 @@ void expect_trouble(const Troubles& troubles) {
         {Trouble::CacheShrunk, some},    {Trouble::MasterCutOff, some},
         {Trouble::MasterStopped, some},  {Trouble::MasterKilled, many},
         {Trouble::PowerCut, some},       {Trouble::UnsyncedLost, 0},
-        {Trouble::DiskFull, many},       {Trouble::BlocksLost, some},
+        {Trouble::DiskFull, many},       {Trouble::DiskUnreadable, some},
+        {Trouble::BlocksLost, some},
     };
     EXPECT_EQ(least.size(), static_cast<std::size_t>(Trouble::count));
     for (const auto& [trouble, count] : least) {

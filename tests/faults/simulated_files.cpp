@@ -35,14 +35,29 @@ Files& files_of(const std::string& path) {
     return is_of_master(path) ? World::current()->disk : tests::safe_files();
 }
 
-/// Before a change of a file.
-Status touch(const std::string& path) {
-    if (!is_of_master(path)) {
+/// Poses and blocks, which a job needs while it runs, may be damaged then. (What is damaged when
+/// the master starts keeps it from starting.)
+Status check_readable(const std::filesystem::path& path) {
+    World* world = World::current();
+    const bool is_needed = path.extension() == ".poses" || path.extension() == ".blocks";
+    if (world == nullptr || !world->disk_is_unreadable || !is_needed) {
         return Done{};
     }
-    World::current()->touch_disk();
-    if (World::current()->disk_is_full) {
-        World::current()->troubles.add(tests::Trouble::DiskFull);
+    world->troubles.add(tests::Trouble::DiskUnreadable);
+    return Error{ErrorCode::Io, path.string() + " is damaged"};
+}
+
+/// Before a change of a file.
+Status touch(const std::string& path) {
+    World* world = World::current();
+    if (world == nullptr) {
+        return Done{};
+    }
+    if (is_of_master(path)) {
+        world->touch_disk();
+    }
+    if (world->disk_is_full) {
+        world->troubles.add(tests::Trouble::DiskFull);
         return Error{ErrorCode::Io, "cannot write " + path + ": no space left on device"};
     }
     return Done{};
@@ -134,6 +149,9 @@ Status DiskFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes
 }
 
 Result<Bytes> DiskFile::read_at(std::uint64_t offset, std::uint64_t size) const {
+    if (const Status status = check_readable(path_); !status) {
+        return status.error();
+    }
     const Bytes& content = open_files().at(descriptor_)->content;
     if (offset > content.size() || content.size() - offset < size) {
         return Error{ErrorCode::Io, path_.string() + " is damaged: it is cut short"};

@@ -97,6 +97,7 @@ class Simulation {
         unsigned master_cut_off = 0;
         unsigned blocks_lost = 0; ///< Of 1000 deaths of the master.
         unsigned disk_full = 0;
+        unsigned disk_unreadable = 0;
         unsigned cancel = 0;
         unsigned liar = 0; ///< Of 1000 workers.
     };

@@ -45,6 +45,7 @@ void Simulation::plan(std::size_t workers) {
     maybe(dangers_.master_cut_off, 100);
     maybe(dangers_.master_stopped, 150);
     maybe(dangers_.disk_full, 200);
+    maybe(dangers_.disk_unreadable, 200);
     maybe(dangers_.cancel, 60);
     if (world_.happens(500)) {
         plan_liars();
@@ -153,6 +154,11 @@ void Simulation::cause_trouble() {
     if (master_ == nullptr) {
         return;
     }
+    if (strikes(dangers_.disk_unreadable) && !world_.disk_is_unreadable) {
+        world_.log("disk unreadable");
+        world_.disk_is_unreadable = true;
+        world_.in(world_.between(100ms, 5s), [this] { world_.disk_is_unreadable = false; });
+    }
     if (strikes(dangers_.master_stopped)) {
         world_.log("master stopped");
         master_->host().stopped_until = world_.now() + world_.between(100ms, 18s);
@@ -223,6 +229,7 @@ void Simulation::stop_trouble() {
     is_trouble_ = false;
     world_.network = {};
     world_.disk_is_full = false;
+    world_.disk_is_unreadable = false;
     world_.power_cut_after = 0;
     for (const auto& [id, worker] : workers_) {
         worker->host().stopped_until = {};

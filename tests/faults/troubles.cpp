@@ -50,6 +50,8 @@ const char* to_text(Trouble trouble) {
         return "unsynced_lost";
     case Trouble::DiskFull:
         return "disk_full";
+    case Trouble::DiskUnreadable:
+        return "disk_unreadable";
     case Trouble::BlocksLost:
         return "blocks_lost";
     case Trouble::count:

@@ -33,9 +33,10 @@ enum class Trouble : std::uint8_t {
     MasterStopped,
     MasterKilled,
     PowerCut,
-    UnsyncedLost, ///< The disk was another one after a power cut.
-    DiskFull,     ///< It refused to write.
-    BlocksLost,   ///< A file of blocks was gone or damaged, and made again.
+    UnsyncedLost,   ///< The disk was another one after a power cut.
+    DiskFull,       ///< It refused to write,
+    DiskUnreadable, ///< or to read what a job needs that runs.
+    BlocksLost,     ///< A file of blocks was gone or damaged, and made again.
     count,
 };
 

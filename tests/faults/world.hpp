@@ -126,6 +126,7 @@ class World {
     NetworkFaults network;
     Files disk; ///< Of the master.
     bool disk_is_full = false;
+    bool disk_is_unreadable = false; ///< Where running jobs need it.
     /// What the disk had not synced may be gone.
     void lose_power();
     /// After so many changes of the disk the master ends; 0: it does not.

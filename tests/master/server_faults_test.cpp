@@ -133,6 +133,35 @@ TEST(Server, AScenarioThatTakesItsWorkersDownFailsAndTheJobGoesOn) {
     }
 }
 
+/// Its result is there, of a worker that is not trusted any more, and takes down whoever checks it.
+TEST(Server, AScenarioInDoubtThatTakesItsWorkersDownFailsAndTheMasterDoesNotRunIt) {
+    Master master;
+    Client client(master);
+    client.start(reference().submission());
+    {
+        const FakeWorker liar(master, {.lies_first = true, .lies_alone = 3, .instance = 7});
+        master.run_until([&] { return master.coordinator.alarm_count() != 0; });
+    }
+    const std::uint64_t deadly = scenario_with_contact();
+    ASSERT_TRUE(master.coordinator.results_of(*client.job)->has(deadly)) << "it is the liar's";
+    std::vector<std::unique_ptr<FakeWorker>> workers;
+    master.run_until([&] {
+        if (workers.empty() || workers.back()->ended) {
+            workers.push_back(std::make_unique<FakeWorker>(master,
+                                                           FakeWorker::Habits{
+                                                               .dies_of = deadly,
+                                                               .instance = 100 + workers.size(),
+                                                           }));
+        }
+        return client.done;
+    });
+    const JobStatus& last = client.statuses.back();
+    EXPECT_EQ(last.state, JobState::Done) << last.failure;
+    EXPECT_EQ(last.summary.failed, 1u);
+    EXPECT_EQ(last.summary.merged(), reference().scenarios.size());
+    EXPECT_EQ(workers.size(), limits::scenario_losses_max + 1u);
+}
+
 TEST(Server, AScenarioThatTakesLongIsShownWithItsWorker) {
     Master master;
     Client client(master);

@@ -27,6 +27,12 @@ TEST(Losses, WhatIsLostWithOneProcessForEverComesToAnEnd) {
     EXPECT_EQ(losses.count(), limits::scenario_losses_max);
 }
 
+TEST(Losses, ADoubtIsNone) {
+    const Losses losses = Losses::in_doubt();
+    EXPECT_EQ(losses.count(), 0u);
+    EXPECT_FALSE(losses.none());
+}
+
 TEST(Losses, OneThatNobodyKnowsCountsEachTime) {
     Losses losses;
     for (std::size_t i = 1; i <= 2 * limits::scenario_losses_max; ++i) {

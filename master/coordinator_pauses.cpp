@@ -1,0 +1,95 @@
+// Jobs that wait for the disk. What cannot be written, for want of room, or cannot be read, since
+// it is damaged, may be mended; nothing is lost by waiting, and nothing is deleted.
+#include "common/core/limits.hpp"
+#include "common/core/log.hpp"
+#include "master/coordinator.hpp"
+
+#include <utility>
+
+namespace cd {
+
+void Coordinator::job_paused(MasterJob& job, const std::string& why) {
+    if (why == job.paused) {
+        return;
+    }
+    if (why.empty()) {
+        spdlog::info("job goes on: job={}", job.id.value);
+    } else {
+        spdlog::error("the disk fails, the job waits: job={} error=\"{}\"", job.id.value, why);
+    }
+    job.paused = why;
+    ++job.changes;
+}
+
+void Coordinator::wait_for_disk(MasterJob& job, const Error& why, std::function<void()> again) {
+    if (why.code != ErrorCode::Io) {
+        return end_job(job, JobState::Failed, why.detail);
+    }
+    job_paused(job, why.detail);
+    spawn(parts_.executor, "a job that waits", try_again(job.id, std::move(again)));
+}
+
+asio::awaitable<void> Coordinator::try_again(JobId id, std::function<void()> again) {
+    if (closed_) {
+        co_return;
+    }
+    asio::steady_timer timer(parts_.executor, limits::journal_retry_period);
+    const auto retry = retries_.emplace(id, &timer);
+    boost::system::error_code ignored;
+    co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    retries_.erase(retry);
+    if (jobs_.find_running(id) != nullptr && !closed_) {
+        again();
+        feed();
+    }
+}
+
+void Coordinator::disk_gives(MasterJob& job) {
+    if (!retries_.contains(job.id)) {
+        job_paused(job, "");
+    }
+}
+
+void Coordinator::stop_waiting(JobId job) {
+    const auto [begin, end] = retries_.equal_range(job);
+    for (auto retry = begin; retry != end; ++retry) {
+        retry->second->cancel();
+    }
+}
+
+void Coordinator::tree_unreadable(TreeId tree, const std::string& why) {
+    if (why.empty()) {
+        spdlog::info("no block is waited for any more: tree={}", tree.value);
+        unreadable_.erase(tree);
+    } else if (std::exchange(unreadable_[tree], why) != why) {
+        spdlog::error("blocks cannot be read, jobs wait: tree={} error=\"{}\"", tree.value, why);
+    }
+    for (const JobId id : jobs_.running()) {
+        ++jobs_.find(id)->changes;
+    }
+}
+
+void Coordinator::add_what_it_waits_for(JobStatus& status) const {
+    if (status.state != JobState::Running) {
+        return;
+    }
+    const MasterJob& job = jobs_.at(status.job);
+    for (const TreeId tree : {job.tree_a, job.tree_b}) {
+        if (const auto why = unreadable_.find(tree); why != unreadable_.end()) {
+            status.paused = why->second;
+        }
+    }
+    if (!paused_.empty()) {
+        status.paused = paused_;
+    }
+    for (const auto& [id, link] : workers_) {
+        const auto& longest = link.longest;
+        if (longest && longest->job == status.job &&
+            longest->seconds >= limits::scenario_seconds_shown &&
+            status.long_scenarios.size() < limits::long_scenarios_shown) {
+            status.long_scenarios.push_back({longest->scenario, id, link.name, longest->seconds});
+        }
+    }
+}
+
+} // namespace cd

@@ -1,0 +1,144 @@
+// Proves that a file which is damaged while a job runs fails neither the job nor anybody else: the
+// job waits, says for which file, and goes on when that is mended.
+#include "tests/master/fake_client.hpp"
+#include "tests/master/fake_worker.hpp"
+#include "tests/master/master_stage.hpp"
+
+#include <latch>
+
+namespace cd::tests {
+namespace {
+
+/// A file with one bit less sense, until it is mended.
+class Damage {
+  public:
+    explicit Damage(std::filesystem::path path) : path_(std::move(path)), whole_(read_text(path_)) {
+        std::string damaged = whole_;
+        for (std::size_t i = damaged.size() / 2; i < damaged.size(); i += 16) {
+            damaged[i] = static_cast<char>(damaged[i] ^ 1);
+        }
+        write_text(path_, damaged);
+    }
+    void mend() const { write_text(path_, whole_); }
+    [[nodiscard]] std::string name() const { return path_.filename(); }
+
+  private:
+    std::filesystem::path path_;
+    std::string whole_;
+};
+
+/// A master with a job that is accepted and not prepared.
+class DamagedMaster : public Master {
+  public:
+    explicit DamagedMaster(AnalysisMode mode) {
+        Client client(*this);
+        Submit submit = reference().submission();
+        submit.cluster.analysis = mode;
+        client.start_submitting(submit);
+        run_until([&] { return client.done; });
+        job = client.job.value();
+    }
+
+    [[nodiscard]] std::filesystem::path poses() const { return journal->poses_path(job); }
+    [[nodiscard]] JobStatus status() { return coordinator.job_status(job).value(); }
+
+    void expect_to_wait_for(const Damage& damage) {
+        run_until([&] { return !status().paused.empty(); });
+        EXPECT_NE(status().paused.find(damage.name()), std::string::npos) << status().paused;
+        EXPECT_EQ(status().state, JobState::Running);
+        EXPECT_EQ(coordinator.cluster_status().jobs.at(0).paused, status().paused);
+    }
+
+    void expect_right_end() {
+        run_until([&] { return status().state != JobState::Running; });
+        EXPECT_EQ(status().state, JobState::Done) << status().failure;
+        EXPECT_EQ(status().digest, reference().digest);
+        EXPECT_TRUE(status().paused.empty());
+    }
+
+    JobId job;
+};
+
+TEST(ServerDamage, PosesThatCannotBeReadAreWaitedFor) {
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        DamagedMaster master(mode);
+        const Damage damage(master.poses());
+        const FakeWorker worker(master, {});
+        master.expect_to_wait_for(damage);
+        damage.mend();
+        master.expect_right_end();
+    }
+}
+
+TEST(ServerDamage, AJobThatWaitsForItsPosesMayBeCancelledAndTheMasterEnded) {
+    DamagedMaster master(AnalysisMode::Always);
+    const Damage damage(master.poses());
+    master.expect_to_wait_for(damage);
+    {
+        Client client(master);
+        client.start_asking({Cancel{master.job, std::nullopt}});
+        master.run_until([&] { return client.done; });
+    }
+    EXPECT_EQ(master.status().state, JobState::Cancelled);
+    EXPECT_TRUE(master.status().paused.empty());
+    master.end();
+    EXPECT_TRUE(master.context.stopped());
+}
+
+TEST(ServerDamage, BlocksThatCannotBeReadAreWaitedFor) {
+    DamagedMaster master(AnalysisMode::Never);
+    master.run_until([&] { return master.coordinator.analysis_input(master.job).has_value(); });
+    std::vector<Damage> damages;
+    for (const auto& entry : std::filesystem::directory_iterator(master.directory / "blocks")) {
+        damages.emplace_back(entry.path());
+    }
+    ASSERT_EQ(damages.size(), 2u);
+    const FakeWorker worker(master, {});
+    master.run_until([&] { return !master.status().paused.empty(); });
+    const std::string paused = master.status().paused;
+    EXPECT_TRUE(std::ranges::any_of(damages, [&](const Damage& damage) {
+        return paused.find(damage.name()) != std::string::npos;
+    })) << paused;
+    for (const Damage& damage : damages) {
+        damage.mend();
+    }
+    master.expect_right_end();
+}
+
+TEST(ServerDamage, ADisputeWaitsForThePosesToJudgeIt) {
+    DamagedMaster master(AnalysisMode::Never);
+    master.run_until([&] { return master.coordinator.analysis_input(master.job).has_value(); });
+    std::latch released(1);
+    for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
+        master.blocking.post([&] { released.wait(); }); // So that nothing is judged.
+    }
+    {
+        const FakeWorker liar(master, {.lies_second = true, .batches_max = 1});
+        master.run_until([&] { return liar.kept == 2; });
+    }
+    const Damage damage(master.poses());
+    released.count_down();
+    master.expect_to_wait_for(damage);
+    EXPECT_EQ(master.coordinator.alarm_count(), 0u);
+    damage.mend();
+    const FakeWorker good(master, {});
+    master.expect_right_end();
+    EXPECT_GT(master.coordinator.alarm_count(), 0u);
+}
+
+/// As of an earlier session: the master looks their poses up.
+TEST(ServerDamage, NobodyIsCutOffForPosesThatCannotBeRead) {
+    DamagedMaster master(AnalysisMode::Always);
+    const Damage damage(master.poses());
+    const FakeWorker worker(master,
+                            {.comes_with = right_results(master.job, scenario_with_contact())});
+    master.expect_to_wait_for(damage);
+    EXPECT_EQ(worker.kept, 0u);
+    damage.mend();
+    master.run_until([&] { return worker.kept != 0; });
+    master.expect_right_end();
+    EXPECT_FALSE(worker.ended);
+}
+
+} // namespace
+} // namespace cd::tests
