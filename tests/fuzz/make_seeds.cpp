@@ -5,6 +5,8 @@
 #include "client/npz.hpp"
 #include "common/core/compress.hpp"
 #include "common/core/thread_pool.hpp"
+#include "common/core/varint.hpp"
+#include "common/geometry/mesh.hpp"
 #include "common/job/packed_map.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/pose_source.hpp"
@@ -76,6 +78,14 @@ class Seeds {
     fs::path folder_;
 };
 
+/// What an even first byte announces, or an odd one.
+Bytes marked(std::uint8_t mark, std::span<const std::byte> bytes) {
+    ByteWriter out;
+    out.put(mark);
+    put_bytes(out, bytes);
+    return out.take();
+}
+
 void add_wire(Seeds& seeds) {
     for (const Message& message : tests::sample_messages()) {
         const std::uint16_t type = message_type(message);
@@ -103,6 +113,31 @@ void add_wire(Seeds& seeds) {
     }
     const JoinToken token{5, tests::some_hash(1), tests::some_hash(9)};
     seeds.add("token", "token", to_text(token));
+    MeshArrays arrays;
+    arrays.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}};
+    arrays.triangles = {{0, 1, 2}, {0, 1, 3}, {2, 2, 2}};
+    arrays.parts = {{"base", 0, 1}, {"rest", 1, 3}};
+    seeds.add("mesh", "doubles", Mesh::create(arrays).value().canonical_bytes());
+    arrays.vertices.back() = {0, 0, 2};
+    arrays.precision = Precision::Float;
+    seeds.add("mesh", "floats", Mesh::create(arrays).value().canonical_bytes());
+}
+
+/// Of packed records: of each column its length (two bytes) and its bytes.
+Bytes columns_of(std::span<const std::byte> packed) {
+    ByteReader in(packed);
+    std::array<std::uint64_t, 8> sizes{};
+    for (std::uint64_t& size : sizes) {
+        size = get_varint(in).value();
+    }
+    ByteWriter out;
+    for (const std::uint64_t size : sizes) {
+        const auto column = in.get_bytes(size);
+        const Bytes bytes = column.empty() ? Bytes() : decompress(column, 1u << 16).value();
+        out.put(static_cast<std::uint16_t>(bytes.size()));
+        put_bytes(out, bytes);
+    }
+    return out.take();
 }
 
 void add_blocks_and_records(Seeds& seeds) {
@@ -112,10 +147,18 @@ void add_blocks_and_records(Seeds& seeds) {
     for (const std::uint32_t depth : {0u, 2u}) {
         const std::uint32_t root = cut_nodes(a, depth).front();
         const std::string name = "depth_" + std::to_string(depth);
-        seeds.add(
-            "block", "wide_" + name, encode_subtree(extract_subtree(a, root, SubtreeForm::Wide)));
-        seeds.add("block", "binary_" + name, encode_subtree(extract_subtree(a, root)));
-        seeds.add("top", name, encode_top(cut_tree(a, depth)));
+        const Bytes wide = encode_subtree(extract_subtree(a, root, SubtreeForm::Wide));
+        const Bytes binary = encode_subtree(extract_subtree(a, root));
+        const Bytes top = encode_top(cut_tree(a, depth));
+        seeds.add("block", "wide_" + name, wide);
+        seeds.add("block", "binary_" + name, binary);
+        seeds.add("top", name, top);
+        const auto sent = [](std::uint8_t mark, const Bytes& block) {
+            return marked(mark, compress(block, compression_level_geometry));
+        };
+        seeds.add("sent_block", "wide_" + name, sent(0, wide));
+        seeds.add("sent_block", "binary_" + name, sent(0, binary));
+        seeds.add("sent_block", "top_" + name, sent(1, top));
     }
     ByteWriter records;
     const tests::TemporaryFolder folder;
@@ -138,19 +181,21 @@ void add_blocks_and_records(Seeds& seeds) {
         store->commit();
         header = header != 0 ? header : store->end() - record.size() - 3 * sizeof(std::uint64_t);
     }
-    seeds.add("packed", "records", pack_records(records.bytes()));
+    const Bytes packed = pack_records(records.bytes());
+    seeds.add("packed", "records", marked(0, packed));
+    seeds.add("packed", "columns", marked(1, columns_of(packed)));
     ContactMap map;
     map.bodies = {{{{1, 1}, {5, 300}}, {{0, 2}}}};
     seeds.add("map", "of_two_bodies", decompress(pack_map(map), 100).value());
-    seeds.add("segment", "records", std::string_view(read_file(folder / "segment")).substr(header));
+    seeds.add("map", "compressed", pack_map(map));
+    const Bytes segment = bytes_of(std::string_view(read_file(folder / "segment")).substr(header));
+    seeds.add("segment", "records", marked(0, segment));
+    seeds.add("segment", "summed_up", marked(1, segment));
 }
 
 void add_rows(Seeds& seeds) {
     const auto add = [&](std::uint8_t kind, const std::string& name, const Bytes& row) {
-        ByteWriter out;
-        out.put(kind);
-        put_bytes(out, row);
-        seeds.add("journal_row", name, out.bytes());
+        seeds.add("journal_row", name, marked(kind, row));
     };
     for (const Message& message : tests::sample_messages()) {
         if (const auto* submit = std::get_if<Submit>(&message)) {

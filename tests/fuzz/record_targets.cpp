@@ -1,5 +1,8 @@
+#include "client/result_records.hpp"
 #include "common/core/compress.hpp"
-#include "common/core/limits.hpp"
+#include "common/core/disk_file.hpp"
+#include "common/core/hash.hpp"
+#include "common/core/varint.hpp"
 #include "common/job/packed_map.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/pose_source.hpp"
@@ -14,9 +17,12 @@
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
+#include "worker/subtree_cache.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
+#include <map>
 
 namespace cd::fuzz {
 
@@ -40,21 +46,94 @@ void check_repeats(Input input, const Decode& decode, const Encode& encode) {
             "what was accepted can be written, and read again");
 }
 
+/// What an odd first byte asks for.
+bool is_odd(Input input) {
+    return (std::to_integer<unsigned>(input.front()) & 1u) != 0;
+}
+
+/// The columns of packed records, each a length (two bytes) and its bytes.
+Bytes pack_columns(Input columns) {
+    constexpr std::size_t column_count = 8;
+    ByteReader in(columns);
+    std::array<Bytes, column_count> compressed;
+    ByteWriter out;
+    for (Bytes& column : compressed) {
+        const auto length = in.get<std::uint16_t>();
+        const Input bytes = in.get_bytes(std::min<std::size_t>(length, in.remaining()));
+        column = bytes.empty() ? Bytes() : compress(bytes, compression_level_fast);
+        put_varint(out, column.size());
+    }
+    for (const Bytes& column : compressed) {
+        put_bytes(out, column);
+    }
+    return out.take();
+}
+
+std::vector<Input> records_in(Input unpacked) {
+    std::vector<Input> records;
+    ByteReader in(unpacked);
+    while (in.remaining() != 0) {
+        records.push_back(in.get_bytes(in.get<std::uint32_t>()));
+        require(!in.failed(), "what was unpacked is whole records");
+    }
+    return records;
+}
+
+/// What a client makes of a master's records.
+void check_results(Input packed, const std::vector<Input>& records) {
+    ResultsPart part;
+    part.count = static_cast<std::uint32_t>(records.size());
+    part.records.assign(packed.begin(), packed.end());
+    const auto results = unpack_results(part, 0, part.count);
+    if (!results) {
+        return;
+    }
+    require(results.value().size() == records.size(), "each record is a result");
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        require(results.value()[i].index == i, "results come in their order");
+        require(std::ranges::equal(encode_result(results.value()[i]), records[i]),
+                "a record that is accepted is what the encoder writes");
+    }
+}
+
+/// The records of a segment, each with its checksum, as far as their lengths are right.
+Bytes sum_up(Input records) {
+    constexpr std::size_t header_bytes = 2 * sizeof(std::uint64_t);
+    ByteWriter out;
+    while (records.size() >= header_bytes + sizeof(std::uint64_t)) {
+        const auto length = ByteReader(records).get<std::uint64_t>();
+        if (length > records.size() - header_bytes - sizeof(std::uint64_t)) {
+            break;
+        }
+        const Input summed = records.first(header_bytes + length);
+        put_bytes(out, summed);
+        out.put(checksum(summed));
+        records = records.subspan(summed.size() + sizeof(std::uint64_t));
+    }
+    put_bytes(out, records);
+    return out.take();
+}
+
+using RecordsOfScenarios = std::map<std::uint64_t, Input>;
+
 /// Where the records of a segment would stand if their lengths are right.
-void restore_all(ResultStore& store, Input records) {
+RecordsOfScenarios restore_all(ResultStore& store, Input records) {
+    RecordsOfScenarios restored;
     std::uint64_t end = store.end() - records.size();
     ByteReader in(records);
     while (!in.failed() && in.remaining() != 0) {
         const auto length = in.get<std::uint64_t>();
         const auto scenario = in.get<std::uint64_t>();
         const RecordPlace place = ResultStore::place_at(end, length);
-        if (scenario >= segment_scenarios || !store.restore(scenario, place)) {
-            return;
+        if (!store.restore(scenario, place)) {
+            break;
         }
         end = ResultStore::end_of(place);
-        static_cast<void>(in.get_bytes(length));
+        restored[scenario] = in.get_bytes(length);
         static_cast<void>(in.get<std::uint64_t>());
+        require(!in.failed(), "a record that is restored is there");
     }
+    return restored;
 }
 
 } // namespace
@@ -67,6 +146,34 @@ void top(Input input) {
     check_repeats(input, decode_top, encode_top);
 }
 
+/// The hash is the right one: whoever sends a block says it.
+void sent_block(Input input) {
+    if (input.empty()) {
+        return;
+    }
+    SubtreeBlock block;
+    block.root = is_odd(input) ? top_root : 0;
+    block.compressed.assign(input.begin() + 1, input.end());
+    const auto bytes = decompress(block.compressed, unpacked_bytes_max);
+    if (!bytes) {
+        return;
+    }
+    require(!open_block(block), "a block with another hash is refused");
+    block.hash = sha256(bytes.value());
+    const auto opened = open_block(block);
+    if (!opened) {
+        return;
+    }
+    if (block.root == top_root) {
+        const auto& top = *std::get<std::shared_ptr<const TreeTop>>(opened.value());
+        require(decode_top(encode_top(top)).has_value(), "what was opened can be written");
+    } else {
+        const auto& subtree = *std::get<std::shared_ptr<const Subtree>>(opened.value());
+        require(decode_subtree(encode_subtree(subtree)).has_value(),
+                "what was opened can be written");
+    }
+}
+
 void result(Input input) {
     const auto decoded = decode_result(input);
     if (decoded) {
@@ -76,18 +183,31 @@ void result(Input input) {
 }
 
 void packed(Input input) {
-    const auto unpacked = unpack_records(input, unpacked_bytes_max);
-    require(!unpacked || unpacked.value().size() <= unpacked_bytes_max,
-            "nothing unpacks to more than it may");
+    if (input.empty()) {
+        return;
+    }
+    const Input rest = input.subspan(1);
+    const Bytes packed = is_odd(input) ? pack_columns(rest) : Bytes(rest.begin(), rest.end());
+    const auto unpacked = unpack_records(packed, unpacked_bytes_max);
+    if (!unpacked) {
+        return;
+    }
+    require(unpacked.value().size() <= unpacked_bytes_max, "nothing unpacks to more than it may");
+    const auto again = unpack_records(pack_records(unpacked.value()), unpacked_bytes_max);
+    require(again && again.value() == unpacked.value(), "what was unpacked can be packed");
+    check_results(packed, records_in(unpacked.value()));
 }
 
 void map(Input input) {
     constexpr ContactMapBounds bounds{1u << 20, 1u << 20, 1u << 20};
-    const auto unpacked = unpack_map(compress(input, compression_level_fast), bounds);
-    if (unpacked) {
-        const auto bytes = decompress(pack_map(unpacked.value()), input.size());
-        require(bytes && std::ranges::equal(bytes.value(), input),
-                "a map that is accepted is what the encoder writes");
+    const Bytes sent(input.begin(), input.end());
+    for (const Bytes& packed : {compress(input, compression_level_fast), sent}) {
+        const auto unpacked = unpack_map(packed, bounds);
+        if (unpacked) {
+            const auto written = decompress(pack_map(unpacked.value()), unpacked_bytes_max);
+            require(written && written.value() == decompress(packed, unpacked_bytes_max).value(),
+                    "a map that is accepted is what the encoder writes");
+        }
     }
 }
 
@@ -115,8 +235,13 @@ void journal_row(Input input) {
     }
 }
 
-/// The bytes are what follows the file's header, which a fuzzer would not guess.
+/// No fuzzer would guess the file's header.
 void segment(Input input) {
+    if (input.empty()) {
+        return;
+    }
+    const Input rest = input.subspan(1);
+    const Bytes records = is_odd(input) ? sum_up(rest) : Bytes(rest.begin(), rest.end());
     const MemoryFile file({});
     const auto made = ResultStore::create(file.path(), segment_job, segment_scenarios);
     const std::byte any{1};
@@ -124,15 +249,24 @@ void segment(Input input) {
     require(made->write({&first, 1}).has_value(), "a segment in memory can be written");
     made->commit();
     const std::uint64_t begin = made->end();
-    std::ofstream(file.path(), std::ios::app | std::ios::binary) << text_of(input);
+    std::ofstream(file.path(), std::ios::app | std::ios::binary) << text_of(records);
     const auto opened =
-        ResultStore::open(file.path(), segment_job, segment_scenarios, begin + input.size());
+        ResultStore::open(file.path(), segment_job, segment_scenarios, begin + records.size());
     require(opened.has_value(), "a segment with its header is opened");
     ResultStore& store = *opened.value();
-    restore_all(store, input);
-    if (store.verify()) {
-        const auto all = store.read(0, segment_scenarios, unpacked_bytes_max);
-        require(all.has_value(), "records that are verified can be read");
+    const RecordsOfScenarios restored = restore_all(store, records);
+    const bool is_verified = store.verify().has_value();
+    require(is_verified || !is_odd(input), "records with their checksums are verified");
+    if (!is_verified) {
+        return;
+    }
+    for (const auto& [scenario, record] : restored) {
+        const auto part = store.read(scenario, 1, unpacked_bytes_max);
+        require(part.has_value(), "records that are verified can be read");
+        const auto read = unpack_records(part.value().records, unpacked_bytes_max);
+        require(read.has_value(), "records that are read can be unpacked");
+        require(std::ranges::equal(records_in(read.value()).front(), record),
+                "the last record of a scenario is the one that is read");
     }
 }
 

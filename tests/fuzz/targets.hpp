@@ -14,15 +14,18 @@ using Input = std::span<const std::byte>;
 void frames(Input input);  ///< A stream of frames, and the messages that it holds.
 void message(Input input); ///< A message's type (two bytes), then its payload.
 void token(Input input);   ///< A token to join with, as text.
+void mesh(Input input);    ///< A mesh in its canonical form.
 
-// Blocks and records.
+// Blocks and records. Where bytes are compressed or behind checksums, changes of them are found
+// before they do anything; so an odd first byte has the target compress, or sum up, what follows.
 void block(Input input);       ///< A subtree's block.
 void top(Input input);         ///< The block of a tree's top.
+void sent_block(Input input);  ///< Of a top where the first byte is odd; then it, compressed.
 void result(Input input);      ///< A scenario's record.
-void packed(Input input);      ///< Records as they travel, compressed.
-void map(Input input);         ///< A map of contacts, before it is compressed.
+void packed(Input input);      ///< Odd or even, then records as they travel.
+void map(Input input);         ///< A map of contacts, before it is compressed, and as if after.
 void journal_row(Input input); ///< Which kind of row (a byte), then its bytes.
-void segment(Input input);     ///< A file of a job's results.
+void segment(Input input);     ///< Odd or even, then what follows the header of a job's results.
 void grid(Input input);        ///< A grid of poses.
 void scenarios(Input input);   ///< Poses, one by one, as they travel.
 

@@ -1,5 +1,6 @@
 #include "common/core/bytes.hpp"
 #include "common/core/hash.hpp"
+#include "common/geometry/mesh.hpp"
 #include "proto/codec.hpp"
 #include "proto/frame.hpp"
 #include "proto/join_token.hpp"
@@ -25,6 +26,14 @@ void decode(std::uint16_t type, Input payload) {
                     std::ranges::equal(again, payload.first(again.size())),
                 "what is accepted is what the encoder writes");
     }
+}
+
+/// What is accepted and written otherwise had a minus zero, of which only the sign's byte goes.
+bool differ_in_signs_of_zeros(Input input, Input written) {
+    return input.size() == written.size() &&
+           std::ranges::equal(input, written, [](std::byte was, std::byte is) {
+               return was == is || (was == std::byte{0x80} && is == std::byte{0});
+           });
 }
 
 } // namespace
@@ -83,6 +92,30 @@ void token(Input input) {
     const auto read = parse_join_token(text);
     if (read) {
         require(parse_join_token(to_text(read.value())).has_value(), "a token's text is one");
+    }
+}
+
+void mesh(Input input) {
+    const auto decoded = Mesh::from_canonical_bytes(input);
+    if (!decoded) {
+        return;
+    }
+    const Mesh& mesh = decoded.value();
+    const Bytes written = mesh.canonical_bytes();
+    require(sha256(written) == mesh.hash(), "a mesh has the hash of its bytes");
+    require(differ_in_signs_of_zeros(input, written), "what is accepted is what is written");
+    for (std::uint32_t triangle = 0; triangle < mesh.triangles().size(); ++triangle) {
+        for (const std::uint32_t vertex : mesh.triangles()[triangle]) {
+            require(vertex < mesh.vertices().size(), "a triangle's corners are there");
+        }
+        for (const Vec3& corner : mesh.corners(triangle)) {
+            require(corner.allFinite(), "a triangle's corners are finite");
+        }
+    }
+    for (const Part& part : mesh.parts()) {
+        require(part.triangles_begin <= part.triangles_end &&
+                    part.triangles_end <= mesh.triangles().size(),
+                "a part's triangles are there");
     }
 }
 
