@@ -140,7 +140,8 @@ bool is_index(std::string_view word) {
 
 /// What reads an array of numbers: `count` elements, `stride` apart, of which each has `params`.
 struct Accessor {
-    std::string_view array;
+    std::string_view place; ///< In the file.
+    std::string_view array; ///< Empty where it names none.
     std::uint64_t count = 0;
     std::uint64_t offset = 0;
     std::uint64_t stride = 1;
@@ -247,7 +248,8 @@ class ColladaCheck {
             arrays_[values["id"]] = number("count", 0);
         } else if (piece.text == "accessor") {
             const std::string_view source = values["source"];
-            accessors_.push_back({source.substr(source.starts_with('#') ? 1 : 0),
+            accessors_.push_back({piece.text,
+                                  source.substr(source.starts_with('#') ? 1 : 0),
                                   number("count", 0),
                                   number("offset", 0),
                                   number("stride", 1)});
@@ -262,7 +264,7 @@ class ColladaCheck {
         for (const Accessor& accessor : accessors_) {
             const auto array = arrays_.find(accessor.array);
             if (array != arrays_.end() && accessor.numbers() > array->second) {
-                return bad(accessor.array,
+                return bad(accessor.place,
                            "an accessor of " + std::to_string(accessor.numbers()) +
                                " numbers to an array that counts " + std::to_string(array->second));
             }
