@@ -96,17 +96,18 @@ Result<TokenBook> TokenBook::parse(const std::string& text) {
         std::string stored;
         std::string role;
         Entry entry;
-        std::int64_t until = 0;
-        fields >> id >> stored >> role >> entry.uses_left >> until;
+        std::int64_t seconds = 0;
+        fields >> id >> stored >> role >> entry.uses_left >> seconds;
         const auto hash = sha256_from_hex(stored);
         const auto known_role = certified_role_from_text(role);
-        if (number == 1 || fields.fail() || !fields.eof() || !hash || !known_role) {
+        const auto until = wall_time(seconds);
+        if (number == 1 || fields.fail() || !fields.eof() || !hash || !known_role || !until) {
             return Error{ErrorCode::BadInput,
                          "line " + std::to_string(number) + " is not of a list of tokens"};
         }
         entry.stored = *hash;
         entry.role = *known_role;
-        entry.until = WallTime(std::chrono::seconds(until));
+        entry.until = *until;
         book.tokens_[id] = entry;
     }
     return book;

@@ -164,10 +164,10 @@ bool is_p256(const EVP_PKEY* key) {
 
 // ---- Reading a certificate ------------------------------------------------------------------
 
-WallTime to_wall_time(const ASN1_TIME* time) {
+/// A certificate that can be parsed may have any text for a time.
+std::optional<WallTime> to_wall_time(const ASN1_TIME* time) {
     std::tm fields{};
-    CD_CHECK(ASN1_TIME_to_tm(time, &fields) == 1);
-    return std::chrono::system_clock::from_time_t(timegm(&fields));
+    return ASN1_TIME_to_tm(time, &fields) == 1 ? wall_time(timegm(&fields)) : std::nullopt;
 }
 
 std::string common_name(X509* certificate) {
@@ -226,12 +226,14 @@ Result<Identity> identity_of(X509* certificate) {
     Identity identity;
     identity.name = common_name(certificate);
     const std::optional<CertifiedRole> role = role_of(certificate);
-    if (!role || !is_good_name(identity.name)) {
+    const auto from = to_wall_time(X509_get0_notBefore(certificate));
+    const auto until = to_wall_time(X509_get0_notAfter(certificate));
+    if (!role || !is_good_name(identity.name) || !from || !until) {
         return no_certificate();
     }
     identity.role = *role;
-    identity.from = to_wall_time(X509_get0_notBefore(certificate));
-    identity.until = to_wall_time(X509_get0_notAfter(certificate));
+    identity.from = *from;
+    identity.until = *until;
     return identity;
 }
 
@@ -245,6 +247,14 @@ Sha256 fingerprint_of(const X509* certificate) {
 }
 
 } // namespace openssl
+
+std::optional<WallTime> wall_time(std::int64_t seconds_since_1970) {
+    using std::chrono::duration_cast;
+    const std::chrono::seconds time(seconds_since_1970);
+    const bool fits = time >= duration_cast<std::chrono::seconds>(WallTime::duration::min()) &&
+                      time <= duration_cast<std::chrono::seconds>(WallTime::duration::max());
+    return fits ? std::optional(WallTime(time)) : std::nullopt;
+}
 
 std::string_view to_text(CertifiedRole role) {
     return role_names[static_cast<std::size_t>(role)];

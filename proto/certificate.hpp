@@ -14,6 +14,8 @@
 namespace cd {
 
 using WallTime = std::chrono::system_clock::time_point;
+/// Nothing where the clock does not reach: it ends in the year 2262.
+[[nodiscard]] std::optional<WallTime> wall_time(std::int64_t seconds_since_1970);
 
 /// What the holder of a certificate may be. One certificate names one role.
 enum class CertifiedRole : std::uint8_t {

@@ -35,7 +35,7 @@ using Request = Owner<X509_REQ, X509_REQ_free>;
 [[nodiscard]] Certificate parse_certificate(const std::string& pem);
 [[nodiscard]] Key parse_key(const std::string& pem);
 
-/// Errors: BadInput for a certificate that names no role, or no name, as `sign` writes them.
+/// Errors: BadInput for a certificate that names no role, name or times as `sign` writes them.
 [[nodiscard]] Result<Identity> identity_of(X509* certificate);
 [[nodiscard]] Sha256 fingerprint_of(const X509* certificate);
 

@@ -107,6 +107,7 @@ TEST(TokenBook, ADamagedTextIsRefused) {
     for (const std::string& text : {std::string("nonsense\n"),
                                     good.substr(0, good.size() - 8),
                                     good + "1 2 3\n",
+                                    good.substr(0, good.size() - 1) + "0000000\n", // No such year.
                                     good.substr(good.find('\n') + 1)}) {
         EXPECT_EQ(TokenBook::parse(text).error().code, ErrorCode::BadInput) << text;
     }
