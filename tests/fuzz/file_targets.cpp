@@ -1,12 +1,16 @@
 #include "client/job_file.hpp"
+#include "client/mesh_number_check.hpp"
+#include "client/mesh_text_check.hpp"
 #include "client/npy.hpp"
 #include "client/npz.hpp"
 #include "client/poses/pose_rows.hpp"
 #include "client/poses/text_poses.hpp"
+#include "master/token_book.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
 
+#include <array>
 #include <sstream>
 #include <utility>
 
@@ -41,6 +45,34 @@ void use(const NpyArray& array) {
     }
 }
 
+/// What a file says, read in runs, is what it says when it is read whole.
+void check_rows_of(Input input, const Result<NpyArray>& array) {
+    const MemoryFile file(input);
+    const auto rows = NpyRows::open(file.path());
+    require(rows.has_value() == (array && !array.value().shape.empty()),
+            "arrays with rows are those that can be read in runs");
+    if (rows && !array.value().data.empty() && array.value().data.size() <= elements_max) {
+        const auto values = rows.value()->read(0, rows.value()->row_count());
+        const auto whole = array.value().to_doubles();
+        require(values && std::ranges::equal(std::as_bytes(std::span(values.value())),
+                                             std::as_bytes(std::span(whole))),
+                "rows are the array's");
+    }
+}
+
+constexpr std::array<const char*, 10> mesh_extensions{
+    ".obj", ".off", ".ac", ".stl", ".ply", ".gltf", ".glb", ".dae", ".3mf", ""};
+
+void check_text(const TextMesh& text, std::uint64_t bytes) {
+    require(text.vertices.size() == text.used.size() &&
+                text.vertices.size() == text.vertex_lines.size(),
+            "each vertex has its line");
+    require(text.triangles <= bytes, "no more triangles than bytes");
+    for (const Vec3& vertex : text.vertices) {
+        require(vertex.allFinite(), "a vertex that is accepted is finite");
+    }
+}
+
 } // namespace
 
 void job_file(Input input) {
@@ -69,6 +101,7 @@ void npy(Input input) {
     const auto header = parse_npy_header(input);
     const auto array = parse_npy(input);
     require(header || !array, "no array without a header");
+    check_rows_of(input, array);
     if (array) {
         use(array.value());
     }
@@ -81,6 +114,36 @@ void npz(Input input) {
         for (const auto& [name, array] : arrays.value()) {
             use(array);
         }
+    }
+}
+
+void mesh_text(Input input) {
+    if (input.empty()) {
+        return;
+    }
+    const MemoryFile file(input.subspan(1));
+    const std::string extension =
+        mesh_extensions[std::to_integer<std::size_t>(input.front()) % mesh_extensions.size()];
+    const auto check_names_file = [&](const Error& error) {
+        require(error.detail.starts_with(file.path().string()), "an error names the file");
+    };
+    if (const Status numbers = check_numbers(file.path(), extension); !numbers) {
+        check_names_file(numbers.error());
+    }
+    const auto text = read_text_mesh(file.path(), extension);
+    if (!text) {
+        check_names_file(text.error());
+    } else if (text.value()) {
+        check_text(*text.value(), input.size());
+    }
+}
+
+void tokens(Input input) {
+    const auto book = TokenBook::parse(text_of(input));
+    if (book) {
+        const std::string text = book.value().to_text();
+        const auto again = TokenBook::parse(text);
+        require(again && again.value().to_text() == text, "a book's text is one of the same");
     }
 }
 

@@ -19,6 +19,7 @@
 #include "master/journal_records.hpp"
 #include "master/result_group.hpp"
 #include "master/result_store.hpp"
+#include "proto/certificate.hpp"
 #include "proto/codec.hpp"
 #include "proto/frame.hpp"
 #include "proto/join_token.hpp"
@@ -26,8 +27,11 @@
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
+#include <openssl/evp.h>
+
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -299,6 +303,107 @@ void add_files(Seeds& seeds) {
         std::exit(1);
     }
     seeds.add("npz", "poses", read_file(folder / "poses.npz"));
+    const std::string hash(64, 'a');
+    seeds.add("tokens",
+              "tokens",
+              "cdcluster tokens 1\n5 " + hash + " worker 3 1700000000\n9 " + hash +
+                  " admin 1 1800000000\n");
+}
+
+/// What is between the lines of a PEM text.
+Bytes der_of(const std::string& pem) {
+    Bytes bytes(pem.size());
+    const std::size_t begin = pem.find('\n') + 1;
+    std::string letters = pem.substr(begin, pem.find("-----END") - begin);
+    std::erase(letters, '\n');
+    auto* const out = reinterpret_cast<unsigned char*>(bytes.data());
+    const int size = EVP_DecodeBlock(out,
+                                     reinterpret_cast<const unsigned char*>(letters.data()),
+                                     static_cast<int>(letters.size()));
+    bytes.resize(static_cast<std::size_t>(size) -
+                 static_cast<std::size_t>(std::ranges::count(letters, '=')));
+    return bytes;
+}
+
+void add_certificates(Seeds& seeds) {
+    const WallTime now{std::chrono::hours(24 * 365 * 50)};
+    const auto authority = CertificateAuthority::make(now);
+    const auto add =
+        [&](const std::string& target, const std::string& name, const std::string& pem) {
+            seeds.add(target, name + "_pem", marked(0, bytes_of(pem)));
+            seeds.add(target, name + "_der", marked(1, der_of(pem)));
+        };
+    const Identity identity{CertifiedRole::Admin, "ada", now, now + std::chrono::hours(1)};
+    add("certificate", "authority", authority.certificate());
+    add("certificate", "admin", authority.issue(identity).certificate);
+    add("certificate_request", "request", make_certificate_request().request);
+}
+
+constexpr std::string_view ac3d_text = R"(AC3Db
+OBJECT world
+kids 1
+OBJECT poly
+loc 0 0 1
+numvert 3
+0 0 0
+1 0 0
+0 1 0
+numsurf 1
+SURF 0x10
+refs 3
+0 0 0
+1 0 0
+2 0 0
+kids 0
+)";
+constexpr std::string_view collada_text =
+    R"(<?xml version="1.0"?><COLLADA><asset><unit meter="1"/></asset>
+<library_geometries><geometry><mesh><source id="s"><float_array id="f" count="9">0 0 0 1 0 0 0 1 0</float_array>
+<technique_common><accessor source="#f" count="3" stride="3"><param name="X"/><param/><param/></accessor>
+</technique_common></source><triangles count="1"><input offset="0" source="#v"/><p>0 1 2</p></triangles></mesh>
+</geometry></library_geometries><node><matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix></node></COLLADA>
+)";
+constexpr std::string_view gltf_text =
+    R"({"nodes":[{"children":[1],"translation":[1,0,0]},{"mesh":0}],"scenes":[{"nodes":[0]}]})";
+
+/// The bytes of a mesh's file behind its number among the formats of the target.
+void add_mesh_texts(Seeds& seeds) {
+    const auto add = [&](std::uint8_t format, const std::string& name, std::string_view text) {
+        seeds.add("mesh_text", name, marked(format, bytes_of(text)));
+    };
+    add(0, "obj", "v 0 0 0\nv 1 0 0\nv 0 1 -0.5e1 # c\nf 1/1 2//1 \\\n-1\n");
+    add(1, "off", "OFF # c\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n");
+    add(2, "ac3d", ac3d_text);
+    add(3,
+        "stl",
+        "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n");
+    add(4,
+        "ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+        "float z\nelement face 1\nproperty list uchar int i\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
+        "3 0 1 2\n");
+    add(5, "gltf", gltf_text);
+    ByteWriter glb;
+    put_bytes(glb, bytes_of("glTF"));
+    for (const std::size_t number : {std::size_t{2}, 20 + gltf_text.size(), gltf_text.size()}) {
+        glb.put(static_cast<std::uint32_t>(number));
+    }
+    put_bytes(glb, bytes_of("JSON"));
+    put_bytes(glb, bytes_of(gltf_text));
+    seeds.add("mesh_text", "glb", marked(6, glb.bytes()));
+    add(7, "collada", collada_text);
+}
+
+void add_requests(Seeds& seeds) {
+    const auto add = [&](std::uint16_t cut, const std::string& name, std::string_view text) {
+        ByteWriter out;
+        out.put(cut);
+        put_bytes(out, bytes_of(text));
+        seeds.add("http", name, out.bytes());
+    };
+    add(9, "metrics", "GET /metrics HTTP/1.1\r\nHost: here\r\nAccept: */*\r\n\r\n");
+    add(30, "body", "POST / HTTP/1.1\r\nContent-Length: 4\r\n\r\nbody");
+    add(3, "chunked", "PUT /x HTTP/1.0\r\nTransfer-Encoding: chunked\r\n\r\n1\r\nx\r\n0\r\n\r\n");
 }
 
 } // namespace
@@ -314,5 +419,8 @@ int main(int argc, char** argv) {
     cd::fuzz::add_blocks_and_records(seeds);
     cd::fuzz::add_rows(seeds);
     cd::fuzz::add_files(seeds);
+    cd::fuzz::add_mesh_texts(seeds);
+    cd::fuzz::add_certificates(seeds);
+    cd::fuzz::add_requests(seeds);
     return 0;
 }

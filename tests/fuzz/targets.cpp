@@ -10,6 +10,9 @@ std::span<const Target> targets() {
         Target{"message", message},
         Target{"token", token},
         Target{"mesh", mesh},
+        Target{"certificate", certificate},
+        Target{"certificate_request", certificate_request},
+        Target{"http", http},
         Target{"block", block},
         Target{"top", top},
         Target{"sent_block", sent_block},
@@ -25,6 +28,8 @@ std::span<const Target> targets() {
         Target{"tum_poses", tum_poses},
         Target{"npy", npy},
         Target{"npz", npz},
+        Target{"mesh_text", mesh_text},
+        Target{"tokens", tokens},
     };
     return list;
 }

@@ -15,6 +15,11 @@ void frames(Input input);  ///< A stream of frames, and the messages that it hol
 void message(Input input); ///< A message's type (two bytes), then its payload.
 void token(Input input);   ///< A token to join with, as text.
 void mesh(Input input);    ///< A mesh in its canonical form.
+/// What one end of a connection shows: in DER where the first byte is odd, else in PEM.
+void certificate(Input input);
+void certificate_request(Input input); ///< The same.
+/// Where the bytes of a request are cut in two (two bytes), then the request.
+void http(Input input);
 
 // Blocks and records. Where bytes are compressed or behind checksums, changes of them are found
 // before they do anything; so an odd first byte has the target compress, or sum up, what follows.
@@ -35,6 +40,8 @@ void csv_poses(Input input); ///< Poses of both bodies where the first byte is o
 void tum_poses(Input input);
 void npy(Input input);
 void npz(Input input);
+void mesh_text(Input input); ///< Which format (a byte), then a mesh's file.
+void tokens(Input input);    ///< A master's tokens, as text.
 
 struct Target {
     std::string_view name; ///< That of the function, and of its folder in the corpus.
