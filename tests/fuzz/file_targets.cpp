@@ -5,7 +5,6 @@
 #include "client/npz.hpp"
 #include "client/poses/pose_rows.hpp"
 #include "client/poses/text_poses.hpp"
-#include "master/token_book.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
@@ -135,15 +134,6 @@ void mesh_text(Input input) {
         check_names_file(text.error());
     } else if (text.value()) {
         check_text(*text.value(), input.size());
-    }
-}
-
-void tokens(Input input) {
-    const auto book = TokenBook::parse(text_of(input));
-    if (book) {
-        const std::string text = book.value().to_text();
-        const auto again = TokenBook::parse(text);
-        require(again && again.value().to_text() == text, "a book's text is one of the same");
     }
 }
 

@@ -4,6 +4,7 @@
 #include "client/npy.hpp"
 #include "client/npz.hpp"
 #include "common/core/compress.hpp"
+#include "common/core/disk_file.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/core/varint.hpp"
 #include "common/geometry/mesh.hpp"
@@ -15,14 +16,17 @@
 #include "common/tree/cut.hpp"
 #include "common/tree/subtree_block.hpp"
 #include "common/tree/top_block.hpp"
+#include "common/tree/tree_file.hpp"
 #include "master/alarm_record.hpp"
 #include "master/journal_records.hpp"
+#include "master/pose_spool.hpp"
 #include "master/result_group.hpp"
 #include "master/result_store.hpp"
 #include "proto/certificate.hpp"
 #include "proto/codec.hpp"
 #include "proto/frame.hpp"
 #include "proto/join_token.hpp"
+#include "tests/fuzz/sample_mesh.hpp"
 #include "tests/proto/sample_messages.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
@@ -54,13 +58,6 @@ Bytes bytes_of(std::string_view text) {
 std::string read_file(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Appends to a buffer what is no number.
-void put_bytes(ByteWriter& to, std::span<const std::byte> bytes) {
-    for (const std::byte byte : bytes) {
-        to.put(std::to_integer<std::uint8_t>(byte));
-    }
 }
 
 class Seeds {
@@ -303,11 +300,6 @@ void add_files(Seeds& seeds) {
         std::exit(1);
     }
     seeds.add("npz", "poses", read_file(folder / "poses.npz"));
-    const std::string hash(64, 'a');
-    seeds.add("tokens",
-              "tokens",
-              "cdcluster tokens 1\n5 " + hash + " worker 3 1700000000\n9 " + hash +
-                  " admin 1 1800000000\n");
 }
 
 /// What is between the lines of a PEM text.
@@ -394,6 +386,48 @@ void add_mesh_texts(Seeds& seeds) {
     add(7, "collada", collada_text);
 }
 
+/// Each with the checksums that it has, and to be summed up.
+void add_both(Seeds& seeds,
+              const std::string& target,
+              const std::string& name,
+              unsigned mark,
+              std::span<const std::byte> bytes) {
+    seeds.add(target, name, marked(static_cast<std::uint8_t>(mark), bytes));
+    seeds.add(target, name + "_summed_up", marked(static_cast<std::uint8_t>(mark + 1), bytes));
+}
+
+void add_state(Seeds& seeds) {
+    const std::string hash(64, 'a');
+    seeds.add("tokens",
+              "tokens",
+              "cdcluster tokens 1\n5 " + hash + " worker 3 1700000000\n9 " + hash +
+                  " admin 1 1800000000\n");
+
+    const tests::TemporaryFolder folder;
+    std::vector<Scenario> scenarios;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        const auto step = static_cast<double>(i / 40); // Some repeat, so that the file is small.
+        scenarios.push_back({i, 0, 1, {Pose(), Pose::from_matrix(Mat3::Identity(), {step, 0, 0})}});
+    }
+    const auto spool = PoseSpool::create(folder / "spool", scenarios.size());
+    const bool is_sealed =
+        spool.value()->append(pack_scenarios(scenarios)).has_value() &&
+        spool.value()->seal(folder / "spool" / "poses", Durability::Unsynced).has_value();
+    ThreadPool pool(1);
+    const ObbTree tree = build_tree(sample_mesh(), {}, pool);
+    const bool are_written =
+        write_tree_file(folder / "binary", tree, {}, Durability::Unsynced).has_value() &&
+        write_wide_tree_file(folder / "wide", tree, {}, Durability::Unsynced).has_value();
+    if (!is_sealed || !are_written) {
+        std::exit(1);
+    }
+    Bytes poses = bytes_of(read_file(folder / "spool" / "poses"));
+    poses.insert(poses.begin(), static_cast<std::byte>(scenarios.size() / 2));
+    add_both(seeds, "pose_spool", "two_runs", 0, poses);
+    add_both(seeds, "tree_file", "binary", 0, bytes_of(read_file(folder / "binary")));
+    add_both(seeds, "tree_file", "wide", 2, bytes_of(read_file(folder / "wide")));
+}
+
 void add_requests(Seeds& seeds) {
     const auto add = [&](std::uint16_t cut, const std::string& name, std::string_view text) {
         ByteWriter out;
@@ -419,6 +453,7 @@ int main(int argc, char** argv) {
     cd::fuzz::add_blocks_and_records(seeds);
     cd::fuzz::add_rows(seeds);
     cd::fuzz::add_files(seeds);
+    cd::fuzz::add_state(seeds);
     cd::fuzz::add_mesh_texts(seeds);
     cd::fuzz::add_certificates(seeds);
     cd::fuzz::add_requests(seeds);

@@ -30,6 +30,8 @@ std::span<const Target> targets() {
         Target{"npz", npz},
         Target{"mesh_text", mesh_text},
         Target{"tokens", tokens},
+        Target{"pose_spool", pose_spool},
+        Target{"tree_file", tree_file},
     };
     return list;
 }

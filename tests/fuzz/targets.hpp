@@ -41,7 +41,11 @@ void tum_poses(Input input);
 void npy(Input input);
 void npz(Input input);
 void mesh_text(Input input); ///< Which format (a byte), then a mesh's file.
-void tokens(Input input);    ///< A master's tokens, as text.
+
+// Files of our programs.
+void tokens(Input input);     ///< A master's tokens, as text.
+void pose_spool(Input input); ///< Odd or even, how many scenarios (a byte), then a job's poses.
+void tree_file(Input input);  ///< Odd or even, wide where its next bit is set; of `sample_mesh`.
 
 struct Target {
     std::string_view name; ///< That of the function, and of its folder in the corpus.

@@ -1,0 +1,137 @@
+#include "common/core/hash.hpp"
+#include "common/core/limits.hpp"
+#include "common/tree/traverse.hpp"
+#include "common/tree/tree_file.hpp"
+#include "master/pose_spool.hpp"
+#include "master/token_book.hpp"
+#include "tests/fuzz/memory_file.hpp"
+#include "tests/fuzz/require.hpp"
+#include "tests/fuzz/sample_mesh.hpp"
+#include "tests/fuzz/targets.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace cd::fuzz {
+
+namespace {
+
+constexpr std::size_t word = sizeof(std::uint64_t);
+
+std::uint64_t word_at(const Bytes& file, std::size_t offset) {
+    return ByteReader(Input(file).subspan(offset)).get<std::uint64_t>();
+}
+
+/// Puts the checksum of these bytes of the file into it.
+void sum_up(Bytes& file, std::size_t begin, std::size_t size, std::size_t to) {
+    const std::uint64_t sum = checksum(Input(file).subspan(begin, size));
+    std::memcpy(file.data() + to, &sum, sizeof sum);
+}
+
+/// The checksums of a spool's runs (pose_spool.cpp), as far as they have places, and of its index.
+void sum_up_spool(Bytes& file, std::size_t scenarios) {
+    const std::size_t runs =
+        (scenarios + limits::spool_run_scenarios - 1) / limits::spool_run_scenarios;
+    const std::size_t index = (2 * runs + 4) * word;
+    if (file.size() < index) {
+        return;
+    }
+    const std::size_t begin = file.size() - index;
+    std::size_t from = 0;
+    for (std::size_t run = 0; run < runs; ++run) {
+        const std::uint64_t end = word_at(file, begin + run * word);
+        if (end < from || end > begin) {
+            break;
+        }
+        sum_up(file, from, end - from, begin + (runs + run) * word);
+        from = end;
+    }
+    sum_up(file, begin, index - word, file.size() - word);
+}
+
+/// The checksums of a file of sections (section_file.hpp), as far as these are in it.
+void sum_up_sections(Bytes& file) {
+    constexpr std::size_t table = 56; // Behind the key; the number of sections stands at 12.
+    constexpr std::size_t entry = 3 * word;
+    if (file.size() < table) {
+        return;
+    }
+    const std::size_t sections = word_at(file, 8) >> 32u;
+    if (sections > (file.size() - table) / entry || file.size() < table + sections * entry + word) {
+        return;
+    }
+    for (std::size_t i = 0; i < sections; ++i) {
+        const std::size_t at = table + i * entry;
+        const std::uint64_t offset = word_at(file, at);
+        const std::uint64_t size = word_at(file, at + word);
+        if (offset <= file.size() && size <= file.size() - offset) {
+            sum_up(file, offset, size, at + 2 * word);
+        }
+    }
+    const std::size_t header = table + sections * entry;
+    sum_up(file, 0, header, header);
+}
+
+} // namespace
+
+void tokens(Input input) {
+    const auto book = TokenBook::parse(text_of(input));
+    if (book) {
+        const std::string text = book.value().to_text();
+        const auto again = TokenBook::parse(text);
+        require(again && again.value().to_text() == text, "a book's text is one of the same");
+    }
+}
+
+void pose_spool(Input input) {
+    if (input.size() < 2) {
+        return;
+    }
+    const auto scenarios = 2 * std::to_integer<std::uint64_t>(input[1]); // So that two runs come.
+    Bytes bytes(input.begin() + 2, input.end());
+    if ((std::to_integer<unsigned>(input.front()) & 1u) != 0) {
+        sum_up_spool(bytes, scenarios);
+    }
+    const MemoryFile file(bytes);
+    const auto opened = PoseSpool::open(file.path(), scenarios);
+    if (!opened) {
+        return;
+    }
+    PoseSpool& spool = *opened.value();
+    require(spool.count() == scenarios && spool.is_complete(), "a sealed spool is complete");
+    const bool is_verified = spool.verify().has_value();
+    const auto read = spool.read(0, scenarios);
+    require(is_verified || !read, "what is read was verified");
+    require(!read || read.value().size() == scenarios, "all scenarios are read");
+}
+
+void tree_file(Input input) {
+    if (input.empty()) {
+        return;
+    }
+    static const std::shared_ptr<const Mesh> mesh = sample_mesh();
+    const auto mark = std::to_integer<unsigned>(input.front());
+    Bytes bytes(input.begin() + 1, input.end());
+    if ((mark & 1u) != 0) {
+        sum_up_sections(bytes);
+    }
+    const MemoryFile file(bytes);
+    const auto read = (mark & 2u) != 0 ? read_wide_tree_file(file.path(), mesh, {})
+                                       : read_tree_file(file.path(), mesh, {});
+    if (!read) {
+        return;
+    }
+    const ObbTree& tree = *read.value();
+    const std::size_t triangles = mesh->triangles().size();
+    for (const std::uint32_t triangle : tree.topology().component_triangles) {
+        require(triangle < triangles, "a component's triangle is there");
+    }
+    PosePair poses;
+    poses.b = Pose::from_matrix(Mat3::Identity(), {0.25, 0, 0});
+    for (const ContactPair& pair : contact_pairs(tree, tree, poses)) {
+        require(pair.a < triangles && pair.b < triangles, "triangles in contact are there");
+    }
+}
+
+} // namespace cd::fuzz
