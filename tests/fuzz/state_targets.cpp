@@ -10,6 +10,7 @@
 #include "tests/fuzz/targets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <vector>
 
@@ -29,9 +30,10 @@ void sum_up(Bytes& file, std::size_t begin, std::size_t size, std::size_t to) {
     std::memcpy(file.data() + to, &sum, sizeof sum);
 }
 
-/// The checksums of a spool's runs (pose_spool.cpp), as far as they have places, and of its index.
-void sum_up_spool(Bytes& file, std::size_t scenarios) {
-    const std::size_t runs =
+/// The checksums of a spool's runs (pose_spool.cpp), as far as they have places, then its counts
+/// and the checksum of its index.
+void sum_up_spool(Bytes& file, std::uint64_t scenarios) {
+    const std::uint64_t runs =
         (scenarios + limits::spool_run_scenarios - 1) / limits::spool_run_scenarios;
     const std::size_t index = (2 * runs + 4) * word;
     if (file.size() < index) {
@@ -47,6 +49,8 @@ void sum_up_spool(Bytes& file, std::size_t scenarios) {
         sum_up(file, from, end - from, begin + (runs + run) * word);
         from = end;
     }
+    const std::array<std::uint64_t, 2> counts{scenarios, runs};
+    std::memcpy(file.data() + file.size() - 3 * word, counts.data(), sizeof counts);
     sum_up(file, begin, index - word, file.size() - word);
 }
 
