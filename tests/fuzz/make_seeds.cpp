@@ -424,6 +424,8 @@ void add_state(Seeds& seeds) {
     Bytes poses = bytes_of(read_file(folder / "spool" / "poses"));
     poses.insert(poses.begin(), static_cast<std::byte>(scenarios.size() / 2));
     add_both(seeds, "pose_spool", "two_runs", 0, poses);
+    poses.front() = std::byte{149};
+    seeds.add("pose_spool", "fewer_than_its_last_run", marked(1, poses));
     add_both(seeds, "tree_file", "binary", 0, bytes_of(read_file(folder / "binary")));
     add_both(seeds, "tree_file", "wide", 2, bytes_of(read_file(folder / "wide")));
 }
