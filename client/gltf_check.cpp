@@ -102,6 +102,9 @@ Status check_nesting(const std::filesystem::path& path, const Json& json) {
             level.insert(level.end(), named.begin(), named.end()); // A cycle has no other begin.
         }
     }
+    // Each once, however often scenes name it: then no level has more nodes than there are.
+    std::ranges::sort(level);
+    level.erase(std::ranges::unique(level).begin(), level.end());
     for (std::size_t depth = 1; !level.empty(); ++depth) {
         if (depth > limits::mesh_file_depth_max) {
             return bad(path,

@@ -262,7 +262,9 @@ class Coordinator {
     void look_at_late_results(JobId job);
     void check_late_results(const MasterJob& job, LateResults late);
     void late_results_checked(std::shared_ptr<ResultsInHand> hand);
-    asio::awaitable<void> compare_late_results(LateResults late);
+    /// `kept`: of the job, which has ended.
+    asio::awaitable<void> compare_late_results(LateResults late,
+                                               std::shared_ptr<const ResultStore> kept);
     struct LateCase;
     asio::awaitable<void> judge_late(JobId job, WorkerId worker, LateDifference difference);
     void add_held_trees(WorkerLink& link);

@@ -24,7 +24,7 @@ void Coordinator::late_results_came(LateResults late) {
     } else if (job->state == JobState::Running) {
         late_results_.emplace(id, std::move(late));
     } else {
-        spawn(parts_.executor, "late results", compare_late_results(std::move(late)));
+        spawn(parts_.executor, "late results", compare_late_results(std::move(late), job->results));
     }
 }
 
@@ -69,11 +69,10 @@ void Coordinator::late_results_checked(std::shared_ptr<ResultsInHand> hand) {
     wait_for_disk(*job, hand->taken.error(), [this, id] { look_at_late_results(id); });
 }
 
-asio::awaitable<void> Coordinator::compare_late_results(LateResults late) {
+asio::awaitable<void> Coordinator::compare_late_results(LateResults late,
+                                                        std::shared_ptr<const ResultStore> kept) {
     const JobId id = late.message->job;
-    auto compare = [kept = results_of(id), message = late.message] {
-        return late_differences(*kept, *message);
-    };
+    auto compare = [kept, message = late.message] { return late_differences(*kept, *message); };
     Result<std::vector<LateDifference>> found = co_await run_on(parts_.blocking, compare);
     if (!found && found.error().code != ErrorCode::Io) {
         cut_off(late.worker, found.error());

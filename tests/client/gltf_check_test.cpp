@@ -3,6 +3,7 @@
 #include "client/gltf_check.hpp"
 
 #include "tests/client/import_text.hpp"
+#include "tests/support/memory_bound.hpp"
 
 #include <string>
 
@@ -55,6 +56,25 @@ TEST(GltfCheck, ANodeHasOneParent) {
                 HasSubstr("node 1: is the child of two nodes"));
     EXPECT_THAT(error_of("cycle.gltf", gltf(R"({"children":[1]},{"children":[0],"mesh":0})")),
                 HasSubstr("is nested more than"));
+}
+
+/// A scene that names a node again and again stands for no more than the node.
+TEST(GltfCheck, WhatASceneNamesOftenTakesNoMemory) {
+    constexpr int often = 20'000;
+    std::string named;
+    std::string children;
+    std::string nodes;
+    for (int i = 1; i <= often; ++i) {
+        named += ",0";
+        children += (i == 1 ? "" : ",") + std::to_string(i);
+        nodes += ",{}";
+    }
+    const TemporaryFolder folder;
+    write_text(folder / "named.gltf",
+               R"({"scenes":[{"nodes":[0)" + named + R"(]}],"nodes":[{"children":[)" + children +
+                   "]}" + nodes + "]}");
+    const MemoryBound bound(1u << 30);
+    EXPECT_TRUE(check_gltf(folder / "named.gltf", false));
 }
 
 } // namespace cd::tests
