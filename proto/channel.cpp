@@ -54,12 +54,12 @@ std::string own_address(const asio::ip::tcp::socket& socket) {
 // The operations under way share the state, so it outlives the channel until they have ended. All
 // handlers run on the socket's executor.
 struct Channel::State : std::enable_shared_from_this<State> {
-    State(std::unique_ptr<Stream> connected, Clock::duration longest_stall)
+    State(std::unique_ptr<Stream> connected, const StallBounds& longest_stalls)
         : stream(std::move(connected)),
           peer_host(remote_end(stream->socket()).address().to_string()),
           peer(peer_host + ":" + std::to_string(remote_end(stream->socket()).port())),
           own_host(own_address(stream->socket())),
-          stall_max(longest_stall),
+          stalls(longest_stalls),
           received(stream->socket().get_executor()),
           read_deadline(stream->socket().get_executor()),
           written(stream->socket().get_executor()),
@@ -97,7 +97,7 @@ struct Channel::State : std::enable_shared_from_this<State> {
     std::string peer_host;
     std::string peer;
     std::string own_host;
-    Clock::duration stall_max;
+    StallBounds stalls;
     Phase phase = Phase::Open;
     Traffic traffic;
     std::optional<Error> failure; ///< Why the channel is no longer open.
@@ -217,7 +217,7 @@ bool Channel::State::may_be_large() const {
 /// and most often finds that the frame is there.
 void Channel::State::watch_read() {
     if (!rest_due) {
-        rest_due = Clock::now() + stall_max;
+        rest_due = Clock::now() + stalls.read;
     }
     if (std::exchange(watching_read, true)) {
         return;
@@ -229,7 +229,7 @@ void Channel::State::watch_read() {
             return;
         }
         if (*self->rest_due <= Clock::now()) {
-            self->fail({ErrorCode::Timeout, "a message that stands still midway"});
+            self->fail({ErrorCode::Disconnected, "a message that stands still midway"});
         } else {
             self->watch_read();
         }
@@ -360,12 +360,12 @@ void Channel::State::frame_written(std::size_t lane, std::size_t payload, const 
 }
 
 void Channel::State::watch_write() {
-    write_deadline.expires_after(limits::write_stall_max);
+    write_deadline.expires_after(stalls.write);
     write_deadline.async_wait(
         [self = shared_from_this(), frame_number = ++frames_begun](const error_code& error) {
             // An expiry already queued is delivered even after the cancel.
             if (!error && self->writing && self->frames_begun == frame_number) {
-                self->fail({ErrorCode::Timeout, "the peer does not read"});
+                self->fail({ErrorCode::Disconnected, "the peer does not read"});
             }
         });
 }
@@ -418,9 +418,9 @@ void Channel::State::shut() {
 
 // ---- The channel ----------------------------------------------------------------------------
 
-std::shared_ptr<Channel> Channel::make(std::unique_ptr<Stream> stream, Clock::duration stall_max) {
+std::shared_ptr<Channel> Channel::make(std::unique_ptr<Stream> stream, const StallBounds& stalls) {
     return std::shared_ptr<Channel>(
-        new Channel(std::make_shared<State>(std::move(stream), stall_max)));
+        new Channel(std::make_shared<State>(std::move(stream), stalls)));
 }
 
 Channel::Channel(std::shared_ptr<State> state) : state_(std::move(state)) {}

@@ -45,22 +45,28 @@ struct Traffic {
     std::uint64_t bytes_received = 0;
 };
 
+/// How long a frame may take. Then the channel closes.
+struct StallBounds {
+    /// The next one of a message that has begun to come.
+    std::chrono::steady_clock::duration read = limits::read_stall_max;
+    /// One that is sent, until the operating system has taken it.
+    std::chrono::steady_clock::duration write = limits::write_stall_max;
+};
+
 /// One peer. All members run on the executor of the socket, on one thread. Control messages go
 /// before data messages; a data message goes in frames, so that a heartbeat waits for one at most.
 class Channel : public std::enable_shared_from_this<Channel> {
   public:
-    /// The stream is connected, and secured if it is to be. Of a message that has begun to come,
-    /// the next frame must be there within `stall_max`, or the channel closes.
-    [[nodiscard]] static std::shared_ptr<Channel>
-    make(std::unique_ptr<Stream> stream,
-         std::chrono::steady_clock::duration stall_max = limits::read_stall_max);
+    /// The stream is connected, and secured if it is to be.
+    [[nodiscard]] static std::shared_ptr<Channel> make(std::unique_ptr<Stream> stream,
+                                                       const StallBounds& stalls = {});
 
     /// The next message. Nothing is read from the socket beyond one message that nobody awaits, so
     /// a slow caller slows the peer. Errors: Timeout when `timeout` passes without one (the channel
-    /// stays usable); Disconnected; Refused, by a peer that does not take this end's certificate;
-    /// BadFrame or TooLarge for bytes that are none, or are not for the other end to send, after
-    /// which the channel is closed. The first message must be a Hello, Welcome or Failure, and
-    /// small. One caller at a time.
+    /// stays usable); Disconnected, also when a frame stands still; Refused, by a peer that does
+    /// not take this end's certificate; BadFrame or TooLarge for bytes that are none, or are not
+    /// for the other end to send, after which the channel is closed. The first message must be a
+    /// Hello, Welcome or Failure, and small. One caller at a time.
     [[nodiscard]] asio::awaitable<Result<Message>>
     receive(std::chrono::steady_clock::duration timeout);
 

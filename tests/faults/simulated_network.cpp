@@ -44,7 +44,7 @@ Channel::~Channel() {
     state_->end->shut(!*state_->end->is_silent);
 }
 
-std::shared_ptr<Channel> Channel::make(std::unique_ptr<Stream>, Duration) {
+std::shared_ptr<Channel> Channel::make(std::unique_ptr<Stream>, const StallBounds&) {
     return std::shared_ptr<Channel>(
         new Channel(std::make_shared<State>(State{std::exchange(next_end, nullptr)})));
 }

@@ -254,7 +254,7 @@ asio::awaitable<Error> verdict_on_standstill_after(Bytes bytes, bool is_greeted 
     co_await slow.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
     asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
     const std::shared_ptr<Channel> channel =
-        Channel::make(std::make_unique<Stream>(std::move(socket)), 20ms);
+        Channel::make(std::make_unique<Stream>(std::move(socket)), {.read = 20ms});
     co_await asio::async_write(slow, asio::buffer(bytes), asio::use_awaitable);
     Result<Message> message = co_await channel->receive(patience);
     if (is_greeted) {
@@ -272,7 +272,7 @@ TEST(Channel, AMessageThatStandsStillMidwayEndsTheConnection) {
              {std::size_t{1}, frame_header_bytes - 1, frame_header_bytes, hello.size() - 1}) {
             Bytes piece(hello.begin(), hello.begin() + static_cast<std::ptrdiff_t>(size));
             const Error verdict = co_await verdict_on_standstill_after(std::move(piece));
-            EXPECT_EQ(verdict.code, ErrorCode::Timeout);
+            EXPECT_EQ(verdict.code, ErrorCode::Disconnected);
             EXPECT_THAT(verdict.detail, testing::HasSubstr("midway"));
         }
     });
@@ -291,7 +291,8 @@ TEST(Channel, AFrameThatPromisesMoreIsHeldToIt) {
         begun.insert(begun.end(), head.begin(), head.end());
         begun.insert(begun.end(), payload.begin(), payload.end());
         const Error verdict = co_await verdict_on_standstill_after(std::move(begun), true);
-        EXPECT_EQ(verdict.code, ErrorCode::Timeout);
+        EXPECT_EQ(verdict.code, ErrorCode::Disconnected);
+        EXPECT_THAT(verdict.detail, testing::HasSubstr("midway"));
     });
 }
 
@@ -316,7 +317,7 @@ TEST(Channel, BetweenMessagesOneMayBeSilent) {
         asio::ip::tcp::socket& quiet = ends.left;
         asio::ip::tcp::socket& socket = ends.right;
         const std::shared_ptr<Channel> channel =
-            Channel::make(std::make_unique<Stream>(std::move(socket)), 500ms);
+            Channel::make(std::make_unique<Stream>(std::move(socket)), {.read = 500ms});
         const Bytes hello = frame_of(Hello{});
         for (int i = 0; i < 2; ++i) {
             co_await asio::async_write(quiet, asio::buffer(hello), asio::use_awaitable);
