@@ -37,6 +37,27 @@ int reason_of(const error_code& error) {
     return ERR_GET_REASON(static_cast<unsigned long>(error.value()));
 }
 
+/// Other reasons are of bytes that came damaged.
+bool is_other_protocol(int reason) {
+    return reason == SSL_R_WRONG_VERSION_NUMBER || reason == SSL_R_UNSUPPORTED_PROTOCOL;
+}
+
+/// Of bytes that came damaged, and not of who sent them (RFC 8446, section 6.2).
+bool tells_of_damage(int alert) {
+    switch (alert) {
+    case SSL_AD_UNEXPECTED_MESSAGE:
+    case SSL_AD_BAD_RECORD_MAC:
+    case SSL_AD_RECORD_OVERFLOW:
+    case SSL_AD_ILLEGAL_PARAMETER:
+    case SSL_AD_DECODE_ERROR:
+    case SSL_AD_MISSING_EXTENSION:
+    case SSL_AD_UNSUPPORTED_EXTENSION:
+        return true;
+    default:
+        return false;
+    }
+}
+
 std::string reason_text(const error_code& error) {
     const char* const text = ERR_reason_error_string(static_cast<unsigned long>(error.value()));
     return text == nullptr ? error.message() : text;
@@ -66,7 +87,7 @@ Error handshake_error(const error_code& error, SSL* ssl) {
                 "the other end's certificate is not good: " +
                     std::string(X509_verify_cert_error_string(verdict))};
     }
-    if (is_of_tls(error) && reason_of(error) < alert_reason) {
+    if (is_of_tls(error) && is_other_protocol(reason_of(error))) {
         return {ErrorCode::Refused, "no TLS 1.3 with the other end: " + reason_text(error)};
     }
     Error other = stream_error(error);
@@ -188,6 +209,11 @@ Error stream_error(const error_code& error) {
         return {ErrorCode::Disconnected, error.message()};
     }
     const int reason = reason_of(error);
+    if (reason >= alert_reason && tells_of_damage(reason - alert_reason)) {
+        return {ErrorCode::BadFrame,
+                "bytes came damaged to the other end: " +
+                    std::string(SSL_alert_desc_string_long(reason - alert_reason))};
+    }
     if (reason >= alert_reason) {
         return {ErrorCode::Refused,
                 "the other end does not take this one: " +
