@@ -2,8 +2,7 @@
 // digest of one process and nothing is lost: connections cut, half open, slow, damaged, trickling
 // or stalled; workers halted, killed, and back; the master killed among all that. What a broken
 // connection interrupts is not done again when the worker is back in time.
-#include "tests/cluster/faulty_proxy.hpp"
-#include "tests/cluster/mortal_master.hpp"
+#include "tests/cluster/broken_network.hpp"
 #include "tests/support/comes_true.hpp"
 
 #include <gmock/gmock.h>
@@ -12,89 +11,6 @@ namespace cd::tests {
 namespace {
 
 using testing::HasSubstr;
-
-/// A heartbeat that makes the tests short. No result hangs on it.
-const std::vector<std::string> quick{"--heartbeat", "0.05"};
-
-std::vector<std::string> quick_and(std::vector<std::string> more) {
-    more.insert(more.begin(), quick.begin(), quick.end());
-    return more;
-}
-
-/// Workers have all the time to come back: what is done again then, is by mistake.
-class BrokenNetwork : public MortalCluster {
-  protected:
-    BrokenNetwork() : MortalCluster(quick_and({"--lost-after", "600", "--return-within", "600"})) {}
-
-    /// One worker, behind the proxy, in the middle of a job.
-    void start_job(std::uint64_t scenarios) {
-        job_ = make_job(scenarios);
-        start_worker_at(proxy_.address(), 2, {"--no-peers"});
-        connection_ = connect();
-        id_ = submit(*connection_, job_, Query{});
-    }
-    /// So many more, of which some are merged now.
-    void progress(std::uint64_t more) {
-        done_ = watch_until(*connection_, id_, done_ + more).summary.merged();
-    }
-
-    template <class Condition>
-    ClusterStatus status_when(Condition condition) {
-        const auto deadline = std::chrono::steady_clock::now() + patience;
-        for (;;) {
-            const auto status = connection_->status();
-            EXPECT_TRUE(status) << status.error().detail;
-            if (!status || condition(status.value())) {
-                return status ? status.value() : ClusterStatus{};
-            }
-            if (std::chrono::steady_clock::now() > deadline) {
-                ADD_FAILURE() << "this did not come: " << master_.log();
-                return status.value();
-            }
-        }
-    }
-    void wait_for_state(WorkerState state) {
-        status_when([&](const ClusterStatus& status) {
-            return std::any_of(status.workers.begin(),
-                               status.workers.end(),
-                               [&](const WorkerStatus& worker) { return worker.state == state; });
-        });
-    }
-
-    /// The end of the job, and that nothing of it was done again.
-    void expect_right(bool nothing_again = true) {
-        const JobStatus status = finish(*connection_, id_);
-        EXPECT_EQ(status.state, JobState::Done) << status.failure;
-        EXPECT_EQ(status.digest, job_.digest_in_one_process(Query{}));
-        EXPECT_EQ(status.summary.failed, 0u);
-        EXPECT_EQ(fetched(*connection_, status), job_.scenarios.size());
-        const auto cluster = connection_->status();
-        ASSERT_TRUE(cluster);
-        EXPECT_EQ(cluster.value().alarm_count, 0u);
-        std::printf("resumed %llu, lost %llu, scenarios given back %llu of %zu\n",
-                    static_cast<unsigned long long>(cluster.value().sessions_resumed),
-                    static_cast<unsigned long long>(cluster.value().workers_lost),
-                    static_cast<unsigned long long>(cluster.value().scenarios_given_back),
-                    job_.scenarios.size());
-        if (nothing_again) {
-            EXPECT_EQ(cluster.value().workers_lost, 0u);
-            EXPECT_EQ(cluster.value().scenarios_given_back, 0u);
-        }
-        if (HasFailure()) {
-            std::printf("%s\n", master_.log().c_str());
-        }
-    }
-    [[nodiscard]] std::uint64_t resumed() {
-        const auto status = connection_->status();
-        return status ? status.value().sessions_resumed : 0;
-    }
-
-    FaultyProxy proxy_{master_.port()};
-    Job job_;
-    std::unique_ptr<Connection> connection_;
-    JobId id_;
-    std::uint64_t done_ = 0;
-};
 
 TEST_F(BrokenNetwork, ACutConnectionIsNotADeath) {
     start_job(3000);

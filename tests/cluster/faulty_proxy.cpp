@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace cd::tests {
 namespace {
@@ -62,6 +63,8 @@ asio::awaitable<void> FaultyProxy::accept() {
     for (;;) {
         auto link = std::make_shared<Link>(co_await acceptor_.async_accept(asio::use_awaitable));
         keep_from_children(link->client);
+        link->damage_there = damage_greeting_there_.exchange(false);
+        link->damage_back = damage_greeting_back_.exchange(false);
         ++connections_;
         links_.push_back(link);
         spawn(context_.get_executor(), "proxied connection", connect(std::move(link)));
@@ -87,6 +90,7 @@ asio::awaitable<void> FaultyProxy::carry(std::shared_ptr<Link> link, bool toward
     tcp::socket& from = towards_target ? link->client : link->server;
     tcp::socket& to = towards_target ? link->server : link->client;
     std::atomic<bool>& damage = towards_target ? damage_there_ : damage_back_;
+    bool& damage_greeting = towards_target ? link->damage_there : link->damage_back;
     std::array<char, 16384> buffer{};
     while (from.is_open() && to.is_open()) {
         if (weather_.load() == Weather::Stalled) {
@@ -106,7 +110,7 @@ asio::awaitable<void> FaultyProxy::carry(std::shared_ptr<Link> link, bool toward
             continue;
         }
         std::string piece(buffer.data(), bytes);
-        if (damage.exchange(false)) {
+        if (std::exchange(damage_greeting, false) || damage.exchange(false)) {
             piece[bytes / 2] = static_cast<char>(piece[bytes / 2] ^ 0x10);
             ++damaged_;
         }

@@ -42,6 +42,10 @@ class FaultyProxy {
     void damage(bool towards_target) {
         (towards_target ? damage_there_ : damage_back_).store(true);
     }
+    /// The same, of what is said first on the next connection: a greeting.
+    void damage_greeting(bool towards_target) {
+        (towards_target ? damage_greeting_there_ : damage_greeting_back_).store(true);
+    }
 
     [[nodiscard]] std::uint64_t connections() const { return connections_.load(); }
     // What has been done to the bytes so far, both ways together:
@@ -58,6 +62,8 @@ class FaultyProxy {
         void close();
         asio::ip::tcp::socket client;
         asio::ip::tcp::socket server;
+        bool damage_there = false; ///< Its next bytes.
+        bool damage_back = false;
         bool has_lost_bytes = false; ///< TCP delivers all up to some byte, and then nothing.
     };
 
@@ -75,6 +81,8 @@ class FaultyProxy {
     std::atomic<Weather> weather_ = Weather::Fair;
     std::atomic<bool> damage_there_ = false;
     std::atomic<bool> damage_back_ = false;
+    std::atomic<bool> damage_greeting_there_ = false;
+    std::atomic<bool> damage_greeting_back_ = false;
     std::atomic<std::uint64_t> connections_ = 0;
     std::atomic<std::uint64_t> damaged_ = 0;
     std::atomic<std::uint64_t> delayed_ = 0;

@@ -1,6 +1,7 @@
 // A master of a process of its own that is killed and started again, and what tests do with it.
 #pragma once
 
+#include "proto/credential_file.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 
 #include <chrono>
@@ -66,14 +67,19 @@ class MortalMaster {
     std::unique_ptr<Process> process_;
 };
 
+/// Of a cluster.
+enum class Links { Plain, Secured };
+
 /// Its workers, and jobs for them.
 class MortalCluster : public testing::Test {
   protected:
-    explicit MortalCluster(std::vector<std::string> options = {})
-        : master_(folder_, std::move(options)) {}
+    explicit MortalCluster(std::vector<std::string> options = {}, Links links = Links::Plain)
+        : tls_(links == Links::Secured ? make_identity() : nullptr),
+          master_(folder_, std::move(options)) {}
 
     [[nodiscard]] std::unique_ptr<Connection> connect() {
-        auto opened = Connection::open(master_.address(), false, [] { return false; });
+        auto opened = Connection::open(
+            master_.address(), false, [] { return false; }, tls_);
         EXPECT_TRUE(opened) << opened.error().detail;
         return opened ? std::move(opened.value()) : nullptr;
     }
@@ -93,6 +99,9 @@ class MortalCluster : public testing::Test {
                                          "--name",
                                          name};
         command.insert(command.end(), options.begin(), options.end());
+        if (tls_ != nullptr) {
+            command.insert(command.end(), {"--state", give_credential(name, address)});
+        }
         workers_.push_back(std::make_unique<Process>(std::move(command), folder_ / name));
         return *workers_.back();
     }
@@ -159,7 +168,34 @@ class MortalCluster : public testing::Test {
         return merger.summary().merged();
     }
 
+    /// Of the master's first life on.
+    [[nodiscard]] std::shared_ptr<const Tls> make_identity() const {
+        const std::vector<std::string> command{
+            program("cdmaster").string(), "init", "--state", folder_ / "state"};
+        const Ran made = tests::run(command);
+        EXPECT_EQ(made.exit_code, 0) << made.errors;
+        return Tls::make(read_credential(admin()).value()).value();
+    }
+    [[nodiscard]] std::filesystem::path admin() const {
+        return folder_ / "state/identity/admin.pem";
+    }
+    /// The state folder of a worker that may join the master at that address.
+    [[nodiscard]] std::string give_credential(const std::string& worker,
+                                              const std::string& address) const {
+        const std::string state = folder_ / (worker + ".state");
+        const auto authority =
+            CertificateAuthority::parse(read_text(folder_ / "state/identity/authority.pem"),
+                                        read_text(folder_ / "state/identity/authority.key"));
+        const WallTime now = std::chrono::system_clock::now();
+        const std::chrono::hours hour(1);
+        EXPECT_TRUE(write_credential(
+            credential_path(state, parse_endpoint(address).value()),
+            authority.value().issue({CertifiedRole::Worker, worker, now - hour, now + hour})));
+        return state;
+    }
+
     TemporaryFolder folder_;
+    std::shared_ptr<const Tls> tls_; ///< Null: plain.
     MortalMaster master_;
     std::vector<std::unique_ptr<Process>> workers_;
 };
