@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstdio>
 #include <thread>
+#include <utility>
 
 namespace cd {
 
@@ -26,11 +27,17 @@ std::string mesh_name(const ClusterStatus& status, const Sha256& mesh) {
     return found == status.meshes.end() || found->name.empty() ? to_short_hex(mesh) : found->name;
 }
 
+/// Ends a connection, and not the master: one that broke, stands still, or brings damaged bytes.
+bool is_of_the_network(const Error& error) {
+    return error.code == ErrorCode::Disconnected || error.code == ErrorCode::Timeout ||
+           error.code == ErrorCode::BadFrame;
+}
+
 Result<std::unique_ptr<Connection>> open_again(const MasterOptions& master) {
     const auto give_up_at = std::chrono::steady_clock::now() + limits::come_back_max;
     for (;;) {
         auto opened = open_master(master);
-        if (opened || opened.error().code != ErrorCode::Disconnected ||
+        if (opened || !is_of_the_network(opened.error()) ||
             std::chrono::steady_clock::now() > give_up_at) {
             return opened;
         }
@@ -116,7 +123,9 @@ Result<JobStatus> watch_job(const MasterOptions& master,
                             const std::string& id,
                             ProgressPrinter::Style progress) {
     ProgressPrinter printer(progress);
+    bool is_heard = false;
     const auto show = [&](const JobStatus& status) {
+        is_heard = true;
         const ProgressState state{id, status.summary, status.seconds};
         if (status.state == JobState::Running) {
             printer.update(state);
@@ -126,10 +135,16 @@ Result<JobStatus> watch_job(const MasterOptions& master,
     };
     for (;;) {
         Result<JobStatus> status = connection->watch(job, show);
-        if (status || status.error().code != ErrorCode::Disconnected) {
+        if (status || !is_of_the_network(status.error())) {
             return status;
         }
-        std::fprintf(stderr, "cdctl: the master is gone; waiting for it to come back\n");
+        // Whose every word is damaged is not asked for ever.
+        if (status.error().code == ErrorCode::BadFrame && !std::exchange(is_heard, false)) {
+            return status;
+        }
+        std::fprintf(stderr,
+                     "cdctl: the master is gone; waiting for it to come back: %s\n",
+                     status.error().detail.c_str());
         auto again = open_again(master);
         if (!again) {
             return again.error();

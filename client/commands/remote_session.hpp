@@ -29,8 +29,9 @@ struct KnownJob {
 /// Errors: those of `find_job`.
 [[nodiscard]] Result<KnownJob> find_known_job(Connection& connection, const std::string& text);
 
-/// Watches the job to its end, with progress on stderr. When the master goes away, waits for it to
-/// come back, for a minute, with a new connection.
+/// Watches the job to its end, with progress on stderr. When the master goes away, or the
+/// connection is good for nothing any more, waits for it to come back, for a minute, with a new
+/// connection.
 [[nodiscard]] Result<JobStatus> watch_job(const MasterOptions& master,
                                           std::unique_ptr<Connection>& connection,
                                           JobId job,

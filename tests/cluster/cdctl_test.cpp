@@ -1,11 +1,10 @@
 // Proves what README promises of cdctl as a user runs it: the same digest with and without a
 // cluster on real models, the exit codes, and errors of one line that name the way out.
 #include "client/npz.hpp"
+#include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 
 #include <gmock/gmock.h>
-
-#include <regex>
 
 namespace cd::tests {
 
@@ -13,29 +12,9 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string digest_of(const Ran& ran) {
-    std::smatch found;
-    const std::regex pattern("digest +([0-9a-f]{16})");
-    return std::regex_search(ran.output, found, pattern) ? found[1].str() : "none: " + ran.errors;
-}
-
-std::string cdctl() {
-    return program("cdctl").string();
-}
-
-/// Two closed boxes of 1 m as OBJ files.
+/// A closed box of 1 m as an OBJ file.
 void write_boxes(const TemporaryFolder& folder) {
-    const Mesh box = make_box({1, 1, 1});
-    std::string text;
-    for (const Vec3& v : box.vertices()) {
-        text += "v " + std::to_string(v.x()) + " " + std::to_string(v.y()) + " " +
-                std::to_string(v.z()) + "\n";
-    }
-    for (const Triangle& t : box.triangles()) {
-        text += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " +
-                std::to_string(t[2] + 1) + "\n";
-    }
-    write_text(folder / "box.obj", text);
+    write_obj(folder / "box.obj", make_box({1, 1, 1}));
 }
 
 } // namespace
