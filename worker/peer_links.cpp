@@ -86,7 +86,7 @@ asio::awaitable<std::shared_ptr<Channel>> PeerLinks::open(const Address& address
     hello.role = Role::Peer;
     hello.name = name_;
     hello.build = version;
-    const Result<Welcome> welcome = co_await greet(made.value(), hello);
+    const Result<Welcome> welcome = co_await greet(made.value(), hello, limits::peer_answer_max);
     co_return welcome ? made.value() : nullptr;
 }
 

@@ -39,7 +39,7 @@ FaultyProxy::~FaultyProxy() {
 }
 
 std::string FaultyProxy::address() const {
-    return "127.0.0.1:" + std::to_string(acceptor_.local_endpoint().port());
+    return "127.0.0.1:" + std::to_string(port());
 }
 
 void FaultyProxy::cut() {

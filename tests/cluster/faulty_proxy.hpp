@@ -34,6 +34,7 @@ class FaultyProxy {
 
     /// HOST:PORT
     [[nodiscard]] std::string address() const;
+    [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
 
     void set(Weather weather) { weather_.store(weather); }
     /// All connections of now end; new ones are welcome.

@@ -3,14 +3,11 @@
 // never takes a block that is not the one that the master named.
 #include "common/core/limits.hpp"
 #include "tests/proto/loopback.hpp"
-#include "tests/worker/cut_body.hpp"
+#include "tests/worker/block_source.hpp"
 #include "worker/peer_links.hpp"
-#include "worker/peer_server.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <map>
 
 namespace cd::tests {
 namespace {
@@ -31,37 +28,8 @@ std::vector<RootIndex> list_of(Roots... roots) {
     return {static_cast<RootIndex>(roots)...};
 }
 
-/// A worker that holds some blocks, and what another one needs to fetch them.
-struct Source {
-    explicit Source(const asio::any_io_executor& executor)
-        : server(PeerServer::listen(executor, {"127.0.0.1", 0}).value()) {
-        server->serve(key, [this](const SubtreeKey& slot) {
-            const auto block = blocks.find(slot.root);
-            return block == blocks.end() || slot.tree != tree ? nullptr : block->second;
-        });
-    }
-
-    void hold(RootIndex root) {
-        blocks[root] = std::make_shared<const SubtreeBlock>(body().blocks[root]);
-    }
-
-    /// With a ticket of the master.
-    FetchFromPeers directions(std::vector<RootIndex> roots) {
-        FetchFromPeers made;
-        made.tree = tree;
-        made.roots = std::move(roots);
-        for (const RootIndex root : made.roots) {
-            made.hashes.push_back(body().blocks[root].hash);
-        }
-        const Sha256 proof = ticket_proof(key, ++ticket, tree, made.roots);
-        made.sources = {{WorkerId{1}, "127.0.0.1", server->port(), ticket, proof}};
-        return made;
-    }
-
-    PeerKey key = random_secret();
-    std::map<RootIndex, std::shared_ptr<const SubtreeBlock>> blocks;
-    std::shared_ptr<PeerServer> server;
-    std::uint64_t ticket = 0;
+struct Source : BlockSource {
+    explicit Source(const asio::any_io_executor& executor) : BlockSource(executor, body(), tree) {}
 };
 
 struct Fetched {
