@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 namespace cd {
 
@@ -152,7 +153,9 @@ void BlockDelivery::tree_removed(TreeId tree) {
         const auto is_of_tree = [&](const BlockKey& block) { return block.tree == tree; };
         std::erase_if(link.queue, is_of_tree);
         std::erase_if(link.later, is_of_tree);
-        end_trouble(worker, tree);
+    }
+    if (troubles_.erase(tree) != 0) {
+        on_trouble_(tree, "");
     }
     act(director_.tree_removed(tree, now()));
 }
@@ -294,10 +297,15 @@ void BlockDelivery::end_trouble(WorkerId worker, TreeId tree) {
 }
 
 void BlockDelivery::forget_queue(WorkerId worker, Link& link) {
-    for (const BlockKey& block : std::exchange(link.later, {})) {
-        end_trouble(worker, block.tree);
-    }
     link.queue.clear();
+    link.later.clear();
+    std::vector<TreeId> troubled;
+    for (const auto& [tree, workers] : troubles_) {
+        troubled.push_back(tree);
+    }
+    for (const TreeId tree : troubled) {
+        end_trouble(worker, tree);
+    }
     if (link.retry != nullptr) {
         link.retry->cancel();
         link.retry.reset();

@@ -258,6 +258,8 @@ class Coordinator {
 
     // Results of no task (coordinator_late.cpp).
     void late_results_came(LateResults late);
+    void put_away(LateResults late);
+    void forget_late_results(WorkerId worker);
     /// Those that waited for the job's geometry, or for its end to be durable.
     void look_at_late_results(JobId job);
     void check_late_results(const MasterJob& job, LateResults late);
@@ -265,8 +267,16 @@ class Coordinator {
     /// `kept`: of the job, which has ended.
     asio::awaitable<void> compare_late_results(LateResults late,
                                                std::shared_ptr<const ResultStore> kept);
-    struct LateCase;
-    asio::awaitable<void> judge_late(JobId job, WorkerId worker, LateDifference difference);
+    /// There is nothing more to do with them.
+    void finish(const LateResults& late);
+    struct EndedRun;
+    struct LateCase {
+        LateResults late;
+        LateDifference difference;
+    };
+    asio::awaitable<void> judge_late_cases();
+    /// By what the master has found itself.
+    void judge(const LateCase& late, const Result<ScenarioResult>& right);
     void add_held_trees(WorkerLink& link);
     void end_task_if_complete(TaskId task);
     /// Other workers that have the place of a scenario which this one has answered need not.
@@ -296,10 +306,18 @@ class Coordinator {
     // Jobs that wait for the disk (coordinator_pauses.cpp).
     /// Why the job waits; empty: it does not.
     void job_paused(MasterJob& job, const std::string& why);
-    /// The disk does not take, or give, something of the job: it says so, and nothing of it is
-    /// handed out, until it tries `again` a little later. Whatever else is wrong fails it.
+    /// The disk does not take, or give, something of the job: it says so, and no more of it is got
+    /// ready to be handed out, until it tries `again` a little later. Whatever else is wrong fails
+    /// it.
     void wait_for_disk(MasterJob& job, const Error& why, std::function<void()> again);
-    asio::awaitable<void> try_again(JobId job, std::function<void()> again);
+    using DiskWaits = std::multimap<JobId, std::shared_ptr<asio::steady_timer>>;
+    using DiskWait = DiskWaits::iterator;
+    /// The same in a coroutine. Null: the job or the master has ended.
+    asio::awaitable<MasterJob*> wait_until_mended(JobId job, Error why);
+    asio::awaitable<void> try_again(std::optional<DiskWait> wait, std::function<void()> again);
+    /// Nothing: there is nothing to wait for.
+    std::optional<DiskWait> begin_to_wait(MasterJob& job, const Error& why);
+    asio::awaitable<MasterJob*> end_of_wait(DiskWait wait);
     /// Something of the job could be read.
     void disk_gives(MasterJob& job);
     /// The job ends.
@@ -438,6 +456,8 @@ class Coordinator {
     std::map<WorkerId, LostWorker> lost_;             ///< Until they are forgotten.
     std::shared_ptr<asio::steady_timer> watch_timer_; ///< Null while nobody is watched.
     bool closed_ = false;
+    /// The same, for other threads.
+    std::shared_ptr<std::atomic<bool>> closing_ = std::make_shared<std::atomic<bool>>(false);
     std::uint64_t workers_lost_ = 0;
     std::uint64_t sessions_resumed_ = 0;
     std::uint64_t scenarios_given_back_ = 0;
@@ -453,9 +473,11 @@ class Coordinator {
     std::uint64_t written_ = 0; ///< The position of the last entry.
     std::string paused_;        ///< Why the journal does not write; empty: it does.
     std::map<JobId, std::shared_ptr<asio::steady_timer>> waiting_for_acceptance_;
-    std::multimap<JobId, asio::steady_timer*> retries_;   ///< Of jobs that wait for the disk.
+    DiskWaits retries_;                                   ///< Of jobs that wait for the disk.
     std::map<TreeId, std::string> unreadable_;            ///< Why.
     std::multimap<JobId, LateResults> late_results_;      ///< That cannot be looked at yet.
+    std::uint64_t late_bytes_ = 0;                        ///< Of these.
+    std::deque<LateCase> late_cases_;                     ///< The first is being judged.
     std::vector<std::function<void()>> waiting_for_room_; ///< In the journal.
     AlarmRecord alarms_;
     std::set<WorkerProcess> quarantined_; ///< Those of the alarms, holders among them.

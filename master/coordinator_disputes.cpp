@@ -87,27 +87,37 @@ asio::awaitable<void> Coordinator::settle_dispute(Dispute dispute) {
         co_return;
     }
     const std::uint64_t index = dispute.scenario;
-    const bool is_masters = index >= job->authors.size() || job->authors[index] == 0;
     const auto stop = std::make_shared<std::atomic<bool>>(closed_);
     const auto judging = judging_.emplace(std::pair(dispute.job, index), stop);
-    auto look = [content =
-                     Evidence::Case{job->material, job->poses, job->results, index, is_masters},
-                 stop] { return Evidence::find(content, [stop] { return stop->load(); }); };
-    Result<std::optional<Evidence>> evidence = co_await run_on(parts_.blocking, look);
+    bool is_over = false;
+    std::optional<Evidence> evidence;
+    while (job != nullptr && !is_over) {
+        if (job->given_up.contains(index)) {
+            break; // It fails, and to be judged it would run here.
+        }
+        const bool is_masters = index >= job->authors.size() || job->authors[index] == 0;
+        const Sha256 merged = job->merger.digest_of(index);
+        auto look = [content =
+                         Evidence::Case{job->material, job->poses, job->results, index, is_masters},
+                     stop] { return Evidence::find(content, [stop] { return stop->load(); }); };
+        Result<std::optional<Evidence>> found = co_await run_on(parts_.blocking, look);
+        job = closed_ ? nullptr : jobs_.find_running(dispute.job);
+        if (job == nullptr) {
+            break; // The next life of the master begins with it.
+        }
+        if (!found) {
+            job = co_await wait_until_mended(dispute.job, found.error());
+        } else if (job->merger.digest_of(index) == merged) { // Else it was corrected meanwhile.
+            disk_gives(*job);
+            evidence = std::move(found.value());
+            is_over = true;
+        }
+    }
     judging_.erase(judging);
-    job = jobs_.find_running(dispute.job);
-    if (job == nullptr || closed_) {
-        co_return; // The next life of the master begins with it.
+    if (job != nullptr) {
+        settle(*job, dispute, std::move(evidence));
+        feed();
     }
-    if (evidence) {
-        disk_gives(*job);
-        settle(*job, dispute, std::move(evidence.value()));
-    } else {
-        wait_for_disk(*job, evidence.error(), [this, dispute] {
-            spawn(parts_.executor, "results that differ", settle_dispute(dispute));
-        });
-    }
-    feed();
 }
 
 void Coordinator::settle(MasterJob& job, const Dispute& dispute, std::optional<Evidence> evidence) {

@@ -250,45 +250,46 @@ bool Coordinator::doubt_ends(MasterJob& job, std::uint64_t scenario, WorkerId by
 
 void Coordinator::give_up_doubt(MasterJob& job, const Scenario& scenario, const std::string& why) {
     doubt_ends(job, scenario.index, WorkerId{});
+    job.given_up.insert(scenario.index);
     ++job.disputes; // The job does not end before it has failed.
     spawn(parts_.executor, "scenario in doubt given up", fail_doubted(job.id, scenario, why));
 }
 
 asio::awaitable<void> Coordinator::fail_doubted(JobId id, Scenario scenario, std::string why) {
     MasterJob* job = jobs_.find_running(id);
-    if (job == nullptr) {
-        co_return;
-    }
     const std::uint64_t index = scenario.index;
-    const Sha256 merged = job->merger.digest_of(index);
-    auto look = [results = job->results, index] { return kept_result(*results, index); };
-    const Result<ScenarioResult> kept = co_await run_on(parts_.blocking, look);
-    job = jobs_.find_running(id);
-    if (job == nullptr || closed_) {
-        co_return; // The next life of the master has the same doubt.
-    }
-    if (!kept) {
-        wait_for_disk(*job, kept.error(), [this, id, scenario, why] {
-            spawn(parts_.executor, "scenario in doubt given up", fail_doubted(id, scenario, why));
-        });
-        co_return;
-    }
-    disk_gives(*job);
-    if (job->merger.digest_of(index) == merged) { // Else it was judged meanwhile.
-        const Error error{ErrorCode::Interrupted, why};
-        AddResults verdict{id, job->results, {}, {}, {}};
-        correct(*job,
-                take_result(failed_result(scenario, job->submit.query, error), {}),
-                facts_of(kept.value()),
-                "a scenario whose result was in doubt was given up",
-                verdict);
-        job->authors[index] = 0;
-        verdict.progress = job->progress(Clock::now());
-        write(std::move(verdict));
+    for (;;) {
+        if (job == nullptr) {
+            co_return; // Or the next life of the master has the same doubt.
+        }
+        if (job->authors[index] == 0) {
+            break; // A dispute was settled meanwhile: the master's own word stands.
+        }
+        auto look = [results = job->results, index] { return kept_result(*results, index); };
+        const Result<ScenarioResult> kept = co_await run_on(parts_.blocking, look);
+        job = jobs_.find_running(id);
+        if (kept && job != nullptr && !closed_ && job->authors[index] != 0) {
+            disk_gives(*job);
+            const Error error{ErrorCode::Interrupted, why};
+            AddResults verdict{id, job->results, {}, {}, {}};
+            correct(*job,
+                    take_result(failed_result(scenario, job->submit.query, error), {}),
+                    facts_of(kept.value()),
+                    "a scenario whose result was in doubt was given up",
+                    verdict);
+            job->authors[index] = 0;
+            verdict.progress = job->progress(Clock::now());
+            write(std::move(verdict));
+        } else if (!kept && job != nullptr) {
+            job = co_await wait_until_mended(id, kept.error());
+        } else if (closed_) {
+            co_return;
+        }
     }
     --job->disputes;
     ++job->changes;
     end_if_complete(*job);
+    feed();
 }
 
 } // namespace cd

@@ -1,6 +1,7 @@
 // Results of no task: what a worker sends again in another session, and what comes when its job has
 // ended. Such a job is not corrected any more, for its digest has been told; but who was wrong is
 // found out, and whoever has the results learns of it.
+#include "common/core/limits_master.hpp"
 #include "common/core/log.hpp"
 #include "common/job/run_scenario.hpp"
 #include "master/coordinator.hpp"
@@ -10,6 +11,14 @@
 #include <utility>
 
 namespace cd {
+
+namespace {
+
+std::uint64_t bytes_of(const Results& message) {
+    return message.records.size() + message.map.size();
+}
+
+} // namespace
 
 void Coordinator::late_results_came(LateResults late) {
     const JobId id = late.message->job;
@@ -22,16 +31,27 @@ void Coordinator::late_results_came(LateResults late) {
     } else if (job->is_running() && job->material != nullptr) {
         check_late_results(*job, std::move(late));
     } else if (job->state == JobState::Running) {
-        late_results_.emplace(id, std::move(late));
+        put_away(std::move(late));
     } else {
         spawn(parts_.executor, "late results", compare_late_results(std::move(late), job->results));
     }
+}
+
+void Coordinator::put_away(LateResults late) {
+    // Whatever becomes of this job, its worker goes on with others.
+    std::exchange(late.done, [] {})();
+    if (late_bytes_ + bytes_of(*late.message) > limits::late_results_bytes_max) {
+        return;
+    }
+    late_bytes_ += bytes_of(*late.message);
+    late_results_.emplace(late.message->job, std::move(late));
 }
 
 void Coordinator::look_at_late_results(JobId job) {
     std::vector<LateResults> all;
     const auto [begin, end] = late_results_.equal_range(job);
     for (auto late = begin; late != end; ++late) {
+        late_bytes_ -= bytes_of(*late->second.message);
         all.push_back(std::move(late->second));
     }
     late_results_.erase(begin, end);
@@ -39,6 +59,16 @@ void Coordinator::look_at_late_results(JobId job) {
         late_results_came(std::move(late));
     }
 }
+
+void Coordinator::forget_late_results(WorkerId worker) {
+    std::erase_if(late_results_, [&](const auto& late) {
+        const bool is_its = late.second.worker == worker;
+        late_bytes_ -= is_its ? bytes_of(*late.second.message) : 0;
+        return is_its;
+    });
+}
+
+// ---- Of a job that runs -----------------------------------------------------------------------
 
 void Coordinator::check_late_results(const MasterJob& job, LateResults late) {
     parts_.blocking.post([this,
@@ -55,47 +85,61 @@ void Coordinator::check_late_results(const MasterJob& job, LateResults late) {
 }
 
 void Coordinator::late_results_checked(std::shared_ptr<ResultsInHand> hand) {
+    const JobId id = hand->message->job;
+    MasterJob* job = jobs_.find_running(id);
     if (hand->taken || hand->taken.error().code != ErrorCode::Io) {
+        if (job != nullptr) {
+            disk_gives(*job);
+        }
         return take_in(std::move(hand));
     }
     // That their poses cannot be read is not the worker's fault.
-    const JobId id = hand->message->job;
     LateResults late{hand->worker, hand->message, hand->done};
-    MasterJob* job = jobs_.find_running(id);
     if (job == nullptr) {
         return late_results_came(std::move(late));
     }
-    late_results_.emplace(id, std::move(late));
-    wait_for_disk(*job, hand->taken.error(), [this, id] { look_at_late_results(id); });
+    const bool others_wait = late_results_.contains(id);
+    put_away(std::move(late));
+    if (!others_wait) {
+        wait_for_disk(*job, hand->taken.error(), [this, id] { look_at_late_results(id); });
+    }
 }
+
+// ---- Of a job that has ended --------------------------------------------------------------------
 
 asio::awaitable<void> Coordinator::compare_late_results(LateResults late,
                                                         std::shared_ptr<const ResultStore> kept) {
     const JobId id = late.message->job;
-    auto compare = [kept, message = late.message] { return late_differences(*kept, *message); };
-    Result<std::vector<LateDifference>> found = co_await run_on(parts_.blocking, compare);
+    auto compare = [kept, message = late.message, stop = closing_] {
+        return late_difference(*kept, *message, [stop] { return stop->load(); });
+    };
+    Result<std::optional<LateDifference>> found = co_await run_on(parts_.blocking, compare);
+    if (closed_) {
+        co_return; // It comes again in the next life of the master.
+    }
     if (!found && found.error().code != ErrorCode::Io) {
         cut_off(late.worker, found.error());
     } else if (!found) {
-        spdlog::error(
+        spdlog::warn(
             "late results are not compared: job={} error=\"{}\"", id.value, found.error().detail);
-    } else if (!found.value().empty() && !is_distrusted(late.worker)) {
-        spdlog::error("late results differ: job={} scenarios={} first={} worker={}",
-                      id.value,
-                      found.value().size(),
-                      found.value().front().late.index,
-                      late.worker.value);
-        // One tells who is to blame.
-        LateDifference first = std::move(found.value().front());
-        co_await judge_late(id, late.worker, std::move(first));
+    } else if (found.value()) {
+        late_cases_.push_back({std::move(late), std::move(*found.value())});
+        if (late_cases_.size() == 1) {
+            co_await judge_late_cases();
+        }
+        co_return;
     }
+    finish(late);
+}
+
+void Coordinator::finish(const LateResults& late) {
     ledger_.promise(Delivery{late.worker, late.message->sequence}, written_);
     keep_promises();
     go_on(late.done);
 }
 
 /// A scenario of a job that has ended, to be run once more.
-struct Coordinator::LateCase {
+struct Coordinator::EndedRun {
     GeometryStore& store;
     Submit submit;
     std::filesystem::path poses;
@@ -128,48 +172,72 @@ struct Coordinator::LateCase {
     }
 };
 
-asio::awaitable<void>
-Coordinator::judge_late(JobId id, WorkerId worker, LateDifference difference) {
-    const std::uint64_t index = difference.late.index;
-    const auto stop = std::make_shared<std::atomic<bool>>(closed_);
-    const auto judging = judging_.emplace(std::pair(id, index), stop);
-    const MasterJob* job = jobs_.find(id);
-    Result<ScenarioResult> right = no_job(id);
-    if (job != nullptr && job->has_dropped_bulk) {
-        right = Error{ErrorCode::NotFound, "its query was too large to be kept"};
-    } else if (job != nullptr) {
-        auto run =
-            [again = LateCase{parts_.geometry, job->submit, parts_.journal.poses_path(id), index},
-             stop] { return again.run([stop] { return stop->load(); }); };
-        right = co_await run_on(parts_.blocking, run);
+/// One at a time: each may run long, and the first that is wrong is the last that is heard of its
+/// worker.
+asio::awaitable<void> Coordinator::judge_late_cases() {
+    while (!late_cases_.empty() && !closed_) {
+        const LateCase& next = late_cases_.front();
+        const JobId id = next.late.message->job;
+        const MasterJob* job = jobs_.find(id);
+        if (job != nullptr && !is_distrusted(next.late.worker)) {
+            Result<ScenarioResult> right =
+                Error{ErrorCode::NotFound, "not all of its query was kept"};
+            if (!job->has_dropped_bulk) {
+                auto run = [again = EndedRun{parts_.geometry,
+                                             job->submit,
+                                             parts_.journal.poses_path(id),
+                                             next.difference.late.index},
+                            stop = closing_] { return again.run([stop] { return stop->load(); }); };
+                right = co_await run_on(parts_.blocking, run);
+            }
+            if (closed_) {
+                co_return;
+            }
+            judge(next, right);
+        }
+        const LateResults late = std::move(late_cases_.front().late);
+        late_cases_.pop_front();
+        finish(late);
     }
-    judging_.erase(judging);
-    job = jobs_.find(id);
-    if (job == nullptr || closed_ || is_distrusted(worker)) {
-        co_return; // Its results are gone; or others have told who is wrong.
+}
+
+void Coordinator::judge(const LateCase& late, const Result<ScenarioResult>& right) {
+    const WorkerId worker = late.late.worker;
+    const std::uint64_t index = late.difference.late.index;
+    MasterJob* job = jobs_.find(late.late.message->job);
+    if (job == nullptr || is_distrusted(worker)) {
+        return; // Its results are gone; or others have told who is wrong.
     }
-    const std::string where = "results of job " + std::to_string(id.value) +
+    const std::uint64_t alarms_before = alarms_.count;
+    const std::string where = "results of job " + std::to_string(job->id.value) +
                               ", which has ended, scenario " + std::to_string(index) + ", differ";
+    spdlog::error(
+        "late results differ: job={} scenario={} worker={}", job->id.value, index, worker.value);
+    const auto repeat = [&](const std::string& why) {
+        if (!std::exchange(job->is_to_be_repeated, true)) {
+            alarm(where + why + "; submit the job again");
+        }
+    };
     if (!right) {
-        alarm(where + ", the later one of " + name_of(worker) +
-              ", and which is right cannot be found out: " + right.error().detail +
-              "; submit the job again");
+        repeat(", the later one of " + name_of(worker) +
+               ", and which is right cannot be found out: " + right.error().detail);
     } else {
-        const WorkerId author{index < job->authors.size() ? job->authors[index] : 0};
-        if (!agrees(difference.kept, right.value())) {
-            alarm(where + ", and the master's own says that what was kept, of " +
-                  (author == WorkerId{} ? "an unknown worker" : name_of(author)) +
-                  ", is wrong; submit the job again");
+        if (encode_result(late.difference.kept) != encode_result(right.value())) {
+            const WorkerId author{index < job->authors.size() ? job->authors[index] : 0};
+            repeat(", and the master's own says that what was kept, of " +
+                   (author == WorkerId{} ? "an unknown worker" : name_of(author)) + ", is wrong");
             quarantine(author);
         }
-        if (!agrees(difference.late, right.value())) {
+        if (!agrees(late.difference.late, right.value()) && !is_quarantined(worker)) {
             alarm(where + ", and the master's own says that " + name_of(worker) + " is wrong");
             quarantine(worker);
         }
     }
-    AddResults verdict{id, job->results, {}, job->progress(Clock::now()), {}};
-    verdict.alarms = alarms_;
-    write(std::move(verdict));
+    if (alarms_.count != alarms_before) {
+        AddResults verdict{job->id, job->results, {}, job->progress(Clock::now()), {}};
+        verdict.alarms = alarms_;
+        write(std::move(verdict));
+    }
     feed();
 }
 

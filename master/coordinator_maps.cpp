@@ -1,6 +1,6 @@
 // Maps of contacts. The map of a message is of all its scenarios together, so it counts when all of
 // them are new. Where some have been merged before, from another worker, the map of the others is
-// made here.
+// made here; where their poses cannot be read then, the job has no map, and says why.
 #include "common/job/run_scenario.hpp"
 #include "master/coordinator.hpp"
 

@@ -14,7 +14,7 @@ void Coordinator::job_paused(MasterJob& job, const std::string& why) {
     }
     if (why.empty()) {
         spdlog::info("job goes on: job={}", job.id.value);
-    } else {
+    } else if (job.paused.empty()) {
         spdlog::error("the disk fails, the job waits: job={} error=\"{}\"", job.id.value, why);
     }
     job.paused = why;
@@ -22,26 +22,50 @@ void Coordinator::job_paused(MasterJob& job, const std::string& why) {
 }
 
 void Coordinator::wait_for_disk(MasterJob& job, const Error& why, std::function<void()> again) {
-    if (why.code != ErrorCode::Io) {
-        return end_job(job, JobState::Failed, why.detail);
-    }
-    job_paused(job, why.detail);
-    spawn(parts_.executor, "a job that waits", try_again(job.id, std::move(again)));
+    // From now on, and not from when the other end of this is reached.
+    spawn(
+        parts_.executor, "a job that waits", try_again(begin_to_wait(job, why), std::move(again)));
 }
 
-asio::awaitable<void> Coordinator::try_again(JobId id, std::function<void()> again) {
+asio::awaitable<void> Coordinator::try_again(std::optional<DiskWait> wait,
+                                             std::function<void()> again) {
+    if (wait) {
+        MasterJob* job = co_await end_of_wait(std::move(*wait));
+        if (job != nullptr) {
+            again();
+            feed();
+        }
+    }
+}
+
+asio::awaitable<MasterJob*> Coordinator::wait_until_mended(JobId id, Error why) {
+    std::optional<DiskWait> wait = begin_to_wait(*jobs_.find_running(id), why);
+    if (!wait) {
+        co_return nullptr;
+    }
+    co_return co_await end_of_wait(std::move(*wait));
+}
+
+std::optional<Coordinator::DiskWait> Coordinator::begin_to_wait(MasterJob& job, const Error& why) {
+    if (why.code != ErrorCode::Io) {
+        end_job(job, JobState::Failed, why.detail);
+        return std::nullopt;
+    }
+    job_paused(job, why.detail);
     if (closed_) {
-        co_return;
+        return std::nullopt;
     }
-    asio::steady_timer timer(parts_.executor, limits::journal_retry_period);
-    const auto retry = retries_.emplace(id, &timer);
+    auto timer =
+        std::make_shared<asio::steady_timer>(parts_.executor, limits::journal_retry_period);
+    return retries_.emplace(job.id, std::move(timer));
+}
+
+asio::awaitable<MasterJob*> Coordinator::end_of_wait(DiskWait wait) {
+    const JobId id = wait->first;
     boost::system::error_code ignored;
-    co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-    retries_.erase(retry);
-    if (jobs_.find_running(id) != nullptr && !closed_) {
-        again();
-        feed();
-    }
+    co_await wait->second->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    retries_.erase(wait);
+    co_return closed_ ? nullptr : jobs_.find_running(id);
 }
 
 void Coordinator::disk_gives(MasterJob& job) {
@@ -61,7 +85,7 @@ void Coordinator::tree_unreadable(TreeId tree, const std::string& why) {
     if (why.empty()) {
         spdlog::info("no block is waited for any more: tree={}", tree.value);
         unreadable_.erase(tree);
-    } else if (std::exchange(unreadable_[tree], why) != why) {
+    } else if (std::exchange(unreadable_[tree], why).empty()) {
         spdlog::error("blocks cannot be read, jobs wait: tree={} error=\"{}\"", tree.value, why);
     }
     for (const JobId id : jobs_.running()) {

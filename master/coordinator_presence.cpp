@@ -390,6 +390,7 @@ void Coordinator::check_workers() {
 
 void Coordinator::close() {
     closed_ = true;
+    *closing_ = true;
     blocks_.close();
     if (watch_timer_ != nullptr) {
         watch_timer_->cancel();
@@ -453,7 +454,7 @@ void Coordinator::worker_left(WorkerId worker, const std::string& why) {
     }
     blocks_.worker_left(worker);
     ledger_.forget(worker);
-    std::erase_if(late_results_, [&](const auto& late) { return late.second.worker == worker; });
+    forget_late_results(worker);
     forget_tasks(worker);
     act(dispatcher().worker_lost(worker));
     feed();

@@ -177,6 +177,9 @@ bool Coordinator::merge_one(MasterJob& job,
         }
         return mutated(Mutation::SecondAnswerMerged);
     case ResultMerger::Outcome::Differs:
+        if (job.given_up.contains(index)) {
+            return false;
+        }
         doubt_ends(job, index, worker);
         open_dispute(job, {job.id, index, worker, taken.digest}, add);
         return false;

@@ -174,6 +174,7 @@ void JobBoard::end(MasterJob& job,
     job.authors.resize(std::min(job.authors.size(), limits::authors_kept_max));
     job.authors.shrink_to_fit();
     job.doubted = {};
+    job.given_up = {};
     job.disputes_left = {};
     job.cancelled = {};
     job.map.finish();

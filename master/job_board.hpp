@@ -87,6 +87,8 @@ struct MasterJob {
     std::set<WorkerProcess> contributors;
     /// Merged results of a worker that was found to be wrong: they are done again, and compared.
     std::set<std::uint64_t> doubted;
+    /// Of those that were in doubt: they were lost with too many workers, and fail.
+    std::set<std::uint64_t> given_up;
     std::vector<std::uint64_t> cancelled; ///< Scenarios, one by one.
     std::uint64_t disputes = 0;           ///< Results that are to be judged.
     /// Of these, those from an earlier life, until the geometry to judge them is there.
@@ -95,7 +97,8 @@ struct MasterJob {
     // Once it has ended. Clients are told when that is in the journal.
     std::optional<JobEnd> end;
     Clock::time_point ended;
-    bool has_dropped_bulk = false; ///< Its scenarios cannot be run any more.
+    bool has_dropped_bulk = false;  ///< Its scenarios cannot be run any more.
+    bool is_to_be_repeated = false; ///< An alarm has said so.
 
     std::uint64_t answered_by_master = 0;
     JobStatistics statistics;

@@ -3,19 +3,21 @@
 #include "common/core/limits.hpp"
 #include "common/job/packed_records.hpp"
 
+#include <string>
+#include <unordered_set>
 #include <utility>
 
 namespace cd {
 
-bool agrees(ScenarioResult late, const ScenarioResult& kept) {
+bool agrees(ScenarioResult late, const ScenarioResult& settled) {
     // What settling may do (`settle_class`), and nothing else.
-    const std::pair kinds(late.kind, kept.kind);
+    const std::pair kinds(late.kind, settled.kind);
     if (kinds == std::pair(ScenarioClass::Separate, ScenarioClass::Inside) ||
         kinds == std::pair(ScenarioClass::Touch, ScenarioClass::Cross)) {
-        late.kind = kept.kind;
+        late.kind = settled.kind;
     }
-    late.surfaces_only = kept.surfaces_only;
-    return encode_result(late) == encode_result(kept);
+    late.surfaces_only = settled.surfaces_only;
+    return encode_result(late) == encode_result(settled);
 }
 
 Result<ScenarioResult> kept_result(const ResultStore& results, std::uint64_t scenario) {
@@ -28,39 +30,49 @@ Result<ScenarioResult> kept_result(const ResultStore& results, std::uint64_t sce
     }
     const Result<Bytes> records = unpack_records(part.value().records, limits::results_bytes_max);
     if (!records) {
-        return records.error();
+        return Error{ErrorCode::Io, records.error().detail};
     }
     ByteReader in(records.value());
-    return decode_result(in.get_bytes(in.get<std::uint32_t>()));
+    Result<ScenarioResult> result = decode_result(in.get_bytes(in.get<std::uint32_t>()));
+    return result ? std::move(result) : Error{ErrorCode::Io, result.error().detail};
 }
 
-Result<std::vector<LateDifference>> late_differences(const ResultStore& kept, const Results& late) {
+Result<std::optional<LateDifference>>
+late_difference(const ResultStore& kept, const Results& late, const StopCheck& stop) {
     const Result<Bytes> records = unpack_records(late.records, limits::results_bytes_max);
     if (!records) {
         return records.error();
     }
-    std::vector<LateDifference> differences;
+    std::unordered_set<std::uint64_t> seen;
+    std::optional<LateDifference> first;
     ByteReader in(records.value());
-    for (std::uint32_t i = 0; i < late.count && !in.failed(); ++i) {
+    for (std::uint32_t i = 0; i < late.count && !in.failed() && !first; ++i) {
         Result<ScenarioResult> one = decode_result(in.get_bytes(in.get<std::uint32_t>()));
         if (!one) {
             return one.error();
         }
-        if (!kept.has(one.value().index)) {
+        if (stop && stop()) {
+            return Error{ErrorCode::Interrupted, "the master ends"};
+        }
+        const std::uint64_t scenario = one.value().index;
+        if (!seen.insert(scenario).second) {
+            return Error{ErrorCode::BadFrame, "two results of one scenario in a message"};
+        }
+        if (!kept.has(scenario)) {
             continue;
         }
-        Result<ScenarioResult> merged = kept_result(kept, one.value().index);
+        Result<ScenarioResult> merged = kept_result(kept, scenario);
         if (!merged) {
-            return Error{ErrorCode::Io, merged.error().detail};
+            return merged.error();
         }
         if (merged.value().kind != ScenarioClass::Failed && !agrees(one.value(), merged.value())) {
-            differences.push_back({std::move(one.value()), std::move(merged.value())});
+            first = LateDifference{std::move(one.value()), std::move(merged.value())};
         }
     }
-    if (!in.complete()) {
+    if (!first && !in.complete()) {
         return Error{ErrorCode::BadFrame, "results that are not as many as announced"};
     }
-    return differences;
+    return first;
 }
 
 } // namespace cd

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace cd {
 
@@ -179,6 +180,7 @@ Result<TakenResults> take_late_results(JobId job,
         return records.error();
     }
     TaskContent content{job, std::move(material), {}, {}};
+    std::unordered_set<std::uint64_t> seen; // The message may be hostile: each pose is looked up.
     ByteReader reader(records.value());
     for (std::uint32_t i = 0; i < results.count && !reader.failed(); ++i) {
         const Result<ScenarioResult> result =
@@ -189,6 +191,9 @@ Result<TakenResults> take_late_results(JobId job,
         const std::uint64_t index = result.value().index;
         if (index >= poses.count()) {
             return Error{ErrorCode::BadFrame, "a result of a scenario that the job does not have"};
+        }
+        if (!seen.insert(index).second) {
+            return Error{ErrorCode::BadFrame, "two results of one scenario in a message"};
         }
         Result<std::vector<Scenario>> scenario = poses.read(index, 1);
         if (!scenario) {

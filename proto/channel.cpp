@@ -6,6 +6,8 @@
 #include "proto/codec.hpp"
 #include "proto/frame.hpp"
 
+#include <netinet/tcp.h>
+
 #include <algorithm>
 #include <array>
 #include <deque>
@@ -49,6 +51,17 @@ std::string own_address(const asio::ip::tcp::socket& socket) {
     return socket.local_endpoint(ignored).address().to_string();
 }
 
+/// Asked by the systems of both ends, whatever the programs do.
+void keep_alive(asio::ip::tcp::socket& socket) {
+    error_code ignored;
+    socket.set_option(asio::socket_base::keep_alive(true), ignored);
+    for (const auto& [option, value] : {std::pair(TCP_KEEPIDLE, limits::keepalive_idle_seconds),
+                                        std::pair(TCP_KEEPINTVL, limits::keepalive_period_seconds),
+                                        std::pair(TCP_KEEPCNT, limits::keepalive_probes)}) {
+        (void)setsockopt(socket.native_handle(), IPPROTO_TCP, option, &value, sizeof(value));
+    }
+}
+
 } // namespace
 
 // The operations under way share the state, so it outlives the channel until they have ended. All
@@ -69,6 +82,7 @@ struct Channel::State : std::enable_shared_from_this<State> {
         written.expires_at(Clock::time_point::max());
         error_code ignored;
         stream->socket().set_option(asio::ip::tcp::no_delay(true), ignored);
+        keep_alive(stream->socket());
     }
 
     void read_next();

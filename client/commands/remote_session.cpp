@@ -145,6 +145,7 @@ Result<JobStatus> watch_job(const MasterOptions& master,
         std::fprintf(stderr,
                      "cdctl: the master is gone; waiting for it to come back: %s\n",
                      status.error().detail.c_str());
+        std::this_thread::sleep_for(limits::come_back_period);
         auto again = open_again(master);
         if (!again) {
             return again.error();

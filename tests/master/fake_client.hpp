@@ -97,6 +97,16 @@ inline std::uint64_t scenario_with_contact() {
     return index;
 }
 
+/// Of results that all say that nothing touches, one that is wrong.
+inline std::optional<std::uint64_t> wrong_scenario(const ResultStore& results) {
+    for (const Scenario& scenario : reference().scenarios) {
+        if (results.has(scenario.index) && right_result(scenario.index).pair_count != 0) {
+            return scenario.index;
+        }
+    }
+    return std::nullopt;
+}
+
 /// A client that runs one conversation.
 class Client {
   public:

@@ -37,7 +37,7 @@ class FakeWorker {
         bool only_takes = false;                       ///< It does nothing with what it gets.
         std::uint64_t instance = 0;                    ///< Of its process; 0: not known.
         std::uint64_t batches_max = ~std::uint64_t{0}; ///< It answers so many, and rests.
-        std::optional<Results> comes_with = {};        ///< Of an earlier session.
+        std::vector<Results> comes_with = {};          ///< Of an earlier session.
         std::optional<std::uint64_t> holds = {};       ///< A scenario, until it is told to go on.
         std::string holder = "worker";                 ///< Of its certificate, if it needs one.
         std::uint16_t peer_port = 0; ///< Where it says that it serves others, which it does not.
@@ -83,8 +83,8 @@ class FakeWorker {
         hello.instance = habits_.instance;
         hello.peer_port = habits_.peer_port;
         (void)co_await greet(channel_, hello);
-        if (habits_.comes_with) {
-            channel_->send(*habits_.comes_with);
+        for (const Results& results : habits_.comes_with) {
+            channel_->send(results);
         }
         for (;;) {
             Result<Message> message = co_await channel_->receive(patience);

@@ -55,7 +55,7 @@ Results message_of(std::span<const ScenarioResult> all) {
     return results;
 }
 
-class LateDifferences : public testing::Test {
+class LateDifferenceTest : public testing::Test {
   protected:
     void keep(const ScenarioResult& result) {
         const Bytes record = encode_result(result);
@@ -63,43 +63,59 @@ class LateDifferences : public testing::Test {
         ASSERT_TRUE(store_->write({&stored, 1}));
         store_->commit();
     }
+    [[nodiscard]] auto difference(const std::vector<ScenarioResult>& late) const {
+        return late_difference(*store_, message_of(late));
+    }
 
     TemporaryFolder folder_;
     std::unique_ptr<ResultStore> store_ = ResultStore::create(folder_ / "1.results", JobId{1}, 10);
 };
 
-TEST_F(LateDifferences, AreOfScenariosThatHaveAResultThatTellsSomething) {
-    ScenarioResult failed = touching(3);
-    failed.kind = ScenarioClass::Failed;
-    failed.pair_count = 0;
-    failed.pairs.clear();
+TEST_F(LateDifferenceTest, IsOfAScenarioThatHasAResultThatTellsSomething) {
+    ScenarioResult failed = of_kind(ScenarioClass::Failed);
+    failed.index = 3;
     failed.failure = "cancelled";
     keep(touching(1));
     keep(touching(2));
     keep(failed);
     ScenarioResult other = touching(2);
     other.pairs = {{7, 8}};
-    const auto found = late_differences(
-        *store_, message_of(std::vector{touching(1), other, touching(3), touching(4)}));
-    ASSERT_TRUE(found) << found.error().detail;
-    ASSERT_EQ(found.value().size(), 1u);
-    EXPECT_EQ(found.value()[0].late.pairs, other.pairs);
-    EXPECT_EQ(found.value()[0].kept.pairs, touching(2).pairs);
+    const auto none = difference({touching(1), touching(2), touching(3), touching(4)});
+    ASSERT_TRUE(none) << none.error().detail;
+    EXPECT_FALSE(none.value());
+    const auto found = difference({touching(1), other, touching(3), touching(4)});
+    ASSERT_TRUE(found && found.value()) << found.error().detail;
+    EXPECT_EQ(found.value()->late.pairs, other.pairs);
+    EXPECT_EQ(found.value()->kept.pairs, touching(2).pairs);
 }
 
-TEST_F(LateDifferences, OfRubbishAreAnError) {
+TEST_F(LateDifferenceTest, OfRubbishIsAnError) {
     Results cut = message_of(std::vector{touching(1)});
     cut.count = 2;
-    EXPECT_EQ(late_differences(*store_, cut).error().code, ErrorCode::BadFrame);
+    EXPECT_EQ(late_difference(*store_, cut).error().code, ErrorCode::BadFrame);
     cut.records.resize(cut.records.size() / 2);
-    EXPECT_FALSE(late_differences(*store_, cut));
+    EXPECT_FALSE(late_difference(*store_, cut));
 }
 
-TEST_F(LateDifferences, AreNotLookedForInADamagedFile) {
+/// Each is looked up on the disk, and millions of them would compress to nothing.
+TEST_F(LateDifferenceTest, AScenarioIsLookedUpOnce) {
+    keep(touching(1));
+    EXPECT_EQ(difference({touching(1), touching(1)}).error().code, ErrorCode::BadFrame);
+    EXPECT_EQ(difference({touching(4), touching(4)}).error().code, ErrorCode::BadFrame);
+}
+
+TEST_F(LateDifferenceTest, IsNotLookedForInADamagedFile) {
     keep(touching(1));
     std::filesystem::resize_file(folder_ / "1.results", store_->end() - 9);
-    const auto found = late_differences(*store_, message_of(std::vector{touching(1)}));
-    EXPECT_EQ(found.error().code, ErrorCode::Io);
+    EXPECT_EQ(difference({touching(1)}).error().code, ErrorCode::Io);
+    EXPECT_EQ(kept_result(*store_, 2).error().code, ErrorCode::Io);
+}
+
+TEST_F(LateDifferenceTest, IsNotLookedForWhenTheMasterEnds) {
+    keep(touching(1));
+    const auto stopped =
+        late_difference(*store_, message_of(std::vector{touching(1)}), [] { return true; });
+    EXPECT_EQ(stopped.error().code, ErrorCode::Interrupted);
 }
 
 } // namespace

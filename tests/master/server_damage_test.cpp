@@ -126,12 +126,30 @@ TEST(ServerDamage, ADisputeWaitsForThePosesToJudgeIt) {
     EXPECT_GT(master.coordinator.alarm_count(), 0u);
 }
 
+TEST(ServerDamage, WhatAWorkerHasForAJobThatWaitsHoldsUpNoOther) {
+    DamagedMaster master(AnalysisMode::Always);
+    const Damage damage(master.poses());
+    std::vector<Results> all;
+    for (std::uint64_t i = 0; i < 2 * limits::results_in_hand_max; ++i) {
+        all.push_back(right_results(master.job, i));
+    }
+    const FakeWorker worker(master, {.comes_with = all});
+    master.expect_to_wait_for(damage);
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+    EXPECT_EQ(master.status().state, JobState::Running);
+    damage.mend();
+    master.expect_right_end();
+}
+
 /// As of an earlier session: the master looks their poses up.
 TEST(ServerDamage, NobodyIsCutOffForPosesThatCannotBeRead) {
     DamagedMaster master(AnalysisMode::Always);
     const Damage damage(master.poses());
     const FakeWorker worker(master,
-                            {.comes_with = right_results(master.job, scenario_with_contact())});
+                            {.comes_with = {right_results(master.job, scenario_with_contact())}});
     master.expect_to_wait_for(damage);
     EXPECT_EQ(worker.kept, 0u);
     damage.mend();

@@ -48,7 +48,7 @@ TEST(ServerHolder, WhoWasWrongIsInQuarantineWithItsNextProcess) {
             Results results = right_results(*client.job, 89);
             results.sequence = 1;
             const FakeWorker again(master,
-                                   {.instance = 6, .comes_with = results, .holder = "liar"});
+                                   {.instance = 6, .comes_with = {results}, .holder = "liar"});
             master.run_until([&] { return again.kept == 1; });
             EXPECT_EQ(master.coordinator.job_status(*client.job).value().summary.merged(), merged);
         }

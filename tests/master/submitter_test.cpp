@@ -166,7 +166,7 @@ TEST_F(SubmitterTest, BlocksComeInOrderAndOnlyThoseAskedFor) {
     EXPECT_EQ(next, count);
 }
 
-TEST_F(SubmitterTest, PosesThatCannotBeReadEndTheAnalysisInOrder) {
+TEST_F(SubmitterTest, PosesThatCannotBeReadAreToldInOrder) {
     AnalysisInput input = make_input(make_sphere(1), make_sphere(1), 2);
     input.poses = std::make_shared<BrokenSource>();
     Collected collected;
@@ -175,14 +175,14 @@ TEST_F(SubmitterTest, PosesThatCannotBeReadEndTheAnalysisInOrder) {
         start_blocks(submitter, 0, 1000);
         collected.wait_for(3);
         submitter.start({0, 1});
-        EXPECT_EQ(submitter.under_way(), 0u);
+        collected.wait_for(4);
     }
-    const auto blocks = collected.wait_for(3);
-    ASSERT_EQ(blocks.size(), 3u);
+    const auto blocks = collected.wait_for(4);
     EXPECT_FALSE(blocks[1].error);
     EXPECT_EQ(blocks[1].scenarios.size(), limits::analysis_block_scenarios);
     ASSERT_TRUE(blocks[2].error);
     EXPECT_TRUE(blocks[2].scenarios.empty());
+    EXPECT_EQ(blocks.back().scenarios.size(), 1u) << "what can be read goes on";
 }
 
 TEST_F(SubmitterTest, NothingIsDeliveredAfterTheEnd) {

@@ -13,6 +13,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <netinet/tcp.h>
 
 #include <csignal>
 
@@ -328,6 +329,25 @@ TEST(Channel, BetweenMessagesOneMayBeSilent) {
             EXPECT_TRUE(channel->is_open());
         }
         channel->close();
+    });
+}
+
+int option_of(int socket, int level, int option) {
+    int value = 0;
+    socklen_t size = sizeof(value);
+    EXPECT_EQ(getsockopt(socket, level, option, &value, &size), 0);
+    return value;
+}
+
+TEST(Channel, AHostThatIsGoneIsNoticedInASilence) {
+    run_conversation([]() -> asio::awaitable<void> {
+        SocketEnds ends = co_await connect_sockets();
+        const int socket = ends.left.native_handle();
+        const auto channel = Channel::make(std::make_unique<Stream>(std::move(ends.left)));
+        EXPECT_EQ(option_of(socket, SOL_SOCKET, SO_KEEPALIVE), 1);
+        EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPIDLE), limits::keepalive_idle_seconds);
+        EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPINTVL), limits::keepalive_period_seconds);
+        EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPCNT), limits::keepalive_probes);
     });
 }
 
