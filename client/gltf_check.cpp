@@ -104,7 +104,7 @@ Status check_nesting(const std::filesystem::path& path, const Json& json) {
     }
     // Each once, however often scenes name it: then no level has more nodes than there are.
     std::ranges::sort(level);
-    level.erase(std::ranges::unique(level).begin(), level.end());
+    level.erase(std::unique(level.begin(), level.end()), level.end());
     for (std::size_t depth = 1; !level.empty(); ++depth) {
         if (depth > limits::mesh_file_depth_max) {
             return bad(path,

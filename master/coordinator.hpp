@@ -249,9 +249,8 @@ class Coordinator {
     [[nodiscard]] static std::vector<std::uint64_t>
     new_scenarios(const MasterJob& job, std::span<const TakenResult> results);
     /// Of these scenarios instead of all that are in hand; then takes it in.
-    void make_map(const MasterJob& job,
-                  std::shared_ptr<ResultsInHand> hand,
-                  std::vector<std::uint64_t> scenarios);
+    asio::awaitable<void>
+    make_map(JobId job, std::shared_ptr<ResultsInHand> hand, std::vector<std::uint64_t> scenarios);
     void withdraw_map(MasterJob& job, const std::string& why);
     /// A message of that number has come before: it is no measure of anything.
     [[nodiscard]] bool is_repeated(WorkerId worker, std::uint64_t sequence);

@@ -1,8 +1,9 @@
 // Maps of contacts. The map of a message is of all its scenarios together, so it counts when all of
 // them are new. Where some have been merged before, from another worker, the map of the others is
-// made here; where their poses cannot be read then, the job has no map, and says why.
+// made here.
 #include "common/job/run_scenario.hpp"
 #include "master/coordinator.hpp"
+#include "master/run_on.hpp"
 
 #include <algorithm>
 
@@ -48,7 +49,9 @@ void Coordinator::take_in(std::shared_ptr<ResultsInHand> hand) {
         if (fresh.empty()) {
             taken.map = {};
         } else if (fresh.size() != taken.results.size() && fresh != hand->mapped) {
-            return make_map(*job, std::move(hand), std::move(fresh));
+            return spawn(parts_.executor,
+                         "a map of some scenarios",
+                         make_map(job->id, std::move(hand), std::move(fresh)));
         }
     }
     if (results_taken(hand->worker, hand->task.get(), *hand->message, std::move(hand->taken))) {
@@ -58,28 +61,31 @@ void Coordinator::take_in(std::shared_ptr<ResultsInHand> hand) {
     }
 }
 
-void Coordinator::make_map(const MasterJob& job,
-                           std::shared_ptr<ResultsInHand> hand,
-                           std::vector<std::uint64_t> scenarios) {
-    parts_.blocking.post([this,
-                          executor = parts_.executor,
-                          id = job.id,
-                          material = job.material,
-                          poses = job.poses,
-                          hand = std::move(hand),
-                          scenarios = std::move(scenarios)] {
-        Result<ContactMap> map = map_of(*material, *poses, scenarios);
-        std::string why_none = map ? "" : map.error().detail;
-        hand->taken.value().map = map ? std::move(map.value()) : ContactMap{};
-        hand->mapped = scenarios;
-        asio::post(executor, [this, hand, id, why_none = std::move(why_none)] {
-            if (MasterJob* running = jobs_.find_running(id);
-                running != nullptr && !why_none.empty()) {
-                withdraw_map(*running, why_none);
+asio::awaitable<void> Coordinator::make_map(JobId id,
+                                            std::shared_ptr<ResultsInHand> hand,
+                                            std::vector<std::uint64_t> scenarios) {
+    for (MasterJob* job = jobs_.find_running(id); job != nullptr;) {
+        auto make = [material = job->material, poses = job->poses, &scenarios] {
+            return map_of(*material, *poses, scenarios);
+        };
+        Result<ContactMap> map = co_await run_on(parts_.blocking, make);
+        if (map) {
+            hand->taken.value().map = std::move(map.value());
+            hand->mapped = std::move(scenarios);
+            job = jobs_.find_running(id);
+            if (job != nullptr) {
+                disk_gives(*job);
             }
-            take_in(hand);
-        });
-    });
+            break;
+        }
+        job = jobs_.find_running(id);
+        if (job != nullptr) {
+            job = co_await wait_until_mended(id, map.error());
+        }
+    }
+    if (!closed_) {
+        take_in(std::move(hand));
+    }
 }
 
 void Coordinator::withdraw_map(MasterJob& job, const std::string& why) {
