@@ -406,7 +406,9 @@ class Coordinator {
     void give_unmerged(MasterJob& job, const GivenPlaces& given);
     void take_places_back(MasterJob& job);
     /// What of these places has no result, and is in no task, is still to be done.
-    void give_again(MasterJob& job, const GivenPlaces& ended, const Losses& losses);
+    void give_again(MasterJob& job, const GivenPlaces& ended, LostWith lost_with);
+    /// A scenario that takes down who runs it does not begin anew because the master does.
+    void write_losses(MasterJob& job, std::vector<LostPlaces> losses);
     /// Of these places, those whose scenarios have no result.
     [[nodiscard]] static std::vector<PlaceRange> unmerged(const MasterJob& job,
                                                           const GivenPlaces& given);
@@ -438,6 +440,7 @@ class Coordinator {
     void perform(const GiveUp& action);
     void perform(const SendRange& range);
     void perform(const RangeEnded& ended);
+    void perform(const ScenariosLost& lost);
     void perform(const AskBack& ask);
     void perform(const GivenBack& given);
     void perform(const CallOff& loser);

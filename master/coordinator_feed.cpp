@@ -193,7 +193,7 @@ void Coordinator::perform(const RangeEnded& action) {
     if (task.empty() || job == nullptr || mutated(Mutation::LostRangeForgotten)) {
         return;
     }
-    give_again(*job, {action.places, task.mapped().content->range->window}, action.losses);
+    give_again(*job, {action.places, task.mapped().content->range->window}, action.lost_with);
 }
 
 void Coordinator::perform(const GivenBack& action) {
@@ -209,19 +209,52 @@ void Coordinator::perform(const GivenBack& action) {
     PlaceRange& kept = *task->second.places;
     kept.count = action.places.first - kept.first;
     if (!mutated(Mutation::RecalledIsLost)) {
-        give_again(*job, {action.places, task->second.content->range->window}, {});
+        give_again(*job, {action.places, task->second.content->range->window}, std::nullopt);
     }
 }
 
-void Coordinator::give_again(MasterJob& job, const GivenPlaces& ended, const Losses& losses) {
+void Coordinator::give_again(MasterJob& job, const GivenPlaces& ended, LostWith lost_with) {
     std::vector<PlaceRange> runs = unmerged(job, ended);
     for (const auto& [id, task] : tasks_) {
         if (task.content->job == job.id && task.places) {
             runs = without(runs, *task.places); // A copy of them, or what they are a copy of.
         }
     }
+    Losses losses;
+    std::vector<LostPlaces> lost;
+    if (lost_with) {
+        losses.add(*lost_with);
+    }
     for (const PlaceRange& run : runs) {
         job.todo.put_back({run, losses});
+        if (lost_with) {
+            lost.push_back({run, *lost_with});
+        }
+    }
+    write_losses(job, std::move(lost));
+}
+
+void Coordinator::perform(const ScenariosLost& action) {
+    MasterJob* job = jobs_.find_running(action.job);
+    if (job == nullptr) {
+        return;
+    }
+    std::vector<LostPlaces> lost;
+    for (const std::uint64_t index : action.scenarios) {
+        // What was given up has its result.
+        if (const auto open = job->open.find(index); open != job->open.end()) {
+            lost.push_back({{open->second->place, 1}, action.process});
+        }
+    }
+    write_losses(*job, std::move(lost));
+}
+
+void Coordinator::write_losses(MasterJob& job, std::vector<LostPlaces> losses) {
+    if (!losses.empty()) {
+        AddResults add{job.id, job.results, {}, {}, {}};
+        add.progress = job.progress(Clock::now());
+        add.losses = std::move(losses);
+        write(std::move(add));
     }
 }
 

@@ -152,7 +152,7 @@ void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenari
     };
     job.analysis_input = input;
     job.order = std::make_shared<OrderedPoses>(std::move(input.poses));
-    job.todo = PlaceQueue(job.order->count());
+    job.todo = PlaceQueue(job.order->count(), std::exchange(job.losses_before, {}));
     input.poses = job.order;
     job.submitter =
         std::make_unique<Submitter>(parts_.compute, std::move(input), std::move(deliver));

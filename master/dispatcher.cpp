@@ -172,20 +172,26 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     DispatchJob* job = state_->find_job(job_id);
     CD_CHECK(job != nullptr);
     DispatchScenario scenario = make_dispatch_scenario(*job, analysed);
-    CD_CHECK(analysed.losses.count() + 1 < limits::scenario_losses_max);
     scenario.losses = analysed.losses;
+    if (State::is_lost_for_good(scenario)) {
+        return {GiveUp{job_id, analysed.index}}; // The master ended before it was told.
+    }
     job->work_ns += scenario.weight.cost_ns;
     job->places_after = 0; // They are analysed instead, or come with the next places.
     state_->mean_cost_ns.add(static_cast<double>(scenario.weight.cost_ns), 1);
-    const bool is_new = job->scenarios.emplace(analysed.index, std::move(scenario)).second;
+    const auto [place, is_new] = job->scenarios.emplace(analysed.index, std::move(scenario));
     CD_CHECK(is_new);
-    job->waiting.push_back(analysed.index);
     ++state_->unsent;
     const bool resumes = std::exchange(state_->input_is_paused, false);
 
+    Actions actions;
+    if (state_->suspect(job_id, analysed.index, place->second)) {
+        state_->give_suspects(actions);
+    } else {
+        job->waiting.push_back(analysed.index);
+    }
     // Others wait before it: then nobody can take a scenario of this job now, and nothing changed,
     // unless a task's worth is taken together.
-    Actions actions;
     if (job->waiting.size() == 1 || job->is_pulled()) {
         state_->allocate_one(*job, actions);
     }

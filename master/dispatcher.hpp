@@ -76,13 +76,16 @@ struct CallOff {
     friend bool operator==(const CallOff&, const CallOff&) = default;
 };
 
-/// The task of a range is over. What of it is not answered is to be analysed now, with these
-/// losses; without any it was handed back.
+/// Whose loss the end of a task is; nothing: what of it is not answered was handed back.
+using LostWith = std::optional<WorkerProcess>;
+
+/// The task of a range is over. What of it is not answered is to be done again; analysed, where it
+/// was lost.
 struct RangeEnded {
     TaskId task;
     JobId job;
     PlaceRange places;
-    Losses losses;
+    LostWith lost_with;
 
     friend bool operator==(const RangeEnded&, const RangeEnded&) = default;
 };
@@ -97,6 +100,16 @@ struct SendHint {
     friend bool operator==(const SendHint&, const SendHint&) = default;
 };
 
+/// Scenarios of a batch that were lost with a worker; another one is to have them. Told before any
+/// of them is sent again.
+struct ScenariosLost {
+    JobId job;
+    std::vector<std::uint64_t> scenarios;
+    WorkerProcess process = 0;
+
+    friend bool operator==(const ScenariosLost&, const ScenariosLost&) = default;
+};
+
 /// This scenario has been lost with `limits::scenario_losses_max` workers' processes; it fails.
 struct GiveUp {
     JobId job;
@@ -105,8 +118,15 @@ struct GiveUp {
     friend bool operator==(const GiveUp&, const GiveUp&) = default;
 };
 
-using Action =
-    std::variant<SendBatch, GiveUp, SendRange, RangeEnded, AskBack, GivenBack, CallOff, SendHint>;
+using Action = std::variant<SendBatch,
+                            GiveUp,
+                            SendRange,
+                            RangeEnded,
+                            ScenariosLost,
+                            AskBack,
+                            GivenBack,
+                            CallOff,
+                            SendHint>;
 using Actions = std::vector<Action>;
 
 /// A scenario that needs a worker: it has at least one pair of colliding roots.
@@ -117,7 +137,8 @@ struct AnalysedScenario {
     std::uint64_t bytes = 0; ///< What it adds to a batch on the wire.
     /// Predicted, of one thread; only how scenarios compare matters. 0: not known.
     std::uint64_t predicted_ns = 0;
-    Losses losses = {}; ///< It was in ranges that were lost with their workers.
+    /// It was in ranges that were lost with their workers, or in any tasks before the master began.
+    Losses losses = {};
 };
 
 /// What a worker's threads did for scenarios of a task that it has answered.

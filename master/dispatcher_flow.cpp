@@ -325,11 +325,7 @@ void Dispatcher::State::end_task(TaskId task,
         if (DispatchJob* job = find_job(ended.job)) {
             job->work_ns -= std::min(job->work_ns, ended.cost_ns); // It goes out again.
         }
-        Losses losses;
-        if (lost_with) {
-            losses.add(*lost_with);
-        }
-        actions.push_back(RangeEnded{task, ended.job, *ended.places, losses});
+        actions.push_back(RangeEnded{task, ended.job, *ended.places, lost_with});
     } else {
         take_back(task, ended, lost_with, actions);
     }
@@ -345,6 +341,7 @@ void Dispatcher::State::take_back(TaskId task,
         return;
     }
     std::vector<std::uint64_t> again;
+    ScenariosLost lost{job_id, {}, lost_with.value_or(0)};
     for (const std::uint64_t index : ended.scenarios) {
         if (mutated(lost_with ? Mutation::LostLeaseForgotten : Mutation::DrainedWorkForgotten)) {
             job->scenarios.erase(index);
@@ -355,24 +352,38 @@ void Dispatcher::State::take_back(TaskId task,
         const bool is_copy = scenario.copy && scenario.copy->task == task;
         if (lost_with && !is_copy) {
             scenario.losses.add(*lost_with);
+            lost.scenarios.push_back(index);
         }
         if (leave_task(scenario, task) && !mutated(Mutation::CopyIsAlone)) {
             continue;
         }
-        if (scenario.losses.count() >= losses_max()) {
+        if (is_lost_for_good(scenario)) {
             job->scenarios.erase(index);
             actions.push_back(GiveUp{job_id, index});
             continue;
         }
         ++unsent;
-        if (scenario.losses.count() + 1 == limits::scenario_losses_max) {
-            scenario.where = Whereabouts::Suspect;
-            suspects.push_back({job_id, index});
-        } else {
+        if (!suspect(job_id, index, scenario)) {
             again.push_back(index);
         }
     }
     wait_first(*job, again);
+    if (!lost.scenarios.empty()) {
+        actions.push_back(std::move(lost));
+    }
+}
+
+bool Dispatcher::State::is_lost_for_good(const DispatchScenario& scenario) {
+    return scenario.losses.count() >= losses_max();
+}
+
+bool Dispatcher::State::suspect(JobId job, std::uint64_t index, DispatchScenario& scenario) {
+    if (scenario.losses.count() + 1 != limits::scenario_losses_max) {
+        return false;
+    }
+    scenario.where = Whereabouts::Suspect;
+    suspects.push_back({job, index});
+    return true;
 }
 
 void Dispatcher::State::wait_first(DispatchJob& job, std::span<const std::uint64_t> scenarios) {

@@ -326,8 +326,10 @@ struct Dispatcher::State {
     // ---- Taking back ----------------------------------------------------------------------------
     /// Buffered scenarios wait again, first in line.
     void take_back_buffers(WorkerProxy& proxy);
-    /// Whose loss the end of a task is; nothing: what of it is not answered was handed back.
-    using LostWith = std::optional<WorkerProcess>;
+    /// The scenario, which no worker has, has been lost so often that it is given up.
+    [[nodiscard]] static bool is_lost_for_good(const DispatchScenario& scenario);
+    /// Whether the next loss would be the last: then it stands among the suspects.
+    bool suspect(JobId job, std::uint64_t index, DispatchScenario& scenario);
     /// Scenarios of an ended task without answers wait again; where they are lost, some are
     /// suspected or given up.
     void take_back(TaskId task, const ProxyTask& ended, LostWith lost_with, Actions& actions);

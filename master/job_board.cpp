@@ -20,6 +20,7 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       state(recovered.end ? recovered.end->state : JobState::Running),
       merger(std::move(recovered.merger)),
       results(std::move(recovered.results)),
+      losses_before(std::move(recovered.losses)),
       contributors(std::move(recovered.contributors)),
       end(std::move(recovered.end)),
       ended(now),
@@ -169,6 +170,7 @@ void JobBoard::end(MasterJob& job,
     job.paused.clear();
     job.open.clear();
     job.given.clear();
+    job.losses_before = {};
     job.todo = PlaceQueue();
     job.order.reset();
     job.authors.resize(std::min(job.authors.size(), limits::authors_kept_max));

@@ -73,6 +73,7 @@ struct MasterJob {
     std::optional<AnalysisInput> analysis_input; ///< The submitter's.
     std::unordered_map<std::uint64_t, std::shared_ptr<const Analysis>> open;
     std::shared_ptr<OrderedPoses> order;
+    std::vector<LostPlaces> losses_before; ///< In an earlier life of the master, until `todo` is.
     PlaceQueue todo;
     /// By first place: what the dispatcher was given and has not sent.
     std::map<std::uint64_t, GivenPlaces> given;

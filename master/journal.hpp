@@ -38,6 +38,7 @@ struct AddResults {
     Bytes map; ///< Of these results, `pack_map`; or none.
     WorkerProcess author = 0;
     std::vector<Remark> remarks = {}; ///< On these results, or earlier ones.
+    std::vector<LostPlaces> losses = {};
     /// As they stand from now on. They are committed with the results, so that nothing follows
     /// from a quarantine that may be forgotten.
     std::optional<AlarmRecord> alarms = {};
@@ -65,6 +66,7 @@ struct RecoveredJob {
     /// Whose result each of these is. 0 also where somebody else vouches for it.
     std::vector<WorkerProcess> authors;
     std::vector<Remark> disputes;         ///< That are not settled.
+    std::vector<LostPlaces> losses;       ///< In their order; of one that is to go on.
     std::set<WorkerProcess> contributors; ///< All authors of results; also of one that has ended.
     std::shared_ptr<ResultStore> results;
 };

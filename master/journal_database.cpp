@@ -14,10 +14,11 @@ namespace cd {
 namespace {
 
 constexpr int application_id = 0x43'44'4a'31; // "CDJ1"
-constexpr int schema_version = 3;
-/// It has the same tables, no alarms, and groups of results without their authors. It is read as it
-/// is, and becomes the version above with the first commit.
-constexpr int schema_version_before = 2;
+constexpr int schema_version = 4;
+/// Read as they are; they become the version above with the first commit. The tables are the same.
+/// Groups of results have no losses before 4; before 3 they have no authors, and there are no
+/// alarms.
+constexpr int schema_version_oldest = 2;
 constexpr std::uint64_t mark_magic = 0x31'4b'52'4d'44'43'00'00; // "\0\0CDMRK1"
 constexpr std::uint64_t mark_bytes = 3 * sizeof(std::uint64_t);
 
@@ -261,13 +262,13 @@ Status JournalDatabase::State::check_version() {
         return refusal(sqlite3_errmsg(database.get()));
     }
     version = static_cast<int>(number.number(0));
-    if (version == schema_version || version == schema_version_before) {
+    if (version >= schema_version_oldest && version <= schema_version) {
         return Done{};
     }
     return Error{ErrorCode::Io,
                  path.string() + " is of version " + std::to_string(version) +
-                     ", and this cdmaster reads versions " + std::to_string(schema_version_before) +
-                     " and " + std::to_string(schema_version) +
+                     ", and this cdmaster reads versions " + std::to_string(schema_version_oldest) +
+                     " to " + std::to_string(schema_version) +
                      "; nothing was changed: start the cdmaster that wrote it, or move the state "
                      "directory away and start with an empty one"};
 }

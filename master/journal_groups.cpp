@@ -26,7 +26,7 @@ std::uint64_t bytes_of(const JournalEntry& entry) {
 
 std::size_t rows_of(const JournalEntry& entry) {
     const auto* add = std::get_if<AddResults>(&entry);
-    return add == nullptr ? 0 : add->results.size() + add->remarks.size();
+    return add == nullptr ? 0 : add->results.size() + add->remarks.size() + add->losses.size();
 }
 
 // ---- Writing ------------------------------------------------------------------------------------
@@ -62,6 +62,8 @@ void add_results(JobChanges& changes, const AddResults& add) {
     }
     std::vector<Remark>& remarks = changes.rows.remarks;
     remarks.insert(remarks.end(), add.remarks.begin(), add.remarks.end());
+    std::vector<LostPlaces>& losses = changes.rows.losses;
+    losses.insert(losses.end(), add.losses.begin(), add.losses.end());
 }
 
 ChangesByJob gather(std::span<const JournalEntry> group) {
@@ -86,7 +88,7 @@ std::vector<DatabaseChange> database_changes(std::span<const JournalEntry> group
         }
     }
     for (const auto& [job, added] : by_job) {
-        if (!added.rows.rows.empty() || !added.rows.remarks.empty()) {
+        if (!added.rows.rows.empty() || !added.rows.remarks.empty() || !added.rows.losses.empty()) {
             changes.push_back({Kind::Results, job, encode_group(added.rows)});
         }
         changes.push_back({Kind::Progress, job, encode_progress(*added.progress)});
@@ -256,6 +258,8 @@ Result<FoundJob> find_job(const JournalDatabase& database, const DatabaseJob& ro
         }
         take_rows(job, group.value());
         take_remarks(job, group.value().remarks);
+        const auto& losses = group.value().losses;
+        job.job.losses.insert(job.job.losses.end(), losses.begin(), losses.end());
         for (const Bytes& packed : group.value().maps) {
             const Result<ContactMap> map = unpack_map(packed, journal_map_bounds);
             if (!map) {
@@ -299,6 +303,7 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
     job.results = std::move(store.value());
     if (job.end) {
         job.map.finish();
+        job.losses = {};
     }
     // The last result of a scenario counts: one before it turned out to be wrong.
     for (std::size_t i = found.rows.size(); i-- > 0;) {
@@ -322,6 +327,10 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
     const auto is_there = [&](const Remark& open) { return job.merger.has(open.scenario); };
     if (!job.end && !std::ranges::all_of(job.disputes, is_there)) {
         return damaged(path, job.record.id, "a result that is in dispute is missing");
+    }
+    const auto is_place = [&](const LostPlaces& lost) { return lost.places.end() <= scenarios; };
+    if (!std::ranges::all_of(job.losses, is_place)) {
+        return damaged(path, job.record.id, "scenarios that it does not have were lost");
     }
     if (job.end && job.end->digest && job.merger.digest() != job.end->digest) {
         return damaged(path, job.record.id, "its results do not have its digest");

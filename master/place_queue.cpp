@@ -4,6 +4,8 @@
 #include "common/core/limits.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 namespace cd {
 
@@ -22,9 +24,26 @@ std::vector<PlaceRange> without(std::span<const PlaceRange> runs, const PlaceRan
     return rest;
 }
 
-PlaceQueue::PlaceQueue(std::uint64_t scenarios) {
-    if (scenarios != 0) {
-        put_back({{0, scenarios}});
+PlaceQueue::PlaceQueue(std::uint64_t scenarios, std::span<const LostPlaces> lost)
+    : left_(scenarios) {
+    // Where each piece begins; it ends where the next does.
+    std::map<std::uint64_t, Losses> pieces;
+    pieces[0];
+    const auto begin_at = [&](std::uint64_t place) {
+        return pieces.emplace(place, std::prev(pieces.upper_bound(place))->second).first;
+    };
+    for (const LostPlaces& one : lost) {
+        const auto first = begin_at(one.places.first);
+        const auto end = begin_at(one.places.end());
+        for (auto piece = first; piece != end; ++piece) {
+            piece->second.add(one.process);
+        }
+    }
+    pieces.erase(scenarios);
+    for (auto piece = pieces.begin(); piece != pieces.end(); ++piece) {
+        const auto next = std::next(piece);
+        const std::uint64_t end = next == pieces.end() ? scenarios : next->first;
+        pieces_.push_back({{piece->first, end - piece->first}, piece->second});
     }
 }
 

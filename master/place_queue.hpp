@@ -18,7 +18,8 @@ namespace cd {
 /// Places of a job's order, each once; first those that came back.
 class PlaceQueue {
   public:
-    explicit PlaceQueue(std::uint64_t scenarios = 0);
+    /// `lost`: before; their places are places of the job.
+    explicit PlaceQueue(std::uint64_t scenarios = 0, std::span<const LostPlaces> lost = {});
 
     struct Piece {
         PlaceRange places;

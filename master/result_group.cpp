@@ -159,6 +159,31 @@ bool get_remarks(ByteReader& in, std::vector<Remark>& remarks) {
     return !in.failed();
 }
 
+void put_losses(ByteWriter& out, std::span<const LostPlaces> losses) {
+    put_varint(out, losses.size());
+    for (const LostPlaces& lost : losses) {
+        put_varint(out, lost.places.first);
+        put_varint(out, lost.places.count);
+        out.put(lost.process);
+    }
+}
+
+bool get_losses(ByteReader& in, std::vector<LostPlaces>& losses) {
+    const auto count = get_varint(in);
+    if (!count || !may_hold(in, *count, 2 + sizeof(WorkerProcess))) {
+        return false;
+    }
+    for (std::uint64_t i = 0; i < *count; ++i) {
+        const auto first = get_varint(in);
+        const auto places = get_varint(in);
+        if (!first || !places || *places == 0 || *first + *places < *first) {
+            return false;
+        }
+        losses.push_back({{*first, *places}, in.get<WorkerProcess>()});
+    }
+    return !in.failed();
+}
+
 } // namespace
 
 Bytes encode_group(const ResultGroup& group) {
@@ -173,6 +198,7 @@ Bytes encode_group(const ResultGroup& group) {
     put_maps(out, group.maps);
     put_authors(out, group.authors);
     put_remarks(out, group.remarks);
+    put_losses(out, group.losses);
     return out.take();
 }
 
@@ -187,8 +213,11 @@ Result<ResultGroup> decode_group(std::span<const std::byte> bytes) {
         group.authors.push_back({group.rows.size(), 0});
         return group;
     }
-    if (!get_authors(in, group.rows.size(), group.authors) || !get_remarks(in, group.remarks) ||
-        !in.complete()) {
+    if (!get_authors(in, group.rows.size(), group.authors) || !get_remarks(in, group.remarks)) {
+        return damaged_row(what);
+    }
+    const bool is_of_version_3 = in.remaining() == 0;
+    if (!is_of_version_3 && (!get_losses(in, group.losses) || !in.complete())) {
         return damaged_row(what);
     }
     return group;

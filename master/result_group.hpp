@@ -1,5 +1,5 @@
 // Results that the journal commits together: where their records stand, whose they are, and what
-// became known of results that were there before.
+// became known of results that were there before; and which scenarios were lost instead.
 #pragma once
 
 #include "common/core/bytes.hpp"
@@ -55,13 +55,14 @@ struct ResultGroup {
     std::vector<Bytes> maps;        ///< `pack_map`; together they are the map of these results.
     std::vector<AuthorRun> authors; ///< Of all rows.
     std::vector<Remark> remarks;    ///< In their order. On rows of this group, or before it.
+    std::vector<LostPlaces> losses; ///< In their order. What has a row in any group is not lost.
 };
 
 /// Each process stands once in a group (8 bytes), a run of rows takes 2 bytes or a few more. The
 /// runs make up all rows.
 [[nodiscard]] Bytes encode_group(const ResultGroup& group);
-/// Also of groups from before authors were kept: 0 is the author of their rows. Errors: BadFrame
-/// for bytes that are none, which only damage can make of them.
+/// Also of groups from before losses were kept, or authors: 0 is the author of their rows. Errors:
+/// BadFrame for bytes that are none, which only damage can make of them.
 [[nodiscard]] Result<ResultGroup> decode_group(std::span<const std::byte> bytes);
 
 } // namespace cd

@@ -54,12 +54,15 @@ void analyse_block(const AnalysisInput& input, AnalysedBlock& block) {
     }
     const std::uint64_t pose_bytes = pack_scenarios(scenarios.value()).size() / places.count;
     block.scenarios.reserve(places.count);
+    std::uint64_t place = places.first;
     for (const Scenario& scenario : scenarios.value()) {
-        if (block.losses.none() && input.done != nullptr && scenario.index < input.done->size() &&
-            (*input.done)[scenario.index]) {
+        const std::uint64_t here = place++;
+        if (!block.losses.are_in_doubt() && input.done != nullptr &&
+            scenario.index < input.done->size() && (*input.done)[scenario.index]) {
             continue;
         }
         block.scenarios.push_back(analyse_uncounted(input, scenario));
+        block.scenarios.back().place = here;
         block.scenarios.back().bytes = bytes_in_batch(block.scenarios.back(), pose_bytes);
     }
     block.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

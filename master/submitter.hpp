@@ -29,14 +29,14 @@ struct AnalysisInput {
     Query query;
     std::shared_ptr<PoseSource> poses; ///< Its `read` must bear several threads at once.
     /// By index, up to the last: scenarios that have results since an earlier life of the master;
-    /// they are passed over, unless they are started with losses: then they are to be answered
-    /// again. Null: none.
+    /// they are passed over, unless they are started as in doubt. Null: none.
     std::shared_ptr<const std::vector<bool>> done;
 };
 
 /// One scenario after the analysis: either with work for a worker, or finished.
 struct Analysis {
     Scenario scenario;
+    std::uint64_t place = 0;        ///< In the job's order; of a block's.
     std::vector<RootPair> pairs;    ///< The colliding distribution roots, sorted.
     std::vector<RootIndex> roots_a; ///< The distinct ones of each side, ascending.
     std::vector<RootIndex> roots_b;
@@ -52,8 +52,7 @@ struct Analysis {
 /// The analysis of one scenario. Pure. A failure of it is a `finished` result that names it.
 [[nodiscard]] Analysis analyse(const AnalysisInput& input, const Scenario& scenario);
 
-/// The scenarios at some places of a job. With an error (of reading the poses) there are none, and
-/// no block after this one comes.
+/// The scenarios at some places of a job. With an error (of reading the poses) there are none.
 struct AnalysedBlock {
     PlaceRange places;
     Losses losses = {}; ///< As they were said when the block was started.

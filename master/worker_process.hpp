@@ -3,6 +3,7 @@
 
 #include "common/core/limits.hpp"
 #include "common/core/limits_master.hpp"
+#include "common/job/ordered_poses.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,6 +40,7 @@ class Losses {
         ++count_;
     }
     [[nodiscard]] std::size_t count() const { return count_; }
+    [[nodiscard]] bool are_in_doubt() const { return in_doubt_; }
     /// Nothing speaks against handing them out many at a time.
     [[nodiscard]] bool none() const { return count_ == 0 && !in_doubt_; }
 
@@ -49,6 +51,14 @@ class Losses {
     std::size_t count_ = 0;
     std::size_t again_ = 0; ///< With those that are known.
     bool in_doubt_ = false;
+};
+
+/// Consecutive places of a job, lost together.
+struct LostPlaces {
+    PlaceRange places;
+    WorkerProcess process = 0; ///< As `Losses::add` takes it.
+
+    friend bool operator==(const LostPlaces&, const LostPlaces&) = default;
 };
 
 } // namespace cd

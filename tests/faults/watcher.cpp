@@ -134,7 +134,6 @@ std::string Watcher::add_group(JobId id, const Bytes& bytes) {
 }
 
 void Watcher::master_began() {
-    times_sent_.clear();
     ranges_.clear();
     given_back_.clear();
     held_.clear();

@@ -110,8 +110,8 @@ class Watcher {
     [[nodiscard]] std::string check_quarantined(const Route& route, const Message& message) const;
 
     std::map<JobId, DurableJob> jobs_;
-    std::map<Key, unsigned> times_sent_;                   ///< In this life of the master.
-    std::map<JobId, std::set<std::uint64_t>> done_before_; ///< This life.
+    std::map<Key, unsigned> times_sent_;                   ///< In all lives of the master.
+    std::map<JobId, std::set<std::uint64_t>> done_before_; ///< This life of the master.
     /// By worker (its process) and sequence.
     std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<Key>> deliveries_;
     std::map<std::uint64_t, WorkerId> worker_ids_;           ///< By connection.

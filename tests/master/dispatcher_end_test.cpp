@@ -178,6 +178,7 @@ class EndRun {
     /// What of it was called off is answered.
     void perform(const RangeEnded& /*ended*/) {}
     void perform(const GiveUp& /*action*/) { ADD_FAILURE() << "nothing is lost here"; }
+    void perform(const ScenariosLost& /*lost*/) { ADD_FAILURE() << "nothing is lost here"; }
 
     /// The first of the queue has begun.
     void perform(const AskBack& ask) {

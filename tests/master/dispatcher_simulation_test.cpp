@@ -37,6 +37,7 @@ struct SimulatedJob {
     bool cancelled = false;
     std::map<std::uint64_t, int> answers; ///< How often a first answer was counted.
     std::map<std::uint64_t, std::uint32_t> losses;
+    std::map<std::uint64_t, std::uint32_t> told_lost;
     std::set<std::uint64_t> given_up;
 };
 
@@ -401,6 +402,10 @@ class Simulation {
                 call_off(*loser);
             } else if (std::holds_alternative<SendHint>(action)) {
                 // It is only for the cache.
+            } else if (const auto* lost = std::get_if<ScenariosLost>(&action)) {
+                for (const std::uint64_t scenario : lost->scenarios) {
+                    ++jobs_.at(lost->job).told_lost[scenario];
+                }
             } else {
                 take_give_up(std::get<GiveUp>(action));
             }
@@ -452,6 +457,9 @@ class Simulation {
         ++gave_up_;
         if (job.losses[action.scenario] < limits::scenario_losses_max) {
             problem("a scenario was given up too early");
+        }
+        if (job.told_lost[action.scenario] + 1 < limits::scenario_losses_max) {
+            problem("a scenario was given up of whose losses nobody was told");
         }
         if (!job.given_up.insert(action.scenario).second || job.answers.contains(action.scenario)) {
             problem("a scenario was given up that had its end already");

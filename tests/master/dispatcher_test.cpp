@@ -46,6 +46,9 @@ class Driver {
         for (Action& action : actions) {
             if (auto* batch = std::get_if<SendBatch>(&action)) {
                 batches.push_back(*batch);
+            } else if (const auto* told = std::get_if<ScenariosLost>(&action)) {
+                EXPECT_EQ(told->job, job_1);
+                lost.insert(lost.end(), told->scenarios.begin(), told->scenarios.end());
             } else {
                 given_up.push_back(std::get<GiveUp>(action));
             }
@@ -63,6 +66,7 @@ class Driver {
 
     Dispatcher dispatcher;
     std::vector<SendBatch> batches;
+    std::vector<std::uint64_t> lost;
     std::vector<GiveUp> given_up;
 };
 
@@ -352,6 +356,28 @@ TEST(Dispatcher, AProcessThatIsLostAgainIsNoEvidenceAgainstAScenario) {
     }
     lose_with(72);
     EXPECT_EQ(driver.given_up, (std::vector<GiveUp>{{job_1, 0}}));
+}
+
+TEST(Dispatcher, LossesFromBeforeTheMasterBeganCount) {
+    for (std::uint64_t before = 0; before <= limits::scenario_losses_max; ++before) {
+        Driver driver;
+        driver.open(job_1, options_with(4, false));
+        AnalysedScenario scenario{0, {0}, {0}, 100};
+        for (WorkerProcess process = 1; process <= before; ++process) {
+            scenario.losses.add(process);
+        }
+        driver.keep(driver.dispatcher.scenario_analysed(job_1, scenario));
+        driver.pause();
+        std::uint64_t workers = 0;
+        while (driver.given_up.empty() && workers <= limits::scenario_losses_max) {
+            const WorkerId worker{++workers};
+            driver.join(worker, 1, 100 + workers);
+            driver.keep(driver.dispatcher.worker_lost(worker));
+        }
+        EXPECT_EQ(driver.given_up, (std::vector<GiveUp>{{job_1, 0}}));
+        EXPECT_EQ(workers, limits::scenario_losses_max - before);
+        EXPECT_EQ(driver.lost, std::vector<std::uint64_t>(workers, 0)) << "each is told";
+    }
 }
 
 TEST(Dispatcher, OneDeadlyScenarioIsGivenUpAndItsNeighboursAreNot) {

@@ -1,6 +1,6 @@
-// Proves that after a restart the journal knows whose each result is, what is in dispute, which
-// alarms there were and who is in quarantine; and that it reads what the version before has written
-// and refuses what it does not know.
+// Proves that after a restart the journal knows whose each result is, what is in dispute, what was
+// lost with whom, which alarms there were and who is in quarantine; and that it reads what the
+// versions before have written and refuses what it does not know.
 #include "tests/master/journal_writer.hpp"
 
 #include <map>
@@ -117,6 +117,44 @@ TEST(JournalAuthors, ADisputeIsOpenUntilItIsSettled) {
     }
 }
 
+TEST(JournalAuthors, LossesOfAJobThatGoesOnComeBackInTheirOrder) {
+    const std::vector<LostPlaces> lost = {{{5, 90}, 7}, {{6, 1}, 8}, {{99, 1}, 9}};
+    for (const bool is_one_commit : {true, false}) {
+        const TemporaryFolder folder;
+        {
+            Writer writer(folder.path());
+            for (const JobId job : {JobId{1}, JobId{2}}) {
+                const auto store = writer.accept(job, 100);
+                for (const LostPlaces& one : lost) {
+                    AddResults add{job, store, {}, {}, {}};
+                    add.losses = {one};
+                    const auto at = writer.journal->add(std::move(add));
+                    if (!is_one_commit) {
+                        writer.wait_for(at);
+                    }
+                }
+            }
+            writer.journal->add(EndJob{JobId{2}, {JobState::Cancelled, "cancelled", {}}, {}});
+        }
+        const Writer again(folder.path());
+        EXPECT_EQ(again.recovered.jobs.at(0).losses, lost);
+        EXPECT_TRUE(again.recovered.jobs.at(1).losses.empty());
+    }
+}
+
+TEST(JournalAuthors, LossesOfScenariosThatTheJobDoesNotHaveAreDamage) {
+    const TemporaryFolder folder;
+    {
+        Writer writer(folder.path());
+        AddResults add{JobId{1}, writer.accept(JobId{1}, 100), {}, {}, {}};
+        add.losses = {{{99, 2}, 7}};
+        writer.journal->add(std::move(add));
+    }
+    const auto opened = Journal::open({.directory = folder.path()});
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().detail.find("were lost"), std::string::npos) << opened.error().detail;
+}
+
 TEST(JournalAuthors, AlarmsAndTheQuarantinedComeBackAsTheyWereLast) {
     const TemporaryFolder folder;
     AlarmRecord alarms;
@@ -177,32 +215,34 @@ void set_version(const std::filesystem::path& path, char version) {
     write_text(path, content);
 }
 
-TEST(JournalAuthors, AJournalOfTheVersionBeforeIsReadAndGoesOnAsOneOfThis) {
-    const TemporaryFolder folder;
-    const auto path = folder / "journal.db";
-    {
-        Writer writer(folder.path());
-        writer.journal->add(results_by(0, writer.accept(JobId{1}, 100), 0, 10));
+TEST(JournalAuthors, AJournalOfAVersionBeforeIsReadAndGoesOnAsOneOfThis) {
+    for (const char before : {2, 3}) {
+        const TemporaryFolder folder;
+        const auto path = folder / "journal.db";
+        {
+            Writer writer(folder.path());
+            writer.journal->add(results_by(0, writer.accept(JobId{1}, 100), 0, 10));
+        }
+        const std::uint32_t version = version_in(path);
+        set_version(path, before);
+        {
+            const Writer only_reads(folder.path());
+            EXPECT_EQ(only_reads.recovered.jobs.at(0).done.size(), 10u);
+        }
+        EXPECT_EQ(version_in(path), std::uint32_t(before)) << "nothing was written";
+        {
+            Writer writer(folder.path());
+            writer.journal->add(results_by(7, writer.recovered.jobs.at(0).results, 10, 10));
+        }
+        EXPECT_EQ(version_in(path), version);
+        const Writer again(folder.path());
+        EXPECT_EQ(again.recovered.jobs.at(0).done.size(), 20u);
+        EXPECT_EQ(again.recovered.jobs.at(0).contributors, (std::set<WorkerProcess>{7}));
     }
-    const std::uint32_t version = version_in(path);
-    set_version(path, 2);
-    {
-        const Writer only_reads(folder.path());
-        EXPECT_EQ(only_reads.recovered.jobs.at(0).done.size(), 10u);
-    }
-    EXPECT_EQ(version_in(path), 2u) << "nothing was written";
-    {
-        Writer writer(folder.path());
-        writer.journal->add(results_by(7, writer.recovered.jobs.at(0).results, 10, 10));
-    }
-    EXPECT_EQ(version_in(path), version);
-    const Writer again(folder.path());
-    EXPECT_EQ(again.recovered.jobs.at(0).done.size(), 20u);
-    EXPECT_EQ(again.recovered.jobs.at(0).contributors, (std::set<WorkerProcess>{7}));
 }
 
 TEST(JournalAuthors, AJournalOfAnotherVersionIsRefusedWithTheWayOut) {
-    for (const char version : {1, 4}) {
+    for (const char version : {1, 5}) {
         const TemporaryFolder folder;
         { const Writer writer(folder.path()); }
         set_version(folder / "journal.db", version);

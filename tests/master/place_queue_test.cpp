@@ -40,6 +40,35 @@ TEST(PlaceQueue, WhatCameBackIsFirst) {
     EXPECT_EQ(queue.take(1).places.first, first.places.end());
 }
 
+TEST(PlaceQueue, WhatWasLostBeforeKeepsItsLosses) {
+    const std::vector<LostPlaces> lost = {
+        {{20, 10}, 70}, {{25, 1}, 71}, {{28, 12}, 72}, {{99, 1}, 70}};
+    PlaceQueue queue(100, lost);
+    EXPECT_EQ(queue.left(), 100u);
+    std::uint64_t next = 0;
+    while (!queue.empty()) {
+        const auto piece = queue.take(1);
+        EXPECT_EQ(piece.places, (PlaceRange{next, 1}));
+        Losses losses;
+        for (const LostPlaces& one : lost) {
+            if (next >= one.places.first && next < one.places.end()) {
+                losses.add(one.process);
+            }
+        }
+        EXPECT_EQ(piece.losses, losses) << next;
+        ++next;
+    }
+    EXPECT_EQ(next, 100u);
+}
+
+TEST(PlaceQueue, OfWhichAllWasLostIsOnePiece) {
+    const std::vector<LostPlaces> lost = {{{0, 100}, 70}};
+    PlaceQueue queue(100, lost);
+    ASSERT_EQ(queue.pieces().size(), 1u);
+    EXPECT_EQ(queue.front().places, (PlaceRange{0, 100}));
+    EXPECT_EQ(queue.front().losses.count(), 1u);
+}
+
 TEST(PlaceQueue, OfNoScenariosIsEmpty) {
     EXPECT_TRUE(PlaceQueue(0).empty());
     EXPECT_TRUE(PlaceQueue().empty());

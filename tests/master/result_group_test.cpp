@@ -23,6 +23,7 @@ ResultGroup some_group() {
     group.remarks = {{Kind::Disputed, 930, some_hash(8), 78},
                      {Kind::Settled, 930, some_hash(8), 78},
                      {Kind::Vouched, 5, {}, 0}};
+    group.losses = {{{7, 1}, 77}, {{300, 1000}, 0}};
     return group;
 }
 
@@ -32,31 +33,43 @@ void expect_same(const ResultGroup& one, const ResultGroup& other) {
     EXPECT_EQ(one.maps, other.maps);
     EXPECT_EQ(one.authors, other.authors);
     EXPECT_EQ(one.remarks, other.remarks);
+    EXPECT_EQ(one.losses, other.losses);
 }
 
-TEST(ResultGroup, ComesBackWithItsAuthorsAndRemarks) {
+TEST(ResultGroup, ComesBackWithItsAuthorsRemarksAndLosses) {
     ResultGroup only_remarks;
     only_remarks.begin = 5;
     only_remarks.remarks = some_group().remarks;
-    for (const ResultGroup& group : {some_group(), ResultGroup{}, only_remarks}) {
+    ResultGroup only_losses;
+    only_losses.losses = some_group().losses;
+    for (const ResultGroup& group : {some_group(), ResultGroup{}, only_remarks, only_losses}) {
         const auto decoded = decode_group(encode_group(group));
         ASSERT_TRUE(decoded) << decoded.error().detail;
         expect_same(decoded.value(), group);
     }
 }
 
-/// What stands in front of the authors is all that there was before they were kept.
-TEST(ResultGroup, OfTheVersionBeforeHasNoAuthors) {
+/// What stands in front of the losses, or of the authors, is all that there was before they were
+/// kept.
+TEST(ResultGroup, OfTheVersionsBeforeHasNoLossesOrAlsoNoAuthors) {
     ResultGroup group = some_group();
+    group.losses.clear();
+    constexpr std::size_t losses_bytes = 1;
+    Bytes bytes = encode_group(group);
+    bytes.resize(bytes.size() - losses_bytes);
+    const auto of_3 = decode_group(bytes);
+    ASSERT_TRUE(of_3) << of_3.error().detail;
+    expect_same(of_3.value(), group);
+
     group.remarks.clear();
     group.authors = {{6, 0}};
-    Bytes bytes = encode_group(group);
+    bytes = encode_group(group);
     constexpr std::size_t authors_bytes = 1 + 8 + 1 + 2; // One process, one run.
     constexpr std::size_t remarks_bytes = 1;
-    bytes.resize(bytes.size() - authors_bytes - remarks_bytes);
-    const auto decoded = decode_group(bytes);
-    ASSERT_TRUE(decoded) << decoded.error().detail;
-    expect_same(decoded.value(), group);
+    bytes.resize(bytes.size() - authors_bytes - remarks_bytes - losses_bytes);
+    const auto of_2 = decode_group(bytes);
+    ASSERT_TRUE(of_2) << of_2.error().detail;
+    expect_same(of_2.value(), group);
 }
 
 TEST(ResultGroup, CutShortOrFollowedByMoreIsAnError) {
@@ -65,7 +78,7 @@ TEST(ResultGroup, CutShortOrFollowedByMoreIsAnError) {
     for (std::size_t size = 0; size < whole.size(); ++size) {
         accepted += decode_group(std::span(whole).first(size)) ? 1u : 0u;
     }
-    EXPECT_EQ(accepted, 1u) << "only what a version before would have written";
+    EXPECT_EQ(accepted, 2u) << "only what the versions before would have written";
     Bytes longer = whole;
     longer.push_back(std::byte{0});
     EXPECT_FALSE(decode_group(longer));
@@ -77,11 +90,19 @@ TEST(ResultGroup, WhoseRowsDoNotAddUpOrWhoseProcessIsNotThereIsAnError) {
     group.authors = {{1, 7}};
     const Bytes good = encode_group(group);
     ASSERT_TRUE(decode_group(good));
-    // From the end: no remarks, one row, of process 0, one run.
-    for (const auto& [from_end, value] : {std::pair(2, 2), {2, 0}, {3, 1}, {1, 9}}) {
+    // From the end: no losses, no remarks, one row, of process 0, one run.
+    for (const auto& [from_end, value] : {std::pair(3, 2), {3, 0}, {4, 1}, {2, 9}, {1, 1}}) {
         Bytes bad = good;
         bad[bad.size() - static_cast<std::size_t>(from_end)] = static_cast<std::byte>(value);
         EXPECT_FALSE(decode_group(bad)) << from_end << " " << value;
+    }
+}
+
+TEST(ResultGroup, LossesOfNoPlacesOrOfTooManyToCountAreAnError) {
+    for (const PlaceRange& places : {PlaceRange{5, 0}, PlaceRange{2, ~std::uint64_t{0} - 1}}) {
+        ResultGroup group;
+        group.losses = {{places, 7}};
+        EXPECT_FALSE(decode_group(encode_group(group)));
     }
 }
 

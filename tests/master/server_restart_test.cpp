@@ -1,6 +1,7 @@
 // Proves that trust outlives the master: after a restart it still knows who is in quarantine, whose
-// each result is, which of them are in doubt or in dispute, and which alarms there were; and no job
-// ends with what a worker that was wrong has answered.
+// each result is, which of them are in doubt or in dispute, and which alarms there were; no job
+// ends with what a worker that was wrong has answered; and what takes workers down does not begin
+// anew.
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
@@ -67,6 +68,35 @@ ClusterStatus run_to_the_alarm(Master& master, AnalysisMode mode) {
     master.run_until([&] { return quarantined_in(master.coordinator.cluster_status()) == 1; });
     master.end();
     return master.coordinator.cluster_status();
+}
+
+/// Each life of the master sees one worker die of it.
+TEST(ServerRestart, AScenarioThatTakesItsWorkersDownFailsAfterAsManyAsWithoutARestart) {
+    const std::uint64_t deadly = scenario_with_contact();
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        const TemporaryFolder state;
+        JobId job;
+        for (std::uint64_t life = 0; life < limits::scenario_losses_max; ++life) {
+            Master master(no_return, state.path());
+            if (life == 0) {
+                job = submit_to(master, mode);
+            }
+            EXPECT_EQ(master.coordinator.job_status(job).value().summary.failed, 0u);
+            const FakeWorker mortal(master, {.dies_of = deadly, .instance = 100 + life});
+            master.run_until([&] { return mortal.ended; });
+            wait_until_gone(master);
+            master.end();
+        }
+        Master master(no_return, state.path());
+        EXPECT_EQ(master.coordinator.job_status(job).value().summary.failed, 1u);
+        const FakeWorker last(master, {.dies_of = deadly, .instance = 200});
+        const auto status = [&] { return master.coordinator.job_status(job).value(); };
+        master.run_until([&] { return status().state != JobState::Running; });
+        EXPECT_EQ(status().state, JobState::Done) << status().failure;
+        EXPECT_EQ(status().summary.failed, 1u);
+        EXPECT_EQ(status().summary.merged(), reference().scenarios.size());
+        EXPECT_FALSE(last.ended);
+    }
 }
 
 TEST(ServerRestart, AJobWhoseMeshIsDamagedWaitsUntilThatIsMended) {

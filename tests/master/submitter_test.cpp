@@ -198,7 +198,7 @@ TEST_F(SubmitterTest, NothingIsDeliveredAfterTheEnd) {
     }
 }
 
-TEST_F(SubmitterTest, WhatIsDoneIsPassedOverUnlessItWasLost) {
+TEST_F(SubmitterTest, WhatIsDoneIsPassedOverUnlessItIsInDoubt) {
     AnalysisInput input = make_input(make_sphere(1), make_sphere(1), 2);
     input.poses = make_list_source(make_scenarios(6, 0.1));
     input.done = std::make_shared<const std::vector<bool>>(std::vector<bool>{true, false, true});
@@ -206,10 +206,14 @@ TEST_F(SubmitterTest, WhatIsDoneIsPassedOverUnlessItWasLost) {
     Submitter submitter(pool_, input, collected.taker());
     submitter.start({0, 6});
     submitter.start({0, 6}, two_losses());
-    const auto blocks = collected.wait_for(2);
-    EXPECT_EQ(blocks[0].scenarios.size(), 4u);
-    EXPECT_EQ(blocks[0].scenarios.at(0).scenario.index, 1u);
-    EXPECT_EQ(blocks[1].scenarios.size(), 6u);
+    submitter.start({0, 6}, Losses::in_doubt());
+    const auto blocks = collected.wait_for(3);
+    for (std::size_t block = 0; block < 2; ++block) {
+        EXPECT_EQ(blocks[block].scenarios.size(), 4u);
+        EXPECT_EQ(blocks[block].scenarios.at(0).scenario.index, 1u);
+        EXPECT_EQ(blocks[block].scenarios.at(0).place, 1u);
+    }
+    EXPECT_EQ(blocks[2].scenarios.size(), 6u);
 }
 
 } // namespace
