@@ -131,7 +131,9 @@ void Simulation::check_cache(WorkerProcess& worker) {
     const Session* session = worker.session();
     const std::uint64_t host = worker.host().id;
     const WorkerId id = world_.watcher.session_of(host);
-    if (session == nullptr || !session->is_connected() || id == WorkerId{}) {
+    // What a dying one says is not heard any more.
+    if (session == nullptr || !session->is_connected() || id == WorkerId{} ||
+        worker.host().is_dying) {
         return;
     }
     for (const BlockKey& block : master_->coordinator()->blocks_held_by(id)) {
