@@ -186,7 +186,10 @@ void BlockDelivery::send(const SendBlock& action) {
     const bool is_put_off = std::ranges::any_of(
         link.later, [&](const BlockKey& block) { return block.tree == action.block.tree; });
     if (is_put_off) {
-        link.later.push_back(action.block);
+        // It may have been let go, and wanted again.
+        if (std::ranges::find(link.later, action.block) == link.later.end()) {
+            link.later.push_back(action.block);
+        }
         return;
     }
     link.queue.push_back(action.block);

@@ -10,12 +10,6 @@
 
 namespace cd {
 
-namespace {
-
-/// Of a block that thousands hold, so many are looked at for a better source, or for more of them.
-
-} // namespace
-
 // ---- Events -----------------------------------------------------------------------------------
 
 void BlockDirector::worker_joined(WorkerId worker, bool serves) {

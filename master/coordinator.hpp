@@ -1,6 +1,7 @@
 // Drives the dispatcher: carries events to it from sessions and jobs, and its actions out.
 #pragma once
 
+#include "common/core/limits_master.hpp"
 #include "common/core/thread_pool.hpp"
 #include "master/block_delivery.hpp"
 #include "master/dispatcher.hpp"
@@ -26,6 +27,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -44,6 +46,7 @@ struct CoordinatorParts {
     std::filesystem::path directory; ///< Of the poses that come.
     Durability durability = Durability::Synced;
     FailureTimes times;
+    std::uint64_t results_aside_bytes_max = limits::results_aside_bytes_max;
 };
 
 /// How a worker is let in.
@@ -224,10 +227,10 @@ class Coordinator {
     void worker_left(WorkerId worker, const std::string& why);
     void worker_lost(WorkerId worker, const std::string& why);
     [[nodiscard]] bool is_its_channel(WorkerId worker, const Channel& channel) const;
-    /// Of a process that is back, whatever it was before.
     /// Whatever of its tasks is not answered is still to be done, and does not count as lost. It
     /// gets nothing any more.
     void take_all_back(WorkerId worker);
+    /// Of a process that is back, whatever it was before.
     void end_earlier_sessions(std::uint64_t instance);
     [[nodiscard]] Status check_standing(const Standing& standing) const;
     asio::awaitable<void> watch_workers();
@@ -256,9 +259,14 @@ class Coordinator {
     [[nodiscard]] bool is_repeated(WorkerId worker, std::uint64_t sequence);
 
     // Results of no task (coordinator_late.cpp).
+    /// Results wait for the disk or for their job. As long as there is room for them their worker
+    /// goes on with others; else it is not listened to. Ends with `take_up`.
+    void set_aside(const Results& message, std::function<void()>& done);
+    void take_up(const Results& message);
     void late_results_came(LateResults late);
     void put_away(LateResults late);
     void forget_late_results(WorkerId worker);
+    [[nodiscard]] bool has_late_results(JobId job) const;
     /// Those that waited for the job's geometry, or for its end to be durable.
     void look_at_late_results(JobId job);
     void check_late_results(const MasterJob& job, LateResults late);
@@ -475,12 +483,13 @@ class Coordinator {
     std::uint64_t written_ = 0; ///< The position of the last entry.
     std::string paused_;        ///< Why the journal does not write; empty: it does.
     std::map<JobId, std::shared_ptr<asio::steady_timer>> waiting_for_acceptance_;
-    DiskWaits retries_;                                   ///< Of jobs that wait for the disk.
-    std::map<TreeId, std::string> unreadable_;            ///< Why.
-    std::multimap<JobId, LateResults> late_results_;      ///< That cannot be looked at yet.
-    std::uint64_t late_bytes_ = 0;                        ///< Of these.
-    std::deque<LateCase> late_cases_;                     ///< The first is being judged.
-    std::vector<std::function<void()>> waiting_for_room_; ///< In the journal.
+    DiskWaits retries_;                                         ///< Of jobs that wait for the disk.
+    std::map<TreeId, std::string> unreadable_;                  ///< Why.
+    using LateKey = std::tuple<JobId, WorkerId, std::uint64_t>; ///< With the message's number.
+    std::map<LateKey, LateResults> late_results_;               ///< That cannot be looked at yet.
+    std::uint64_t aside_bytes_ = 0;                             ///< Of messages that are set aside.
+    std::deque<LateCase> late_cases_;                           ///< The first is being judged.
+    std::vector<std::function<void()>> waiting_for_room_;       ///< In the journal.
     AlarmRecord alarms_;
     std::set<WorkerProcess> quarantined_; ///< Those of the alarms, holders among them.
     WorkerSessions sessions_;

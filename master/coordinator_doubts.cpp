@@ -132,6 +132,7 @@ void Coordinator::quarantine(WorkerId worker) {
         if (sessions_.process_of(id) == process) {
             link.quarantined = true;
             blocks_.worker_left(id);
+            take_all_back(id); // It lives: nothing is lost with it.
             forget_tasks(id);
             act(dispatcher().worker_lost(id));
         }
@@ -286,6 +287,7 @@ asio::awaitable<void> Coordinator::fail_doubted(JobId id, Scenario scenario, std
             co_return;
         }
     }
+    disk_gives(*job);
     --job->disputes;
     ++job->changes;
     end_if_complete(*job);

@@ -194,6 +194,9 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
         open_bytes_ += analysis.bytes;
         job->open.emplace(scenario.index, std::make_shared<const Analysis>(std::move(analysis)));
         act(dispatcher().scenario_analysed(id, std::move(scenario)));
+        if (!job->is_running()) {
+            return feed();
+        }
         ++handed_out;
     }
     job->analysis_seconds.add(block.seconds, static_cast<double>(block.places.count));
@@ -251,8 +254,7 @@ void Coordinator::release_tree(TreeId tree) {
     }
 }
 
-// ---- Questions
-// ------------------------------------------------------------------------------------
+// ---- Questions ----------------------------------------------------------------------------------
 
 asio::awaitable<Result<JobStatus>> Coordinator::cancel_job(JobId id) {
     MasterJob* job = jobs_.find(id);

@@ -15,10 +15,21 @@ namespace cd {
 namespace {
 
 std::uint64_t bytes_of(const Results& message) {
-    return message.records.size() + message.map.size();
+    return sizeof(message) + message.records.size() + message.map.size();
 }
 
 } // namespace
+
+void Coordinator::set_aside(const Results& message, std::function<void()>& done) {
+    aside_bytes_ += bytes_of(message);
+    if (aside_bytes_ <= parts_.results_aside_bytes_max) {
+        std::exchange(done, [] {})();
+    }
+}
+
+void Coordinator::take_up(const Results& message) {
+    aside_bytes_ -= bytes_of(message);
+}
 
 void Coordinator::late_results_came(LateResults late) {
     const JobId id = late.message->job;
@@ -38,23 +49,28 @@ void Coordinator::late_results_came(LateResults late) {
 }
 
 void Coordinator::put_away(LateResults late) {
-    // Whatever becomes of this job, its worker goes on with others.
-    std::exchange(late.done, [] {})();
-    if (late_bytes_ + bytes_of(*late.message) > limits::late_results_bytes_max) {
-        return;
+    const LateKey key{late.message->job, late.worker, late.message->sequence};
+    const auto [place, is_new] = late_results_.try_emplace(key, std::move(late));
+    if (is_new) {
+        set_aside(*place->second.message, place->second.done);
+    } else {
+        late.done(); // It came before, over another connection.
     }
-    late_bytes_ += bytes_of(*late.message);
-    late_results_.emplace(late.message->job, std::move(late));
+}
+
+bool Coordinator::has_late_results(JobId job) const {
+    const auto first = late_results_.lower_bound({job, WorkerId{}, 0});
+    return first != late_results_.end() && std::get<JobId>(first->first) == job;
 }
 
 void Coordinator::look_at_late_results(JobId job) {
     std::vector<LateResults> all;
-    const auto [begin, end] = late_results_.equal_range(job);
-    for (auto late = begin; late != end; ++late) {
-        late_bytes_ -= bytes_of(*late->second.message);
-        all.push_back(std::move(late->second));
+    while (has_late_results(job)) {
+        const auto first = late_results_.lower_bound({job, WorkerId{}, 0});
+        take_up(*first->second.message);
+        all.push_back(std::move(first->second));
+        late_results_.erase(first);
     }
-    late_results_.erase(begin, end);
     for (LateResults& late : all) {
         late_results_came(std::move(late));
     }
@@ -63,7 +79,9 @@ void Coordinator::look_at_late_results(JobId job) {
 void Coordinator::forget_late_results(WorkerId worker) {
     std::erase_if(late_results_, [&](const auto& late) {
         const bool is_its = late.second.worker == worker;
-        late_bytes_ -= is_its ? bytes_of(*late.second.message) : 0;
+        if (is_its) {
+            take_up(*late.second.message);
+        }
         return is_its;
     });
 }
@@ -98,10 +116,15 @@ void Coordinator::late_results_checked(std::shared_ptr<ResultsInHand> hand) {
     if (job == nullptr) {
         return late_results_came(std::move(late));
     }
-    const bool others_wait = late_results_.contains(id);
+    const bool others_wait = has_late_results(id);
     put_away(std::move(late));
     if (!others_wait) {
-        wait_for_disk(*job, hand->taken.error(), [this, id] { look_at_late_results(id); });
+        wait_for_disk(*job, hand->taken.error(), [this, id] {
+            if (!has_late_results(id)) { // Their worker has left.
+                return disk_gives(*jobs_.find(id));
+            }
+            look_at_late_results(id);
+        });
     }
 }
 

@@ -80,7 +80,9 @@ asio::awaitable<void> Coordinator::make_map(JobId id,
         }
         job = jobs_.find_running(id);
         if (job != nullptr) {
+            set_aside(*hand->message, hand->done);
             job = co_await wait_until_mended(id, map.error());
+            take_up(*hand->message);
         }
     }
     if (!closed_) {

@@ -43,7 +43,12 @@ asio::awaitable<MasterJob*> Coordinator::wait_until_mended(JobId id, Error why) 
     if (!wait) {
         co_return nullptr;
     }
-    co_return co_await end_of_wait(std::move(*wait));
+    const MasterJob* job = co_await end_of_wait(std::move(*wait));
+    if (job == nullptr) {
+        co_return nullptr;
+    }
+    feed(); // What comes next may take long.
+    co_return jobs_.find_running(id);
 }
 
 std::optional<Coordinator::DiskWait> Coordinator::begin_to_wait(MasterJob& job, const Error& why) {

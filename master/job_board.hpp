@@ -63,7 +63,7 @@ struct MasterJob {
     std::uint64_t changes = 0; ///< Grows with whatever a status shows, but time.
 
     std::shared_ptr<PoseSource> poses; ///< Only while it runs: all of them.
-    std::string paused;                ///< Why its geometry cannot be written; empty: it can.
+    std::string paused;                ///< What it waits for, of the disk; empty: nothing.
 
     // Only while it runs, and only after its geometry is there.
     std::shared_ptr<const JobMaterial> material;

@@ -55,7 +55,7 @@ struct ResultGroup {
     std::vector<Bytes> maps;        ///< `pack_map`; together they are the map of these results.
     std::vector<AuthorRun> authors; ///< Of all rows.
     std::vector<Remark> remarks;    ///< In their order. On rows of this group, or before it.
-    std::vector<LostPlaces> losses; ///< In their order. What has a row in any group is not lost.
+    std::vector<LostPlaces> losses; ///< In their order. Some have a result by now.
 };
 
 /// Each process stands once in a group (8 bytes), a run of rows takes 2 bytes or a few more. The

@@ -74,8 +74,8 @@ class Submitter {
     /// started are dropped.
     ~Submitter();
 
-    /// Starts a block of at most `limits::analysis_block_scenarios` places. After an error or the
-    /// end: nothing.
+    /// Starts a block of at most `limits::analysis_block_scenarios` places. After the end:
+    /// nothing.
     void start(const PlaceRange& places, const Losses& losses = {});
 
     /// Blocks started and not yet delivered.

@@ -48,13 +48,17 @@ class Daemon {
             const Result<std::shared_ptr<Channel>> channel = co_await connect(
                 std::move(target), std::chrono::ceil<std::chrono::seconds>(membership_.patience()));
             if (channel) {
+                was_refused_ = false;
                 const std::optional<int> code = co_await serve(channel.value());
                 if (code) {
                     co_return end(*code);
                 }
             } else if (channel.error().code == ErrorCode::Refused) {
                 spdlog::error("refused: {}", channel.error().detail);
-                co_return end(exit_refused);
+                // A bit that flips on the way to who knows this worker may look like that, once.
+                if (!was_welcome_ || std::exchange(was_refused_, true)) {
+                    co_return end(exit_refused);
+                }
             } else {
                 spdlog::info("no master yet: reason=\"{}\"", channel.error().detail);
             }
@@ -158,6 +162,7 @@ class Daemon {
     const std::uint64_t instance_ = std::random_device{}() | std::uint64_t{std::random_device{}()}
                                                                  << 32;
     bool was_welcome_ = false;
+    bool was_refused_ = false; ///< The last time.
     bool stopping_ = false;
     int exit_code_ = exit_done;
 };

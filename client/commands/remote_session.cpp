@@ -123,9 +123,9 @@ Result<JobStatus> watch_job(const MasterOptions& master,
                             const std::string& id,
                             ProgressPrinter::Style progress) {
     ProgressPrinter printer(progress);
-    bool is_heard = false;
+    int damaged = 0; // Connections, one after the other.
     const auto show = [&](const JobStatus& status) {
-        is_heard = true;
+        damaged = 0;
         const ProgressState state{id, status.summary, status.seconds};
         if (status.state == JobState::Running) {
             printer.update(state);
@@ -139,7 +139,8 @@ Result<JobStatus> watch_job(const MasterOptions& master,
             return status;
         }
         // Whose every word is damaged is not asked for ever.
-        if (status.error().code == ErrorCode::BadFrame && !std::exchange(is_heard, false)) {
+        if (status.error().code == ErrorCode::BadFrame &&
+            ++damaged >= limits::damaged_connections_max) {
             return status;
         }
         std::fprintf(stderr,

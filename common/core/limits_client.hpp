@@ -25,6 +25,7 @@ inline constexpr std::chrono::milliseconds stop_check_period{100};
 inline constexpr std::chrono::milliseconds stop_patience{1000};
 inline constexpr std::chrono::seconds come_back_max{60}; ///< For a master that went away.
 inline constexpr std::chrono::milliseconds come_back_period{300};
+inline constexpr int damaged_connections_max = 5; ///< One after the other, to see a job's end.
 
 // A cluster of its own.
 inline constexpr std::chrono::seconds local_start_max{30};

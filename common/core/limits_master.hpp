@@ -20,9 +20,9 @@ inline constexpr std::uint64_t scenarios_running_max = 1ull << 28;
 inline constexpr std::uint64_t results_ended_kept_max = 1ull << 27;
 inline constexpr std::size_t losses_again_that_count = 8; ///< Of a scenario, with one process.
 inline constexpr std::size_t cuts_held_max = 1u << 15;    ///< Told of by one worker when it comes.
-/// Of results of no task, that cannot be looked at yet. What is more comes again in its worker's
-/// next session.
-inline constexpr std::uint64_t late_results_bytes_max = 256u << 20;
+/// Of results that wait for the disk, or for their job. Beyond it each process has as many in hand
+/// as ever.
+inline constexpr std::uint64_t results_aside_bytes_max = 256u << 20;
 inline constexpr unsigned blocking_threads = 4; ///< For the disk.
 
 } // namespace cd::limits

@@ -53,7 +53,8 @@ class FakeWorker {
     std::uint64_t blocks = 0;
     std::uint64_t sent_to_peers = 0; ///< Times.
     std::uint64_t trees_removed = 0;
-    std::uint64_t kept = 0; ///< Messages of results that the master says it has for good.
+    std::uint64_t kept = 0;           ///< Messages of results that the master says it has for good;
+    std::uint64_t kept_of_before = 0; ///< those of them with which it came.
     bool is_held = false;
     std::optional<std::uint64_t> dropped; ///< The last scenario that nobody waits for.
     bool ended = false;
@@ -83,7 +84,8 @@ class FakeWorker {
         hello.instance = habits_.instance;
         hello.peer_port = habits_.peer_port;
         (void)co_await greet(channel_, hello);
-        for (const Results& results : habits_.comes_with) {
+        for (Results& results : habits_.comes_with) {
+            results.sequence = results.sequence == 0 ? ++numbered_ : results.sequence;
             channel_->send(results);
         }
         for (;;) {
@@ -108,6 +110,9 @@ class FakeWorker {
                 dropped = drop->scenario;
             } else if (const auto* acknowledged = std::get_if<ResultsKept>(&message.value())) {
                 kept += acknowledged->sequences.size();
+                for (const std::uint64_t sequence : acknowledged->sequences) {
+                    kept_of_before += sequence == 0 ? 0 : 1;
+                }
             } else if (auto* range = std::get_if<ScenarioRange>(&message.value())) {
                 ++ranges;
                 unwalked_.push_back(std::move(*range));
@@ -311,6 +316,7 @@ class FakeWorker {
 
     Master& master_;
     Habits habits_;
+    std::uint64_t numbered_ = 0; ///< Of what it comes with.
     std::shared_ptr<Channel> channel_;
     std::map<TreeId, Tree> trees_;
     std::map<JobId, AddJob> jobs_;

@@ -20,6 +20,7 @@ inline constexpr std::chrono::seconds patience{60};
 struct Stage {
     ClientLimits clients = {};
     bool is_secured = false; ///< With an identity, which is made where there is none.
+    std::uint64_t results_aside_bytes_max = limits::results_aside_bytes_max;
 };
 
 /// A whole master on one context, which the test runs.
@@ -32,6 +33,15 @@ class Master {
         const Stage& stage = {})
         : directory(state.empty() ? folder.path() : state),
           times(failure_times),
+          coordinator({context.get_executor(),
+                       *store,
+                       compute,
+                       blocking,
+                       *journal,
+                       directory / "jobs",
+                       Durability::Unsynced,
+                       times,
+                       stage.results_aside_bytes_max}),
           identity(stage.is_secured ? make_identity() : nullptr),
           server(std::move(Server::listen(context.get_executor(),
                                           {"127.0.0.1", 0},
@@ -84,14 +94,7 @@ class Master {
         std::move(Journal::open({.directory = directory, .synced = false}).value());
     ThreadPool blocking{2};
     FailureTimes times;
-    Coordinator coordinator{{context.get_executor(),
-                             *store,
-                             compute,
-                             blocking,
-                             *journal,
-                             directory / "jobs",
-                             Durability::Unsynced,
-                             times}};
+    Coordinator coordinator;
     std::unique_ptr<MasterIdentity> identity;
     std::unique_ptr<Server> server;
 

@@ -30,7 +30,8 @@ class Damage {
 /// A master with a job that is accepted and not prepared.
 class DamagedMaster : public Master {
   public:
-    explicit DamagedMaster(AnalysisMode mode) {
+    explicit DamagedMaster(AnalysisMode mode, const Stage& stage = {})
+        : Master({.return_within = std::chrono::milliseconds(0)}, {}, stage) {
         Client client(*this);
         Submit submit = reference().submission();
         submit.cluster.analysis = mode;
@@ -142,6 +143,35 @@ TEST(ServerDamage, WhatAWorkerHasForAJobThatWaitsHoldsUpNoOther) {
     EXPECT_EQ(master.status().state, JobState::Running);
     damage.mend();
     master.expect_right_end();
+}
+
+TEST(ServerDamage, WhatCannotBeSetAsideIsTakenOneByOneAndNothingIsDropped) {
+    DamagedMaster master(AnalysisMode::Always, {.results_aside_bytes_max = 0});
+    const Damage damage(master.poses());
+    std::vector<Results> all;
+    for (std::uint64_t i = 0; i < 2 * limits::results_in_hand_max; ++i) {
+        all.push_back(right_results(master.job, i));
+    }
+    const FakeWorker worker(master, {.comes_with = all});
+    master.expect_to_wait_for(damage);
+    EXPECT_EQ(worker.kept, 0u);
+    damage.mend();
+    master.run_until([&] { return worker.kept_of_before == all.size(); });
+    master.expect_right_end();
+}
+
+/// Over one connection, and over the next.
+TEST(ServerDamage, WhatIsSetAsideIsSetAsideOnce) {
+    DamagedMaster master(AnalysisMode::Always);
+    const Damage damage(master.poses());
+    Results twice = right_results(master.job, 0);
+    twice.sequence = 1;
+    const FakeWorker worker(master, {.comes_with = {twice, twice, twice}});
+    master.expect_to_wait_for(damage);
+    damage.mend();
+    master.run_until([&] { return worker.kept_of_before != 0; });
+    master.expect_right_end();
+    EXPECT_EQ(worker.kept_of_before, 1u);
 }
 
 /// As of an earlier session: the master looks their poses up.

@@ -168,6 +168,22 @@ TEST(Server, AScenarioInDoubtThatTakesItsWorkersDownFailsAndTheMasterDoesNotRunI
     EXPECT_EQ(workers.size(), limits::scenario_losses_max + 1u);
 }
 
+TEST(Server, WhatAWorkerHadThatWentIntoQuarantineIsNotLostWithIt) {
+    Master master;
+    const FakeWorker liar(master, {.lies_first = true, .instance = 7, .batches_max = 1});
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return master.coordinator.alarm_count() != 0; });
+    ASSERT_GT(liar.batches, 1u) << "it has more";
+    for (std::uint64_t lost = 1; lost < limits::scenario_losses_max; ++lost) {
+        const FakeWorker mortal(master, {.only_takes = true, .instance = 7 + lost});
+        master.run_until([&] { return mortal.batches != 0; });
+    }
+    const FakeWorker good(master, {});
+    master.run_until([&] { return client.done; });
+    expect_right(client);
+}
+
 TEST(Server, AScenarioThatTakesLongIsShownWithItsWorker) {
     Master master;
     Client client(master);
