@@ -60,6 +60,14 @@ class DamagedMaster : public Master {
     JobId job;
 };
 
+std::vector<Results> more_than_fit_in_hand(JobId job) {
+    std::vector<Results> all;
+    for (std::uint64_t i = 0; i < 2 * limits::results_in_hand_max; ++i) {
+        all.push_back(right_results(job, i));
+    }
+    return all;
+}
+
 TEST(ServerDamage, PosesThatCannotBeReadAreWaitedFor) {
     for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
         DamagedMaster master(mode);
@@ -130,10 +138,7 @@ TEST(ServerDamage, ADisputeWaitsForThePosesToJudgeIt) {
 TEST(ServerDamage, WhatAWorkerHasForAJobThatWaitsHoldsUpNoOther) {
     DamagedMaster master(AnalysisMode::Always);
     const Damage damage(master.poses());
-    std::vector<Results> all;
-    for (std::uint64_t i = 0; i < 2 * limits::results_in_hand_max; ++i) {
-        all.push_back(right_results(master.job, i));
-    }
+    const std::vector<Results> all = more_than_fit_in_hand(master.job);
     const FakeWorker worker(master, {.comes_with = all});
     master.expect_to_wait_for(damage);
     Client client(master);
@@ -148,10 +153,7 @@ TEST(ServerDamage, WhatAWorkerHasForAJobThatWaitsHoldsUpNoOther) {
 TEST(ServerDamage, WhatCannotBeSetAsideIsTakenOneByOneAndNothingIsDropped) {
     DamagedMaster master(AnalysisMode::Always, {.results_aside_bytes_max = 0});
     const Damage damage(master.poses());
-    std::vector<Results> all;
-    for (std::uint64_t i = 0; i < 2 * limits::results_in_hand_max; ++i) {
-        all.push_back(right_results(master.job, i));
-    }
+    const std::vector<Results> all = more_than_fit_in_hand(master.job);
     const FakeWorker worker(master, {.comes_with = all});
     master.expect_to_wait_for(damage);
     EXPECT_EQ(worker.kept, 0u);
