@@ -1,6 +1,6 @@
 #include "bench/posed_trees.hpp"
 
-#include "client/mesh_import.hpp"
+#include "client/import/mesh_import.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/tree/build.hpp"

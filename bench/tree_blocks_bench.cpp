@@ -9,7 +9,7 @@
 // to extract, encode, decompress, hash and decode (the median of the rounds; of one thread's own
 // time, since others may run), the decoder's GB/s of block bytes, and bytes a triangle in memory.
 #include "bench/timed_work.hpp"
-#include "client/mesh_import.hpp"
+#include "client/import/mesh_import.hpp"
 #include "common/core/check.hpp"
 #include "common/core/compress.hpp"
 #include "common/core/hash.hpp"

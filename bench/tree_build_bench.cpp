@@ -22,7 +22,7 @@
 // paper's cost N_b C_b + N_p C_p with the first row's C_b and C_p, and the digest, which must be
 // one. All of the binary tree that the paper searches; the last row searches the wide tree, whose
 // box tests are other ones, so that only its own C_b and C_p tell what it costs.
-#include "client/mesh_import.hpp"
+#include "client/import/mesh_import.hpp"
 #include "client/tree_cache.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/job/merge.hpp"

@@ -1,7 +1,7 @@
 // What `cdctl inspect MESH` says of a mesh.
 #pragma once
 
-#include "client/mesh_import.hpp"
+#include "client/import/mesh_import.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/geometry/topology.hpp"
 

@@ -1,7 +1,7 @@
 #include "client/prepared_job.hpp"
 
 #include "client/body_trees.hpp"
-#include "client/mesh_import.hpp"
+#include "client/import/mesh_import.hpp"
 #include "client/poses/pose_file.hpp"
 #include "client/units.hpp"
 #include "client/words.hpp"

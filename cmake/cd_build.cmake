@@ -65,9 +65,9 @@ function(cd_add_program name library)
     install(TARGETS ${name} RUNTIME)
 endfunction()
 
-# cd_add_test(NAME FOLDER LABEL [libs...]): one program of all *_test.cpp in FOLDER.
+# cd_add_test(NAME FOLDER LABEL [libs...]): one program of all *_test.cpp in FOLDER and below.
 function(cd_add_test name folder label)
-    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*_test.cpp")
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*_test.cpp")
     if(NOT sources)
         return()
     endif()

@@ -1,6 +1,6 @@
 #include "bench/accuracy/sources.hpp"
 
-#include "client/mesh_import.hpp"
+#include "client/import/mesh_import.hpp"
 #include "common/core/check.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/geometry/aabb.hpp"

@@ -2,7 +2,7 @@
 //
 //   record_trace MESH_A MESH_B OUT --name heavy --count 3744 [--depths 2 4 6 ...] [--passes 3]
 #include "bench/cluster/recorder.hpp"
-#include "client/mesh_import.hpp"
+#include "client/import/mesh_import.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/tree/build.hpp"
 

@@ -3,7 +3,7 @@
 //
 //   related_counts MESH_A MESH_B --name heavy --out FOLDER [--count 40]
 #include "bench/accuracy/csv.hpp"
-#include "client/mesh_import.hpp"
+#include "client/import/mesh_import.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/run_scenario.hpp"

@@ -1,6 +1,6 @@
+#include "client/import/mesh_number_check.hpp"
+#include "client/import/mesh_text_check.hpp"
 #include "client/job_file.hpp"
-#include "client/mesh_number_check.hpp"
-#include "client/mesh_text_check.hpp"
 #include "client/npy.hpp"
 #include "client/npz.hpp"
 #include "client/poses/pose_rows.hpp"

@@ -29,7 +29,7 @@ DOORS = {
     r"boost/multiprecision": ["common/geometry", "common/tree"],
     r"boost/": ["proto", "common/geometry", "common/tree"],
     r"cereal/": ["proto"],
-    r"assimp/": ["client/mesh_import"],
+    r"assimp/": ["client/import/assimp"],
     r"zip\.h": ["client/npz"],
     r"zlib\.h": ["client"],
     r"CLI/": ["common/core/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],

@@ -1,7 +1,7 @@
 // Holds what the importer made of an OBJ, OFF, PLY or AC3D file against the file itself.
 #pragma once
 
-#include "client/mesh_import.hpp"
+#include "client/import/mesh_import.hpp"
 
 #include <optional>
 

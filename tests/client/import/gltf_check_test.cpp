@@ -1,8 +1,8 @@
 // Proves that a glTF file is refused by node where its transform holds no numbers, or its nodes are
 // nested without a bound.
-#include "client/gltf_check.hpp"
+#include "client/import/gltf_check.hpp"
 
-#include "tests/client/import_text.hpp"
+#include "tests/client/import/import_text.hpp"
 #include "tests/support/memory_bound.hpp"
 
 #include <string>

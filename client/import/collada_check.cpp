@@ -1,6 +1,6 @@
-#include "client/collada_check.hpp"
+#include "client/import/collada_check.hpp"
 
-#include "client/mesh_words.hpp"
+#include "client/import/mesh_words.hpp"
 #include "common/core/limits.hpp"
 
 #include <algorithm>

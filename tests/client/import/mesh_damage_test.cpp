@@ -1,8 +1,8 @@
 // Proves that damage which the importer passes over in silence, or over which it would end the
 // process, is refused with one line.
+#include "client/import/mesh_import.hpp"
 #include "client/inspect.hpp"
-#include "client/mesh_import.hpp"
-#include "tests/client/import_text.hpp"
+#include "tests/client/import/import_text.hpp"
 #include "tests/support/process.hpp"
 
 #include <gmock/gmock.h>

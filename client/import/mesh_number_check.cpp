@@ -1,8 +1,8 @@
-#include "client/mesh_number_check.hpp"
+#include "client/import/mesh_number_check.hpp"
 
-#include "client/collada_check.hpp"
-#include "client/gltf_check.hpp"
-#include "client/mesh_words.hpp"
+#include "client/import/collada_check.hpp"
+#include "client/import/gltf_check.hpp"
+#include "client/import/mesh_words.hpp"
 
 #include <array>
 #include <cstdint>

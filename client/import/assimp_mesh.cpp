@@ -1,11 +1,6 @@
-#include "client/mesh_import.hpp"
+#include "client/import/assimp_mesh.hpp"
 
-#include "client/mesh_builder.hpp"
-#include "client/mesh_number_check.hpp"
-#include "client/mesh_text_check.hpp"
-#include "client/npz.hpp"
-#include "client/words.hpp"
-#include "common/geometry/aabb.hpp"
+#include "client/import/mesh_builder.hpp"
 
 #include <Eigen/Core>
 #include <assimp/Importer.hpp>
@@ -15,30 +10,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <exception>
-#include <limits>
 #include <span>
-#include <system_error>
 
 namespace cd {
 
 namespace {
 
-/// The part of a format without groups. Not the file's name: names are hashed with the mesh, and
-/// one geometry under two file names is one mesh.
-constexpr const char* nameless_part = "mesh";
-
 Error bad(const std::filesystem::path& path, const std::string& detail) {
     return {ErrorCode::BadInput, path.string() + ": " + detail};
-}
-
-std::string lower_extension(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
-    return extension;
 }
 
 Eigen::Matrix4d to_double(const aiMatrix4x4& m) {
@@ -202,6 +182,8 @@ Status check_triangles(const aiScene& scene,
     return Done{};
 }
 
+} // namespace
+
 Result<ImportedMesh> import_with_assimp(const std::filesystem::path& path,
                                         const ImportOptions& options) {
     try {
@@ -226,119 +208,6 @@ Result<ImportedMesh> import_with_assimp(const std::filesystem::path& path,
     } catch (const std::exception& error) {
         return unreadable(path, error.what());
     }
-}
-
-Result<ImportedMesh> import_npz(const std::filesystem::path& path, const ImportOptions& options) {
-    const auto arrays = read_npz(path);
-    if (!arrays) {
-        return Error{ErrorCode::BadInput, arrays.error().detail};
-    }
-    const auto vertices = arrays.value().find("vertices");
-    const auto faces = arrays.value().find("faces");
-    if (vertices == arrays.value().end() || faces == arrays.value().end()) {
-        return bad(path, "has no arrays 'vertices' and 'faces'");
-    }
-    const auto is_triples = [](const NpyArray& array) {
-        return array.shape.size() == 2 && array.shape[1] == 3;
-    };
-    if (!is_triples(vertices->second) || !is_triples(faces->second)) {
-        return bad(path, "'vertices' must be of shape (N, 3) and 'faces' of shape (M, 3)");
-    }
-    const auto indices = faces->second.to_integers();
-    if (!indices) {
-        return bad(path, "'faces': " + indices.error().detail);
-    }
-    MeshArrays arrays_out;
-    arrays_out.precision = Precision::Double;
-    const std::vector<double> values = vertices->second.to_doubles();
-    for (std::size_t i = 0; i < values.size(); i += 3) {
-        arrays_out.vertices.emplace_back(options.unit_factor *
-                                         Vec3(values[i], values[i + 1], values[i + 2]));
-    }
-    for (std::size_t i = 0; i < indices.value().size(); i += 3) {
-        Triangle triangle{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::int64_t index = indices.value()[i + k];
-            if (index < 0 || static_cast<std::uint64_t>(index) >= arrays_out.vertices.size()) {
-                return bad(path,
-                           "face " + std::to_string(i / 3) + " names vertex " +
-                               std::to_string(index) + " of " +
-                               std::to_string(arrays_out.vertices.size()));
-            }
-            triangle[k] = static_cast<std::uint32_t>(index);
-        }
-        arrays_out.triangles.push_back(triangle);
-    }
-    arrays_out.parts.push_back(
-        {nameless_part, 0, static_cast<std::uint32_t>(arrays_out.triangles.size())});
-    auto mesh = Mesh::create(std::move(arrays_out));
-    if (!mesh) {
-        return bad(path, mesh.error().detail);
-    }
-    ImportedMesh imported;
-    imported.mesh = std::make_shared<const Mesh>(std::move(mesh.value()));
-    return imported;
-}
-
-/// Floats far from the origin are coarse: a warning where their step there is visible at the
-/// body's own size.
-void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& imported) {
-    if (imported.mesh->precision() != Precision::Float) {
-        return;
-    }
-    double farthest = 0;
-    Aabb box;
-    for (const Vec3& vertex : imported.mesh->vertices()) {
-        farthest = std::max(farthest, vertex.cwiseAbs().maxCoeff());
-        box.add(vertex);
-    }
-    const auto corner = std::max(static_cast<float>(farthest), std::numeric_limits<float>::min());
-    const double step = std::ldexp(1.0, std::ilogb(corner) - 23);
-    if (step > 1e-6 * box.diagonal()) {
-        imported.warnings.push_back(
-            path.string() + ": floats are coarse here: their step at the box's far corner is " +
-            exact_text(step) + ", the diagonal " + exact_text(box.diagonal()) +
-            "; move the model to its origin, or use .npz, which keeps doubles (float64)");
-    }
-}
-
-} // namespace
-
-Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const ImportOptions& options) {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) {
-        return bad(path, "no such file");
-    }
-    if (std::filesystem::is_directory(status)) {
-        return bad(path, "is a folder, not a mesh file");
-    }
-    if (std::filesystem::file_size(path, error) == 0 && !error) {
-        return bad(path, "is empty");
-    }
-    const std::string extension = lower_extension(path);
-    if (extension == ".npz") {
-        return import_npz(path, options);
-    }
-    if (const Status numbers = check_numbers(path, extension); !numbers) {
-        return numbers.error();
-    }
-    const auto text = read_text_mesh(path, extension);
-    if (!text) {
-        return text.error();
-    }
-    auto imported = import_with_assimp(path, options);
-    if (!imported) {
-        return imported;
-    }
-    if (text.value()) {
-        const Mesh& mesh = *imported.value().mesh;
-        if (const Status same = check_against_text(path, *text.value(), options, mesh); !same) {
-            return same.error();
-        }
-    }
-    warn_of_coarse_floats(path, imported.value());
-    return imported;
 }
 
 } // namespace cd

@@ -1,8 +1,8 @@
 // Proves that a COLLADA file is refused by line where the importer would read a number halfway,
 // read on without end, or take a part of a text for the whole.
-#include "client/collada_check.hpp"
+#include "client/import/collada_check.hpp"
 
-#include "tests/client/import_text.hpp"
+#include "tests/client/import/import_text.hpp"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "client/mesh_builder.hpp"
+#include "client/import/mesh_builder.hpp"
 
 #include "common/core/hash.hpp"
 

@@ -1,7 +1,7 @@
 // Reads an AC3D file by itself, to hold the importer against it.
 #pragma once
 
-#include "client/mesh_text_check.hpp"
+#include "client/import/mesh_text_check.hpp"
 
 namespace cd {
 

@@ -1,4 +1,4 @@
-// Reads mesh files of many formats into canonical meshes. The only user of assimp.
+// What a mesh file becomes.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cd {
@@ -15,6 +16,27 @@ namespace cd {
 struct ImportOptions {
     double unit_factor = 1; ///< Every coordinate is multiplied by it, in double.
 };
+
+/// A file as the reader of its format gets it. The reader looks at no other byte of the file, and
+/// names the path in its errors.
+struct MeshSource {
+    const std::filesystem::path& path;
+    std::string_view bytes; ///< All of the file.
+    const ImportOptions& options;
+
+    /// BadInput: "PATH: DETAIL".
+    [[nodiscard]] Error refusal(const std::string& detail) const {
+        return {ErrorCode::BadInput, path.string() + ": " + detail};
+    }
+    /// BadInput: "PATH:LINE: DETAIL". Lines count from 1.
+    [[nodiscard]] Error refusal(std::uint64_t line, const std::string& detail) const {
+        return {ErrorCode::BadInput, path.string() + ":" + std::to_string(line) + ": " + detail};
+    }
+};
+
+/// The part of a format without groups. Not the file's name: names are hashed with the mesh, and
+/// one geometry under two file names is one mesh.
+inline constexpr const char* nameless_part = "mesh";
 
 /// A mesh as its file has it: nothing merged, removed or reordered but what this comment says.
 ///
@@ -30,13 +52,5 @@ struct ImportedMesh {
     std::uint64_t points_skipped = 0;  ///< Faces of one corner,
     std::uint64_t lines_skipped = 0;   ///< and of two.
 };
-
-/// Any format that assimp reads, and `.npz` with `vertices` (N,3) and `faces` (M,3).
-///
-/// Errors: BadInput, one line naming the file, and the face (from 0, in the file's order as far as
-/// the importer lets it be known) or line: no such file, empty, no mesh, an index out of range, a
-/// coordinate that is not finite, or a file of which the importer did not take everything.
-[[nodiscard]] Result<ImportedMesh> import_mesh(const std::filesystem::path& path,
-                                               const ImportOptions& options);
 
 } // namespace cd

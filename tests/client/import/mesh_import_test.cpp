@@ -1,11 +1,11 @@
 // Proves that the import door takes a file whole or refuses it with one clear line: real models
 // with the counts known of them, each kind of damage that importers pass over, and the order of
 // triangles.
-#include "client/mesh_import.hpp"
+#include "client/import/mesh_import.hpp"
 
 #include "client/inspect.hpp"
 #include "client/npz.hpp"
-#include "tests/client/import_text.hpp"
+#include "tests/client/import/import_text.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -1,7 +1,7 @@
-#include "client/mesh_text_check.hpp"
+#include "client/import/mesh_text_check.hpp"
 
-#include "client/ac3d_text.hpp"
-#include "client/mesh_words.hpp"
+#include "client/import/ac3d_text.hpp"
+#include "client/import/mesh_words.hpp"
 #include "common/core/hash.hpp"
 
 #include <array>

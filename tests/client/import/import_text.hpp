@@ -1,7 +1,7 @@
 // Files of a few lines, for the tests of the import door.
 #pragma once
 
-#include "client/mesh_import.hpp"
+#include "client/import/mesh_import.hpp"
 #include "tests/support/process.hpp"
 
 #include <gmock/gmock.h>

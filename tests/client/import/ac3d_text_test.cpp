@@ -1,8 +1,8 @@
 // Proves that an AC3D file is taken as it says or refused by line: numbers read halfway, indices
 // out of range, lines out of place, counts and depths without a bound.
-#include "client/ac3d_text.hpp"
+#include "client/import/ac3d_text.hpp"
 
-#include "tests/client/import_text.hpp"
+#include "tests/client/import/import_text.hpp"
 
 #include <string>
 

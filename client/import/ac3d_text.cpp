@@ -1,6 +1,6 @@
-#include "client/ac3d_text.hpp"
+#include "client/import/ac3d_text.hpp"
 
-#include "client/mesh_words.hpp"
+#include "client/import/mesh_words.hpp"
 #include "common/core/limits.hpp"
 
 #include <array>

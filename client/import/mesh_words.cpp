@@ -1,4 +1,4 @@
-#include "client/mesh_words.hpp"
+#include "client/import/mesh_words.hpp"
 
 #include <charconv>
 #include <fstream>

@@ -1,0 +1,14 @@
+// Meshes in NumPy's archives.
+#pragma once
+
+#include "client/import/imported_mesh.hpp"
+
+namespace cd {
+
+/// Arrays `vertices` (N,3) and `faces` (M,3). Doubles are kept.
+///
+/// Errors: BadInput naming the file, and the face or vertex.
+[[nodiscard]] Result<ImportedMesh> import_npz(const std::filesystem::path& path,
+                                              const ImportOptions& options);
+
+} // namespace cd
