@@ -39,6 +39,7 @@ void StopSignals::cancel() {
     state_->cancelled = true;
     boost::system::error_code ignored;
     state_->signals.cancel(ignored);
+    state_->signals.clear(ignored);
 }
 
 } // namespace cd

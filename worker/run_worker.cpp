@@ -51,6 +51,8 @@ class Daemon {
                 was_refused_ = false;
                 const std::optional<int> code = co_await serve(channel.value());
                 if (code) {
+                    channel.value()->close(true);
+                    co_await channel.value()->wait_until_closed();
                     co_return end(*code);
                 }
             } else if (channel.error().code == ErrorCode::Refused) {
@@ -144,9 +146,9 @@ class Daemon {
             "ended: exit_code={} scenarios_computed={}", code, membership_.scenarios_computed());
         exit_code_ = code;
         membership_.end();
-        peer_server_.reset();
         keeper_->stop();
         signals_.cancel();
+        context_.stop(); // Connections of peers may stay idle for long.
     }
 
     const WorkerConfig& config_;

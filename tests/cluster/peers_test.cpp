@@ -1,5 +1,6 @@
 // Proves that workers get geometry from each other, that the answer does not depend on it, and that
 // one that cannot be reached, or gives nothing, only sends the others back to the master.
+#include "common/core/limits.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/comes_true.hpp"
 
@@ -57,6 +58,19 @@ TEST_F(Cluster, GeometryTravelsBetweenWorkers) {
     EXPECT_GT(blocks.misses, 0u);
     EXPECT_EQ(blocks.evictions, 0u);
     EXPECT_GT(status.traffic.result_bytes, 0u);
+}
+
+TEST_F(Cluster, AWorkerThatHasServedPeersEndsWhenItHasDrained) {
+    const Job job = make_job(300);
+    for (int i = 0; i < 3; ++i) {
+        start_worker();
+    }
+    ASSERT_EQ(run(job, Query{}, everything_everywhere()).state, JobState::Done);
+    ASSERT_GT(geometry_of(connection_->status().value()).from_peers, 0u);
+    for (const auto& worker : workers_) {
+        worker->signal(SIGTERM);
+        EXPECT_EQ(worker->wait(limits::peer_idle_max / 4), 0) << worker->errors();
+    }
 }
 
 TEST_F(Cluster, WorkersHearAheadWhatTheyWillNeed) {
