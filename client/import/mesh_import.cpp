@@ -1,10 +1,12 @@
 #include "client/import/mesh_import.hpp"
 
 #include "client/import/assimp_mesh.hpp"
+#include "client/import/gltf_import.hpp"
 #include "client/import/mesh_number_check.hpp"
 #include "client/import/mesh_text_check.hpp"
 #include "client/import/npz_mesh.hpp"
 #include "client/words.hpp"
+#include "common/core/disk_file.hpp"
 #include "common/geometry/aabb.hpp"
 
 #include <algorithm>
@@ -51,6 +53,11 @@ void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& impo
     }
 }
 
+Result<FileMapping> map_file(const std::filesystem::path& path) {
+    const auto file = DiskFile::open(path);
+    return file ? file.value().map() : Result<FileMapping>(file.error());
+}
+
 } // namespace
 
 Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const ImportOptions& options) {
@@ -68,6 +75,19 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Import
     const std::string extension = lower_extension(path);
     if (extension == ".npz") {
         return import_npz(path, options);
+    }
+    const auto bytes = map_file(path);
+    if (!bytes) {
+        return bytes.error();
+    }
+    const std::string_view text_bytes(reinterpret_cast<const char*>(bytes.value().bytes().data()),
+                                      bytes.value().bytes().size());
+    if (is_gltf(text_bytes, extension)) {
+        auto imported = read_gltf({path, text_bytes, options});
+        if (imported) {
+            warn_of_coarse_floats(path, imported.value());
+        }
+        return imported;
     }
     if (const Status numbers = check_numbers(path, extension); !numbers) {
         return numbers.error();

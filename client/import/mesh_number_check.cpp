@@ -1,7 +1,6 @@
 #include "client/import/mesh_number_check.hpp"
 
 #include "client/import/collada_check.hpp"
-#include "client/import/gltf_check.hpp"
 #include "client/import/mesh_words.hpp"
 
 #include <array>
@@ -194,9 +193,6 @@ Status check_markup(const std::filesystem::path& path) {
 
 Status check_numbers(const std::filesystem::path& path, const std::string& lower_extension) {
     const std::string begin = first_bytes(path);
-    if (begin.starts_with("glTF") || lower_extension == ".glb" || lower_extension == ".gltf") {
-        return check_gltf(path, lower_extension != ".gltf");
-    }
     // Some importers look into any archive for files that they know.
     if (begin.starts_with("PK\x03\x04") && lower_extension != ".3mf") {
         return Error{ErrorCode::BadInput, path.string() + ": is an archive; unpack it"};

@@ -12,7 +12,7 @@ namespace cd {
 /// what is no number) and of "1d5".
 ///
 /// Errors: BadInput naming the file and the line or the node, for such coordinates in STL and PLY
-/// files in text, what check_collada and check_gltf name, and "1.#" with QNAN, SNAN, INF or IND in
+/// files in text, what check_collada names, and "1.#" with QNAN, SNAN, INF or IND in
 /// any file but binary ones; for an archive, in which other files would stand. AC3D, OBJ and OFF
 /// are left to read_text_mesh.
 [[nodiscard]] Status check_numbers(const std::filesystem::path& path,

@@ -1,3 +1,6 @@
+#include "client/import/gltf_container.hpp"
+#include "client/import/gltf_document.hpp"
+#include "client/import/gltf_import.hpp"
 #include "client/import/mesh_number_check.hpp"
 #include "client/import/mesh_text_check.hpp"
 #include "client/job_file.hpp"
@@ -9,6 +12,7 @@
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 #include <utility>
@@ -72,6 +76,21 @@ void check_text(const TextMesh& text, std::uint64_t bytes) {
     }
 }
 
+/// A few bytes may place a mesh often, as they are meant to: no more triangles than that.
+std::uint64_t triangles_at_most(const GltfDocument& document) {
+    std::uint64_t elements = 1;
+    std::uint64_t primitives = 1;
+    for (const GltfAccessor& accessor : document.accessors) {
+        elements = std::max(elements, std::min(accessor.count, elements_max));
+    }
+    for (const GltfMesh& mesh : document.meshes) {
+        primitives = std::max(primitives, std::uint64_t{mesh.primitives.size()});
+    }
+    const bool has_instances = std::ranges::any_of(
+        document.nodes, [](const GltfNode& n) { return n.instances.has_value(); });
+    return elements * primitives * document.nodes.size() * (has_instances ? elements : 1);
+}
+
 } // namespace
 
 void job_file(Input input) {
@@ -114,6 +133,23 @@ void npz(Input input) {
             use(array);
         }
     }
+}
+
+void gltf(Input input) {
+    const std::string text = text_of(input);
+    const auto container = open_gltf(input);
+    const auto document = container ? parse_gltf(container.value().json) : container.error();
+    if (document && triangles_at_most(document.value()) > 1u << 20) {
+        return;
+    }
+    const std::filesystem::path path = "/nowhere/at/all.gltf";
+    const auto imported = read_gltf({path, text, {}});
+    if (!imported) {
+        require(imported.error().detail.starts_with(path.string()), "an error names the file");
+        return;
+    }
+    require(document.has_value(), "no mesh without a document");
+    require(!imported.value().mesh->triangles().empty(), "a mesh has triangles");
 }
 
 void mesh_text(Input input) {

@@ -26,6 +26,7 @@
 #include "proto/codec.hpp"
 #include "proto/frame.hpp"
 #include "proto/join_token.hpp"
+#include "tests/client/import/gltf_text.hpp"
 #include "tests/fuzz/sample_mesh.hpp"
 #include "tests/proto/sample_messages.hpp"
 #include "tests/support/process.hpp"
@@ -355,8 +356,6 @@ constexpr std::string_view collada_text =
 </technique_common></source><triangles count="1"><input offset="0" source="#v"/><p>0 1 2</p></triangles></mesh>
 </geometry></library_geometries><node><matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix></node></COLLADA>
 )";
-constexpr std::string_view gltf_text =
-    R"({"nodes":[{"children":[1],"translation":[1,0,0]},{"mesh":0}],"scenes":[{"nodes":[0]}]})";
 
 /// The bytes of a mesh's file behind its number among the formats of the target.
 void add_mesh_texts(Seeds& seeds) {
@@ -374,16 +373,30 @@ void add_mesh_texts(Seeds& seeds) {
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
         "float z\nelement face 1\nproperty list uchar int i\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
         "3 0 1 2\n");
-    add(5, "gltf", gltf_text);
-    ByteWriter glb;
-    put_bytes(glb, bytes_of("glTF"));
-    for (const std::size_t number : {std::size_t{2}, 20 + gltf_text.size(), gltf_text.size()}) {
-        glb.put(static_cast<std::uint32_t>(number));
-    }
-    put_bytes(glb, bytes_of("JSON"));
-    put_bytes(glb, bytes_of(gltf_text));
-    seeds.add("mesh_text", "glb", marked(6, glb.bytes()));
     add(7, "collada", collada_text);
+}
+
+void add_gltf(Seeds& seeds) {
+    using tests::GltfText;
+    GltfText plain = GltfText::triangle();
+    plain.json["nodes"] = {{{"children", {1}}, {"translation", {1, 0, 0}}},
+                           {{"mesh", 0}, {"rotation", {0, 0, 1, 1}}}};
+    seeds.add("gltf", "text", plain.text());
+    seeds.add("gltf", "glb", plain.glb());
+    GltfText odd;
+    const auto positions =
+        odd.add(std::vector<std::int16_t>{0, 0, 0, 9, 0, 0, 0, 9, 0, 9, 9, 0}, 5122, "VEC3", true);
+    const auto replaced = odd.add_view<std::uint8_t>({2});
+    const auto values = odd.add_view<std::int16_t>({0, 5, 0});
+    odd.json["accessors"][positions]["sparse"] = {
+        {"count", 1},
+        {"indices", {{"bufferView", replaced}, {"componentType", 5121}}},
+        {"values", {{"bufferView", values}}}};
+    const auto moved = odd.add_positions({0, 0, 0, 1, 0, 0});
+    odd.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+        {"TRANSLATION", moved}};
+    odd.primitive() = {{"attributes", {{"POSITION", positions}}}, {"mode", 5}};
+    seeds.add("gltf", "sparse_strip_of_instances", odd.glb());
 }
 
 /// Each with the checksums that it has, and to be summed up.
@@ -457,6 +470,7 @@ int main(int argc, char** argv) {
     cd::fuzz::add_files(seeds);
     cd::fuzz::add_state(seeds);
     cd::fuzz::add_mesh_texts(seeds);
+    cd::fuzz::add_gltf(seeds);
     cd::fuzz::add_certificates(seeds);
     cd::fuzz::add_requests(seeds);
     return 0;

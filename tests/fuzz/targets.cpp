@@ -28,6 +28,7 @@ std::span<const Target> targets() {
         Target{"tum_poses", tum_poses},
         Target{"npy", npy},
         Target{"npz", npz},
+        Target{"gltf", gltf},
         Target{"mesh_text", mesh_text},
         Target{"tokens", tokens},
         Target{"pose_spool", pose_spool},

@@ -40,6 +40,7 @@ void csv_poses(Input input); ///< Poses of both bodies where the first byte is o
 void tum_poses(Input input);
 void npy(Input input);
 void npz(Input input);
+void gltf(Input input);      ///< A glTF file or a GLB.
 void mesh_text(Input input); ///< Which format (a byte), then a mesh's file.
 
 // Files of our programs.

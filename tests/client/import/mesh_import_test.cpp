@@ -129,7 +129,7 @@ TEST(MeshImport, AppliesTheUnitInDoubleAndRoundsOnce) {
 
 TEST(MeshImport, RefusesWhatIsNoMesh) {
     EXPECT_THAT(error_of("empty.stl", ""), HasSubstr("empty"));
-    EXPECT_THAT(error_of("text.glb", "this is no mesh"), HasSubstr("cannot be read"));
+    EXPECT_THAT(error_of("text.fbx", "this is no mesh"), HasSubstr("cannot be read"));
     EXPECT_THAT(error_of("unknown.xyz1", "v 0 0 0"), HasSubstr("cannot be read"));
     EXPECT_NE(error_of("no_faces.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "was taken");
     const auto missing = import_mesh("/nowhere/at/all.obj", {});

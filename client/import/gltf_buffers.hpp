@@ -1,0 +1,40 @@
+// The bytes behind a glTF file's buffers.
+#pragma once
+
+#include "client/import/gltf_document.hpp"
+#include "common/core/bytes.hpp"
+#include "common/core/disk_file.hpp"
+
+#include <filesystem>
+#include <list>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// Buffers in the GLB's chunk, in `data:` URIs, and in files. A file is named relative to `folder`
+/// and stands in it or below it: nothing is fetched, and no other file of the host is opened.
+class GltfBuffers {
+  public:
+    /// `chunk` has to outlive the buffers. Errors: BadInput naming the buffer, for one that is
+    /// missing, shorter than it says, or stands elsewhere.
+    [[nodiscard]] static Result<GltfBuffers>
+    load(const std::vector<GltfBuffer>& buffers,
+         const std::optional<std::span<const std::byte>>& chunk,
+         const std::filesystem::path& folder);
+
+    [[nodiscard]] std::span<const std::byte> bytes(std::size_t buffer) const {
+        return bytes_[buffer];
+    }
+    [[nodiscard]] std::uint64_t size() const; ///< Of all together.
+
+  private:
+    [[nodiscard]] Result<std::span<const std::byte>> open_uri(const std::string& uri,
+                                                              const std::filesystem::path& folder);
+
+    std::vector<std::span<const std::byte>> bytes_;
+    std::list<Bytes> decoded_;
+    std::list<FileMapping> files_;
+};
+
+} // namespace cd

@@ -1,0 +1,131 @@
+// What a glTF 2.0 file says of its geometry, as plain values:
+// https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
+#pragma once
+
+#include "common/core/result.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cd {
+
+struct GltfBuffer {
+    std::optional<std::string> uri; ///< Without one it is the GLB's chunk.
+    std::uint64_t bytes = 0;
+};
+
+struct GltfView {
+    std::size_t buffer = 0;
+    std::uint64_t offset = 0;
+    std::uint64_t bytes = 0;
+    std::uint64_t stride = 0; ///< Bytes from one element to the next; 0: elements are packed.
+};
+
+enum class GltfNumber : std::uint16_t {
+    I8 = 5120,
+    U8 = 5121,
+    I16 = 5122,
+    U16 = 5123,
+    U32 = 5125,
+    F32 = 5126,
+};
+
+[[nodiscard]] std::size_t size_of(GltfNumber type);
+
+/// Numbers that stand somewhere in a view.
+struct GltfRun {
+    std::size_t view = 0;
+    std::uint64_t offset = 0;
+    GltfNumber type = GltfNumber::F32;
+};
+
+/// Elements that replace those of an accessor.
+struct GltfSparse {
+    std::uint64_t count = 0;
+    GltfRun indices;
+    GltfRun values;
+};
+
+struct GltfAccessor {
+    std::optional<std::size_t> view; ///< Without one all elements are zero.
+    std::uint64_t offset = 0;
+    GltfNumber type = GltfNumber::F32;
+    bool is_normalized = false; ///< Integers stand for [0, 1] or [-1, 1] (section 3.11).
+    std::uint64_t count = 0;
+    std::size_t width = 1; ///< Numbers of an element.
+    std::optional<GltfSparse> sparse;
+};
+
+/// Section 3.7.2.1, with the numbers of the file.
+enum class GltfMode : std::uint8_t {
+    Points = 0,
+    Lines = 1,
+    LineLoop = 2,
+    LineStrip = 3,
+    Triangles = 4,
+    TriangleStrip = 5,
+    TriangleFan = 6,
+};
+
+struct GltfPrimitive {
+    std::size_t positions = 0; ///< An accessor.
+    std::optional<std::size_t> indices;
+    GltfMode mode = GltfMode::Triangles;
+};
+
+struct GltfMesh {
+    std::string name;
+    std::vector<GltfPrimitive> primitives;
+    bool is_morphed = false; ///< Some weight of its morph targets is not zero.
+};
+
+/// Translation, rotation (x, y, z, w) and scale, applied in the order scale, rotation, translation.
+struct GltfTransform {
+    std::array<double, 3> translation{0, 0, 0};
+    std::array<double, 4> rotation{0, 0, 0, 1};
+    std::array<double, 3> scale{1, 1, 1};
+};
+
+/// Accessors of EXT_mesh_gpu_instancing: an element of each for each instance.
+struct GltfInstances {
+    std::optional<std::size_t> translation;
+    std::optional<std::size_t> rotation;
+    std::optional<std::size_t> scale;
+};
+
+struct GltfNode {
+    std::string name;
+    std::optional<std::size_t> mesh;
+    std::optional<std::size_t> skin;
+    std::optional<bool> is_morphed; ///< Where it has weights of its own.
+    std::vector<std::size_t> children;
+    std::optional<std::array<double, 16>> matrix; ///< Column by column, in place of the transform.
+    GltfTransform transform;
+    std::optional<GltfInstances> instances;
+};
+
+/// Every index in it is in range, and its nodes are trees.
+struct GltfDocument {
+    std::vector<GltfBuffer> buffers;
+    std::vector<GltfView> views;
+    std::vector<GltfAccessor> accessors;
+    std::vector<GltfMesh> meshes;
+    std::vector<GltfNode> nodes;
+    std::vector<std::size_t> roots; ///< Of the scene that is read.
+    std::size_t scenes = 0;
+};
+
+/// Reads the scene that the file names, else its first.
+///
+/// Errors: BadInput naming the object of the file, for a version other than 2, an extension that is
+/// required and unknown (section 3.12) or compresses geometry, an index that is out of range, a
+/// member that is missing or of another type, a node that has two parents or is nested deeper than
+/// limits.hpp allows.
+[[nodiscard]] Result<GltfDocument> parse_gltf(std::string_view json);
+
+} // namespace cd

@@ -1,0 +1,75 @@
+// Reads typed members of a glTF file's JSON objects and keeps the first thing that is wrong.
+#pragma once
+
+#include "common/core/result.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+/// Keeps the first problem of a document: later ones often only follow from it.
+class GltfProblem {
+  public:
+    void report(const std::string& what) {
+        if (!error_) {
+            error_ = Error{ErrorCode::BadInput, what};
+        }
+    }
+
+    [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+  private:
+    std::optional<Error> error_;
+};
+
+/// One JSON object, under the name by which messages call it (empty for the whole file). A member
+/// that is missing is nothing; one of another type is reported, and nothing as well.
+class GltfFields {
+  public:
+    using Json = nlohmann::json;
+
+    /// Reports what is no object.
+    GltfFields(const Json& json, std::string place, GltfProblem& problem);
+
+    [[nodiscard]] const std::string& place() const { return place_; }
+    [[nodiscard]] bool has(const char* key) const;
+    [[nodiscard]] std::optional<std::uint64_t> whole(const char* key) const;
+    /// As `whole`, reported where it is missing.
+    [[nodiscard]] std::uint64_t needed_whole(const char* key) const;
+    /// The number of one of `count` things.
+    [[nodiscard]] std::optional<std::size_t> index(const char* key, std::size_t count) const;
+    /// As `index`, reported where it is missing.
+    [[nodiscard]] std::size_t needed_index(const char* key, std::size_t count) const;
+    [[nodiscard]] bool flag(const char* key) const;
+    [[nodiscard]] std::string text(const char* key) const;
+    [[nodiscard]] std::optional<std::vector<double>> numbers(const char* key) const;
+    /// As `numbers`, reported where there are not `count` of them.
+    [[nodiscard]] std::optional<std::vector<double>> numbers(const char* key,
+                                                             std::size_t count) const;
+    /// The numbers of some of `count` things; empty where the member is missing.
+    [[nodiscard]] std::vector<std::size_t> indices(const char* key, std::size_t count) const;
+    /// An empty list where the member is missing.
+    [[nodiscard]] const Json& list(const char* key) const;
+    [[nodiscard]] std::optional<GltfFields> object(const char* key) const;
+
+    void report(const std::string& what) const {
+        problem_->report(place_.empty() ? what : place_ + ": " + what);
+    }
+
+  private:
+    [[nodiscard]] const Json* find(const char* key) const;
+    [[nodiscard]] std::size_t
+    checked_index(const Json& value, const char* key, std::size_t count) const;
+
+    const Json* json_;
+    std::string place_;
+    GltfProblem* problem_;
+};
+
+} // namespace cd

@@ -1,0 +1,56 @@
+#include "client/import/gltf_transforms.hpp"
+
+#include <cmath>
+
+namespace cd {
+
+namespace {
+
+double taken(double number, GltfNumbers numbers) {
+    return numbers == GltfNumbers::Floats ? static_cast<double>(static_cast<float>(number))
+                                          : number;
+}
+
+/// Divides by the squared length, which makes a quarter turn of floats exactly one.
+Eigen::Matrix3d rotation_of(double x, double y, double z, double w) {
+    const double s = 2 / (x * x + y * y + z * z + w * w);
+    Eigen::Matrix3d r;
+    r << 1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w), //
+        s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w),  //
+        s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y);
+    return r;
+}
+
+} // namespace
+
+Result<Eigen::Matrix4d> to_matrix(const GltfTransform& transform, GltfNumbers numbers) {
+    const auto& q = transform.rotation;
+    const Eigen::Matrix3d rotation = rotation_of(
+        taken(q[0], numbers), taken(q[1], numbers), taken(q[2], numbers), taken(q[3], numbers));
+    if (!rotation.allFinite()) {
+        return Error{ErrorCode::BadInput, "its rotation is no quaternion of a length above zero"};
+    }
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        matrix.block<3, 1>(0, axis) = taken(transform.scale[i], numbers) * rotation.col(axis);
+        matrix(axis, 3) = taken(transform.translation[i], numbers);
+    }
+    return matrix;
+}
+
+Result<Eigen::Matrix4d> to_parent(const GltfNode& node, GltfNumbers numbers) {
+    if (!node.matrix) {
+        return to_matrix(node.transform, numbers);
+    }
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 3; ++row) { // The last row is that of the identity.
+            matrix(row, column) =
+                taken((*node.matrix)[static_cast<std::size_t>(4 * column + row)], numbers);
+        }
+    }
+    return matrix;
+}
+
+} // namespace cd
