@@ -95,10 +95,9 @@ def figures_section(data):
                        "x", lambda v: v <= 1.8))
     threads = select(data["threads"], suite="scenes")
     for scene in ("drivaer x sedan", "truck x car"):
-        ratios = [float(row["ratio"]) for row in select(threads, scene=scene)]
-        best = max(ratios) if ratios else None
-        rows.append(figure(f"2 threads against 1, {scene}, best pair", ">= 1.9x", best, "x",
-                           lambda v: v >= 1.9))
+        ratio = thread_ratio(select(threads, scene=scene))
+        rows.append(figure(f"2 threads against 1, {scene}, median of the pairs", ">= 1.9x", ratio,
+                           "x", lambda v: v >= 1.9))
     wrong = sum(number(row, "ours_wrong") for row in data["engines"])
     rows.append(figure("disagreements in which ours is wrong", "0", wrong, "", lambda v: v == 0))
     return "## Figures\n\n" + table(["figure", "target", "measured", "met"], rows)
@@ -206,18 +205,27 @@ def contacts_section(data):
         + table(["contacts", "poses", OURS, FCL_FLOAT, FCL_DOUBLE], rows)
 
 
+def thread_ratio(rows):
+    """The median speed-up of two threads; None where it is above 2, which two threads cannot reach:
+    something else slowed the runs on one thread, so that the measurement is void."""
+    if not rows:
+        return None
+    ratio = statistics.median(float(row["ratio"]) for row in rows)
+    return ratio if ratio <= 2 else None
+
+
 def threads_section(data):
     rows = []
     for name, column in (("threads", "scene"), ("builds", "mesh")):
         for what in in_order(data[name], column):
             mine = select(data[name], **{column: what})
-            ratios = [float(row["ratio"]) for row in mine]
+            ratio = thread_ratio(mine)
             rows.append([what, "queries" if name == "threads" else "build",
                          *(show(statistics.median(float(row[c]) for row in mine))
                            for c in ("seconds_1", "seconds_2")),
-                         show(statistics.median(ratios)), show(max(ratios))])
-    return "## Two threads\n\n" + table(
-        ["what", "", "seconds, 1 thread", "2 threads", "ratio, median", "best of the pairs"], rows)
+                         "void" if ratio is None else show(ratio)])
+    return "## Two threads\n\nA ratio above 2 is void: the runs on one thread were disturbed.\n\n" \
+        + table(["what", "", "seconds, 1 thread", "2 threads", "ratio, median"], rows)
 
 
 def main():
