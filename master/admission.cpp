@@ -29,13 +29,13 @@ asio::awaitable<void> admit(std::shared_ptr<Channel> channel, Access access) {
     const Result<Certified> answer = decide(access, *channel, question.value());
     if (answer) {
         const Result<Identity> identity = read_identity(answer.value().certificate);
-        spdlog::info("certificate given: peer={} role={} name=\"{}\"",
-                     channel->peer(),
-                     to_text(identity.value().role),
-                     identity.value().name);
+        log_info("certificate given: peer={} role={} name=\"{}\"",
+                 channel->peer(),
+                 to_text(identity.value().role),
+                 identity.value().name);
         channel->send(answer.value());
     } else {
-        spdlog::warn(
+        log_warning(
             "certificate refused: peer={} reason=\"{}\"", channel->peer(), answer.error().detail);
         Failure failure;
         failure.code = ErrorCode::Refused;

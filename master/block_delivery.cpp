@@ -93,10 +93,10 @@ BlockDelivery::probe(WorkerId worker, Endpoint endpoint, std::weak_ptr<Channel> 
     if (reached || closed_ || link == links_.end() || link->second.channel != channel.lock()) {
         co_return;
     }
-    spdlog::warn("worker serves no others: worker={} port={} reason=\"{}\"",
-                 worker.value,
-                 endpoint.port,
-                 reached.error().detail);
+    log_warning("worker serves no others: worker={} port={} reason=\"{}\"",
+                worker.value,
+                endpoint.port,
+                reached.error().detail);
     act(director_.not_reached(worker, now()));
 }
 
@@ -132,19 +132,19 @@ void BlockDelivery::failed(WorkerId worker, const FetchFailed& failed) {
     if (!knows(worker, failed.tree)) {
         return;
     }
-    spdlog::info("peer gave no blocks: worker={} source={} tree={} roots={} outcome={}",
-                 worker.value,
-                 failed.source.value,
-                 failed.tree.value,
-                 failed.roots.size(),
-                 to_text(failed.outcome));
+    log_info("peer gave no blocks: worker={} source={} tree={} roots={} outcome={}",
+             worker.value,
+             failed.source.value,
+             failed.tree.value,
+             failed.roots.size(),
+             to_text(failed.outcome));
     const bool was_avoided = director_.is_avoided(failed.source);
     act(director_.peer_failed(
         worker, failed.source, failed.tree, failed.roots, failed.outcome, now()));
     if (!was_avoided && director_.is_avoided(failed.source)) {
-        spdlog::warn("worker serves no others any more: worker={} outcome={}",
-                     failed.source.value,
-                     to_text(failed.outcome));
+        log_warning("worker serves no others any more: worker={} outcome={}",
+                    failed.source.value,
+                    to_text(failed.outcome));
     }
 }
 

@@ -14,7 +14,7 @@ asio::awaitable<void> watch_certificate(std::shared_ptr<Channel> channel,
     const auto& holder = access.holder();
     while (holder && channel->is_open()) {
         if (const Status allowed = access.check_holder(); !allowed) {
-            spdlog::warn(
+            log_warning(
                 "session ended: peer={} reason=\"{}\"", channel->peer(), allowed.error().detail);
             channel->close();
             co_return;

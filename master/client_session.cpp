@@ -37,10 +37,10 @@ asio::awaitable<void> ClientSession::converse() {
         if (!message) {
             const ErrorCode code = message.error().code;
             const bool is_wrong = code == ErrorCode::BadFrame || code == ErrorCode::TooLarge;
-            spdlog::log(is_wrong ? spdlog::level::warn : spdlog::level::debug,
-                        "client left: peer={} reason=\"{}\"",
-                        channel_->peer(),
-                        message.error().detail);
+            log_at(is_wrong ? LogLevel::Warning : LogLevel::Debug,
+                   "client left: peer={} reason=\"{}\"",
+                   channel_->peer(),
+                   message.error().detail);
             break;
         }
         if (const Status allowed = access_.check(message.value()); !allowed) {
@@ -73,7 +73,7 @@ asio::awaitable<Result<Message>> ClientSession::receive() {
 }
 
 void ClientSession::refuse(const Error& error) {
-    spdlog::info("request refused: peer={} reason=\"{}\"", channel_->peer(), error.detail);
+    log_info("request refused: peer={} reason=\"{}\"", channel_->peer(), error.detail);
     channel_->send(Failure{error.code, error.detail});
 }
 
@@ -309,11 +309,11 @@ asio::awaitable<void> ClientSession::on(TokenCreate message) {
     }
     const Result<TokenCreated> token = access_.identity()->create_token(message);
     if (token) {
-        spdlog::info("token created: peer={} role={} uses={} seconds={}",
-                     channel_->peer(),
-                     to_text(message.role),
-                     message.uses,
-                     message.seconds);
+        log_info("token created: peer={} role={} uses={} seconds={}",
+                 channel_->peer(),
+                 to_text(message.role),
+                 message.uses,
+                 message.seconds);
         channel_->send(token.value());
     } else {
         refuse(token.error());

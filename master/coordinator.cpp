@@ -118,7 +118,7 @@ void Coordinator::perform(const GiveUp& action) {
         return;
     }
     const auto analysis = job->open.at(action.scenario);
-    spdlog::error("scenario given up: job={} scenario={}", job->id.value, action.scenario);
+    log_error("scenario given up: job={} scenario={}", job->id.value, action.scenario);
     const std::string why = "lost with " + std::to_string(limits::scenario_losses_max) +
                             " workers, one after the other, or with fewer again and again";
     if (job->merger.has(action.scenario)) {

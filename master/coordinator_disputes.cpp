@@ -64,15 +64,15 @@ Result<std::optional<Coordinator::Evidence>> Coordinator::Evidence::find(const C
 }
 
 void Coordinator::alarm(const std::string& text) {
-    spdlog::critical("ALARM: {}", text);
+    log_critical("ALARM: {}", text);
     alarms_.add(text);
 }
 
 void Coordinator::open_dispute(MasterJob& job, const Dispute& dispute, AddResults& add) {
-    spdlog::error("results differ: job={} scenario={} worker={}",
-                  job.id.value,
-                  dispute.scenario,
-                  dispute.second.value);
+    log_error("results differ: job={} scenario={} worker={}",
+              job.id.value,
+              dispute.scenario,
+              dispute.second.value);
     ++job.disputes;
     add.remarks.push_back({Remark::Kind::Disputed,
                            dispute.scenario,
@@ -176,7 +176,7 @@ Coordinator::judge(MasterJob& job, const Dispute& dispute, Evidence evidence, Ad
     const Status fits = check_record_size(index, evidence.right.record.size());
     const bool is_known_wrong = !first_is_right && is_quarantined(author);
     if (is_known_wrong) {
-        spdlog::warn("a result in doubt is corrected: job={} scenario={}", job.id.value, index);
+        log_warning("a result in doubt is corrected: job={} scenario={}", job.id.value, index);
     } else if (!first_is_right) {
         alarm(where + " differ, and the master's own says that the first one, of " +
               (author == WorkerId{} ? "an unknown worker" : name_of(author)) +

@@ -97,10 +97,10 @@ void Coordinator::restore_authors(MasterJob& job,
     }
     job.disputes = job.disputes_left.size();
     if (!job.doubted.empty() || job.disputes != 0) {
-        spdlog::warn("results are still in doubt: job={} scenarios={} disputes={}",
-                     job.id.value,
-                     job.doubted.size(),
-                     job.disputes);
+        log_warning("results are still in doubt: job={} scenarios={} disputes={}",
+                    job.id.value,
+                    job.doubted.size(),
+                    job.disputes);
     }
     if (!job.doubted.empty()) {
         withdraw_map(job, "a worker that has contributed to it was wrong elsewhere");
@@ -122,7 +122,7 @@ void Coordinator::quarantine(WorkerId worker) {
     if (process == 0 || is_quarantined(worker)) {
         return;
     }
-    spdlog::error("worker quarantined: worker={}", worker.value);
+    log_error("worker quarantined: worker={}", worker.value);
     alarms_.quarantine(process);
     quarantine_holder(worker);
     quarantined_ = {alarms_.quarantined.begin(), alarms_.quarantined.end()};
@@ -178,7 +178,7 @@ void Coordinator::doubt(MasterJob& job, const std::vector<std::uint64_t>& scenar
     if (doubted.empty()) {
         return;
     }
-    spdlog::warn("results are done again: job={} scenarios={}", job.id.value, doubted.size());
+    log_warning("results are done again: job={} scenarios={}", job.id.value, doubted.size());
     withdraw_map(job, "a worker that has contributed to it was wrong elsewhere");
     ++job.changes;
     if (job.order != nullptr) { // Else it is done when the geometry is there.

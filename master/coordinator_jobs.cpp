@@ -48,11 +48,11 @@ Status Coordinator::restore(Recovered recovered) {
             ledger_.restore(job.id, scenario);
         }
         restore_authors(job, done, authors, disputes);
-        spdlog::info("job goes on: job={} name=\"{}\" done={} scenarios={}",
-                     job.id.value,
-                     job.submit.name,
-                     done.size(),
-                     job.submit.scenarios);
+        log_info("job goes on: job={} name=\"{}\" done={} scenarios={}",
+                 job.id.value,
+                 job.submit.name,
+                 done.size(),
+                 job.submit.scenarios);
         spawn(parts_.executor, "prepare job", prepare_job(job.id, done_scenarios(done)));
     }
     parts_.journal.start(journal_events());
@@ -92,11 +92,11 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
     if (submit.grid) {
         job.poses = make_grid_source(decode_grid(*submit.grid).value());
     }
-    spdlog::info("job accepted: job={} name=\"{}\" scenarios={} strategy={}",
-                 id.value,
-                 submit.name,
-                 submit.scenarios,
-                 to_text(submit.cluster.strategy));
+    log_info("job accepted: job={} name=\"{}\" scenarios={} strategy={}",
+             id.value,
+             submit.name,
+             submit.scenarios,
+             to_text(submit.cluster.strategy));
     spawn(parts_.executor, "prepare job", prepare_job(id, nullptr));
     co_return id;
 }
@@ -292,7 +292,7 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::u
         return job;
     };
     if (stop_judging(id, scenario)) {
-        spdlog::warn("scenario in dispute cancelled: job={} scenario={}", id.value, scenario);
+        log_warning("scenario in dispute cancelled: job={} scenario={}", id.value, scenario);
         co_return job_status(id);
     }
     Result<MasterJob*> job = running();
@@ -308,7 +308,7 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::u
     if (!job) {
         co_return job.error();
     }
-    spdlog::warn("scenario cancelled: job={} scenario={}", id.value, scenario);
+    log_warning("scenario cancelled: job={} scenario={}", id.value, scenario);
     fail_scenario(*job.value(), poses.value().front(), "cancelled");
     if (MasterJob* still = jobs_.find_running(id)) {
         still->cancelled.push_back(scenario);

@@ -93,19 +93,18 @@ void Coordinator::job_ended(JobId id) {
         ledger_.promise(JobDropped{dropped}, write(DropJob{dropped}));
     }
     const JobStatus status = status_of(*job);
-    spdlog::info(
-        "job ended: job={} state={} merged={} total={} seconds={:.3f} recalled={} copies={} "
-        "copies_won={} digest={}{}",
-        id.value,
-        to_text(status.state),
-        status.summary.merged(),
-        status.summary.total,
-        status.seconds,
-        status.recalled,
-        status.copies,
-        status.copies_won,
-        status.digest ? to_short_hex(*status.digest) : "none",
-        status.failure.empty() ? "" : " reason=\"" + status.failure + "\"");
+    log_info("job ended: job={} state={} merged={} total={} seconds={:.3f} recalled={} copies={} "
+             "copies_won={} digest={}{}",
+             id.value,
+             to_text(status.state),
+             status.summary.merged(),
+             status.summary.total,
+             status.seconds,
+             status.recalled,
+             status.copies,
+             status.copies_won,
+             status.digest ? to_short_hex(*status.digest) : "none",
+             status.failure.empty() ? "" : " reason=\"" + status.failure + "\"");
     const auto [begin, end] = waiting_for_end_.equal_range(id);
     for (auto waiting = begin; waiting != end; ++waiting) {
         if (const auto timer = waiting->second.lock()) {

@@ -143,7 +143,7 @@ asio::awaitable<void> Coordinator::compare_late_results(LateResults late,
     if (!found && found.error().code != ErrorCode::Io) {
         cut_off(late.worker, found.error());
     } else if (!found) {
-        spdlog::warn(
+        log_warning(
             "late results are not compared: job={} error=\"{}\"", id.value, found.error().detail);
     } else if (found.value()) {
         late_cases_.push_back({std::move(late), std::move(*found.value())});
@@ -234,7 +234,7 @@ void Coordinator::judge(const LateCase& late, const Result<ScenarioResult>& righ
     const std::uint64_t alarms_before = alarms_.count;
     const std::string where = "results of job " + std::to_string(job->id.value) +
                               ", which has ended, scenario " + std::to_string(index) + ", differ";
-    spdlog::error(
+    log_error(
         "late results differ: job={} scenario={} worker={}", job->id.value, index, worker.value);
     const auto repeat = [&](const std::string& why) {
         if (!std::exchange(job->is_to_be_repeated, true)) {

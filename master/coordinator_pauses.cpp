@@ -13,9 +13,9 @@ void Coordinator::job_paused(MasterJob& job, const std::string& why) {
         return;
     }
     if (why.empty()) {
-        spdlog::info("job goes on: job={}", job.id.value);
+        log_info("job goes on: job={}", job.id.value);
     } else if (job.paused.empty()) {
-        spdlog::error("the disk fails, the job waits: job={} error=\"{}\"", job.id.value, why);
+        log_error("the disk fails, the job waits: job={} error=\"{}\"", job.id.value, why);
     }
     job.paused = why;
     ++job.changes;
@@ -88,10 +88,10 @@ void Coordinator::stop_waiting(JobId job) {
 
 void Coordinator::tree_unreadable(TreeId tree, const std::string& why) {
     if (why.empty()) {
-        spdlog::info("no block is waited for any more: tree={}", tree.value);
+        log_info("no block is waited for any more: tree={}", tree.value);
         unreadable_.erase(tree);
     } else if (std::exchange(unreadable_[tree], why).empty()) {
-        spdlog::error("blocks cannot be read, jobs wait: tree={} error=\"{}\"", tree.value, why);
+        log_error("blocks cannot be read, jobs wait: tree={} error=\"{}\"", tree.value, why);
     }
     for (const JobId id : jobs_.running()) {
         ++jobs_.find(id)->changes;

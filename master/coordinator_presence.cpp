@@ -84,13 +84,13 @@ void Coordinator::worker_joined(const Reception& reception,
     }
     const auto& certified = channel->peer_identity();
     const std::string holder = certified ? certified->name : "";
-    spdlog::info("worker joined: worker={} name={} holder=\"{}\" threads={} cache_bytes={} peer={}",
-                 worker.value,
-                 hello.name,
-                 holder,
-                 hello.threads,
-                 hello.cache_bytes,
-                 channel->peer());
+    log_info("worker joined: worker={} name={} holder=\"{}\" threads={} cache_bytes={} peer={}",
+             worker.value,
+             hello.name,
+             holder,
+             hello.threads,
+             hello.cache_bytes,
+             channel->peer());
     WorkerLink link;
     link.channel = channel;
     link.key = reception.key;
@@ -111,7 +111,7 @@ void Coordinator::worker_joined(const Reception& reception,
         spawn(parts_.executor, "watch over workers", watch_workers());
     }
     if (!is_trusted) {
-        spdlog::error("worker stays in quarantine: worker={} name={}", worker.value, hello.name);
+        log_error("worker stays in quarantine: worker={} name={}", worker.value, hello.name);
         return;
     }
     blocks_.worker_joined(worker, std::move(channel), reception.key, hello.peer_port);
@@ -186,10 +186,10 @@ void Coordinator::worker_returned(WorkerId worker, std::shared_ptr<Channel> chan
     if (link == workers_.end()) {
         return channel->close(); // It was lost between its greeting and now.
     }
-    spdlog::info("worker came back: worker={} name={} peer={}",
-                 worker.value,
-                 link->second.name,
-                 channel->peer());
+    log_info("worker came back: worker={} name={} peer={}",
+             worker.value,
+             link->second.name,
+             channel->peer());
     ++sessions_resumed_;
     link->second.channel->close();
     link->second.channel = channel;
@@ -298,7 +298,7 @@ void Coordinator::note_life(WorkerId worker) {
     if (!watch_.heard(worker, Clock::now())) {
         return;
     }
-    spdlog::info("worker is heard again: worker={}", worker.value);
+    log_info("worker is heard again: worker={}", worker.value);
     if (workers_.at(worker).is_settled) {
         act(dispatcher().worker_heard(worker));
         feed();
@@ -341,11 +341,11 @@ void Coordinator::connection_ended(WorkerId worker,
     if (is_cut_off) {
         return worker_lost(worker, why);
     }
-    spdlog::warn("connection broke: worker={} name={} working={} reason=\"{}\"",
-                 worker.value,
-                 link->second.name,
-                 status.working,
-                 why);
+    log_warning("connection broke: worker={} name={} working={} reason=\"{}\"",
+                worker.value,
+                link->second.name,
+                status.working,
+                why);
     link->second.is_settled = false;
     blocks_.worker_detached(worker);
     watch_.detached(worker, Clock::now());
@@ -376,12 +376,12 @@ void Coordinator::check_workers() {
     hear_bytes();
     for (const WorkerWatch::Change& change : watch_.time_is(Clock::now())) {
         if (!change.state) {
-            spdlog::info("worker forgotten: worker={}", change.worker.value);
+            log_info("worker forgotten: worker={}", change.worker.value);
             lost_.erase(change.worker);
         } else if (*change.state == WorkerState::Lost) {
             worker_lost(change.worker, "nothing was heard of it");
         } else {
-            spdlog::warn("worker is silent: worker={}", change.worker.value);
+            log_warning("worker is silent: worker={}", change.worker.value);
             act(dispatcher().worker_silent(change.worker));
             feed();
         }
@@ -406,7 +406,7 @@ void Coordinator::close() {
 // ---- Leaving ----------------------------------------------------------------------------------
 
 void Coordinator::worker_draining(WorkerId worker) {
-    spdlog::info("worker draining: worker={}", worker.value);
+    log_info("worker draining: worker={}", worker.value);
     act(dispatcher().worker_draining(worker));
     feed();
 }
@@ -416,7 +416,7 @@ void Coordinator::cut_off(WorkerId worker, const Error& why) {
     if (link == workers_.end() || link->second.is_cut_off) {
         return;
     }
-    spdlog::error("worker cut off: worker={} error=\"{}\"", worker.value, why.detail);
+    log_error("worker cut off: worker={} error=\"{}\"", worker.value, why.detail);
     link->second.is_cut_off = true;
     // Its conversation ends with that, if it has not already, and it is lost.
     if (link->second.channel->is_open()) {
@@ -432,11 +432,11 @@ void Coordinator::worker_lost(WorkerId worker, const std::string& why) {
         return;
     }
     WorkerStatus last = worker_status(worker, link->second);
-    spdlog::warn("worker lost: worker={} name={} given_back={} reason=\"{}\"",
-                 worker.value,
-                 last.name,
-                 last.working,
-                 why);
+    log_warning("worker lost: worker={} name={} given_back={} reason=\"{}\"",
+                worker.value,
+                last.name,
+                last.working,
+                why);
     ++workers_lost_;
     scenarios_given_back_ += last.working;
     last.state = WorkerState::Lost;
@@ -447,7 +447,7 @@ void Coordinator::worker_lost(WorkerId worker, const std::string& why) {
 }
 
 void Coordinator::worker_left(WorkerId worker, const std::string& why) {
-    spdlog::info("worker left: worker={} reason=\"{}\"", worker.value, why);
+    log_info("worker left: worker={} reason=\"{}\"", worker.value, why);
     workers_.erase(worker);
     if (!lost_.contains(worker)) {
         watch_.left(worker);

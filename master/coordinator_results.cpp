@@ -184,10 +184,10 @@ bool Coordinator::merge_one(MasterJob& job,
         open_dispute(job, {job.id, index, worker, taken.digest}, add);
         return false;
     case ResultMerger::Outcome::Foreign:
-        spdlog::error("result of no scenario: job={} scenario={} worker={}",
-                      job.id.value,
-                      index,
-                      worker.value);
+        log_error("result of no scenario: job={} scenario={} worker={}",
+                  job.id.value,
+                  index,
+                  worker.value);
         return false;
     }
     if (worker != WorkerId{}) {

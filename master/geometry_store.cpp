@@ -161,10 +161,10 @@ std::shared_ptr<const ObbTree> GeometryStore::State::build(std::shared_ptr<const
     const auto start = std::chrono::steady_clock::now();
     auto tree = std::make_shared<const ObbTree>(build_tree(std::move(mesh), build_options(), pool));
     seconds = seconds_since(start);
-    spdlog::info("tree built: mesh={} triangles={} seconds={:.3f}",
-                 to_short_hex(tree->mesh().hash()),
-                 tree->mesh().triangles().size(),
-                 seconds);
+    log_info("tree built: mesh={} triangles={} seconds={:.3f}",
+             to_short_hex(tree->mesh().hash()),
+             tree->mesh().triangles().size(),
+             seconds);
     return tree;
 }
 
@@ -224,9 +224,9 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::load_tree(Entry& en
             status = write(*tree.value());
         }
         if (!status) {
-            spdlog::warn("tree not kept: mesh={} error=\"{}\"",
-                         to_short_hex(mesh_hash),
-                         status.error().detail);
+            log_warning("tree not kept: mesh={} error=\"{}\"",
+                        to_short_hex(mesh_hash),
+                        status.error().detail);
         }
     }
     if (tree) {
@@ -261,10 +261,10 @@ StoreResult<std::shared_ptr<const CutGeometry>> GeometryStore::State::load_cut(E
             const bool is_of_disk = status.error().code == ErrorCode::Io;
             return is_of_disk ? Cut::unwritten(status.error()) : Cut(status.error());
         }
-        spdlog::info("blocks encoded: mesh={} depth={} seconds={:.3f}",
-                     to_short_hex(tree.mesh().hash()),
-                     depth,
-                     seconds_since(start));
+        log_info("blocks encoded: mesh={} depth={} seconds={:.3f}",
+                 to_short_hex(tree.mesh().hash()),
+                 depth,
+                 seconds_since(start));
         cut = CutGeometry::open(path, tree, depth, form);
     }
     if (cut) {

@@ -63,7 +63,7 @@ void HttpFront::close() {
 void HttpFront::accept(asio::ip::tcp::socket socket) {
     Seats::Seat seat = seats_.take(socket);
     if (seat == nullptr) {
-        refusals_.log(spdlog::level::warn,
+        refusals_.log(LogLevel::Warning,
                       "http connection refused",
                       peer_name(socket),
                       std::to_string(seats_.taken()) + " are open");
@@ -82,7 +82,7 @@ asio::awaitable<void> HttpFront::serve(asio::ip::tcp::socket socket, Seats::Seat
             co_await stream->secure(std::move(tls), TlsEnd::Accepting, limits::http_exchange_max);
     }
     if (!secured) {
-        refusals_.log(spdlog::level::warn, "http connection refused", peer, secured.error().detail);
+        refusals_.log(LogLevel::Warning, "http connection refused", peer, secured.error().detail);
         co_return;
     }
     const Access access =
@@ -98,7 +98,7 @@ HttpFront::answer(const HttpRequest& request, const Access& access, const std::s
     HttpAnswer answer = answer_to(request, coordinator_, access);
     if (answer.status == 403) {
         const std::string reason = answer.body.substr(0, answer.body.find('\n'));
-        refusals_.log(spdlog::level::warn, "http request refused", peer, reason);
+        refusals_.log(LogLevel::Warning, "http request refused", peer, reason);
     }
     return answer;
 }

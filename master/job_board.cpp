@@ -204,7 +204,7 @@ std::vector<JobId> JobBoard::announce(MasterJob& job) {
             break;
         }
         if (id != job.id) {
-            spdlog::info("results dropped: job={} reason=\"newer jobs\"", id.value);
+            log_info("results dropped: job={} reason=\"newer jobs\"", id.value);
             dropped.push_back(id);
             jobs_.erase(id);
             results -= count;

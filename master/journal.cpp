@@ -63,14 +63,14 @@ bool Journal::State::write_until_done(const std::vector<JournalEntry>& group) {
         const Status status = write_group({*database, jobs_folder(), options.synced}, group);
         if (status) {
             if (!told.empty()) {
-                spdlog::info("journal goes on");
+                log_info("journal goes on");
                 events.paused("");
             }
             return true;
         }
         if (told != status.error().detail) {
             told = status.error().detail;
-            spdlog::error("journal cannot write, jobs wait: error=\"{}\"", told);
+            log_error("journal cannot write, jobs wait: error=\"{}\"", told);
             events.paused(told);
         }
         std::unique_lock lock(mutex);

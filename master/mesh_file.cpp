@@ -21,7 +21,7 @@ Status write_info(const std::filesystem::path& path, const MeshInfo& info) {
 MeshInfo read_info(const std::filesystem::path& path) {
     const Result<Bytes> content = read_checked(path, info_kind);
     if (!content) {
-        spdlog::warn("no description of a mesh: why={}", content.error().detail);
+        log_warning("no description of a mesh: why={}", content.error().detail);
         return {};
     }
     ByteReader in(content.value());

@@ -56,7 +56,7 @@ keep_valid(MasterIdentity& identity, asio::steady_timer& pause, const bool& stop
         boost::system::error_code ignored;
         co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         if (const Status valid = identity.keep_valid(); !valid) {
-            spdlog::error("certificate not renewed: error=\"{}\"", valid.error().detail);
+            log_error("certificate not renewed: error=\"{}\"", valid.error().detail);
         }
     }
 }
@@ -173,13 +173,13 @@ Status run_master(const MasterConfig& config) {
     server.value()->start();
     if (http.value() != nullptr) {
         http.value()->start();
-        spdlog::info("http listening: host={} port={}", config.http->host, http.value()->port());
+        log_info("http listening: host={} port={}", config.http->host, http.value()->port());
     }
-    spdlog::info("listening: host={} port={} state={} tls={}",
-                 config.listen.host,
-                 port,
-                 config.state.string(),
-                 secured);
+    log_info("listening: host={} port={} state={} tls={}",
+             config.listen.host,
+             port,
+             config.state.string(),
+             secured);
     std::printf("%s\n", join_line({config.listen.host, port}, secured).c_str());
     std::fflush(stdout);
 
@@ -188,7 +188,7 @@ Status run_master(const MasterConfig& config) {
     }
     // Sessions end now; what a pool is busy with is not waited for any longer than this.
     context.run_for(limits::stop_grace);
-    spdlog::info("ended");
+    log_info("ended");
     return Done{};
 }
 

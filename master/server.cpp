@@ -68,7 +68,7 @@ void Server::close() {
 }
 
 void Server::refuse_greeting(Channel& channel, const Error& error) {
-    refusals_.log(spdlog::level::warn, "greeting refused", channel.peer(), error.detail);
+    refusals_.log(LogLevel::Warning, "greeting refused", channel.peer(), error.detail);
     Failure failure;
     failure.code = ErrorCode::Refused;
     failure.detail = error.detail;
@@ -79,7 +79,7 @@ void Server::refuse_greeting(Channel& channel, const Error& error) {
 void Server::accept(asio::ip::tcp::socket socket) {
     Seats::Seat seat = greetings_.take(socket);
     if (connections_.size() >= limits::connections_max || seat == nullptr) {
-        refusals_.log(spdlog::level::warn,
+        refusals_.log(LogLevel::Warning,
                       "connection refused",
                       peer_name(socket),
                       std::to_string(connections_.size()) + " are open, " +
@@ -107,7 +107,7 @@ Server::serve(std::uint64_t connection, asio::ip::tcp::socket socket, Seats::Sea
         }
         co_await channel.value()->wait_until_closed();
     } else {
-        refusals_.log(spdlog::level::warn, "connection refused", peer, channel.error().detail);
+        refusals_.log(LogLevel::Warning, "connection refused", peer, channel.error().detail);
     }
     connections_.erase(connection);
 }
@@ -115,8 +115,7 @@ Server::serve(std::uint64_t connection, asio::ip::tcp::socket socket, Seats::Sea
 asio::awaitable<void> Server::converse(std::shared_ptr<Channel> channel, Seats::Seat& seat) {
     const Result<Hello> hello = co_await accept_hello(channel);
     if (!hello) {
-        refusals_.log(
-            spdlog::level::info, "greeting failed", channel->peer(), hello.error().detail);
+        refusals_.log(LogLevel::Info, "greeting failed", channel->peer(), hello.error().detail);
         co_return;
     }
     const Access access =
@@ -191,7 +190,7 @@ void Server::save_jobs() {
         std::filesystem::rename(unfinished, jobs_path(), error);
     }
     if (!file || error) {
-        spdlog::warn("clients of jobs not written: path={}", jobs_path().string());
+        log_warning("clients of jobs not written: path={}", jobs_path().string());
     }
 }
 

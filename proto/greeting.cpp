@@ -116,7 +116,7 @@ void spawn(asio::any_io_executor executor, std::string name, asio::awaitable<voi
             try {
                 std::rethrow_exception(thrown);
             } catch (const std::exception& error) {
-                spdlog::error("coroutine failed: name={} error={}", name, error.what());
+                log_error("coroutine failed: name={} error={}", name, error.what());
             }
         });
 }

@@ -96,7 +96,7 @@ asio::awaitable<void> Listener::accept_all(std::shared_ptr<State> state) {
         }
         if (error) {
             // Out of file descriptors, most likely: some will be free again.
-            spdlog::warn("cannot accept: error=\"{}\"", error.message());
+            log_warning("cannot accept: error=\"{}\"", error.message());
             state->pause.expires_after(limits::accept_retry_period);
             co_await state->pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
             continue;

@@ -37,7 +37,7 @@ std::optional<std::uint64_t> Refusals::admit(const std::string& host, Time now) 
     return std::nullopt;
 }
 
-void Refusals::log(spdlog::level::level_enum level,
+void Refusals::log(LogLevel level,
                    const char* what,
                    const std::string& peer,
                    const std::string& reason) {
@@ -47,9 +47,9 @@ void Refusals::log(spdlog::level::level_enum level,
         return;
     }
     if (*left_out == 0) {
-        spdlog::log(level, "{}: peer={} reason=\"{}\"", what, peer, reason);
+        log_at(level, "{}: peer={} reason=\"{}\"", what, peer, reason);
     } else {
-        spdlog::log(level, "{}: peer={} reason=\"{}\" left_out={}", what, peer, reason, *left_out);
+        log_at(level, "{}: peer={} reason=\"{}\" left_out={}", what, peer, reason, *left_out);
     }
 }
 

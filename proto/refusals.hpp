@@ -22,10 +22,7 @@ class Refusals {
     [[nodiscard]] std::optional<std::uint64_t> admit(const std::string& host, Time now);
 
     /// Logs "WHAT: peer=PEER reason=REASON", or leaves it out. A peer is HOST:PORT.
-    void log(spdlog::level::level_enum level,
-             const char* what,
-             const std::string& peer,
-             const std::string& reason);
+    void log(LogLevel level, const char* what, const std::string& peer, const std::string& reason);
 
   private:
     struct Host {

@@ -67,7 +67,7 @@ asio::awaitable<void> CredentialKeeper::keep() {
         }
         const Status renewed = co_await renew();
         if (!renewed) {
-            spdlog::warn("certificate not renewed: error=\"{}\"", renewed.error().detail);
+            log_warning("certificate not renewed: error=\"{}\"", renewed.error().detail);
             pause = pause_after_failure();
         }
     }
@@ -92,8 +92,8 @@ asio::awaitable<Status> CredentialKeeper::renew() {
     }
     const Status loaded_again = load();
     if (loaded_again) {
-        spdlog::info("certificate renewed: seconds={}",
-                     time_until(tls_->now->identity()->until).count() / 1000);
+        log_info("certificate renewed: seconds={}",
+                 time_until(tls_->now->identity()->until).count() / 1000);
     }
     co_return loaded_again;
 }

@@ -41,11 +41,11 @@ Membership::serve(std::shared_ptr<Channel> channel, Hello hello, PeerParts peers
         co_return greeted.error();
     }
     const Welcome& welcome = greeted.value();
-    spdlog::info("connected: master={} worker={} threads={} cache_bytes={}",
-                 channel->peer(),
-                 welcome.id,
-                 executor_.threads(),
-                 cache_bytes_);
+    log_info("connected: master={} worker={} threads={} cache_bytes={}",
+             channel->peer(),
+             welcome.id,
+             executor_.threads(),
+             cache_bytes_);
     is_connected_ = true;
     const auto since = std::chrono::steady_clock::now();
     SessionEnd how = SessionEnd::Lost;
@@ -107,8 +107,8 @@ asio::awaitable<void> Membership::watch_drain(std::chrono::milliseconds to_finis
     drain_timer_.expires_after(last);
     co_await drain_timer_.async_wait(asio::redirect_error(asio::use_awaitable, error));
     if (!error) {
-        spdlog::warn("ended before it was drained: results_not_acknowledged={}",
-                     keep_->results.messages().size());
+        log_warning("ended before it was drained: results_not_acknowledged={}",
+                    keep_->results.messages().size());
         end();
         out_of_time();
     }

@@ -64,12 +64,12 @@ asio::awaitable<void> PeerServer::serve(std::shared_ptr<PeerServer> self,
         co_await accept_channel(std::move(socket), tls_->now);
     if (!channel) {
         // A probe of the master's says nothing.
-        const auto level = channel.error().code == ErrorCode::Disconnected ? spdlog::level::debug
-                                                                           : spdlog::level::warn;
+        const auto level =
+            channel.error().code == ErrorCode::Disconnected ? LogLevel::Debug : LogLevel::Warning;
         self->refusals_.log(level, "peer refused", peer, channel.error().detail);
     } else if (tls_->now != nullptr && !is_worker(channel.value()->peer_identity())) {
         self->refusals_.log(
-            spdlog::level::warn, "peer refused", peer, "not the certificate of a worker");
+            LogLevel::Warning, "peer refused", peer, "not the certificate of a worker");
     } else {
         co_await converse(channel.value(), seat);
     }
@@ -106,7 +106,7 @@ asio::awaitable<void> PeerServer::answer_all(std::shared_ptr<Channel> channel) {
 
 asio::awaitable<void> PeerServer::answer(std::shared_ptr<Channel> channel, PeerFetch fetch) {
     if (!tickets_ || !tickets_->take(fetch)) {
-        refusals_.log(spdlog::level::warn,
+        refusals_.log(LogLevel::Warning,
                       "peer refused",
                       channel->peer(),
                       "tree " + std::to_string(fetch.tree.value) + ", ticket " +

@@ -56,17 +56,17 @@ class Daemon {
                     co_return end(*code);
                 }
             } else if (channel.error().code == ErrorCode::Refused) {
-                spdlog::error("refused: {}", channel.error().detail);
+                log_error("refused: {}", channel.error().detail);
                 // A bit that flips on the way to who knows this worker may look like that, once.
                 if (!was_welcome_ || std::exchange(was_refused_, true)) {
                     co_return end(exit_refused);
                 }
             } else {
-                spdlog::info("no master yet: reason=\"{}\"", channel.error().detail);
+                log_info("no master yet: reason=\"{}\"", channel.error().detail);
             }
             if (!was_welcome_ && std::chrono::steady_clock::now() >= give_up_at) {
-                spdlog::error("no master within --connect-for: seconds={}",
-                              config_.connect_for.count());
+                log_error("no master within --connect-for: seconds={}",
+                          config_.connect_for.count());
                 co_return end(exit_unreachable);
             }
             pause_.expires_after(backoff_.next());
@@ -94,7 +94,7 @@ class Daemon {
         const Result<Served> served =
             co_await membership_.serve(std::move(channel), std::move(hello), std::move(peers));
         if (!served) {
-            spdlog::error("not welcome: error=\"{}\"", served.error().detail);
+            log_error("not welcome: error=\"{}\"", served.error().detail);
             const bool refused = served.error().code == ErrorCode::Refused;
             co_return refused ? std::optional<int>(exit_refused) : std::nullopt;
         }
@@ -105,7 +105,7 @@ class Daemon {
         if (has_ended || (stopping_ && !membership_.has_work())) {
             co_return exit_done;
         }
-        spdlog::warn("master lost: reason=\"{}\"", served.value().reason);
+        log_warning("master lost: reason=\"{}\"", served.value().reason);
         co_return std::nullopt;
     }
 
@@ -121,13 +121,13 @@ class Daemon {
         if (server) {
             peer_server_ = std::move(server.value());
         } else {
-            spdlog::warn("other workers get nothing here: error=\"{}\"", server.error().detail);
+            log_warning("other workers get nothing here: error=\"{}\"", server.error().detail);
         }
     }
 
     void stop(unsigned count) {
         if (count > 1) {
-            spdlog::warn("ended at once by a second signal");
+            log_warning("ended at once by a second signal");
             std::_Exit(exit_at_once);
         }
         stopping_ = true;
@@ -135,14 +135,14 @@ class Daemon {
             backoff_.reset(); // Without a connection the next one is what it waits for.
             pause_.cancel();
         } else {
-            spdlog::info("ended: nothing was under way, scenarios_computed={}",
-                         membership_.scenarios_computed());
+            log_info("ended: nothing was under way, scenarios_computed={}",
+                     membership_.scenarios_computed());
             context_.stop();
         }
     }
 
     void end(int code) {
-        spdlog::info(
+        log_info(
             "ended: exit_code={} scenarios_computed={}", code, membership_.scenarios_computed());
         exit_code_ = code;
         membership_.end();
@@ -195,7 +195,7 @@ int join_as_worker(const WorkerConfig& config) {
     // A token's use is spent when there is a credential to be written.
     const std::filesystem::path path = credential_path(config.state, config.master);
     if (const Status can_write = check_can_write(path); !can_write) {
-        spdlog::error("not joined: {}", can_write.error().detail);
+        log_error("not joined: {}", can_write.error().detail);
         return exit_code_of(can_write.error());
     }
     asio::io_context context(1);
@@ -209,10 +209,10 @@ int join_as_worker(const WorkerConfig& config) {
     const Status done =
         *credential ? write_credential(path, credential->value()) : Status(credential->error());
     if (!done) {
-        spdlog::error("not joined: {}", done.error().detail);
+        log_error("not joined: {}", done.error().detail);
         return exit_code_of(done.error());
     }
-    spdlog::info("joined: master={} credential={}", config.master.host, path.string());
+    log_info("joined: master={} credential={}", config.master.host, path.string());
     return exit_done;
 }
 
@@ -233,21 +233,21 @@ int run_worker(const WorkerConfig& config) {
     auto keeper = CredentialKeeper::open(
         context.get_executor(), credential_path(config.state, config.master), config.master);
     if (!keeper) {
-        spdlog::error("no credential: {}", keeper.error().detail);
+        log_error("no credential: {}", keeper.error().detail);
         return keeper.error().code == ErrorCode::Refused ? exit_refused : exit_usage;
     }
     const Exposure exposure{keeper.value()->is_secured(), config.insecure, false};
     if (const Status allowed = check_exposure(config.master, exposure); !allowed) {
-        spdlog::error("refused: {}", allowed.error().detail);
+        log_error("refused: {}", allowed.error().detail);
         return exit_refused;
     }
     const Status simd =
         config.simd.empty() ? check_simd_environment() : force_simd_target(config.simd);
     if (!simd) {
-        spdlog::error("wrong usage: {}", simd.error().detail);
+        log_error("wrong usage: {}", simd.error().detail);
         return exit_usage;
     }
-    spdlog::info("instructions chosen: simd={}", to_text(simd_target()));
+    log_info("instructions chosen: simd={}", to_text(simd_target()));
     Daemon daemon(config, context, std::move(keeper.value()));
     spawn(context.get_executor(), "worker", daemon.run());
     context.run();

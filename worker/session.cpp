@@ -43,14 +43,14 @@ void Session::stop() {
         return;
     }
     stopping_ = true;
-    spdlog::info("draining: running={} unanswered={}", running_, unanswered());
+    log_info("draining: running={} unanswered={}", running_, unanswered());
     channel_->send(Drain{});
     drop_unstarted([](const Task&) { return true; });
     settle_soon();
 }
 
 void Session::hand_back() {
-    spdlog::warn("not drained in time: running={} unanswered={}", running_, unanswered());
+    log_warning("not drained in time: running={} unanswered={}", running_, unanswered());
     abandon([](const Task&) { return true; });
     settle_soon();
 }
@@ -67,8 +67,7 @@ Status Session::handle(AddTree& add) {
     Status added = cache_.add_tree(add);
     if (added) {
         std::vector<RootIndex> held = cache_.held(add.tree);
-        spdlog::info(
-            "tree added: tree={} roots={} held={}", add.tree.value, add.roots, held.size());
+        log_info("tree added: tree={} roots={} held={}", add.tree.value, add.roots, held.size());
         if (!held.empty()) {
             channel_->send(Held{add.tree, std::move(held)});
         }
@@ -83,7 +82,7 @@ Status Session::handle(RemoveTree& remove) {
     fetcher_.forget_requests(tree);
     traffic_.tree_removed(tree);
     cache_.remove_tree(tree);
-    spdlog::info("tree removed: tree={} cached_bytes={}", tree.value, cache_.bytes());
+    log_info("tree removed: tree={} cached_bytes={}", tree.value, cache_.bytes());
     settle_soon();
     return Done{};
 }
@@ -199,14 +198,14 @@ Status Session::handle(ResultsKept& kept) {
 }
 
 Status Session::handle(Drain& /*drain*/) {
-    spdlog::debug("draining: nothing more comes from the master");
+    log_debug("draining: nothing more comes from the master");
     draining_ = true;
     settle_soon();
     return Done{};
 }
 
 Status Session::handle(Terminate& terminate) {
-    spdlog::info("terminated by the master: reason=\"{}\"", terminate.reason);
+    log_info("terminated by the master: reason=\"{}\"", terminate.reason);
     end_ = SessionEnd::Terminated;
     channel_->close();
     return Done{};
@@ -235,7 +234,7 @@ Status Session::handle(Message& message) {
 }
 
 void Session::refuse(const Error& error) {
-    spdlog::error("disagreement with the master: error=\"{}\"", error.detail);
+    log_error("disagreement with the master: error=\"{}\"", error.detail);
     reason_ = error.detail;
     end_ = SessionEnd::Disagreed;
     Failure failure;
@@ -285,7 +284,7 @@ void Session::end_finished_tasks() {
         }
         flush(task->second);
         channel_->send(EndOfTask{task->first});
-        spdlog::debug("task done: task={}", task->first.value);
+        log_debug("task done: task={}", task->first.value);
         task = tasks_.erase(task);
         if (tasks_.empty()) {
             send_heartbeat(); // The counts of a job that ends now are complete.

@@ -48,11 +48,11 @@ asio::awaitable<void> Session::fetch_from_peers(std::shared_ptr<Session> self,
         if (left.empty() || !self->channel_->is_open()) {
             co_return;
         }
-        spdlog::info("blocks from a peer failed: tree={} source={} outcome={} left={}",
-                     directions.tree.value,
-                     source.worker.value,
-                     to_text(outcome),
-                     left.size());
+        log_info("blocks from a peer failed: tree={} source={} outcome={} left={}",
+                 directions.tree.value,
+                 source.worker.value,
+                 to_text(outcome),
+                 left.size());
         const std::vector<RootIndex> roots(left.begin(), left.end());
         channel_->send(FetchFailed{directions.tree, roots, source.worker, outcome});
         if (roots.size() != directions.roots.size()) {
@@ -86,11 +86,11 @@ void Session::block_opened(const SubtreeKey& key,
         return;
     }
     if (!opened && source != WorkerId{}) {
-        spdlog::error("damaged block from a peer: tree={} root={} source={} error=\"{}\"",
-                      key.tree.value,
-                      key.root,
-                      source.value,
-                      opened.error().detail);
+        log_error("damaged block from a peer: tree={} root={} source={} error=\"{}\"",
+                  key.tree.value,
+                  key.root,
+                  source.value,
+                  opened.error().detail);
         channel_->send(FetchFailed{key.tree, {key.root}, source, PeerOutcome::Damaged});
         channel_->send(WantSubtrees{key.tree, {key.root}});
         return;
@@ -175,7 +175,7 @@ void Session::send_wants(const std::vector<SubtreeKey>& want) {
         roots[key.tree].push_back(key.root);
     }
     for (auto& [tree, wanted] : roots) {
-        spdlog::debug("subtrees wanted: tree={} roots={}", tree.value, wanted.size());
+        log_debug("subtrees wanted: tree={} roots={}", tree.value, wanted.size());
         channel_->send(WantSubtrees{tree, std::move(wanted)});
     }
 }

@@ -76,7 +76,7 @@ void Session::take_up() {
     }
     const std::vector<Results> again = keep_->results.again();
     if (!again.empty()) {
-        spdlog::info("results sent again: messages={}", again.size());
+        log_info("results sent again: messages={}", again.size());
     }
     for (const Results& results : again) {
         channel_->send(results);
@@ -104,10 +104,10 @@ void Session::stand() {
     for (const auto& [sequence, results] : keep_->results.messages()) {
         channel_->send(results);
     }
-    spdlog::info("session goes on: tasks={} unanswered={} results_again={}",
-                 tasks_.size(),
-                 unanswered(),
-                 keep_->results.messages().size());
+    log_info("session goes on: tasks={} unanswered={} results_again={}",
+             tasks_.size(),
+             unanswered(),
+             keep_->results.messages().size());
     channel_->send(standing);
     held_.clear();
     (void)cache_.take_evicted();

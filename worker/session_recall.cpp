@@ -30,10 +30,10 @@ Status Session::handle(Recall& recall) {
     }
     task.keep_places(recall.places);
     Recalled recalled = task.given_back();
-    spdlog::debug("recalled: task={} scenarios={} places_kept={}",
-                  task.id().value,
-                  recalled.scenarios.size(),
-                  recalled.places);
+    log_debug("recalled: task={} scenarios={} places_kept={}",
+              task.id().value,
+              recalled.scenarios.size(),
+              recalled.places);
     channel_->send(recalled);
     settle_soon();
     return Done{};
@@ -46,7 +46,7 @@ Status Session::handle(DropScenario& drop) {
         return Done{};
     }
     if (drop.task == TaskId{}) {
-        spdlog::info("scenario dropped: job={} scenario={}", drop.job.value, drop.scenario);
+        log_info("scenario dropped: job={} scenario={}", drop.job.value, drop.scenario);
         job->second->dropped->add(drop.scenario);
         return Done{};
     }

@@ -4,7 +4,7 @@
 #include "client/poses/pose_rows.hpp"
 #include "client/poses/text_poses.hpp"
 
-#include <spdlog/fmt/fmt.h>
+#include <fmt/format.h>
 
 #include <fstream>
 #include <iostream>

@@ -1,7 +1,7 @@
 #include "client/poses/pose_rows.hpp"
 
 #include <Eigen/LU>
-#include <spdlog/fmt/fmt.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,13 @@
 #include "common/core/check.hpp"
 
-#include <spdlog/spdlog.h>
+#include "common/core/log.hpp"
 
 #include <cstdlib>
 
 namespace cd {
 
 void check_failed(const char* condition, const char* file, int line) {
-    spdlog::critical("broken invariant: {} at={}:{}", condition, file, line);
-    spdlog::default_logger()->flush();
+    log_critical("broken invariant: {} at={}:{}", condition, file, line);
     std::abort();
 }
 

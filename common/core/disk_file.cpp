@@ -258,8 +258,7 @@ Status set_aside(const std::filesystem::path& path, const std::string& why) {
     if (error) {
         return Error{ErrorCode::Io, "cannot set aside " + path.string() + ": " + error.message()};
     }
-    spdlog::warn(
-        "damaged file set aside: file={} to={} why={}", path.string(), aside.string(), why);
+    log_warning("damaged file set aside: file={} to={} why={}", path.string(), aside.string(), why);
     return Done{};
 }
 

@@ -4,6 +4,7 @@
 
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
 
 namespace cd {
 
@@ -22,6 +23,9 @@ class EscapedText : public spdlog::custom_flag_formatter {
         return std::make_unique<EscapedText>();
     }
 };
+
+static_assert(static_cast<int>(LogLevel::Trace) == SPDLOG_LEVEL_TRACE);
+static_assert(static_cast<int>(LogLevel::Off) == SPDLOG_LEVEL_OFF);
 
 } // namespace
 
@@ -46,6 +50,18 @@ void warn_always(const std::string& text) {
     for (const auto& sink : logger->sinks()) {
         sink->log(message);
         sink->flush();
+    }
+}
+
+void log_formatted(LogLevel level, fmt::string_view format, fmt::format_args arguments) {
+    spdlog::logger* logger = spdlog::default_logger_raw();
+    const auto spdlog_level = static_cast<spdlog::level::level_enum>(level);
+    if (!logger->should_log(spdlog_level)) {
+        return;
+    }
+    logger->log(spdlog_level, fmt::vformat(format, arguments));
+    if (level == LogLevel::Critical) {
+        logger->flush();
     }
 }
 

@@ -1,14 +1,22 @@
-// Logging of the three programs: one fact a line, with fields, on stderr.
+// Logging of the three programs: one fact a line, with fields, on stderr. Cheap to include: only
+// log.cpp sees spdlog and the code that formats.
 #pragma once
 
-#include <spdlog/spdlog.h>
+#include <fmt/core.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
+namespace spdlog {
+class formatter;
+}
+
 namespace cd {
 
-/// Sends the default logger to stderr. `level` is one of trace, debug, info, warning, error, off.
+enum class LogLevel : std::uint8_t { Trace, Debug, Info, Warning, Error, Critical, Off };
+
+/// Sends the log to stderr. `level` is one of trace, debug, info, warning, error, off.
 void start_logging(const std::string& program, const std::string& level);
 
 /// How a line is written. Control characters of its text are escaped.
@@ -16,5 +24,35 @@ void start_logging(const std::string& program, const std::string& level);
 
 /// A warning that no level hides.
 void warn_always(const std::string& text);
+
+/// Writes a line, unless its level is hidden. A critical one is on stderr when this returns.
+void log_formatted(LogLevel level, fmt::string_view format, fmt::format_args arguments);
+
+template <typename... Arguments>
+void log_at(LogLevel level,
+            fmt::format_string<const Arguments&...> format,
+            const Arguments&... arguments) {
+    log_formatted(level, format, fmt::make_format_args(arguments...));
+}
+template <typename... Arguments>
+void log_debug(fmt::format_string<const Arguments&...> format, const Arguments&... arguments) {
+    log_formatted(LogLevel::Debug, format, fmt::make_format_args(arguments...));
+}
+template <typename... Arguments>
+void log_info(fmt::format_string<const Arguments&...> format, const Arguments&... arguments) {
+    log_formatted(LogLevel::Info, format, fmt::make_format_args(arguments...));
+}
+template <typename... Arguments>
+void log_warning(fmt::format_string<const Arguments&...> format, const Arguments&... arguments) {
+    log_formatted(LogLevel::Warning, format, fmt::make_format_args(arguments...));
+}
+template <typename... Arguments>
+void log_error(fmt::format_string<const Arguments&...> format, const Arguments&... arguments) {
+    log_formatted(LogLevel::Error, format, fmt::make_format_args(arguments...));
+}
+template <typename... Arguments>
+void log_critical(fmt::format_string<const Arguments&...> format, const Arguments&... arguments) {
+    log_formatted(LogLevel::Critical, format, fmt::make_format_args(arguments...));
+}
 
 } // namespace cd

@@ -5,10 +5,10 @@
 //   faults_test --seed 0 --count 100000      many
 //   faults_test --seed 3 --workers 1000      with so many workers at first
 //   faults_test --seed 0 --count 50 --fault 3  with a mutation (master/mutation.hpp), by number
-#include "common/core/log.hpp"
 #include "tests/faults/simulation.hpp"
 
 #include <gtest/gtest.h>
+#include <spdlog/spdlog.h>
 
 #include <cstdio>
 #include <cstdlib>

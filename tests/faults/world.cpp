@@ -125,7 +125,7 @@ void World::log(const std::string& text) const {
     if (logs_) {
         const double seconds =
             std::chrono::duration<double>(now().time_since_epoch()).count() - 1000;
-        spdlog::info("t={:.6f} {}", seconds, text);
+        log_info("t={:.6f} {}", seconds, text);
     }
 }
 

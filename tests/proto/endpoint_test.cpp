@@ -58,7 +58,7 @@ TEST(Endpoint, BeyondLoopbackTheOptionIsNeeded) {
         EXPECT_EQ(refused.error().code, ErrorCode::Refused);
         EXPECT_THAT(refused.error().detail, testing::HasSubstr("--insecure"));
         // Whatever is logged else.
-        const Logged logged(spdlog::level::off);
+        const Logged logged(LogLevel::Off);
         EXPECT_TRUE(check_exposure({"0.0.0.0", 7600}, {false, true, listening}));
         EXPECT_THAT(logged.text(), testing::HasSubstr("warning test insecure: "));
         EXPECT_THAT(logged.text(), testing::HasSubstr(listening ? "listening" : "connecting"));

@@ -13,10 +13,10 @@ namespace {
 using testing::EndsWith;
 
 TEST(Log, ATextIsOneLineWhateverIsInIt) {
-    const Logged logged(spdlog::level::info);
-    spdlog::info("job: name=\"{}\"",
-                 "a\nwarn cdmaster forged\r\x1b[2J\x7f\t\xc2\x9b"
-                 "2J");
+    const Logged logged(LogLevel::Info);
+    log_info("job: name=\"{}\"",
+             "a\nwarn cdmaster forged\r\x1b[2J\x7f\t\xc2\x9b"
+             "2J");
     EXPECT_THAT(logged.text(),
                 EndsWith("info test job: name=\"a\\nwarn cdmaster forged\\x0d\\x1b[2J\\x7f\\t"
                          "\\xc2\\x9b2J\"\n"));
@@ -24,9 +24,9 @@ TEST(Log, ATextIsOneLineWhateverIsInIt) {
 }
 
 TEST(Log, NoLevelHidesWhatIsAlwaysSaid) {
-    for (const auto level : {spdlog::level::err, spdlog::level::off}) {
+    for (const auto level : {LogLevel::Error, LogLevel::Off}) {
         const Logged logged(level);
-        spdlog::warn("hidden");
+        log_warning("hidden");
         warn_always("insecure: \n");
         EXPECT_THAT(logged.text(),
                     testing::AllOf(EndsWith("warning test insecure: \\n\n"),
