@@ -117,7 +117,7 @@ Result<RunOutcome> run_locally(const ObbTree& a,
         merger.summary(), merger.digest(), seconds_since(start), run.statistics(), run.map(), {}};
     if (!(query.tolerance > 0)) {
         SearchCostOptions options;
-        options.aim = query.level == Level::Any ? WideDescent::Aim::First : WideDescent::Aim::All;
+        options.for_any = query.level == Level::Any;
         options.first_stage = first_stage;
         options.time_max = cost_time_after(outcome.seconds);
         outcome.cost = measure_search_cost(a.view(), b.view(), some_poses(poses), options);

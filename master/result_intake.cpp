@@ -3,6 +3,7 @@
 #include "common/core/limits.hpp"
 #include "common/job/packed_map.hpp"
 #include "common/job/packed_records.hpp"
+#include "common/job/settle.hpp"
 
 #include <algorithm>
 #include <unordered_map>

@@ -3,6 +3,7 @@
 #include "common/core/check.hpp"
 #include "common/core/limits.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
 #include "master/cost_model.hpp"
 
 #include <chrono>

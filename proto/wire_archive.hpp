@@ -6,7 +6,7 @@
 #include "common/core/check.hpp"
 #include "common/core/hash.hpp"
 #include "common/tree/cut.hpp"
-#include "common/tree/traverse.hpp"
+#include "common/tree/ignored_range.hpp"
 
 #include <cereal/cereal.hpp>
 

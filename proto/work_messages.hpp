@@ -7,6 +7,7 @@
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
 #include "common/tree/cut.hpp"
+#include "common/tree/query_statistics.hpp"
 #include "common/tree/subtree.hpp"
 #include "proto/traffic.hpp"
 

@@ -3,6 +3,7 @@
 #include "common/core/check.hpp"
 
 #include <array>
+#include <string>
 
 namespace cd {
 

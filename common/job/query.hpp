@@ -1,7 +1,7 @@
 // What a job asks of every scenario.
 #pragma once
 
-#include "common/tree/traverse.hpp"
+#include "common/tree/ignored_range.hpp"
 
 #include <cstdint>
 #include <optional>

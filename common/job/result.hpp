@@ -4,9 +4,13 @@
 #include "common/core/bytes.hpp"
 #include "common/core/hash.hpp"
 #include "common/core/result.hpp"
+#include "common/geometry/types.hpp"
 #include "common/job/query.hpp"
+#include "common/tree/contact_pair.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -2,6 +2,7 @@
 
 #include "common/core/limits.hpp"
 #include "common/job/pose_order.hpp"
+#include "common/job/settle.hpp"
 #include "common/job/tolerance.hpp"
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/subtree_block.hpp"
+#include "common/tree/traverse.hpp"
 
 #include <functional>
 #include <memory>

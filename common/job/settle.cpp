@@ -2,7 +2,9 @@
 
 #include "common/tree/containment.hpp"
 #include "common/tree/penetration.hpp"
+#include "common/tree/traverse.hpp"
 
+#include <chrono>
 #include <utility>
 
 namespace cd {
@@ -83,6 +85,22 @@ SettleStatistics settle_class(const ObbTree& a,
         result.kind = ScenarioClass::Inside;
     }
     return statistics;
+}
+
+InsideStatistics settle_with_cost(const ObbTree& a,
+                                  const ObbTree& b,
+                                  const Scenario& scenario,
+                                  const Query& query,
+                                  ScenarioResult& result,
+                                  const SettleOptions& options) {
+    using Clock = std::chrono::steady_clock;
+    const bool is_work = settling_is_work(a, b, result);
+    const Clock::time_point start = is_work ? Clock::now() : Clock::time_point();
+    const SettleStatistics work = settle_class(a, b, scenario, query, result, options);
+    if (!is_work) {
+        return {0, 0, work};
+    }
+    return {1, std::chrono::duration<double>(Clock::now() - start).count(), work};
 }
 
 } // namespace cd

@@ -5,9 +5,9 @@
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
 #include "common/job/scenario.hpp"
+#include "common/job/statistics.hpp"
+#include "common/tree/contact_pair.hpp"
 #include "common/tree/obb_tree.hpp"
-#include "common/tree/point_in_solid.hpp"
-#include "common/tree/traverse.hpp"
 
 #include <span>
 
@@ -45,5 +45,13 @@ SettleStatistics settle_class(const ObbTree& a,
 /// cheap while the bodies' boxes are apart.)
 [[nodiscard]] bool
 settling_is_work(const ObbTree& a, const ObbTree& b, const ScenarioResult& result);
+
+/// `settle_class`, and its cost.
+[[nodiscard]] InsideStatistics settle_with_cost(const ObbTree& a,
+                                                const ObbTree& b,
+                                                const Scenario& scenario,
+                                                const Query& query,
+                                                ScenarioResult& result,
+                                                const SettleOptions& options = {});
 
 } // namespace cd

@@ -1,12 +1,8 @@
 // What the answers of a job cost. Never part of a result or of the digest.
 #pragma once
 
-#include "common/job/query.hpp"
-#include "common/job/result.hpp"
-#include "common/job/scenario.hpp"
-#include "common/job/settle.hpp"
-#include "common/tree/obb_tree.hpp"
-#include "common/tree/point_in_solid.hpp"
+#include "common/tree/query_statistics.hpp"
+#include "common/tree/settle_statistics.hpp"
 
 #include <cstdint>
 
@@ -29,13 +25,5 @@ struct JobStatistics {
 
     JobStatistics& operator+=(const JobStatistics& other);
 };
-
-/// `settle_class` (settle.hpp), and what it cost.
-[[nodiscard]] InsideStatistics settle_with_cost(const ObbTree& a,
-                                                const ObbTree& b,
-                                                const Scenario& scenario,
-                                                const Query& query,
-                                                ScenarioResult& result,
-                                                const SettleOptions& options = {});
 
 } // namespace cd

@@ -216,15 +216,6 @@ SolidPoint centroid_point(const Corners& corners) {
 
 } // namespace
 
-SettleStatistics& SettleStatistics::operator+=(const SettleStatistics& other) {
-    points += other.points;
-    ray_box_tests += other.ray_box_tests;
-    ray_triangle_tests += other.ray_triangle_tests;
-    by_exact += other.by_exact;
-    searches += other.searches;
-    return *this;
-}
-
 const ExactPoint& SolidPoint::exact() {
     if (!exact_) {
         exact_ = make_exact_();

@@ -3,6 +3,7 @@
 
 #include "common/tree/exact_frame.hpp"
 #include "common/tree/obb_tree.hpp"
+#include "common/tree/settle_statistics.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -11,19 +12,6 @@
 #include <vector>
 
 namespace cd {
-
-/// What it took to tell insides: reported apart from the search for contacts.
-struct SettleStatistics {
-    std::uint64_t points = 0;             ///< Whose place in a solid was asked.
-    std::uint64_t ray_box_tests = 0;      ///< Boxes held against a ray.
-    std::uint64_t ray_triangle_tests = 0; ///< Triangles held against a ray.
-    std::uint64_t by_exact = 0;           ///< Points for which doubles did not do.
-    std::uint64_t searches = 0; ///< Searches for contacts that a result did not hold any more.
-
-    SettleStatistics& operator+=(const SettleStatistics& other);
-
-    friend bool operator==(const SettleStatistics&, const SettleStatistics&) = default;
-};
 
 /// A point in a solid's coordinates: rounded with a bound, and exactly if need be.
 class SolidPoint {

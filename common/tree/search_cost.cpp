@@ -1,7 +1,8 @@
 #include "common/tree/search_cost.hpp"
 
 #include "common/tree/candidates_at_once.hpp"
-#include "common/tree/traverse.hpp"
+#include "common/tree/query_statistics.hpp"
+#include "common/tree/wide_descent.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -29,20 +30,19 @@ PoseCost search(const WideView& a,
                 const WideView& b,
                 const PosePair& poses,
                 const SearchCostOptions& options) {
-    const bool for_any = options.aim == WideDescent::Aim::First;
     PoseCost cost;
     TrianglePairTest test(poses, options.first_stage);
     const auto start = Clock::now();
     WideDescent descent(relative_pose(poses));
-    descent.start(a, b, options.aim);
+    descent.start(a, b, options.for_any ? WideDescent::Aim::First : WideDescent::Aim::All);
     cost.boxes = Clock::now() - start;
     bool is_found = false;
     while (!descent.is_done() && !is_found) {
         const auto before = Clock::now();
         const std::span<const Candidate> found =
-            descent.next(for_any ? candidates_at_once_for_any : candidates_at_once);
+            descent.next(options.for_any ? candidates_at_once_for_any : candidates_at_once);
         const auto between = Clock::now();
-        if (for_any) {
+        if (options.for_any) {
             is_found = test.find_touch(a.triangles, b.triangles, found).has_value();
         } else {
             static_cast<void>(test.classify(a.triangles, b.triangles, found));

@@ -4,7 +4,6 @@
 #include "common/geometry/pose.hpp"
 #include "common/geometry/triangle_pair.hpp"
 #include "common/tree/obb_tree.hpp"
-#include "common/tree/wide_descent.hpp"
 
 #include <chrono>
 #include <optional>
@@ -27,7 +26,7 @@ struct SearchCost {
 };
 
 struct SearchCostOptions {
-    WideDescent::Aim aim = WideDescent::Aim::All;
+    bool for_any = false; ///< Searches for a first contact, as level any does, instead of for all.
     PairStage first_stage = PairStage::Float;
     /// After that no pose is begun but the first.
     std::chrono::steady_clock::duration time_max = std::chrono::milliseconds(50);

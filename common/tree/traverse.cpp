@@ -65,19 +65,6 @@ constexpr std::size_t kept_at_least = 1u << 16;
 
 } // namespace
 
-QueryStatistics& QueryStatistics::operator+=(const QueryStatistics& other) {
-    box_tests += other.box_tests;
-    triangle_tests += other.triangle_tests;
-    decisions += other.decisions;
-    return *this;
-}
-
-bool is_ignored(std::span<const IgnoredRange> ignored, std::uint32_t a, std::uint32_t b) {
-    return std::any_of(ignored.begin(), ignored.end(), [&](const IgnoredRange& range) {
-        return a >= range.a_begin && a < range.a_end && b >= range.b_begin && b < range.b_end;
-    });
-}
-
 ContactSearch::ContactSearch(const PosePair& poses,
                              std::span<const IgnoredRange> ignored,
                              const SearchOptions& options)

@@ -5,7 +5,9 @@
 #include "common/geometry/triangle_pair.hpp"
 #include "common/tree/box_test.hpp"
 #include "common/tree/contact_pair.hpp"
+#include "common/tree/ignored_range.hpp"
 #include "common/tree/obb_tree.hpp"
+#include "common/tree/query_statistics.hpp"
 #include "common/tree/wide_descent.hpp"
 
 #include <cstdint>
@@ -15,28 +17,6 @@
 #include <vector>
 
 namespace cd {
-
-/// The paper's N_b and N_p (section 3), and how the pairs were decided.
-struct QueryStatistics {
-    std::uint64_t box_tests = 0;
-    std::uint64_t triangle_tests = 0;
-    PairStatistics decisions;
-
-    QueryStatistics& operator+=(const QueryStatistics& other);
-};
-
-/// Pairs of triangle ids that are to be passed over: a in [a_begin, a_end) with b in its range.
-struct IgnoredRange {
-    std::uint32_t a_begin = 0;
-    std::uint32_t a_end = 0;
-    std::uint32_t b_begin = 0;
-    std::uint32_t b_end = 0;
-
-    friend bool operator==(const IgnoredRange&, const IgnoredRange&) = default;
-};
-
-[[nodiscard]] bool
-is_ignored(std::span<const IgnoredRange> ignored, std::uint32_t a, std::uint32_t b);
 
 /// What a search looks for beside the contacts themselves.
 struct SearchOptions {

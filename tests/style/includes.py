@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Checks every #include against the table of layers (CONTRIBUTING.md): who may include whom, and which
-folder is the door to which library. Usage: includes.py REPOSITORY"""
+folder is the door to which library; and that headers which are slow to compile reach few files of
+the programs. Usage: includes.py REPOSITORY"""
 import pathlib
 import re
 import sys
@@ -39,6 +40,10 @@ DOORS = {
     r"hwy/": ["common/geometry", "common/tree"],
     r"fcl/": [],
 }
+# So many .cpp files of the programs and of proto/ may see these, through any number of headers. Each
+# costs its compiler time in every file; values that programs need have headers of their own.
+SLOW_HEADERS = {"common/tree/wide_kernel.hpp": 21, "common/geometry/dyadic.hpp": 0}
+PROGRAMS = ("proto/", "master/", "worker/", "client/")
 ANYWHERE = ("tests/", "bench/")  # May include everything of ours and any library.
 SOURCES = {".cpp", ".hpp", ".h"}
 
@@ -75,6 +80,29 @@ def problems_of(root, path):
                     break
 
 
+def seen_from(root, path, known):
+    """All files of ours that a file includes, directly or not, itself among them."""
+    waiting, seen = [path], set()
+    while waiting:
+        each = waiting.pop()
+        if each not in seen and (root / each).is_file():
+            seen.add(each)
+            if each not in known:
+                text = (root / each).read_text(encoding="utf-8")
+                known[each] = re.findall(r'^\s*#\s*include\s*"([^"]+)"', text, re.MULTILINE)
+            waiting += known[each]
+    return seen
+
+
+def leaks_of(root, files):
+    known = {}
+    seen = [seen_from(root, f, known) for f in files if f.startswith(PROGRAMS) and f.endswith(".cpp")]
+    for header, files_max in SLOW_HEADERS.items():
+        count = sum(header in each for each in seen)
+        if count > files_max:
+            yield f"{header}:1: is seen by {count} .cpp files of the programs, {files_max} at most may"
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
     files = sorted(
@@ -84,6 +112,7 @@ def main():
         if p.suffix in SOURCES
     )
     found = [problem for path in files for problem in problems_of(root, path)]
+    found += leaks_of(root, files)
     print("\n".join(found) or f"{len(files)} files keep to the layers")
     return 1 if found or not files else 0
 

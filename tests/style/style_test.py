@@ -14,6 +14,11 @@ BAD = {
     "a library past its door": {"master/m.cpp": "#include <assimp/scene.h>\n"},
     "Asio past its door": {"worker/w.cpp": "#include <boost/asio/read.hpp>\n"},
     "a file that is not there": {"master/m.cpp": '#include "common/core/none.hpp"\n'},
+    "a slow header in a program": {
+        "client/c.cpp": '#include "common/tree/t.hpp"\n',
+        "common/tree/t.hpp": '#pragma once\n#include "common/geometry/dyadic.hpp"\n',
+        "common/geometry/dyadic.hpp": "#pragma once\n",
+    },
     "no pragma once": {"common/core/d.hpp": "int x();\n"},
 }
 

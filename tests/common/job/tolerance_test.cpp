@@ -5,6 +5,7 @@
 #include "common/job/tolerance.hpp"
 
 #include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
 #include "common/tree/build.hpp"
 #include "tests/support/exact_distance.hpp"
 #include "tests/support/shapes.hpp"

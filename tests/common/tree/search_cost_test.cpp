@@ -42,9 +42,9 @@ TEST(SearchCost, IsTheSumOverBothKindsOfTests) {
 
 TEST(SearchCost, IsMeasuredWhereTrianglesAreTested) {
     const ObbTree tree = torus_tree();
-    for (const auto aim : {WideDescent::Aim::All, WideDescent::Aim::First}) {
+    for (const bool for_any : {false, true}) {
         SearchCostOptions options;
-        options.aim = aim;
+        options.for_any = for_any;
         const auto cost =
             measure_search_cost(tree.view(), tree.view(), moved_along_x(0.2, 2.0), options);
         ASSERT_TRUE(cost);
