@@ -1,10 +1,12 @@
 #include "client/cli.hpp"
 
 #include "client/cli_help.hpp"
+#include "client/cli_mistakes.hpp"
 #include "client/cli_options.hpp"
 #include "client/exit_code.hpp"
+#include "common/core/build_info.hpp"
 #include "common/core/limits.hpp"
-#include "common/core/version.hpp"
+#include "common/geometry/simd_target.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -51,6 +53,7 @@ struct Verbs {
     JoinCommand join;
     TokenCommand token;
     InspectCommand inspect;
+    VersionCommand version;
     std::optional<Command> chosen;
 };
 
@@ -148,10 +151,10 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
         add_output(*watch, command.output, {"text", "json"});
     };
     verbs.wait.only_wait = true;
-    add_watch("watch", "Follows a job to its end.\nExamples:\n  cdctl watch j-1", verbs.watch);
+    add_watch("watch", "Follows a job to its end.\nExamples:\n  cdctl watch j-5692", verbs.watch);
     add_watch(
         "wait",
-        "Waits for a job's end, without progress.\nExamples:\n  cdctl wait j-1 --fail-on cross",
+        "Waits for a job's end, without progress.\nExamples:\n  cdctl wait j-5692 --fail-on cross",
         verbs.wait);
 
     CLI::App* results = add_verb(app,
@@ -159,8 +162,8 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
                                  "results",
                                  "Fetches a job's results.\n"
                                  "Examples:\n"
-                                 "  cdctl results j-1 --out out --formats csv,npz\n"
-                                 "  cdctl results j-1 -o csv > scenarios.csv",
+                                 "  cdctl results j-5692 --out out --formats csv,npz\n"
+                                 "  cdctl results j-5692 -o csv > scenarios.csv",
                                  verbs.results);
     results->add_option("job", verbs.results.job, "A job's id, or its beginning")
         ->required()
@@ -179,8 +182,8 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
         verbs,
         "cancel",
         "Ends a job early, or one of its scenarios, which fails then.\nExamples:\n  cdctl cancel "
-        "j-1\n"
-        "  cdctl cancel j-1 --scenario 17     it takes too long; the job goes on without it",
+        "j-5692\n"
+        "  cdctl cancel j-5692 --scenario 17     it takes too long; the job goes on without it",
         verbs.cancel);
     cancel->add_option("--scenario", verbs.cancel.scenario, "Its number in the job, from 0")
         ->type_name("N");
@@ -194,8 +197,8 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
                                  "explain",
                                  "Shows how each worker scores for a scenario of a running job.\n"
                                  "Examples:\n"
-                                 "  cdctl explain j-1 17\n"
-                                 "  cdctl explain j-1 17 -o json",
+                                 "  cdctl explain j-5692 17\n"
+                                 "  cdctl explain j-5692 17 -o json",
                                  verbs.explain);
     explain->add_option("job", verbs.explain.job, "A job's id, or its beginning")
         ->required()
@@ -232,9 +235,14 @@ void add_cluster_verbs(CLI::App& app, Verbs& verbs) {
                                 verbs.status);
     add_master_options(*status, verbs.status.master, true);
     add_output(*status, verbs.status.output, {"text", "json"});
-    app.add_subcommand("version", "Prints the version")->callback([&verbs] {
-        verbs.chosen = VersionCommand{};
-    });
+    CLI::App* version = add_verb(app,
+                                 verbs,
+                                 "version",
+                                 "Prints version, commit, compiler, SIMD target and libraries.\n"
+                                 "Examples:\n"
+                                 "  cdctl version -o json",
+                                 verbs.version);
+    add_output(*version, verbs.version.output, {"text", "json"});
 }
 
 void add_identity_verbs(CLI::App& app, Verbs& verbs) {
@@ -291,12 +299,17 @@ void add_identity_verbs(CLI::App& app, Verbs& verbs) {
 }
 
 /// CLI11's exit codes tell its own errors apart; ours is one for all wrong usage.
-CommandLine refused(const CLI::App& app, const CLI::ParseError& error) {
+CommandLine refused(const CLI::App& app,
+                    const CLI::ParseError& error,
+                    const std::vector<std::string>& arguments) {
     std::ostringstream out;
     std::ostringstream problem;
     const int code = app.exit(error, out, problem);
     if (code == 0) {
         return {std::nullopt, out.str(), exit_done};
+    }
+    if (const auto word = unknown_word(app, arguments)) {
+        return {std::nullopt, "cdctl: " + *word + "\n", exit_usage};
     }
     return {std::nullopt, "cdctl: " + problem.str(), exit_usage};
 }
@@ -304,22 +317,29 @@ CommandLine refused(const CLI::App& app, const CLI::ParseError& error) {
 } // namespace
 
 CommandLine parse_command_line(std::vector<std::string> arguments) {
+    if (arguments.empty()) {
+        return {std::nullopt, first_steps(), exit_usage};
+    }
+    if (const auto answer = version_answer("cdctl", to_text(simd_target()), arguments)) {
+        return {std::nullopt, *answer, exit_done};
+    }
     Verbs verbs;
     CLI::App app(main_help, "cdctl");
     app.formatter(std::make_shared<ExamplesFirst>());
     app.get_formatter()->column_width(34);
-    app.set_version_flag("--version", "cdctl " + std::string(version));
+    app.set_version_flag("--version",
+                         version_text("cdctl", to_text(simd_target()), false),
+                         "Version, commit, compiler, libraries; with -o json for programs");
     app.set_help_flag("-h,--help", "This text");
     app.require_subcommand(1);
     add_local_verbs(app, verbs);
     add_job_verbs(app, verbs);
     add_cluster_verbs(app, verbs);
     add_identity_verbs(app, verbs);
-    std::reverse(arguments.begin(), arguments.end()); // As CLI11 wants a vector.
     try {
-        app.parse(std::move(arguments));
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {
-        return refused(app, error);
+        return refused(app, error, arguments);
     }
     return {std::move(verbs.chosen), "", exit_done};
 }

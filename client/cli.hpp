@@ -117,7 +117,9 @@ struct InspectCommand {
     std::string output = "text"; ///< text, json
 };
 
-struct VersionCommand {};
+struct VersionCommand {
+    std::string output = "text"; ///< text, json
+};
 
 using Command = std::variant<RunCommand,
                              DemoCommand,

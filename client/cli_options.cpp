@@ -40,7 +40,7 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
     const std::string inputs = "Without a job file";
     verb.add_option("--a", job.a, "Mesh of body A")->type_name("MESH")->group(inputs);
     verb.add_option("--b", job.b, "Mesh of body B")->type_name("MESH")->group(inputs);
-    verb.add_option("--unit", job.unit, "Unit of the job and its poses (m)")
+    verb.add_option("--unit", job.unit, "Unit of the job: poses, results (m)")
         ->check(CLI::IsMember(units()))
         ->type_name("UNIT")
         ->group(inputs);
@@ -54,6 +54,10 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->group(inputs);
     verb.add_option("--poses", job.poses, "Poses of B in A's frame: .npy, .csv, TUM; - is stdin")
         ->type_name("FILE")
+        ->group(inputs);
+    verb.add_option("--poses-unit", job.poses_unit, "Unit of the poses' lengths, where it differs")
+        ->check(CLI::IsMember(units()))
+        ->type_name("UNIT")
         ->group(inputs);
     verb.add_option("--quat-order", job.quat_order, "Only for a bare (N,7): xyzw or wxyz")
         ->check(CLI::IsMember(std::vector<std::string>{"xyzw", "wxyz"}))
@@ -81,7 +85,9 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->check(CLI::IsMember(levels))
         ->type_name("LEVEL")
         ->group(query);
-    verb.add_option("--tolerance", job.tolerance, "Leave boxes this small undecided; 0 is exact")
+    verb.add_option("--tolerance",
+                    job.tolerance,
+                    "Near misses: boxes this small stay undecided; slower than 0, exact")
         ->check(CLI::NonNegativeNumber)
         ->type_name("LENGTH")
         ->group(query);

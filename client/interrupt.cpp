@@ -1,5 +1,11 @@
 #include "client/interrupt.hpp"
 
+#include "client/exit_code.hpp"
+
+#include <unistd.h>
+
+#include <string_view>
+
 namespace cd {
 
 namespace {
@@ -10,15 +16,34 @@ void remember(int signal) {
     received = signal;
 }
 
+/// Calls nothing that a signal may not interrupt.
+void end_process(int signal) {
+    constexpr std::string_view line = "\ncdctl: interrupted\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
+    ::_exit(exit_signal_base + signal);
+}
+
+void handle(void (*handler)(int),
+            struct sigaction* old_interrupt,
+            struct sigaction* old_terminate) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESETHAND | SA_RESTART;
+    sigaction(SIGINT, &action, old_interrupt);
+    sigaction(SIGTERM, &action, old_terminate);
+}
+
 } // namespace
 
-InterruptGuard::InterruptGuard() {
+InterruptGuard::InterruptGuard(First first) {
     received = 0;
-    struct sigaction action {};
-    action.sa_handler = remember;
-    action.sa_flags = SA_RESETHAND | SA_RESTART;
-    sigaction(SIGINT, &action, &old_interrupt_);
-    sigaction(SIGTERM, &action, &old_terminate_);
+    handle(first == First::SetsFlag ? remember : end_process, &old_interrupt_, &old_terminate_);
+}
+
+void InterruptGuard::begin_to_flag() {
+    if (received == 0) {
+        handle(remember, nullptr, nullptr);
+    }
 }
 
 InterruptGuard::~InterruptGuard() {

@@ -9,11 +9,18 @@ namespace cd {
 /// once. One at a time.
 class InterruptGuard {
   public:
-    InterruptGuard();
+    /// `EndsProcess`: until `begin_to_flag` also the first signal ends the process at once, with a
+    /// line on stderr and exit code 128 + signal. For work that nothing would be lost of, and that
+    /// may block: reading inputs, building trees.
+    enum class First { SetsFlag, EndsProcess };
+
+    explicit InterruptGuard(First first = First::SetsFlag);
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
     ~InterruptGuard();
 
+    /// From now on the first signal only sets the flag.
+    static void begin_to_flag();
     /// The signal that came, or 0.
     [[nodiscard]] static int signal();
 

@@ -88,6 +88,14 @@ Grid read_grid(const toml::table& table, TomlProblem& problem) {
     return grid;
 }
 
+Grid scaled(Grid grid, double length_factor) {
+    for (GridAxis& axis : grid.position) {
+        axis.first *= length_factor;
+        axis.last *= length_factor;
+    }
+    return grid;
+}
+
 RandomPoses read_random(const toml::table& table, TomlProblem& problem) {
     const TomlFields fields(table, "[poses] random", problem, {"n", "seed", "penetration"});
     RandomPoses random;
@@ -125,10 +133,11 @@ void read_poses(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         job.report("poses", "the table [poses] is missing; it has a file, a grid or random");
         return;
     }
-    const TomlFields fields(*table,
-                            "[poses]",
-                            problem,
-                            {"file", "grid", "random", "quat_order", "of", "rigid_tolerance"});
+    const TomlFields fields(
+        *table,
+        "[poses]",
+        problem,
+        {"file", "grid", "random", "unit", "quat_order", "of", "rigid_tolerance"});
     const auto file = fields.text("file");
     const toml::table* grid = fields.table("grid");
     const toml::table* random = fields.table("random");
@@ -137,8 +146,11 @@ void read_poses(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         fields.report("", "exactly one of file, grid and random is needed");
         return;
     }
+    const std::string unit = fields.word("unit", unit_names()).value_or(spec.unit);
+    const double factor = unit_factor(unit, spec.unit).value_or(1);
     if (file) {
         spec.poses = read_pose_file(fields, *file, spec.file);
+        std::get<PoseFileSpec>(spec.poses).length_factor = factor;
         return;
     }
     for (const std::string_view key : {"quat_order", "of", "rigid_tolerance"}) {
@@ -147,7 +159,9 @@ void read_poses(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         }
     }
     if (grid != nullptr) {
-        spec.poses = read_grid(*grid, problem);
+        spec.poses = scaled(read_grid(*grid, problem), factor);
+    } else if (fields.has("unit")) {
+        fields.report("unit", "unit belongs to poses from a file or a grid");
     } else {
         spec.poses = read_random(*random, problem);
     }

@@ -30,6 +30,7 @@ struct PoseFileSpec {
     std::string quat_order;      ///< "xyzw", "wxyz", or empty where the file itself says.
     bool of_both_bodies = false; ///< Otherwise the poses are B's in A's frame.
     std::optional<double> rigid_tolerance;
+    double length_factor = 1; ///< From the unit of the file's translations to the job's.
 };
 
 using PosesSpec = std::variant<PoseFileSpec, Grid, RandomPoses>;

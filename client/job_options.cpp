@@ -17,8 +17,9 @@ Error usage(const std::string& what) {
 bool gives_inputs(const JobOptions& options) {
     return !options.a.empty() || !options.b.empty() || !options.poses.empty() ||
            !options.unit.empty() || !options.unit_a.empty() || !options.unit_b.empty() ||
-           !options.quat_order.empty() || options.poses_of_both || options.rigid_tolerance ||
-           options.random || options.seed || !options.penetration.empty();
+           !options.poses_unit.empty() || !options.quat_order.empty() || options.poses_of_both ||
+           options.rigid_tolerance || options.random || options.seed ||
+           !options.penetration.empty();
 }
 
 Result<PosesSpec> poses_of(const JobOptions& options) {
@@ -26,17 +27,22 @@ Result<PosesSpec> poses_of(const JobOptions& options) {
         return usage("give the poses: either --poses FILE or --random N");
     }
     const bool has_random_option = options.seed || !options.penetration.empty();
-    const bool has_file_option =
-        !options.quat_order.empty() || options.poses_of_both || options.rigid_tolerance;
+    const bool has_file_option = !options.poses_unit.empty() || !options.quat_order.empty() ||
+                                 options.poses_of_both || options.rigid_tolerance;
     if (!options.random) {
         if (has_random_option) {
             return usage("--seed and --penetration belong to --random");
         }
-        return PosesSpec(PoseFileSpec{
-            options.poses, options.quat_order, options.poses_of_both, options.rigid_tolerance});
+        PoseFileSpec file{
+            options.poses, options.quat_order, options.poses_of_both, options.rigid_tolerance};
+        const std::string& unit = options.unit.empty() ? JobSpec().unit : options.unit;
+        if (!options.poses_unit.empty()) {
+            file.length_factor = unit_factor(options.poses_unit, unit).value_or(1);
+        }
+        return PosesSpec(std::move(file));
     }
     if (has_file_option) {
-        return usage("--quat-order, --both and --rigid-tolerance belong to --poses");
+        return usage("--poses-unit, --quat-order, --both and --rigid-tolerance belong to --poses");
     }
     RandomPoses random;
     random.count = *options.random;

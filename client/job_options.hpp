@@ -22,6 +22,7 @@ struct JobOptions {
     std::string unit_a;
     std::string unit_b;
     std::string poses;
+    std::string poses_unit; ///< Of their translations; empty: the job's.
     std::string quat_order;
     bool poses_of_both = false;
     std::optional<double> rigid_tolerance;

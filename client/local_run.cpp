@@ -27,10 +27,12 @@ Error interrupted() {
     return {ErrorCode::Interrupted, "interrupted; no results were kept"};
 }
 
-/// Hands the next scenarios to the run while it wants them.
+/// Hands the next scenarios to the run while it wants them, for no longer than until progress is
+/// due.
 Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
-    while (fed < poses.count()) {
-        const std::uint64_t wanted = run.wanted();
+    const auto end = Clock::now() + limits::progress_period;
+    while (fed < poses.count() && Clock::now() < end) {
+        const std::uint64_t wanted = std::min(run.wanted(), limits::run_poses_at_once_max);
         if (wanted == 0) {
             break;
         }

@@ -2,10 +2,12 @@
 
 #include "client/body_trees.hpp"
 #include "client/import/mesh_import.hpp"
+#include "client/interrupt.hpp"
 #include "client/poses/pose_file.hpp"
 #include "client/units.hpp"
 #include "client/words.hpp"
 #include "common/geometry/topology.hpp"
+#include "common/job/made_poses.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -66,10 +68,20 @@ void get_trees(PreparedJob& job, Trees trees, TreeCache& cache, ThreadPool& pool
     }
 }
 
+/// "; y, z, roll, pitch are 0".
+std::string zeros_text(const std::vector<std::string>& zeros) {
+    std::string text;
+    for (const std::string& name : zeros) {
+        text += (text.empty() ? "; " : ", ") + name;
+    }
+    return text.empty() ? text : text + (zeros.size() == 1 ? " is 0" : " are 0");
+}
+
 /// How the poses came about, for the header.
-std::string poses_text(const PosesSpec& spec) {
+std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& zeros) {
     if (const auto* file = std::get_if<PoseFileSpec>(&spec)) {
-        return file->path == "-" ? "from standard input" : file->path.filename().string();
+        return (file->path == "-" ? "from standard input" : file->path.filename().string()) +
+               zeros_text(zeros);
     }
     if (const auto* random = std::get_if<RandomPoses>(&spec)) {
         return "random, seed " + std::to_string(random->seed) + ", penetration " +
@@ -100,8 +112,10 @@ Status make_poses(PreparedJob& job, ThreadPool& pool) {
         return Done{};
     }
     if (const auto* random = std::get_if<RandomPoses>(&job.spec.poses)) {
-        job.poses =
-            make_list_source(make_random_poses(*random, *job.trees[0], *job.trees[1], pool));
+        job.poses = make_computed_source(random->count,
+                                         random_scenarios(*random, *job.trees[0], *job.trees[1]),
+                                         pool.size(),
+                                         [] { return InterruptGuard::signal() != 0; });
         return Done{};
     }
     const auto& spec = std::get<PoseFileSpec>(job.spec.poses);
@@ -110,6 +124,7 @@ Status make_poses(PreparedJob& job, ThreadPool& pool) {
         return file.error();
     }
     job.poses = std::move(file.value().source);
+    job.zeros = std::move(file.value().zeros);
     for (const std::string& warning : file.value().warnings) {
         job.warnings.push_back("warning: " + warning);
     }
@@ -130,7 +145,8 @@ void describe(PreparedJob& job) {
     if (auto warning = unit_warning(lines[0], lines[1])) {
         job.warnings.push_back(*warning);
     }
-    job.header = header_text(lines[0], lines[1], job.poses->count(), poses_text(job.spec.poses));
+    job.header =
+        header_text(lines[0], lines[1], job.poses->count(), poses_text(job.spec.poses, job.zeros));
 }
 
 } // namespace

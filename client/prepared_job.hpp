@@ -27,6 +27,7 @@ struct PreparedJob {
     Query query;
     std::optional<Grid> grid; ///< Poses that travel as this description.
     std::unique_ptr<PoseSource> poses;
+    std::vector<std::string> zeros;    ///< Numbers that the pose file leaves out.
     std::vector<std::string> warnings; ///< One line each.
     std::string header;                ///< `header_text`.
 };

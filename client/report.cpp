@@ -305,6 +305,9 @@ std::string summary_text(const RunReport& report, bool colours) {
         text += "  undecided     in " + counted(summary.undecided, "scenario") +
                 ": boxes as small as the tolerance were left; pairs are those proven, not all\n";
     }
+    if (!report.hint.empty()) {
+        text += "  hint          " + report.hint + "\n";
+    }
     text += map_text(report);
     if (!report.most_touched.empty()) {
         text += "  most touched  ";

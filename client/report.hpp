@@ -85,6 +85,7 @@ struct RunReport {
     std::optional<ContactMap> map;        ///< Where one was asked for,
     std::string map_withdrawn;            ///< or why there is none.
     std::vector<PartTally::Touched> most_touched;
+    std::string hint; ///< A line about poses that bring no contact; empty where there is none.
 };
 
 /// The lines after a run, each ended; with colours for a terminal that takes them.

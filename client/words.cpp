@@ -4,26 +4,30 @@
 #include <array>
 #include <charconv>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 namespace cd {
 
 namespace {
 
-/// Levenshtein's distance, a row at a time.
+/// Levenshtein's distance where exchanging two neighbours is one edit, too (optimal string
+/// alignment), a row at a time.
 std::size_t edits_between(std::string_view from, std::string_view to) {
     std::vector<std::size_t> row(to.size() + 1);
     for (std::size_t j = 0; j < row.size(); ++j) {
         row[j] = j;
     }
+    std::vector<std::size_t> above = row;
     for (std::size_t i = 0; i < from.size(); ++i) {
-        std::size_t diagonal = row[0];
+        const std::vector<std::size_t> above_that = std::exchange(above, row);
         row[0] = i + 1;
         for (std::size_t j = 0; j < to.size(); ++j) {
-            const std::size_t above = row[j + 1];
-            const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-            row[j + 1] = std::min({replaced, above + 1, row[j] + 1});
-            diagonal = above;
+            const std::size_t replaced = above[j] + (from[i] == to[j] ? 0 : 1);
+            row[j + 1] = std::min({replaced, above[j + 1] + 1, row[j] + 1});
+            if (i > 0 && j > 0 && from[i] == to[j - 1] && from[i - 1] == to[j]) {
+                row[j + 1] = std::min(row[j + 1], above_that[j - 1] + 1);
+            }
         }
     }
     return row.back();

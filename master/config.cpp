@@ -1,9 +1,10 @@
 #include "master/config.hpp"
 
+#include "common/core/build_info.hpp"
 #include "common/core/daemon_options.hpp"
 #include "common/core/duration.hpp"
 #include "common/core/state_folder.hpp"
-#include "common/core/version.hpp"
+#include "common/geometry/simd_target.hpp"
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>
@@ -156,11 +157,17 @@ MasterCommandLine refused(const CLI::App& app, const CLI::ParseError& error) {
 } // namespace
 
 MasterCommandLine parse_master_command_line(int count, const char* const* arguments) {
+    const std::vector<std::string> words(arguments + std::min(count, 1), arguments + count);
+    if (auto answer = version_answer("cdmaster", to_text(simd_target()), words)) {
+        return {std::nullopt, *std::move(answer), 0};
+    }
     MasterConfig config;
     Texts texts;
     CLI::App app(help, "cdmaster");
     app.formatter(make_examples_first());
-    app.set_version_flag("--version", "cdmaster " + std::string(version));
+    app.set_version_flag("--version",
+                         version_text("cdmaster", to_text(simd_target()), false),
+                         "Version, commit, compiler, libraries; with -o json for programs");
     app.set_help_flag("-h,--help", "This text");
     add_options(app, config, texts);
     app.fallthrough(); // So that --state may follow the word.

@@ -1,11 +1,12 @@
 #include "worker/config.hpp"
 
+#include "common/core/build_info.hpp"
 #include "common/core/daemon_options.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/memory_limit.hpp"
 #include "common/core/printable.hpp"
 #include "common/core/state_folder.hpp"
-#include "common/core/version.hpp"
+#include "common/geometry/simd_target.hpp"
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>
@@ -177,12 +178,18 @@ Status check_name(const std::string& name) {
 } // namespace
 
 WorkerCommandLine parse_worker_command_line(int count, const char* const* arguments) {
+    const std::vector<std::string> words(arguments + std::min(count, 1), arguments + count);
+    if (auto answer = version_answer("cdworker", to_text(simd_target()), words)) {
+        return {std::nullopt, *std::move(answer), 0};
+    }
     WorkerConfig config;
     config.name = default_name();
     Texts texts;
     CLI::App app(help, "cdworker");
     app.formatter(make_examples_first());
-    app.set_version_flag("--version", "cdworker " + std::string(version));
+    app.set_version_flag("--version",
+                         version_text("cdworker", to_text(simd_target()), false),
+                         "Version, commit, compiler, libraries; with -o json for programs");
     app.set_help_flag("-h,--help", "This text");
     add_options(app, config, texts);
     const CLI::App* join = add_join(app, texts);

@@ -1,7 +1,8 @@
 #include "client/commands/commands.hpp"
 #include "client/exit_code.hpp"
 #include "client/interrupt.hpp"
-#include "common/core/version.hpp"
+#include "common/core/build_info.hpp"
+#include "common/geometry/simd_target.hpp"
 
 #include <csignal>
 #include <cstdio>
@@ -37,8 +38,9 @@ int fail(const Error& error) {
     return exit_code_of(error, signal == 0 ? SIGINT : signal);
 }
 
-int execute(const VersionCommand&) {
-    std::printf("cdctl %s\n", std::string(version).c_str());
+int execute(const VersionCommand& command) {
+    const bool as_json = command.output == "json";
+    std::fputs(version_text("cdctl", to_text(simd_target()), as_json).c_str(), stdout);
     return exit_done;
 }
 

@@ -54,6 +54,7 @@ Status report(Connection& connection,
     }
     told.where = workers_text(connection);
     told.most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    told.hint = hint_of(job, told.summary);
     return sink.value().finish(told, command.quiet);
 }
 
@@ -103,7 +104,7 @@ int run_on_master(const RunCommand& command, PreparedJob& job) {
 }
 
 int execute(const SubmitCommand& command) {
-    const InterruptGuard interrupts;
+    const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     auto spec = make_job_spec(command.job);
     if (!spec) {
         return fail(spec.error());
@@ -115,6 +116,7 @@ int execute(const SubmitCommand& command) {
         return fail(job.error());
     }
     print_header(job.value(), command.quiet);
+    InterruptGuard::begin_to_flag();
     auto connection = open_master(command.master);
     if (!connection) {
         return fail(connection.error());

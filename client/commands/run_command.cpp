@@ -6,6 +6,7 @@
 #include "client/heap.hpp"
 #include "client/interrupt.hpp"
 #include "client/local_run.hpp"
+#include "client/poses/nearness.hpp"
 #include "client/words.hpp"
 #include "common/geometry/simd_target.hpp"
 
@@ -52,6 +53,7 @@ int run_here(const RunCommand& command, PreparedJob& job, ThreadPool& pool) {
     }
     report.where = counted(pool.size(), "thread");
     report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    report.hint = hint_of(job, report.summary);
     if (Status finished = sink.value().finish(report, command.quiet); !finished) {
         return fail(finished.error());
     }
@@ -119,8 +121,14 @@ void print_header(const PreparedJob& job, bool quiet) {
 }
 
 int execute(const RunCommand& command) {
-    const InterruptGuard interrupts;
+    const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     return run_job(command);
+}
+
+std::string hint_of(const PreparedJob& job, const Summary& summary) {
+    return summary.separate == summary.total
+               ? nearness_hint(*job.meshes[0], *job.meshes[1], *job.poses, job.spec.unit)
+               : std::string();
 }
 
 int run_job(const RunCommand& command) {
@@ -152,6 +160,7 @@ int run_job(const RunCommand& command) {
     if (command.dry_run) {
         return exit_done;
     }
+    InterruptGuard::begin_to_flag();
     return here ? run_here(command, job.value(), pool) : run_on_master(command, job.value());
 }
 

@@ -42,4 +42,7 @@ class ResultSink {
 /// Header and warnings on stderr; warnings also when quiet.
 void print_header(const PreparedJob& job, bool quiet);
 
+/// For `RunReport::hint`. Reads the poses again where all scenarios are separate.
+[[nodiscard]] std::string hint_of(const PreparedJob& job, const Summary& summary);
+
 } // namespace cd

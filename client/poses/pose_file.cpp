@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -91,6 +92,9 @@ Result<PoseTable> open_table(const PoseFileSpec& spec) {
     if (ending == ".npz") {
         return open_npz(spec);
     }
+    if (std::filesystem::is_directory(spec.path)) {
+        return bad("is a folder; a file of poses is needed");
+    }
     std::ifstream in(spec.path, std::ios::binary);
     if (!in) {
         return bad("cannot be opened");
@@ -128,14 +132,16 @@ Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec) {
     }
     OpenedPoses opened;
     if (report.value().off != 0) {
-        opened.warnings.push_back(
-            fmt::format("{}: {} poses are off from rigid by more than 1e-9; the worst is row {}, "
-                        "off by {:.3g}. They are taken as they are",
-                        name,
-                        report.value().off,
-                        report.value().worst_row,
-                        report.value().worst));
+        opened.warnings.push_back(fmt::format(
+            "{}: {} poses are off from rigid by more than 1e-9; the worst is {}, "
+            "off by {:.3g}. A matrix is taken as it is, a quaternion is scaled to length 1",
+            name,
+            report.value().off,
+            place_of_row(table.value(), report.value().worst_row),
+            report.value().worst));
     }
+    opened.zeros = table.value().zeros;
+    table.value().length_factor = spec.length_factor;
     opened.source = make_table_source(std::move(table.value()));
     return opened;
 }

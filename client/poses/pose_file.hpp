@@ -14,6 +14,7 @@ namespace cd {
 struct OpenedPoses {
     std::unique_ptr<PoseSource> source;
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
+    std::vector<std::string> zeros;    ///< Columns that the file leaves out: their numbers are 0.
 };
 
 /// Opens a file of poses and checks every one of them, so that a run does not end in the middle.

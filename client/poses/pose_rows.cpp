@@ -17,12 +17,13 @@ constexpr double matrix_off_max = 1e-5;
 constexpr double warn_above = 1e-9;
 constexpr std::uint64_t rows_at_once = 4096;
 
-Pose to_pose(std::span<const double> v, PoseLayout layout) {
+Pose to_pose(std::span<const double> v, PoseLayout layout, double length_factor) {
+    const auto length = [&](std::size_t i) { return length_factor * v[i]; };
     switch (layout) {
     case PoseLayout::Xyzw:
-        return Pose::from_quaternion({v[6], v[3], v[4], v[5]}, {v[0], v[1], v[2]});
+        return Pose::from_quaternion({v[6], v[3], v[4], v[5]}, {length(0), length(1), length(2)});
     case PoseLayout::Wxyz:
-        return Pose::from_quaternion({v[3], v[4], v[5], v[6]}, {v[0], v[1], v[2]});
+        return Pose::from_quaternion({v[3], v[4], v[5], v[6]}, {length(0), length(1), length(2)});
     case PoseLayout::Matrix44:
     case PoseLayout::Matrix34:
         break;
@@ -33,7 +34,7 @@ Pose to_pose(std::span<const double> v, PoseLayout layout) {
         for (int column = 0; column < 3; ++column) {
             rotation(row, column) = v[static_cast<std::size_t>(4 * row + column)];
         }
-        translation[row] = v[static_cast<std::size_t>(4 * row + 3)];
+        translation[row] = length(static_cast<std::size_t>(4 * row + 3));
     }
     return Pose::from_matrix(rotation, translation);
 }
@@ -63,7 +64,7 @@ Result<double> distance_from_rigid(std::span<const double> v, PoseLayout layout)
         return bad(fmt::format(
             "the last row of the matrix is {} {} {} {}, not 0 0 0 1", v[12], v[13], v[14], v[15]));
     }
-    const Mat3 rotation = to_pose(v, layout).matrix();
+    const Mat3 rotation = to_pose(v, layout, 1).matrix();
     const double determinant = rotation.determinant();
     if (!(determinant > 0)) {
         return bad(fmt::format("the matrix mirrors: its determinant is {:.6g}", determinant));
@@ -98,24 +99,31 @@ class TableSource final : public PoseSource {
             const auto off = distance_from_rigid(rest.subspan(i, size), table_.layout);
             if (!off) {
                 const std::uint64_t row = first + i / (size * (table_.of_both_bodies ? 2 : 1));
-                return Error{ErrorCode::BadInput,
-                             fmt::format("poses: row {}: {}", row, off.error().detail)};
+                return Error{
+                    ErrorCode::BadInput,
+                    fmt::format("poses: {}: {}", place_of_row(table_, row), off.error().detail)};
             }
         }
         std::vector<Scenario> scenarios(count);
         for (std::uint64_t i = 0; i < count; ++i) {
             scenarios[i].index = first + i;
             if (table_.of_both_bodies) {
-                scenarios[i].poses.a = to_pose(rest.first(size), table_.layout);
-                rest = rest.subspan(size);
+                scenarios[i].poses.a = next_pose(rest);
             }
-            scenarios[i].poses.b = to_pose(rest.first(size), table_.layout);
-            rest = rest.subspan(size);
+            scenarios[i].poses.b = next_pose(rest);
         }
         return scenarios;
     }
 
   private:
+    /// Takes its numbers off the front.
+    [[nodiscard]] Pose next_pose(std::span<const double>& numbers) const {
+        const std::size_t size = numbers_of(table_.layout);
+        const auto pose = to_pose(numbers.first(size), table_.layout, table_.length_factor);
+        numbers = numbers.subspan(size);
+        return pose;
+    }
+
     PoseTable table_;
     std::mutex mutex_; ///< The file has one position.
 };
@@ -133,6 +141,13 @@ std::size_t numbers_of(PoseLayout layout) {
         break;
     }
     return 7;
+}
+
+std::string place_of_row(const PoseTable& table, std::uint64_t row) {
+    if (row < table.lines.size()) {
+        return fmt::format("line {}", table.lines[row]);
+    }
+    return fmt::format("{} {}", table.of_both_bodies ? "scenario" : "row", row);
 }
 
 Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> rigid_tolerance) {
@@ -156,8 +171,8 @@ Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> 
             }
             if (!off || !(off.value() <= allowed)) {
                 return Error{ErrorCode::BadInput,
-                             fmt::format("row {}: {}",
-                                         row,
+                             fmt::format("{}: {}",
+                                         place_of_row(table, row),
                                          off ? describe(table.layout, off.value(), allowed)
                                              : off.error().detail)};
             }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace cd {
 
@@ -29,7 +30,14 @@ struct PoseTable {
     PoseLayout layout = PoseLayout::Matrix44;
     bool of_both_bodies = false;
     bool from_angles = false; ///< Quaternions of our own making, whose norm need not be 1.
+    std::vector<std::string> zeros = {};   ///< Names of numbers that the file leaves out.
+    std::vector<std::uint64_t> lines = {}; ///< Of the rows in a text file of B's poses; else empty.
+    double length_factor = 1;              ///< Translations are multiplied by it.
 };
+
+/// Where a user finds the row: "line 2" of a text file, else "row 0", or "scenario 0" where it has
+/// the poses of both bodies.
+[[nodiscard]] std::string place_of_row(const PoseTable& table, std::uint64_t row);
 
 /// What the check of all rows found.
 struct RigidityReport {
@@ -38,7 +46,7 @@ struct RigidityReport {
     double worst = 0;
 };
 
-/// Reads all rows once. Errors: BadInput naming the row and the value, as `open_pose_file`.
+/// Reads all rows once. Errors: BadInput naming the place and the value, as `open_pose_file`.
 [[nodiscard]] Result<RigidityReport> check_rows(const PoseTable& table,
                                                 std::optional<double> rigid_tolerance);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,13 +80,29 @@ PoseTable make_table(std::vector<double> numbers, PoseLayout layout, bool of_bot
 
 enum class ColumnSet { Quaternion, Matrix, Euler };
 
+/// A column that the file does not have; its number is 0.
+constexpr std::size_t no_column = static_cast<std::size_t>(-1);
+
+/// Where one number of a pose stands, and what it is multiplied by.
+struct NumberColumn {
+    std::size_t place = no_column;
+    double factor = 1;
+};
+
 struct Columns {
     ColumnSet set = ColumnSet::Quaternion;
-    std::vector<std::size_t> places; ///< Of the numbers, in the order of the layout.
+    std::vector<NumberColumn> numbers; ///< In the order of the layout; angles become degrees.
+    std::vector<std::string> zeros;    ///< Names of the numbers without a column.
     std::size_t scenario = 0;
     std::size_t body = 0;
     std::size_t count = 0;
 };
+
+constexpr std::string_view known_columns =
+    "the first line must name x,y,z,qx,qy,qz,qw or m00 to m23, or some of x, y, z, roll_deg, "
+    "pitch_deg, yaw_deg (or roll_rad, pitch_rad, yaw_rad)";
+constexpr std::array<std::string_view, 3> angle_names{"roll", "pitch", "yaw"};
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
 const std::vector<std::string_view>& names_of(ColumnSet set) {
     static const std::vector<std::string_view> quaternion{"x", "y", "z", "qx", "qy", "qz", "qw"};
@@ -95,61 +112,132 @@ const std::vector<std::string_view>& names_of(ColumnSet set) {
     return set == ColumnSet::Quaternion ? quaternion : set == ColumnSet::Euler ? euler : matrix;
 }
 
-Result<Columns> read_header(std::string_view line, std::uint64_t number, bool of_both_bodies) {
-    std::vector<std::string> names;
-    for (const std::string_view word : split(line, ",", false)) {
-        std::string name(word);
-        std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
-            return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-        });
-        if (name.ends_with("_deg")) {
-            name.resize(name.size() - 4);
+/// The names of the columns, in lower case.
+class HeaderNames {
+  public:
+    explicit HeaderNames(std::string_view line) {
+        for (const std::string_view word : split(line, ",", false)) {
+            std::string name(word);
+            std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
+                return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+            });
+            names_.push_back(std::move(name));
         }
-        names.push_back(std::move(name));
     }
-    const auto place_of = [&](std::string_view name) {
-        return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
-                                        names.begin());
-    };
-    const auto has = [&](std::string_view name) { return place_of(name) < names.size(); };
 
-    Columns columns;
-    columns.count = names.size();
-    columns.set = has("qx") || has("qw") ? ColumnSet::Quaternion
-                  : has("m00")           ? ColumnSet::Matrix
-                                         : ColumnSet::Euler;
-    const auto& wanted = names_of(columns.set);
-    for (const std::string_view name : wanted) {
-        if (!has(name)) {
-            return bad(number,
-                       "there is no column '" + std::string(name) +
-                           "'; the first line must name x,y,z,qx,qy,qz,qw or m00 to m23 or "
-                           "x,y,z,roll,pitch,yaw");
-        }
-        columns.places.push_back(place_of(name));
+    [[nodiscard]] const std::vector<std::string>& all() const { return names_; }
+    /// The number of columns where there is none of this name.
+    [[nodiscard]] std::size_t place_of(std::string_view name) const {
+        return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) -
+                                        names_.begin());
     }
+    [[nodiscard]] bool has(std::string_view name) const { return place_of(name) < names_.size(); }
+
+  private:
+    std::vector<std::string> names_;
+};
+
+/// Errors: BadInput for an angle without its unit, or given in both.
+Status check_angles(const HeaderNames& names, std::uint64_t line) {
+    for (const std::string_view angle : angle_names) {
+        const std::string name(angle);
+        if (names.has(name)) {
+            return bad(line,
+                       "column '" + name + "' does not say its unit: name it " + name + "_deg or " +
+                           name + "_rad");
+        }
+        if (names.has(name + "_deg") && names.has(name + "_rad")) {
+            return bad(line, "columns '" + name + "_deg' and '" + name + "_rad' are one angle");
+        }
+    }
+    return Done{};
+}
+
+/// The column of one number, whatever unit its name ends with.
+NumberColumn find_column(const HeaderNames& names, const std::string& name, ColumnSet set) {
+    if (names.has(name)) {
+        return {names.place_of(name)};
+    }
+    if (set == ColumnSet::Euler && names.has(name + "_deg")) {
+        return {names.place_of(name + "_deg")};
+    }
+    if (set == ColumnSet::Euler && names.has(name + "_rad")) {
+        return {names.place_of(name + "_rad"), degrees_per_radian};
+    }
+    return {};
+}
+
+/// Finds the columns of the poses' numbers. Errors: BadInput for one that may not be missing.
+Status find_numbers(const HeaderNames& names, std::uint64_t line, Columns& columns) {
+    for (const std::string_view wanted : names_of(columns.set)) {
+        const std::string name(wanted);
+        columns.numbers.push_back(find_column(names, name, columns.set));
+        if (columns.numbers.back().place != no_column) {
+            continue;
+        }
+        columns.zeros.push_back(name);
+        if (columns.set != ColumnSet::Euler) {
+            return bad(line, "there is no column '" + name + "'; " + std::string(known_columns));
+        }
+    }
+    if (columns.zeros.size() == columns.numbers.size()) {
+        return bad(line, "there is no column of a pose; " + std::string(known_columns));
+    }
+    return Done{};
+}
+
+/// Errors: BadInput for a column that is not known, or is there twice.
+Status check_others(const HeaderNames& names, std::uint64_t line, const Columns& columns) {
     constexpr std::array<std::string_view, 6> others{"id", "t", "time", "name", "scenario", "body"};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string& name = names[i];
-        if (std::find(wanted.begin(), wanted.end(), name) == wanted.end() &&
-            std::find(others.begin(), others.end(), name) == others.end()) {
-            return bad(number, "column '" + name + "' is not known");
+    for (std::size_t i = 0; i < names.all().size(); ++i) {
+        const std::string& name = names.all()[i];
+        const bool is_number =
+            std::ranges::any_of(columns.numbers, [&](const NumberColumn& column) {
+                return column.place != no_column && names.all()[column.place] == name;
+            });
+        if (!is_number && std::find(others.begin(), others.end(), name) == others.end()) {
+            return bad(line, "column '" + name + "' is not known; " + std::string(known_columns));
         }
-        if (place_of(name) != i) {
-            return bad(number, "column '" + name + "' stands there twice");
+        if (names.place_of(name) != i) {
+            return bad(line, "column '" + name + "' stands there twice");
         }
     }
-    columns.scenario = place_of("scenario");
-    columns.body = place_of("body");
-    if (of_both_bodies && (!has("scenario") || !has("body"))) {
-        return bad(number, "poses of both bodies need the columns 'scenario' and 'body'");
+    return Done{};
+}
+
+/// Errors: BadInput where the columns of both bodies' poses are missing, or there without need.
+Status check_bodies(const HeaderNames& names, std::uint64_t line, bool of_both_bodies) {
+    if (of_both_bodies && (!names.has("scenario") || !names.has("body"))) {
+        return bad(line, "poses of both bodies need the columns 'scenario' and 'body'");
     }
-    if (!of_both_bodies && has("scenario")) {
-        return bad(number,
+    if (!of_both_bodies && names.has("scenario")) {
+        return bad(line,
                    "column 'scenario' is for poses of both bodies; say of = \"both\" (--both), or "
                    "leave it out");
     }
-    return columns;
+    return Done{};
+}
+
+Result<Columns> read_header(std::string_view line, std::uint64_t number, bool of_both_bodies) {
+    const HeaderNames names(line);
+    Columns columns;
+    columns.count = names.all().size();
+    columns.set = names.has("qx") || names.has("qw") ? ColumnSet::Quaternion
+                  : names.has("m00")                 ? ColumnSet::Matrix
+                                                     : ColumnSet::Euler;
+    columns.scenario = names.place_of("scenario");
+    columns.body = names.place_of("body");
+    Status is_good = check_angles(names, number);
+    if (is_good) {
+        is_good = find_numbers(names, number, columns);
+    }
+    if (is_good) {
+        is_good = check_others(names, number, columns);
+    }
+    if (is_good) {
+        is_good = check_bodies(names, number, of_both_bodies);
+    }
+    return is_good ? Result<Columns>(std::move(columns)) : is_good.error();
 }
 
 /// The numbers of one line, as a matrix or as x y z qx qy qz qw.
@@ -157,15 +245,20 @@ Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& wo
                                          const Columns& columns,
                                          std::uint64_t line) {
     std::vector<double> numbers;
-    for (std::size_t i = 0; i < columns.places.size(); ++i) {
-        const std::string_view word = words[columns.places[i]];
+    for (std::size_t i = 0; i < columns.numbers.size(); ++i) {
+        const NumberColumn& column = columns.numbers[i];
+        if (column.place == no_column) {
+            numbers.push_back(0);
+            continue;
+        }
+        const std::string_view word = words[column.place];
         const auto number = to_number(word);
         if (!number) {
             return bad(line,
                        std::string(names_of(columns.set)[i]) + " is '" + std::string(word) +
                            "', not a number");
         }
-        numbers.push_back(*number);
+        numbers.push_back(column.factor * *number);
     }
     if (columns.set == ColumnSet::Euler) {
         const Quaternion q = quaternion_from_euler(numbers[3], numbers[4], numbers[5]);
@@ -244,6 +337,7 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
     std::uint64_t number = 0;
     std::optional<Columns> columns;
     std::vector<double> values;
+    std::vector<std::uint64_t> lines;
     std::optional<BothBodies> both;
     while (std::getline(in, line)) {
         ++number;
@@ -279,6 +373,7 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
                            "(--both)");
             }
             values.insert(values.end(), numbers.value().begin(), numbers.value().end());
+            lines.push_back(number);
         } else if (const Status added = both->add(
                        words[columns->scenario], words[columns->body], numbers.value(), number);
                    !added) {
@@ -300,6 +395,8 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
                    columns->set == ColumnSet::Matrix ? PoseLayout::Matrix34 : PoseLayout::Xyzw,
                    of_both_bodies);
     table.from_angles = columns->set == ColumnSet::Euler;
+    table.zeros = std::move(columns->zeros);
+    table.lines = std::move(lines);
     return table;
 }
 
@@ -307,6 +404,7 @@ Result<PoseTable> read_tum_poses(std::istream& in) {
     std::string line;
     std::uint64_t number = 0;
     std::vector<double> values;
+    std::vector<std::uint64_t> lines;
     while (std::getline(in, line)) {
         ++number;
         if (is_comment(line)) {
@@ -325,8 +423,11 @@ Result<PoseTable> read_tum_poses(std::istream& in) {
             }
             values.push_back(*value);
         }
+        lines.push_back(number);
     }
-    return make_table(std::move(values), PoseLayout::Xyzw, false);
+    PoseTable table = make_table(std::move(values), PoseLayout::Xyzw, false);
+    table.lines = std::move(lines);
+    return table;
 }
 
 } // namespace cd

@@ -15,6 +15,11 @@ inline constexpr std::size_t run_taken_at_once_max = 256;
 inline constexpr std::size_t run_batch_scenarios_max = 64;
 inline constexpr std::uint64_t run_batch_bytes_max = 1u << 20;
 inline constexpr std::chrono::milliseconds progress_period{100};
+/// Poses that are read before results are looked at again.
+inline constexpr std::uint64_t run_poses_at_once_max = 128;
+/// Poses that are computed ahead of the run: so many by one thread at a time, and windows of these.
+inline constexpr std::uint64_t computed_window_scenarios = 16;
+inline constexpr std::uint64_t computed_windows_max = 128;
 
 // Talking to a master.
 inline constexpr std::size_t mesh_piece_bytes = 1u << 20;             ///< Of one message.

@@ -1,6 +1,6 @@
 #include "common/core/check.hpp"
 #include "common/geometry/aabb.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/job/made_poses.hpp"
 #include "common/tree/traverse.hpp"
 
 #include <array>
@@ -154,19 +154,26 @@ Pose random_pose(const RandomPoses& options, const Bodies& bodies, std::uint64_t
 
 } // namespace
 
+ScenarioMaker random_scenarios(const RandomPoses& options, const ObbTree& a, const ObbTree& b) {
+    CD_CHECK(options.penetration_min >= 0);
+    CD_CHECK(options.penetration_max >= options.penetration_min);
+    CD_CHECK(options.penetration_max <= 1);
+    return [options, bodies = measure(a, b)](std::uint64_t index) {
+        Scenario scenario;
+        scenario.index = index;
+        scenario.poses.b = random_pose(options, bodies, index);
+        return scenario;
+    };
+}
+
 std::vector<Scenario> make_random_poses(const RandomPoses& options,
                                         const ObbTree& a,
                                         const ObbTree& b,
                                         ThreadPool& pool) {
-    CD_CHECK(options.penetration_min >= 0);
-    CD_CHECK(options.penetration_max >= options.penetration_min);
-    CD_CHECK(options.penetration_max <= 1);
-    const Bodies bodies = measure(a, b);
+    const ScenarioMaker make = random_scenarios(options, a, b);
     std::vector<Scenario> scenarios(options.count);
-    parallel_for(pool, scenarios.size(), [&](std::size_t index) {
-        scenarios[index].index = index;
-        scenarios[index].poses.b = random_pose(options, bodies, index);
-    });
+    parallel_for(
+        pool, scenarios.size(), [&](std::size_t index) { scenarios[index] = make(index); });
     return scenarios;
 }
 

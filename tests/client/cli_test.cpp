@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 
@@ -77,6 +78,62 @@ TEST(CommandLine, WrongUsageIsTwo) {
         EXPECT_FALSE(line.command);
         EXPECT_EQ(line.exit_code, exit_usage) << testing::PrintToString(arguments);
         EXPECT_THAT(line.text, StartsWith("cdctl: "));
+    }
+}
+
+TEST(CommandLine, AMistypedVerbIsToldTheNearest) {
+    const auto text_of = [](std::vector<std::string> arguments) {
+        const CommandLine line = parse_command_line(std::move(arguments));
+        EXPECT_EQ(line.exit_code, exit_usage);
+        return line.text;
+    };
+    EXPECT_EQ(text_of({"rnu", "job.toml"}), "cdctl: no verb 'rnu'; did you mean 'run'?\n");
+    EXPECT_EQ(text_of({"token", "crate"}),
+              "cdctl: no verb 'token crate'; did you mean 'create'?\n");
+    EXPECT_EQ(text_of({"zzzzzzzz"}),
+              "cdctl: no verb 'zzzzzzzz'; `cdctl --help` lists those that exist\n");
+}
+
+TEST(CommandLine, AMistypedOptionIsToldTheNearest) {
+    const auto text_of = [](std::vector<std::string> arguments) {
+        const CommandLine line = parse_command_line(std::move(arguments));
+        EXPECT_EQ(line.exit_code, exit_usage);
+        return line.text;
+    };
+    EXPECT_EQ(text_of({"run", "--a", "a.obj", "--b", "b.obj", "--pose", "p.csv"}),
+              "cdctl: no option '--pose' of `cdctl run`; did you mean '--poses'?\n");
+    EXPECT_EQ(text_of({"run", "j.toml", "--levle=any"}),
+              "cdctl: no option '--levle' of `cdctl run`; did you mean '--level'?\n");
+    EXPECT_EQ(text_of({"inspect", "--uint", "mm"}),
+              "cdctl: no option '--uint' of `cdctl inspect`; did you mean '--unit'?\n")
+        << "although the mesh is missing, too";
+    EXPECT_EQ(
+        text_of({"--xxxxxxxxxxx"}),
+        "cdctl: no option '--xxxxxxxxxxx' of `cdctl`; `cdctl --help` lists those that exist\n");
+}
+
+TEST(CommandLine, AloneItPrintsTenLinesToType) {
+    const CommandLine line = parse_command_line({});
+    EXPECT_EQ(std::count(line.text.begin(), line.text.end(), '\n'), 10);
+    EXPECT_THAT(line.text, HasSubstr("\n  cdctl inspect car.obj "));
+}
+
+TEST(CommandLine, VersionTellsCommitAndLibraries) {
+    const CommandLine line = parse_command_line({"--version"});
+    EXPECT_EQ(line.exit_code, exit_done);
+    EXPECT_THAT(line.text, testing::AllOf(StartsWith("cdctl "), HasSubstr("\n  commit ")));
+    EXPECT_THAT(parse_command_line({"--version", "-o", "json"}).text,
+                HasSubstr("\"program\": \"cdctl\""));
+    const CommandLine verb = parse_command_line({"version", "-o", "json"});
+    ASSERT_TRUE(verb.command) << verb.text;
+    EXPECT_EQ(std::get<VersionCommand>(*verb.command).output, "json");
+}
+
+TEST(CommandLine, NoExampleNamesAJobThatCannotBe) {
+    for (const char* verb : {"watch", "wait", "results", "cancel", "explain"}) {
+        const std::string help = parse_command_line({verb, "--help"}).text;
+        EXPECT_THAT(help, HasSubstr(" j-5692")) << verb;
+        EXPECT_THAT(help, testing::Not(HasSubstr("j-1 "))) << verb;
     }
 }
 

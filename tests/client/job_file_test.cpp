@@ -112,6 +112,19 @@ TEST(JobFile, AGridIsTheProductOfItsAxes) {
     EXPECT_EQ(grid.rotation[2].size(), 36u);
 }
 
+TEST(JobFile, PosesMayHaveAUnitOfTheirOwn) {
+    const auto file = parse(minimal + "[poses]\nfile = \"p.csv\"\nunit = \"mm\"\n");
+    ASSERT_TRUE(file) << file.error().detail;
+    EXPECT_EQ(std::get<PoseFileSpec>(file.value().poses).length_factor, 0.001);
+    const auto grid =
+        parse("unit = \"cm\"\n" + minimal +
+              "[poses]\nunit = \"m\"\ngrid = { x = [-1, 2, 4], yaw_deg = [0, 90, 2] }\n");
+    ASSERT_TRUE(grid) << grid.error().detail;
+    EXPECT_EQ(std::get<Grid>(grid.value().poses).position[0], (GridAxis{-100, 200, 4}));
+    EXPECT_THAT(problem_with("[poses]\nunit = \"mm\"\nrandom = { n = 10 }\n"),
+                HasSubstr("job.toml:6: [poses]: unit belongs to poses from a file or a grid"));
+}
+
 TEST(JobFile, UnknownKeysNameTheLineAndTheNearestKey) {
     EXPECT_EQ(problem_with(random_poses + "[query]\nlevle = \"any\"\n"),
               "folder/job.toml:8: [query] has no key \"levle\"; did you mean \"level\"?");

@@ -87,7 +87,7 @@ TEST_F(PoseFile, CsvTakesMatricesAndEulerAngles) {
     EXPECT_EQ(matrices[0].poses.b.kind(), Pose::Kind::Matrix);
     EXPECT_EQ(matrices[0].poses.b.apply(Vec3(1, 0, 0)), Vec3(5, 7, 7));
 
-    const auto euler = read_text_file("e.csv", "x,y,z,roll,pitch,yaw_deg\n0,0,0,0,0,90\n");
+    const auto euler = read_text_file("e.csv", "x,y,z,roll_deg,pitch_deg,yaw_deg\n0,0,0,0,0,90\n");
     ASSERT_EQ(euler.size(), 1u);
     EXPECT_EQ(euler[0].poses.b.kind(), Pose::Kind::Quaternion);
     EXPECT_LT((euler[0].poses.b.apply(Vec3(1, 0, 0)) - Vec3(0, 1, 0)).norm(), 1e-15);
@@ -151,9 +151,9 @@ TEST_F(PoseFile, NpzHoldsAnArrayCalledPoses) {
 TEST_F(PoseFile, RefusesByRowAndValueWhatIsNotRigid) {
     const std::string columns = "x,y,z,qx,qy,qz,qw\n0,0,0,0,0,0,1\n";
     EXPECT_THAT(error_of_text("n.csv", columns + "0,0,0,0,0,0,1.01\n"),
-                testing::AllOf(HasSubstr("row 1"), HasSubstr("0.01"), HasSubstr("tolerance")));
+                testing::AllOf(HasSubstr("line 3"), HasSubstr("0.01"), HasSubstr("tolerance")));
     EXPECT_THAT(error_of_text("z.csv", columns + "0,0,0,0,0,0,0\n"), HasSubstr("zero"));
-    EXPECT_THAT(error_of_text("f.csv", columns + "nan,0,0,0,0,0,1\n"), HasSubstr("row 1"));
+    EXPECT_THAT(error_of_text("f.csv", columns + "nan,0,0,0,0,0,1\n"), HasSubstr("line 3"));
     EXPECT_THAT(error_of_text("w.csv", columns + "a,0,0,0,0,0,1\n"), HasSubstr("line 3"));
     EXPECT_THAT(error_of_text("s.csv", columns + "0,0,0,0,0,1\n"), HasSubstr("line 3"));
     EXPECT_THAT(error_of_text("c.csv", "x,y,z,qx,qy,qz\n"), HasSubstr("qw"));
@@ -182,7 +182,7 @@ TEST_F(PoseFile, WarnsOfFewDecimalsNamingTheWorstRow) {
                                           "0,0,0,0.70711,0,0,0.70711\n0,0,0,0.7071,0,0,0.7071\n");
     EXPECT_EQ(scenarios.size(), 3u);
     ASSERT_EQ(warnings_.size(), 1u);
-    EXPECT_THAT(warnings_[0], testing::AllOf(HasSubstr("2 poses"), HasSubstr("row 2")));
+    EXPECT_THAT(warnings_[0], testing::AllOf(HasSubstr("2 poses"), HasSubstr("line 4")));
 }
 
 TEST_F(PoseFile, RefusesDamagedArrays) {
@@ -200,14 +200,56 @@ TEST_F(PoseFile, RefusesDamagedArrays) {
 
 TEST_F(PoseFile, CsvAnglesOfAnySizeAreRigid) {
     const auto scenarios = read_text_file("e.csv",
-                                          "x,y,z,roll,pitch,yaw\n0,0,0,90,180,-90\n"
+                                          "x,y,z,roll_deg,pitch_deg,yaw_deg\n0,0,0,90,180,-90\n"
                                           "1,2,3,30,-45,60\n0,0,0,720,0,1e-3\n");
     EXPECT_EQ(scenarios.size(), 3u);
     EXPECT_TRUE(warnings_.empty());
-    EXPECT_THAT(error_of_text("n.csv", "x,y,z,roll,pitch,yaw\n0,0,0,nan,0,0\n"),
-                HasSubstr("row 0"));
-    EXPECT_THAT(error_of_text("r.csv", "x,y,z,roll_rad,pitch,yaw\n0,0,0,0,0,0\n"),
+    EXPECT_THAT(error_of_text("n.csv", "x,y,z,roll_deg,pitch_deg,yaw_deg\n0,0,0,nan,0,0\n"),
+                HasSubstr("line 2"));
+    EXPECT_THAT(error_of_text("r.csv", "x,y,z,roll_grad,pitch_deg,yaw_deg\n0,0,0,0,0,0\n"),
                 HasSubstr("roll"));
+}
+
+TEST_F(PoseFile, CsvAnglesSayTheirUnit) {
+    const auto degrees =
+        read_text_file("d.csv", "x,y,z,roll_deg,pitch_deg,yaw_deg\n1,2,3,90,0,45\n");
+    const auto radians = read_text_file(
+        "r.csv",
+        "x,y,z,Roll_rad,pitch_deg,yaw_rad\n1,2,3,1.5707963267948966,0,0.7853981633974483\n");
+    EXPECT_EQ(radians, degrees);
+    EXPECT_EQ(error_of_text("b.csv", "x,y,yaw\n0,0,0\n"),
+              (folder_ / "b.csv").string() +
+                  ": line 1: column 'yaw' does not say its unit: name it yaw_deg or yaw_rad");
+    EXPECT_THAT(error_of_text("t.csv", "x,yaw_deg,yaw_rad\n0,0,0\n"), HasSubstr("are one angle"));
+}
+
+TEST_F(PoseFile, CsvNumbersThatAreLeftOutAreZero) {
+    const auto whole = read_text_file("w.csv", "x,y,z,roll_deg,pitch_deg,yaw_deg\n1,2,0,0,0,45\n");
+    const auto some = read_text_file("s.csv", "yaw_deg,x,y\n45,1,2\n");
+    EXPECT_EQ(some, whole);
+    const auto opened = open_pose_file(spec("s.csv"));
+    EXPECT_EQ(opened.value().zeros, (std::vector<std::string>{"z", "roll", "pitch"}));
+    EXPECT_EQ(read_text_file("p.csv", "x,y,z\n1,2,3\n")[0].poses.b.translation(), Vec3(1, 2, 3));
+    EXPECT_THAT(error_of_text("n.csv", "id,t\n0,0\n"), HasSubstr("no column of a pose"));
+    EXPECT_THAT(error_of_text("q.csv", "x,y,z,qz,qw\n0,0,0,0,1\n"), HasSubstr("no column 'qx'"));
+}
+
+TEST_F(PoseFile, TranslationsAreMultipliedByTheLengthFactor) {
+    write_text(folder_ / "mm.csv", "x,y,z,yaw_deg\n1500,-250,0,90\n");
+    PoseFileSpec in_mm = spec("mm.csv");
+    in_mm.length_factor = 0.001;
+    const Pose pose = read_all(in_mm)[0].poses.b;
+    EXPECT_EQ(pose.translation(), Vec3(1.5, -0.25, 0));
+    EXPECT_EQ(pose.apply(Vec3(1, 0, 0)), Vec3(1.5, 0.75, 0));
+    write_npy("m.npy", {1, 4, 4}, turned);
+    PoseFileSpec matrix = spec("m.npy");
+    matrix.length_factor = 2;
+    EXPECT_EQ(read_all(matrix)[0].poses.b.translation(), Vec3(3, -4, 0.5));
+}
+
+TEST_F(PoseFile, AFolderIsNamed) {
+    EXPECT_EQ(error_of(spec("")),
+              spec("").path.string() + ": is a folder; a file of poses is needed");
 }
 
 TEST_F(PoseFile, CsvSaysWhoseEachPoseIs) {

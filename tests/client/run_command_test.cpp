@@ -163,6 +163,30 @@ TEST_F(Run, WhatTheStrategyDoesNotLookAtMayNotBeGiven) {
     EXPECT_EQ(run(), exit_usage);
 }
 
+TEST_F(Run, TheHeaderNamesColumnsThatAreLeftOut) {
+    write("poses.csv", "x,y,yaw_deg\n0,9,0\n");
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stderr_, HasSubstr("  poses.csv; z, roll, pitch are 0\n"));
+}
+
+TEST_F(Run, PosesInAnotherUnitAreSuspected) {
+    write("poses.csv", "x,y,z\n1125,0,0\n0,2000,0\n");
+    command_.job.level = "count";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(
+        stdout_,
+        HasSubstr("no pose brings B within 1 119 m of A (A is 6.0 m long): are the poses in "
+                  "mm? [poses] unit = \"mm\"\n"));
+    command_.job.poses_unit = "mm";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, testing::Not(HasSubstr("no pose brings")));
+    write("poses.csv", "x,y,z\n0,0,9\n");
+    command_.job.poses_unit = "";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("no pose brings B within 8.0 m of A (A is 6.0 m long)\n"));
+}
+
 TEST_F(Run, EveryFirstStageHasTheSameDigest) {
     command_.job.level = "contacts";
     ASSERT_EQ(run(), exit_done);

@@ -51,4 +51,11 @@ TEST(Units, RatiosAreRoundedOnce) {
     EXPECT_EQ(unit_factor("inch", "m"), std::nullopt);
 }
 
+TEST(Words, TwoLettersThatChangedPlacesAreOneEdit) {
+    constexpr std::array<std::string_view, 3> verbs{"run", "watch", "inspect"};
+    EXPECT_EQ(nearest_word("rnu", verbs), "run");
+    EXPECT_EQ(nearest_word("wacth", verbs), "watch");
+    EXPECT_EQ(nearest_word("nur", verbs), std::nullopt);
+}
+
 } // namespace cd::tests

@@ -280,7 +280,7 @@ void add_files(Seeds& seeds) {
     seeds.add("csv_poses",
               "quaternions",
               "\0x,y,z,qx,qy,qz,qw,id\n# c\n1,2,3,0,0,0,1,7\n1e-3,-2,3,0,0.6,0,0.8,8\n"sv);
-    seeds.add("csv_poses", "angles", "\0x,y,z,roll,pitch,yaw\n1,2,3,0,90,-45.5\n"sv);
+    seeds.add("csv_poses", "angles", "\0x,y,z,roll_rad,pitch_deg,yaw_deg\n1,2,3,0,90,-45.5\n"sv);
     seeds.add("csv_poses",
               "both",
               "\1scenario,body,x,y,z,qx,qy,qz,qw\n0,a,0,0,0,0,0,0,1\n0,b,1,0,0,0,0,0,1\n"sv);

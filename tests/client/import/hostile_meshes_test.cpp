@@ -215,16 +215,16 @@ TEST(HostileMeshes, CoordinatesThatAreNotFiniteAreRefusedByFace) {
     }
 }
 
-TEST(HostileMeshes, PosesThatAreNotFiniteAreRefusedByRow) {
+TEST(HostileMeshes, PosesThatAreNotFiniteAreRefusedByPlace) {
     const TemporaryFolder folder;
     write_mesh(folder / "unit.npz", Vec3(1, 1, 1), Vec3::Zero());
     for (const std::string bad : {"nan", "NaN", "inf", "-inf"}) {
         write_text(folder / "poses.csv", far_and_near + "0," + bad + ",0,0,0,0,1\n");
-        expect_refused(folder, "unit.npz", "poses.csv", "row 6");
+        expect_refused(folder, "unit.npz", "poses.csv", "line 8");
         write_text(folder / "poses.csv", still + "0,0,0,0,0," + bad + ",1\n");
-        expect_refused(folder, "unit.npz", "poses.csv", "row 1");
+        expect_refused(folder, "unit.npz", "poses.csv", "line 3");
         write_text(folder / "poses.tum", "0 0 0 0 0 0 0 1\n1 " + bad + " 0 0 0 0 0 1\n");
-        expect_refused(folder, "unit.npz", "poses.tum", "row 1");
+        expect_refused(folder, "unit.npz", "poses.tum", "line 2");
     }
     write_text(folder / "poses.csv", still + "0,1e309,0,0,0,0,1\n");
     expect_refused(folder, "unit.npz", "poses.csv", "line 3: y is '1e309'");

@@ -2,12 +2,16 @@
 // the paper's kind (small to medium penetration), and that bodies which cannot meet end the search.
 
 #include "common/geometry/aabb.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/job/made_poses.hpp"
 #include "common/tree/build.hpp"
 #include "common/tree/traverse.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
 
 namespace cd::tests {
 
@@ -16,6 +20,12 @@ namespace {
 ObbTree make_tree(Mesh mesh) {
     ThreadPool pool(1);
     return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
+}
+
+Scenario numbered(std::uint64_t index) {
+    Scenario scenario;
+    scenario.index = index;
+    return scenario;
 }
 
 bool collides(const ObbTree& a, const ObbTree& b, const PosePair& poses) {
@@ -91,6 +101,70 @@ TEST(RandomPoses, BodiesThatCannotMeetEndTheSearch) {
         EXPECT_TRUE(scenario.poses.b.is_finite());
         EXPECT_FALSE(collides(far_points, point, scenario.poses));
     }
+}
+
+TEST(ComputedPoses, AreTheSameInRunsOfAnySize) {
+    const ObbTree a = make_tree(make_torus(1, 0.3, 16, 8));
+    const ObbTree b = make_tree(make_box(Vec3(0.4, 0.6, 0.9)));
+    RandomPoses options;
+    options.count = 90;
+    ThreadPool pool(2);
+    const auto expected = make_random_poses(options, a, b, pool);
+    for (const std::uint64_t run : {1u, 7u, 16u, 90u}) {
+        const auto source = make_computed_source(
+            options.count, random_scenarios(options, a, b), 2, [] { return false; });
+        ASSERT_EQ(source->count(), 90u);
+        std::vector<Scenario> scenarios;
+        while (scenarios.size() < 90) {
+            const auto read =
+                source->read(scenarios.size(), std::min<std::uint64_t>(run, 90 - scenarios.size()));
+            ASSERT_TRUE(read);
+            scenarios.insert(scenarios.end(), read.value().begin(), read.value().end());
+        }
+        EXPECT_EQ(scenarios, expected) << run;
+        EXPECT_EQ(source->read(40, 1).value(), std::vector<Scenario>{expected[40]});
+        EXPECT_EQ(source->read(3, 20).value(),
+                  std::vector<Scenario>(expected.begin() + 3, expected.begin() + 23))
+            << "also backwards";
+    }
+}
+
+TEST(ComputedPoses, AreMadeAheadInBoundedNumber) {
+    std::atomic<std::uint64_t> largest = 0;
+    const std::uint64_t count = std::uint64_t(1) << 40;
+    {
+        const auto source = make_computed_source(
+            count,
+            [&](std::uint64_t index) {
+                largest = std::max<std::uint64_t>(largest, index);
+                return numbered(index);
+            },
+            1,
+            [] { return false; });
+        ASSERT_TRUE(source->read(0, 100));
+        EXPECT_EQ(source->read(count - 2, 2).value().back().index, count - 1);
+        EXPECT_EQ(source->read(1000, 2).value().front().index, 1000u);
+    }
+    EXPECT_EQ(largest, count - 1);
+}
+
+TEST(ComputedPoses, AReadThatIsStoppedEnds) {
+    std::atomic<bool> stopped = false;
+    const auto source = make_computed_source(
+        1000,
+        [&](std::uint64_t index) {
+            while (!stopped) {
+                std::this_thread::yield();
+            }
+            return numbered(index);
+        },
+        1,
+        [&] {
+            stopped = true;
+            return true;
+        });
+    const auto read = source->read(0, 600);
+    EXPECT_TRUE(read || read.error().code == ErrorCode::Interrupted);
 }
 
 } // namespace cd::tests

@@ -1,0 +1,75 @@
+#include "client/poses/nearness.hpp"
+
+#include "client/words.hpp"
+#include "common/geometry/aabb.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cd {
+
+namespace {
+
+constexpr std::uint64_t poses_at_once = 256;
+/// Bodies that stay so many of their lengths apart are probably posed in another unit.
+constexpr double lengths_of_another_unit = 10;
+
+Aabb posed(const Aabb& box, const Pose& pose) {
+    Aabb around;
+    for (int corner = 0; corner < 8; ++corner) {
+        around.add(pose.apply({(corner & 1) != 0 ? box.max.x() : box.min.x(),
+                               (corner & 2) != 0 ? box.max.y() : box.min.y(),
+                               (corner & 4) != 0 ? box.max.z() : box.min.z()}));
+    }
+    return around;
+}
+
+double distance(const Aabb& a, const Aabb& b) {
+    const Vec3 gap = (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(Vec3::Zero());
+    return gap.stableNorm();
+}
+
+/// Three digits or more, rounded down.
+std::string length_text(double length) {
+    return length < 100 ? fixed_text(std::floor(10 * length) / 10, 1)
+                        : grouped(static_cast<std::uint64_t>(length));
+}
+
+} // namespace
+
+std::optional<double> least_distance(const Mesh& a, const Mesh& b, PoseSource& poses) {
+    const Aabb box_a = bounding_box(a.vertices());
+    const Aabb box_b = bounding_box(b.vertices());
+    std::optional<double> least;
+    for (std::uint64_t first = 0; first < poses.count(); first += poses_at_once) {
+        const auto run = poses.read(first, std::min(poses_at_once, poses.count() - first));
+        if (!run) {
+            return std::nullopt;
+        }
+        for (const Scenario& scenario : run.value()) {
+            const double apart =
+                distance(posed(box_a, scenario.poses.a), posed(box_b, scenario.poses.b));
+            if (!(apart > 0)) {
+                return std::nullopt;
+            }
+            least = std::min(apart, least.value_or(apart));
+        }
+    }
+    return least;
+}
+
+std::string
+nearness_hint(const Mesh& a, const Mesh& b, PoseSource& poses, const std::string& unit) {
+    const auto least = least_distance(a, b, poses);
+    if (!least || !(*least < 1e15)) {
+        return {};
+    }
+    const double length_a = bounding_box(a.vertices()).size().maxCoeff();
+    const double length_b = bounding_box(b.vertices()).size().maxCoeff();
+    const bool is_far = *least > lengths_of_another_unit * std::max(length_a, length_b);
+    return "no pose brings B within " + length_text(*least) + " " + unit + " of A (A is " +
+           length_text(length_a) + " " + unit + " long)" +
+           (is_far && unit != "mm" ? ": are the poses in mm? [poses] unit = \"mm\"" : "");
+}
+
+} // namespace cd

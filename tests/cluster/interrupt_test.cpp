@@ -1,0 +1,82 @@
+// Proves that one signal ends a run at once, whatever it does: waits for an input, makes poses, or
+// runs.
+#include "tests/cluster/cdctl_runs.hpp"
+#include "tests/support/comes_true.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <csignal>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::HasSubstr;
+
+/// `cdctl run` on two spheres, told to stop by one signal.
+class Interrupt : public testing::Test {
+  protected:
+    Interrupt() { write_obj(folder_ / "ball.obj", make_sphere(3)); }
+
+    [[nodiscard]] Process start(const std::vector<std::string>& more) const {
+        std::vector<std::string> command{cdctl(), "run", "--tree-cache", "off"};
+        command.insert(command.end(), more.begin(), more.end());
+        return {command, folder_ / "run"};
+    }
+
+    [[nodiscard]] std::string fifo(const std::string& name) const {
+        const std::string path = folder_ / name;
+        EXPECT_EQ(::mkfifo(path.c_str(), 0600), 0);
+        return path;
+    }
+
+    /// Returns when a process has opened the FIFO to read; nothing is ever written.
+    static void wait_for_reader(const std::string& path) {
+        EXPECT_TRUE(comes_true([&] {
+            const int writer = ::open(path.c_str(), O_WRONLY | O_NONBLOCK);
+            return writer >= 0;
+        })) << path;
+    }
+
+    /// Half a second, and a busy machine.
+    static void expect_end(Process& process, int signal) {
+        process.signal(signal);
+        EXPECT_EQ(process.wait(std::chrono::seconds(5)), 128 + signal) << process.errors();
+        EXPECT_THAT(process.errors(), HasSubstr("cdctl: interrupted"));
+    }
+
+    std::string ball() const { return folder_ / "ball.obj"; }
+
+    TemporaryFolder folder_;
+};
+
+} // namespace
+
+TEST_F(Interrupt, EndsARunThatWaitsForPoses) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const std::string poses = fifo("poses" + std::to_string(signal) + ".csv");
+        Process run = start({"--a", ball(), "--b", ball(), "--poses", poses});
+        wait_for_reader(poses);
+        expect_end(run, signal);
+    }
+}
+
+TEST_F(Interrupt, EndsARunThatWaitsForAMesh) {
+    const std::string mesh = fifo("mesh.obj");
+    Process run = start({"--a", mesh, "--b", ball(), "--random", "10"});
+    wait_for_reader(mesh);
+    expect_end(run, SIGINT);
+}
+
+TEST_F(Interrupt, EndsARunOfRandomPosesOfAnyNumber) {
+    Process run = start({"--a", ball(), "--b", ball(), "--random", "1000000000000"});
+    ASSERT_TRUE(comes_true([&] { return run.errors().find("  poses ") != std::string::npos; }));
+    expect_end(run, SIGTERM);
+}
+
+} // namespace cd::tests
