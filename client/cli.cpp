@@ -49,6 +49,8 @@ struct Verbs {
     GetCommand get;
     StatusCommand status;
     CancelCommand cancel;
+    RemoveCommand remove;
+    DrainCommand drain;
     ExplainCommand explain;
     JoinCommand join;
     TokenCommand token;
@@ -142,7 +144,7 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
 
     const auto add_watch = [&](const char* name, const char* help, WatchCommand& command) {
         CLI::App* watch = add_verb(app, verbs, name, help, command);
-        watch->add_option("job", command.job, "A job's id, or its beginning")
+        watch->add_option("job", command.job, "A job's id, its beginning, or last: your newest job")
             ->required()
             ->type_name("JOB");
         add_master_options(*watch, command.master, true);
@@ -160,12 +162,15 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
     CLI::App* results = add_verb(app,
                                  verbs,
                                  "results",
-                                 "Fetches a job's results.\n"
+                                 "Fetches a job's results: all there are of one that has not\n"
+                                 "ended well, which makes the exit code 3.\n"
                                  "Examples:\n"
                                  "  cdctl results j-5692 --out out --formats csv,npz\n"
                                  "  cdctl results j-5692 -o csv > scenarios.csv",
                                  verbs.results);
-    results->add_option("job", verbs.results.job, "A job's id, or its beginning")
+    results
+        ->add_option(
+            "job", verbs.results.job, "A job's id, its beginning, or last: your newest job")
         ->required()
         ->type_name("JOB");
     add_master_options(*results, verbs.results.master, true);
@@ -187,7 +192,8 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
         verbs.cancel);
     cancel->add_option("--scenario", verbs.cancel.scenario, "Its number in the job, from 0")
         ->type_name("N");
-    cancel->add_option("job", verbs.cancel.job, "A job's id, or its beginning")
+    cancel
+        ->add_option("job", verbs.cancel.job, "A job's id, its beginning, or last: your newest job")
         ->required()
         ->type_name("JOB");
     add_master_options(*cancel, verbs.cancel.master, true);
@@ -200,7 +206,9 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
                                  "  cdctl explain j-5692 17\n"
                                  "  cdctl explain j-5692 17 -o json",
                                  verbs.explain);
-    explain->add_option("job", verbs.explain.job, "A job's id, or its beginning")
+    explain
+        ->add_option(
+            "job", verbs.explain.job, "A job's id, its beginning, or last: your newest job")
         ->required()
         ->type_name("JOB");
     explain->add_option("scenario", verbs.explain.scenario, "Its number in the job, from 0")
@@ -243,6 +251,46 @@ void add_cluster_verbs(CLI::App& app, Verbs& verbs) {
                                  "  cdctl version -o json",
                                  verbs.version);
     add_output(*version, verbs.version.output, {"text", "json"});
+}
+
+void add_upkeep_verbs(CLI::App& app, Verbs& verbs) {
+    CLI::App* remove = add_verb(app,
+                                verbs,
+                                "rm",
+                                "Removes jobs with their results and poses, and meshes; with a job "
+                                "go the meshes and\ntrees that no other job needs.\n"
+                                "Examples:\n"
+                                "  cdctl rm j-5692 j-a01c --yes\n"
+                                "  cdctl rm j-5692 --cancel --yes      also while it runs\n"
+                                "  cdctl rm 3f9c27a1 --yes             a mesh, for admins",
+                                verbs.remove);
+    remove
+        ->add_option("what",
+                     verbs.remove.what,
+                     "A job's id, its beginning, or last; or a mesh, by the beginning of its hash")
+        ->required()
+        ->type_name("JOB|MESH...");
+    remove->add_flag("--yes", verbs.remove.yes, "Remove; without it nothing is done");
+    remove->add_flag("--cancel", verbs.remove.cancel, "End a job first that runs");
+    add_master_options(*remove, verbs.remove.master, true);
+
+    CLI::App* drain =
+        add_verb(app,
+                 verbs,
+                 "drain",
+                 "Sends workers away: they finish what runs, hand back the rest, and "
+                 "end with exit code 0.\n"
+                 "Examples:\n"
+                 "  cdctl drain w-3\n"
+                 "  cdctl drain --all\n"
+                 "  cdctl drain w-3 --now               what runs goes to others, too",
+                 verbs.drain);
+    CLI::Option* workers =
+        drain->add_option("worker", verbs.drain.workers, "A worker's id, or its name")
+            ->type_name("WORKER...");
+    drain->add_flag("--all", verbs.drain.all, "All workers that are here")->excludes(workers);
+    drain->add_flag("--now", verbs.drain.now, "At once, without finishing anything");
+    add_master_options(*drain, verbs.drain.master, true);
 }
 
 void add_identity_verbs(CLI::App& app, Verbs& verbs) {
@@ -335,6 +383,7 @@ CommandLine parse_command_line(std::vector<std::string> arguments) {
     add_local_verbs(app, verbs);
     add_job_verbs(app, verbs);
     add_cluster_verbs(app, verbs);
+    add_upkeep_verbs(app, verbs);
     add_identity_verbs(app, verbs);
     try {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

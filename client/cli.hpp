@@ -87,6 +87,21 @@ struct CancelCommand {
     MasterOptions master;
 };
 
+/// `rm`
+struct RemoveCommand {
+    std::vector<std::string> what; ///< Jobs, or meshes by their hashes.
+    bool yes = false;
+    bool cancel = false; ///< End a job first that runs.
+    MasterOptions master;
+};
+
+struct DrainCommand {
+    std::vector<std::string> workers;
+    bool all = false;
+    bool now = false;
+    MasterOptions master;
+};
+
 struct ExplainCommand {
     std::string job;
     std::uint64_t scenario = 0;
@@ -129,6 +144,8 @@ using Command = std::variant<RunCommand,
                              GetCommand,
                              StatusCommand,
                              CancelCommand,
+                             RemoveCommand,
+                             DrainCommand,
                              ExplainCommand,
                              JoinCommand,
                              TokenCommand,

@@ -94,7 +94,7 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
     verb.add_option("--limit-pairs", job.limit_pairs, "Keep so many pairs a scenario; 0 keeps all")
         ->type_name("N")
         ->group(query);
-    verb.add_flag("--maps", job.maps, "At level count: how often each triangle was in contact")
+    verb.add_flag("--maps", job.maps, "From level count on: how often each triangle was in contact")
         ->group(query);
     verb.add_option("--out", job.out, "Folder for the results")->type_name("DIR")->group(query);
     verb.add_option("--formats", job.formats, "text, json, csv, npz (default csv,npz)")

@@ -243,8 +243,8 @@ void read_depth(const TomlFields& cluster, TomlProblem& problem, JobSpec& spec) 
                    ? std::nullopt
                    : fields.integer(key, 0, limits::distribution_depth_max);
     };
-    spec.cluster.depth_a = depth("a");
-    spec.cluster.depth_b = depth("b");
+    spec.cluster.set_depth(0, depth("a"));
+    spec.cluster.set_depth(1, depth("b"));
     if (const Status allowed = check_depths(spec); !allowed) {
         cluster.report("depth", allowed.error().detail);
     }
@@ -297,7 +297,7 @@ void read_job(const toml::table& table, TomlProblem& problem, JobSpec& spec) {
 } // namespace
 
 Status check_depths(const JobSpec& spec) {
-    if (spec.tolerance > 0 && (spec.cluster.depth_a || spec.cluster.depth_b)) {
+    if (spec.tolerance > 0 && (spec.cluster.depth(0) || spec.cluster.depth(1))) {
         return Error{ErrorCode::BadInput,
                      "a tolerance above 0 goes without a distribution depth: what stays undecided "
                      "depends on where trees are cut, so the meshes alone decide it; leave out "
@@ -334,10 +334,10 @@ Result<std::optional<std::uint32_t>> parse_depth(std::string_view text) {
 }
 
 Status check_maps(const JobSpec& spec) {
-    if (spec.maps && spec.level != Level::Count) {
+    if (spec.maps && spec.level == Level::Any) {
         return Error{ErrorCode::BadInput,
-                     "maps go with level count: level any knows no triangles, and from level pairs "
-                     "on the pairs themselves say more; set level count, or leave out maps"};
+                     "maps go with level count, pairs and contacts: level any knows no triangles; "
+                     "set another level, or leave out maps"};
     }
     return Done{};
 }

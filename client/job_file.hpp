@@ -80,7 +80,7 @@ struct JobSpec {
 /// Of a distribution depth: a number, or "auto", which is nothing. Errors: BadInput.
 [[nodiscard]] Result<std::optional<std::uint32_t>> parse_depth(std::string_view text);
 
-/// Maps go with level count. Errors: BadInput.
+/// Maps go with every level but any. Errors: BadInput.
 [[nodiscard]] Status check_maps(const JobSpec& spec);
 
 /// Errors: BadInput naming the formats that exist.

@@ -124,8 +124,8 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         }
         spec.cluster.analysis = *analysis;
     }
-    for (const auto& [depth, given] : {std::pair(&spec.cluster.depth_a, &options.depth_a),
-                                       std::pair(&spec.cluster.depth_b, &options.depth_b)}) {
+    for (const auto& [body, given] :
+         {std::pair(0, &options.depth_a), std::pair(1, &options.depth_b)}) {
         if (given->empty()) {
             continue;
         }
@@ -133,7 +133,7 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         if (!parsed) {
             return parsed.error();
         }
-        *depth = parsed.value();
+        spec.cluster.set_depth(static_cast<std::size_t>(body), parsed.value());
     }
     if (Status allowed = check_depths(spec); !allowed) {
         return allowed;

@@ -170,8 +170,8 @@ struct Coordinator::EndedRun {
 
     /// May take long. Errors: those of what is gone; Interrupted.
     [[nodiscard]] Result<ScenarioResult> run(const StopCheck& stop) const {
-        const auto a = store.tree(submit.bodies[0]);
-        const auto b = store.tree(submit.bodies[1]);
+        const auto a = store.tree(submit.bodies[0].mesh);
+        const auto b = store.tree(submit.bodies[1].mesh);
         if (!a || !b) {
             return a ? b.error() : a.error();
         }

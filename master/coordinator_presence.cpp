@@ -335,7 +335,7 @@ void Coordinator::connection_ended(WorkerId worker,
     const WorkerStatus status = dispatcher_.worker_status(worker);
     const bool is_cut_off = link->second.is_cut_off;
     const bool is_drained = status.draining && status.working == 0 && !is_cut_off;
-    if (is_drained || link->second.quarantined) {
+    if (is_drained || link->second.quarantined || link->second.is_dismissed) {
         return worker_left(worker, why);
     }
     if (is_cut_off) {
@@ -408,6 +408,34 @@ void Coordinator::close() {
 void Coordinator::worker_draining(WorkerId worker) {
     log_info("worker draining: worker={}", worker.value);
     act(dispatcher().worker_draining(worker));
+    feed();
+}
+
+std::vector<WorkerId> Coordinator::workers_here() const {
+    std::vector<WorkerId> here;
+    for (const auto& [worker, link] : workers_) {
+        here.push_back(worker);
+    }
+    return here;
+}
+
+void Coordinator::drain_worker(WorkerId worker) {
+    const auto channel = workers_.at(worker).channel;
+    worker_draining(worker);
+    channel->send(Drain{}); // After all that is on its way to it.
+}
+
+void Coordinator::terminate_worker(WorkerId worker) {
+    log_info("worker told to end at once: worker={}", worker.value);
+    WorkerLink& link = workers_.at(worker);
+    link.is_dismissed = true;
+    take_all_back(worker);
+    if (link.channel->is_open()) {
+        link.channel->send(Terminate{"an admin has sent it away"});
+        link.channel->close(true);
+    } else {
+        worker_left(worker, "sent away while it had no connection");
+    }
     feed();
 }
 

@@ -295,16 +295,19 @@ Result<ResultsPart>
 ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_max) const {
     const std::lock_guard lock(state_->mutex);
     const std::uint64_t begin = std::min(first, state_->scenarios);
-    const std::uint64_t end = begin + std::min(count, state_->scenarios - begin);
+    const std::uint64_t end =
+        begin + std::min({count, state_->scenarios - begin, limits::results_scan_max});
     ByteWriter records;
     ResultsPart part;
     part.first = first;
+    part.next = std::max(first, end);
     for (std::uint64_t scenario = begin; scenario < end; ++scenario) {
         const RecordPlace place = state_->find(scenario);
-        const bool fits =
-            part.count == 0 || (records.size() + place.length <= bytes_max &&
-                                part.count < std::numeric_limits<std::uint32_t>::max());
-        if (place.length == 0 || !fits) {
+        if (place.length == 0) {
+            continue;
+        }
+        if (part.count != 0 && records.size() + place.length > bytes_max) {
+            part.next = scenario;
             break;
         }
         const Result<Bytes> record = state_->read(scenario, place);
@@ -313,6 +316,10 @@ ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_
         }
         records.put(static_cast<std::uint32_t>(place.length));
         put_bytes(records, record.value());
+        if (part.held.empty() || part.held.back().first + part.held.back().count != scenario) {
+            part.held.push_back({scenario, 0});
+        }
+        ++part.held.back().count;
         ++part.count;
     }
     part.records = pack_records(records.bytes());

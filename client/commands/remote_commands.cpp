@@ -30,49 +30,14 @@ class FetchedResults {
     FetchedResults(const ResultsCommand& command, const KnownJob& job)
         : command_(command), job_(job) {}
 
-    /// What the files look like depends on the level, which the first result tells.
-    Status add(const ScenarioResult& result) {
-        if (!opened_) {
-            if (Status opened = open(result.level); !opened) {
-                return opened;
-            }
-        }
-        if (files_) {
-            if (Status added = files_->add(result); !added) {
-                return added;
-            }
-        }
-        return stdout_writer_ ? stdout_writer_->add(result) : Status(Done{});
-    }
-
-    Status finish(Connection& connection) {
-        RunReport report = report_of(job_.status, level_);
-        if (level_ == Level::Count) {
-            if (Status map = fetch_map(connection, job_.status.job, report); !map) {
-                return map;
-            }
-        }
-        if (files_) {
-            if (Status finished = files_->finish(report); !finished) {
-                return finished;
-            }
-        }
-        if (stdout_writer_) {
-            return stdout_writer_->finish();
-        }
-        std::string text = summary_text(report, colours_wanted(stdout));
-        text += files_ ? "  results       " + files_->dir().string() + "\n" : "";
-        std::fputs(text.c_str(), stdout);
-        return Done{};
-    }
-
-  private:
-    Status open(Level level) {
-        opened_ = true;
-        level_ = level;
+    /// Before the first result. Errors: those of the files.
+    Status open(const Submit& submit) {
+        level_ = submit.query.level;
+        has_map_ = submit.query.maps;
         ExportContext context;
         context.job = job_.status.name;
-        context.level = level;
+        context.unit = submit.unit;
+        context.level = level_;
         context.bodies = job_.bodies;
         if (!command_.out.empty()) {
             auto files = ResultFiles::open(command_.out, command_.formats, context);
@@ -91,9 +56,49 @@ class FetchedResults {
         return Done{};
     }
 
+    Status add(const ScenarioResult& result) {
+        ++answered_;
+        if (files_) {
+            if (Status added = files_->add(result); !added) {
+                return added;
+            }
+        }
+        return stdout_writer_ ? stdout_writer_->add(result) : Status(Done{});
+    }
+
+    Status finish(Connection& connection) {
+        RunReport report = report_of(job_.status, level_);
+        if (has_map_ && job_.status.state == JobState::Done) {
+            if (Status map = fetch_map(connection, job_.status.job, report); !map) {
+                return map;
+            }
+        }
+        if (files_) {
+            if (Status finished = files_->finish(report); !finished) {
+                return finished;
+            }
+        }
+        if (stdout_writer_) {
+            if (const std::string coverage = coverage_text(job_.status, answered_);
+                !coverage.empty()) {
+                std::fprintf(stderr, "cdctl: %s\n", coverage.c_str());
+            }
+            return stdout_writer_->finish();
+        }
+        std::string text = summary_text(report, colours_wanted(stdout));
+        if (const std::string coverage = coverage_text(job_.status, answered_); !coverage.empty()) {
+            text += "  " + coverage + "\n";
+        }
+        text += files_ ? "  results       " + files_->dir().string() + "\n" : "";
+        std::fputs(text.c_str(), stdout);
+        return Done{};
+    }
+
+  private:
     const ResultsCommand& command_;
     const KnownJob& job_;
-    bool opened_ = false;
+    std::uint64_t answered_ = 0;
+    bool has_map_ = false;
     Level level_ = Level::Pairs;
     std::optional<ResultFiles> files_;
     std::unique_ptr<ResultWriter> stdout_writer_;
@@ -171,10 +176,15 @@ int execute(const ResultsCommand& command) {
     if (!job) {
         return fail(job.error());
     }
-    if (const Status done = check_done(job.value().status, job.value().id); !done) {
-        return fail(done.error());
+    const Result<JobDescription> described =
+        connection.value()->job_description(job.value().status.job);
+    if (!described) {
+        return fail(described.error());
     }
     FetchedResults results(command, job.value());
+    if (const Status opened = results.open(described.value().submit); !opened) {
+        return fail(opened.error());
+    }
     const Status fetched =
         fetch_results(*connection.value(),
                       job.value().status,
@@ -185,7 +195,9 @@ int execute(const ResultsCommand& command) {
     if (const Status finished = results.finish(*connection.value()); !finished) {
         return fail(finished.error());
     }
-    return exit_code_of(job.value().status.summary, FailOn::Never);
+    return job.value().status.state == JobState::Done
+               ? exit_code_of(job.value().status.summary, FailOn::Never)
+               : exit_incomplete;
 }
 
 int execute(const GetCommand& command) {

@@ -12,6 +12,8 @@ namespace cd {
 [[nodiscard]] int execute(const GetCommand& command);
 [[nodiscard]] int execute(const StatusCommand& command);
 [[nodiscard]] int execute(const CancelCommand& command);
+[[nodiscard]] int execute(const RemoveCommand& command);
+[[nodiscard]] int execute(const DrainCommand& command);
 [[nodiscard]] int execute(const ExplainCommand& command);
 [[nodiscard]] int execute(const JoinCommand& command);
 [[nodiscard]] int execute(const TokenCommand& command);

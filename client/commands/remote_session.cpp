@@ -33,6 +33,46 @@ bool is_of_the_network(const Error& error) {
            error.code == ErrorCode::BadFrame;
 }
 
+PosesOrigin origin_of(const PosesSpec& spec) {
+    PosesOrigin origin;
+    if (std::holds_alternative<Grid>(spec)) {
+        origin.kind = PosesKind::Grid;
+    } else if (const auto* random = std::get_if<RandomPoses>(&spec)) {
+        origin.kind = PosesKind::Random;
+        origin.random = *random;
+    } else {
+        const auto& file = std::get<PoseFileSpec>(spec);
+        origin.file = escaped(file.path.string());
+        origin.quat_order = file.quat_order;
+        origin.of_both_bodies = file.of_both_bodies;
+        origin.rigid_tolerance = file.rigid_tolerance;
+    }
+    return origin;
+}
+
+/// What the master is told of the job. Names may be those of files, so they are escaped.
+Submit submission(const PreparedJob& job) {
+    constexpr std::array<const char*, 2> names{"a", "b"};
+    Submit submit;
+    submit.name = escaped(job.spec.name);
+    submit.unit = job.spec.unit;
+    for (std::size_t body = 0; body < names.size(); ++body) {
+        const BodySpec& spec = job.spec.bodies[body];
+        submit.bodies.push_back({job.meshes[body]->hash(),
+                                 spec.name.empty() ? names[body] : escaped(spec.name),
+                                 escaped(spec.path.string()),
+                                 spec.unit.empty() ? job.spec.unit : spec.unit});
+    }
+    submit.query = job.query;
+    submit.cluster = job.spec.cluster;
+    submit.poses = origin_of(job.spec.poses);
+    submit.scenarios = job.poses->count();
+    if (job.grid) {
+        submit.grid = encode_grid(*job.grid);
+    }
+    return submit;
+}
+
 Result<std::unique_ptr<Connection>> open_again(const MasterOptions& master) {
     const auto give_up_at = std::chrono::steady_clock::now() + limits::come_back_max;
     for (;;) {
@@ -78,16 +118,10 @@ Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
     if (!uploaded) {
         return uploaded.error();
     }
-    Submit submit;
-    submit.name = escaped(job.spec.name); // It may be that of a file.
-    submit.bodies = {job.meshes[0]->hash(), job.meshes[1]->hash()};
-    submit.query = job.query;
-    submit.cluster = job.spec.cluster;
-    submit.scenarios = job.poses->count();
+    Submit submit = submission(job);
     if (!job.grid) {
         return connection.submit(std::move(submit), *job.poses);
     }
-    submit.grid = encode_grid(*job.grid);
     return connection.submit(submit);
 }
 
@@ -96,11 +130,8 @@ Result<KnownJob> find_known_job(Connection& connection, const std::string& text)
     if (!status) {
         return status.error();
     }
-    std::vector<JobId> ids;
-    for (const JobStatus& job : status.value().jobs) {
-        ids.push_back(job.job);
-    }
-    const Result<JobId> id = find_job(text, ids);
+    const std::vector<JobId> ids = ids_of(status.value().jobs);
+    const Result<JobId> id = find_job(text, status.value().jobs, connection.owner());
     if (!id) {
         return id.error();
     }
@@ -112,7 +143,7 @@ Result<KnownJob> find_known_job(Connection& connection, const std::string& text)
         }
     }
     for (std::size_t body = 0; body < known.bodies.size(); ++body) {
-        known.bodies[body] = mesh_name(status.value(), known.status.bodies[body]);
+        known.bodies[body] = mesh_name(status.value(), known.status.bodies.at(body));
     }
     return known;
 }
@@ -212,6 +243,15 @@ Status check_done(const JobStatus& job, const std::string& id) {
     return Error{ErrorCode::BadFrame, "job " + id + " is in a state that is not known here"};
 }
 
+std::string coverage_text(const JobStatus& job, std::uint64_t answered) {
+    if (job.state == JobState::Done) {
+        return "";
+    }
+    return "incomplete: " + grouped(answered) + " of " + grouped(job.summary.total) +
+           " scenarios have a result; the job is " + std::string(to_text(job.state)) +
+           (job.failure.empty() || job.state != JobState::Failed ? "" : ": " + job.failure);
+}
+
 RunReport report_of(const JobStatus& job, Level level) {
     RunReport report;
     report.summary = job.summary;
@@ -220,8 +260,10 @@ RunReport report_of(const JobStatus& job, Level level) {
     report.seconds = job.seconds;
     report.statistics = job.statistics;
     report.traffic = job.traffic;
-    report.depth_a = job.depth_a;
-    report.depth_b = job.depth_b;
+    if (job.depths.size() == 2) {
+        report.depth_a = job.depths[0];
+        report.depth_b = job.depths[1];
+    }
     return report;
 }
 

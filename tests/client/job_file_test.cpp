@@ -84,8 +84,8 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(job.output.formats, (std::vector<std::string>{"json", "npz"}));
     EXPECT_EQ(job.cluster.strategy, Strategy::Lowest);
     EXPECT_EQ(job.cluster.analysis, AnalysisMode::Never);
-    EXPECT_EQ(job.cluster.depth_a, 10u);
-    EXPECT_EQ(job.cluster.depth_b, 4u);
+    EXPECT_EQ(job.cluster.depth(0), 10u);
+    EXPECT_EQ(job.cluster.depth(1), 4u);
     EXPECT_EQ(job.cluster.q, 7u);
     EXPECT_EQ(job.cluster.v_kb, 64u);
     EXPECT_TRUE(job.cluster.claim);

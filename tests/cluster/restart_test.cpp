@@ -84,8 +84,8 @@ TEST_F(Restart, WhatIsDoneIsNotDoneAgainAndNoBlockIsSentAgain) {
     ASSERT_EQ(cluster.value().workers.size(), 2u);
     // With what came before the restart nobody got more blocks than there are.
     auto sent = blocks_sent(cluster.value());
-    const std::uint64_t blocks_there = cut_tree(*job.a, status.depth_a.value()).root_count() +
-                                       cut_tree(*job.b, status.depth_b.value()).root_count() +
+    const std::uint64_t blocks_there = cut_tree(*job.a, status.depths.at(0)).root_count() +
+                                       cut_tree(*job.b, status.depths.at(1)).root_count() +
                                        2; // The tops.
     for (const auto& [name, blocks] : blocks_sent(at_death.value())) {
         EXPECT_GT(blocks, blocks_there * 3 / 4) << "then this shows little";
@@ -204,7 +204,7 @@ TEST_F(Restart, KilledWhileAJobIsSubmittedItKnowsTheJobOrNothing) {
     const Job job = make_job(scenarios);
     const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()}, {"b", job.b->mesh_pointer()}};
     Submit message;
-    message.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+    message.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
     std::set<JobId> promised;
     // Killed at the start and in the middle of an upload; before the first poses, and the last;
     // and as soon as the job is accepted.
@@ -317,7 +317,7 @@ TEST_F(Restart, WithAFullDiskJobsWaitVisiblyAndGoOnWhenThereIsRoom) {
     const Ran told = run({program("cdctl").string(), "status", "--master", master_.address()});
     EXPECT_NE(told.output.find("paused"), std::string::npos) << told.output;
     Submit another;
-    another.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+    another.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
     const auto poses = make_list_source(job.scenarios);
     EXPECT_FALSE(connect()->submit(another, *poses)) << "what cannot be kept is not accepted";
     limit_files(master_.process(), RLIM_INFINITY);

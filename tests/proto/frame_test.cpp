@@ -215,7 +215,13 @@ TEST(Party, EachSendsWhatTheProtocolSays) {
                         Cancel,
                         Explain,
                         TokenCreate,
-                        ContactMapQuery>()));
+                        ContactMapQuery,
+                        JobQuery,
+                        MeshQuery,
+                        PosesQuery,
+                        Remove,
+                        RemoveMesh,
+                        DrainWorkers>()));
     EXPECT_EQ(types_from(Party::Observer), types_from(Party::Client));
     for (std::uint16_t type = 1; type <= std::variant_size_v<Message>; ++type) {
         EXPECT_TRUE(std::any_of(parties.begin(), parties.end(), [&](Party party) {
