@@ -38,6 +38,7 @@ inline constexpr const char* run_help =
     "  cdctl run job.toml --level count --fail-on cross || echo 'it clashes'\n"
     "  cdctl run job.toml --dry-run                        checks the inputs, tells time and size\n"
     "  cdctl run job.toml --tolerance 0.05                 near misses, too; not for speed\n"
+    "  cdctl run out                                       a results folder, once more\n"
     "\n"
     "A job.toml has the keys name, unit, and the tables\n"
     "  [a] [b]    mesh = \"car.obj\", unit = \"mm\" (m, cm, mm, km, in, ft), name\n"
@@ -51,7 +52,8 @@ inline constexpr const char* run_help =
     "             maps = true: from level count on, map.csv and map.npz say in how many scenarios "
     "each\n"
     "             triangle was in contact\n"
-    "  [output]   dir = \"out\", formats = [\"text\", \"json\", \"csv\", \"npz\"]\n"
+    "  [output]   dir = \"out\", formats = [\"csv\", \"csv-pairs\", \"npz\", \"json\", "
+    "\"text\"]\n"
     "  [cluster]  strategy = \"earliest-finish\", depth = \"auto\" | { a = 12, b = 6 }, v_kb = "
     "4096\n"
     "             strategy: earliest-finish: who would be done first, transfers included; the\n"
@@ -75,12 +77,34 @@ inline constexpr const char* run_help =
     "depths.\n"
     "With --fail-on an undecided scenario makes the exit code 3 where no contact was proven.\n"
     "\n"
-    "The summary (and statistics in summary.json) counts box pairs, N_b, and candidates, N_p: "
+    "A run into a folder that is interrupted, or killed, goes on with the next equal command. The\n"
+    "folder then has summary.json, run.json, records (all results), the formats, and inputs/.\n"
+    "\n"
+    "--stats (and statistics in summary.json) counts box pairs, N_b, and candidates, N_p: "
     "pairs\n"
     "of triangles that were tested. Without --master it also gives the paper's cost N_b C_b + N_p\n"
     "C_p. C_b and C_p, the time of one test of each kind, are measured on this machine after the\n"
     "run, under some of its poses, on one thread. With --master it tells what travelled for the "
     "job:\n"
     "geometry, by who gave it; how often a worker's cache held what a scenario needed; results.";
+
+/// Of `cdctl results`.
+inline constexpr const char* results_help =
+    "Writes the results of a run: of a folder in more formats, or of a job on a master.\n"
+    "Examples:\n"
+    "  cdctl results out --formats npz,csv-pairs           more formats of a folder, nothing is "
+    "run\n"
+    "  cdctl results out -o csv > scenarios.csv\n"
+    "  cdctl results j-5692 --out out --formats csv,npz\n"
+    "\n"
+    "Scenarios and triangles count from 0; a triangle's number is its place in its mesh, in the\n"
+    "order of the file. Classes: 0 separate, 1 touch, 2 cross, 3 inside, 4 contact, 5 undecided,\n"
+    "6 failed; of pairs: 1 touch, 2 coplanar, 3 proper.\n"
+    "  cut             the list of pairs ends at limit_pairs; the count is the true one\n"
+    "  surfaces_only   a body is open, so that nothing is said of insides\n"
+    "  distance_bound  of undecided scenarios: the bodies are at most so far apart\n"
+    "npz: the pairs of scenario i are pairs[offsets[i]:offsets[i+1]], the points of pair j\n"
+    "points_world[point_offsets[j]:point_offsets[j+1]], in the job's unit. docs/formats.md has "
+    "all.";
 
 } // namespace cd

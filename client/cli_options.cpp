@@ -14,6 +14,7 @@ namespace cd {
 
 namespace {
 
+constexpr const char* results_group = "Results";
 constexpr const char* loopback_master = "127.0.0.1:7600";
 
 const std::vector<std::string> levels{"any", "count", "pairs", "contacts"};
@@ -96,11 +97,10 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->group(query);
     verb.add_flag("--maps", job.maps, "From level count on: how often each triangle was in contact")
         ->group(query);
-    verb.add_option("--out", job.out, "Folder for the results")->type_name("DIR")->group(query);
-    verb.add_option("--formats", job.formats, "text, json, csv, npz (default csv,npz)")
-        ->delimiter(',')
-        ->type_name("LIST")
-        ->group(query);
+    verb.add_option("--out", job.out, "Folder for the results")
+        ->type_name("DIR")
+        ->group(results_group);
+    add_formats(verb, job.formats, job.exact_points);
 
     const std::string cluster = "On the cluster";
     verb.add_option("--strategy", job.strategy, "How workers are chosen (earliest-finish)")
@@ -155,6 +155,38 @@ void add_tree_cache(CLI::App& verb, std::string& folder) {
         ->type_name("DIR|off")
         ->envname("CDCTL_TREE_CACHE")
         ->capture_default_str();
+}
+
+void add_formats(CLI::App& verb, std::vector<std::string>& formats, bool& exact_points) {
+    verb.add_option("--formats",
+                    formats,
+                    "csv, csv-pairs, npz, json, text (default csv,npz); csv has a row a scenario, "
+                    "csv-pairs one a pair")
+        ->delimiter(',')
+        ->type_name("LIST")
+        ->group(results_group);
+    verb.add_flag("--exact-points",
+                  exact_points,
+                  "In npz also points relative to origins, with all their bits")
+        ->group(results_group);
+}
+
+void add_folder_options(CLI::App& verb, FolderFlags& flags) {
+    verb.add_flag("--overwrite", flags.overwrite, "Replace another run in the folder")
+        ->group(results_group);
+    verb.add_flag("--fresh", flags.fresh, "Run again what the folder already holds of this job")
+        ->group(results_group);
+    verb.add_flag("--no-inputs",
+                  flags.no_inputs,
+                  "Keep no meshes and poses there; the folder is opened again with their files")
+        ->group(results_group);
+}
+
+void add_statistics(CLI::App& verb, bool& statistics) {
+    verb.add_flag("--stats",
+                  statistics,
+                  "Say what the searches cost and what travelled; summary.json always does")
+        ->group(results_group);
 }
 
 void add_output(CLI::App& verb, std::string& output, const std::vector<std::string>& words) {

@@ -18,7 +18,7 @@ namespace cd {
 namespace {
 
 constexpr std::array<std::string_view, 4> level_names{"any", "count", "pairs", "contacts"};
-constexpr std::array<std::string_view, 4> format_names{"text", "json", "csv", "npz"};
+constexpr std::array<std::string_view, 5> format_names{"text", "json", "csv", "csv-pairs", "npz"};
 constexpr std::string_view depth_auto = "auto";
 constexpr std::array<std::string_view, 2> quat_orders{"xyzw", "wxyz"};
 constexpr std::array<std::string_view, 2> pose_owners{"b", "both"};
@@ -230,6 +230,7 @@ void read_output(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         }
         spec.output.formats.push_back(*format);
     }
+    keep_each_once(spec.output.formats);
 }
 
 void read_depth(const TomlFields& cluster, TomlProblem& problem, JobSpec& spec) {
@@ -342,13 +343,23 @@ Status check_maps(const JobSpec& spec) {
     return Done{};
 }
 
+void keep_each_once(std::vector<std::string>& formats) {
+    std::vector<std::string> once;
+    for (std::string& format : formats) {
+        if (std::find(once.begin(), once.end(), format) == once.end()) {
+            once.push_back(std::move(format));
+        }
+    }
+    formats = std::move(once);
+}
+
 Status check_format(std::string_view format) {
     if (std::find(format_names.begin(), format_names.end(), format) != format_names.end()) {
         return Done{};
     }
     return Error{ErrorCode::BadInput,
                  "format \"" + std::string(format) +
-                     "\" is not known; this version has text, json, csv and npz"};
+                     "\" is not known; this version has text, json, csv, csv-pairs and npz"};
 }
 
 Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path) {

@@ -43,8 +43,9 @@ struct IgnoreRule {
 };
 
 struct OutputSpec {
-    std::filesystem::path dir; ///< Empty: results are not kept.
-    std::vector<std::string> formats{"csv", "npz"};
+    std::filesystem::path dir;                      ///< Empty: results are not kept.
+    std::vector<std::string> formats{"csv", "npz"}; ///< Each once.
+    bool exact_points = false; ///< NPZ: points with all their bits beside those in the world.
 };
 
 struct JobSpec {
@@ -82,6 +83,9 @@ struct JobSpec {
 
 /// Maps go with every level but any. Errors: BadInput.
 [[nodiscard]] Status check_maps(const JobSpec& spec);
+
+/// Leaves out each format that stands there already.
+void keep_each_once(std::vector<std::string>& formats);
 
 /// Errors: BadInput naming the formats that exist.
 [[nodiscard]] Status check_format(std::string_view format);

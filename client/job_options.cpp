@@ -80,6 +80,8 @@ void replace(T& value, const std::optional<T>& given) {
     value = given.value_or(value);
 }
 
+} // namespace
+
 Status apply(const JobOptions& options, JobSpec& spec) {
     spec.name = options.name.empty() ? spec.name : options.name;
     if (!options.level.empty()) {
@@ -102,7 +104,9 @@ Status apply(const JobOptions& options, JobSpec& spec) {
     spec.output.dir = options.out.empty() ? spec.output.dir : std::filesystem::path(options.out);
     if (!options.formats.empty()) {
         spec.output.formats = options.formats;
+        keep_each_once(spec.output.formats);
     }
+    spec.output.exact_points = spec.output.exact_points || options.exact_points;
     for (const std::string& format : spec.output.formats) {
         if (Status known = check_format(format); !known) {
             return known;
@@ -143,8 +147,6 @@ Status apply(const JobOptions& options, JobSpec& spec) {
     spec.cluster.claim = spec.cluster.claim || options.claim;
     return check_matching(spec.cluster);
 }
-
-} // namespace
 
 Result<JobSpec> make_job_spec(const JobOptions& options) {
     if (!options.file.empty() && gives_inputs(options)) {

@@ -38,6 +38,7 @@ struct JobOptions {
     bool maps = false;
     std::string out;
     std::vector<std::string> formats;
+    bool exact_points = false;
     std::string strategy;
     std::string analysis;
     std::string depth_a; ///< A number, or "auto".
@@ -46,6 +47,9 @@ struct JobOptions {
     std::optional<std::uint32_t> v_kb;
     bool claim = false;
 };
+
+/// Changes what the options say over a job file. Errors: BadInput naming the option.
+[[nodiscard]] Status apply(const JobOptions& options, JobSpec& spec);
 
 /// Errors: those of `read_job_file`; BadInput naming the option.
 [[nodiscard]] Result<JobSpec> make_job_spec(const JobOptions& options);

@@ -30,6 +30,9 @@ Status import_bodies(PreparedJob& job) {
         const BodySpec& body = job.spec.bodies[i];
         const BodySpec& first = job.spec.bodies[0];
         job.names[i] = name_of(body);
+        if (job.meshes[i]) {
+            continue;
+        }
         const std::string& unit = unit_of(body, job.spec.unit);
         if (i == 1 && body.path == first.path && unit == unit_of(first, job.spec.unit)) {
             job.meshes[1] = job.meshes[0];
@@ -151,13 +154,18 @@ void describe(PreparedJob& job) {
 
 } // namespace
 
-Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool) {
+Result<PreparedJob>
+prepare_job(JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool, JobInputs given) {
     PreparedJob job;
     job.spec = std::move(spec);
+    job.meshes = std::move(given.meshes);
     if (Status imported = import_bodies(job); !imported) {
         return imported.error();
     }
-    auto ignored = resolve_ignored(job.spec.ignore, *job.meshes[0], *job.meshes[1], job.spec.file);
+    auto ignored =
+        given.ignored
+            ? Result(std::move(*given.ignored))
+            : resolve_ignored(job.spec.ignore, *job.meshes[0], *job.meshes[1], job.spec.file);
     if (!ignored) {
         return ignored.error();
     }
@@ -166,19 +174,37 @@ Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, TreeCache& cache, Thr
                  job.spec.limit_pairs,
                  std::move(ignored.value()),
                  job.spec.maps};
-    if (trees == Trees::Always || std::holds_alternative<RandomPoses>(job.spec.poses)) {
+    const bool makes_poses = !given.poses && std::holds_alternative<RandomPoses>(job.spec.poses);
+    if (trees == Trees::Always || makes_poses) {
         get_trees(job, trees, cache, pool);
     }
-    if (Status made = make_poses(job, pool); !made) {
+    if (given.poses) {
+        job.grid = given.poses->grid() ? std::optional(*given.poses->grid()) : std::nullopt;
+        job.poses = std::move(given.poses);
+    } else if (Status made = make_poses(job, pool); !made) {
         return made.error();
     }
     describe(job);
     return job;
 }
 
+std::string export_name(const JobSpec& spec, std::size_t body) {
+    const std::string& name = spec.bodies[body].name;
+    return name.empty() ? std::string(1, static_cast<char>('a' + body)) : name;
+}
+
 ExportContext export_context(const PreparedJob& job) {
-    return {
-        job.spec.name, job.spec.unit, job.query.level, job.names, job.meshes, job.query.tolerance};
+    ExportContext context;
+    context.job = job.spec.name;
+    context.unit = job.spec.unit;
+    context.level = job.query.level;
+    context.tolerance = job.query.tolerance;
+    context.exact_points = job.spec.output.exact_points;
+    for (std::size_t i = 0; i < job.meshes.size(); ++i) {
+        context.bodies.push_back(
+            {export_name(job.spec, i), job.spec.bodies[i].path.filename().string(), job.meshes[i]});
+    }
+    return context;
 }
 
 } // namespace cd

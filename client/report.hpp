@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,7 +46,8 @@ describe_body(const std::string& name, const std::string& unit, const Mesh& mesh
 /// In how many scenarios each part was touched. Fed with results of level pairs and above.
 class PartTally {
   public:
-    PartTally(const Mesh& a, const Mesh& b);
+    /// `meshes` of the bodies, by the numbers that results give them; none may be null.
+    explicit PartTally(const std::vector<std::shared_ptr<const Mesh>>& meshes);
 
     void add(const ScenarioResult& result);
 
@@ -53,8 +55,7 @@ class PartTally {
         std::string part;
         std::uint64_t scenarios = 0;
     };
-    /// The most touched first; parts never touched are left out. Empty where neither body has more
-    /// than one part.
+    /// The most touched first; parts never touched are left out, and bodies of one part.
     [[nodiscard]] std::vector<Touched> most_touched(std::size_t count) const;
 
   private:
@@ -65,8 +66,7 @@ class PartTally {
     };
     static void note(Body& body, std::uint32_t triangle, std::uint64_t stamp);
 
-    Body a_;
-    Body b_;
+    std::vector<Body> bodies_;
     std::uint64_t stamp_ = 0;
 };
 
@@ -86,10 +86,19 @@ struct RunReport {
     std::string map_withdrawn;            ///< or why there is none.
     std::vector<PartTally::Touched> most_touched;
     std::string hint; ///< A line about poses that bring no contact; empty where there is none.
+    double prepare_seconds = 0;   ///< To read inputs and build trees; not in `seconds`.
+    std::uint64_t resumed_at = 0; ///< Scenarios that an earlier run had done.
+    std::string summary_file;     ///< Where it is kept; empty: nowhere.
 };
 
-/// The lines after a run, each ended; with colours for a terminal that takes them.
-[[nodiscard]] std::string summary_text(const RunReport& report, bool colours = false);
+/// How the lines after a run look.
+struct SummaryStyle {
+    bool colours = false;    ///< For a terminal that takes them.
+    bool statistics = false; ///< What the searches cost, and what travelled.
+};
+
+/// The lines after a run, each ended.
+[[nodiscard]] std::string summary_text(const RunReport& report, const SummaryStyle& style = {});
 
 /// Of the subtrees that scenarios needed at workers, those that were there.
 [[nodiscard]] double hit_share(const BlockTraffic& blocks);

@@ -6,11 +6,9 @@
 #include "client/commands/remote_session.hpp"
 #include "client/exit_code.hpp"
 #include "client/explain_report.hpp"
-#include "client/export/result_writer.hpp"
 #include "client/interrupt.hpp"
 
 #include <cstdio>
-#include <optional>
 
 namespace cd {
 
@@ -23,86 +21,6 @@ constexpr std::chrono::milliseconds sample_time{500};
 Level level_of(const Summary& summary) {
     return summary.contact != 0 ? Level::Any : Level::Pairs;
 }
-
-/// Where results go that were fetched without the meshes being here.
-class FetchedResults {
-  public:
-    FetchedResults(const ResultsCommand& command, const KnownJob& job)
-        : command_(command), job_(job) {}
-
-    /// Before the first result. Errors: those of the files.
-    Status open(const Submit& submit) {
-        level_ = submit.query.level;
-        has_map_ = submit.query.maps;
-        ExportContext context;
-        context.job = job_.status.name;
-        context.unit = submit.unit;
-        context.level = level_;
-        context.bodies = job_.bodies;
-        if (!command_.out.empty()) {
-            auto files = ResultFiles::open(command_.out, command_.formats, context);
-            if (!files) {
-                return files.error();
-            }
-            files_.emplace(std::move(files.value()));
-        }
-        if (command_.output == "json") {
-            stdout_writer_ = make_json_writer(context, OutputFile::standard_output());
-        } else if (command_.output == "csv") {
-            stdout_writer_ = make_scenarios_csv_writer(OutputFile::standard_output());
-        } else if (command_.out.empty()) {
-            stdout_writer_ = make_text_writer(context, OutputFile::standard_output());
-        }
-        return Done{};
-    }
-
-    Status add(const ScenarioResult& result) {
-        ++answered_;
-        if (files_) {
-            if (Status added = files_->add(result); !added) {
-                return added;
-            }
-        }
-        return stdout_writer_ ? stdout_writer_->add(result) : Status(Done{});
-    }
-
-    Status finish(Connection& connection) {
-        RunReport report = report_of(job_.status, level_);
-        if (has_map_ && job_.status.state == JobState::Done) {
-            if (Status map = fetch_map(connection, job_.status.job, report); !map) {
-                return map;
-            }
-        }
-        if (files_) {
-            if (Status finished = files_->finish(report); !finished) {
-                return finished;
-            }
-        }
-        if (stdout_writer_) {
-            if (const std::string coverage = coverage_text(job_.status, answered_);
-                !coverage.empty()) {
-                std::fprintf(stderr, "cdctl: %s\n", coverage.c_str());
-            }
-            return stdout_writer_->finish();
-        }
-        std::string text = summary_text(report, colours_wanted(stdout));
-        if (const std::string coverage = coverage_text(job_.status, answered_); !coverage.empty()) {
-            text += "  " + coverage + "\n";
-        }
-        text += files_ ? "  results       " + files_->dir().string() + "\n" : "";
-        std::fputs(text.c_str(), stdout);
-        return Done{};
-    }
-
-  private:
-    const ResultsCommand& command_;
-    const KnownJob& job_;
-    std::uint64_t answered_ = 0;
-    bool has_map_ = false;
-    Level level_ = Level::Pairs;
-    std::optional<ResultFiles> files_;
-    std::unique_ptr<ResultWriter> stdout_writer_;
-};
 
 struct Statuses {
     ClusterStatus before;
@@ -155,7 +73,8 @@ int execute(const WatchCommand& command) {
         std::fputs(job_json(status.value()).c_str(), stdout);
     } else if (!command.quiet && !command.only_wait) {
         const RunReport report = report_of(status.value(), level);
-        std::fputs(summary_text(report, colours_wanted(stdout)).c_str(), stdout);
+        std::fputs(summary_text(report, {colours_wanted(stdout), command.statistics}).c_str(),
+                   stdout);
     }
     if (const Status done = check_done(status.value(), job.value().id); !done) {
         return fail(done.error());
@@ -164,40 +83,6 @@ int execute(const WatchCommand& command) {
         return fail(answerable.error());
     }
     return exit_code_of(status.value().summary, command.fail_on);
-}
-
-int execute(const ResultsCommand& command) {
-    const InterruptGuard interrupts;
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
-    }
-    const Result<KnownJob> job = find_known_job(*connection.value(), command.job);
-    if (!job) {
-        return fail(job.error());
-    }
-    const Result<JobDescription> described =
-        connection.value()->job_description(job.value().status.job);
-    if (!described) {
-        return fail(described.error());
-    }
-    FetchedResults results(command, job.value());
-    if (const Status opened = results.open(described.value().submit); !opened) {
-        return fail(opened.error());
-    }
-    const Status fetched =
-        fetch_results(*connection.value(),
-                      job.value().status,
-                      [&](const ScenarioResult& result) -> Status { return results.add(result); });
-    if (!fetched) {
-        return fail(fetched.error());
-    }
-    if (const Status finished = results.finish(*connection.value()); !finished) {
-        return fail(finished.error());
-    }
-    return job.value().status.state == JobState::Done
-               ? exit_code_of(job.value().status.summary, FailOn::Never)
-               : exit_incomplete;
 }
 
 int execute(const GetCommand& command) {

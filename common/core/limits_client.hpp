@@ -21,6 +21,10 @@ inline constexpr std::uint64_t run_poses_at_once_max = 128;
 inline constexpr std::uint64_t computed_window_scenarios = 16;
 inline constexpr std::uint64_t computed_windows_max = 128;
 
+// A results folder. Work that a killed run may lose; what is kept of a job beside its results.
+inline constexpr std::chrono::seconds record_flush_period{5};
+inline constexpr std::uint64_t run_inputs_bytes_max = 1ull << 30;
+
 // Talking to a master.
 inline constexpr std::size_t mesh_piece_bytes = 1u << 20;             ///< Of one message.
 inline constexpr std::size_t client_write_queue_bytes_max = 4u << 20; ///< Then it waits.

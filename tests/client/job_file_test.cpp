@@ -160,8 +160,10 @@ TEST(JobFile, ValuesOutOfRangeAreRefused) {
 TEST(JobFile, UnknownWordsNameThoseThatExist) {
     EXPECT_THAT(problem_with(random_poses + "[query]\nlevel = \"contact\"\n"),
                 HasSubstr("did you mean \"contacts\"?"));
-    EXPECT_THAT(problem_with(random_poses + "[output]\nformats = [\"csv\", \"h5\"]\n"),
-                HasSubstr("format \"h5\" is not known; this version has text, json, csv and npz"));
+    EXPECT_THAT(
+        problem_with(random_poses + "[output]\nformats = [\"csv\", \"h5\"]\n"),
+        HasSubstr(
+            "format \"h5\" is not known; this version has text, json, csv, csv-pairs and npz"));
     EXPECT_THAT(problem_with(random_poses + "[output]\nformats = [1]\n"),
                 HasSubstr("text in quotes"));
     EXPECT_THAT(parse("unit = \"inch\"\n" + minimal + random_poses).error().detail,
@@ -247,7 +249,7 @@ TEST(JobOptions, OptionsThatDoNotFitAreRefused) {
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("--random"));
     options.seed.reset();
     options.formats = {"h5"};
-    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("text, json, csv and npz"));
+    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("csv-pairs and npz"));
     options.file = "job.toml";
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("names the meshes"));
 }

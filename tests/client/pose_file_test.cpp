@@ -142,8 +142,8 @@ TEST_F(PoseFile, NpzHoldsAnArrayCalledPoses) {
     NpzWriter writer(folder_ / "p.npz");
     const auto other = writer.add_array("other", NpyType::F8);
     const auto poses = writer.add_array("poses", NpyType::F8, 12);
-    writer.append(other, std::span<const double>(turned));
-    writer.append(poses, std::span<const double>(turned).first(12));
+    EXPECT_TRUE(writer.append(other, std::span<const double>(turned)));
+    EXPECT_TRUE(writer.append(poses, std::span<const double>(turned).first(12)));
     ASSERT_TRUE(writer.finish());
     EXPECT_EQ(read_all(spec("p.npz")).size(), 1u);
 }

@@ -56,6 +56,8 @@ class Run : public testing::Test {
         command_.job.poses = (dir_ / "poses.csv").string();
         command_.job.out = (dir_ / "out").string();
         command_.job.formats = {"csv", "json"};
+        command_.folder.overwrite = true;
+        command_.folder.fresh = true; // Each run is one of its own.
         command_.threads = 2;
         command_.quiet = true;
     }
@@ -91,13 +93,13 @@ class Run : public testing::Test {
 TEST_F(Run, GivesEachScenarioItsClass) {
     EXPECT_EQ(run(), exit_done) << stderr_;
     const std::string rows = read("out/scenarios.csv");
-    EXPECT_THAT(rows, HasSubstr("\n0,separate,0,"));
-    EXPECT_THAT(rows, HasSubstr("\n1,cross,"));
-    EXPECT_THAT(rows, HasSubstr("\n2,cross,"));
-    EXPECT_THAT(rows, HasSubstr("\n3,touch,"));
+    EXPECT_THAT(rows, HasSubstr("\n0,a,b,separate,0,"));
+    EXPECT_THAT(rows, HasSubstr("\n1,a,b,cross,"));
+    EXPECT_THAT(rows, HasSubstr("\n2,a,b,cross,"));
+    EXPECT_THAT(rows, HasSubstr("\n3,a,b,touch,"));
     EXPECT_THAT(stdout_, HasSubstr("tested 4 of 4"));
     EXPECT_THAT(stdout_, HasSubstr("most touched  body 50.0 %, wheel_left 25.0 %"));
-    EXPECT_THAT(stdout_, HasSubstr("results       " + command_.job.out));
+    EXPECT_THAT(stdout_, HasSubstr("open it: " + command_.job.out + "/summary.json"));
     EXPECT_EQ(stderr_, "");
 }
 
@@ -135,7 +137,7 @@ TEST_F(Run, UnderAToleranceTheRestIsUndecided) {
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_THAT(stdout_, HasSubstr("separate  1    touch 0    cross 0    inside 0    undecided 3"));
     EXPECT_THAT(stdout_, HasSubstr("boxes as small as the tolerance"));
-    EXPECT_THAT(read("out/scenarios.csv"), HasSubstr("\n1,undecided,0,0,"));
+    EXPECT_THAT(read("out/scenarios.csv"), HasSubstr("\n1,a,b,undecided,0,0,"));
     EXPECT_EQ(nlohmann::json::parse(read("out/summary.json"))["tolerance"], 100);
     command_.fail_on = FailOn::Touch;
     EXPECT_EQ(run(), exit_incomplete) << "whether there is a contact is not known";
@@ -236,8 +238,8 @@ TEST_F(Run, IgnoredPartsAreNotInTheAnswer) {
     command_.job.file = (dir_ / "job.toml").string();
     command_.output = "csv";
     EXPECT_EQ(run(), exit_done) << stderr_;
-    EXPECT_THAT(stdout_, HasSubstr("\n1,separate,0,"));
-    EXPECT_THAT(stdout_, HasSubstr("\n2,cross,"));
+    EXPECT_THAT(stdout_, HasSubstr("\n1,a,b,separate,0,"));
+    EXPECT_THAT(stdout_, HasSubstr("\n2,a,b,cross,"));
 }
 
 TEST_F(Run, AnIgnoredNameThatMatchesNothingIsAnError) {

@@ -31,10 +31,11 @@ TEST_F(Cluster, CdctlFindsTheSameWithAndWithoutAMasterOnRealModels) {
                    "\"\nformats = [\"csv\", \"npz\", \"json\", \"text\"]\n");
     const std::string job = folder_ / "job.toml";
     const Ran one = tests::run({cdctl(), "run", job, "--threads", "1"});
-    const Ran two = tests::run({cdctl(), "run", job, "--threads", "2"});
+    const Ran two = tests::run({cdctl(), "run", job, "--threads", "2", "--fresh"});
     start_worker();
     start_worker();
-    const Ran cluster = tests::run({cdctl(), "run", job, "--master", master_->address()});
+    const Ran cluster =
+        tests::run({cdctl(), "run", job, "--fresh", "--master", master_->address()});
 
     EXPECT_EQ(one.exit_code, 0) << one.errors;
     EXPECT_EQ(cluster.exit_code, 0) << cluster.errors;

@@ -184,8 +184,8 @@ TEST(MeshImport, ReadsNpzInDoubles) {
         NpzWriter writer(folder / "mesh.npz");
         const auto v = writer.add_array("vertices", NpyType::F8, 3);
         const auto f = writer.add_array("faces", NpyType::I8, 3);
-        writer.append(v, std::span<const double>(points));
-        writer.append(f, std::span<const std::int64_t>(faces));
+        EXPECT_TRUE(writer.append(v, std::span<const double>(points)));
+        EXPECT_TRUE(writer.append(f, std::span<const std::int64_t>(faces)));
         ASSERT_TRUE(writer.finish());
     };
     write(vertices, {0, 1, 2});
