@@ -9,7 +9,9 @@
 // it reads is in the caches; in those called cold all poses are gone through in turn. `each` is the
 // mean time of a pose; `box_tests`, `visits` (pairs of nodes; `descent` only), `candidates` and
 // `contacts` are its mean counts. The checksum of what was found must be the same for all targets,
-// hot and cold: otherwise the program fails.
+// hot and cold: otherwise the program fails. `any to pairs` asks the two in turns, round by round,
+// each pose in turn, and tells the medians over the poses of their medians over the rounds, and
+// their ratio: where nothing touches, `any` costs no more than `pairs`.
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
 #include "common/geometry/simd_target.hpp"
@@ -20,7 +22,9 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -173,7 +177,57 @@ void run(benchmark::State& state,
     static_cast<void>(force_simd_target("auto"));
 }
 
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Of one level, the microseconds of each pose, round by round.
+class PoseTimes {
+  public:
+    PoseTimes(const PosedTrees& trees, const char* level)
+        : trees_(trees), level_(level), times_(trees.poses.size()) {}
+
+    void add_round() {
+        for (std::size_t i = 0; i < times_.size(); ++i) {
+            Found found;
+            const auto start = std::chrono::steady_clock::now();
+            search(trees_, trees_.poses[i], level_, found);
+            const std::chrono::duration<double, std::micro> spent =
+                std::chrono::steady_clock::now() - start;
+            benchmark::DoNotOptimize(found.contacts);
+            times_[i].push_back(spent.count());
+        }
+    }
+    [[nodiscard]] double median_pose() const {
+        std::vector<double> medians;
+        std::ranges::transform(times_, std::back_inserter(medians), median);
+        return median(std::move(medians));
+    }
+
+  private:
+    const PosedTrees& trees_;
+    const char* level_;
+    std::vector<std::vector<double>> times_;
+};
+
+void compare_any_to_pairs(benchmark::State& state, const PosedTrees& trees) {
+    PoseTimes any(trees, "any");
+    PoseTimes pairs(trees, "pairs");
+    for (auto _ : state) {
+        any.add_round();
+        pairs.add_round();
+    }
+    state.counters["any_us"] = any.median_pose();
+    state.counters["pairs_us"] = pairs.median_pose();
+    state.counters["ratio"] = any.median_pose() / pairs.median_pose();
+}
+
 void register_all(const PosedTrees& trees, Checksums& checksums) {
+    benchmark::RegisterBenchmark("any to pairs", [&](auto& state) {
+        compare_any_to_pairs(state, trees);
+    })->Unit(benchmark::kMicrosecond);
     for (const SimdTarget target : available_simd_targets()) {
         for (const char* name : {"descent", "any", "count", "pairs"}) {
             for (const bool is_hot : {true, false}) {

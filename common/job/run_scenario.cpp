@@ -157,7 +157,7 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
         return run;
     }
     if (kept.search) {
-        kept.search->restart(scenario.poses, kept.last_contact);
+        kept.search->restart(scenario.poses);
     } else {
         kept.search.emplace(scenario.poses, query.ignored, search_options(query, options));
     }
@@ -252,12 +252,9 @@ ScenarioRun ScenarioSession::run(const Scenario& scenario) {
 
 bool ScenarioSession::run_all(std::span<const Scenario> scenarios, const OnRun& done) {
     const std::vector<std::uint32_t> order = coherent_order(scenarios);
-    kept_.last_contact = ContactSearch::LastContact::TryFirst;
-    const bool is_whole = std::all_of(order.begin(), order.end(), [&](std::uint32_t place) {
+    return std::all_of(order.begin(), order.end(), [&](std::uint32_t place) {
         return done(place, run(scenarios[place]));
     });
-    kept_.last_contact = ContactSearch::LastContact::Forget;
-    return is_whole;
 }
 
 ScenarioRun

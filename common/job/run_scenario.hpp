@@ -62,7 +62,6 @@ struct RunOptions {
 /// A search that keeps its memory from one scenario to the next of the same query.
 struct KeptSearch {
     std::optional<ContactSearch> search; ///< Made by the first.
-    ContactSearch::LastContact last_contact = ContactSearch::LastContact::Forget;
 };
 
 /// The same with a search that is kept; the query and the options are those of the scenarios
@@ -126,8 +125,7 @@ class ScenarioSession {
     /// A scenario's place among those given, and its run; false ends it.
     using OnRun = std::function<bool(std::size_t place, ScenarioRun run)>;
     /// Runs of poses: each scenario once, in `coherent_order`, in which each finds in the caches
-    /// what the one before used, and at level any begins with the contact found there. The results
-    /// are those of `run`; statistics may say less work. Whether it got to the end.
+    /// what the one before used. The results are those of `run`. Whether it got to the end.
     bool run_all(std::span<const Scenario> scenarios, const OnRun& done);
 
   private:

@@ -22,8 +22,6 @@ struct WidePair {
 class PairBuckets {
   public:
     static constexpr std::int32_t count = 64;
-    /// With as many and more, what comes last goes first.
-    static constexpr std::uint32_t ranked_max = 1u << 16;
 
     void clear() {
         filled_ = 0;
@@ -36,9 +34,7 @@ class PairBuckets {
 
     /// Any rank: one out of range counts as the nearest in it.
     void push(WidePair pair, std::int32_t rank) {
-        // Depth first never has many more.
-        const auto bucket =
-            size_ < ranked_max ? static_cast<std::size_t>(std::clamp(rank, 0, count - 1)) : 0;
+        const auto bucket = static_cast<std::size_t>(std::clamp(rank, 0, count - 1));
         const std::uint32_t entry = take_entry();
         const bool is_filled = (filled_ >> bucket & 1) != 0;
         entries_[entry] = {pair, is_filled ? heads_[bucket] : none};

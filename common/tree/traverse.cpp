@@ -75,10 +75,7 @@ ContactSearch::ContactSearch(const PosePair& poses,
       stretch_(stretch_under(poses)),
       test_(poses, options.first_stage) {}
 
-void ContactSearch::restart(const PosePair& poses, LastContact last) {
-    if (last == LastContact::Forget) {
-        witness_.reset();
-    }
+void ContactSearch::restart(const PosePair& poses) {
     relative_ = relative_pose(poses);
     boxes_.reset();
     descent_.restart(relative_);
@@ -228,28 +225,15 @@ ContactSearch::next_candidates(const WideView& a, const WideView& b, std::size_t
 }
 
 bool ContactSearch::any_in_wide(const WideView& a, const WideView& b) {
-    if (is_witnessed(a, b)) {
-        return true;
-    }
-    descent_.start(a, b, WideDescent::Aim::First);
-    while (!descent_.is_done() && !is_stopped_) {
+    using Aim = WideDescent::Aim;
+    descent_.start(a, b, expects_contact_ ? Aim::LikelyFirst : Aim::First);
+    expects_contact_ = false;
+    while (!descent_.is_done() && !is_stopped_ && !expects_contact_) {
         const auto found = next_candidates(a, b, candidates_at_once_for_any);
-        if (const auto touch = test_.find_touch(a.triangles, b.triangles, found)) {
-            witness_ = {a.nodes.data(), b.nodes.data(), found[*touch]};
-            return true;
-        }
+        expects_contact_ = test_.find_touch(a.triangles, b.triangles, found).has_value();
         static_cast<void>(must_stop(steps_between_stop_checks));
     }
-    return false;
-}
-
-/// Whether the triangles that were last found to touch do so again.
-bool ContactSearch::is_witnessed(const WideView& a, const WideView& b) {
-    if (!witness_ || witness_->nodes_a != a.nodes.data() || witness_->nodes_b != b.nodes.data()) {
-        return false;
-    }
-    ++triangle_tests_;
-    return test_.find_touch(a.triangles, b.triangles, {&witness_->pair, 1}).has_value();
+    return expects_contact_;
 }
 
 bool ContactSearch::decide_any(const TreeView& a, const TreeView& b) {

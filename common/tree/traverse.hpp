@@ -49,16 +49,13 @@ class ContactSearch {
                   std::span<const IgnoredRange> ignored,
                   const SearchOptions& options = {});
 
-    /// What a restart makes of the pair of triangles in which `any` last found a contact: in the
-    /// same subtrees, which must have lived on, it can be tried first. Then the statistics depend
-    /// on the poses before.
-    enum class LastContact : std::uint8_t { Forget, TryFirst };
-
-    /// As if made anew with other poses, but keeps scratch memory.
-    void restart(const PosePair& poses, LastContact last = LastContact::Forget);
+    /// As if made anew with other poses, but keeps scratch memory, and what `any` expects.
+    void restart(const PosePair& poses);
 
     /// True as soon as any two triangles under the two roots are known to touch. Adds nothing to
-    /// `pairs`.
+    /// `pairs`. Expects what it found the last time, under whichever poses: after a contact it
+    /// looks at the most promising boxes first, after none it goes as `collect` does. So the
+    /// statistics depend on what was asked before, the answer never does.
     [[nodiscard]] bool any(const TreeView& a, const TreeView& b);
 
     /// Adds every contact under the two roots to `pairs`, but for those in boxes that the tolerance
@@ -105,7 +102,6 @@ class ContactSearch {
     [[nodiscard]] bool decide_any(const TreeView& a, const TreeView& b);
     void decide_candidates(const TreeView& a, const TreeView& b);
     [[nodiscard]] bool any_in_wide(const WideView& a, const WideView& b);
-    [[nodiscard]] bool is_witnessed(const WideView& a, const WideView& b);
     void collect_in_wide(const WideView& a, const WideView& b);
     /// Whether both have wide trees, and these will do.
     [[nodiscard]] bool uses_wide(const TreeView& a, const TreeView& b) const;
@@ -120,17 +116,9 @@ class ContactSearch {
                       std::span<const std::uint32_t> ids_b,
                       std::span<const Candidate> candidates);
 
-    /// Where `any` last found a contact, by the places in two wide trees.
-    struct Witness {
-        const WideNode* nodes_a;
-        const WideNode* nodes_b;
-        Candidate pair;
-    };
-
     RelativePose relative_;
     std::optional<BoxTest> boxes_; ///< Made when a binary tree is first walked.
     WideDescent descent_;
-    std::optional<Witness> witness_;
     std::span<const IgnoredRange> ignored_;
     SearchOptions options_;
     double stretch_; ///< Bounds how many times longer A's pose can make a vector.
@@ -144,6 +132,7 @@ class ContactSearch {
     std::optional<double> undecided_;
     std::uint64_t pair_count_ = 0;
     bool has_proper_ = false;
+    bool expects_contact_ = true; ///< What `any` found last.
     bool is_stopped_ = false;
     std::uint32_t steps_unchecked_ = 0; ///< Since `stop` was last asked.
     std::uint64_t box_tests_ = 0;

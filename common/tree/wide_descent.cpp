@@ -15,6 +15,8 @@ namespace {
 constexpr double pose_error_max = 0x1p-10;
 /// Less than a millisecond of work.
 constexpr std::uint32_t visits_at_once = 4096;
+/// Who looks for a first contact looks at fewer pairs of leaves together.
+constexpr std::size_t leaves_for_first = 2 * wide_batch_max;
 
 WideBody body_of(const WideView& tree) {
     const TriangleBlocks& triangles = tree.triangles;
@@ -67,17 +69,16 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
                                                : std::numeric_limits<float>::infinity();
     walk_.a = body_of(a);
     walk_.b = body_of(b);
-    aim_ = aim;
     walk_.waiting_count = 0;
     walk_.ranked.clear();
-    if (aim == Aim::All) {
-        waiting_[0] = {0, 0};
-        walk_.waiting_count = 1;
-    } else {
-        walk_.ranked.push({0, 0}, 0);
-    }
     walk_.leaf_count = 0;
-    walk_.visits_before = walk_.visits;
+    walk_.leaves_at_once = aim == Aim::All ? wide_leaves_max - wide_batch_max : leaves_for_first;
+    dive_visits_left_ = aim == Aim::LikelyFirst ? dive_visits : 0;
+    if (dive_visits_left_ > 0) {
+        walk_.ranked.push({0, 0}, 0);
+    } else {
+        waiting_[walk_.waiting_count++] = {0, 0};
+    }
 }
 
 std::span<Candidate> WideDescent::next(std::size_t wanted) {
@@ -90,8 +91,8 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
     walk_.candidates_wanted = wanted;
     walk_.visits_left = visits_at_once;
     while (!is_done() && walk_.visits_left > 0 && walk_.candidate_count < wanted) {
-        if (aim_ == Aim::First) {
-            walk_wide_ranked(pose_, walk_);
+        if (dive_visits_left_ > 0) {
+            dive();
             continue;
         }
         if (walk_.waiting_count + wide_pairs_slack > walk_.waiting_room) {
@@ -101,6 +102,25 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
         walk_wide(pose_, walk_);
     }
     return {candidates_.get(), walk_.candidate_count};
+}
+
+/// Goes on with the most promising pairs; what they leave waits, the most promising last.
+void WideDescent::dive() {
+    walk_.visits_left = dive_visits_left_;
+    walk_wide_ranked(pose_, walk_);
+    dive_visits_left_ = walk_.visits_left;
+    walk_.visits_left = visits_at_once;
+    if (dive_visits_left_ > 0) {
+        return;
+    }
+    const std::size_t count = walk_.ranked.size();
+    while (count > walk_.waiting_room) {
+        grow();
+    }
+    for (std::size_t i = count; i > 0; --i) {
+        waiting_[i - 1] = walk_.ranked.pop();
+    }
+    walk_.waiting_count = count;
 }
 
 void WideDescent::grow() {

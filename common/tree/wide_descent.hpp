@@ -22,9 +22,17 @@ class WideDescent {
     /// As if made anew with another pose, but keeps scratch memory.
     void restart(const RelativePose& b_to_a);
 
-    /// How the descent goes about it: for all candidates, many pairs of nodes are looked at
-    /// together; for a first contact, the most promising ones first (`PairBuckets`).
-    enum class Aim : std::uint8_t { All, First };
+    /// How the descent goes about it.
+    enum class Aim : std::uint8_t {
+        All,         ///< Every candidate: many pairs of nodes are looked at together.
+        First,       ///< A first contact that may not exist: as All, but finds candidates sooner.
+        LikelyFirst, ///< A first contact: the most promising pairs of nodes (`PairBuckets`) one by
+                     ///< one, and after `dive_visits` of them as First.
+    };
+
+    /// Nearly all contacts that exist are found by then; each of these visits costs more than those
+    /// that follow.
+    static constexpr std::uint32_t dive_visits = 16;
 
     /// Begins at the roots. The trees have nodes and outlive the descent.
     void start(const WideView& a, const WideView& b, Aim aim = Aim::All);
@@ -41,9 +49,10 @@ class WideDescent {
     [[nodiscard]] std::uint64_t visits() const { return walk_.visits; }
 
   private:
+    void dive();
     void grow();
 
-    Aim aim_ = Aim::All;
+    std::uint32_t dive_visits_left_ = 0;
     RelativePose b_to_a_;
     double error_scale_;
     WidePose pose_;

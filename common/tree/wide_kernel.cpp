@@ -54,13 +54,6 @@ HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
 
-/// Who looks for a first contact sees one pair of nodes at a time; after so many visits one more at
-/// a time than before, since then there may be none, and pairs come faster together.
-constexpr std::uint64_t patience = 16;
-
-/// Pairs of leaves put aside until they are looked at.
-constexpr std::size_t leaves_at_once = wide_leaves_max - wide_batch_max;
-
 /// A pair of nodes on its way through a batch.
 struct Visit {
     Meeting meeting;
@@ -206,33 +199,26 @@ HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk, Visit* visits
     count_visits(walk, count);
 }
 
-/// Looks at the most promising pairs, each as far as it goes.
-HWY_INLINE void visit_ranked(const WidePose& pose, WideWalk& walk, Visit* visits) {
-    const auto sought = static_cast<std::size_t>((walk.visits - walk.visits_before) / patience);
-    const std::size_t batch = std::min(1 + sought, wide_batch_max);
-    const std::size_t count = std::min(walk.ranked.size(), batch);
-    WidePair now[wide_batch_max];
-    for (std::size_t i = 0; i < count; ++i) {
-        now[i] = walk.ranked.pop();
-    }
-    const std::size_t inner = meet_inner(pose, walk, now, count, visits);
-    std::size_t left[wide_batch_max];
-    const std::size_t left_count = see_both<false>(pose, walk, visits, inner, left);
-    for (std::size_t i = 0; i < left_count; ++i) {
-        const Rows rows = rows_of(visits[left[i]], walk.box_tests);
+/// Looks at the most promising pair.
+HWY_INLINE void visit_ranked(const WidePose& pose, WideWalk& walk, Visit& visit) {
+    const WidePair now = walk.ranked.pop();
+    const std::size_t inner = meet_inner(pose, walk, &now, 1, &visit);
+    std::size_t left = 0;
+    if (see_both<false>(pose, walk, &visit, inner, &left) > 0) {
+        const Rows rows = rows_of(visit, walk.box_tests);
         rank_pairs(rows.one, rows.others, rows.one_is_a, walk.ranked);
     }
     count_visits(walk, inner);
     if (walk.leaf_count > 0) {
-        visit_leaves(pose, walk, visits);
+        visit_leaves(pose, walk, &visit);
     }
 }
 
 void walk_ranked(const WidePose& pose, WideWalk& walk) {
-    Visit visits[wide_batch_max];
+    Visit visit;
     while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
            walk.ranked.size() > 0) {
-        visit_ranked(pose, walk, visits);
+        visit_ranked(pose, walk, visit);
     }
 }
 
@@ -240,7 +226,8 @@ void walk_all(const WidePose& pose, WideWalk& walk) {
     Visit visits[wide_batch_max];
     while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
            walk.waiting_count + wide_pairs_slack <= walk.waiting_room) {
-        if (walk.leaf_count >= leaves_at_once || (walk.waiting_count == 0 && walk.leaf_count > 0)) {
+        if (walk.leaf_count >= walk.leaves_at_once ||
+            (walk.waiting_count == 0 && walk.leaf_count > 0)) {
             visit_leaves(pose, walk, visits);
         } else if (walk.waiting_count > 0) {
             visit_inner(pose, walk, visits);

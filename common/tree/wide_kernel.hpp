@@ -54,10 +54,12 @@ struct WideWalk {
     std::size_t candidates_wanted = 0;
     std::array<WidePair, wide_leaves_max> leaves;
     std::size_t leaf_count = 0;
-    PairBuckets ranked;              ///< What waits when a first contact is looked for.
-    std::uint32_t visits_left = 0;   ///< Pairs of nodes to look at before the walk pauses.
-    std::uint64_t visits = 0;        ///< Pairs of nodes looked at.
-    std::uint64_t visits_before = 0; ///< Of these, before this start.
+    /// How many pairs of leaves are put aside until they are looked at: `wide_batch_max` less than
+    /// there is room for, or fewer.
+    std::size_t leaves_at_once = 0;
+    PairBuckets ranked;            ///< What waits for `walk_wide_ranked`.
+    std::uint32_t visits_left = 0; ///< Pairs of nodes to look at before the walk pauses.
+    std::uint64_t visits = 0;      ///< Pairs of nodes looked at.
     std::uint64_t box_tests = 0;
 };
 
@@ -65,7 +67,7 @@ struct WideWalk {
 /// lacks room for `wide_pairs_slack` more.
 void walk_wide(const WidePose& pose, WideWalk& walk);
 
-/// The same of the pairs in `ranked`: the most promising first.
+/// The same of the pairs in `ranked`, one by one, the most promising first. Puts no leaves aside.
 void walk_wide_ranked(const WidePose& pose, WideWalk& walk);
 
 } // namespace cd

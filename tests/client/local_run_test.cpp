@@ -87,7 +87,8 @@ TEST_F(LocalRun, TheDigestDoesNotDependOnThreads) {
 }
 
 TEST_F(LocalRun, StatisticsAreTheSumsOverAllScenarios) {
-    for (const Level level : {Level::Any, Level::Pairs}) {
+    // (At level any they depend on the order, since a search expects what it found before.)
+    for (const Level level : {Level::Count, Level::Pairs}) {
         query_.level = level;
         QueryStatistics expected;
         for (const Scenario& scenario : make_scenarios()) {

@@ -1,5 +1,5 @@
 // Proves that waiting pairs come out by rank, the last of equals first, each once, whatever the
-// order of pushes and pops; and that with very many the order becomes that of a stack.
+// order of pushes and pops.
 #include "common/tree/pair_buckets.hpp"
 
 #include <gtest/gtest.h>
@@ -61,18 +61,6 @@ TEST(PairBuckets, AsAListThatIsSortedByRankAndTimeSays) {
             ASSERT_EQ(buckets.size(), expected.size());
         }
     }
-}
-
-TEST(PairBuckets, WithVeryManyTheLastComesFirst) {
-    PairBuckets buckets;
-    for (std::uint32_t i = 0; i < PairBuckets::ranked_max; ++i) {
-        buckets.push({i, i}, 1);
-    }
-    buckets.push({7, 8}, 63);
-    buckets.push({9, 10}, 62);
-    EXPECT_EQ(buckets.pop().a, 9u);
-    EXPECT_EQ(buckets.pop().a, 7u);
-    EXPECT_EQ(buckets.pop().a, PairBuckets::ranked_max - 1);
 }
 
 } // namespace

@@ -121,30 +121,4 @@ TEST(SearchMemory, NothingIsAllocatedOnceThereIsEnough) {
     EXPECT_GT(found, 1000u);
 }
 
-TEST(SearchMemory, TheLastContactIsTriedFirstIfAsked) {
-    const ObbTree sphere = build(make_sphere(4));
-    ContactSearch search({Pose{}, translation_pose(1.5, 0, 0)}, {});
-    ASSERT_TRUE(search.any(sphere.view(), sphere.view()));
-    EXPECT_GT(search.statistics().box_tests, 0u);
-
-    search.restart({Pose{}, translation_pose(1.5 + 1e-9, 0, 0)},
-                   ContactSearch::LastContact::TryFirst);
-    EXPECT_TRUE(search.any(sphere.view(), sphere.view()));
-    EXPECT_EQ(search.statistics().box_tests, 0u);
-    EXPECT_EQ(search.statistics().triangle_tests, 1u);
-
-    search.restart({Pose{}, translation_pose(2.5, 0, 0)}, ContactSearch::LastContact::TryFirst);
-    EXPECT_FALSE(search.any(sphere.view(), sphere.view()));
-
-    search.restart({Pose{}, translation_pose(1.5, 0, 0)});
-    EXPECT_TRUE(search.any(sphere.view(), sphere.view()));
-    EXPECT_GT(search.statistics().box_tests, 0u) << "nobody asked";
-
-    // In another tree it says nothing.
-    const ObbTree small = build(make_sphere(1));
-    search.restart({Pose{}, translation_pose(1.5, 0, 0)}, ContactSearch::LastContact::TryFirst);
-    EXPECT_TRUE(search.any(small.view(), small.view()));
-    EXPECT_GT(search.statistics().box_tests, 0u);
-}
-
 } // namespace cd::tests

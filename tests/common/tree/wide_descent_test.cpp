@@ -52,10 +52,11 @@ void on_every_target(const Work& work) {
 std::vector<IdPair> candidates_of(const WideView& a,
                                   const WideView& b,
                                   const PosePair& poses,
-                                  std::size_t wanted = 256) {
+                                  std::size_t wanted = 256,
+                                  WideDescent::Aim aim = WideDescent::Aim::All) {
     WideDescent descent(relative_pose(poses));
     std::vector<IdPair> found;
-    for (descent.start(a, b); !descent.is_done();) {
+    for (descent.start(a, b, aim); !descent.is_done();) {
         for (const Candidate& pair : descent.next(wanted)) {
             found.emplace_back(a.triangles.ids[pair.a], b.triangles.ids[pair.b]);
         }
@@ -323,6 +324,41 @@ TEST(WideDescent, HowManyAreWantedAtOnceChangesNothing) {
         EXPECT_EQ(candidates_of(view, view, poses, 1), expected);
         EXPECT_EQ(candidates_of(view, view, poses, 1000), expected);
     });
+}
+
+TEST(WideDescent, WhoAimsAtTheFirstFindsAllWhoGoesOn) {
+    const ObbTree sphere = build(make_sphere(4));
+    const WideView view = sphere.view().wide;
+    std::mt19937_64 random(5);
+    for (const double far : {0.0, 0.5, 1.9, 2.5}) {
+        const PosePair poses{Pose{}, make_pose(random, far)};
+        on_every_target([&] {
+            const auto expected = candidates_of(view, view, poses);
+            for (const auto aim : {WideDescent::Aim::First, WideDescent::Aim::LikelyFirst}) {
+                EXPECT_EQ(candidates_of(view, view, poses, 1, aim), expected);
+                EXPECT_EQ(candidates_of(view, view, poses, 1u << 20, aim), expected);
+            }
+        });
+    }
+}
+
+TEST(WideDescent, WhatASearchForAnyExpectsChangesNoAnswer) {
+    const ObbTree sphere = build(make_sphere(4));
+    std::mt19937_64 random(6);
+    ContactSearch any(PosePair{}, {});
+    ContactSearch all(PosePair{}, {});
+    std::uint64_t contacts = 0;
+    for (std::uint64_t i = 0; i < 200; ++i) {
+        const PosePair poses{Pose{}, make_pose(random, 3)};
+        any.restart(poses);
+        all.restart(poses);
+        all.collect(sphere.view(), sphere.view());
+        ASSERT_EQ(any.any(sphere.view(), sphere.view()), all.pair_count() > 0);
+        ASSERT_LE(any.statistics().triangle_tests, all.statistics().triangle_tests);
+        contacts += all.pair_count() > 0 ? 1 : 0;
+    }
+    EXPECT_GT(contacts, 20u);
+    EXPECT_LT(contacts, 180u);
 }
 
 TEST(WideDescent, PausesAfterMuchWorkAndResumes) {
