@@ -56,7 +56,7 @@ TreeUse tree_use(const PreparedJob& job, Trees trees) {
     if (trees == Trees::Always) {
         use.searches_exactly = job.query.tolerance == 0;
         use.searches_cuts = !use.searches_exactly;
-        use.settles = job.query.level >= Level::Count;
+        use.settles = true;
     }
     return use;
 }

@@ -186,6 +186,7 @@ std::string classes_text(const Summary& summary, Level level, bool colours) {
     };
     if (level == Level::Any) {
         add("contact", summary.contact, red);
+        add("inside", summary.inside, red);
     } else {
         add("touch", summary.touch, yellow);
         add("cross", summary.cross, red);
@@ -296,6 +297,10 @@ std::string summary_text(const RunReport& report, bool colours) {
     if (summary.surfaces_only != 0) {
         text += "  surfaces only  in " + counted(summary.surfaces_only, "scenario") +
                 ": a body is open, so nothing is said of insides\n";
+    }
+    if (summary.insides_skipped != 0) {
+        text += "  insides not looked at  in " + counted(summary.insides_skipped, "scenario") +
+                ": parts are ignored, and the rest of a body is not closed\n";
     }
     if (summary.cut != 0) {
         text += "  cut lists  in " + counted(summary.cut, "scenario") +

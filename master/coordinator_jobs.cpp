@@ -124,8 +124,10 @@ asio::awaitable<void> Coordinator::prepare_job(JobId id, DoneScenarios done) {
 
 void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenarios done) {
     const Submit& submit = job.submit;
-    job.material =
-        std::make_shared<const JobMaterial>(JobMaterial{made.tree_a, made.tree_b, submit.query});
+    AnalysisInput input = make_analysis_input(made, submit.query, job.poses);
+    input.done = std::move(done);
+    job.material = std::make_shared<const JobMaterial>(
+        JobMaterial{made.tree_a, made.tree_b, submit.query, input.settler});
     job.tree_a = trees_.acquire(submit.bodies[0], made.cut_a);
     job.tree_b = trees_.acquire(submit.bodies[1], made.cut_b);
     job.depth_a = made.cut_a->depth();
@@ -135,8 +137,6 @@ void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenari
             add_held_trees(link);
         }
     }
-    AnalysisInput input = make_analysis_input(made, submit.query, job.poses);
-    input.done = std::move(done);
     // On a thread of the pool; the records are made there, too.
     auto deliver = [this, executor = parts_.executor, id = job.id](AnalysedBlock came) {
         auto finished = std::make_shared<std::vector<TakenResult>>();

@@ -1,5 +1,6 @@
 #include "master/job_geometry.hpp"
 
+#include "common/job/settle.hpp"
 #include "common/job/tolerance.hpp"
 #include "master/depth_choice.hpp"
 #include "master/pose_spool.hpp"
@@ -62,6 +63,7 @@ AnalysisInput make_analysis_input(const JobGeometry& geometry,
             top_of(geometry.cut_a),
             top_of(geometry.cut_b),
             query,
+            std::make_shared<const Settler>(*geometry.tree_a, *geometry.tree_b, query.ignored),
             std::move(poses),
             nullptr};
 }

@@ -10,13 +10,14 @@
 namespace cd {
 
 bool agrees(ScenarioResult late, const ScenarioResult& settled) {
-    // What settling may do (`settle_class`), and nothing else.
+    // What settling may do (`Settler`), and nothing else.
     const std::pair kinds(late.kind, settled.kind);
     if (kinds == std::pair(ScenarioClass::Separate, ScenarioClass::Inside) ||
         kinds == std::pair(ScenarioClass::Touch, ScenarioClass::Cross)) {
         late.kind = settled.kind;
     }
     late.surfaces_only = settled.surfaces_only;
+    late.insides_skipped = settled.insides_skipped;
     return encode_result(late) == encode_result(settled);
 }
 

@@ -13,13 +13,16 @@ namespace {
 constexpr const char* what = "a group of results";
 constexpr std::uint8_t flag_surfaces_only = 1;
 constexpr std::uint8_t flag_cut = 2;
+constexpr std::uint8_t flag_insides_skipped = 4;
+constexpr std::uint8_t flags_all = flag_surfaces_only | flag_cut | flag_insides_skipped;
 
 void put_row(ByteWriter& out, const ResultRow& row, std::uint64_t before) {
     put_varint(out, zigzag(static_cast<std::int64_t>(row.scenario - before)));
     put_varint(out, row.length);
     put_enumeration(out, row.facts.kind);
-    const int flags =
-        (row.facts.surfaces_only ? flag_surfaces_only : 0) | (row.facts.is_cut ? flag_cut : 0);
+    const int flags = (row.facts.surfaces_only ? flag_surfaces_only : 0) |
+                      (row.facts.is_cut ? flag_cut : 0) |
+                      (row.facts.insides_skipped ? flag_insides_skipped : 0);
     out.put(static_cast<std::uint8_t>(flags));
     put_varint(out, row.facts.pair_count);
     put_hash(out, row.digest);
@@ -32,12 +35,13 @@ bool get_row(ByteReader& in, ResultRow& row, std::uint64_t before) {
     const auto flags = in.get<std::uint8_t>();
     const auto pairs = get_varint(in);
     row.digest = get_hash(in);
-    if (!step || !length || !pairs || !is_class || flags > (flag_surfaces_only | flag_cut)) {
+    if (!step || !length || !pairs || !is_class || flags > flags_all) {
         return false;
     }
     row.scenario = before + static_cast<std::uint64_t>(unzigzag(*step));
     row.length = *length;
     row.facts.surfaces_only = (flags & flag_surfaces_only) != 0;
+    row.facts.insides_skipped = (flags & flag_insides_skipped) != 0;
     row.facts.is_cut = (flags & flag_cut) != 0;
     row.facts.pair_count = *pairs;
     return !in.failed();

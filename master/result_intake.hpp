@@ -23,6 +23,7 @@ struct JobMaterial {
     std::shared_ptr<const ObbTree> a;
     std::shared_ptr<const ObbTree> b;
     Query query;
+    std::shared_ptr<const Settler> settler; ///< Of these trees.
 };
 
 /// The scenarios of a range: places on a grid, or of a window.

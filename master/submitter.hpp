@@ -20,6 +20,8 @@
 
 namespace cd {
 
+class Settler;
+
 /// What the analysis of a job reads. The tops are those of the trees' cuts.
 struct AnalysisInput {
     std::shared_ptr<const ObbTree> a;
@@ -27,7 +29,8 @@ struct AnalysisInput {
     std::shared_ptr<const TreeTop> top_a;
     std::shared_ptr<const TreeTop> top_b;
     Query query;
-    std::shared_ptr<PoseSource> poses; ///< Its `read` must bear several threads at once.
+    std::shared_ptr<const Settler> settler; ///< Of these trees.
+    std::shared_ptr<PoseSource> poses;      ///< Its `read` must bear several threads at once.
     /// By index, up to the last: scenarios that have results since an earlier life of the master;
     /// they are passed over, unless they are started as in doubt. Null: none.
     std::shared_ptr<const std::vector<bool>> done;

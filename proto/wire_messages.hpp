@@ -30,7 +30,7 @@ void serialize(Archive& archive, JobStatistics& s) {
 template <class Archive>
 void serialize(Archive& archive, Summary& s) {
     archive(s.total, s.separate, s.touch, s.cross, s.inside, s.contact, s.undecided, s.failed);
-    archive(s.pairs, s.surfaces_only, s.cut);
+    archive(s.pairs, s.surfaces_only, s.insides_skipped, s.cut);
 }
 
 template <class Archive>

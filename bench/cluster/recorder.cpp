@@ -6,6 +6,7 @@
 #include "common/core/disk_file.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
 #include "common/tree/search_cost.hpp"
 #include "common/tree/top_block.hpp"
 #include "master/blocks_file.hpp"
@@ -378,12 +379,13 @@ Result<Trace> record_trace(const std::shared_ptr<const ObbTree>& a,
     }
     run_in_turns(steps, scenarios.size(), options.passes);
     whole.fill(trace);
-    const auto results =
-        measure_result_costs(std::make_shared<const JobMaterial>(JobMaterial{a, b, {}}),
-                             depths.front().analyses(),
-                             depths.front().records(),
-                             options.scratch / "journal",
-                             options.passes);
+    const auto results = measure_result_costs(
+        std::make_shared<const JobMaterial>(JobMaterial{
+            a, b, {}, std::make_shared<const Settler>(*a, *b, std::vector<IgnoredRange>())}),
+        depths.front().analyses(),
+        depths.front().records(),
+        options.scratch / "journal",
+        options.passes);
     if (!results) {
         return results.error();
     }

@@ -51,6 +51,7 @@ Result<Recorded> record(const PreparedJob& job, ThreadPool& pool) {
     std::vector<Sha256> digests(count);
     std::vector<ScenarioFacts> facts(count);
     const SubtreePair whole{job.trees[0]->view(), job.trees[1]->view()};
+    const Settler settler(*job.trees[0], *job.trees[1], job.query.ignored);
     parallel_for(pool, count, [&](std::size_t i) {
         const auto begin = std::chrono::steady_clock::now();
         ScenarioRun run = run_on_subtrees({&whole, 1}, scenarios.value()[i], job.query);
@@ -58,7 +59,7 @@ Result<Recorded> record(const PreparedJob& job, ThreadPool& pool) {
         recorded.seconds[i] =
             std::chrono::duration<float>(std::chrono::steady_clock::now() - begin).count();
         // The rest is the master's work.
-        settle_class(*job.trees[0], *job.trees[1], scenarios.value()[i], job.query, run.result);
+        settler.settle(scenarios.value()[i], run.result);
         digests[i] = digest_of(run.result);
         facts[i] = facts_of(run.result);
     });

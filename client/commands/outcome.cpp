@@ -25,9 +25,10 @@ int exit_code_of(const Summary& summary, FailOn fail_on) {
 }
 
 Status check_fail_on(FailOn fail_on, Level level) {
-    if (fail_on != FailOn::Never && level == Level::Any) {
-        return Error{ErrorCode::BadInput,
-                     "--fail-on needs level count or more: any does not tell touch from cross"};
+    if (fail_on == FailOn::Cross && level == Level::Any) {
+        return Error{
+            ErrorCode::BadInput,
+            "--fail-on cross needs level count or more: any does not tell touch from cross"};
     }
     return Done{};
 }

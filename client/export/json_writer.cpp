@@ -31,8 +31,9 @@ class JsonWriter final : public ResultWriter {
         Json line{{"index", result.index}, {"class", to_text(result.kind)}};
         if (result.level != Level::Any) {
             line["count"] = result.pair_count;
-            line["surfaces_only"] = result.surfaces_only;
         }
+        line["surfaces_only"] = result.surfaces_only;
+        line["insides_skipped"] = result.insides_skipped;
         if (result.kind == ScenarioClass::Undecided) {
             // JSON has no infinity: null says that nothing is known of the distance.
             line["distance_bound"] = result.distance_bound;
@@ -138,6 +139,7 @@ std::string summary_json(const ExportContext& context, const RunReport& report) 
               {"not_tested", summary.total - summary.merged()},
               {"pairs", summary.pairs},
               {"surfaces_only", summary.surfaces_only},
+              {"insides_skipped", summary.insides_skipped},
               {"cut", summary.cut},
               {"seconds", report.seconds},
               {"where", report.where}};

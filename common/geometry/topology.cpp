@@ -9,6 +9,7 @@
 #include <numeric>
 #include <span>
 #include <tuple>
+#include <utility>
 
 namespace cd {
 
@@ -229,6 +230,39 @@ Topology analyse_topology(const Mesh& mesh) {
     topology.component_triangles = first_of_each_component(triangles, vertices);
     topology.duplicate = count_duplicates(triangles, vertices);
     return topology;
+}
+
+std::vector<std::uint32_t> first_of_own_component(const Mesh& mesh,
+                                                  std::span<const std::uint32_t> kinds) {
+    const auto count = static_cast<std::uint32_t>(mesh.triangles().size());
+    const std::vector<std::uint32_t> joined = joined_vertices(mesh.vertices());
+    const auto kind_of = [&](std::uint32_t i) { return kinds.empty() ? 0 : kinds[i]; };
+    auto by_vertex = make_buckets<std::uint32_t>(joined.size(), [&](const auto& put) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            for (const std::uint32_t vertex : mesh.triangles()[i]) {
+                put(joined[vertex], i);
+            }
+        }
+    });
+    DisjointSets sets(count);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> around; // Kinds and triangles.
+    for (std::size_t vertex = 0; vertex < by_vertex.count(); ++vertex) {
+        around.clear();
+        for (const std::uint32_t i : by_vertex[vertex]) {
+            around.emplace_back(kind_of(i), i);
+        }
+        std::sort(around.begin(), around.end());
+        for (std::size_t k = 1; k < around.size(); ++k) {
+            if (around[k].first == around[k - 1].first) {
+                sets.join(around[k].second, around[k - 1].second);
+            }
+        }
+    }
+    std::vector<std::uint32_t> firsts(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        firsts[i] = sets.find(i);
+    }
+    return firsts;
 }
 
 } // namespace cd

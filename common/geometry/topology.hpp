@@ -4,6 +4,7 @@
 #include "common/geometry/mesh.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cd {
@@ -30,5 +31,10 @@ struct Topology {
 
 /// Near linear in vertices and triangles.
 [[nodiscard]] Topology analyse_topology(const Mesh& mesh);
+
+/// For each triangle the first triangle of its connected component, where only triangles of one
+/// kind connect. `kinds` has one for each triangle; empty, all are of one kind. Near linear.
+[[nodiscard]] std::vector<std::uint32_t>
+first_of_own_component(const Mesh& mesh, std::span<const std::uint32_t> kinds);
 
 } // namespace cd

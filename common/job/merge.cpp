@@ -5,7 +5,11 @@
 namespace cd {
 
 ScenarioFacts facts_of(const ScenarioResult& result) {
-    return {result.kind, result.surfaces_only, result.is_cut(), result.pair_count};
+    return {result.kind,
+            result.surfaces_only,
+            result.insides_skipped,
+            result.is_cut(),
+            result.pair_count};
 }
 
 ResultMerger::ResultMerger(std::uint64_t scenarios) {
@@ -52,6 +56,7 @@ void ResultMerger::correct(std::uint64_t index,
     --count_of(wrong.kind);
     summary_.pairs -= wrong.pair_count;
     summary_.surfaces_only -= wrong.surfaces_only ? 1 : 0;
+    summary_.insides_skipped -= wrong.insides_skipped ? 1 : 0;
     summary_.cut -= wrong.is_cut ? 1 : 0;
     count(right);
 }
@@ -80,6 +85,7 @@ void ResultMerger::count(const ScenarioFacts& facts) {
     ++count_of(facts.kind);
     summary_.pairs += facts.pair_count;
     summary_.surfaces_only += facts.surfaces_only ? 1 : 0;
+    summary_.insides_skipped += facts.insides_skipped ? 1 : 0;
     summary_.cut += facts.is_cut ? 1 : 0;
 }
 

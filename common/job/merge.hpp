@@ -20,9 +20,10 @@ struct Summary {
     std::uint64_t contact = 0; ///< Level any only.
     std::uint64_t undecided = 0;
     std::uint64_t failed = 0;
-    std::uint64_t pairs = 0;         ///< The true number over all scenarios.
-    std::uint64_t surfaces_only = 0; ///< Scenarios with an open body.
-    std::uint64_t cut = 0;           ///< Scenarios whose list of pairs is cut.
+    std::uint64_t pairs = 0;           ///< The true number over all scenarios.
+    std::uint64_t surfaces_only = 0;   ///< Scenarios with an open body.
+    std::uint64_t insides_skipped = 0; ///< Scenarios with parts of which no insides are told.
+    std::uint64_t cut = 0;             ///< Scenarios whose list of pairs is cut.
 
     [[nodiscard]] std::uint64_t merged() const {
         return separate + touch + cross + inside + contact + undecided + failed;
@@ -36,6 +37,7 @@ struct Summary {
 struct ScenarioFacts {
     ScenarioClass kind = ScenarioClass::Separate;
     bool surfaces_only = false;
+    bool insides_skipped = false;
     bool is_cut = false;
     std::uint64_t pair_count = 0;
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint8_t version = 2;
 constexpr std::uint8_t flag_surfaces_only = 1;
+constexpr std::uint8_t flag_insides_skipped = 2;
 constexpr std::size_t head_bytes = 28;
 /// Two triangles share at most a hexagon.
 constexpr std::uint32_t points_of_pair_max = 6;
@@ -87,7 +88,8 @@ void put_head(ByteWriter& out, const ScenarioResult& result) {
     put(result.body_b);
     put(static_cast<std::uint8_t>(result.level));
     put(static_cast<std::uint8_t>(result.kind));
-    put(result.surfaces_only ? flag_surfaces_only : std::uint8_t{0});
+    put(static_cast<std::uint8_t>((result.surfaces_only ? flag_surfaces_only : 0) |
+                                  (result.insides_skipped ? flag_insides_skipped : 0)));
     put(result.pair_count);
     CD_CHECK(to == head.data() + head.size());
     out.put_array(std::span<const std::uint8_t>(head));
@@ -108,12 +110,13 @@ Status get_head(ByteReader& in, ScenarioResult& result) {
         return bad("cut short");
     }
     if (level > static_cast<std::uint8_t>(Level::Contacts) ||
-        kind > static_cast<std::uint8_t>(ScenarioClass::Failed) || flags > flag_surfaces_only) {
+        kind > static_cast<std::uint8_t>(ScenarioClass::Failed) || flags > flag_insides_skipped) {
         return bad("unknown level, class or flag");
     }
     result.level = static_cast<Level>(level);
     result.kind = static_cast<ScenarioClass>(kind);
     result.surfaces_only = (flags & flag_surfaces_only) != 0;
+    result.insides_skipped = (flags & flag_insides_skipped) != 0;
     if (result.kind == ScenarioClass::Undecided) {
         result.distance_bound = in.get<double>();
         if (in.failed() || !(result.distance_bound >= 0) || !is_canonical(result.distance_bound)) {
@@ -186,8 +189,7 @@ Status check_sense(const ScenarioResult& result) {
     const bool is_any = result.level == Level::Any;
     const bool in_contact =
         result.kind == ScenarioClass::Touch || result.kind == ScenarioClass::Cross;
-    if (is_any ? in_contact || result.kind == ScenarioClass::Inside
-               : result.kind == ScenarioClass::Contact) {
+    if (is_any ? in_contact : result.kind == ScenarioClass::Contact) {
         return bad("a class that its level does not know");
     }
     const bool may_count = in_contact || result.kind == ScenarioClass::Undecided;

@@ -17,7 +17,7 @@
 
 namespace cd {
 
-/// NUMERICS, section 1; `any` knows only Separate and Contact.
+/// NUMERICS, section 1; level any does not tell Touch from Cross: both are Contact.
 enum class ScenarioClass : std::uint8_t {
     Separate = 0,
     Touch = 1,
@@ -36,7 +36,8 @@ struct ScenarioResult {
     std::uint32_t body_b = 1;
     Level level = Level::Pairs;
     ScenarioClass kind = ScenarioClass::Separate;
-    bool surfaces_only = false; ///< A body is open: nothing is said of insides.
+    bool surfaces_only = false;   ///< A body is open: nothing is said of insides.
+    bool insides_skipped = false; ///< Ignored pairs leave parts of which no insides are told.
     /// The true number, even where the list is cut; 0 at level any. Where the class is undecided,
     /// of the pairs proven so far, which need not be all.
     std::uint64_t pair_count = 0;
@@ -59,7 +60,8 @@ struct ScenarioResult {
 /// The canonical record, little-endian. Statistics, times and hosts never enter.
 ///
 ///     u8 version = 2    u64 index    u32 body_a    u32 body_b    u8 level    u8 class
-///     u8 flags (bit 0: surfaces only)    u64 pair_count
+///     u8 flags (bit 0: surfaces only, bit 1: insides skipped; never both)
+///       u64 pair_count
 ///     class undecided:  f64 distance_bound
 ///     class failed:     u32 length, characters of the reason; the record ends here
 ///     level >= pairs:   u32 n; n x u32 triangles of A; n x u32 triangles of B; n x u8 class

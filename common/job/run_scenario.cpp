@@ -196,7 +196,8 @@ ScenarioRunner::ScenarioRunner(
     : a_(a),
       b_(b),
       query_(query),
-      options_{first_stage, std::move(stop), a.topology().is_closed() && b.topology().is_closed()} {
+      options_{first_stage, std::move(stop), a.topology().is_closed() && b.topology().is_closed()},
+      settler_(a, b, query.ignored) {
     if (query.tolerance > 0) {
         cut_a_ = cut(a);
         cut_b_ = &a == &b ? cut_a_ : cut(b);
@@ -235,8 +236,7 @@ ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& 
     ScenarioRun run = cut_a_ ? run_on_cuts(scenario, kept)
                              : run_on_subtrees(kept, {&whole, 1}, scenario, query_, options_);
     if (!run.is_stopped) {
-        run.inside =
-            settle_with_cost(a_, b_, scenario, query_, run.result, {run.found, options_.stop});
+        run.inside = settle_with_cost(settler_, scenario, run.result, {run.found, options_.stop});
     }
     // What a stopped settling says is no answer.
     return is_stopped() ? stopped_run(scenario, query_) : run;

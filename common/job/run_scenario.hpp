@@ -5,6 +5,7 @@
 #include "common/job/query.hpp"
 #include "common/job/result.hpp"
 #include "common/job/scenario.hpp"
+#include "common/job/settle.hpp"
 #include "common/job/statistics.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
@@ -41,7 +42,7 @@ struct RunOptions {
     /// Stages of the pairs' decision before this one are passed over, which changes no answer.
     PairStage first_stage = PairStage::Float;
     StopCheck stop = {};       ///< Asked all along.
-    bool keep_touches = false; ///< For `settle_class` at level count.
+    bool keep_touches = false; ///< For `Settler` at level count.
 };
 
 /// The contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). No pairs: separate.
@@ -52,8 +53,8 @@ struct RunOptions {
 /// without one it is undecided if any boxes were left. Other levels: undecided if any boxes were
 /// left, with what was proven so far. (Pairs to be ignored are known by their triangles, so boxes
 /// of such pairs may be left undecided as well.) Else cross if any pair is proper, touch if there
-/// are pairs and none is proper, separate without pairs: what more there is to say, `settle_class`
-/// finds in the whole bodies.
+/// are pairs and none is proper, separate without pairs: what more there is to say, `Settler` finds
+/// in the whole bodies.
 [[nodiscard]] ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
                                           const Query& query,
@@ -76,7 +77,7 @@ struct KeptSearch {
 [[nodiscard]] ScenarioResult
 failed_result(const Scenario& scenario, const Query& query, const Error& why);
 
-/// Answers scenarios of two whole trees as the cluster does: `run_on_subtrees` and `settle_class`
+/// Answers scenarios of two whole trees as the cluster does: `run_on_subtrees` and `Settler`
 /// (settle.hpp) in one. Under a tolerance the trees are cut at `tolerance_depth` (tolerance.hpp),
 /// and this holds a copy of their subtrees.
 class ScenarioRunner {
@@ -108,6 +109,7 @@ class ScenarioRunner {
     const ObbTree& b_;
     const Query& query_;
     RunOptions options_;
+    Settler settler_;
     std::shared_ptr<const CutTree> cut_a_; ///< Null without a tolerance.
     std::shared_ptr<const CutTree> cut_b_;
 };

@@ -2,14 +2,16 @@
 #pragma once
 
 #include "common/core/stop_check.hpp"
-#include "common/job/query.hpp"
 #include "common/job/result.hpp"
 #include "common/job/scenario.hpp"
 #include "common/job/statistics.hpp"
 #include "common/tree/contact_pair.hpp"
+#include "common/tree/inside_probes.hpp"
 #include "common/tree/obb_tree.hpp"
 
+#include <mutex>
 #include <span>
+#include <vector>
 
 namespace cd {
 
@@ -20,37 +22,60 @@ struct SettleOptions {
     StopCheck stop = {}; ///< Once it says so, the class is of no use.
 };
 
-/// What only the whole bodies can tell (NUMERICS, section 1), for a result of `run_on_subtrees`
-/// whose pairs are triangles of these bodies. Called once by whoever merges; returns what it took.
+/// What only the whole bodies can tell (NUMERICS, section 1), for results of `run_on_subtrees`
+/// whose pairs are triangles of these bodies. One for all scenarios of a job.
 ///
-/// Of an open body only `surfaces_only` is said. Of two closed ones, from level count on:
+/// Of an open body only `surfaces_only` is said. Of two closed ones:
 ///
-/// - `inside` where nothing touches and some component of one lies in the other. Not with ignored
-///   pairs: parts that may stick in each other say nothing about the rest.
+/// - `inside` where nothing touches and some component of one lies in the other. With ignored pairs
+///   a triangle lies inside what the triangles of the other body that are not ignored with it
+///   bound. (So a wheel may stick in the ground that it is ignored with, and the car may not.) They
+///   have to be whole components; of the other triangles nothing is said, and `insides_skipped`
+///   says that there are such. `inside_probes` has the rule.
 /// - `cross` instead of `touch` where they penetrate without a proper pair (`penetrates`, which
 ///   says what ignored pairs mean for it).
 ///
 /// Neither depends on which body is A, on the level, nor on `limit_pairs`: where the result does
 /// not hold all its pairs, and they are not given, they are searched again, in the whole trees,
 /// with the memory that level pairs takes. Other classes stay: no pair can overrule a proper one,
-/// and undecided is an answer.
-SettleStatistics settle_class(const ObbTree& a,
-                              const ObbTree& b,
-                              const Scenario& scenario,
-                              const Query& query,
-                              ScenarioResult& result,
-                              const SettleOptions& options = {});
+/// contact at level any says all that was asked, and undecided is an answer.
+class Settler {
+  public:
+    /// The trees outlive it.
+    Settler(const ObbTree& a, const ObbTree& b, std::vector<IgnoredRange> ignored);
 
-/// True when `settle_class` may have more to do than set a flag: it then deserves a thread. (It is
-/// cheap while the bodies' boxes are apart.)
-[[nodiscard]] bool
-settling_is_work(const ObbTree& a, const ObbTree& b, const ScenarioResult& result);
+    /// Called once by whoever merges; returns what it took. For any number of threads at once.
+    SettleStatistics settle(const Scenario& scenario,
+                            ScenarioResult& result,
+                            const SettleOptions& options = {}) const;
 
-/// `settle_class`, and its cost.
-[[nodiscard]] InsideStatistics settle_with_cost(const ObbTree& a,
-                                                const ObbTree& b,
+    /// True when `settle` may have more to do than set flags: it then deserves a thread. (It is
+    /// cheap while the bodies' boxes are apart.)
+    [[nodiscard]] bool is_work(const ScenarioResult& result) const;
+
+  private:
+    struct Probes {
+        InsideProbes of_a;
+        InsideProbes of_b;
+    };
+    [[nodiscard]] const Probes& probes() const;
+    [[nodiscard]] bool is_inside(const PosePair& poses, SettleStatistics& statistics) const;
+    [[nodiscard]] bool is_cross(const PosePair& poses,
+                                const ScenarioResult& result,
+                                const SettleOptions& options,
+                                SettleStatistics& statistics) const;
+
+    const ObbTree& a_;
+    const ObbTree& b_;
+    std::vector<IgnoredRange> ignored_;
+    bool are_closed_;
+    mutable std::once_flag once_;
+    mutable Probes probes_; ///< Made when first needed.
+};
+
+/// What `settler` finds, and its cost.
+[[nodiscard]] InsideStatistics settle_with_cost(const Settler& settler,
                                                 const Scenario& scenario,
-                                                const Query& query,
                                                 ScenarioResult& result,
                                                 const SettleOptions& options = {});
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace cd {
@@ -180,6 +181,11 @@ class BoxesOnRay {
     double margin_ = 0;
 };
 
+bool has(std::span<const IdRange> ranges, std::uint32_t id) {
+    const auto after = std::ranges::upper_bound(ranges, id, {}, &IdRange::begin);
+    return after != ranges.begin() && id < std::prev(after)->end;
+}
+
 Vec3 centroid_of(const Corners& corners) {
     return (corners[0] + corners[1] + corners[2]) / 3;
 }
@@ -225,7 +231,7 @@ const ExactPoint& SolidPoint::exact() {
 
 SolidTest::Verdict SolidTest::cast_ray(SolidPoint& point,
                                        const Vec3& direction,
-                                       std::span<const std::uint32_t> passed_over) {
+                                       std::span<const IdRange> passed_over) {
     const TreeView view = solid_.view();
     const BoxesOnRay boxes(point, direction, view.nodes[0]);
     if (!boxes.may_start_in(view.nodes[0])) {
@@ -247,7 +253,7 @@ SolidTest::Verdict SolidTest::cast_ray(SolidPoint& point,
             continue;
         }
         for (std::uint32_t i = node.triangles_begin; i < node.triangles_end; ++i) {
-            if (std::binary_search(passed_over.begin(), passed_over.end(), view.triangle_ids[i])) {
+            if (has(passed_over, view.triangle_ids[i])) {
                 continue;
             }
             const Triangle& triangle = view.triangles[i];
@@ -282,12 +288,12 @@ Vec3 SolidTest::outwards(const SolidPoint& point, const Vec3& direction) const {
     return direction.dot(from_center) < 0 ? Vec3(-direction) : direction;
 }
 
-Place SolidTest::place_of(SolidPoint& point) {
+Place SolidTest::place_of(SolidPoint& point, std::span<const IdRange> left_out) {
     ++statistics_.points;
     Verdict verdict = Verdict::Unclear;
     for (std::uint64_t i = 0; verdict == Verdict::Unclear; ++i) {
         CD_CHECK(i < attempts_max());
-        verdict = cast_ray(point, outwards(point, ray_direction(i)), {});
+        verdict = cast_ray(point, outwards(point, ray_direction(i)), left_out);
     }
     statistics_.by_exact += point.needed_exact() ? 1u : 0u;
     return verdict == Verdict::OnSurface ? Place::OnSurface
@@ -300,13 +306,18 @@ bool SolidTest::is_inside_beside(SolidPoint& point,
                                  int side,
                                  std::span<const std::uint32_t> passed_over) {
     ++statistics_.points;
+    passed_over_.clear();
+    for (const std::uint32_t id : passed_over) {
+        passed_over_.push_back({id, id + 1});
+    }
     Verdict verdict = Verdict::Unclear;
     for (std::uint64_t i = 0; verdict == Verdict::Unclear; ++i) {
         CD_CHECK(i < attempts_max());
         const Vec3 direction = ray_direction(i);
         const int leads_to = side_of(direction);
         if (leads_to != 0) {
-            verdict = cast_ray(point, leads_to == side ? direction : Vec3(-direction), passed_over);
+            verdict =
+                cast_ray(point, leads_to == side ? direction : Vec3(-direction), passed_over_);
         }
     }
     statistics_.by_exact += point.needed_exact() ? 1u : 0u;
@@ -317,13 +328,14 @@ int SolidTest::solid_side(std::uint32_t triangle) {
     ++statistics_.points;
     const Corners corners = solid_.mesh().corners(triangle);
     SolidPoint point = centroid_point(corners);
+    const IdRange itself{triangle, triangle + 1};
     Verdict verdict = Verdict::Unclear;
     for (std::uint64_t i = 0; verdict == Verdict::Unclear; ++i) {
         CD_CHECK(i < attempts_max());
         const Vec3 direction = ray_direction(i);
         // Along the normal: most triangles are wound so that this leaves the solid.
         if (const int forward = forward_of(corners, direction); forward != 0) {
-            verdict = cast_ray(point, forward * direction, {&triangle, 1});
+            verdict = cast_ray(point, forward * direction, {&itself, 1});
         }
     }
     statistics_.by_exact += point.needed_exact() ? 1u : 0u;

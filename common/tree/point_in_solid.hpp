@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/tree/exact_frame.hpp"
+#include "common/tree/id_range.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/settle_statistics.hpp"
 
@@ -40,7 +41,8 @@ class SolidTest {
   public:
     explicit SolidTest(const ObbTree& solid) : solid_(solid) {}
 
-    [[nodiscard]] Place place_of(SolidPoint& point);
+    /// `left_out`, ascending and apart, are not part of the surface; the others bound a solid.
+    [[nodiscard]] Place place_of(SolidPoint& point, std::span<const IdRange> left_out = {});
 
     /// Whether the solid lies right beside a point, on one side of a plane through it.
     /// `passed_over` are triangles of the solid, ascending, with nothing on that side, and all that
@@ -64,10 +66,11 @@ class SolidTest {
     [[nodiscard]] std::uint64_t attempts_max() const;
     [[nodiscard]] Vec3 outwards(const SolidPoint& point, const Vec3& direction) const;
     [[nodiscard]] Verdict
-    cast_ray(SolidPoint& point, const Vec3& direction, std::span<const std::uint32_t> passed_over);
+    cast_ray(SolidPoint& point, const Vec3& direction, std::span<const IdRange> passed_over);
 
     const ObbTree& solid_;
     std::vector<std::uint32_t> waiting_; ///< Nodes; empty between rays.
+    std::vector<IdRange> passed_over_;   ///< While rays beside one point are cast.
     SettleStatistics statistics_;
 };
 

@@ -114,22 +114,26 @@ TEST(Report, WhatWasNotTestedIsNotCalledDone) {
     report.summary = example_summary();
     report.summary.separate -= 10;
     report.summary.surfaces_only = 3;
+    report.summary.insides_skipped = 4;
     report.summary.cut = 2;
     const std::string text = summary_text(report);
     EXPECT_THAT(text, HasSubstr("ended after"));
     EXPECT_THAT(text, HasSubstr("tested 99 990 of 100 000"));
     EXPECT_THAT(text, HasSubstr("surfaces only  in 3 scenarios"));
+    EXPECT_THAT(text, HasSubstr("insides not looked at  in 4 scenarios: parts are ignored"));
     EXPECT_THAT(text, HasSubstr("limit_pairs was reached"));
     EXPECT_THAT(text, Not(HasSubstr("digest")));
 }
 
-TEST(Report, LevelAnyKnowsContactAlone) {
+TEST(Report, LevelAnyKnowsContactAndInside) {
     RunReport report;
     report.level = Level::Any;
-    report.summary.total = 3;
+    report.summary.total = 4;
     report.summary.separate = 1;
     report.summary.contact = 2;
-    EXPECT_THAT(summary_text(report), HasSubstr("separate  1    contact 2    failed 0"));
+    report.summary.inside = 1;
+    EXPECT_THAT(summary_text(report),
+                HasSubstr("separate  1    contact 2    inside 1    failed 0"));
 }
 
 TEST(Report, StatisticsSayWhatWasVisitedAndAtWhatPrecision) {

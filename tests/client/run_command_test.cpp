@@ -123,11 +123,15 @@ TEST_F(Run, FailOnDecidesBetweenZeroAndOne) {
     EXPECT_EQ(run(), exit_done);
 }
 
-TEST_F(Run, FailOnOfLevelAnyIsWrongUsage) {
+TEST_F(Run, FailOnOfLevelAnyIsForContactsAndInsides) {
     command_.job.level = "any";
-    command_.fail_on = FailOn::Touch;
+    command_.fail_on = FailOn::Cross;
     EXPECT_EQ(run(), exit_usage);
-    EXPECT_THAT(stderr_, HasSubstr("--fail-on needs level count"));
+    EXPECT_THAT(stderr_, HasSubstr("--fail-on cross needs level count"));
+    command_.fail_on = FailOn::Touch;
+    EXPECT_EQ(run(), exit_contacts);
+    write("poses.csv", "x,y,z,qx,qy,qz,qw\n0,9,0,0,0,0,1\n");
+    EXPECT_EQ(run(), exit_done);
 }
 
 TEST_F(Run, UnderAToleranceTheRestIsUndecided) {

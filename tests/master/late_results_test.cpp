@@ -29,7 +29,7 @@ ScenarioResult of_kind(ScenarioClass kind) {
 TEST(LateResults, SettlingExplainsAClassAndNothingElse) {
     ScenarioResult settled = touching(1);
     settled.kind = ScenarioClass::Cross;
-    settled.surfaces_only = true;
+    settled.insides_skipped = true;
     EXPECT_TRUE(agrees(touching(1), touching(1)));
     EXPECT_TRUE(agrees(touching(1), settled));
     EXPECT_FALSE(agrees(settled, touching(1)));

@@ -7,6 +7,7 @@
 #include "common/job/packed_map.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
 #include "common/tree/build.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -25,7 +26,8 @@ class ResultIntake : public testing::Test {
             build_tree(share(make_gridded_box(Vec3(2, 2, 2), 2)), BuildOptions{}, pool));
         Query query;
         query.level = Level::Pairs;
-        material_ = std::make_shared<const JobMaterial>(JobMaterial{box, box, query});
+        material_ = std::make_shared<const JobMaterial>(JobMaterial{
+            box, box, query, std::make_shared<const Settler>(*box, *box, query.ignored)});
         task_.job = JobId{1};
         task_.material = material_;
         for (const double height : {2.0, 1.0}) { // One on the other, and one in the other.
@@ -161,7 +163,8 @@ TEST_F(ResultIntake, AMapHasToBeThatOfItsScenarios) {
     Query query = material_->query;
     query.level = Level::Count;
     query.maps = true;
-    material_ = std::make_shared<const JobMaterial>(JobMaterial{material_->a, material_->b, query});
+    material_ = std::make_shared<const JobMaterial>(
+        JobMaterial{material_->a, material_->b, query, material_->settler});
     task_.material = material_;
     const auto taken = take_results(task_, with_map(right));
     ASSERT_TRUE(taken) << taken.error().detail;

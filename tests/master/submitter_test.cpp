@@ -65,6 +65,7 @@ class SubmitterTest : public testing::Test {
         input.b = std::make_shared<const ObbTree>(build_tree(share(b), BuildOptions{}, pool_));
         input.top_a = std::make_shared<const TreeTop>(cut_tree(*input.a, depth));
         input.top_b = std::make_shared<const TreeTop>(cut_tree(*input.b, depth));
+        input.settler = std::make_shared<const Settler>(*input.a, *input.b, input.query.ignored);
         return input;
     }
     static std::vector<Scenario> make_scenarios(std::uint64_t count, double reach) {
@@ -109,7 +110,7 @@ ScenarioResult finish(const AnalysisInput& input, const Analysis& analysis, std:
         pairs.push_back({kept[kept.size() - 2].view(), kept.back().view()});
     }
     ScenarioResult result = run_on_subtrees(pairs, analysis.scenario, input.query).result;
-    settle_class(*input.a, *input.b, analysis.scenario, input.query, result);
+    input.settler->settle(analysis.scenario, result);
     return result;
 }
 

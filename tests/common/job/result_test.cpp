@@ -57,6 +57,12 @@ ScenarioResult make_undecided_result() {
     return result;
 }
 
+ScenarioResult make_skipped_result() {
+    ScenarioResult result = make_pairs_result();
+    result.insides_skipped = true;
+    return result;
+}
+
 std::vector<ScenarioResult> examples() {
     ScenarioResult separate;
     separate.level = Level::Any;
@@ -70,7 +76,8 @@ std::vector<ScenarioResult> examples() {
             make_pairs_result(),
             make_contacts_result(),
             make_failed_result(),
-            make_undecided_result()};
+            make_undecided_result(),
+            make_skipped_result()};
 }
 
 /// The record of `result` with one byte replaced.
@@ -101,6 +108,7 @@ TEST(Result, RecordsComeBackToTheSameBytes) {
         EXPECT_EQ(decoded.value().points, result.points);
         EXPECT_EQ(decoded.value().point_offsets, result.point_offsets);
         EXPECT_EQ(decoded.value().surfaces_only, result.surfaces_only);
+        EXPECT_EQ(decoded.value().insides_skipped, result.insides_skipped);
         EXPECT_EQ(decoded.value().is_cut(), result.is_cut());
         EXPECT_EQ(decoded.value().failure, result.failure);
         EXPECT_EQ(decoded.value().distance_bound, result.distance_bound);
@@ -157,7 +165,9 @@ TEST(Result, RefusesFieldsOutOfRange) {
     EXPECT_FALSE(decode_result(patched(result, 0, 1)));
     EXPECT_FALSE(decode_result(patched(result, level_place, 4)));
     EXPECT_FALSE(decode_result(patched(result, class_place, 7)));
-    EXPECT_FALSE(decode_result(patched(result, flags_place, 2)));
+    EXPECT_TRUE(decode_result(patched(result, flags_place, 2))) << "insides skipped";
+    EXPECT_FALSE(decode_result(patched(result, flags_place, 3))) << "and a body is open";
+    EXPECT_FALSE(decode_result(patched(result, flags_place, 4)));
     EXPECT_FALSE(decode_result(patched(result, pairs_place + 3, 0xff))) << "4 billion pairs";
     EXPECT_FALSE(decode_result(patched(result, encode_result(result).size() - 1, 0)));
     EXPECT_FALSE(decode_result(patched(result, encode_result(result).size() - 1, 4)));
@@ -177,6 +187,8 @@ TEST(Result, RefusesFieldsThatContradictEachOther) {
     ScenarioResult any;
     any.level = Level::Any;
     any.kind = ScenarioClass::Contact;
+    EXPECT_TRUE(decode_result(encode_result(any)));
+    any.kind = ScenarioClass::Inside;
     EXPECT_TRUE(decode_result(encode_result(any)));
     any.kind = ScenarioClass::Cross;
     EXPECT_FALSE(decode_result(encode_result(any)));

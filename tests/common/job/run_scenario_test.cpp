@@ -72,7 +72,7 @@ ScenarioResult run_in_parts(const ObbTree& a,
         parts.push_back({parts_a[pair.a].view(), parts_b[pair.b].view()});
     }
     ScenarioResult result = run_on_subtrees(parts, scenario, query).result;
-    settle_class(a, b, scenario, query, result);
+    Settler(a, b, query.ignored).settle(scenario, result);
     return result;
 }
 
@@ -181,7 +181,8 @@ TEST(RunScenario, TheCostOfInsideIsToldApart) {
     const Scenario inside = make_scenario(Pose{}, Pose{});
     const Scenario across = make_scenario(Pose{}, translation_pose(1, 0.1, 0.1));
     EXPECT_EQ(run_scenario(box, small, inside, query_of(Level::Count)).inside.scenarios, 1u);
-    EXPECT_EQ(run_scenario(box, small, inside, query_of(Level::Any)).inside.scenarios, 0u);
+    EXPECT_EQ(run_scenario(box, small, inside, query_of(Level::Any)).inside.scenarios, 1u);
+    EXPECT_EQ(run_scenario(box, small, across, query_of(Level::Any)).inside.scenarios, 0u);
     EXPECT_EQ(run_scenario(box, small, across, query_of(Level::Count)).inside.scenarios, 0u);
 }
 
@@ -284,7 +285,7 @@ TEST(RunScenario, ClassesOfBoxes) {
     EXPECT_EQ(class_at(box, box, translation_pose(1.3, 0.4, 0.2), level), ScenarioClass::Cross);
     EXPECT_EQ(class_at(box, small, translation_pose(0.3, 0.1, 0), level), ScenarioClass::Inside);
     EXPECT_EQ(class_at(small, box, translation_pose(0.3, 0.1, 0), level), ScenarioClass::Inside);
-    EXPECT_EQ(class_at(box, small, Pose{}, Level::Any), ScenarioClass::Separate);
+    EXPECT_EQ(class_at(box, small, Pose{}, Level::Any), ScenarioClass::Inside);
     EXPECT_EQ(class_at(box, small, Pose{}, Level::Pairs), ScenarioClass::Inside);
 }
 
@@ -297,7 +298,7 @@ TEST(RunScenario, OpenBodiesAreSurfacesOnly) {
     const auto result = run_scenario(open, small, scenario, query_of(Level::Count)).result;
     EXPECT_EQ(result.kind, ScenarioClass::Separate);
     EXPECT_TRUE(result.surfaces_only);
-    EXPECT_FALSE(settling_is_work(open, small, result));
+    EXPECT_FALSE(Settler(open, small, {}).is_work(result));
     EXPECT_FALSE(run_scenario(small, small, scenario, query_of(Level::Count)).result.surfaces_only);
 }
 

@@ -1,17 +1,21 @@
 // Proves that a scenario's class does not depend on which body is A, on the level, on a limit of
-// pairs nor on how the trees were cut; that it pays for insides only where it must; and that open
-// bodies, ignored pairs and undecided answers are left alone.
+// pairs nor on how the trees were cut; that it pays for insides only where it must; that ignored
+// pairs leave what an exact oracle says; and that open bodies and undecided answers are left alone.
 
 #include "common/job/settle.hpp"
 
+#include "common/core/limits_insides.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build.hpp"
+#include "tests/support/exact_solid.hpp"
 #include "tests/support/lattice_solids.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace cd::tests {
 
@@ -81,7 +85,7 @@ TEST(Settle, TheClassIsThatOfTheBodiesAlone) {
         ASSERT_EQ(class_of(a, b, poses, query_of(Level::Contacts)), result.kind);
         ASSERT_EQ(class_of(a, b, poses, query_of(Level::Pairs, 1)), result.kind);
         ASSERT_EQ(class_of(a, b, poses, query_of(Level::Any)),
-                  result.pair_count == 0 ? ScenarioClass::Separate : ScenarioClass::Contact);
+                  result.pair_count == 0 ? result.kind : ScenarioClass::Contact);
         refined += result.kind == ScenarioClass::Cross && !has_proper_pair(result) ? 1 : 0;
         inside += result.kind == ScenarioClass::Inside ? 1 : 0;
     }
@@ -118,7 +122,7 @@ TEST(Settle, OpenBodiesAreSurfacesOnlyAndNotRefined) {
     const ScenarioResult with_open = run(open, closed, same).result;
     EXPECT_EQ(with_open.kind, ScenarioClass::Touch);
     EXPECT_TRUE(with_open.surfaces_only);
-    EXPECT_FALSE(settling_is_work(open, closed, with_open));
+    EXPECT_FALSE(Settler(open, closed, {}).is_work(with_open));
     EXPECT_EQ(run(closed, open, same).result.kind, ScenarioClass::Touch);
 }
 
@@ -139,13 +143,156 @@ TEST(Settle, WhatIsIgnoredMakesNoClaim) {
     EXPECT_EQ(class_of(box, box, crossing, query), some);
 }
 
+TEST(Settle, AnIgnoredPartSaysNothingOfTheRest) {
+    // A car of a body and a wheel over ground that the wheel is ignored with.
+    const ObbTree ground = make_tree(make_box(Vec3(20, 20, 4)));
+    const ObbTree car = make_tree(join({translated(make_box(Vec3(4, 2, 1)), Vec3(0, 0, 2)),
+                                        translated(make_box(Vec3(1, 1, 1)), Vec3(0, 0, 0))}));
+    Query query = query_of(Level::Any);
+    query.ignored = {{0, 12, 12, 24}};
+    EXPECT_EQ(class_of(ground, car, {Pose{}, translation_pose(0, 0, 1)}, query),
+              ScenarioClass::Separate);
+    EXPECT_EQ(class_of(ground, car, {Pose{}, Pose{}}, query), ScenarioClass::Contact);
+    EXPECT_EQ(class_of(ground, car, {Pose{}, translation_pose(0, 0, -2.2)}, query),
+              ScenarioClass::Inside);
+    EXPECT_FALSE(run(ground, car, {Pose{}, Pose{}}, query).result.insides_skipped);
+    // What is left of the ground bounds nothing.
+    query.ignored = {{0, 3, 12, 24}};
+    EXPECT_TRUE(
+        run(ground, car, {Pose{}, translation_pose(0, 0, 9)}, query).result.insides_skipped);
+}
+
+/// Boxes at whole numbers of which the k-th is congruent to `residues[k]` modulo 8, at least
+/// `least` eights large.
+Mesh random_boxes(std::mt19937_64& random, const std::vector<int>& residues, int least) {
+    std::vector<Mesh> boxes;
+    const auto eights = [&](int from, int to) {
+        return 8 * (from + static_cast<int>(random() % static_cast<unsigned>(to - from)));
+    };
+    for (const int residue : residues) {
+        const auto length = [&] { return eights(least, 2 * least + 2); };
+        const Vec3 size(length(), length(), length());
+        const auto place = [&] { return eights(-6, 4) + residue; };
+        const Vec3 low(place(), place(), place());
+        boxes.push_back(translated(make_box(size), low + size / 2));
+    }
+    return join(boxes);
+}
+
+/// Whole boxes of 12 triangles, or one box and a part of another.
+IgnoredRange random_ignored(std::mt19937_64& random) {
+    const auto range = [&] {
+        const auto begin = static_cast<std::uint32_t>(12 * (random() % 3));
+        const auto length = static_cast<std::uint32_t>(random() % 8 == 0 ? 1 + random() % 24 : 12);
+        return std::pair(begin, std::min(begin + length, 36u));
+    };
+    const auto [a_begin, a_end] = range();
+    const auto [b_begin, b_end] = range();
+    return {a_begin, a_end, b_begin, b_end};
+}
+
+/// What the rule says of the triangles of one body, each on its own, in exact numbers.
+struct TrianglesInside {
+    bool any = false;
+    bool any_skipped = false;
+
+    template <class IsIgnored>
+    void look_at(const std::vector<ExactTriangle>& inner,
+                 const std::vector<ExactTriangle>& outer,
+                 const IsIgnored& is_ignored) {
+        for (std::uint32_t i = 0; i < inner.size(); ++i) {
+            std::vector<ExactTriangle> meets;
+            std::array<int, 3> of_box{};
+            for (std::uint32_t j = 0; j < outer.size(); ++j) {
+                if (!is_ignored(i, j)) {
+                    meets.push_back(outer[j]);
+                    ++of_box[j / 12];
+                }
+            }
+            if (std::ranges::any_of(of_box, [](int count) { return count % 12 != 0; })) {
+                any_skipped = true;
+            } else {
+                any = any || ExactSolid(meets).place({inner[i][0], 1}) == PointPlace::Inside;
+            }
+        }
+    }
+};
+
+std::vector<ExactTriangle> exact_triangles(const Mesh& mesh, const std::vector<ExactPoint>& at) {
+    std::vector<ExactTriangle> triangles;
+    for (const Triangle& t : mesh.triangles()) {
+        triangles.push_back({at[t[0]], at[t[1]], at[t[2]]});
+    }
+    return triangles;
+}
+
+TEST(Settle, IgnoredPairsLeaveWhatTheOracleSays) {
+    int inside = 0;
+    int separate = 0;
+    int skipped = 0;
+    for (std::uint64_t seed = 0; seed < 600; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        // No coordinate of one body is one of the other, however B is turned.
+        const ObbTree a = make_tree(random_boxes(random, {0, 1, 7}, 6));
+        const ObbTree b = make_tree(random_boxes(random, {3, 4, 5}, 1));
+        const PosePair poses{Pose{}, random_motion(random, 1, false).pose()};
+        Query query = query_of(Level::Pairs);
+        for (std::uint64_t i = 1 + random() % 7; i > 0; --i) {
+            query.ignored.push_back(random_ignored(random));
+        }
+        const ScenarioResult result = run(a, b, poses, query).result;
+        const ExactWorld world = exact_world(a.mesh().vertices(), b.mesh().vertices(), poses);
+        const auto exact_a = exact_triangles(a.mesh(), world.a);
+        const auto exact_b = exact_triangles(b.mesh(), world.b);
+        TrianglesInside expected;
+        expected.look_at(exact_a, exact_b, [&](std::uint32_t i, std::uint32_t j) {
+            return is_ignored(query.ignored, i, j);
+        });
+        expected.look_at(exact_b, exact_a, [&](std::uint32_t i, std::uint32_t j) {
+            return is_ignored(query.ignored, j, i);
+        });
+        ASSERT_EQ(result.insides_skipped, expected.any_skipped);
+        skipped += expected.any_skipped ? 1 : 0;
+        if (result.pair_count > 0) {
+            continue;
+        }
+        ASSERT_EQ(result.kind, expected.any ? ScenarioClass::Inside : ScenarioClass::Separate);
+        inside += expected.any ? 1 : 0;
+        separate += expected.any ? 0 : 1;
+        for (const Level level : {Level::Any, Level::Count, Level::Contacts}) {
+            query.level = level;
+            ASSERT_EQ(class_of(a, b, poses, query), result.kind);
+        }
+        for (IgnoredRange& range : query.ignored) {
+            range = {range.b_begin, range.b_end, range.a_begin, range.a_end};
+        }
+        ASSERT_EQ(class_of(b, a, {poses.b, poses.a}, query), result.kind);
+    }
+    EXPECT_GT(inside, 20);
+    EXPECT_GT(separate, 20);
+    EXPECT_GT(skipped, 20);
+}
+
+TEST(Settle, OfTooManyIgnoredPairsNothingIsSaid) {
+    const ObbTree box = make_tree(make_box(Vec3(2, 2, 2)));
+    const ObbTree small = make_tree(make_box(Vec3(1, 1, 1)));
+    Query query = query_of(Level::Count);
+    query.ignored.assign(limits::inside_ignored_max, {0, 1, 0, 0});
+    EXPECT_EQ(class_of(box, small, {}, query), ScenarioClass::Inside);
+    query.ignored.push_back({0, 1, 0, 0});
+    const ScenarioResult result = run(box, small, {}, query).result;
+    EXPECT_EQ(result.kind, ScenarioClass::Separate);
+    EXPECT_TRUE(result.insides_skipped);
+}
+
 TEST(Settle, UndecidedStaysUndecided) {
     const ObbTree box = make_tree(make_box(Vec3(2, 2, 2)));
     ScenarioResult result;
     result.kind = ScenarioClass::Undecided;
-    EXPECT_FALSE(settling_is_work(box, box, result));
-    const Scenario scenario = make_scenario(Pose{}, Pose{});
-    EXPECT_EQ(settle_class(box, box, scenario, query_of(Level::Pairs), result), SettleStatistics{});
+    const Settler settler(box, box, {});
+    EXPECT_FALSE(settler.is_work(result));
+    EXPECT_EQ(settler.settle(make_scenario(Pose{}, Pose{}), result), SettleStatistics{});
     EXPECT_EQ(result.kind, ScenarioClass::Undecided);
 }
 

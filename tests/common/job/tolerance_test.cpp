@@ -202,7 +202,7 @@ TEST(Tolerance, PartsGiveTheRecordOfTheWholeInAnyOrder) {
                 pairs.push_back({parts_a[pair.a].view(), parts_b[pair.b].view()});
             }
             ScenarioResult parts = run_on_subtrees(pairs, scenario, query).result;
-            (void)settle_with_cost(a, b, scenario, query, parts);
+            (void)Settler(a, b, query.ignored).settle(scenario, parts);
             const ScenarioResult whole = run_scenario(a, b, scenario, query).result;
             EXPECT_EQ(encode_result(parts), encode_result(whole));
             undecided += whole.kind == ScenarioClass::Undecided ? 1 : 0;

@@ -30,7 +30,8 @@ bool contains(const ObbTree& outer,
               const ObbTree& inner,
               const Pose& inner_pose) {
     SettleStatistics statistics;
-    return contains_component(outer, outer_pose, inner, inner_pose, statistics);
+    const InsideProbes probes = inside_probes(inner, outer, {});
+    return contains_component(outer, outer_pose, inner, inner_pose, probes, statistics);
 }
 
 bool contains(const ObbTree& outer, const ObbTree& inner, const Pose& inner_pose = Pose{}) {
