@@ -22,6 +22,7 @@ WideBody body_of(const WideView& tree) {
     const TriangleBlocks& triangles = tree.triangles;
     return {tree.nodes.data(),
             triangles.floats.empty() ? nullptr : triangles.floats.data(),
+            triangles.doubles.empty() ? nullptr : triangles.doubles.data(),
             triangles.vertex_begin.data(),
             triangles.corners.data()};
 }

@@ -34,10 +34,11 @@ inline constexpr std::size_t wide_leaves_max = 64;
 inline constexpr std::size_t wide_pairs_slack =
     wide_batch_max * wide_children_max * wide_children_max + wide_children_max;
 
-/// A tree as the descent reads it. Without vertices it knows triangles by their boxes alone.
+/// A tree as the descent reads it, with vertices of one kind.
 struct WideBody {
     const WideNode* nodes = nullptr;
-    const float* vertices = nullptr; ///< As in TriangleBlocks, as are the next two.
+    const float* floats = nullptr; ///< As in TriangleBlocks, as are the next three.
+    const double* doubles = nullptr;
     const std::uint32_t* vertex_begin = nullptr;
     const BlockCorners* corners = nullptr;
 };

@@ -204,10 +204,40 @@ struct Table {
     }
 };
 
+/// As many vertices as there are lanes, from an origin.
+HWY_INLINE void
+load_vertices(const float* vertices, const std::array<double, 3>& origin, V& x, V& y, V& z) {
+    const Floats d;
+    hn::LoadInterleaved3(d, vertices, x, y, z);
+    x = hn::Sub(x, hn::Set(d, static_cast<float>(origin[0])));
+    y = hn::Sub(y, hn::Set(d, static_cast<float>(origin[1])));
+    z = hn::Sub(z, hn::Set(d, static_cast<float>(origin[2])));
+}
+
+HWY_INLINE void
+load_vertices(const double* vertices, const std::array<double, 3>& origin, V& x, V& y, V& z) {
+    const Floats d;
+    const hn::Half<Floats> half;
+    const hn::Rebind<double, hn::Half<Floats>> dd;
+    hn::Vec<decltype(dd)> low[3];
+    hn::Vec<decltype(dd)> high[3];
+    hn::LoadInterleaved3(dd, vertices, low[0], low[1], low[2]);
+    hn::LoadInterleaved3(dd, vertices + 3 * hn::MaxLanes(dd), high[0], high[1], high[2]);
+    const auto narrowed = [&](std::size_t k) HWY_ATTR {
+        const auto from = hn::Set(dd, origin[k]);
+        return hn::Combine(d,
+                           hn::DemoteTo(half, hn::Sub(high[k], from)),
+                           hn::DemoteTo(half, hn::Sub(low[k], from)));
+    };
+    x = narrowed(0);
+    y = narrowed(1);
+    z = narrowed(2);
+}
+
 /// As `see`, with intervals around triangles of at most `kHalves * lanes` vertices, the first of
 /// which is given, instead of around their boxes.
-template <std::size_t kHalves, bool kByAxis>
-HWY_INLINE std::uint32_t see_corners(const float* vertices,
+template <std::size_t kHalves, class T, bool kByAxis>
+HWY_INLINE std::uint32_t see_corners(const T* vertices,
                                      const BlockCorners* corners,
                                      const Side& side,
                                      const Turn& turn,
@@ -217,19 +247,12 @@ HWY_INLINE std::uint32_t see_corners(const float* vertices,
     const hn::RebindToSigned<Floats> di;
     // The vertices' coordinates in the other's frame.
     Table<kHalves> seen_at[3];
-    const auto& origin = side.node->origin;
-    const V x0 = hn::Set(d, static_cast<float>(origin[0]));
-    const V y0 = hn::Set(d, static_cast<float>(origin[1]));
-    const V z0 = hn::Set(d, static_cast<float>(origin[2]));
     HWY_UNROLL(2)
     for (std::size_t half = 0; half < kHalves; ++half) {
         V x;
         V y;
         V z;
-        hn::LoadInterleaved3(d, vertices + 3 * half * lanes, x, y, z);
-        x = hn::Sub(x, x0);
-        y = hn::Sub(y, y0);
-        z = hn::Sub(z, z0);
+        load_vertices(vertices + 3 * half * lanes, side.node->origin, x, y, z);
         HWY_UNROLL(3)
         for (std::size_t k = 0; k < 3; ++k) {
             V sum = hn::MulAdd(hn::Set(d, turn.entries[0][k]), x, hn::Set(d, change.offset[k]));
@@ -273,13 +296,16 @@ HWY_INLINE std::uint32_t see_triangles(const WideBody& body,
                                        Intervals& seen) {
     const std::uint32_t* begin = body.vertex_begin + side.node->first;
     const std::uint32_t count = begin[1] - begin[0];
-    if (body.vertices == nullptr || count > vertices_max) {
+    if (count > vertices_max) {
         return see(side, change, seen);
     }
-    const float* vertices = body.vertices + 3 * std::size_t{begin[0]};
     const BlockCorners* corners = body.corners + side.first;
-    return count <= lanes ? see_corners<1>(vertices, corners, side, turn, change, seen)
-                          : see_corners<2>(vertices, corners, side, turn, change, seen);
+    const auto see_them = [&](const auto* vertices) HWY_ATTR {
+        return count <= lanes ? see_corners<1>(vertices, corners, side, turn, change, seen)
+                              : see_corners<2>(vertices, corners, side, turn, change, seen);
+    };
+    const std::size_t first = 3 * std::size_t{begin[0]};
+    return body.floats != nullptr ? see_them(body.floats + first) : see_them(body.doubles + first);
 }
 
 #endif

@@ -240,11 +240,10 @@ std::optional<SharpBody> sharp_body(std::mt19937_64& random, double size, int si
 
 /// A small body and a far larger one, apart along an axis of the small one's frame but for the
 /// corner that they share: the larger one's errors are as large as the small one's steps. `far` is
-/// how far the large one is from its origin, in its sizes.
-std::optional<Brink> corner_on_corner(std::mt19937_64& random, double far) {
+/// how far the large one is from its origin, in its sizes; coordinates have so many bits.
+std::optional<Brink> corner_on_corner(std::mt19937_64& random, double far, int bits) {
     const bool is_far = far > 0;
     const double ratio = std::ldexp(1.0, is_far ? 8 : static_cast<int>(random() % 12) + 8);
-    const int bits = is_far ? 3 : 10;
     const Turn turn_small = is_far ? Turn{any_exchange(random), 1} : any_turn(random);
     const Turn turn_large = any_turn(random);
     const auto triangles = [&] { return static_cast<std::uint32_t>(1 + random() % 4); };
@@ -298,13 +297,20 @@ std::optional<Brink> corner_on_plane(std::mt19937_64& random) {
 // Made once for all targets.
 const Brinks& corners() {
     static const Brinks brinks =
-        brinks_of(600, [](std::mt19937_64& random) { return corner_on_corner(random, 0); });
+        brinks_of(600, [](std::mt19937_64& random) { return corner_on_corner(random, 0, 10); });
+    return brinks;
+}
+
+/// Of corners that floats cannot hold.
+const Brinks& double_corners() {
+    static const Brinks brinks =
+        brinks_of(600, [](std::mt19937_64& random) { return corner_on_corner(random, 0, 28); });
     return brinks;
 }
 
 const Brinks& far_corners() {
     static const Brinks brinks =
-        brinks_of(400, [](std::mt19937_64& random) { return corner_on_corner(random, 0x1p38); });
+        brinks_of(400, [](std::mt19937_64& random) { return corner_on_corner(random, 0x1p38, 3); });
     return brinks;
 }
 
@@ -322,6 +328,15 @@ class WideBounds : public testing::TestWithParam<SimdTarget> {
 TEST_P(WideBounds, CornersThatTouchAtTheBrinkAreNotLost) {
     EXPECT_GT(corners().size(), 400u);
     EXPECT_EQ(lost_of(corners(), 1), 0u);
+}
+
+TEST_P(WideBounds, CornersThatFloatsCannotHoldAreNotLost) {
+    EXPECT_GT(double_corners().size(), 300u);
+    for (const Brink& brink : double_corners()) {
+        EXPECT_FALSE(brink.a.view().wide.triangles.doubles.empty());
+        EXPECT_FALSE(brink.b.view().wide.triangles.doubles.empty());
+    }
+    EXPECT_EQ(lost_of(double_corners(), 1), 0u);
 }
 
 TEST_P(WideBounds, CornersThatTouchFarFromABodysOriginAreNotLost) {
@@ -342,6 +357,8 @@ TEST_P(WideBounds, SmallerMarginsLoseSome) {
         // The larger body's triangles are seen by their corners.
         EXPECT_GT(lost_of(corners(), 0), 50u);
         EXPECT_GT(lost_of(corners(), 0.003), 0u);
+        EXPECT_GT(lost_of(double_corners(), 0), 50u);
+        EXPECT_GT(lost_of(double_corners(), 0.003), 0u);
     }
     // Far from the origin, a body's steps are larger than what is lost to rounding, and none of
     // these boxes ends on a whole one: margins of nothing would do here, but not less.
