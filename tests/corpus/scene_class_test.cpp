@@ -31,6 +31,11 @@ TEST_P(SceneClass, IsThatOfTheDefinition) {
             EXPECT_EQ(result.surfaces_only, !closed);
             EXPECT_EQ(result.pair_count, oracle.contact_pairs().size());
         }
+        Query any;
+        any.level = Level::Any;
+        const ScenarioClass at_any =
+            oracle.contact_pairs().empty() ? expected : ScenarioClass::Contact;
+        EXPECT_EQ(to_text(run_scenario(a, b, scenario, any).result.kind), to_text(at_any));
     }
 }
 

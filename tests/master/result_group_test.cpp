@@ -15,7 +15,7 @@ ResultGroup some_group() {
     ResultGroup group;
     group.begin = 100;
     for (std::uint64_t i = 0; i < 6; ++i) {
-        const ScenarioFacts facts{ScenarioClass::Cross, i % 2 == 0, false, i};
+        const ScenarioFacts facts{ScenarioClass::Cross, i % 2 == 0, i % 3 == 1, false, i};
         group.rows.push_back({1000 - 70 * i, 20 + i, facts, some_hash(static_cast<int>(i))});
     }
     group.maps = {Bytes(3, std::byte{1}), Bytes()};
