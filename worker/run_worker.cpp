@@ -1,6 +1,7 @@
 #include "worker/run_worker.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/limits_worker.hpp"
 #include "common/core/log.hpp"
 #include "common/core/version.hpp"
 #include "common/geometry/simd_target.hpp"
@@ -48,7 +49,6 @@ class Daemon {
             const Result<std::shared_ptr<Channel>> channel = co_await connect(
                 std::move(target), std::chrono::ceil<std::chrono::seconds>(membership_.patience()));
             if (channel) {
-                was_refused_ = false;
                 const std::optional<int> code = co_await serve(channel.value());
                 if (code) {
                     channel.value()->close(true);
@@ -56,9 +56,7 @@ class Daemon {
                     co_return end(*code);
                 }
             } else if (channel.error().code == ErrorCode::Refused) {
-                log_error("refused: {}", channel.error().detail);
-                // A bit that flips on the way to who knows this worker may look like that, once.
-                if (!was_welcome_ || std::exchange(was_refused_, true)) {
+                if (!bear_refusal(channel.error().detail)) {
                     co_return end(exit_refused);
                 }
             } else {
@@ -92,13 +90,12 @@ class Daemon {
         hello.instance = instance_;
         PeerParts peers{peer_server_, {}, config_.name, tls_};
         const Result<Served> served =
-            co_await membership_.serve(std::move(channel), std::move(hello), std::move(peers));
+            co_await membership_.serve(channel, std::move(hello), std::move(peers));
         if (!served) {
-            log_error("not welcome: error=\"{}\"", served.error().detail);
-            const bool refused = served.error().code == ErrorCode::Refused;
-            co_return refused ? std::optional<int>(exit_refused) : std::nullopt;
+            co_return bear_not_welcome(served.error(), had_answer(*channel));
         }
         was_welcome_ = true;
+        refused_since_.reset();
         backoff_.reset();
         const SessionEnd how = served.value().how;
         const bool has_ended = how == SessionEnd::Drained || how == SessionEnd::Terminated;
@@ -107,6 +104,38 @@ class Daemon {
         }
         log_warning("master lost: reason=\"{}\"", served.value().reason);
         co_return std::nullopt;
+    }
+
+    /// The master has said something over it, and not only TLS.
+    static bool had_answer(const Channel& channel) { return channel.traffic().bytes_received != 0; }
+
+    /// An exit code when that is for good: the master says no, or has not taken the certificate for
+    /// long.
+    std::optional<int> bear_not_welcome(const Error& error, bool is_said) {
+        log_error("not welcome: error=\"{}\"", error.detail);
+        const bool is_borne =
+            error.code != ErrorCode::Refused || (!is_said && bear_refusal(error.detail));
+        return is_borne ? std::nullopt : std::optional<int>(exit_refused);
+    }
+
+    /// TLS does not take this worker, or its master. To one that was welcome before that may come
+    /// of a clock that is wrong for a while, or of a bit that flipped on the way.
+    bool bear_refusal(const std::string& why) {
+        const auto now = std::chrono::steady_clock::now();
+        if (!refused_since_) {
+            refused_since_ = now;
+        }
+        const auto left = limits::refusal_borne_max - (now - *refused_since_);
+        const bool is_borne = was_welcome_ && left > std::chrono::seconds(0);
+        if (is_borne) {
+            log_error("refused, tries again for {} s: {}; are the clocks of both hosts right, "
+                      "and the certificates valid?",
+                      std::chrono::ceil<std::chrono::seconds>(left).count(),
+                      why);
+        } else {
+            log_error("refused: {}", why);
+        }
+        return is_borne;
     }
 
     /// On the address by which the master sees this worker. Without it all works, too.
@@ -164,7 +193,7 @@ class Daemon {
     const std::uint64_t instance_ = std::random_device{}() | std::uint64_t{std::random_device{}()}
                                                                  << 32;
     bool was_welcome_ = false;
-    bool was_refused_ = false; ///< The last time.
+    std::optional<std::chrono::steady_clock::time_point> refused_since_; ///< Without a welcome.
     bool stopping_ = false;
     int exit_code_ = exit_done;
 };

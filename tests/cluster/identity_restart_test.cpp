@@ -2,6 +2,7 @@
 // that no conversation of the life before lets anyone in.
 #include "proto/credential_file.hpp"
 #include "tests/cluster/mortal_master.hpp"
+#include "tests/support/comes_true.hpp"
 
 #include <gmock/gmock.h>
 
@@ -44,6 +45,42 @@ TEST(IdentityRestart, ATokenThatWasUsedUpStaysSo) {
     EXPECT_EQ(join("three").exit_code, 5);
     EXPECT_THAT(master.log(), HasSubstr("the token is exhausted"));
     EXPECT_TRUE(std::filesystem::is_empty(folder / "three"));
+}
+
+class SecuredRestart : public MortalCluster {
+  protected:
+    SecuredRestart() : MortalCluster({}, Links::Secured) {}
+};
+
+/// As when the master's clock is wrong for a while: TLS takes none of its workers.
+TEST_F(SecuredRestart, AWorkerThatWasWelcomeBearsThatItsCertificateIsNotTakenForAWhile) {
+    Process& worker = start_worker();
+    auto connection = connect();
+    EXPECT_TRUE(comes_true([&] { return connection->status().value().workers.size() == 1; }));
+    connection.reset();
+    master_.kill();
+    const std::filesystem::path identity = folder_ / "state/identity";
+    std::filesystem::rename(identity, folder_ / "right");
+    (void)make_identity();
+    master_.start();
+    const auto refusals = [&] {
+        const std::string log = worker.errors();
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = log.find("tries again", at + 1)) != std::string::npos;) {
+            ++count;
+        }
+        return count;
+    };
+    EXPECT_TRUE(comes_true([&] { return refusals() >= 3; })) << worker.errors();
+    EXPECT_THAT(worker.errors(), HasSubstr("clocks"));
+    EXPECT_TRUE(worker.is_running());
+    master_.kill();
+    std::filesystem::remove_all(identity);
+    std::filesystem::rename(folder_ / "right", identity);
+    master_.start();
+    connection = connect();
+    EXPECT_TRUE(comes_true([&] { return connection->status().value().workers.size() == 1; }));
+    EXPECT_TRUE(worker.is_running());
 }
 
 } // namespace
