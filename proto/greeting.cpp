@@ -40,6 +40,15 @@ bool is_agreement(const Welcome& welcome, const Hello& hello) {
            is_one_of(chosen.compressors, hello.choices.compressors);
 }
 
+/// Who has no place for another connection closes it unanswered.
+Error unanswered(const Error& error) {
+    return error.code != ErrorCode::Disconnected
+               ? error
+               : Error{error.code,
+                       error.detail + ", before it answered: it may have no place for another "
+                                      "connection; try again"};
+}
+
 } // namespace
 
 asio::awaitable<Result<Welcome>>
@@ -48,7 +57,7 @@ greet(std::shared_ptr<Channel> channel, Hello hello, std::chrono::steady_clock::
     const Result<Message> answer = co_await channel->receive(timeout);
     if (!answer) {
         channel->close();
-        co_return answer.error();
+        co_return unanswered(answer.error());
     }
     if (const auto* failure = std::get_if<Failure>(&answer.value())) {
         channel->close();

@@ -95,6 +95,9 @@ Error handshake_error(const error_code& error, SSL* ssl) {
         other.detail += "; it speaks no TLS, or an older version";
     }
     other.detail += ", during the TLS handshake";
+    if (other.code == ErrorCode::Disconnected) {
+        other.detail += "; the other end may have no place for another connection";
+    }
     return other;
 }
 

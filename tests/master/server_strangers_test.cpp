@@ -73,6 +73,15 @@ TEST(Strangers, SilentOnesOfOneHostDoNotLockOthersOut) {
                                   [&](const auto& error, std::size_t) { is_closed = !!error; });
     master.run_until([&] { return is_closed; });
     EXPECT_THAT(logged.text(), HasSubstr("connection refused: peer=127.0.0.1:"));
+    Greeting turned_away;
+    start_greeting(master,
+                   connect_from(master, "127.0.0.1", master.server->port()),
+                   nullptr,
+                   Role::Client,
+                   turned_away);
+    master.run_until([&] { return turned_away.answer.has_value(); });
+    ASSERT_FALSE(turned_away.answer->has_value());
+    EXPECT_THAT(turned_away.answer->error().detail, HasSubstr("no place for another connection"));
     Greeting other;
     start_greeting(master,
                    connect_from(master, "127.0.0.2", master.server->port()),
