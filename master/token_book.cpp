@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 #include <sstream>
 
 namespace cd {
 
 namespace {
 
-constexpr std::string_view first_line = "cdcluster tokens 1";
+constexpr std::string_view first_line = "cdcluster tokens 2\n";
+constexpr std::string_view sum_word = "sha256 ";
 
 std::uint64_t random_id() {
     const Sha256 random = random_secret();
@@ -21,6 +23,11 @@ std::uint64_t random_id() {
 
 std::int64_t to_seconds(WallTime time) {
     return std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count();
+}
+
+/// The last line: what the lines before it hash to.
+std::string sum_line(std::string_view lines) {
+    return std::string(sum_word) + to_hex(sha256(std::as_bytes(std::span(lines)))) + '\n';
 }
 
 Error refused(const std::string& why) {
@@ -72,25 +79,26 @@ Result<CertifiedRole> TokenBook::redeem(const Proof& proof, WallTime now) {
 
 std::string TokenBook::to_text() const {
     std::ostringstream out;
-    out << first_line << '\n';
+    out << first_line;
     for (const auto& [id, entry] : tokens_) {
         out << id << ' ' << to_hex(entry.stored) << ' ' << cd::to_text(entry.role) << ' '
             << entry.uses_left << ' ' << to_seconds(entry.until) << '\n';
     }
-    return out.str();
+    return out.str() + sum_line(out.str());
 }
 
 Result<TokenBook> TokenBook::parse(const std::string& text) {
-    if (!text.empty() && text.back() != '\n') {
-        return Error{ErrorCode::BadInput, "a list of tokens that is cut short"};
+    const std::size_t end = text.rfind(sum_word);
+    if (end == std::string::npos || text.substr(end) != sum_line(text.substr(0, end))) {
+        return Error{ErrorCode::BadInput, "a list of tokens that is damaged or cut short"};
     }
-    std::istringstream lines(text);
+    if (!text.starts_with(first_line)) {
+        return Error{ErrorCode::BadInput, "line 1 is not of a list of tokens"};
+    }
+    std::istringstream lines(text.substr(first_line.size(), end - first_line.size()));
     std::string line;
     TokenBook book;
-    for (std::size_t number = 1; std::getline(lines, line); ++number) {
-        if (number == 1 && line == first_line) {
-            continue;
-        }
+    for (std::size_t number = 2; std::getline(lines, line); ++number) {
         std::istringstream fields(line);
         std::uint64_t id = 0;
         std::string stored;
@@ -101,7 +109,7 @@ Result<TokenBook> TokenBook::parse(const std::string& text) {
         const auto hash = sha256_from_hex(stored);
         const auto known_role = certified_role_from_text(role);
         const auto until = wall_time(seconds);
-        if (number == 1 || fields.fail() || !fields.eof() || !hash || !known_role || !until) {
+        if (fields.fail() || !fields.eof() || !hash || !known_role || !until) {
             return Error{ErrorCode::BadInput,
                          "line " + std::to_string(number) + " is not of a list of tokens"};
         }

@@ -413,7 +413,7 @@ void add_state(Seeds& seeds) {
     const std::string hash(64, 'a');
     seeds.add("tokens",
               "tokens",
-              "cdcluster tokens 1\n5 " + hash + " worker 3 1700000000\n9 " + hash +
+              "cdcluster tokens 2\n5 " + hash + " worker 3 1700000000\n9 " + hash +
                   " admin 1 1800000000\n");
 
     const tests::TemporaryFolder folder;

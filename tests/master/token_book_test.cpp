@@ -108,10 +108,25 @@ TEST(TokenBook, ADamagedTextIsRefused) {
                                     good.substr(0, good.size() - 8),
                                     good + "1 2 3\n",
                                     good.substr(0, good.size() - 1) + "0000000\n", // No such year.
-                                    good.substr(good.find('\n') + 1)}) {
+                                    good.substr(good.find('\n') + 1),
+                                    std::string()}) {
         EXPECT_EQ(TokenBook::parse(text).error().code, ErrorCode::BadInput) << text;
     }
-    EXPECT_TRUE(TokenBook::parse(""));
+}
+
+TEST(TokenBook, EachFlippedBitIsNoticed) {
+    TokenBook book;
+    const JoinToken token = create(book, 1);
+    EXPECT_TRUE(book.redeem(Joining().proof(token), start));
+    std::string text = book.to_text();
+    ASSERT_TRUE(TokenBook::parse(text));
+    for (char& letter : text) {
+        for (int bit = 0; bit < 8; ++bit) {
+            letter = static_cast<char>(letter ^ (1 << bit));
+            EXPECT_FALSE(TokenBook::parse(text)) << text;
+            letter = static_cast<char>(letter ^ (1 << bit));
+        }
+    }
 }
 
 } // namespace
