@@ -11,6 +11,21 @@
 
 namespace cd {
 
+namespace {
+
+/// What the disk does not take; where that is, concerns the master's log alone.
+Error without_room(const Error& why, const std::string& what, std::uint64_t bytes) {
+    if (why.code != ErrorCode::Io) {
+        return why;
+    }
+    log_error("no room: for=\"{}\" bytes={} error=\"{}\"", what, bytes, why.detail);
+    return {ErrorCode::Io,
+            "the master has no room for " + what + " (" + std::to_string((bytes + 1023) / 1024) +
+                " KiB), or cannot write it: its log says why"};
+}
+
+} // namespace
+
 ClientSession::ClientSession(Coordinator& coordinator,
                              std::shared_ptr<Channel> channel,
                              Access access,
@@ -112,10 +127,12 @@ asio::awaitable<void> ClientSession::on(MeshPart message) {
         // The rest of an upload that failed: its failure has been answered.
         co_return;
     }
+    const std::string name = message.name;
+    const std::uint64_t bytes = message.bytes_total;
     const Status taken = co_await take_mesh_part(std::move(message));
     if (!taken) {
         drop_upload();
-        refuse(taken.error());
+        refuse(without_room(taken.error(), "'" + escaped(name) + "'", bytes));
     } else if (is_last) {
         channel_->send(MeshStored{mesh});
     }
@@ -197,7 +214,7 @@ asio::awaitable<void> ClientSession::on(Submit message) {
     }
     if (!begun) {
         drop_poses();
-        refuse(begun.error());
+        refuse(without_room(begun.error(), "the job's poses", queued_));
         refused_ = poses_follow;
     }
 }
@@ -248,7 +265,7 @@ asio::awaitable<void> ClientSession::on(PosesPart message) {
     const Status appended = co_await run_on(coordinator_.blocking(), append);
     progressed_ = std::chrono::steady_clock::now();
     if (!appended) {
-        refuse_poses(appended.error());
+        refuse_poses(without_room(appended.error(), "the job's poses", queued_));
     }
 }
 

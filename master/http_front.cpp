@@ -12,6 +12,19 @@ namespace cd {
 
 namespace {
 
+/// Why the master, or one of its jobs, waits; empty: nothing does.
+std::string what_waits(Coordinator& coordinator) {
+    if (!coordinator.paused().empty()) {
+        return "paused: " + coordinator.paused();
+    }
+    for (const JobStatus& job : coordinator.cluster_status().jobs) {
+        if (!job.paused.empty()) {
+            return "job " + std::to_string(job.job.value) + " is paused: " + job.paused;
+        }
+    }
+    return "";
+}
+
 HttpAnswer answer_to(const HttpRequest& request, Coordinator& coordinator, const Access& access) {
     if (request.method != "GET") {
         return {405, "only GET\n"};
@@ -20,8 +33,8 @@ HttpAnswer answer_to(const HttpRequest& request, Coordinator& coordinator, const
         return {200, "ok\n"};
     }
     if (request.target == "/readyz") {
-        const std::string& why = coordinator.paused();
-        return why.empty() ? HttpAnswer{200, "ready\n"} : HttpAnswer{503, "paused: " + why + "\n"};
+        const std::string why = what_waits(coordinator);
+        return why.empty() ? HttpAnswer{200, "ready\n"} : HttpAnswer{503, why + "\n"};
     }
     if (request.target == "/metrics") {
         const Status allowed = access.check(Message(StatusQuery{}));

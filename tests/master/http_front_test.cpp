@@ -97,6 +97,33 @@ TEST_F(HttpPages, TellHowTheMasterIs) {
     EXPECT_THAT(metrics, HasSubstr("Content-Length: "));
 }
 
+TEST(HttpPagesOfAPausedJob, SayThatItWaitsAndForWhat) {
+    const TemporaryFolder state;
+    const std::chrono::milliseconds at_once(0);
+    {
+        Master master({.return_within = at_once}, state.path());
+        Client client(master);
+        client.start_submitting(reference().submission());
+        master.run_until([&] { return client.done; });
+    }
+    const auto mesh = state / "meshes" / (to_hex(reference().a.hash()) + ".mesh");
+    const std::string whole = read_text(mesh);
+    write_text(mesh, "rubbish");
+    Master master({.return_within = at_once}, state.path());
+    const auto front = make_front(master);
+    const auto ready = [&] {
+        return Asking(master, front->port(), nullptr, request_for("/readyz")).answer();
+    };
+    master.run_until(
+        [&] { return !master.coordinator.cluster_status().jobs.at(0).paused.empty(); });
+    const std::string answer = ready();
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 503 "));
+    EXPECT_THAT(answer, HasSubstr("job 1 is paused: " + mesh.string()));
+    write_text(mesh, whole);
+    master.run_until([&] { return master.coordinator.cluster_status().jobs.at(0).paused.empty(); });
+    EXPECT_THAT(ready(), StartsWith("HTTP/1.1 200 "));
+}
+
 TEST_F(HttpPages, AllElseIsRefusedWithAReason) {
     EXPECT_THAT(get("/jobs"), StartsWith("HTTP/1.1 404 "));
     EXPECT_THAT(ask("POST /metrics HTTP/1.1\r\nHost: here\r\nContent-Length: 0\r\n\r\n"),

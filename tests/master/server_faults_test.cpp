@@ -4,6 +4,7 @@
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/logged.hpp"
 
 #include <latch>
@@ -333,6 +334,20 @@ struct FullMaster : Master {
         return status();
     }
 };
+
+TEST(Server, AMeshForWhichThereIsNoRoomIsRefusedWithoutThePlaceOnTheMastersDisk) {
+    Master master;
+    Client client(master);
+    const Bytes bytes = reference().a.canonical_bytes();
+    const FileSizeLimit full(100);
+    client.start_asking({MeshPart{reference().a.hash(), "ball", bytes.size(), 0, bytes}});
+    master.run_until([&] { return client.done; });
+    const auto* failure = std::get_if<Failure>(&client.answer->value());
+    ASSERT_NE(failure, nullptr);
+    EXPECT_EQ(failure->code, ErrorCode::Io);
+    EXPECT_EQ(failure->detail.find("the master has no room for 'ball' ("), 0u) << failure->detail;
+    EXPECT_EQ(failure->detail.find(master.directory.string()), std::string::npos);
+}
 
 TEST(Server, AJobWhoseBlocksCannotBeWrittenWaitsAndGoesOnWhenTheyCan) {
     FullMaster master;
