@@ -345,7 +345,8 @@ std::uint64_t Coordinator::job_changes(JobId id) {
 }
 
 void Coordinator::notify_at_end(JobId job, const std::shared_ptr<asio::steady_timer>& timer) {
-    if (const MasterJob* found = jobs_.find(job); found == nullptr || !found->is_running()) {
+    if (const MasterJob* found = jobs_.find(job);
+        found == nullptr || found->state != JobState::Running) {
         return; // Nothing would ever take it away.
     }
     std::erase_if(waiting_for_end_, [](const auto& waiting) { return waiting.second.expired(); });

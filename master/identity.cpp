@@ -45,11 +45,30 @@ std::string_view trimmed(std::string_view line) {
     return line.substr(begin, line.find_last_not_of(blank) + 1 - begin);
 }
 
+constexpr const char* way_out =
+    "; nothing was changed: restore it from a copy, or move the folder away, run `cdmaster init`, "
+    "and have everybody join again";
+
+/// The certificate is missing. NotFound only where no other file of an identity is there.
+Error no_authority(const std::filesystem::path& folder) {
+    std::error_code error;
+    const std::filesystem::directory_iterator files(folder, error);
+    if (!error && files != std::filesystem::directory_iterator()) {
+        return {ErrorCode::BadInput,
+                certificate_path(folder).string() + " is missing, but there is " +
+                    files->path().string() + way_out};
+    }
+    return error && error != std::errc::no_such_file_or_directory
+               ? Error{ErrorCode::Io, "cannot read " + folder.string() + ": " + error.message()}
+               : Error{ErrorCode::NotFound, "there is no identity in " + folder.string()};
+}
+
 /// Errors: NotFound where there is none.
 Result<CertificateAuthority> read_authority(const std::filesystem::path& folder) {
     const Result<std::string> certificate = read_private(certificate_path(folder));
     if (!certificate) {
-        return certificate.error();
+        return certificate.error().code == ErrorCode::NotFound ? no_authority(folder)
+                                                               : certificate.error();
     }
     const Result<std::string> key = read_private(key_path(folder));
     if (!key) {
@@ -59,9 +78,7 @@ Result<CertificateAuthority> read_authority(const std::filesystem::path& folder)
     auto authority = CertificateAuthority::parse(certificate.value(), key.value());
     if (!authority) {
         return Error{ErrorCode::BadInput,
-                     folder.string() + " holds " + authority.error().detail +
-                         "; nothing was changed: restore it from a copy, or move it away, run "
-                         "`cdmaster init`, and have everybody join again"};
+                     folder.string() + " holds " + authority.error().detail + way_out};
     }
     return authority;
 }

@@ -113,6 +113,21 @@ TEST_F(CheckState, ADamagedIdentityIsNamed) {
     EXPECT_NE(text_of(tokens).find("identity/tokens"), std::string::npos) << text_of(tokens);
 }
 
+TEST_F(CheckState, AnIdentityWithoutItsAuthorityIsDamagedAndNotMadeAgain) {
+    const MasterIdentity::Options options{std::chrono::hours(1)};
+    ASSERT_TRUE(MasterIdentity::init(folder_.path(), options));
+    const auto authority = folder_ / "identity/authority.pem";
+    std::filesystem::remove(authority);
+    const StateReport report = check_state(folder_.path());
+    EXPECT_FALSE(report.is_sound);
+    EXPECT_THAT(text_of(report), testing::HasSubstr(authority.string() + " is missing"));
+    const auto opened = MasterIdentity::open(folder_.path(), options);
+    ASSERT_FALSE(opened) << "it would go on without TLS";
+    EXPECT_THAT(opened.error().detail, testing::HasSubstr("is missing"));
+    EXPECT_FALSE(MasterIdentity::init(folder_.path(), options));
+    EXPECT_FALSE(std::filesystem::exists(authority));
+}
+
 TEST_F(CheckState, EveryDamagedFileIsNamedAtOnce) {
     ASSERT_FALSE(mesh_path().empty());
     flip(mesh_path(), 50);

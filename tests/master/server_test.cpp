@@ -144,8 +144,10 @@ TEST(Server, ACancelledJobEndsAndSaysSo) {
     client.start(reference().submission());
     master.run_until([&] { return !client.statuses.empty(); });
     Client other(master);
+    const auto begin = std::chrono::steady_clock::now();
     other.start_asking({Cancel{*client.job}});
     master.run_until([&] { return client.done && other.done; });
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, limits::cancel_wait_max / 2);
     EXPECT_EQ(client.statuses.back().state, JobState::Cancelled);
     EXPECT_EQ(std::get<JobStatus>(other.answer->value()).state, JobState::Cancelled);
 }
