@@ -56,11 +56,17 @@ Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options) {
     if (!tls) {
         return tls.error();
     }
-    return Connection::open(
+    auto opened = Connection::open(
         options.address,
         options.insecure,
         [] { return InterruptGuard::signal() != 0; },
         std::move(tls.value()));
+    if (!opened && opened.error().code == ErrorCode::Disconnected &&
+        opened.error().detail.starts_with("cannot connect")) {
+        return Error{ErrorCode::Disconnected,
+                     opened.error().detail + "; is cdmaster running there?"};
+    }
+    return opened;
 }
 
 Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {

@@ -2,6 +2,8 @@
 
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_commands.hpp"
+#include "client/commands/remote_session.hpp"
+#include "client/estimate.hpp"
 #include "client/exit_code.hpp"
 #include "client/heap.hpp"
 #include "client/interrupt.hpp"
@@ -11,6 +13,7 @@
 #include "common/geometry/simd_target.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace cd {
 
@@ -58,6 +61,50 @@ int run_here(const RunCommand& command, PreparedJob& job, ThreadPool& pool) {
         return fail(finished.error());
     }
     return exit_code_of(report.summary, command.fail_on);
+}
+
+} // namespace
+
+namespace {
+
+/// The first line of a run: where it runs. Connects before the inputs are read, which may take
+/// long. Errors: those of `open_master`.
+Result<std::string> where_text(const RunCommand& command, const ThreadPool& pool) {
+    const std::string& address = command.master.address;
+    if (address.empty()) {
+        const char* master = std::getenv("CDCTL_MASTER");
+        return "  here, " + counted(pool.size(), "thread") +
+               (master == nullptr || *master == '\0'
+                    ? ""
+                    : "; to run on CDCTL_MASTER: --master " + std::string(master)) +
+               "\n";
+    }
+    const auto opened = open_master(command.master);
+    if (!opened) {
+        const bool is_absent = opened.error().code == ErrorCode::Disconnected;
+        return Error{opened.error().code,
+                     opened.error().detail +
+                         (is_absent ? " without --master the job runs here" : "")};
+    }
+    const Result<ClusterStatus> status = opened.value()->status();
+    return "  on " + address +
+           (status ? ", " + counted(status.value().workers.size(), "worker") : "") + "\n";
+}
+
+/// The answer to --dry-run.
+int tell_estimate(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
+    EstimateOptions options;
+    options.first_stage = command.first_stage.value_or(PairStage::Float);
+    const auto estimate = estimate_run(job, pool, options);
+    if (!estimate) {
+        return fail(estimate.error());
+    }
+    const std::string text =
+        command.output == "json"
+            ? estimate_json(estimate.value())
+            : "inputs are fine; " + estimate_text(estimate.value()) + "; nothing was run\n";
+    std::fputs(text.c_str(), stdout);
+    return exit_done;
 }
 
 } // namespace
@@ -149,16 +196,25 @@ int run_job(const RunCommand& command) {
         return fail(simd.error());
     }
     ThreadPool pool(command.threads);
+    const auto where = where_text(command, pool);
+    if (!where) {
+        return fail(where.error());
+    }
+    if (!command.quiet) {
+        std::fputs(where.value().c_str(), stderr);
+    }
     TreeCache cache(tree_cache_folder(command.tree_cache));
-    auto job = prepare_job(
-        std::move(spec.value()), here ? Trees::Always : Trees::ForPosesOnly, cache, pool);
+    auto job = prepare_job(std::move(spec.value()),
+                           here || command.dry_run ? Trees::Always : Trees::ForPosesOnly,
+                           cache,
+                           pool);
     if (!job) {
         return fail(job.error());
     }
     return_free_memory();
     print_header(job.value(), command.quiet);
     if (command.dry_run) {
-        return exit_done;
+        return tell_estimate(command, job.value(), pool);
     }
     InterruptGuard::begin_to_flag();
     return here ? run_here(command, job.value(), pool) : run_on_master(command, job.value());

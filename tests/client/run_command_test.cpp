@@ -260,9 +260,49 @@ TEST_F(Run, ADryRunWritesNothing) {
     command_.quiet = false;
     EXPECT_EQ(run(), exit_done);
     EXPECT_FALSE(fs::exists(dir_ / "out"));
-    EXPECT_EQ(stdout_, "");
+    EXPECT_THAT(stdout_, testing::StartsWith("inputs are fine; about "));
+    EXPECT_THAT(stdout_, HasSubstr("; nothing was run\n"));
+    EXPECT_THAT(stderr_, testing::StartsWith("  here, 2 threads\n"));
     EXPECT_THAT(stderr_, HasSubstr("A  a.obj"));
     EXPECT_THAT(stderr_, HasSubstr("2 parts"));
+}
+
+TEST_F(Run, ADryRunTellsTheSizeOfTheResults) {
+    std::string poses = "x,y,z\n";
+    for (int i = 0; i < 3000; ++i) {
+        poses += std::to_string(i % 70 * 0.1 - 0.5) + ",0.1,0.1\n";
+    }
+    write("poses.csv", poses);
+    for (const char* level : {"count", "pairs", "contacts"}) {
+        command_.job.level = level;
+        command_.dry_run = true;
+        command_.output = "json";
+        ASSERT_EQ(run(), exit_done) << stderr_;
+        const auto told = nlohmann::json::parse(stdout_);
+        EXPECT_EQ(told["scenarios"], 3000);
+        EXPECT_EQ(told["sampled"], 200);
+        EXPECT_GT(told["seconds"]["expected"], 0);
+        EXPECT_LE(told["seconds"]["low"], told["seconds"]["high"]);
+        command_.dry_run = false;
+        command_.output = "text";
+        ASSERT_EQ(run(), exit_done) << stderr_;
+        double bytes = 0;
+        for (const auto& file : fs::recursive_directory_iterator(dir_ / "out")) {
+            bytes += file.is_regular_file() ? static_cast<double>(file.file_size()) : 0;
+        }
+        EXPECT_GT(told["bytes"].get<double>(), bytes / 2) << level;
+        EXPECT_LT(told["bytes"].get<double>(), bytes * 2) << level;
+    }
+}
+
+TEST_F(Run, AMasterInTheEnvironmentIsHintedAt) {
+    ::setenv("CDCTL_MASTER", "node-1:7600", 1);
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done);
+    ::unsetenv("CDCTL_MASTER");
+    EXPECT_THAT(
+        stderr_,
+        testing::StartsWith("  here, 2 threads; to run on CDCTL_MASTER: --master node-1:7600\n"));
 }
 
 TEST_F(Run, RandomPosesNeedNoFile) {
