@@ -40,12 +40,12 @@ inline constexpr const char* nameless_part = "mesh";
 
 /// A mesh as its file has it: nothing merged, removed or reordered but what this comment says.
 ///
-/// Triangles stand in the canonical order: the file's nodes depth first, each node's meshes, each
-/// mesh's faces, a polygon as the importer triangulates it; a mesh that several nodes place counts
-/// each time. Each node's mesh is a part; formats without groups are one part. Node transforms and
-/// the unit's factor are applied in double and rounded once to float; `.npz` keeps doubles. Corners
-/// with equal coordinates share one vertex, in the order of their first use, and vertices that no
-/// triangle uses are left out. Degenerate and duplicate triangles are kept.
+/// Triangles are in the order of the file's faces, or of its nodes depth first, each time that one
+/// places a mesh. Formats without groups are one part. Formats with nodes apply transforms and the
+/// unit's factor in double and round once to float. In other formats coordinates are the doubles
+/// nearest to what the file says, times the factor; in floats where these hold all of them. Equal
+/// corners share one vertex, in the order of their first use; vertices that no triangle uses are
+/// left out (not in `.npz`). Degenerate and duplicate triangles are kept.
 struct ImportedMesh {
     std::shared_ptr<const Mesh> mesh;
     std::vector<std::string> warnings; ///< A sentence each, naming the file.

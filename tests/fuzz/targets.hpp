@@ -40,7 +40,11 @@ void csv_poses(Input input); ///< Poses of both bodies where the first byte is o
 void tum_poses(Input input);
 void npy(Input input);
 void npz(Input input);
-void gltf(Input input);      ///< A glTF file or a GLB.
+void gltf(Input input); ///< A glTF file or a GLB.
+void stl(Input input);
+void obj(Input input);
+void ply(Input input);
+void off(Input input);
 void mesh_text(Input input); ///< Which format (a byte), then a mesh's file.
 
 // Files of our programs.
