@@ -41,6 +41,8 @@ inline constexpr const char* run_help =
     "\n"
     "A job.toml has the keys name, unit, and the tables\n"
     "  [a] [b]    mesh = \"car.obj\", unit = \"mm\" (m, cm, mm, km, in, ft), name\n"
+    "             up = \"y\" turns y up to z up; else the file's axes are taken as they are;\n"
+    "             without a unit the one that the file declares counts (COLLADA, FBX, 3MF, ...)\n"
     "  [poses]    file = \"poses.npy\" | grid = { x = [-3, 3, 200], yaw_deg = [0, 350, 36] }\n"
     "             | random = { n = 1000, seed = 1, penetration = [0.005, 0.05] };\n"
     "             unit = \"mm\" (of their lengths), quat_order = \"xyzw\", of = \"both\",\n"

@@ -54,6 +54,7 @@ MeshReport inspect_mesh(const std::string& file, const ImportedMesh& imported) {
     report.parts = mesh.parts();
     report.points_skipped = imported.points_skipped;
     report.lines_skipped = imported.lines_skipped;
+    report.declared = imported.declared;
     report.warnings = imported.warnings;
     report.hash = mesh.hash();
     return report;
@@ -80,6 +81,9 @@ std::string to_text(const MeshReport& r) {
                      r.box.max.z()));
     line("unit",
          r.unit_guess.empty() ? "cannot be told from the size" : "by its size: " + r.unit_guess);
+    for (const std::string& note : r.notes) {
+        line("file", note);
+    }
     line("surface", describe_surface(r.topology));
     line("components", fmt::format("{}", r.topology.component_triangles.size()));
     line("degenerate", fmt::format("{} triangles, kept", r.topology.degenerate));
@@ -118,6 +122,10 @@ std::string to_json(const MeshReport& r) {
         {"precision", r.precision == Precision::Float ? "float" : "double"},
         {"box", {{"min", to_list(r.box.min)}, {"max", to_list(r.box.max)}}},
         {"unit_guess", r.unit_guess},
+        {"declared_unit", r.declared.unit},
+        {"declared_metres", r.declared.metres},
+        {"declared_up", r.declared.up},
+        {"notes", r.notes},
         {"closed", r.topology.is_closed()},
         {"boundary_edges", r.topology.boundary_edges},
         {"non_manifold_edges", r.topology.non_manifold_edges},

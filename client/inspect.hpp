@@ -21,6 +21,8 @@ struct MeshReport {
     std::vector<Part> parts;
     std::uint64_t points_skipped = 0;
     std::uint64_t lines_skipped = 0;
+    DeclaredFrame declared;         ///< What the file says of its unit and its axes.
+    std::vector<std::string> notes; ///< How it was taken.
     std::vector<std::string> warnings;
     Sha256 hash;
 };

@@ -20,6 +20,7 @@ namespace {
 constexpr std::array<std::string_view, 4> level_names{"any", "count", "pairs", "contacts"};
 constexpr std::array<std::string_view, 4> format_names{"text", "json", "csv", "npz"};
 constexpr std::string_view depth_auto = "auto";
+constexpr std::array<std::string_view, 2> up_axes{"y", "z"};
 constexpr std::array<std::string_view, 2> quat_orders{"xyzw", "wxyz"};
 constexpr std::array<std::string_view, 2> pose_owners{"b", "both"};
 
@@ -38,7 +39,7 @@ void read_body(const TomlFields& job,
         return;
     }
     const TomlFields fields(
-        *table, "[" + std::string(key) + "]", problem, {"mesh", "unit", "name"});
+        *table, "[" + std::string(key) + "]", problem, {"mesh", "unit", "name", "up"});
     const auto mesh = fields.text("mesh");
     if (!mesh || mesh->empty()) {
         fields.report("mesh", "the key \"mesh\" with the file's name is missing");
@@ -47,6 +48,7 @@ void read_body(const TomlFields& job,
     body.path = beside(file, *mesh);
     body.unit = fields.word("unit", unit_names()).value_or("");
     body.name = fields.text("name").value_or("");
+    body.up = fields.word("up", up_axes).value_or("");
 }
 
 GridAxis read_axis(const TomlFields& grid, std::string_view key) {

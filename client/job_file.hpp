@@ -20,8 +20,9 @@ namespace cd {
 
 struct BodySpec {
     std::filesystem::path path;
-    std::string unit; ///< Of the file's coordinates; empty: the job's.
-    std::string name; ///< For people; empty: the file's name.
+    std::string unit;    ///< Of the file's coordinates; empty: what the file says, else the job's.
+    std::string name;    ///< For people; empty: the file's name.
+    std::string up = {}; ///< "y" is turned to z; "z" and empty: taken as it is.
 };
 
 /// Poses that stand in a file; "-" is standard input.

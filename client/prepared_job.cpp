@@ -1,6 +1,7 @@
 #include "client/prepared_job.hpp"
 
 #include "client/body_trees.hpp"
+#include "client/import/import_notes.hpp"
 #include "client/import/mesh_import.hpp"
 #include "client/interrupt.hpp"
 #include "client/poses/pose_file.hpp"
@@ -31,19 +32,25 @@ Status import_bodies(PreparedJob& job) {
         const BodySpec& first = job.spec.bodies[0];
         job.names[i] = name_of(body);
         const std::string& unit = unit_of(body, job.spec.unit);
-        if (i == 1 && body.path == first.path && unit == unit_of(first, job.spec.unit)) {
+        if (i == 1 && body.path == first.path && body.unit == first.unit && body.up == first.up) {
             job.meshes[1] = job.meshes[0];
+            job.notes[1] = job.notes[0];
             continue;
         }
         const auto factor = unit_factor(unit, job.spec.unit);
         if (!factor) {
             return Error{ErrorCode::BadInput, "unit \"" + unit + "\" is not known"};
         }
-        auto imported = import_mesh(body.path, {*factor});
+        ImportOptions options{*factor};
+        options.declared_unit_to = body.unit.empty() ? job.spec.unit : "";
+        options.is_y_up = body.up == "y";
+        options.is_stopped = [] { return InterruptGuard::signal() != 0; };
+        auto imported = import_mesh(body.path, options);
         if (!imported) {
             return imported.error();
         }
         job.meshes[i] = imported.value().mesh;
+        job.notes[i] = import_notes(imported.value(), body.unit, options.is_y_up);
         for (const std::string& warning : imported.value().warnings) {
             job.warnings.push_back("warning: " + warning);
         }
@@ -135,6 +142,7 @@ void describe(PreparedJob& job) {
     std::array<BodyLine, 2> lines;
     for (std::size_t i = 0; i < 2; ++i) {
         lines[i] = describe_body(job.names[i], job.spec.unit, *job.meshes[i]);
+        lines[i].notes = job.notes[i];
         if (i == 1 && job.meshes[1] == job.meshes[0]) {
             lines[1].closed = lines[0].closed;
         } else {

@@ -23,6 +23,7 @@ struct PreparedJob {
     JobSpec spec;
     std::array<std::string, 2> names;                  ///< Of the bodies, for people.
     std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< The same object where both are one file.
+    std::array<std::vector<std::string>, 2> notes;     ///< How the files were taken, for people.
     std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Where they were needed.
     Query query;
     std::optional<Grid> grid; ///< Poses that travel as this description.

@@ -78,6 +78,9 @@ std::string header_text(const BodyLine& a,
                 padded(box_text(body), box) + "   " +
                 (closed.empty() ? "" : padded(closed, 6) + "   ") + counted(body.parts, "part") +
                 "\n";
+        for (const std::string& note : body.notes) {
+            text += "     " + note + "\n";
+        }
     };
     add('A', a);
     add('B', b);

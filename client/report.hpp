@@ -26,7 +26,8 @@ struct BodyLine {
     std::uint64_t triangles = 0;
     Vec3 size = Vec3::Zero();
     std::uint64_t parts = 0;
-    std::optional<bool> closed; ///< Where it is known.
+    std::optional<bool> closed;          ///< Where it is known.
+    std::vector<std::string> notes = {}; ///< Below its line: how its file was taken.
 };
 
 [[nodiscard]] BodyLine

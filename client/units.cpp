@@ -35,4 +35,13 @@ std::optional<double> unit_factor(std::string_view from, std::string_view to) {
     return *from_size / *to_size;
 }
 
+std::optional<double> unit_factor_of_metres(double metres, std::string_view to) {
+    constexpr double tenths_of_mm_in_metre = 10'000;
+    const auto to_size = size_of(to);
+    if (!to_size) {
+        return std::nullopt;
+    }
+    return metres * tenths_of_mm_in_metre / *to_size;
+}
+
 } // namespace cd

@@ -14,4 +14,8 @@ namespace cd {
 /// when a name is unknown.
 [[nodiscard]] std::optional<double> unit_factor(std::string_view from, std::string_view to);
 
+/// What a length in units of so many metres is multiplied by to be in `to`. Nothing when the name
+/// is unknown.
+[[nodiscard]] std::optional<double> unit_factor_of_metres(double metres, std::string_view to);
+
 } // namespace cd

@@ -1,6 +1,8 @@
 #include "client/commands/commands.hpp"
 #include "client/exit_code.hpp"
+#include "client/import/import_notes.hpp"
 #include "client/inspect.hpp"
+#include "client/interrupt.hpp"
 #include "client/report.hpp"
 #include "client/units.hpp"
 
@@ -12,7 +14,8 @@ namespace cd {
 
 namespace {
 
-/// Without a unit the coordinates are shown as they stand in the file.
+/// Without a unit the coordinates are shown as they stand in the file, or in metres where the file
+/// declares a unit.
 Result<double> factor_of(const InspectCommand& command) {
     if (command.unit.empty() && !command.job_unit.empty()) {
         return Error{ErrorCode::BadInput, "--job-unit needs --unit, the unit of the file"};
@@ -32,11 +35,15 @@ int execute(const InspectCommand& command) {
     }
     std::vector<BodyLine> bodies;
     for (const std::string& file : command.meshes) {
-        const auto imported = import_mesh(file, {factor.value()});
+        ImportOptions options{factor.value()};
+        options.declared_unit_to = command.unit.empty() ? "m" : "";
+        options.is_stopped = [] { return InterruptGuard::signal() != 0; };
+        const auto imported = import_mesh(file, options);
         if (!imported) {
             return fail(imported.error());
         }
-        const MeshReport report = inspect_mesh(file, imported.value());
+        MeshReport report = inspect_mesh(file, imported.value());
+        report.notes = import_notes(imported.value(), command.unit, false);
         const std::string text = command.output == "json" ? to_json(report) : to_text(report);
         std::fputs(text.c_str(), stdout);
         const BodyLine body = describe_body(file, "", *imported.value().mesh);

@@ -1,6 +1,8 @@
 #include "client/import/collada_check.hpp"
 
+#include "client/import/collada_instances.hpp"
 #include "client/import/mesh_words.hpp"
+#include "client/import/xml_text.hpp"
 #include "common/core/limits.hpp"
 
 #include <algorithm>
@@ -14,104 +16,6 @@
 namespace cd {
 
 namespace {
-
-/// One piece of an XML file.
-struct Piece {
-    enum class Kind { Begin, End, Text, Nothing };
-    Kind kind = Kind::Nothing;
-    std::string_view text;       ///< Of an element that begins, its name.
-    std::string_view attributes; ///< Of an element that begins.
-    bool is_whole = false;       ///< Of an element that begins: it ends as well.
-};
-
-/// Cuts an XML file into pieces. What is not well-formed ends it: the importer says so.
-class XmlPieces {
-  public:
-    explicit XmlPieces(std::string_view text) : rest_(text) {}
-
-    std::optional<Piece> next() {
-        if (rest_.empty()) {
-            return std::nullopt;
-        }
-        if (!rest_.starts_with('<')) {
-            const auto text = rest_.substr(0, rest_.find('<'));
-            rest_.remove_prefix(text.size());
-            return Piece{Piece::Kind::Text, text, {}, false};
-        }
-        if (rest_.starts_with("<!--")) {
-            return until("-->", 4, Piece::Kind::Nothing);
-        }
-        if (rest_.starts_with("<![CDATA[")) {
-            return until("]]>", 9, Piece::Kind::Text);
-        }
-        if (rest_.starts_with("<?")) {
-            return until("?>", 2, Piece::Kind::Nothing);
-        }
-        if (rest_.starts_with("<!")) {
-            return until(">", 2, Piece::Kind::Nothing);
-        }
-        return rest_.starts_with("</") ? until(">", 2, Piece::Kind::End) : element();
-    }
-
-  private:
-    std::optional<Piece> until(std::string_view end, std::size_t begin, Piece::Kind kind) {
-        const std::size_t at = rest_.find(end, begin);
-        if (at == rest_.npos) {
-            return std::nullopt;
-        }
-        const std::string_view text = rest_.substr(begin, at - begin);
-        rest_.remove_prefix(at + end.size());
-        return Piece{kind, text, {}, false};
-    }
-
-    std::optional<Piece> element() {
-        char quote = 0;
-        for (std::size_t i = 1; i < rest_.size(); ++i) {
-            const char c = rest_[i];
-            if (quote != 0) {
-                quote = c == quote ? '\0' : quote;
-            } else if (c == '"' || c == '\'') {
-                quote = c;
-            } else if (c == '>') {
-                Piece piece{Piece::Kind::Begin, rest_.substr(1, i - 1), {}, false};
-                rest_.remove_prefix(i + 1);
-                piece.is_whole = piece.text.ends_with('/');
-                piece.text.remove_suffix(piece.is_whole ? 1 : 0);
-                const std::size_t name =
-                    std::min(piece.text.find_first_of(" \t\r\n"), piece.text.size());
-                piece.attributes = piece.text.substr(name);
-                piece.text = piece.text.substr(0, name);
-                return piece;
-            }
-        }
-        return std::nullopt;
-    }
-
-    std::string_view rest_;
-};
-
-struct Attribute {
-    std::string_view name;
-    std::string_view value;
-};
-
-/// The first of the attributes, which is taken off them.
-std::optional<Attribute> next_attribute(std::string_view& attributes) {
-    const std::size_t equals = attributes.find('=');
-    const std::size_t begin =
-        equals == attributes.npos ? equals : attributes.find_first_of("\"'", equals);
-    if (begin == attributes.npos) {
-        return std::nullopt;
-    }
-    const std::size_t end = attributes.find(attributes[begin], begin + 1);
-    if (end == attributes.npos) {
-        return std::nullopt;
-    }
-    const Attribute attribute{Words(attributes.substr(0, equals)).next(),
-                              attributes.substr(begin + 1, end - begin - 1)};
-    attributes.remove_prefix(end + 1);
-    return attribute;
-}
 
 /// An element whose text is numbers.
 struct NumberElement {
@@ -138,187 +42,160 @@ bool is_index(std::string_view word) {
     return value && *value <= std::numeric_limits<int>::max();
 }
 
-/// What reads an array of numbers: `count` elements, `stride` apart, of which each has `params`.
-struct Accessor {
-    std::string_view place; ///< In the file.
-    std::string_view array; ///< Empty where it names none.
-    std::uint64_t count = 0;
-    std::uint64_t offset = 0;
-    std::uint64_t stride = 1;
-    std::uint64_t params = 0;
+std::uint64_t number_of(const pugi::xml_node& element, const char* name, std::uint64_t otherwise) {
+    return to_whole(element.attribute(name).value()).value_or(otherwise);
+}
 
-    /// Indices are ints, so nothing here overflows.
-    [[nodiscard]] std::uint64_t numbers() const {
-        return count == 0 ? 0 : offset + (count - 1) * stride + std::max(stride, params);
-    }
-};
+/// Numbers of an array that an accessor reaches. Indices are ints, so nothing here overflows.
+std::uint64_t numbers_read(const pugi::xml_node& accessor) {
+    const std::uint64_t count = number_of(accessor, "count", 0);
+    const std::uint64_t stride = number_of(accessor, "stride", 1);
+    const auto params = accessor.children("param");
+    const auto width = static_cast<std::uint64_t>(std::distance(params.begin(), params.end()));
+    return count == 0
+               ? 0
+               : number_of(accessor, "offset", 0) + (count - 1) * stride + std::max(stride, width);
+}
 
 class ColladaCheck {
   public:
-    ColladaCheck(const std::filesystem::path& path, std::string_view text)
-        : path_(path), text_(text) {}
+    explicit ColladaCheck(const XmlText& xml) : xml_(xml) {}
 
     Status run() {
-        XmlPieces pieces(text_);
-        for (auto piece = pieces.next(); piece; piece = pieces.next()) {
-            if (Status status = check(*piece); !status) {
+        // Not by recursion: the file decides the depth.
+        pugi::xml_node node = xml_.root();
+        std::size_t depth = 1;
+        while (node) {
+            if (Status status = check(node, depth); !status) {
                 return status;
             }
+            pugi::xml_node next = is_passed_over(node) ? pugi::xml_node() : node.first_child();
+            depth += next ? 1 : 0;
+            while (!next && node && node != xml_.root()) {
+                next = node.next_sibling();
+                if (!next) {
+                    node = node.parent();
+                    --depth;
+                }
+            }
+            node = next;
         }
         return check_accessors();
     }
 
   private:
-    Status check(const Piece& piece) {
-        switch (piece.kind) {
-        case Piece::Kind::Begin:
-            return begin(piece);
-        case Piece::Kind::End:
-            depth_ -= depth_ > 0 ? 1 : 0;
-            extra_depth_ = depth_ < extra_depth_ ? 0 : extra_depth_;
-            numbers_.reset();
-            in_accessor_ = in_accessor_ && piece.text != "accessor";
-            return Done{};
-        case Piece::Kind::Text:
-            return numbers_ ? check_words(piece.text) : Status(Done{});
-        case Piece::Kind::Nothing:
-            break;
-        }
-        return Done{};
+    /// Not read, or not for meshes.
+    static bool is_passed_over(const pugi::xml_node& node) {
+        const std::string_view name = node.name();
+        return name == "extra" || name == "technique";
     }
 
-    Status begin(const Piece& piece) {
-        if (numbers_) {
-            return bad(piece.text, in_element() + "an element among its numbers");
-        }
-        depth_ += piece.is_whole ? 0 : 1;
-        if (depth_ > limits::mesh_file_depth_max) {
-            return bad(piece.text,
-                       "elements nested more than " + std::to_string(limits::mesh_file_depth_max) +
-                           " deep");
-        }
-        if (extra_depth_ > 0 || piece.is_whole) {
-            return extra_depth_ > 0 ? Status(Done{}) : check_attributes(piece);
-        }
-        if (piece.text == "extra" || piece.text == "technique") { // Not read, or not for meshes.
-            extra_depth_ = depth_;
+    Status check(const pugi::xml_node& node, std::size_t depth) {
+        if (node.type() != pugi::node_element) {
             return Done{};
+        }
+        if (depth > limits::mesh_file_depth_max) {
+            return xml_.refusal(node,
+                                "elements nested more than " +
+                                    std::to_string(limits::mesh_file_depth_max) + " deep");
+        }
+        if (is_passed_over(node)) {
+            return Done{};
+        }
+        const std::string_view name = node.name();
+        if (name == "accessor") {
+            accessors_.push_back(node);
+        } else if (name == "float_array") {
+            arrays_[node.attribute("id").value()] = number_of(node, "count", 0);
+        }
+        if (Status attributes = check_attributes(node); !attributes) {
+            return attributes;
         }
         const auto* const found =
-            std::find_if(number_elements.begin(),
-                         number_elements.end(),
-                         [&](const NumberElement& element) { return element.name == piece.text; });
-        if (found != number_elements.end()) {
-            numbers_ = *found;
-            has_text_ = false;
-        }
-        return check_attributes(piece);
+            std::ranges::find(number_elements, name, [](const auto& e) { return e.name; });
+        return found == number_elements.end() ? Done{} : check_numbers_of(node, *found);
     }
 
-    Status check_attributes(const Piece& piece) {
-        std::string_view rest = piece.attributes;
-        for (auto attribute = next_attribute(rest); attribute; attribute = next_attribute(rest)) {
-            const auto& [name, value] = *attribute;
+    [[nodiscard]] Status check_attributes(const pugi::xml_node& node) const {
+        for (const pugi::xml_attribute& attribute : node.attributes()) {
+            const std::string_view name = attribute.name();
+            const std::string_view value = attribute.value();
             const bool is_whole = name == "count" || name == "offset" || name == "stride";
-            const bool is_meter = name == "meter" && piece.text == "unit";
+            const bool is_meter = name == "meter" && std::string_view(node.name()) == "unit";
             if ((is_whole && !is_index(value)) || (is_meter && !to_number(value))) {
-                return bad(value,
-                           std::string(name) + " is '" + std::string(value) + "', which is not a " +
-                               (is_whole ? "whole " : "") + "number");
-            }
-            if (numbers_ && numbers_->name == "float_array" && name == "count") {
-                numbers_->count = *to_whole(value);
-            }
-        }
-        note_array_or_accessor(piece);
-        return Done{};
-    }
-
-    void note_array_or_accessor(const Piece& piece) {
-        std::map<std::string_view, std::string_view> values;
-        std::string_view rest = piece.attributes;
-        for (auto attribute = next_attribute(rest); attribute; attribute = next_attribute(rest)) {
-            values.emplace(attribute->name, attribute->value);
-        }
-        const auto number = [&](std::string_view name, std::uint64_t otherwise) {
-            const auto found = values.find(name);
-            return found == values.end() ? otherwise : to_whole(found->second).value_or(otherwise);
-        };
-        if (piece.text == "float_array") {
-            arrays_[values["id"]] = number("count", 0);
-        } else if (piece.text == "accessor") {
-            const std::string_view source = values["source"];
-            accessors_.push_back({piece.text,
-                                  source.substr(source.starts_with('#') ? 1 : 0),
-                                  number("count", 0),
-                                  number("offset", 0),
-                                  number("stride", 1)});
-            in_accessor_ = !piece.is_whole;
-        } else if (piece.text == "param" && in_accessor_) {
-            ++accessors_.back().params;
-        }
-    }
-
-    /// The importer reads beyond the array's end.
-    Status check_accessors() const {
-        for (const Accessor& accessor : accessors_) {
-            const auto array = arrays_.find(accessor.array);
-            if (array != arrays_.end() && accessor.numbers() > array->second) {
-                return bad(accessor.place,
-                           "an accessor of " + std::to_string(accessor.numbers()) +
-                               " numbers to an array that counts " + std::to_string(array->second));
+                return xml_.refusal(node,
+                                    std::string(name) + " is '" + std::string(value) +
+                                        "', which is not a " + (is_whole ? "whole " : "") +
+                                        "number");
             }
         }
         return Done{};
     }
 
-    Status check_words(std::string_view text) {
-        Words words(text);
+    [[nodiscard]] Status check_numbers_of(const pugi::xml_node& node, NumberElement element) const {
+        const std::string place = "in <" + std::string(element.name) + ">, ";
+        if (element.name == "float_array") {
+            element.count = number_of(node, "count", 0);
+        }
+        bool has_text = false;
+        for (const pugi::xml_node& piece : node.children()) {
+            if (piece.type() == pugi::node_element) {
+                return xml_.refusal(piece, place + "an element among its numbers");
+            }
+            if (has_text) {
+                return xml_.refusal(piece, place + "the importer reads its text up to here only");
+            }
+            has_text = true;
+            if (Status words = check_words(piece, element, place); !words) {
+                return words;
+            }
+        }
+        return Done{};
+    }
+
+    [[nodiscard]] Status check_words(const pugi::xml_node& piece,
+                                     const NumberElement& element,
+                                     const std::string& place) const {
+        Words words(piece.value());
         std::uint64_t count = 0;
-        std::string_view last;
+        std::string_view last = piece.value();
         for (auto word = words.next(); !word.empty(); word = words.next()) {
-            if (numbers_->is_whole ? !is_index(word) : !to_number(word)) {
-                return bad(word,
-                           in_element() + "'" + std::string(word) + "' is not " +
-                               (numbers_->is_whole ? "an index" : "a number"));
+            if (element.is_whole ? !is_index(word) : !to_number(word)) {
+                return xml_.refusal(piece,
+                                    word,
+                                    place + "'" + std::string(word) + "' is not " +
+                                        (element.is_whole ? "an index" : "a number"));
             }
             last = word;
             ++count;
         }
-        if (count == 0) {
-            return Done{};
-        }
-        if (has_text_) {
-            return bad(last, in_element() + "the importer reads its text up to here only");
-        }
-        has_text_ = true;
-        if (numbers_->count != 0 && count != numbers_->count) {
-            return bad(last,
-                       in_element() + std::to_string(count) + " numbers in place of " +
-                           std::to_string(numbers_->count));
+        if (element.count != 0 && count != 0 && count != element.count) {
+            return xml_.refusal(piece,
+                                last,
+                                place + std::to_string(count) + " numbers in place of " +
+                                    std::to_string(element.count));
         }
         return Done{};
     }
 
-    [[nodiscard]] std::string in_element() const {
-        return "in <" + std::string(numbers_->name) + ">, ";
+    /// The importer reads beyond the array's end.
+    [[nodiscard]] Status check_accessors() const {
+        for (const pugi::xml_node& accessor : accessors_) {
+            const std::string_view source = accessor.attribute("source").value();
+            const auto array = arrays_.find(source.substr(source.starts_with('#') ? 1 : 0));
+            if (array != arrays_.end() && numbers_read(accessor) > array->second) {
+                return xml_.refusal(accessor,
+                                    "an accessor of " + std::to_string(numbers_read(accessor)) +
+                                        " numbers to an array that counts " +
+                                        std::to_string(array->second));
+            }
+        }
+        return Done{};
     }
 
-    /// `place` is a part of the file's text.
-    [[nodiscard]] Error bad(std::string_view place, const std::string& detail) const {
-        const auto line = 1 + std::count(text_.data(), place.data(), '\n');
-        return {ErrorCode::BadInput, path_.string() + ":" + std::to_string(line) + ": " + detail};
-    }
-
-    const std::filesystem::path& path_;
-    std::string_view text_;
-    std::size_t depth_ = 0;
-    std::size_t extra_depth_ = 0; ///< Of an element of extras that is open, or 0.
-    std::optional<NumberElement> numbers_;
-    bool has_text_ = false;                            ///< `numbers_` had words already.
+    const XmlText& xml_;
     std::map<std::string_view, std::uint64_t> arrays_; ///< Their counts, by id.
-    std::vector<Accessor> accessors_;
-    bool in_accessor_ = false;
+    std::vector<pugi::xml_node> accessors_;
 };
 
 } // namespace
@@ -328,7 +205,12 @@ bool is_collada(const std::string& text) {
 }
 
 Status check_collada(const std::filesystem::path& path, const std::string& text) {
-    return ColladaCheck(path, text).run();
+    const auto xml = XmlText::parse(path, text);
+    if (!xml) {
+        return xml.error();
+    }
+    Status numbers = ColladaCheck(xml.value()).run();
+    return numbers ? check_collada_instances(xml.value()) : numbers;
 }
 
 } // namespace cd

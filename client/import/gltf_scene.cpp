@@ -10,6 +10,9 @@ namespace cd {
 
 namespace {
 
+/// Sections 3.4 of the specification: it leaves no choice to the file.
+const DeclaredFrame gltf_frame{"metre", 1, "Y"};
+
 Error bad(const std::string& what) {
     return {ErrorCode::BadInput, what};
 }
@@ -88,7 +91,12 @@ open_positions(const GltfDocument& document, const GltfBuffers& buffers, std::si
 GltfScene::GltfScene(const GltfDocument& document,
                      const GltfBuffers& buffers,
                      const ImportOptions& options)
-    : document_(document), buffers_(buffers), options_(options), numbers_(GltfNumbers::Floats) {}
+    : document_(document),
+      buffers_(buffers),
+      factor_(factor_of(options, gltf_frame)),
+      numbers_(GltfNumbers::Floats) {
+    imported_.declared = gltf_frame;
+}
 
 Result<ImportedMesh> GltfScene::read() {
     struct Visit {
@@ -251,7 +259,7 @@ Status GltfScene::add_primitive(const GltfPrimitive& primitive, const Eigen::Mat
                                            positions.value().at(vertex.value(), 2),
                                            1);
             const Eigen::Vector4d world = to_world * position;
-            const Vec3 scaled = options_.unit_factor * Vec3(world.x(), world.y(), world.z());
+            const Vec3 scaled = factor_ * Vec3(world.x(), world.y(), world.z());
             corners[k] = scaled.cast<float>().cast<double>();
             if (!corners[k].allFinite()) {
                 return bad("vertex " + std::to_string(vertex.value()) +

@@ -31,7 +31,7 @@ class GltfScene {
 
     const GltfDocument& document_;
     const GltfBuffers& buffers_;
-    ImportOptions options_;
+    double factor_;
     GltfNumbers numbers_;
     MeshBuilder builder_;
     ImportedMesh imported_;

@@ -1,7 +1,9 @@
 // What a mesh file becomes.
 #pragma once
 
+#include "client/import/declared_frame.hpp"
 #include "common/core/result.hpp"
+#include "common/core/stop_check.hpp"
 #include "common/geometry/mesh.hpp"
 
 #include <cstdint>
@@ -15,7 +17,15 @@ namespace cd {
 
 struct ImportOptions {
     double unit_factor = 1; ///< Every coordinate is multiplied by it, in double.
+    /// The job's unit: a unit that the file declares is converted to it, in place of `unit_factor`.
+    /// Empty: what the file declares changes nothing.
+    std::string declared_unit_to = {};
+    bool is_y_up = false;      ///< y of the file becomes z, and z becomes -y.
+    StopCheck is_stopped = {}; ///< Ends the reading of formats that take a process of their own.
 };
+
+/// What coordinates are multiplied by.
+[[nodiscard]] double factor_of(const ImportOptions& options, const DeclaredFrame& declared);
 
 /// A file as the reader of its format gets it. The reader looks at no other byte of the file, and
 /// names the path in its errors.
@@ -48,6 +58,8 @@ inline constexpr const char* nameless_part = "mesh";
 /// left out (not in `.npz`). Degenerate and duplicate triangles are kept.
 struct ImportedMesh {
     std::shared_ptr<const Mesh> mesh;
+    DeclaredFrame declared;            ///< Applied to the mesh is no more than its unit.
+    bool is_by_assimp = false;         ///< Coordinates are within one float step of the file's.
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
     std::uint64_t points_skipped = 0;  ///< Faces of one corner,
     std::uint64_t lines_skipped = 0;   ///< and of two.

@@ -1,6 +1,6 @@
 #include "client/import/mesh_import.hpp"
 
-#include "client/import/assimp_mesh.hpp"
+#include "client/import/assimp_import.hpp"
 #include "client/import/foreign_format.hpp"
 #include "client/import/gltf_import.hpp"
 #include "client/import/mesh_number_check.hpp"
@@ -10,6 +10,7 @@
 #include "client/import/off_mesh.hpp"
 #include "client/import/ply_mesh.hpp"
 #include "client/import/stl_mesh.hpp"
+#include "client/import/up_axis.hpp"
 #include "client/words.hpp"
 #include "common/core/disk_file.hpp"
 #include "common/geometry/aabb.hpp"
@@ -153,10 +154,11 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Import
         return there.error();
     }
     auto imported = import_file(path, options);
-    if (imported) {
-        warn_of_coarse_floats(path, imported.value());
+    if (!imported) {
+        return imported;
     }
-    return imported;
+    warn_of_coarse_floats(path, imported.value());
+    return options.is_y_up ? turned_to_z_up(std::move(imported.value())) : std::move(imported);
 }
 
 } // namespace cd

@@ -185,4 +185,38 @@ TEST(ColladaCheck, TheNameOfTheFileDoesNotMatter) {
     EXPECT_THAT(error_of("half.zae", "PK\x03\x04 and more"), HasSubstr("unpack it"));
 }
 
+TEST(ColladaCheck, InstancesOfWhatIsNotThereAreNamedByLine) {
+    const auto with = [](const std::string& instance) {
+        std::string text = Document{}.text();
+        const std::string sound = "<instance_geometry url=\"#g\"/>"; // Line 16.
+        return text.replace(text.find(sound), sound.size(), sound + instance);
+    };
+    EXPECT_TRUE(import_text("good.dae", with("<instance_geometry url=\"#g\"/>")));
+    EXPECT_THAT(error_of("a.dae", with("<instance_geometry url=\"#h\"/>")),
+                HasSubstr("a.dae:16: instance_geometry names '#h', which is not in this file"));
+    EXPECT_THAT(error_of("b.dae", with("<instance_node url=\"#h\"/>")),
+                HasSubstr("b.dae:16: instance_node names '#h'"));
+    EXPECT_THAT(error_of("c.dae", with("<instance_geometry url=\"other.dae#g\"/>")),
+                HasSubstr("c.dae:16: instance_geometry names 'other.dae#g'"));
+    EXPECT_THAT(error_of("d.dae", with("<instance_controller url=\"#skin\"/>")),
+                HasSubstr("d.dae:16: a mesh that a skin or a morph bends"));
+}
+
+TEST(ColladaCheck, AConvexHullIsNoMesh) {
+    std::string text = Document{}.text();
+    const std::string geometry = "<library_geometries>";
+    text.replace(text.find(geometry),
+                 geometry.size(),
+                 geometry + "<geometry id=\"c\"><convex_mesh convex_hull_of=\"#g\"/></geometry>");
+    EXPECT_TRUE(import_text("unused.dae", text));
+    text.replace(text.find("url=\"#g\""), 8, "url=\"#c\"");
+    EXPECT_THAT(error_of("hull.dae", text), HasSubstr("hull.dae:16: geometry 'c' is no mesh"));
+}
+
+TEST(ColladaCheck, WhatIsNotWellFormedIsNamedByLine) {
+    std::string text = Document{}.text();
+    text.replace(text.find("</node>"), 7, "</nod>");
+    EXPECT_THAT(error_of("broken.dae", text), HasSubstr("broken.dae:16: is not well-formed XML"));
+}
+
 } // namespace cd::tests

@@ -2,7 +2,7 @@
 // object of the file that is wrong.
 #include "client/import/gltf_import.hpp"
 
-#include "client/import/assimp_mesh.hpp"
+#include "client/import/assimp_import.hpp"
 #include "tests/client/import/gltf_text.hpp"
 #include "tests/client/import/import_text.hpp"
 #include "tests/support/memory_bound.hpp"

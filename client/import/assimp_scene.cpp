@@ -1,15 +1,21 @@
-#include "client/import/assimp_mesh.hpp"
+#include "client/import/assimp_scene.hpp"
 
+#include "client/import/collada_check.hpp"
 #include "client/import/mesh_builder.hpp"
+#include "client/import/mesh_words.hpp"
+#include "client/import/xml_frames.hpp"
 
 #include <Eigen/Core>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/version.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <charconv>
 #include <exception>
 #include <span>
 
@@ -34,16 +40,18 @@ Eigen::Matrix4d to_double(const aiMatrix4x4& m) {
 /// The walk over a scene, depth first, without recursion: a file decides the depth.
 class SceneReader {
   public:
-    SceneReader(const aiScene& scene, const std::filesystem::path& path, double unit_factor)
-        : scene_(scene), path_(path), unit_factor_(unit_factor) {}
+    SceneReader(const aiScene& scene,
+                const std::filesystem::path& path,
+                const Eigen::Matrix4d& root_to_world,
+                double unit_factor)
+        : scene_(scene), path_(path), root_to_world_(root_to_world), unit_factor_(unit_factor) {}
 
     Result<ImportedMesh> read() {
         struct Visit {
             const aiNode* node;
             Eigen::Matrix4d to_world;
         };
-        std::vector<Visit> waiting{
-            {scene_.mRootNode, to_double(scene_.mRootNode->mTransformation)}};
+        std::vector<Visit> waiting{{scene_.mRootNode, root_to_world_}};
         while (!waiting.empty()) {
             const Visit visit = waiting.back();
             waiting.pop_back();
@@ -119,11 +127,76 @@ class SceneReader {
 
     const aiScene& scene_;
     const std::filesystem::path& path_;
+    Eigen::Matrix4d root_to_world_;
     double unit_factor_;
     MeshBuilder builder_;
     std::uint64_t points_ = 0;
     std::uint64_t lines_ = 0;
 };
+
+constexpr std::string_view collada_format = "Collada Importer";
+
+/// As assimp's importer calls itself.
+std::string format_of(const aiScene& scene) {
+    aiString format;
+    if (scene.mMetaData != nullptr) {
+        scene.mMetaData->Get("SourceAsset_Format", format);
+    }
+    return format.C_Str();
+}
+
+/// FBX: centimetres of the file's scale. Its properties are doubles, of which assimp keeps floats:
+/// the shortest decimal of the float is what the file says.
+DeclaredFrame fbx_frame(const aiScene& scene) {
+    float scale = 1;
+    scene.mMetaData->Get("UnitScaleFactor", scale);
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.begin(), text.end(), scale).ptr;
+    const double centimetres = to_number({text.begin(), end}).value_or(1);
+    DeclaredFrame frame;
+    frame.metres = centimetres / 100;
+    frame.unit = centimetres == 1      ? "centimetre"
+                 : centimetres == 100  ? "metre"
+                 : centimetres == 2.54 ? "inch"
+                 : centimetres == 0.1  ? "millimetre"
+                                       : std::string(text.begin(), end) + " cm";
+    constexpr std::array<const char*, 3> axes{"X", "Y", "Z"};
+    std::int32_t up = 1;
+    scene.mMetaData->Get("UpAxis", up);
+    frame.up = up >= 0 && up < 3 ? axes[static_cast<std::size_t>(up)] : "";
+    return frame;
+}
+
+DeclaredFrame declared_frame(const aiScene& scene, const std::filesystem::path& path) {
+    const std::string format = format_of(scene);
+    if (format == collada_format) {
+        return collada_frame(read_text(path));
+    }
+    if (format.find("FBX") != std::string::npos) {
+        return fbx_frame(scene);
+    }
+    if (format.find("AMF") != std::string::npos) {
+        return additive_frame(read_text(path)).value_or(DeclaredFrame{});
+    }
+    if (format.find("3mf") != std::string::npos) {
+        return three_mf_frame(path).value_or(DeclaredFrame{});
+    }
+    return {};
+}
+
+/// assimp places a mesh at its node, whatever its bones and morph targets would make of it.
+Status check_rigid(const aiScene& scene, const std::filesystem::path& path) {
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        const aiMesh& mesh = *scene.mMeshes[m];
+        if (mesh.mNumBones > 0 || mesh.mNumAnimMeshes > 0) {
+            return bad(path,
+                       "mesh '" + std::string(mesh.mName.C_Str()) + "' is bent by " +
+                           (mesh.mNumBones > 0 ? "a skin" : "morph targets") +
+                           ", and only rigid meshes are read; apply them where the file was made");
+        }
+    }
+    return Done{};
+}
 
 /// What an importer has to say, on one line.
 Error unreadable(const std::filesystem::path& path, std::string why) {
@@ -184,14 +257,23 @@ Status check_triangles(const aiScene& scene,
 
 } // namespace
 
-Result<ImportedMesh> import_with_assimp(const std::filesystem::path& path,
-                                        const ImportOptions& options) {
+std::string assimp_version() {
+    return std::to_string(aiGetVersionMajor()) + "." + std::to_string(aiGetVersionMinor()) + "." +
+           std::to_string(aiGetVersionPatch());
+}
+
+Result<ImportedMesh> read_with_assimp(const std::filesystem::path& path,
+                                      const ImportOptions& options) {
     try {
         Assimp::Importer importer;
         importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+        importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
         const aiScene* scene = importer.ReadFile(path.string(), 0);
         if (scene == nullptr || scene->mRootNode == nullptr) {
             return unreadable(path, importer.GetErrorString());
+        }
+        if (const Status rigid = check_rigid(*scene, path); !rigid) {
+            return rigid.error();
         }
         const auto triangles = count_triangles(*scene, path);
         if (!triangles) {
@@ -204,7 +286,17 @@ Result<ImportedMesh> import_with_assimp(const std::filesystem::path& path,
         if (const Status whole = check_triangles(*scene, triangles.value(), path); !whole) {
             return whole.error();
         }
-        return SceneReader(*scene, path, options.unit_factor).read();
+        const DeclaredFrame declared = declared_frame(*scene, path);
+        // Of a COLLADA file the root's transform is assimp's: the unit, which is applied here.
+        const Eigen::Matrix4d root = format_of(*scene) == collada_format
+                                         ? Eigen::Matrix4d::Identity()
+                                         : to_double(scene->mRootNode->mTransformation);
+        auto imported = SceneReader(*scene, path, root, factor_of(options, declared)).read();
+        if (imported) {
+            imported.value().declared = declared;
+            imported.value().is_by_assimp = true;
+        }
+        return imported;
     } catch (const std::exception& error) {
         return unreadable(path, error.what());
     }
