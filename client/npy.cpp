@@ -11,7 +11,7 @@ namespace cd {
 namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
-constexpr std::size_t header_text_max = 1u << 16; // NumPy's own are some 100 characters.
+constexpr std::size_t header_text_max = npy_header_bytes_max - 16;
 
 Error bad(std::string detail) {
     return {ErrorCode::BadInput, std::move(detail)};
@@ -260,6 +260,13 @@ Result<std::vector<std::int64_t>> NpyArray::to_integers() const {
     return values;
 }
 
+NpyArray make_npy_array(const NpyHeader& header, Bytes data) {
+    if (header.is_fortran) {
+        data = to_c_order(data, header.shape, size_of(header.type));
+    }
+    return {header.shape, header.type, std::move(data)};
+}
+
 Result<NpyArray> parse_npy(std::span<const std::byte> file) {
     const auto header = parse_npy_header(file);
     if (!header) {
@@ -270,10 +277,7 @@ Result<NpyArray> parse_npy(std::span<const std::byte> file) {
     if (h.count() > data.size() || h.count() * size_of(h.type) != data.size()) {
         return bad("a NumPy array whose data does not have the size that its header says");
     }
-    NpyArray array{h.shape, h.type, {}};
-    array.data =
-        h.is_fortran ? to_c_order(data, h.shape, size_of(h.type)) : Bytes(data.begin(), data.end());
-    return array;
+    return make_npy_array(h, Bytes(data.begin(), data.end()));
 }
 
 struct NpyRows::State {
@@ -297,7 +301,7 @@ Result<std::unique_ptr<NpyRows>> NpyRows::open(const std::filesystem::path& path
     }
     state->file.seekg(0, std::ios::end);
     const auto file_size = static_cast<std::uint64_t>(state->file.tellg());
-    Bytes start(std::min<std::uint64_t>(file_size, header_text_max + 16));
+    Bytes start(std::min<std::uint64_t>(file_size, npy_header_bytes_max));
     state->file.seekg(0);
     state->file.read(reinterpret_cast<char*>(start.data()),
                      static_cast<std::streamsize>(start.size()));

@@ -31,6 +31,9 @@ struct NpyHeader {
     [[nodiscard]] std::uint64_t count() const;
 };
 
+/// No header ends later; NumPy's own are some 100 bytes.
+inline constexpr std::size_t npy_header_bytes_max = (1u << 16) + 16;
+
 /// Reads the header from the first bytes of an array file, which may be hostile. Errors: BadInput
 /// saying what is wrong: no array, a type that is not one of ours, big-endian, damaged.
 [[nodiscard]] Result<NpyHeader> parse_npy_header(std::span<const std::byte> file);
@@ -50,6 +53,9 @@ struct NpyArray {
     /// Errors: BadInput where the type is not an integer or an element does not fit.
     [[nodiscard]] Result<std::vector<std::int64_t>> to_integers() const;
 };
+
+/// Of the data behind a header, whose size has been checked.
+[[nodiscard]] NpyArray make_npy_array(const NpyHeader& header, Bytes data);
 
 /// Errors: as the header's; BadInput when there are fewer or more elements than it says.
 [[nodiscard]] Result<NpyArray> parse_npy(std::span<const std::byte> file);

@@ -1,11 +1,9 @@
 #include "client/npz.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits.hpp"
 
 #include <zip.h>
 
-#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -16,74 +14,7 @@ namespace {
 struct CloseArchive {
     void operator()(zip_t* archive) const { zip_discard(archive); }
 };
-struct CloseEntry {
-    void operator()(zip_file_t* entry) const { zip_fclose(entry); }
-};
-
-Error bad(const std::filesystem::path& path, const std::string& detail) {
-    return {ErrorCode::BadInput, path.string() + ": " + detail};
-}
-
-/// `size` is what the archive says and may be anything: room is made as bytes really come.
-Result<Bytes> unpack(zip_t* archive, zip_uint64_t index, std::uint64_t size) {
-    constexpr std::uint64_t first_room = 1u << 20;
-    Bytes bytes;
-    const std::unique_ptr<zip_file_t, CloseEntry> entry(zip_fopen_index(archive, index, 0));
-    std::uint64_t done = 0;
-    zip_int64_t got = entry ? 1 : -1;
-    while (got > 0 && done < size) {
-        if (done == bytes.size()) {
-            bytes.resize(std::min(size, std::max(first_room, 2 * done)));
-        }
-        got = zip_fread(entry.get(), bytes.data() + done, bytes.size() - done);
-        done += got > 0 ? static_cast<std::uint64_t>(got) : 0;
-    }
-    // The checksum is compared where the reading finds the end.
-    std::byte beyond{};
-    if (done != size || got < 0 || zip_fread(entry.get(), &beyond, 1) != 0) {
-        return Error{ErrorCode::BadInput, "is damaged"};
-    }
-    return bytes;
-}
-
 } // namespace
-
-Result<std::map<std::string, NpyArray>> read_npz(const std::filesystem::path& path) {
-    int code = 0;
-    const std::unique_ptr<zip_t, CloseArchive> archive(
-        zip_open(path.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code));
-    if (!archive) {
-        if (code == ZIP_ER_NOENT) {
-            return Error{ErrorCode::NotFound, path.string() + ": no such file"};
-        }
-        return bad(path, "not a .npz archive");
-    }
-    std::map<std::string, NpyArray> arrays;
-    const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
-    for (zip_int64_t i = 0; i < count; ++i) {
-        zip_stat_t entry;
-        if (zip_stat_index(archive.get(), static_cast<zip_uint64_t>(i), 0, &entry) != 0) {
-            return bad(path, "a damaged directory");
-        }
-        std::string name = entry.name;
-        if (entry.size > limits::npz_array_bytes_max) {
-            return bad(path, "array '" + name + "' is too large");
-        }
-        const auto bytes = unpack(archive.get(), static_cast<zip_uint64_t>(i), entry.size);
-        if (!bytes) {
-            return bad(path, "array '" + name + "' " + bytes.error().detail);
-        }
-        auto array = parse_npy(bytes.value());
-        if (!array) {
-            return bad(path, "array '" + name + "': " + array.error().detail);
-        }
-        if (name.ends_with(".npy")) {
-            name.resize(name.size() - 4);
-        }
-        arrays.emplace(std::move(name), std::move(array.value()));
-    }
-    return arrays;
-}
 
 struct NpzWriter::State {
     struct Array {

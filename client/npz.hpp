@@ -1,4 +1,4 @@
-// NumPy's .npz: a zip of .npy files. The only user of libzip.
+// Writes NumPy's .npz: a zip of .npy files.
 #pragma once
 
 #include "client/npy.hpp"
@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,11 +13,6 @@
 #include <vector>
 
 namespace cd {
-
-/// All arrays of an archive by name (without ".npy"). The bytes may be hostile: an array is
-/// unpacked only as far as the archive's directory says, and at most `limits::npz_array_bytes_max`.
-/// Errors: NotFound; BadInput naming the file and the array.
-[[nodiscard]] Result<std::map<std::string, NpyArray>> read_npz(const std::filesystem::path& path);
 
 /// Writes an archive whose arrays grow in pieces, without holding them in memory: each is spooled
 /// to a file beside the target, which appears whole at `finish` or not at all.

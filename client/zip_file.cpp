@@ -41,20 +41,6 @@ Result<std::size_t> ZipEntry::read(std::span<std::byte> into) {
     return static_cast<std::size_t>(count);
 }
 
-Result<Bytes> ZipEntry::read_all() {
-    constexpr std::uint64_t piece = 1u << 20;
-    Bytes bytes;
-    do {
-        const std::uint64_t there = bytes.size();
-        bytes.resize(there + std::min(size_ - done_, std::max(piece, there)));
-        const auto got = read(std::span(bytes).subspan(there));
-        if (!got) {
-            return got.error();
-        }
-    } while (done_ < size_);
-    return bytes;
-}
-
 Result<ZipFile> ZipFile::open(const std::filesystem::path& path) {
     int code = 0;
     ZipFile file;
@@ -78,6 +64,14 @@ Result<ZipEntry> ZipFile::entry(const std::string& name) const {
     zip_stat_t status;
     if (zip_stat(archive_.get(), name.c_str(), 0, &status) != 0) {
         return Error{ErrorCode::NotFound, "is not in the archive"};
+    }
+    // Deflate makes at most 1,032 bytes of one, so a claim beyond that is none to make room for.
+    constexpr std::uint64_t inflation_max = 1032;
+    const bool is_known =
+        status.comp_method == ZIP_CM_STORE || status.comp_method == ZIP_CM_DEFLATE;
+    if (!is_known || status.size / inflation_max > status.comp_size) {
+        return Error{ErrorCode::BadInput,
+                     is_known ? "is damaged" : "is packed by a method other than deflate"};
     }
     ZipEntry entry;
     entry.file_.reset(zip_fopen(archive_.get(), name.c_str(), 0));

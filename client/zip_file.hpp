@@ -19,13 +19,11 @@ namespace cd {
 /// The unpacked bytes of one file of an archive, in turn.
 class ZipEntry {
   public:
-    /// What the archive says that it unpacks to; may be anything.
+    /// What the archive says that it unpacks to: no more than its packed bytes can make.
     [[nodiscard]] std::uint64_t size() const { return size_; }
     /// As many bytes as fit or are left. Errors: BadInput where the entry is damaged or longer or
     /// shorter than it says, at its end at the latest.
     [[nodiscard]] Result<std::size_t> read(std::span<std::byte> into);
-    /// All bytes that are left. Room is made as bytes really come. Errors: those of `read`.
-    [[nodiscard]] Result<Bytes> read_all();
 
   private:
     friend class ZipFile;

@@ -1,11 +1,12 @@
 #include "client/poses/pose_file.hpp"
 
-#include "client/npz.hpp"
+#include "client/npz_file.hpp"
 #include "client/poses/pose_rows.hpp"
 #include "client/poses/text_poses.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -59,18 +60,20 @@ Result<PoseTable> table_of(std::unique_ptr<NpyRows> rows, const PoseFileSpec& sp
 }
 
 Result<PoseTable> open_npz(const PoseFileSpec& spec) {
-    auto arrays = read_npz(spec.path);
-    if (!arrays) {
-        return arrays.error();
+    const auto file = NpzFile::open(spec.path);
+    if (!file) {
+        return file.error();
     }
-    auto found = arrays.value().find("poses");
-    if (found == arrays.value().end() && arrays.value().size() == 1) {
-        found = arrays.value().begin();
-    }
-    if (found == arrays.value().end()) {
+    const std::vector<std::string> names = file.value().names();
+    const bool has_poses = std::ranges::find(names, "poses") != names.end();
+    if (!has_poses && names.size() != 1) {
         return bad("has several arrays, and none is called 'poses'");
     }
-    return table_of(NpyRows::of(std::move(found->second)), spec);
+    auto poses = file.value().read(has_poses ? "poses" : names.front());
+    if (!poses) {
+        return poses.error();
+    }
+    return table_of(NpyRows::of(std::move(poses.value())), spec);
 }
 
 Result<PoseTable> open_npy(const PoseFileSpec& spec) {

@@ -2,6 +2,7 @@
 // not at all.
 #include "client/export/result_writer.hpp"
 #include "client/npz.hpp"
+#include "tests/support/npz_arrays.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gmock/gmock.h>

@@ -3,6 +3,7 @@
 #include "client/npy.hpp"
 
 #include "client/npz.hpp"
+#include "tests/support/npz_arrays.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 

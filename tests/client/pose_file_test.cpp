@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zip.h>
 
 #include <limits>
 #include <string>
@@ -145,6 +146,22 @@ TEST_F(PoseFile, NpzHoldsAnArrayCalledPoses) {
     writer.append(other, std::span<const double>(turned));
     writer.append(poses, std::span<const double>(turned).first(12));
     ASSERT_TRUE(writer.finish());
+    EXPECT_EQ(read_all(spec("p.npz")).size(), 1u);
+}
+
+TEST_F(PoseFile, ATextArrayBesideThePosesIsNoMatter) {
+    const std::string labels = "\x93NUMPY\x01\x00 is of a type that is not read";
+    NpzWriter writer(folder_ / "p.npz");
+    writer.append(writer.add_array("poses", NpyType::F8, 12),
+                  std::span<const double>(turned).first(12));
+    ASSERT_TRUE(writer.finish());
+    zip_t* const archive = zip_open((folder_ / "p.npz").c_str(), 0, nullptr);
+    ASSERT_NE(archive, nullptr);
+    zip_file_add(archive,
+                 "labels.npy",
+                 zip_source_buffer(archive, labels.data(), labels.size(), 0),
+                 ZIP_FL_ENC_UTF_8);
+    ASSERT_EQ(zip_close(archive), 0);
     EXPECT_EQ(read_all(spec("p.npz")).size(), 1u);
 }
 

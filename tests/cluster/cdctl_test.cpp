@@ -3,6 +3,7 @@
 #include "client/npz.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
+#include "tests/support/npz_arrays.hpp"
 
 #include <gmock/gmock.h>
 

@@ -9,7 +9,7 @@
 #include "client/import/stl_mesh.hpp"
 #include "client/job_file.hpp"
 #include "client/npy.hpp"
-#include "client/npz.hpp"
+#include "client/npz_file.hpp"
 #include "client/poses/pose_rows.hpp"
 #include "client/poses/text_poses.hpp"
 #include "tests/fuzz/memory_file.hpp"
@@ -145,10 +145,17 @@ void npy(Input input) {
 
 void npz(Input input) {
     const MemoryFile file(input);
-    const auto arrays = read_npz(file.path());
-    if (arrays) {
-        for (const auto& [name, array] : arrays.value()) {
-            use(array);
+    const auto archive = NpzFile::open(file.path());
+    if (!archive) {
+        return;
+    }
+    for (const std::string& name : archive.value().names()) {
+        const auto array = archive.value().read(name);
+        if (array) {
+            use(array.value());
+        } else {
+            require(array.error().detail.starts_with(file.path().string()),
+                    "an error names the file");
         }
     }
 }

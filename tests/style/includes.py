@@ -32,7 +32,7 @@ DOORS = {
     r"boost/": ["proto", "common/geometry", "common/tree"],
     r"cereal/": ["proto"],
     r"assimp/": ["client/import/assimp"],
-    r"zip\.h": ["client/npz", "client/zip_file"],
+    r"zip\.h": ["client/npz.cpp", "client/zip_file"],
     r"pugixml": ["client/import/xml"],
     r"zlib\.h": ["client"],
     r"CLI/": ["common/core/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],

@@ -6,6 +6,7 @@
 #include "client/inspect.hpp"
 #include "client/npz.hpp"
 #include "tests/client/import/import_text.hpp"
+#include "tests/support/memory_bound.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -207,6 +208,25 @@ TEST(MeshImport, ReadsNpzInDoubles) {
     EXPECT_THAT(import_mesh(folder / "mesh.npz", {}).error().detail, HasSubstr("vertex 1"));
     write_text(folder / "mesh.npz", "PK no archive");
     EXPECT_THAT(import_mesh(folder / "mesh.npz", {}).error().detail, HasSubstr("mesh.npz"));
+}
+
+TEST(MeshImport, OfAnArchiveOnlyTheNeededArraysAreUnpacked) {
+    const TemporaryFolder folder;
+    NpzWriter writer(folder / "mesh.npz");
+    const auto v = writer.add_array("vertices", NpyType::F8, 3);
+    const auto f = writer.add_array("faces", NpyType::I8, 3);
+    const auto other = writer.add_array("other", NpyType::F8);
+    writer.append(v, std::span<const double>(std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    writer.append(f, std::span<const std::int64_t>(std::vector<std::int64_t>{0, 1, 2}));
+    const std::vector<double> zeros(1u << 20, 0);
+    for (int i = 0; i < 8; ++i) {
+        writer.append(other, std::span<const double>(zeros));
+    }
+    ASSERT_TRUE(writer.finish());
+    const MemoryBound bound(32u << 20); // Half of what the other array takes.
+    const auto imported = import_mesh(folder / "mesh.npz", {});
+    ASSERT_TRUE(imported) << imported.error().detail;
+    EXPECT_EQ(imported.value().mesh->triangles().size(), 1u);
 }
 
 } // namespace cd::tests
