@@ -91,10 +91,7 @@ open_positions(const GltfDocument& document, const GltfBuffers& buffers, std::si
 GltfScene::GltfScene(const GltfDocument& document,
                      const GltfBuffers& buffers,
                      const ImportOptions& options)
-    : document_(document),
-      buffers_(buffers),
-      factor_(factor_of(options, gltf_frame)),
-      numbers_(GltfNumbers::Floats) {
+    : document_(document), buffers_(buffers), factor_(factor_of(options, gltf_frame)) {
     imported_.declared = gltf_frame;
 }
 
@@ -108,7 +105,7 @@ Result<ImportedMesh> GltfScene::read() {
     const auto push = [&](const std::vector<std::size_t>& nodes,
                           const Eigen::Matrix4d& parent) -> Status {
         for (std::size_t i = nodes.size(); i-- > 0;) {
-            const auto own = to_parent(document_.nodes[nodes[i]], numbers_);
+            const auto own = to_parent(document_.nodes[nodes[i]]);
             if (!own) {
                 return bad(place_of(nodes[i]) + own.error().detail);
             }
@@ -217,7 +214,7 @@ Result<std::vector<Eigen::Matrix4d>> GltfScene::instances(const GltfNode& node) 
     }
     std::vector<Eigen::Matrix4d> matrices;
     for (const GltfTransform& transform : transforms) {
-        const auto matrix = to_matrix(transform, numbers_);
+        const auto matrix = to_matrix(transform);
         if (!matrix) {
             return bad("instance " + std::to_string(matrices.size()) + ": " +
                        matrix.error().detail);

@@ -32,7 +32,6 @@ class GltfScene {
     const GltfDocument& document_;
     const GltfBuffers& buffers_;
     double factor_;
-    GltfNumbers numbers_;
     MeshBuilder builder_;
     ImportedMesh imported_;
 };

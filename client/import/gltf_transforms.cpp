@@ -6,9 +6,8 @@ namespace cd {
 
 namespace {
 
-double taken(double number, GltfNumbers numbers) {
-    return numbers == GltfNumbers::Floats ? static_cast<double>(static_cast<float>(number))
-                                          : number;
+double nearest_float(double number) {
+    return static_cast<double>(static_cast<float>(number));
 }
 
 /// Divides by the squared length, which makes a quarter turn of floats exactly one.
@@ -23,31 +22,31 @@ Eigen::Matrix3d rotation_of(double x, double y, double z, double w) {
 
 } // namespace
 
-Result<Eigen::Matrix4d> to_matrix(const GltfTransform& transform, GltfNumbers numbers) {
+Result<Eigen::Matrix4d> to_matrix(const GltfTransform& transform) {
     const auto& q = transform.rotation;
     const Eigen::Matrix3d rotation = rotation_of(
-        taken(q[0], numbers), taken(q[1], numbers), taken(q[2], numbers), taken(q[3], numbers));
+        nearest_float(q[0]), nearest_float(q[1]), nearest_float(q[2]), nearest_float(q[3]));
     if (!rotation.allFinite()) {
         return Error{ErrorCode::BadInput, "its rotation is no quaternion of a length above zero"};
     }
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        matrix.block<3, 1>(0, axis) = taken(transform.scale[i], numbers) * rotation.col(axis);
-        matrix(axis, 3) = taken(transform.translation[i], numbers);
+        matrix.block<3, 1>(0, axis) = nearest_float(transform.scale[i]) * rotation.col(axis);
+        matrix(axis, 3) = nearest_float(transform.translation[i]);
     }
     return matrix;
 }
 
-Result<Eigen::Matrix4d> to_parent(const GltfNode& node, GltfNumbers numbers) {
+Result<Eigen::Matrix4d> to_parent(const GltfNode& node) {
     if (!node.matrix) {
-        return to_matrix(node.transform, numbers);
+        return to_matrix(node.transform);
     }
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 3; ++row) { // The last row is that of the identity.
             matrix(row, column) =
-                taken((*node.matrix)[static_cast<std::size_t>(4 * column + row)], numbers);
+                nearest_float((*node.matrix)[static_cast<std::size_t>(4 * column + row)]);
         }
     }
     return matrix;
