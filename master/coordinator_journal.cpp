@@ -89,6 +89,7 @@ void Coordinator::job_ended(JobId id) {
     ledger_.close_job(id);
     MasterJob* job = jobs_.find(id);
     CD_CHECK(job != nullptr);
+    job->results->close();
     for (const JobId dropped : jobs_.announce(*job)) {
         ledger_.promise(JobDropped{dropped}, write(DropJob{dropped}));
     }

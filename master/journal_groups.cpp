@@ -296,14 +296,16 @@ std::filesystem::path segment_path(const std::filesystem::path& jobs_folder, Job
 Status restore(FoundJob& found, const std::filesystem::path& path, bool check_records) {
     RecoveredJob& job = found.job;
     const std::uint64_t scenarios = job.record.submit.scenarios;
-    auto store = ResultStore::open(path, job.record.id, scenarios, found.end);
-    if (!store) {
-        return store.error();
-    }
-    job.results = std::move(store.value());
     if (job.end) {
+        job.results = ResultStore::open_to_read(path, job.record.id, scenarios, found.end);
         job.map.finish();
         job.losses = {};
+    } else {
+        auto store = ResultStore::open(path, job.record.id, scenarios, found.end);
+        if (!store) {
+            return store.error();
+        }
+        job.results = std::move(store.value());
     }
     // The last result of a scenario counts: one before it turned out to be wrong.
     for (std::size_t i = found.rows.size(); i-- > 0;) {

@@ -59,7 +59,7 @@ struct ResultStore::State {
     mutable std::mutex mutex; ///< Guards what is read by any thread.
     std::filesystem::path path;
     JobId job;
-    std::optional<DiskFile> file; ///< Nothing before the first write.
+    std::optional<DiskFile> file; ///< For writing; nothing before the first write.
     bool has_new_name = false;
     std::uint64_t scenarios = 0;
     std::uint64_t end = 0; ///< Of what is committed.
@@ -71,7 +71,10 @@ struct ResultStore::State {
 
     [[nodiscard]] RecordPlace find(std::uint64_t scenario) const;
     void set(std::uint64_t scenario, const RecordPlace& place);
-    [[nodiscard]] Result<Bytes> read(std::uint64_t scenario, const RecordPlace& place) const;
+    /// To read. Errors: Io, when it is of another kind or job, or shorter than what is committed.
+    [[nodiscard]] Result<DiskFile> open() const;
+    [[nodiscard]] Result<Bytes>
+    read(const DiskFile& from, std::uint64_t scenario, const RecordPlace& place) const;
     [[nodiscard]] Status make_file();
 };
 
@@ -90,9 +93,34 @@ void ResultStore::State::set(std::uint64_t scenario, const RecordPlace& place) {
     kept = place;
 }
 
-Result<Bytes> ResultStore::State::read(std::uint64_t scenario, const RecordPlace& place) const {
-    Result<Bytes> bytes = file->read_at(place.offset - record_header_bytes,
-                                        record_header_bytes + place.length + record_footer_bytes);
+Result<DiskFile> ResultStore::State::open() const {
+    Result<DiskFile> opened = DiskFile::open(path);
+    if (!opened) {
+        return Error{ErrorCode::Io, opened.error().detail};
+    }
+    const Result<std::uint64_t> size = opened.value().size();
+    if (!size) {
+        return size.error();
+    }
+    if (size.value() < end) {
+        return damaged(
+            path, "it has " + std::to_string(size.value()) + " bytes of " + std::to_string(end));
+    }
+    const Result<Bytes> header = opened.value().read_at(0, file_header_bytes);
+    if (!header) {
+        return header.error();
+    }
+    if (header.value() != file_header(job)) {
+        return damaged(path, "its header is not that of the results of this job");
+    }
+    return opened;
+}
+
+Result<Bytes> ResultStore::State::read(const DiskFile& from,
+                                       std::uint64_t scenario,
+                                       const RecordPlace& place) const {
+    Result<Bytes> bytes = from.read_at(place.offset - record_header_bytes,
+                                       record_header_bytes + place.length + record_footer_bytes);
     if (!bytes) {
         return bytes;
     }
@@ -121,6 +149,14 @@ ResultStore::create(const std::filesystem::path& path, JobId job, std::uint64_t 
         std::make_unique<State>(path, job, std::nullopt, scenarios, file_header_bytes)));
 }
 
+std::unique_ptr<ResultStore> ResultStore::open_to_read(const std::filesystem::path& path,
+                                                       JobId job,
+                                                       std::uint64_t scenarios,
+                                                       std::uint64_t end) {
+    return std::unique_ptr<ResultStore>(
+        new ResultStore(std::make_unique<State>(path, job, std::nullopt, scenarios, end)));
+}
+
 Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::filesystem::path& path,
                                                        JobId job,
                                                        std::uint64_t scenarios,
@@ -128,31 +164,21 @@ Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::filesystem::pa
     if (end <= file_header_bytes) {
         return create(path, job, scenarios);
     }
-    Result<DiskFile> file = DiskFile::open(path); // It must be there.
-    if (!file) {
-        return Error{ErrorCode::Io, file.error().detail};
+    std::unique_ptr<ResultStore> store = open_to_read(path, job, scenarios, end);
+    if (const Result<DiskFile> sound = store->state_->open(); !sound) { // It must be there.
+        return sound.error();
     }
-    file = DiskFile::open_to_write(path);
+    Result<DiskFile> file = DiskFile::open_to_write(path);
     if (!file) {
         return file.error();
     }
-    const Result<Bytes> header = file.value().read_at(0, file_header_bytes);
-    if (!header) {
-        return header.error();
-    }
-    if (header.value() != file_header(job)) {
-        return damaged(path, "its header is not that of the results of this job");
-    }
-    const Result<std::uint64_t> size = file.value().size();
-    if (!size) {
-        return size.error();
-    }
-    if (size.value() < end) {
-        return damaged(
-            path, "it has " + std::to_string(size.value()) + " bytes of " + std::to_string(end));
-    }
-    return std::unique_ptr<ResultStore>(new ResultStore(
-        std::make_unique<State>(path, job, std::move(file.value()), scenarios, end)));
+    store->state_->file = std::move(file.value());
+    return store;
+}
+
+void ResultStore::close() {
+    const std::lock_guard lock(state_->mutex);
+    state_->file.reset();
 }
 
 bool ResultStore::has_new_name() const {
@@ -270,8 +296,15 @@ Status ResultStore::verify() const {
         }
     }
     std::sort(in_file_order.begin(), in_file_order.end());
+    if (in_file_order.empty()) {
+        return Done{};
+    }
+    const Result<DiskFile> file = state_->open();
+    if (!file) {
+        return file.error();
+    }
     for (const auto& [offset, scenario] : in_file_order) {
-        const Result<Bytes> record = state_->read(scenario, state_->find(scenario));
+        const Result<Bytes> record = state_->read(file.value(), scenario, state_->find(scenario));
         if (!record) {
             return record.error();
         }
@@ -299,6 +332,14 @@ ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_
     ByteWriter records;
     ResultsPart part;
     part.first = first;
+    if (begin == end || state_->find(begin).length == 0) {
+        part.records = pack_records({});
+        return part;
+    }
+    const Result<DiskFile> file = state_->open();
+    if (!file) {
+        return file.error();
+    }
     for (std::uint64_t scenario = begin; scenario < end; ++scenario) {
         const RecordPlace place = state_->find(scenario);
         const bool fits =
@@ -307,7 +348,7 @@ ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_
         if (place.length == 0 || !fits) {
             break;
         }
-        const Result<Bytes> record = state_->read(scenario, place);
+        const Result<Bytes> record = state_->read(file.value(), scenario, place);
         if (!record) {
             return record.error();
         }

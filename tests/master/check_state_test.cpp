@@ -157,7 +157,7 @@ TEST_F(CheckState, AFileThatCannotBeReadAtAllHidesNoOther) {
                                     std::string("1.poses"),
                                     std::string("2.results"),
                                     mesh_path().filename().string(),
-                                    std::string("2 jobs, 1 of them unfinished, 0 results")}) {
+                                    std::string("2 jobs, 1 of them unfinished, 1 results")}) {
         EXPECT_NE(text.find(name), std::string::npos) << text;
     }
     EXPECT_EQ(

@@ -138,6 +138,27 @@ TEST_F(ResultStoreTest, TheLastOfSeveralRecordsOfAScenarioCounts) {
     EXPECT_EQ(records_of(store->read(1, 1, 1000).value())[0], make_record(1, 60));
 }
 
+TEST_F(ResultStoreTest, AClosedOneHoldsNoFileOpenAndIsReadAndWrittenAllTheSame) {
+    const auto is_open = [this] {
+        const auto descriptors = std::filesystem::directory_iterator("/proc/self/fd");
+        return std::any_of(begin(descriptors), end(descriptors), [this](const auto& descriptor) {
+            std::error_code gone;
+            return std::filesystem::read_symlink(descriptor.path(), gone) == path();
+        });
+    };
+    const auto store = make_store(3);
+    ASSERT_TRUE(add(*store, 1, make_record(1, 60)));
+    EXPECT_TRUE(is_open());
+    store->close();
+    EXPECT_FALSE(is_open());
+    EXPECT_EQ(records_of(store->read(1, 1, 1000).value())[0], make_record(1, 60));
+    EXPECT_TRUE(store->verify());
+    EXPECT_FALSE(is_open());
+    ASSERT_TRUE(add(*store, 2, make_record(2, 70)));
+    EXPECT_EQ(records_of(store->read(1, 2, 1000).value())[1], make_record(2, 70));
+    EXPECT_TRUE(store->verify());
+}
+
 TEST_F(ResultStoreTest, ComesBackAsItWasUpToWhatWasCommitted) {
     std::uint64_t end = 0;
     {
