@@ -20,13 +20,8 @@ BlockDirector::Time now() {
 
 } // namespace
 
-BlockDelivery::BlockDelivery(asio::any_io_executor executor,
-                             const TreeRegistry& trees,
-                             std::function<void(TreeId, const std::string&)> on_trouble)
-    : executor_(std::move(executor)),
-      trees_(trees),
-      on_trouble_(std::move(on_trouble)),
-      timer_(executor_) {}
+BlockDelivery::BlockDelivery(asio::any_io_executor executor, const TreeRegistry& trees)
+    : executor_(std::move(executor)), trees_(trees), timer_(executor_) {}
 
 bool BlockDelivery::knows(WorkerId worker, TreeId tree) const {
     return links_.contains(worker) && trees_.find(tree) != nullptr;
@@ -53,16 +48,13 @@ void BlockDelivery::worker_joined(WorkerId worker,
 }
 
 void BlockDelivery::worker_left(WorkerId worker) {
-    if (const auto link = links_.find(worker); link != links_.end()) {
-        forget_queue(worker, link->second);
-        links_.erase(link);
-    }
+    links_.erase(worker);
     act(director_.worker_left(worker, now()));
 }
 
 void BlockDelivery::worker_detached(WorkerId worker) {
     if (const auto link = links_.find(worker); link != links_.end()) {
-        forget_queue(worker, link->second);
+        link->second.queue.clear();
         act(director_.worker_left(worker, now()));
     }
 }
@@ -152,10 +144,6 @@ void BlockDelivery::tree_removed(TreeId tree) {
     for (auto& [worker, link] : links_) {
         const auto is_of_tree = [&](const BlockKey& block) { return block.tree == tree; };
         std::erase_if(link.queue, is_of_tree);
-        std::erase_if(link.later, is_of_tree);
-    }
-    if (troubles_.erase(tree) != 0) {
-        on_trouble_(tree, "");
     }
     act(director_.tree_removed(tree, now()));
 }
@@ -183,15 +171,6 @@ void BlockDelivery::act(const BlockActions& actions) {
 
 void BlockDelivery::send(const SendBlock& action) {
     Link& link = links_.at(action.to);
-    const bool is_put_off = std::ranges::any_of(
-        link.later, [&](const BlockKey& block) { return block.tree == action.block.tree; });
-    if (is_put_off) {
-        // It may have been let go, and wanted again.
-        if (std::ranges::find(link.later, action.block) == link.later.end()) {
-            link.later.push_back(action.block);
-        }
-        return;
-    }
     link.queue.push_back(action.block);
     if (!std::exchange(link.sending, true)) {
         spawn(executor_, "subtrees to a worker", send_queue(action.to));
@@ -225,11 +204,7 @@ asio::awaitable<void> BlockDelivery::send_queue(WorkerId worker) {
             co_return;
         }
         const TreeId tree = link->second.queue.front().tree;
-        if (const Status sent = send_some(link->second); sent) {
-            end_trouble(worker, tree);
-        } else {
-            put_off(worker, link->second, tree, sent.error().detail);
-        }
+        send_some(link->second, tree, *trees_.find(tree));
         const auto channel = link->second.channel;
         if (!mutated(Mutation::TooMuchInFlight)) {
             co_await channel->wait_until_queued_below(limits::subtrees_queue_bytes_max);
@@ -237,82 +212,19 @@ asio::awaitable<void> BlockDelivery::send_queue(WorkerId worker) {
     }
 }
 
-Status BlockDelivery::send_some(Link& link) {
+void BlockDelivery::send_some(Link& link, TreeId tree, const CutGeometry& geometry) {
     Subtrees subtrees;
-    subtrees.tree = link.queue.front().tree;
-    const auto geometry = trees_.find(subtrees.tree);
+    subtrees.tree = tree;
     std::uint64_t bytes = 0;
-    Status read = Done{};
-    while (!link.queue.empty() && link.queue.front().tree == subtrees.tree &&
+    while (!link.queue.empty() && link.queue.front().tree == tree &&
            bytes < limits::subtrees_bytes_min) {
-        Result<SubtreeBlock> block = geometry->block(link.queue.front().root);
-        if (!block) {
-            read = block.error();
-            break;
-        }
+        subtrees.blocks.push_back(geometry.block(link.queue.front().root));
+        bytes += subtrees.blocks.back().compressed.size();
         link.queue.pop_front();
-        bytes += block.value().compressed.size();
-        subtrees.blocks.push_back(std::move(block.value()));
     }
-    if (!subtrees.blocks.empty()) {
-        link.sent.blocks += subtrees.blocks.size();
-        link.sent.bytes += bytes;
-        link.channel->send(subtrees);
-    }
-    return read;
-}
-
-// ---- Blocks that cannot be read ---------------------------------------------------------------
-
-void BlockDelivery::put_off(WorkerId worker, Link& link, TreeId tree, const std::string& why) {
-    const auto is_of_tree = [&](const BlockKey& block) { return block.tree == tree; };
-    std::ranges::copy_if(link.queue, std::back_inserter(link.later), is_of_tree);
-    std::erase_if(link.queue, is_of_tree);
-    if (link.retry == nullptr) {
-        link.retry = std::make_shared<asio::steady_timer>(executor_, limits::journal_retry_period);
-        spawn(executor_, "blocks that could not be read", send_later(worker, link.retry));
-    }
-    troubles_[tree].insert(worker);
-    on_trouble_(tree, why);
-}
-
-asio::awaitable<void> BlockDelivery::send_later(WorkerId worker,
-                                                std::shared_ptr<asio::steady_timer> retry) {
-    boost::system::error_code ignored;
-    co_await retry->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-    const auto link = links_.find(worker);
-    if (closed_ || link == links_.end() || link->second.retry != retry) {
-        co_return;
-    }
-    link->second.retry.reset();
-    for (const BlockKey& block : std::exchange(link->second.later, {})) {
-        send({worker, block});
-    }
-}
-
-void BlockDelivery::end_trouble(WorkerId worker, TreeId tree) {
-    const auto trouble = troubles_.find(tree);
-    if (trouble != troubles_.end() && trouble->second.erase(worker) != 0 &&
-        trouble->second.empty()) {
-        troubles_.erase(trouble);
-        on_trouble_(tree, "");
-    }
-}
-
-void BlockDelivery::forget_queue(WorkerId worker, Link& link) {
-    link.queue.clear();
-    link.later.clear();
-    std::vector<TreeId> troubled;
-    for (const auto& [tree, workers] : troubles_) {
-        troubled.push_back(tree);
-    }
-    for (const TreeId tree : troubled) {
-        end_trouble(worker, tree);
-    }
-    if (link.retry != nullptr) {
-        link.retry->cancel();
-        link.retry.reset();
-    }
+    link.sent.blocks += subtrees.blocks.size();
+    link.sent.bytes += bytes;
+    link.channel->send(subtrees);
 }
 
 asio::awaitable<void> BlockDelivery::watch_time() {
@@ -331,7 +243,7 @@ void BlockDelivery::close() {
     closed_ = true;
     timer_.cancel();
     for (auto& [worker, link] : links_) {
-        forget_queue(worker, link);
+        link.queue.clear();
     }
 }
 

@@ -20,11 +20,7 @@ namespace cd {
 /// that is not here, and of a tree that nobody uses any more, it hears nothing.
 class BlockDelivery {
   public:
-    /// `on_trouble` is called when a block of the tree cannot be read, which is tried again and
-    /// again, and, with an empty text, when all of them could be.
-    BlockDelivery(asio::any_io_executor executor,
-                  const TreeRegistry& trees,
-                  std::function<void(TreeId, const std::string&)> on_trouble);
+    BlockDelivery(asio::any_io_executor executor, const TreeRegistry& trees);
     BlockDelivery(const BlockDelivery&) = delete;
     BlockDelivery& operator=(const BlockDelivery&) = delete;
     /// The master ends: what is under way is not watched any more.
@@ -73,8 +69,6 @@ class BlockDelivery {
         std::uint64_t ticket_last = 0; ///< For fetches from it.
         std::deque<BlockKey> queue;    ///< What the master has yet to send.
         bool sending = false;
-        std::deque<BlockKey> later;                ///< Could not be read, or is of such a tree.
-        std::shared_ptr<asio::steady_timer> retry; ///< Null when nothing is put off.
         Sent sent;
     };
 
@@ -87,21 +81,13 @@ class BlockDelivery {
     void send(const SendBlock& action);
     void direct(const SendToPeers& action);
     [[nodiscard]] asio::awaitable<void> send_queue(WorkerId worker);
-    /// Errors: Io, when a block cannot be read; it is still in line.
-    [[nodiscard]] Status send_some(Link& link);
-    void put_off(WorkerId worker, Link& link, TreeId tree, const std::string& why);
-    [[nodiscard]] asio::awaitable<void> send_later(WorkerId worker,
-                                                   std::shared_ptr<asio::steady_timer> retry);
-    void end_trouble(WorkerId worker, TreeId tree);
-    void forget_queue(WorkerId worker, Link& link);
+    static void send_some(Link& link, TreeId tree, const CutGeometry& geometry);
     [[nodiscard]] asio::awaitable<void> watch_time();
 
     asio::any_io_executor executor_;
     const TreeRegistry& trees_;
-    std::function<void(TreeId, const std::string&)> on_trouble_;
     BlockDirector director_;
     std::map<WorkerId, Link> links_;
-    std::map<TreeId, std::set<WorkerId>> troubles_; ///< Whose blocks of it are put off.
     asio::steady_timer timer_;
     bool watching_ = false;
     bool closed_ = false;

@@ -119,37 +119,86 @@ Status write_blocks_file(const std::filesystem::path& path,
     return file.value().commit();
 }
 
-Result<BlocksFile> open_blocks_file(const std::filesystem::path& path,
-                                    const ObbTree& tree,
-                                    std::uint32_t depth,
-                                    SubtreeForm form) {
+namespace {
+
+struct WholeFile {
+    BlocksFile blocks;
+    Bytes index;
+};
+
+/// All that can be checked without the tree is.
+Result<WholeFile> read_whole(const std::filesystem::path& path) {
     Result<DiskFile> file = DiskFile::open(path);
     if (!file) {
         return file.error();
     }
-    const std::size_t roots = cut_nodes(tree, depth).size();
-    const Result<Bytes> index = file.value().read_at(0, index_bytes(roots));
+    const Error damaged{ErrorCode::Io, path.string() + " is damaged"};
+    const Result<Bytes> header = file.value().read_at(0, header_bytes);
+    if (!header) {
+        return header.error();
+    }
+    const auto roots =
+        ByteReader(std::span(header.value()).last(sizeof(std::uint32_t))).get<std::uint32_t>();
+    Result<Bytes> index = file.value().read_at(0, index_bytes(roots));
     if (!index) {
         return index.error();
     }
-    const Error damaged{ErrorCode::Io, path.string() + " is damaged, or was made of another tree"};
-    ByteReader in(index.value());
+    const auto content = std::span(index.value()).first(index.value().size() - sizeof magic);
+    ByteReader footer(std::span(index.value()).last(sizeof magic));
+    if (ByteReader(content).get<std::uint64_t>() != magic ||
+        footer.get<std::uint64_t>() != checksum(content)) {
+        return damaged;
+    }
+    ByteReader in(content);
     (void)in.get_array<std::uint8_t>(header_bytes);
-    std::vector<BlockPlace> places(roots);
-    std::uint64_t end = index_bytes(roots);
-    for (BlockPlace& place : places) {
-        place = get_place(in);
+    WholeFile whole{{std::move(file.value()), {}}, std::move(index.value())};
+    std::uint64_t end = whole.index.size();
+    for (std::uint32_t root = 0; root < roots; ++root) {
+        const BlockPlace place = get_place(in);
         if (place.offset != end || place.compressed_bytes > limits::subtree_block_bytes_max) {
             return damaged;
         }
         end += place.compressed_bytes;
+        whole.blocks.places.push_back(place);
     }
-    // Everything before the blocks is a function of the tree, the depth and the places.
-    const Result<std::uint64_t> size = file.value().size();
-    if (!size || size.value() != end || encode_index(tree, depth, form, places) != index.value()) {
+    const Result<std::uint64_t> size = whole.blocks.file.size();
+    if (!size || size.value() != end) {
         return damaged;
     }
-    return BlocksFile{std::move(file.value()), std::move(places)};
+    for (std::uint32_t root = 0; root < roots; ++root) {
+        if (const Result<Bytes> block = read_block(whole.blocks, root); !block) {
+            return block.error();
+        }
+    }
+    return whole;
+}
+
+} // namespace
+
+Status check_blocks_file(const std::filesystem::path& path) {
+    const Result<WholeFile> whole = read_whole(path);
+    return whole ? Status(Done{}) : Status(whole.error());
+}
+
+Result<BlocksFile> open_blocks_file(const std::filesystem::path& path,
+                                    const ObbTree& tree,
+                                    std::uint32_t depth,
+                                    SubtreeForm form) {
+    Result<WholeFile> whole = read_whole(path);
+    if (!whole) {
+        return whole.error();
+    }
+    // Everything before the blocks is a function of the tree, the depth and the places.
+    BlocksFile& blocks = whole.value().blocks;
+    if (blocks.places.size() != cut_nodes(tree, depth).size() ||
+        encode_index(tree, depth, form, blocks.places) != whole.value().index) {
+        return Error{ErrorCode::Io, path.string() + " is damaged, or was made of another tree"};
+    }
+    return std::move(blocks);
+}
+
+Bytes make_block(const ObbTree& tree, std::uint32_t depth, SubtreeForm form, RootIndex root) {
+    return encode_block(tree, cut_nodes(tree, depth)[root], form).compressed;
 }
 
 Result<Bytes> read_block(const BlocksFile& blocks, RootIndex root) {

@@ -11,9 +11,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace cd {
+
+inline constexpr std::string_view blocks_suffix = ".blocks";
 
 /// Where one root's block stands, and what it is.
 struct BlockPlace {
@@ -37,8 +40,11 @@ struct BlocksFile {
                                        SubtreeForm form,
                                        ThreadPool& pool);
 
-/// Reads the index. Errors: NotFound; Io naming the file when it is damaged, or was made of another
-/// tree, depth or form.
+/// Reads all of it against its checksums. Errors: NotFound; Io naming the file.
+[[nodiscard]] Status check_blocks_file(const std::filesystem::path& path);
+
+/// The same, and keeps the index. Errors: NotFound; Io naming the file when it is damaged, or was
+/// made of another tree, depth or form.
 [[nodiscard]] Result<BlocksFile> open_blocks_file(const std::filesystem::path& path,
                                                   const ObbTree& tree,
                                                   std::uint32_t depth,
@@ -46,5 +52,9 @@ struct BlocksFile {
 
 /// One compressed block. Errors: Io naming the file.
 [[nodiscard]] Result<Bytes> read_block(const BlocksFile& blocks, RootIndex root);
+
+/// The same as `read_block` gives of a sound file, made of the tree.
+[[nodiscard]] Bytes
+make_block(const ObbTree& tree, std::uint32_t depth, SubtreeForm form, RootIndex root);
 
 } // namespace cd

@@ -1,6 +1,7 @@
 #include "master/check_state.hpp"
 
 #include "common/core/disk_file.hpp"
+#include "master/blocks_file.hpp"
 #include "master/identity.hpp"
 #include "master/journal_database.hpp"
 #include "master/journal_groups.hpp"
@@ -8,6 +9,7 @@
 #include "master/pose_spool.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace cd {
 
@@ -23,15 +25,20 @@ class Check {
             problem(directory_.string() + " is no directory");
             return std::move(report_);
         }
-        // Held until the end: no master starts meanwhile.
-        const Result<DiskFile> lock = DiskFile::lock(directory_ / "lock");
-        if (!lock) {
+        // Held until the end: no master starts meanwhile. A folder without it was never used.
+        const Result<DiskFile> lock = DiskFile::lock_existing(directory_ / "lock");
+        if (!lock && lock.error().code != ErrorCode::NotFound) {
             problem(lock.error().detail);
             return std::move(report_);
         }
-        check_journal();
-        check_meshes();
-        note(MasterIdentity::check(directory_));
+        if (std::filesystem::is_empty(directory_, ignored)) {
+            report_.lines.push_back("there is no state yet");
+        } else {
+            check_journal();
+            check_meshes();
+            check_blocks();
+            note(MasterIdentity::check(directory_));
+        }
         report_.lines.push_back(report_.is_sound ? "the state is sound"
                                                  : "the state is damaged; nothing was changed");
         return std::move(report_);
@@ -69,6 +76,9 @@ class Check {
             if (!job.end || std::filesystem::exists(poses)) {
                 check_poses(job.record, poses);
             }
+            if (!job.end) {
+                check_bodies(job.record);
+            }
         }
         report_.lines.push_back("journal: " + std::to_string(examined.jobs.size()) + " jobs, " +
                                 std::to_string(running) + " of them unfinished, " +
@@ -90,16 +100,41 @@ class Check {
         note(spool ? spool.value()->verify() : Status(spool.error()));
     }
 
-    void check_meshes() {
+    /// Without them an unfinished job waits.
+    void check_bodies(const JobRecord& job) {
+        for (const Sha256& mesh : std::set(job.submit.bodies.begin(), job.submit.bodies.end())) {
+            const std::filesystem::path path = mesh_path(directory_, mesh);
+            if (!std::filesystem::exists(path)) {
+                problem(path.string() + " is missing: job " + std::to_string(job.id.value) +
+                        " waits for it; restore it, or submit a job with the mesh again");
+            }
+        }
+    }
+
+    /// In the order of their names.
+    [[nodiscard]] std::vector<std::filesystem::path> files_of(const char* folder,
+                                                              std::string_view suffix) const {
         std::vector<std::filesystem::path> paths;
         std::error_code ignored;
-        for (const auto& file :
-             std::filesystem::directory_iterator(directory_ / "meshes", ignored)) {
-            if (file.path().extension() == mesh_suffix) {
+        for (const auto& file : std::filesystem::directory_iterator(directory_ / folder, ignored)) {
+            if (file.path().extension() == suffix) {
                 paths.push_back(file.path());
             }
         }
         std::sort(paths.begin(), paths.end());
+        return paths;
+    }
+
+    void check_blocks() {
+        const auto paths = files_of("blocks", blocks_suffix);
+        for (const auto& path : paths) {
+            note(check_blocks_file(path));
+        }
+        report_.lines.push_back("blocks: " + std::to_string(paths.size()));
+    }
+
+    void check_meshes() {
+        const auto paths = files_of("meshes", mesh_suffix);
         for (const auto& path : paths) {
             const std::optional<Sha256> hash = sha256_from_hex(path.stem().string());
             if (!hash) {

@@ -30,9 +30,7 @@ Coordinator::Coordinator(CoordinatorParts parts)
     : parts_(std::move(parts)),
       epoch_(std::random_device{}() | std::uint64_t{std::random_device{}()} << 32),
       watch_(parts_.times),
-      blocks_(parts_.executor, trees_, [this](TreeId tree, const std::string& why) {
-          tree_unreadable(tree, why);
-      }) {}
+      blocks_(parts_.executor, trees_) {}
 Coordinator::~Coordinator() = default;
 
 double Coordinator::now() const {

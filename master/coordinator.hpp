@@ -329,8 +329,6 @@ class Coordinator {
     void disk_gives(MasterJob& job);
     /// The job ends.
     void stop_waiting(JobId job);
-    /// Blocks of the tree cannot be read; or, with an empty text, can again.
-    void tree_unreadable(TreeId tree, const std::string& why);
     void add_what_it_waits_for(JobStatus& job) const;
 
     // Explaining.
@@ -484,7 +482,6 @@ class Coordinator {
     std::string paused_;        ///< Why the journal does not write; empty: it does.
     std::map<JobId, std::shared_ptr<asio::steady_timer>> waiting_for_acceptance_;
     DiskWaits retries_;                                         ///< Of jobs that wait for the disk.
-    std::map<TreeId, std::string> unreadable_;                  ///< Why.
     using LateKey = std::tuple<JobId, WorkerId, std::uint64_t>; ///< With the message's number.
     std::map<LateKey, LateResults> late_results_;               ///< That cannot be looked at yet.
     std::uint64_t aside_bytes_ = 0;                             ///< Of messages that are set aside.

@@ -115,8 +115,9 @@ asio::awaitable<void> Coordinator::prepare_job(JobId id, DoneScenarios done) {
         co_return;
     }
     const Error& why = made.error();
+    const bool may_be_mended = made.is_unwritten() || why.code == ErrorCode::NotFound;
     wait_for_disk(*job,
-                  made.is_unwritten() ? Error{ErrorCode::Io, why.detail} : why,
+                  may_be_mended ? Error{ErrorCode::Io, why.detail} : why,
                   [this, id, done = std::move(done)] {
                       spawn(parts_.executor, "prepare job", prepare_job(id, done));
                   });

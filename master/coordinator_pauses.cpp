@@ -86,27 +86,9 @@ void Coordinator::stop_waiting(JobId job) {
     }
 }
 
-void Coordinator::tree_unreadable(TreeId tree, const std::string& why) {
-    if (why.empty()) {
-        log_info("no block is waited for any more: tree={}", tree.value);
-        unreadable_.erase(tree);
-    } else if (std::exchange(unreadable_[tree], why).empty()) {
-        log_error("blocks cannot be read, jobs wait: tree={} error=\"{}\"", tree.value, why);
-    }
-    for (const JobId id : jobs_.running()) {
-        ++jobs_.find(id)->changes;
-    }
-}
-
 void Coordinator::add_what_it_waits_for(JobStatus& status) const {
     if (status.state != JobState::Running) {
         return;
-    }
-    const MasterJob& job = jobs_.at(status.job);
-    for (const TreeId tree : {job.tree_a, job.tree_b}) {
-        if (const auto why = unreadable_.find(tree); why != unreadable_.end()) {
-            status.paused = why->second;
-        }
     }
     if (!paused_.empty()) {
         status.paused = paused_;

@@ -2,14 +2,17 @@
 
 #include "common/core/compress.hpp"
 #include "common/core/limits.hpp"
+#include "common/core/log.hpp"
 #include "common/tree/top_block.hpp"
 #include "master/blocks_file.hpp"
 
+#include <atomic>
 #include <utility>
 
 namespace cd {
 
 struct CutGeometry::State {
+    std::shared_ptr<const ObbTree> tree;
     std::uint32_t depth;
     SubtreeForm form;
     TreeTop top;
@@ -17,6 +20,7 @@ struct CutGeometry::State {
     BlocksFile blocks;
     std::uint64_t compressed_bytes = 0;
     std::uint64_t bytes = 0;
+    mutable std::atomic<bool> is_set_aside = false; ///< The file.
 };
 
 namespace {
@@ -34,25 +38,24 @@ Result<SubtreeBlock> block_of(const TreeTop& top) {
 } // namespace
 
 Result<std::shared_ptr<const CutGeometry>> CutGeometry::open(const std::filesystem::path& path,
-                                                             const ObbTree& tree,
+                                                             std::shared_ptr<const ObbTree> tree,
                                                              std::uint32_t depth,
                                                              SubtreeForm form) {
-    Result<BlocksFile> blocks = open_blocks_file(path, tree, depth, form);
+    Result<BlocksFile> blocks = open_blocks_file(path, *tree, depth, form);
     if (!blocks) {
         return blocks.error();
     }
-    TreeTop top = cut_tree(tree, depth);
+    TreeTop top = cut_tree(*tree, depth);
     Result<SubtreeBlock> top_block = block_of(top);
     if (!top_block) {
         return top_block.error();
     }
-    auto state = std::make_unique<State>(State{depth,
-                                               form,
-                                               std::move(top),
-                                               std::move(top_block.value()),
-                                               std::move(blocks.value()),
-                                               0,
-                                               0});
+    std::unique_ptr<State> state(new State{std::move(tree),
+                                           depth,
+                                           form,
+                                           std::move(top),
+                                           std::move(top_block.value()),
+                                           std::move(blocks.value())});
     for (const BlockPlace& place : state->blocks.places) {
         state->compressed_bytes += place.compressed_bytes;
         state->bytes += place.bytes;
@@ -101,15 +104,23 @@ std::uint64_t CutGeometry::bytes_total() const {
     return state_->bytes;
 }
 
-Result<SubtreeBlock> CutGeometry::block(RootIndex root) const {
-    if (root == top_root) {
-        return state_->top_block;
+SubtreeBlock CutGeometry::block(RootIndex root) const {
+    return root == top_root ? state_->top_block
+                            : SubtreeBlock{root, hash(root), compressed_block(root)};
+}
+
+Bytes CutGeometry::compressed_block(RootIndex root) const {
+    Result<Bytes> read = read_block(state_->blocks, root);
+    if (read) {
+        return std::move(read.value());
     }
-    Result<Bytes> compressed = read_block(state_->blocks, root);
-    if (!compressed) {
-        return compressed.error();
+    if (!state_->is_set_aside.exchange(true)) {
+        const Status moved = set_aside(state_->blocks.file.path(), read.error().detail);
+        if (!moved) {
+            log_error("damaged file stays: error=\"{}\"", moved.error().detail);
+        }
     }
-    return SubtreeBlock{root, hash(root), std::move(compressed.value())};
+    return make_block(*state_->tree, state_->depth, state_->form, root);
 }
 
 } // namespace cd

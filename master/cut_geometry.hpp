@@ -15,14 +15,14 @@
 namespace cd {
 
 /// A tree cut at one depth, with all its blocks encoded and on disk. Immutable, shared freely
-/// between threads; holds the file open, and of its blocks nothing in memory.
+/// between threads; holds the file open, and the tree, but none of the blocks.
 class CutGeometry {
   public:
     /// Of a file that `write_blocks_file` made. Errors: those of `open_blocks_file`; TooLarge for a
     /// top over `limits::subtree_block_bytes_max`.
     [[nodiscard]] static Result<std::shared_ptr<const CutGeometry>>
     open(const std::filesystem::path& path,
-         const ObbTree& tree,
+         std::shared_ptr<const ObbTree> tree,
          std::uint32_t depth,
          SubtreeForm form);
     CutGeometry(const CutGeometry&) = delete;
@@ -44,13 +44,14 @@ class CutGeometry {
     [[nodiscard]] std::uint64_t bytes_total() const;
 
     /// One block as it travels. One read of the file: microseconds while the system caches it, so
-    /// it may be called from the network thread. Errors: Io, naming the file, when it cannot be
-    /// read or the block is damaged.
-    [[nodiscard]] Result<SubtreeBlock> block(RootIndex root) const;
+    /// it may be called from the network thread. A block that is damaged or cannot be read is made
+    /// of the tree again, and its file is set aside.
+    [[nodiscard]] SubtreeBlock block(RootIndex root) const;
 
   private:
     struct State;
     explicit CutGeometry(std::unique_ptr<const State> state);
+    [[nodiscard]] Bytes compressed_block(RootIndex root) const;
     std::unique_ptr<const State> state_;
 };
 

@@ -58,7 +58,7 @@ struct GeometryStore::State {
     std::deque<std::shared_ptr<const ObbTree>> recent; ///< Keeps trees between jobs.
 
     [[nodiscard]] std::filesystem::path mesh_path(const Sha256& mesh) const {
-        return directory / "meshes" / (to_hex(mesh) + std::string(mesh_suffix));
+        return cd::mesh_path(directory, mesh);
     }
     [[nodiscard]] std::filesystem::path info_path(const Sha256& mesh) const {
         return directory / "meshes" / (to_hex(mesh) + ".info");
@@ -73,6 +73,9 @@ struct GeometryStore::State {
     }
 
     void find_meshes();
+    void add_stored(const Sha256& mesh, std::uint64_t bytes);
+    void find_mesh(const Sha256& mesh);
+    [[nodiscard]] Error missing(const Sha256& mesh) const;
     [[nodiscard]] bool has(const Sha256& mesh) const;
     [[nodiscard]] Status check_room(const Sha256& mesh) const;
     [[nodiscard]] std::shared_ptr<Entry> find(const Sha256& mesh) const;
@@ -83,7 +86,10 @@ struct GeometryStore::State {
     [[nodiscard]] Status write(const ObbTree& tree) const;
     Result<std::shared_ptr<const ObbTree>> load_tree(Entry& entry, const Sha256& mesh);
     StoreResult<std::shared_ptr<const CutGeometry>>
-    load_cut(Entry& entry, const ObbTree& tree, std::uint32_t depth, SubtreeForm form);
+    load_cut(Entry& entry,
+             const std::shared_ptr<const ObbTree>& tree,
+             std::uint32_t depth,
+             SubtreeForm form);
 };
 
 /// Meshes of earlier runs, and what a run that was killed left half-written.
@@ -100,13 +106,33 @@ void GeometryStore::State::find_meshes() {
             if (path.extension() != mesh_suffix || !hash) {
                 continue;
             }
-            const MeshInfo info = read_info(info_path(*hash));
-            auto entry = std::make_shared<Entry>();
-            entry->stored = true;
-            entries[*hash] = std::move(entry);
-            statuses[*hash] = {*hash, info.name, info.triangles, file.file_size(), 0};
+            add_stored(*hash, file.file_size());
         }
     }
+}
+
+void GeometryStore::State::add_stored(const Sha256& mesh, std::uint64_t bytes) {
+    const MeshInfo info = read_info(info_path(mesh));
+    const std::shared_ptr<Entry> entry = find_or_add(mesh);
+    const std::lock_guard making(entry->making);
+    entry->stored = true;
+    const std::lock_guard lock(mutex);
+    statuses[mesh] = {mesh, info.name, info.triangles, bytes, 0};
+}
+
+/// Takes up a mesh that somebody has put into the folder while the master runs.
+void GeometryStore::State::find_mesh(const Sha256& mesh) {
+    std::error_code missing;
+    const std::uintmax_t bytes = std::filesystem::file_size(mesh_path(mesh), missing);
+    if (!missing && !has(mesh)) {
+        add_stored(mesh, bytes);
+    }
+}
+
+Error GeometryStore::State::missing(const Sha256& mesh) const {
+    return {ErrorCode::NotFound,
+            mesh_path(mesh).string() +
+                " is missing; restore it, or submit a job with the mesh again"};
 }
 
 bool GeometryStore::State::has(const Sha256& mesh) const {
@@ -147,6 +173,13 @@ void GeometryStore::State::keep(const std::shared_ptr<const ObbTree>& tree) {
     if (recent.size() > limits::trees_kept_max) {
         recent.pop_front();
     }
+}
+
+/// A file that is there and cannot be opened, for want of descriptors, say, is not damaged.
+/// Errors: Io.
+Status check_opens(const std::filesystem::path& path) {
+    const Result<DiskFile> file = DiskFile::open(path);
+    return file || file.error().code == ErrorCode::NotFound ? Status(Done{}) : file.error();
 }
 
 /// The workers prepare it for searches.
@@ -208,10 +241,19 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::load_tree(Entry& en
         return tree;
     }
     const Result<std::shared_ptr<const Mesh>> mesh = read_mesh(mesh_path(mesh_hash), mesh_hash);
+    if (!mesh && mesh.error().code == ErrorCode::NotFound) {
+        entry.stored = false; // An upload brings it back.
+        const std::lock_guard lock(mutex);
+        statuses.erase(mesh_hash);
+        return missing(mesh_hash);
+    }
     if (!mesh) {
         return mesh.error();
     }
     const std::filesystem::path path = tree_path(mesh_hash);
+    if (const Status opens = check_opens(path); !opens) {
+        return opens.error();
+    }
     Result<std::shared_ptr<const ObbTree>> tree =
         read_tree_file(path, mesh.value(), tree_key(mesh_hash, BuildOptions{}));
     double seconds = 0;
@@ -239,16 +281,20 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::load_tree(Entry& en
     return tree;
 }
 
-StoreResult<std::shared_ptr<const CutGeometry>> GeometryStore::State::load_cut(Entry& entry,
-                                                                               const ObbTree& tree,
-                                                                               std::uint32_t depth,
-                                                                               SubtreeForm form) {
+StoreResult<std::shared_ptr<const CutGeometry>>
+GeometryStore::State::load_cut(Entry& entry,
+                               const std::shared_ptr<const ObbTree>& tree,
+                               std::uint32_t depth,
+                               SubtreeForm form) {
     using Cut = StoreResult<std::shared_ptr<const CutGeometry>>;
     std::weak_ptr<const CutGeometry>& kept = entry.cuts[{depth, form}];
     if (auto cut = kept.lock()) {
         return cut;
     }
-    const std::filesystem::path path = blocks_path(tree.mesh().hash(), depth, form);
+    const std::filesystem::path path = blocks_path(tree->mesh().hash(), depth, form);
+    if (const Status opens = check_opens(path); !opens) {
+        return Cut::unwritten(opens.error());
+    }
     Result<std::shared_ptr<const CutGeometry>> cut = CutGeometry::open(path, tree, depth, form);
     if (!cut && cut.error().code != ErrorCode::NotFound) {
         if (const Status status = set_aside(path, cut.error().detail); !status) {
@@ -257,12 +303,12 @@ StoreResult<std::shared_ptr<const CutGeometry>> GeometryStore::State::load_cut(E
     }
     if (!cut) {
         const auto start = std::chrono::steady_clock::now();
-        if (const Status status = write_blocks_file(path, tree, depth, form, pool); !status) {
+        if (const Status status = write_blocks_file(path, *tree, depth, form, pool); !status) {
             const bool is_of_disk = status.error().code == ErrorCode::Io;
             return is_of_disk ? Cut::unwritten(status.error()) : Cut(status.error());
         }
         log_info("blocks encoded: mesh={} depth={} seconds={:.3f}",
-                 to_short_hex(tree.mesh().hash()),
+                 to_short_hex(tree->mesh().hash()),
                  depth,
                  seconds_since(start));
         cut = CutGeometry::open(path, tree, depth, form);
@@ -355,15 +401,13 @@ Status GeometryStore::finish_upload(std::unique_ptr<MeshUpload> given) {
 }
 
 Result<std::shared_ptr<const ObbTree>> GeometryStore::tree(const Sha256& mesh) {
+    state_->find_mesh(mesh);
     const std::shared_ptr<Entry> entry = state_->find(mesh);
     if (entry == nullptr) {
-        return Error{ErrorCode::NotFound, "no mesh " + to_short_hex(mesh) + " here"};
+        return state_->missing(mesh);
     }
     const std::lock_guard making(entry->making);
-    if (!entry->stored) {
-        return Error{ErrorCode::NotFound, "no mesh " + to_short_hex(mesh) + " here"};
-    }
-    return state_->load_tree(*entry, mesh);
+    return entry->stored ? state_->load_tree(*entry, mesh) : state_->missing(mesh);
 }
 
 StoreResult<std::shared_ptr<const CutGeometry>>
@@ -379,7 +423,7 @@ GeometryStore::cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form) {
     }
     const std::shared_ptr<Entry> entry = state_->find(mesh);
     const std::lock_guard making(entry->making);
-    return state_->load_cut(*entry, *tree.value(), depth, form);
+    return state_->load_cut(*entry, tree.value(), depth, form);
 }
 
 std::vector<MeshStatus> GeometryStore::meshes() const {

@@ -78,7 +78,8 @@ class GeometryStore {
     [[nodiscard]] Status finish_upload(std::unique_ptr<MeshUpload> upload);
 
     /// The tree, from memory, from disk, or built now; then it is used also if it cannot be
-    /// written. Errors: NotFound; Io naming a file that is damaged or cannot be read.
+    /// written. A mesh that was put into the folder by hand is found, too. Errors: NotFound naming
+    /// the file that is missing; Io naming a file that is damaged or cannot be read.
     [[nodiscard]] Result<std::shared_ptr<const ObbTree>> tree(const Sha256& mesh);
 
     /// The tree cut at `depth`, encoded now or earlier; wide only if it `suits_wide_tree`. Errors:

@@ -6,8 +6,10 @@
 
 #include <sqlite3.h>
 
+#include <cctype>
 #include <cstring>
 #include <optional>
+#include <string_view>
 
 namespace cd {
 
@@ -65,6 +67,22 @@ std::optional<Bytes> unsealed(std::span<const std::byte> row, RowKind kind, std:
 /// Numbers are stored as SQLite's signed ones.
 sqlite3_int64 to_column(std::uint64_t value) {
     return static_cast<sqlite3_int64>(value);
+}
+
+/// RFC 3986.
+std::string as_uri(const std::filesystem::path& path) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    constexpr std::string_view plain = "/._-";
+    std::string uri = "file:";
+    for (const char letter : path.string()) {
+        const auto code = static_cast<unsigned char>(letter);
+        if (std::isalnum(code) != 0 || plain.find(letter) != std::string_view::npos) {
+            uri += letter;
+        } else {
+            uri += {'%', digits[code >> 4], digits[code & 15]};
+        }
+    }
+    return uri;
 }
 
 struct CloseDatabase {
@@ -168,9 +186,15 @@ struct JournalDatabase::State {
 
 Status JournalDatabase::State::connect(const Options& options, bool create) {
     sqlite3* opened = nullptr;
-    const int flags =
-        SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | (create ? SQLITE_OPEN_CREATE : 0);
-    const int code = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
+    // One that is only looked at may stand where nothing can be written; then SQLite has to be told
+    // that it needs no log beside it.
+    std::error_code none;
+    const std::uintmax_t log_bytes = std::filesystem::file_size(path.string() + "-wal", none);
+    const bool is_at_rest = !options.create && (none || log_bytes == 0);
+    const std::string name = is_at_rest ? as_uri(path) + "?immutable=1" : path.string();
+    const int flags = is_at_rest ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI
+                                 : SQLITE_OPEN_READWRITE | (create ? SQLITE_OPEN_CREATE : 0);
+    const int code = sqlite3_open_v2(name.c_str(), &opened, flags | SQLITE_OPEN_NOMUTEX, nullptr);
     database.reset(opened);
     if (code != SQLITE_OK) {
         return failure("open");
@@ -350,7 +374,8 @@ JournalDatabase::open(const std::filesystem::path& directory, const Options& opt
         return Error{ErrorCode::NotFound, directory.string() + " holds no journal"};
     }
     if (has_mark) {
-        Result<DiskFile> mark = DiskFile::open_to_write(mark_path);
+        Result<DiskFile> mark =
+            options.create ? DiskFile::open_to_write(mark_path) : DiskFile::open(mark_path);
         if (!mark) {
             return mark.error();
         }
@@ -522,6 +547,12 @@ bool JournalDatabase::State::apply(const DatabaseChange& change) {
 
 Status JournalDatabase::write(std::span<const DatabaseChange> changes) {
     State& state = *state_;
+    if (!state.mark->has_its_name()) {
+        return Error{ErrorCode::Io,
+                     state.path.parent_path().string() +
+                         " was removed or replaced under the running master: nothing more can be "
+                         "kept; put it back, or start the master again"};
+    }
     bool written = state.run("BEGIN IMMEDIATE") && state.upgrade();
     for (const DatabaseChange& change : changes) {
         written = written && state.apply(change);

@@ -11,6 +11,10 @@ constexpr FileKind info_kind{0x31'4f'46'4e'49'44'43'00, 1}; // "\0CDINFO1"
 
 } // namespace
 
+std::filesystem::path mesh_path(const std::filesystem::path& state, const Sha256& hash) {
+    return state / "meshes" / (to_hex(hash) + std::string(mesh_suffix));
+}
+
 Status write_info(const std::filesystem::path& path, const MeshInfo& info) {
     ByteWriter out;
     out.put_text(info.name);
@@ -34,10 +38,9 @@ MeshInfo read_info(const std::filesystem::path& path) {
 Result<std::shared_ptr<const Mesh>> read_mesh(const std::filesystem::path& path,
                                               const Sha256& hash) {
     const auto damaged = [&](const std::string& why) {
-        return Error{
-            ErrorCode::Io,
-            path.string() + " is damaged: " + why +
-                "; restore it, or move it away, restart cdmaster and submit the mesh again"};
+        return Error{ErrorCode::Io,
+                     path.string() + " is damaged: " + why +
+                         "; restore it, or move it away and submit a job with the mesh again"};
     };
     const Result<DiskFile> file = DiskFile::open(path);
     if (!file) {

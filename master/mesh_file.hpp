@@ -15,6 +15,10 @@ namespace cd {
 
 inline constexpr std::string_view mesh_suffix = ".mesh";
 
+/// Where a state directory keeps the mesh of this hash.
+[[nodiscard]] std::filesystem::path mesh_path(const std::filesystem::path& state,
+                                              const Sha256& hash);
+
 /// What is shown of a mesh without opening it.
 struct MeshInfo {
     std::string name;
@@ -25,7 +29,8 @@ struct MeshInfo {
 /// Only people miss it: what cannot be read is logged and left empty.
 [[nodiscard]] MeshInfo read_info(const std::filesystem::path& path);
 
-/// The mesh of this hash. Errors: Io naming the file when it is damaged or cannot be read.
+/// The mesh of this hash. Errors: NotFound; Io naming the file when it is damaged or cannot be
+/// read.
 [[nodiscard]] Result<std::shared_ptr<const Mesh>> read_mesh(const std::filesystem::path& path,
                                                             const Sha256& hash);
 

@@ -124,12 +124,26 @@ Result<DiskFile> DiskFile::lock(const std::filesystem::path& path) {
         return io_failure("create", path);
     }
     DiskFile file(descriptor, path, {});
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-        return Error{ErrorCode::Io,
-                     path.parent_path().string() + " is in use by another process; give this one "
-                                                   "a directory of its own"};
+    const Status locked = file.lock_it();
+    return locked ? Result<DiskFile>(std::move(file)) : locked.error();
+}
+
+Result<DiskFile> DiskFile::lock_existing(const std::filesystem::path& path) {
+    Result<DiskFile> file = open(path);
+    if (!file) {
+        return file;
     }
-    return file;
+    const Status locked = file.value().lock_it();
+    return locked ? std::move(file) : locked.error();
+}
+
+Status DiskFile::lock_it() const {
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+        return Error{ErrorCode::Io,
+                     path_.parent_path().string() + " is in use by another process; give this one "
+                                                    "a directory of its own"};
+    }
+    return Done{};
 }
 
 Status DiskFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) const {
@@ -183,6 +197,13 @@ Result<std::uint64_t> DiskFile::size() const {
         return io_failure("examine", path_);
     }
     return static_cast<std::uint64_t>(facts.st_size);
+}
+
+bool DiskFile::has_its_name() const {
+    struct stat opened {};
+    struct stat named {};
+    return ::fstat(descriptor_, &opened) == 0 && ::stat(path_.c_str(), &named) == 0 &&
+           opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
 Status DiskFile::resize(std::uint64_t size) const {

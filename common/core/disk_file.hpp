@@ -49,6 +49,8 @@ class DiskFile {
     /// Locks `path` (made if missing) against other processes while this lives. Errors: Io, also
     /// when another process holds it.
     [[nodiscard]] static Result<DiskFile> lock(const std::filesystem::path& path);
+    /// The same without writing anything. Errors: NotFound; Io.
+    [[nodiscard]] static Result<DiskFile> lock_existing(const std::filesystem::path& path);
 
     DiskFile(DiskFile&& other) noexcept;
     DiskFile& operator=(DiskFile&& other) noexcept;
@@ -58,6 +60,8 @@ class DiskFile {
     /// Exactly `size` bytes, or an error. Allocates only what the file really holds.
     [[nodiscard]] Result<Bytes> read_at(std::uint64_t offset, std::uint64_t size) const;
     [[nodiscard]] Result<std::uint64_t> size() const;
+    /// The file's name still leads to it: it was neither removed nor replaced.
+    [[nodiscard]] bool has_its_name() const;
 
     /// Cuts the file off, or fills it with zeros, so that it has this size.
     [[nodiscard]] Status resize(std::uint64_t size) const;
@@ -79,6 +83,7 @@ class DiskFile {
 
   private:
     DiskFile(int descriptor, std::filesystem::path path, std::filesystem::path temporary);
+    [[nodiscard]] Status lock_it() const;
     void close();
 
     int descriptor_ = -1;

@@ -292,6 +292,25 @@ TEST_F(Restart, WorkersLeftAloneKeepTheirResultsForTheNextMaster) {
     EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
 }
 
+TEST_F(Restart, WithoutItsStateDirectoryAJobIsPausedUntilThatIsBack) {
+    const Job job = make_job(4000);
+    start_worker();
+    auto connection = connect();
+    const JobId id = submit(*connection, job, Query{});
+    (void)watch_until(*connection, id, 500);
+    std::filesystem::rename(folder_ / "state", folder_ / "elsewhere");
+    EXPECT_TRUE(comes_true([&] {
+        const auto now = connection->status();
+        return now && now.value().jobs.at(0).paused.find("was removed") != std::string::npos;
+    }));
+    EXPECT_NE(master_.log().find("was removed"), std::string::npos);
+    EXPECT_EQ(connection->status().value().jobs.at(0).state, JobState::Running);
+    std::filesystem::rename(folder_ / "elsewhere", folder_ / "state");
+    const JobStatus status = finish(*connection, id);
+    EXPECT_EQ(status.state, JobState::Done);
+    EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
+}
+
 /// Files of a process cannot grow beyond a size from now on, as on a disk that is full.
 void limit_files(const Process& process, rlim_t bytes) {
     rlimit limit{};

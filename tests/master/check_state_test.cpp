@@ -13,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace cd::tests {
 namespace {
@@ -46,6 +48,7 @@ class CheckState : public testing::Test {
             JobRecord job;
             job.id = id;
             job.submit.scenarios = 5;
+            job.submit.bodies = {mesh_.hash(), mesh_.hash()};
             const auto spool = std::move(PoseSpool::create(folder_ / "jobs", 5).value());
             std::vector<Scenario> scenarios(5);
             for (std::uint64_t i = 0; i < 5; ++i) {
@@ -126,6 +129,50 @@ TEST_F(CheckState, AnIdentityWithoutItsAuthorityIsDamagedAndNotMadeAgain) {
     EXPECT_THAT(opened.error().detail, testing::HasSubstr("is missing"));
     EXPECT_FALSE(MasterIdentity::init(folder_.path(), options));
     EXPECT_FALSE(std::filesystem::exists(authority));
+}
+
+TEST_F(CheckState, AMissingMeshOfAnUnfinishedJobIsNamed) {
+    std::filesystem::remove(mesh_path());
+    const StateReport report = check_state(folder_.path());
+    EXPECT_FALSE(report.is_sound);
+    EXPECT_THAT(text_of(report), testing::HasSubstr(to_hex(mesh_.hash()) + ".mesh is missing"));
+    EXPECT_THAT(text_of(report), testing::HasSubstr("job 1"));
+    EXPECT_THAT(text_of(report), testing::Not(testing::HasSubstr("job 2"))) << "it has ended";
+}
+
+TEST_F(CheckState, ADamagedBlockIsNamed) {
+    {
+        ThreadPool pool(1);
+        const auto store = std::move(GeometryStore::open(folder_.path(), pool).value());
+        ASSERT_TRUE(store->cut(mesh_.hash(), 2));
+    }
+    EXPECT_TRUE(check_state(folder_.path()).is_sound);
+    const auto blocks = std::filesystem::directory_iterator(folder_ / "blocks")->path();
+    flip(blocks, std::filesystem::file_size(blocks) - 3);
+    const StateReport report = check_state(folder_.path());
+    EXPECT_FALSE(report.is_sound);
+    EXPECT_THAT(text_of(report), testing::HasSubstr(blocks.string() + " is damaged"));
+}
+
+TEST_F(CheckState, AnEmptyFolderIsSoundAndStaysEmpty) {
+    const TemporaryFolder empty;
+    const StateReport report = check_state(empty.path());
+    EXPECT_TRUE(report.is_sound) << text_of(report);
+    EXPECT_TRUE(std::filesystem::is_empty(empty.path()));
+}
+
+TEST_F(CheckState, NoFileIsMade) {
+    std::filesystem::remove(folder_ / "lock");
+    const auto names = [this] {
+        std::set<std::string> found;
+        for (const auto& file : std::filesystem::recursive_directory_iterator(folder_.path())) {
+            found.insert(file.path().string());
+        }
+        return found;
+    };
+    const auto before = names();
+    EXPECT_TRUE(check_state(folder_.path()).is_sound);
+    EXPECT_EQ(names(), before);
 }
 
 TEST_F(CheckState, EveryDamagedFileIsNamedAtOnce) {

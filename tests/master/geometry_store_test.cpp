@@ -14,6 +14,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <thread>
@@ -112,17 +114,16 @@ TEST_F(GeometryStoreTest, TheBlocksOfACutAreTheSubtreesOfTheTree) {
     ASSERT_EQ(cut->top().nodes, cut_tree(*tree, 5).nodes);
     std::uint64_t compressed_bytes = 0;
     for (RootIndex root = 0; root < cut->root_count(); ++root) {
-        const auto block = cut->block(root);
-        ASSERT_TRUE(block);
-        EXPECT_EQ(block.value().root, root);
-        EXPECT_EQ(block.value().compressed.size(), cut->compressed_bytes(root));
-        const auto bytes = decompress(block.value().compressed, limits::subtree_block_bytes_max);
+        const SubtreeBlock block = cut->block(root);
+        EXPECT_EQ(block.root, root);
+        EXPECT_EQ(block.compressed.size(), cut->compressed_bytes(root));
+        const auto bytes = decompress(block.compressed, limits::subtree_block_bytes_max);
         ASSERT_TRUE(bytes);
-        EXPECT_EQ(sha256(bytes.value()), block.value().hash);
-        EXPECT_EQ(cut->hash(root), block.value().hash);
+        EXPECT_EQ(sha256(bytes.value()), block.hash);
+        EXPECT_EQ(cut->hash(root), block.hash);
         const Subtree expected = extract_subtree(*tree, nodes[root], SubtreeForm::Wide);
         EXPECT_EQ(bytes.value(), encode_subtree(expected));
-        compressed_bytes += block.value().compressed.size();
+        compressed_bytes += block.compressed.size();
     }
     EXPECT_EQ(cut->compressed_bytes_total(), compressed_bytes);
 }
@@ -144,7 +145,7 @@ TEST_F(GeometryStoreTest, BothFormsOfACutStandSideBySide) {
 TEST_F(GeometryStoreTest, ARestartFindsEverythingAndMakesNothingAgain) {
     upload(sphere_);
     const auto before = store_->cut(sphere_.hash(), 3).value();
-    const auto block_before = before->block(0).value();
+    const auto block_before = before->block(0);
     const auto nodes = store_->tree(sphere_.hash()).value()->nodes();
     const std::vector<ObbNode> nodes_before(nodes.begin(), nodes.end());
     const auto tree_time = last_write_time(only_file("trees", ".tree"));
@@ -154,7 +155,7 @@ TEST_F(GeometryStoreTest, ARestartFindsEverythingAndMakesNothingAgain) {
     const auto after = store_->cut(sphere_.hash(), 3);
 
     ASSERT_TRUE(after) << after.error().detail;
-    EXPECT_EQ(after.value()->block(0).value().compressed, block_before.compressed);
+    EXPECT_EQ(after.value()->block(0).compressed, block_before.compressed);
     const auto tree = store_->tree(sphere_.hash()).value();
     EXPECT_TRUE(std::equal(
         nodes_before.begin(), nodes_before.end(), tree->nodes().begin(), tree->nodes().end()));
@@ -254,16 +255,36 @@ TEST_F(GeometryStoreTest, DamageOfABlocksIndexIsEncodedAnew) {
     EXPECT_TRUE(std::filesystem::exists(path.string() + ".damaged-4"));
 }
 
-TEST_F(GeometryStoreTest, ADamagedBlockIsAnErrorThatNamesTheFile) {
+TEST_F(GeometryStoreTest, ABlockThatIsDamagedInUseIsMadeAgainAndItsFileSetAside) {
     upload(sphere_);
     const auto cut = store_->cut(sphere_.hash(), 3).value();
-    flip_byte(only_file("blocks", ".blocks"), 3); // In the last block.
+    const RootIndex last = cut->root_count() - 1;
+    const SubtreeBlock sound = cut->block(last);
+    const auto path = only_file("blocks", ".blocks");
+    const std::string whole = read_text(path);
+    flip_byte(path, 3); // In the last block.
 
-    const auto block = cut->block(cut->root_count() - 1);
-    ASSERT_FALSE(block);
-    EXPECT_EQ(block.error().code, ErrorCode::Io);
-    EXPECT_THAT(block.error().detail, HasSubstr(".blocks"));
-    EXPECT_TRUE(cut->block(0));
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_EQ(cut->block(last).compressed, sound.compressed);
+        EXPECT_EQ(files("blocks"),
+                  std::vector{std::filesystem::path(path.string() + ".damaged-1")});
+    }
+    open();
+    EXPECT_TRUE(store_->cut(sphere_.hash(), 3));
+    EXPECT_EQ(read_text(path), whole);
+}
+
+TEST_F(GeometryStoreTest, AFileWithADamagedBlockIsSetAsideAndMadeAgain) {
+    upload(sphere_);
+    (void)store_->cut(sphere_.hash(), 3).value();
+    const auto path = only_file("blocks", ".blocks");
+    const std::string whole = read_text(path);
+    flip_byte(path, 3); // In the last block.
+
+    open();
+    EXPECT_TRUE(store_->cut(sphere_.hash(), 3));
+    EXPECT_EQ(read_text(path), whole);
+    EXPECT_TRUE(std::filesystem::exists(path.string() + ".damaged-1"));
 }
 
 TEST_F(GeometryStoreTest, ADamagedMeshIsAnErrorThatNamesTheFileAndNothingIsDeleted) {
@@ -353,6 +374,45 @@ TEST_F(GeometryStoreTest, AMeshWhoseTreeHasNoRoomIsNotTaken) {
     }
     EXPECT_TRUE(store_->meshes().empty());
     upload(sphere_);
+}
+
+// ---- No more files may be open --------------------------------------------------------------
+
+/// As many files as are open now are all that may be.
+class NoMoreFiles {
+  public:
+    NoMoreFiles() {
+        getrlimit(RLIMIT_NOFILE, &before_);
+        const rlimit limited{static_cast<rlim_t>(first_free()), before_.rlim_max};
+        setrlimit(RLIMIT_NOFILE, &limited);
+    }
+    ~NoMoreFiles() { setrlimit(RLIMIT_NOFILE, &before_); }
+    NoMoreFiles(const NoMoreFiles&) = delete;
+    NoMoreFiles& operator=(const NoMoreFiles&) = delete;
+
+  private:
+    static int first_free() {
+        const int descriptor = ::dup(0);
+        ::close(descriptor);
+        return descriptor;
+    }
+    rlimit before_{};
+};
+
+TEST_F(GeometryStoreTest, WhatCannotBeOpenedForWantOfDescriptorsIsNotDamaged) {
+    upload(sphere_);
+    (void)store_->cut(sphere_.hash(), 3).value();
+    open();
+    const auto tree = store_->tree(sphere_.hash()).value(); // From now on in memory.
+    {
+        const NoMoreFiles none;
+        const auto cut = store_->cut(sphere_.hash(), 3);
+        ASSERT_FALSE(cut);
+        EXPECT_TRUE(cut.is_unwritten()) << "it may be tried again";
+    }
+    EXPECT_EQ(files("blocks").size(), 1u);
+    EXPECT_TRUE(store_->cut(sphere_.hash(), 3));
+    EXPECT_EQ(only_file("blocks", ".blocks"), files("blocks").at(0)) << "nothing was set aside";
 }
 
 // ---- Hostile uploads ------------------------------------------------------------------------

@@ -59,6 +59,56 @@ TEST(Journal, WhatItSaidIsWrittenComesBack) {
     EXPECT_EQ(job.results->read(0, 1000, 1u << 20).value().count, 50u);
 }
 
+TEST(Journal, WithoutItsDirectoryItWaitsAndGoesOnWhenThatIsBack) {
+    const TemporaryFolder folder;
+    const std::filesystem::path directory = folder / "state";
+    std::filesystem::create_directory(directory);
+    {
+        Writer writer(directory);
+        const auto store = writer.accept(JobId{1}, 100);
+        const std::uint64_t last = writer.journal->add(results_of(JobId{1}, store, 0, 10));
+        writer.wait_for(last);
+        std::filesystem::rename(directory, folder / "elsewhere");
+        const std::uint64_t next = writer.journal->add(results_of(JobId{1}, store, 10, 10));
+        EXPECT_NE(writer.wait_until_paused().find(directory.string() + " was removed"),
+                  std::string::npos);
+        EXPECT_EQ(writer.committed(), last);
+        std::filesystem::rename(folder / "elsewhere", directory);
+        writer.wait_for(next);
+    }
+    const Writer again(directory);
+    EXPECT_EQ(again.recovered.jobs.at(0).done.size(), 20u);
+}
+
+TEST(Journal, ResultsOfAnEndedJobThatAreGoneKeepNobodyFromTheRest) {
+    const TemporaryFolder folder;
+    std::filesystem::path results;
+    {
+        Writer writer(folder.path());
+        const auto store = writer.accept(JobId{1}, 20);
+        results = writer.journal->results_path(JobId{1});
+        writer.journal->add(results_of(JobId{1}, store, 0, 20));
+        writer.wait_for(
+            writer.journal->add(EndJob{JobId{1}, {JobState::Cancelled, "enough", {}}, {}}));
+    }
+    const std::string whole = read_text(results);
+    for (const std::size_t bytes : {whole.size() / 2, std::size_t{0}}) {
+        if (bytes == 0) {
+            std::filesystem::remove(results);
+        } else {
+            write_text(results, whole.substr(0, bytes));
+        }
+        const Writer again(folder.path());
+        const RecoveredJob& job = again.recovered.jobs.at(0);
+        EXPECT_EQ(job.results->count(), 20u);
+        const auto read = job.results->read(0, 20, 1u << 20);
+        ASSERT_FALSE(read);
+        EXPECT_EQ(read.error().code, ErrorCode::Io);
+        EXPECT_NE(read.error().detail.find(results.string()), std::string::npos)
+            << read.error().detail;
+    }
+}
+
 TEST(Journal, AnEndedJobComesBackWithItsDigest) {
     const TemporaryFolder folder;
     std::optional<Sha256> digest;

@@ -2,6 +2,7 @@
 // each result is, which of them are in doubt or in dispute, and which alarms there were; no job
 // ends with what a worker that was wrong has answered; and what takes workers down does not begin
 // anew.
+#include "master/mesh_file.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
@@ -118,6 +119,53 @@ TEST(ServerRestart, AJobWhoseMeshIsDamagedWaitsUntilThatIsMended) {
     EXPECT_NE(status().paused.find(mesh.filename()), std::string::npos) << status().paused;
     EXPECT_EQ(status().state, JobState::Running);
     write_text(mesh, whole);
+    expect_right_end(master, job);
+}
+
+/// It comes back by hand, or with another job.
+TEST(ServerRestart, AJobWhoseMeshIsMissingWaitsUntilItIsThereAgain) {
+    for (const bool by_hand : {true, false}) {
+        const TemporaryFolder state;
+        JobId job;
+        {
+            Master master(no_return, state.path());
+            job = submit_to(master, AnalysisMode::Always);
+        }
+        const auto mesh = mesh_path(state.path(), reference().a.hash());
+        const std::string whole = read_text(mesh);
+        std::filesystem::remove(mesh);
+        Master master(no_return, state.path());
+        const FakeWorker worker(master, {});
+        const auto status = [&] { return master.coordinator.job_status(job).value(); };
+        master.run_until([&] { return !status().paused.empty(); });
+        EXPECT_NE(status().paused.find(mesh.filename()), std::string::npos) << status().paused;
+        EXPECT_EQ(status().state, JobState::Running);
+        if (by_hand) {
+            write_text(mesh, whole);
+        } else {
+            submit_to(master, AnalysisMode::Always);
+        }
+        expect_right_end(master, job);
+    }
+}
+
+/// As the message about a damaged mesh says.
+TEST(ServerRestart, ADamagedMeshMayBeMovedAwayAndSubmittedAgain) {
+    const TemporaryFolder state;
+    JobId job;
+    {
+        Master master(no_return, state.path());
+        job = submit_to(master, AnalysisMode::Always);
+    }
+    const auto mesh = mesh_path(state.path(), reference().a.hash());
+    write_text(mesh, "rubbish");
+    Master master(no_return, state.path());
+    const FakeWorker worker(master, {});
+    const auto paused = [&] { return master.coordinator.job_status(job).value().paused; };
+    master.run_until([&] { return paused().find("move it away") != std::string::npos; });
+    std::filesystem::rename(mesh, state / "away");
+    master.run_until([&] { return paused().find("is missing") != std::string::npos; });
+    submit_to(master, AnalysisMode::Always);
     expect_right_end(master, job);
 }
 
