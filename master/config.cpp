@@ -131,7 +131,8 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
         ->capture_default_str();
     option(app.add_option("--return-within",
                           texts.return_within_seconds,
-                          "So long the work of a worker waits for it when its connection broke"),
+                          "So long the work of a worker waits for it when its connection broke, "
+                          "or the master was started again"),
            "SECONDS")
         ->check(times)
         ->capture_default_str();

@@ -3,6 +3,7 @@
 
 #include "common/core/limits_master.hpp"
 #include "common/core/thread_pool.hpp"
+#include "master/awaited_workers.hpp"
 #include "master/block_delivery.hpp"
 #include "master/dispatcher.hpp"
 #include "master/geometry_store.hpp"
@@ -306,6 +307,9 @@ class Coordinator {
     [[nodiscard]] bool
     merge_one(MasterJob& job, const TakenResult& taken, WorkerId worker, AddResults& add);
     void end_if_complete(MasterJob& job);
+    /// The jobs that go on are held back for the workers of before the restart.
+    void await_workers();
+    asio::awaitable<void> end_waiting(std::shared_ptr<asio::steady_timer> timer);
     /// It has a result: what it was analysed for is of no use any more.
     void close_analysis(MasterJob& job, std::uint64_t scenario);
     void fail_scenario(MasterJob& job, const Scenario& scenario, const std::string& why);
@@ -495,6 +499,8 @@ class Coordinator {
     using Judging =
         std::multimap<std::pair<JobId, std::uint64_t>, std::shared_ptr<std::atomic<bool>>>;
     Judging judging_;
+    AwaitedWorkers awaited_;
+    std::shared_ptr<asio::steady_timer> awaited_until_; ///< Null: nobody is awaited.
 };
 
 } // namespace cd

@@ -55,8 +55,36 @@ Status Coordinator::restore(Recovered recovered) {
                  job.submit.scenarios);
         spawn(parts_.executor, "prepare job", prepare_job(job.id, done_scenarios(done)));
     }
+    await_workers();
     parts_.journal.start(journal_events());
     return Done{};
+}
+
+void Coordinator::await_workers() {
+    std::set<JobId> jobs;
+    std::set<WorkerProcess> processes;
+    for (const JobId id : jobs_.running()) {
+        jobs.insert(id);
+        processes.merge(std::set(jobs_.at(id).contributors));
+    }
+    std::erase_if(processes, [this](WorkerProcess one) { return quarantined_.contains(one); });
+    const auto until = Clock::now() + parts_.times.return_within;
+    awaited_ = AwaitedWorkers(std::move(jobs), std::move(processes), until);
+    if (awaited_.size() != 0) {
+        log_info("jobs wait for workers to come back: workers={} seconds_max={:.3f}",
+                 awaited_.size(),
+                 std::chrono::duration<double>(parts_.times.return_within).count());
+        awaited_until_ = std::make_shared<asio::steady_timer>(parts_.executor, until);
+        spawn(parts_.executor, "workers that come back", end_waiting(awaited_until_));
+    }
+}
+
+asio::awaitable<void> Coordinator::end_waiting(std::shared_ptr<asio::steady_timer> timer) {
+    boost::system::error_code ignored;
+    co_await timer->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    if (!closed_) {
+        feed();
+    }
 }
 
 asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,

@@ -201,8 +201,12 @@ void Coordinator::worker_returned(WorkerId worker, std::shared_ptr<Channel> chan
 
 void Coordinator::worker_stands(WorkerId worker, const Standing& standing) {
     const auto link = workers_.find(worker);
-    if (link == workers_.end() || link->second.is_settled) {
+    if (link == workers_.end()) {
         return;
+    }
+    if (link->second.is_settled) { // It has begun a session.
+        awaited_.has_told_all(sessions_.process_of(worker));
+        return feed();
     }
     if (const Status sound = check_standing(standing); !sound) {
         return cut_off(worker, sound.error());
@@ -394,6 +398,9 @@ void Coordinator::close() {
     blocks_.close();
     if (watch_timer_ != nullptr) {
         watch_timer_->cancel();
+    }
+    if (awaited_until_ != nullptr) {
+        awaited_until_->cancel();
     }
     for (const auto& [job, retry] : retries_) {
         retry->cancel();

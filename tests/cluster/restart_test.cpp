@@ -292,6 +292,47 @@ TEST_F(Restart, WorkersLeftAloneKeepTheirResultsForTheNextMaster) {
     EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
 }
 
+/// The workers have done all that they had, and come back one after the other.
+TEST_F(Restart, WhatWorkersBringBackFromALongAbsenceIsNotDoneTwice) {
+    constexpr std::uint64_t scenarios = 20000;
+    const Job job = make_job(scenarios);
+    for (int i = 0; i < 3; ++i) {
+        start_worker();
+    }
+    auto connection = connect();
+    Query query;
+    query.level = Level::Any;
+    const JobId id = submit(*connection, job, query);
+    ASSERT_EQ(watch_until(*connection, id, 2000).state, JobState::Running);
+    connection.reset();
+    master_.kill();
+    const auto attempts = [](const Process& worker) {
+        const std::string log = worker.errors();
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = log.find("no master yet", at + 1)) != std::string::npos;) {
+            ++count;
+        }
+        return count;
+    };
+    ASSERT_TRUE(comes_true([&] {
+        return std::ranges::all_of(workers_,
+                                   [&](const auto& worker) { return attempts(*worker) >= 5; });
+    }));
+    master_.start();
+    connection = connect();
+    const JobStatus status = finish(*connection, id);
+    EXPECT_EQ(status.digest, job.digest_in_one_process(query));
+    std::uint64_t computed = status.answered_by_master;
+    for (const auto& worker : workers_) {
+        worker->signal(SIGTERM);
+        EXPECT_EQ(worker->wait(), 0);
+        const std::string log = worker->errors();
+        computed += std::stoull(log.substr(log.rfind("scenarios_computed=") + 19));
+    }
+    EXPECT_GE(computed, scenarios);
+    EXPECT_LE(computed, scenarios + scenarios / 100);
+}
+
 TEST_F(Restart, WithoutItsStateDirectoryAJobIsPausedUntilThatIsBack) {
     const Job job = make_job(4000);
     start_worker();

@@ -159,6 +159,7 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::EvictionNotTold, "EvictionNotTold", "holds a block that is not there"},
         {Mutation::HeardAgainForgotten, "HeardAgainForgotten", "no progress"},
         {Mutation::BatchesWithoutBound, "BatchesWithoutBound", "tasks <= std::max"},
+        {Mutation::NobodyAwaited, "NobodyAwaited", "has said what it brings"},
         {Mutation::OthersSourceNamed, "OthersSourceNamed", "that it never said to hold"},
     };
     return faults;
