@@ -80,7 +80,9 @@ void add_local_verbs(CLI::App& app, Verbs& verbs) {
     add_first_stage(*run, verbs.run.first_stage);
     add_tree_cache(*run, verbs.run.tree_cache);
     add_fail_on(*run, verbs.run.fail_on);
-    run->add_flag("--dry-run", verbs.run.dry_run, "Read and check all inputs, then stop");
+    run->add_flag(
+        "--dry-run", verbs.run.dry_run, "Check all inputs, tell time and size, then stop");
+    run->add_flag("--yes", verbs.run.yes, "Also write more than 1 GB, or half of the free disk");
     add_quiet(*run, verbs.run.quiet);
     add_output(*run, verbs.run.output, {"text", "json", "csv"});
 

@@ -31,6 +31,7 @@ struct RunCommand {
     std::string tree_cache = "off";       ///< A folder, or off.
     FailOn fail_on = FailOn::Never;
     bool dry_run = false;
+    bool yes = false; ///< Also results of more than 1 GB.
     bool quiet = false;
     std::string output = "text"; ///< text, json or csv, on stdout.
 };

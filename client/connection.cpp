@@ -1,6 +1,8 @@
 #include "client/connection.hpp"
 
 #include "client/result_records.hpp"
+#include "client/table.hpp"
+#include "client/words.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/limits_client.hpp"
 #include "common/core/printable.hpp"
@@ -24,6 +26,11 @@ constexpr std::uint64_t poses_together = 4096;
 
 Error interrupted() {
     return {ErrorCode::Interrupted, "interrupted"};
+}
+
+/// Of what the master could not write to its disk.
+Error no_room(const std::string& what, const Error& error) {
+    return {ErrorCode::Incomplete, "the master has no room for " + what + ": " + error.detail};
 }
 
 Hello make_hello() {
@@ -65,8 +72,10 @@ struct Connection::State {
                                    const UploadProgress& progress);
     asio::awaitable<Status> upload_one(const NamedMesh& mesh, const UploadProgress& progress);
     asio::awaitable<Result<JobId>> submit(Submit submit, PoseSource* poses);
-    asio::awaitable<Result<JobStatus>> watch(JobId job,
-                                             const std::function<void(const JobStatus&)>& changed);
+    asio::awaitable<Result<JobStatus>>
+    watch(JobId job,
+          const std::function<void(const JobStatus&)>& changed,
+          const std::function<void(const ClusterStatus&)>& looked);
     asio::awaitable<Result<JobStatus>> cancel(JobId job);
 };
 
@@ -224,7 +233,10 @@ asio::awaitable<Status> Connection::State::upload_one(const NamedMesh& mesh,
     }
     const auto stored = co_await answer<MeshStored>(limits::mesh_stored_timeout);
     if (!stored) {
-        co_return stored.error();
+        const std::string what =
+            mesh.name + " (" + cell_text(static_cast<double>(bytes.size()), CellKind::Size) + ")";
+        co_return stored.error().code == ErrorCode::Io ? no_room(what, stored.error())
+                                                       : stored.error();
     }
     if (stored.value().mesh != mesh.mesh->hash()) {
         co_return Error{ErrorCode::BadFrame, "the master confirms another mesh than it was sent"};
@@ -250,28 +262,48 @@ asio::awaitable<Result<JobId>> Connection::State::submit(Submit submit, PoseSour
     }
     const auto accepted = co_await answer<Accepted>(limits::mesh_stored_timeout);
     if (!accepted) {
-        co_return accepted.error();
+        const std::string what = "the poses of " + counted(submit.scenarios, "scenario");
+        co_return accepted.error().code == ErrorCode::Io ? no_room(what, accepted.error())
+                                                         : accepted.error();
     }
     co_return accepted.value().job;
 }
 
-/// A job may stand still for long, and then there is nothing to say about it. So that a master that
-/// is gone is noticed, it is asked something small after each silence.
+/// A job may stand still for long, and then there is nothing to say about it. So the master is
+/// asked about the cluster after each silence, and now and then besides; a master that is gone does
+/// not answer.
 asio::awaitable<Result<JobStatus>>
-Connection::State::watch(JobId job, const std::function<void(const JobStatus&)>& changed) {
+Connection::State::watch(JobId job,
+                         const std::function<void(const JobStatus&)>& changed,
+                         const std::function<void(const ClusterStatus&)>& looked) {
     channel->send(Watch{job});
-    bool asked = false;
+    auto heard = Clock::now();
+    auto asked = heard;
+    if (looked) {
+        channel->send(StatusQuery{});
+    }
     while (true) {
-        const Result<Message> message = co_await receive(limits::answer_timeout);
+        const Result<Message> message =
+            co_await receive(looked ? limits::watch_look_period : limits::answer_timeout);
+        const auto now = Clock::now();
+        if (!message && (message.error().code != ErrorCode::Timeout ||
+                         now - heard > 2 * limits::answer_timeout)) {
+            co_return message.error();
+        }
+        if (!message || (looked && now - asked > limits::watch_look_period_going_on)) {
+            channel->send(StatusQuery{});
+            asked = now;
+        }
         if (!message) {
-            if (message.error().code != ErrorCode::Timeout || asked) {
-                co_return message.error();
-            }
-            channel->send(MeshesQuery{});
-            asked = true;
             continue;
         }
-        asked = false;
+        heard = now;
+        if (const auto* cluster = std::get_if<ClusterStatus>(&message.value())) {
+            if (looked) {
+                looked(*cluster);
+            }
+            continue;
+        }
         if (const auto* failure = std::get_if<Failure>(&message.value())) {
             co_return Error{failure->code, failure->detail};
         }
@@ -347,8 +379,9 @@ Result<JobId> Connection::submit(Submit submit, PoseSource& poses) {
 }
 
 Result<JobStatus> Connection::watch(JobId job,
-                                    const std::function<void(const JobStatus&)>& changed) {
-    return state_->run(state_->watch(job, changed));
+                                    const std::function<void(const JobStatus&)>& changed,
+                                    const std::function<void(const ClusterStatus&)>& looked) {
+    return state_->run(state_->watch(job, changed, looked));
 }
 
 Status Connection::fetch(JobId job,

@@ -45,6 +45,7 @@ class Connection {
     using UploadProgress =
         std::function<void(const NamedMesh&, std::uint64_t bytes, std::uint64_t bytes_total)>;
     /// Sends those that the master does not have, each once, and waits until it has stored them.
+    /// Errors: Incomplete naming a mesh that the master has no room for.
     [[nodiscard]] Status upload(std::span<const NamedMesh> meshes, const UploadProgress& progress);
 
     /// A job that is whole in its description (`submit.grid` is set).
@@ -53,9 +54,13 @@ class Connection {
     /// those of `poses`.
     [[nodiscard]] Result<JobId> submit(Submit submit, PoseSource& poses);
 
-    /// Until the job has ended. Calls `changed` with each status, the last one included.
-    [[nodiscard]] Result<JobStatus> watch(JobId job,
-                                          const std::function<void(const JobStatus&)>& changed);
+    /// Until the job has ended. Calls `changed` with each status, the last one included, and where
+    /// it is given `looked` with the cluster, once in a while and more often where the job stands
+    /// still.
+    [[nodiscard]] Result<JobStatus>
+    watch(JobId job,
+          const std::function<void(const JobStatus&)>& changed,
+          const std::function<void(const ClusterStatus&)>& looked = {});
 
     /// Of a job that is done. Errors: NotFound; Refused.
     [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);

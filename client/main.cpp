@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
 
 int main(int argc, char** argv) {
     try {
@@ -15,9 +16,15 @@ int main(int argc, char** argv) {
         const cd::CommandLine line = cd::parse_command_line({argv + 1, argv + argc});
         if (!line.command) {
             std::fputs(line.text.c_str(), line.exit_code == 0 ? stdout : stderr);
-            return line.exit_code;
+            return cd::finish_stdout(line.exit_code);
         }
-        return std::visit([](const auto& command) { return cd::execute(command); }, *line.command);
+        return cd::finish_stdout(
+            std::visit([](const auto& command) { return cd::execute(command); }, *line.command));
+    } catch (const std::bad_alloc&) {
+        std::fputs("cdctl: out of memory; it takes a smaller mesh, fewer --threads or a larger "
+                   "machine\n",
+                   stderr);
+        return 2;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "cdctl: %s\n", error.what());
         return 2;

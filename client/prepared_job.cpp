@@ -4,6 +4,7 @@
 #include "client/import/mesh_import.hpp"
 #include "client/interrupt.hpp"
 #include "client/poses/pose_file.hpp"
+#include "client/slow_note.hpp"
 #include "client/units.hpp"
 #include "client/words.hpp"
 #include "common/geometry/topology.hpp"
@@ -25,7 +26,7 @@ const std::string& unit_of(const BodySpec& body, const std::string& job_unit) {
     return body.unit.empty() ? job_unit : body.unit;
 }
 
-Status import_bodies(PreparedJob& job) {
+Status import_bodies(PreparedJob& job, bool quiet) {
     for (std::size_t i = 0; i < 2; ++i) {
         const BodySpec& body = job.spec.bodies[i];
         const BodySpec& first = job.spec.bodies[0];
@@ -39,6 +40,7 @@ Status import_bodies(PreparedJob& job) {
         if (!factor) {
             return Error{ErrorCode::BadInput, "unit \"" + unit + "\" is not known"};
         }
+        const SlowNote note("reading " + body.path.filename().string() + "...", quiet);
         auto imported = import_mesh(body.path, {*factor});
         if (!imported) {
             return imported.error();
@@ -105,7 +107,7 @@ std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& ze
     return text;
 }
 
-Status make_poses(PreparedJob& job, ThreadPool& pool) {
+Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
     if (const auto* grid = std::get_if<Grid>(&job.spec.poses)) {
         job.grid = *grid;
         job.poses = make_grid_source(*grid);
@@ -119,6 +121,9 @@ Status make_poses(PreparedJob& job, ThreadPool& pool) {
         return Done{};
     }
     const auto& spec = std::get<PoseFileSpec>(job.spec.poses);
+    const SlowNote note(spec.path == "-" ? std::string("reading poses from standard input...")
+                                         : "reading " + spec.path.filename().string() + "...",
+                        quiet);
     auto file = open_pose_file(spec);
     if (!file) {
         return file.error();
@@ -151,10 +156,11 @@ void describe(PreparedJob& job) {
 
 } // namespace
 
-Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool) {
+Result<PreparedJob>
+prepare_job(JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool, bool quiet) {
     PreparedJob job;
     job.spec = std::move(spec);
-    if (Status imported = import_bodies(job); !imported) {
+    if (Status imported = import_bodies(job, quiet); !imported) {
         return imported.error();
     }
     auto ignored = resolve_ignored(job.spec.ignore, *job.meshes[0], *job.meshes[1], job.spec.file);
@@ -167,9 +173,11 @@ Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, TreeCache& cache, Thr
                  std::move(ignored.value()),
                  job.spec.maps};
     if (trees == Trees::Always || std::holds_alternative<RandomPoses>(job.spec.poses)) {
+        const SlowNote note("building trees of " + job.names[0] + " and " + job.names[1] + "...",
+                            quiet);
         get_trees(job, trees, cache, pool);
     }
-    if (Status made = make_poses(job, pool); !made) {
+    if (Status made = make_poses(job, pool, quiet); !made) {
         return made.error();
     }
     describe(job);

@@ -38,9 +38,10 @@ enum class Trees : std::uint8_t { Always, ForPosesOnly };
 
 /// Imports the meshes, resolves what is ignored, opens or makes the poses, gets the trees, each in
 /// the forms that the job walks. All of the same bits for any number of threads, whatever the cache
-/// holds. Errors: BadInput, NotFound and Io, each naming the file.
+/// holds. A line on stderr, unless `quiet`, names work that takes longer than half a second.
+/// Errors: BadInput, NotFound and Io, each naming the file.
 [[nodiscard]] Result<PreparedJob>
-prepare_job(JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool);
+prepare_job(JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool, bool quiet = true);
 
 [[nodiscard]] ExportContext export_context(const PreparedJob& job);
 

@@ -1,4 +1,4 @@
-// What a run tells a person: the lines before it, the progress, and the summary.
+// What a run tells a person: the lines before it, and the summary.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -93,45 +93,6 @@ struct RunReport {
 
 /// Of the subtrees that scenarios needed at workers, those that were there.
 [[nodiscard]] double hit_share(const BlockTraffic& blocks);
-
-/// How far a run is.
-struct ProgressState {
-    std::string name; ///< Of the job.
-    Summary summary;
-    double seconds = 0; ///< Since it began.
-};
-
-/// One line without its end; with a bar for a terminal.
-[[nodiscard]] std::string progress_text(const ProgressState& state, bool with_bar);
-
-/// Writes progress to stderr: a bar that is redrawn on a terminal, otherwise a line each 10 s.
-class ProgressPrinter {
-  public:
-    enum class Style : std::uint8_t { Silent, Lines, Bar };
-
-    /// Silent when quiet; a bar when stderr is a terminal that can redraw.
-    [[nodiscard]] static Style style_for(bool quiet);
-
-    explicit ProgressPrinter(Style style, std::FILE* stream = stderr)
-        : style_(style), stream_(stream) {}
-    ProgressPrinter(const ProgressPrinter&) = delete;
-    ProgressPrinter& operator=(const ProgressPrinter&) = delete;
-    /// Ends the line of a bar.
-    ~ProgressPrinter();
-
-    /// Prints where it is due, judged by `state.seconds`.
-    void update(const ProgressState& state);
-    /// Prints the last state and ends the line of a bar.
-    void finish(const ProgressState& state);
-
-  private:
-    void draw(const ProgressState& state);
-
-    Style style_;
-    std::FILE* stream_;
-    double next_seconds_ = 0;
-    bool line_is_open_ = false;
-};
 
 /// True when what goes to the stream may be coloured: a terminal, and NO_COLOR is not set.
 [[nodiscard]] bool colours_wanted(std::FILE* stream);

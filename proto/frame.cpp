@@ -13,6 +13,17 @@ constexpr std::uint32_t frame_magic = 0x31464443; // "CDF1"
 constexpr std::uint16_t flag_has_more = 1;
 constexpr std::size_t header_checked_bytes = frame_header_bytes - sizeof(std::uint32_t);
 
+/// Who answers instead, where the first bytes tell.
+Error not_a_frame(std::span<const std::byte> bytes) {
+    constexpr std::string_view http = "HTTP/";
+    const std::string_view start(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return {ErrorCode::BadFrame,
+            start.starts_with(http)
+                ? "a web server answers: that is the master's --http port; give the port of its "
+                  "--listen, 7600 by default"
+                : "no frame of this protocol: wrong magic number"};
+}
+
 std::uint32_t header_checksum(std::span<const std::byte> bytes) {
     return static_cast<std::uint32_t>(checksum(bytes.first(header_checked_bytes)));
 }
@@ -38,7 +49,7 @@ std::array<std::byte, frame_header_bytes> encode_header(const FrameHeader& heade
 Result<FrameHeader> decode_header(std::span<const std::byte, frame_header_bytes> bytes) {
     ByteReader in(bytes);
     if (in.get<std::uint32_t>() != frame_magic) {
-        return Error{ErrorCode::BadFrame, "no frame of this protocol: wrong magic number"};
+        return not_a_frame(bytes);
     }
     FrameHeader header;
     header.type = in.get<std::uint16_t>();

@@ -18,6 +18,10 @@ namespace cd {
 /// Errors: BadInput for a question that level `any` cannot answer.
 [[nodiscard]] Status check_fail_on(FailOn fail_on, Level level);
 
+/// Flushes stdout at a verb's end. `code`, or where not all was written, a line on stderr and
+/// `exit_incomplete`.
+[[nodiscard]] int finish_stdout(int code);
+
 /// Prints the error as one line on stderr; its exit code.
 [[nodiscard]] int fail(const Error& error);
 

@@ -38,6 +38,16 @@ int fail(const Error& error) {
     return exit_code_of(error, signal == 0 ? SIGINT : signal);
 }
 
+int finish_stdout(int code) {
+    const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (is_written || (code != exit_done && code != exit_contacts)) {
+        return code;
+    }
+    return fail(
+        {ErrorCode::Incomplete,
+         "standard output: not all could be written; is its disk full, or its reader gone?"});
+}
+
 int execute(const VersionCommand& command) {
     const bool as_json = command.output == "json";
     std::fputs(version_text("cdctl", to_text(simd_target()), as_json).c_str(), stdout);

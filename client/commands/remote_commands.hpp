@@ -2,7 +2,10 @@
 #pragma once
 
 #include "client/cli.hpp"
+#include "client/connection.hpp"
 #include "client/prepared_job.hpp"
+
+#include <memory>
 
 namespace cd {
 
@@ -18,6 +21,7 @@ namespace cd {
 
 /// `run --master`: submits, watches, fetches, reports. The job's header has been printed, and an
 /// InterruptGuard lives; an interrupt cancels the job.
-[[nodiscard]] int run_on_master(const RunCommand& command, PreparedJob& job);
+[[nodiscard]] int
+run_on_master(const RunCommand& command, PreparedJob& job, std::unique_ptr<Connection> connection);
 
 } // namespace cd

@@ -76,28 +76,23 @@ std::string submitted_text(const SubmitCommand& command, const PreparedJob& job,
 
 } // namespace
 
-int run_on_master(const RunCommand& command, PreparedJob& job) {
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
-    }
-    const Result<JobId> id = send_job(*connection.value(), job, command.quiet);
+int run_on_master(const RunCommand& command,
+                  PreparedJob& job,
+                  std::unique_ptr<Connection> connection) {
+    const Result<JobId> id = send_job(*connection, job, command.quiet);
     if (!id) {
         return fail(id.error());
     }
     const std::string text = job_id_text(id.value());
-    const auto status = watch_job(command.master,
-                                  connection.value(),
-                                  id.value(),
-                                  text,
-                                  ProgressPrinter::style_for(command.quiet));
+    const auto status = watch_job(
+        command.master, connection, id.value(), text, ProgressPrinter::style_for(command.quiet));
     if (!status) {
-        return fail_and_cancel(*connection.value(), id.value(), status.error());
+        return fail_and_cancel(*connection, id.value(), status.error());
     }
     if (const Status done = check_done(status.value(), text); !done) {
         return fail(done.error());
     }
-    if (const Status told = report(*connection.value(), command, job, status.value()); !told) {
+    if (const Status told = report(*connection, command, job, status.value()); !told) {
         return fail(told.error());
     }
     return exit_code_of(status.value().summary, command.fail_on);
@@ -111,7 +106,8 @@ int execute(const SubmitCommand& command) {
     }
     ThreadPool pool(command.threads);
     TreeCache cache(tree_cache_folder(command.tree_cache));
-    auto job = prepare_job(std::move(spec.value()), Trees::ForPosesOnly, cache, pool);
+    auto job =
+        prepare_job(std::move(spec.value()), Trees::ForPosesOnly, cache, pool, command.quiet);
     if (!job) {
         return fail(job.error());
     }

@@ -1,8 +1,11 @@
 #include "client/commands/remote_session.hpp"
 
+#include "client/credential_renewal.hpp"
 #include "client/interrupt.hpp"
 #include "client/job_id.hpp"
 #include "client/membership.hpp"
+#include "client/slow_note.hpp"
+#include "client/waiting_note.hpp"
 #include "client/words.hpp"
 #include "common/core/limits_client.hpp"
 #include "common/core/printable.hpp"
@@ -56,11 +59,17 @@ Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options) {
     if (!tls) {
         return tls.error();
     }
-    return Connection::open(
+    auto opened = Connection::open(
         options.address,
         options.insecure,
         [] { return InterruptGuard::signal() != 0; },
         std::move(tls.value()));
+    if (!opened && opened.error().code == ErrorCode::Disconnected &&
+        opened.error().detail.starts_with("cannot connect")) {
+        return Error{ErrorCode::Disconnected,
+                     opened.error().detail + "; is cdmaster running there?"};
+    }
+    return opened;
 }
 
 Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
@@ -85,6 +94,7 @@ Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
     submit.cluster = job.spec.cluster;
     submit.scenarios = job.poses->count();
     if (!job.grid) {
+        const SlowNote note("  sending " + counted(submit.scenarios, "pose") + "...", quiet);
         return connection.submit(std::move(submit), *job.poses);
     }
     submit.grid = encode_grid(*job.grid);
@@ -124,17 +134,45 @@ Result<JobStatus> watch_job(const MasterOptions& master,
                             ProgressPrinter::Style progress) {
     ProgressPrinter printer(progress);
     int damaged = 0; // Connections, one after the other.
-    const auto show = [&](const JobStatus& status) {
-        damaged = 0;
-        const ProgressState state{id, status.summary, status.seconds};
-        if (status.state == JobState::Running) {
+    JobStatus last;
+    ClusterStatus cluster;
+    bool has_looked = false;
+    const auto print = [&] {
+        const std::string note =
+            has_looked ? waiting_note(last, cluster, master.address) : std::string();
+        const ProgressState state{id, last.summary, last.seconds, note};
+        if (last.state == JobState::Running) {
             printer.update(state);
         } else {
             printer.finish(state);
         }
     };
+    const auto show = [&](const JobStatus& status) {
+        damaged = 0;
+        last = status;
+        print();
+    };
+    const auto look = [&](const ClusterStatus& status) {
+        cluster = status;
+        has_looked = true;
+        print();
+    };
+    const bool tells = progress != ProgressPrinter::Style::Silent;
+    const CredentialRenewal renewal(master, parse_endpoint(master.address).value());
+    std::uint64_t renewals = renewal.count();
     for (;;) {
-        Result<JobStatus> status = connection->watch(job, show);
+        Result<JobStatus> status = connection->watch(
+            job, show, tells ? look : std::function<void(const ClusterStatus&)>());
+        if (!status && status.error().code == ErrorCode::Refused && renewal.count() != renewals) {
+            // The certificate of the connection has expired, and another one has been got.
+            renewals = renewal.count();
+            auto again = open_again(master);
+            if (!again) {
+                return again.error();
+            }
+            connection = std::move(again.value());
+            continue;
+        }
         if (status || !is_of_the_network(status.error())) {
             return status;
         }

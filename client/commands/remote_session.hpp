@@ -4,6 +4,7 @@
 #include "client/cli.hpp"
 #include "client/connection.hpp"
 #include "client/prepared_job.hpp"
+#include "client/progress.hpp"
 #include "client/report.hpp"
 #include "common/core/result.hpp"
 #include "common/job/merge.hpp"

@@ -2,15 +2,20 @@
 
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_commands.hpp"
+#include "client/commands/remote_session.hpp"
+#include "client/estimate.hpp"
 #include "client/exit_code.hpp"
 #include "client/heap.hpp"
 #include "client/interrupt.hpp"
 #include "client/local_run.hpp"
 #include "client/poses/nearness.hpp"
+#include "client/progress.hpp"
 #include "client/words.hpp"
 #include "common/geometry/simd_target.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 namespace cd {
 
@@ -58,6 +63,68 @@ int run_here(const RunCommand& command, PreparedJob& job, ThreadPool& pool) {
         return fail(finished.error());
     }
     return exit_code_of(report.summary, command.fail_on);
+}
+
+} // namespace
+
+namespace {
+
+/// Before the inputs are read, which may take long.
+Result<std::unique_ptr<Connection>> open_for_run(const RunCommand& command) {
+    auto opened = open_master(command.master);
+    if (!opened && opened.error().code == ErrorCode::Disconnected) {
+        return Error{ErrorCode::Disconnected,
+                     opened.error().detail + " without --master the job runs here"};
+    }
+    return opened;
+}
+
+/// The first line of a run: where it runs.
+std::string where_text(const RunCommand& command, Connection* connection, const ThreadPool& pool) {
+    if (connection == nullptr) {
+        const char* master = std::getenv("CDCTL_MASTER");
+        return "  here, " + counted(pool.size(), "thread") +
+               (master == nullptr || *master == '\0'
+                    ? ""
+                    : "; to run on CDCTL_MASTER: --master " + std::string(master)) +
+               "\n";
+    }
+    const Result<ClusterStatus> status = connection->status();
+    return "  on " + command.master.address +
+           (status ? ", " + counted(status.value().workers.size(), "worker") : "") + "\n";
+}
+
+} // namespace
+
+namespace {
+
+/// The answer to --dry-run.
+int tell_estimate(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
+    EstimateOptions options;
+    options.first_stage = command.first_stage.value_or(PairStage::Float);
+    const auto estimate = estimate_run(job, pool, options);
+    if (!estimate) {
+        return fail(estimate.error());
+    }
+    const std::string text =
+        command.output == "json"
+            ? estimate_json(estimate.value())
+            : "inputs are fine; " + estimate_text(estimate.value()) + "; nothing was run\n";
+    std::fputs(text.c_str(), stdout);
+    return exit_done;
+}
+
+/// Whether the results fit, judged by so many samples that they take some percent of the run.
+Status check_size(const PreparedJob& job, ThreadPool& pool) {
+    EstimateOptions options;
+    options.samples_max = std::min(options.samples_max, job.poses->count() / 20);
+    options.time_max = std::chrono::milliseconds(2000);
+    if (job.spec.output.dir.empty() || options.samples_max == 0) {
+        return Done{};
+    }
+    const auto estimate = estimate_run(job, pool, options);
+    // A run that cannot be estimated is no reason to refuse it.
+    return estimate ? check_room(estimate.value(), job.spec.output) : Status(Done{});
 }
 
 } // namespace
@@ -149,19 +216,35 @@ int run_job(const RunCommand& command) {
         return fail(simd.error());
     }
     ThreadPool pool(command.threads);
+    auto connection = here ? Result<std::unique_ptr<Connection>>(nullptr) : open_for_run(command);
+    if (!connection) {
+        return fail(connection.error());
+    }
+    if (!command.quiet) {
+        std::fputs(where_text(command, connection.value().get(), pool).c_str(), stderr);
+    }
     TreeCache cache(tree_cache_folder(command.tree_cache));
-    auto job = prepare_job(
-        std::move(spec.value()), here ? Trees::Always : Trees::ForPosesOnly, cache, pool);
+    auto job = prepare_job(std::move(spec.value()),
+                           here || command.dry_run ? Trees::Always : Trees::ForPosesOnly,
+                           cache,
+                           pool,
+                           command.quiet);
     if (!job) {
         return fail(job.error());
     }
     return_free_memory();
     print_header(job.value(), command.quiet);
     if (command.dry_run) {
-        return exit_done;
+        return tell_estimate(command, job.value(), pool);
+    }
+    if (here && !command.yes) {
+        if (Status room = check_size(job.value(), pool); !room) {
+            return fail(room.error());
+        }
     }
     InterruptGuard::begin_to_flag();
-    return here ? run_here(command, job.value(), pool) : run_on_master(command, job.value());
+    return here ? run_here(command, job.value(), pool)
+                : run_on_master(command, job.value(), std::move(connection.value()));
 }
 
 } // namespace cd

@@ -1,6 +1,7 @@
 #include "client/import/mesh_import.hpp"
 
 #include "client/import/assimp_mesh.hpp"
+#include "client/import/foreign_format.hpp"
 #include "client/import/gltf_import.hpp"
 #include "client/import/mesh_number_check.hpp"
 #include "client/import/mesh_text_check.hpp"
@@ -63,6 +64,9 @@ Result<FileMapping> map_file(const std::filesystem::path& path) {
 Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const ImportOptions& options) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::none) {
+        return bad(path, error.message()); // A loop of links, or a folder that may not be entered.
+    }
     if (!std::filesystem::exists(status)) {
         return bad(path, "no such file");
     }
@@ -73,6 +77,9 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Import
         return bad(path, "is empty");
     }
     const std::string extension = lower_extension(path);
+    if (const auto foreign = foreign_format(extension, "")) {
+        return bad(path, *foreign);
+    }
     if (extension == ".npz") {
         return import_npz(path, options);
     }
@@ -82,6 +89,9 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Import
     }
     const std::string_view text_bytes(reinterpret_cast<const char*>(bytes.value().bytes().data()),
                                       bytes.value().bytes().size());
+    if (const auto foreign = foreign_format(extension, text_bytes.substr(0, 16))) {
+        return bad(path, *foreign);
+    }
     if (is_gltf(text_bytes, extension)) {
         auto imported = read_gltf({path, text_bytes, options});
         if (imported) {

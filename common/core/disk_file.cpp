@@ -78,11 +78,17 @@ void DiskFile::close() {
 }
 
 Result<DiskFile> DiskFile::open(const std::filesystem::path& path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    // A FIFO would hold up the open until somebody writes.
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0) {
         return system_failure("open", path);
     }
-    return DiskFile(descriptor, path, {});
+    DiskFile file(descriptor, path, {});
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+        return Error{ErrorCode::Io, path.string() + " is no regular file"};
+    }
+    return file;
 }
 
 Result<DiskFile> DiskFile::create_for(const std::filesystem::path& path) {

@@ -152,6 +152,23 @@ TEST(Connection, AMeshThatIsRefusedFailsWithTheMastersWords) {
     EXPECT_EQ(status.error().detail, "the disk is full");
 }
 
+TEST(Connection, AMeshThatTheMastersDiskRefusesIsNamed) {
+    const auto mesh = share(make_box({1, 2, 3}));
+    FakeMaster master(welcoming([&](const Message& message) -> Answers {
+        if (std::holds_alternative<MeshesQuery>(message)) {
+            return std::vector<Message>{MeshesMissing{{mesh->hash()}}};
+        }
+        return std::vector<Message>{Failure{ErrorCode::Io, "No space left on device"}};
+    }));
+    const Status status =
+        open(master)->upload(std::vector{NamedMesh{"A", mesh}}, [](const auto&, auto, auto) {});
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().code, ErrorCode::Incomplete) << "exit code 3";
+    EXPECT_THAT(
+        status.error().detail,
+        testing::MatchesRegex("the master has no room for A .[0-9]+ B.: No space left on device"));
+}
+
 // ---- Jobs -----------------------------------------------------------------------------------
 
 TEST(Connection, AGridTravelsAsItsDescription) {

@@ -1,6 +1,7 @@
 // Proves that the lines around a run say what happened: sizes, progress, classes, coverage, digest.
 #include "client/report.hpp"
 
+#include "client/progress.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gmock/gmock.h>
@@ -245,6 +246,33 @@ TEST(Progress, ABarIsRedrawnOnItsLine) {
     });
     EXPECT_EQ(std::count(text.begin(), text.end(), '\r'), 2);
     EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(Progress, ANoteStandsUnderTheBar) {
+    const std::string text = printed([](std::FILE* stream) {
+        ProgressPrinter printer(ProgressPrinter::Style::Bar, stream);
+        ProgressState state = at(1);
+        state.note = "no worker is here";
+        printer.update(state);
+        printer.update(state);
+        printer.update(at(1.01));
+    });
+    EXPECT_THAT(text, HasSubstr("\x1b[K\nno worker is here\x1b[K\x1b[A\r"));
+    EXPECT_THAT(text, HasSubstr("\x1b[K\n\x1b[K\x1b[A\r")) << "taken away when it is over";
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << "and not drawn without need";
+}
+
+TEST(Progress, WithoutATerminalEachNoteIsPrintedOnce) {
+    const std::string text = printed([](std::FILE* stream) {
+        ProgressPrinter printer(ProgressPrinter::Style::Lines, stream);
+        ProgressState state = at(1);
+        state.note = "no worker is here";
+        printer.update(state);
+        printer.update(state);
+        state.note = "paused: disk full";
+        printer.update(state);
+    });
+    EXPECT_EQ(text, "j-1  no worker is here\nj-1  paused: disk full\n");
 }
 
 TEST(Progress, QuietIsSilent) {

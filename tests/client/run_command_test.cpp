@@ -1,6 +1,7 @@
 // Proves that `cdctl run` without a master does a whole job: inputs, ignored parts, output, exit
 // codes, and that wrong inputs end it with one clear line.
 #include "client/commands/commands.hpp"
+#include "client/estimate.hpp"
 #include "client/exit_code.hpp"
 #include "client/prepared_job.hpp"
 #include "common/geometry/simd_target.hpp"
@@ -256,9 +257,62 @@ TEST_F(Run, ADryRunWritesNothing) {
     command_.quiet = false;
     EXPECT_EQ(run(), exit_done);
     EXPECT_FALSE(fs::exists(dir_ / "out"));
-    EXPECT_EQ(stdout_, "");
+    EXPECT_THAT(stdout_, testing::StartsWith("inputs are fine; about "));
+    EXPECT_THAT(stdout_, HasSubstr("; nothing was run\n"));
+    EXPECT_THAT(stderr_, testing::StartsWith("  here, 2 threads\n"));
     EXPECT_THAT(stderr_, HasSubstr("A  a.obj"));
     EXPECT_THAT(stderr_, HasSubstr("2 parts"));
+}
+
+TEST_F(Run, ADryRunTellsTheSizeOfTheResults) {
+    std::string poses = "x,y,z\n";
+    for (int i = 0; i < 3000; ++i) {
+        poses += std::to_string(i % 70 * 0.1 - 0.5) + ",0.1,0.1\n";
+    }
+    write("poses.csv", poses);
+    for (const char* level : {"count", "pairs", "contacts"}) {
+        command_.job.level = level;
+        command_.dry_run = true;
+        command_.output = "json";
+        ASSERT_EQ(run(), exit_done) << stderr_;
+        const auto told = nlohmann::json::parse(stdout_);
+        EXPECT_EQ(told["scenarios"], 3000);
+        EXPECT_EQ(told["sampled"], 200);
+        EXPECT_GT(told["seconds"]["expected"], 0);
+        EXPECT_LE(told["seconds"]["low"], told["seconds"]["high"]);
+        command_.dry_run = false;
+        command_.output = "text";
+        ASSERT_EQ(run(), exit_done) << stderr_;
+        double bytes = 0;
+        for (const auto& file : fs::recursive_directory_iterator(dir_ / "out")) {
+            bytes += file.is_regular_file() ? static_cast<double>(file.file_size()) : 0;
+        }
+        EXPECT_GT(told["bytes"].get<double>(), bytes / 2) << level;
+        EXPECT_LT(told["bytes"].get<double>(), bytes * 2) << level;
+    }
+}
+
+TEST_F(Run, ResultsThatNeedAWordAreRefusedWithoutIt) {
+    RunEstimate estimate;
+    estimate.bytes = 4'860'000'000;
+    const OutputSpec output{dir_ / "new" / "out", {"csv", "npz"}};
+    const Status refused = check_room(estimate, output);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(
+        refused.error().detail,
+        testing::AllOf(HasSubstr("would take about 4.9 GB as csv,npz"), HasSubstr("--yes")));
+    estimate.bytes = 1000;
+    EXPECT_TRUE(check_room(estimate, output));
+}
+
+TEST_F(Run, AMasterInTheEnvironmentIsHintedAt) {
+    ::setenv("CDCTL_MASTER", "node-1:7600", 1);
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done);
+    ::unsetenv("CDCTL_MASTER");
+    EXPECT_THAT(
+        stderr_,
+        testing::StartsWith("  here, 2 threads; to run on CDCTL_MASTER: --master node-1:7600\n"));
 }
 
 TEST_F(Run, RandomPosesNeedNoFile) {

@@ -11,6 +11,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -68,6 +69,18 @@ TEST_F(TreeCacheTest, WhatIsKeptIsFoundAgain) {
     ASSERT_NE(cache.find(TreeForm::Binary, closed_), nullptr);
     EXPECT_EQ(files().size(), 2u);
     EXPECT_THAT(cache.take_warnings(), IsEmpty());
+}
+
+TEST_F(TreeCacheTest, AFifoUnderTheNameOfATreeIsAWarning) {
+    TreeCache cache(folder_);
+    cache.keep(TreeForm::Wide, build(closed_));
+    const fs::path file = files().front();
+    fs::remove(file);
+    ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+    EXPECT_EQ(cache.find(TreeForm::Wide, closed_), nullptr) << "and returns at once";
+    EXPECT_THAT(cache.take_warnings(), ElementsAre(HasSubstr("is no regular file")));
+    cache.keep(TreeForm::Wide, build(closed_));
+    EXPECT_NE(cache.find(TreeForm::Wide, closed_), nullptr);
 }
 
 TEST_F(TreeCacheTest, WithoutAFolderNothingIsKept) {

@@ -66,11 +66,10 @@ TEST_F(Interrupt, EndsARunThatWaitsForPoses) {
     }
 }
 
-TEST_F(Interrupt, EndsARunThatWaitsForAMesh) {
-    const std::string mesh = fifo("mesh.obj");
-    Process run = start({"--a", mesh, "--b", ball(), "--random", "10"});
-    wait_for_reader(mesh);
-    expect_end(run, SIGINT);
+TEST_F(Interrupt, NoRunWaitsForAMesh) {
+    Process run = start({"--a", fifo("mesh.obj"), "--b", ball(), "--random", "10"});
+    EXPECT_EQ(run.wait(), 2);
+    EXPECT_THAT(run.errors(), HasSubstr("mesh.obj is no regular file"));
 }
 
 TEST_F(Interrupt, EndsARunOfRandomPosesOfAnyNumber) {

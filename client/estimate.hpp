@@ -1,0 +1,44 @@
+// What a run would take, from scenarios that are spread evenly over its job.
+#pragma once
+
+#include "client/prepared_job.hpp"
+#include "common/core/thread_pool.hpp"
+#include "common/geometry/triangle_pair.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace cd {
+
+struct RunEstimate {
+    std::uint64_t scenarios = 0; ///< Of the job,
+    std::uint64_t sampled = 0;   ///< and of these, how many were run.
+    double seconds = 0;          ///< On this machine's threads, without reading and building.
+    double seconds_low = 0;      ///< Two standard errors of the mean below and above.
+    double seconds_high = 0;
+    std::uint64_t bytes = 0; ///< Of the files in the chosen formats; 0 without a folder for them.
+};
+
+struct EstimateOptions {
+    std::uint64_t samples_max = 200;
+    std::chrono::milliseconds time_max{5000}; ///< For the samples.
+    PairStage first_stage = PairStage::Float;
+};
+
+/// Runs samples of a job with trees on the pool's threads, and writes their results, in the job's
+/// formats, to a temporary folder that is removed. Errors: those of the poses and of the files.
+[[nodiscard]] Result<RunEstimate>
+estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& options);
+
+/// "about 52 s here (731/s), 0.4 GB", or "about 40 to 75 s here ..." where samples differ much.
+[[nodiscard]] std::string estimate_text(const RunEstimate& estimate);
+/// An object with the keys scenarios, sampled, seconds {low, expected, high}, scenarios_per_second
+/// and bytes.
+[[nodiscard]] std::string estimate_json(const RunEstimate& estimate);
+
+/// More than 1 GB, or more than half of what is free where the folder is to be, wants a user's
+/// word. Errors: BadInput with the size and the ways out.
+[[nodiscard]] Status check_room(const RunEstimate& estimate, const OutputSpec& output);
+
+} // namespace cd
