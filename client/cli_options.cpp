@@ -52,6 +52,11 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->check(CLI::IsMember(units()))
         ->type_name("UNIT")
         ->group(inputs);
+    verb.add_option("--precision",
+                    job.precision,
+                    "Of both meshes: auto (doubles where floats lose digits), float (rounded)")
+        ->check(CLI::IsMember({"auto", "float"}))
+        ->type_name("PRECISION");
     verb.add_option("--poses", job.poses, "Poses of B in A's frame: .npy, .csv, TUM; - is stdin")
         ->type_name("FILE")
         ->group(inputs);

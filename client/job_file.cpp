@@ -7,6 +7,7 @@
 #include "common/job/tolerance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -27,6 +28,9 @@ std::filesystem::path beside(const std::filesystem::path& job, const std::string
     return path == "-" ? std::filesystem::path(path) : job.parent_path() / path;
 }
 
+/// "auto": floats where they hold every coordinate, else doubles.
+constexpr std::array<std::string_view, 2> precision_names{"auto", "float"};
+
 void read_body(const TomlFields& job,
                std::string_view key,
                const std::filesystem::path& file,
@@ -38,7 +42,7 @@ void read_body(const TomlFields& job,
         return;
     }
     const TomlFields fields(
-        *table, "[" + std::string(key) + "]", problem, {"mesh", "unit", "name"});
+        *table, "[" + std::string(key) + "]", problem, {"mesh", "unit", "name", "precision"});
     const auto mesh = fields.text("mesh");
     if (!mesh || mesh->empty()) {
         fields.report("mesh", "the key \"mesh\" with the file's name is missing");
@@ -47,6 +51,7 @@ void read_body(const TomlFields& job,
     body.path = beside(file, *mesh);
     body.unit = fields.word("unit", unit_names()).value_or("");
     body.name = fields.text("name").value_or("");
+    body.rounds_to_float = fields.word("precision", precision_names) == "float";
 }
 
 GridAxis read_axis(const TomlFields& grid, std::string_view key) {

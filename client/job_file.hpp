@@ -20,8 +20,9 @@ namespace cd {
 
 struct BodySpec {
     std::filesystem::path path;
-    std::string unit; ///< Of the file's coordinates; empty: the job's.
-    std::string name; ///< For people; empty: the file's name.
+    std::string unit;             ///< Of the file's coordinates; empty: the job's.
+    std::string name;             ///< For people; empty: the file's name.
+    bool rounds_to_float = false; ///< Coordinates become floats where the file has more digits.
 };
 
 /// Poses that stand in a file; "-" is standard input.

@@ -90,6 +90,10 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         }
         spec.level = *level;
     }
+    for (BodySpec& body : spec.bodies) {
+        body.rounds_to_float =
+            options.precision.empty() ? body.rounds_to_float : options.precision == "float";
+    }
     replace(spec.tolerance, options.tolerance);
     if (Status allowed = check_tolerance(spec.tolerance); !allowed) {
         return allowed;

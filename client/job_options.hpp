@@ -32,6 +32,7 @@ struct JobOptions {
 
     // Over what the file says.
     std::string name;
+    std::string precision; ///< "auto" or "float", of both bodies.
     std::string level;
     std::optional<double> tolerance;
     std::optional<std::uint64_t> limit_pairs;

@@ -31,7 +31,8 @@ Status import_bodies(PreparedJob& job) {
         const BodySpec& first = job.spec.bodies[0];
         job.names[i] = name_of(body);
         const std::string& unit = unit_of(body, job.spec.unit);
-        if (i == 1 && body.path == first.path && unit == unit_of(first, job.spec.unit)) {
+        if (i == 1 && body.path == first.path && unit == unit_of(first, job.spec.unit) &&
+            body.rounds_to_float == first.rounds_to_float) {
             job.meshes[1] = job.meshes[0];
             continue;
         }
@@ -39,7 +40,7 @@ Status import_bodies(PreparedJob& job) {
         if (!factor) {
             return Error{ErrorCode::BadInput, "unit \"" + unit + "\" is not known"};
         }
-        auto imported = import_mesh(body.path, {*factor});
+        auto imported = import_mesh(body.path, {*factor, body.rounds_to_float});
         if (!imported) {
             return imported.error();
         }
@@ -135,6 +136,7 @@ void describe(PreparedJob& job) {
     std::array<BodyLine, 2> lines;
     for (std::size_t i = 0; i < 2; ++i) {
         lines[i] = describe_body(job.names[i], job.spec.unit, *job.meshes[i]);
+        lines[i].rounds_to_float = job.spec.bodies[i].rounds_to_float;
         if (i == 1 && job.meshes[1] == job.meshes[0]) {
             lines[1].closed = lines[0].closed;
         } else {

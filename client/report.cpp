@@ -39,6 +39,13 @@ std::string box_text(const BodyLine& body) {
            length_text(body.size.z()) + " " + body.unit;
 }
 
+const char* precision_text(const BodyLine& body) {
+    if (body.precision == Precision::Double) {
+        return "doubles";
+    }
+    return body.rounds_to_float ? "floats (rounded)" : "floats";
+}
+
 std::string closed_text(const BodyLine& body) {
     return !body.closed ? "" : *body.closed ? "closed" : "open";
 }
@@ -59,6 +66,7 @@ BodyLine describe_body(const std::string& name, const std::string& unit, const M
     line.triangles = mesh.triangles().size();
     line.size = bounding_box(mesh.vertices()).size();
     line.parts = std::max<std::size_t>(1, mesh.parts().size());
+    line.precision = mesh.precision();
     return line;
 }
 
@@ -77,7 +85,7 @@ std::string header_text(const BodyLine& a,
                 right_aligned(grouped(body.triangles), count) + " triangles   " +
                 padded(box_text(body), box) + "   " +
                 (closed.empty() ? "" : padded(closed, 6) + "   ") + counted(body.parts, "part") +
-                "\n";
+                ", " + precision_text(body) + "\n";
     };
     add('A', a);
     add('B', b);

@@ -26,7 +26,9 @@ struct BodyLine {
     std::uint64_t triangles = 0;
     Vec3 size = Vec3::Zero();
     std::uint64_t parts = 0;
-    std::optional<bool> closed; ///< Where it is known.
+    Precision precision = Precision::Float;
+    bool rounds_to_float = false; ///< As the job asks for it.
+    std::optional<bool> closed;   ///< Where it is known.
 };
 
 [[nodiscard]] BodyLine

@@ -109,6 +109,7 @@ Json body_json(const std::string& name, const Mesh* mesh) {
     return {{"name", name},
             {"triangles", mesh->triangles().size()},
             {"parts", mesh->parts().size()},
+            {"precision", mesh->precision() == Precision::Float ? "float" : "double"},
             {"size", {size.x(), size.y(), size.z()}},
             {"sha256", to_hex(mesh->hash())}};
 }

@@ -14,7 +14,8 @@
 namespace cd {
 
 struct ImportOptions {
-    double unit_factor = 1; ///< Every coordinate is multiplied by it, in double.
+    double unit_factor = 1;       ///< Every coordinate is multiplied by it, in double.
+    bool rounds_to_float = false; ///< Then each coordinate becomes the nearest float.
 };
 
 /// A file as the reader of its format gets it. The reader looks at no other byte of the file, and
@@ -40,12 +41,14 @@ inline constexpr const char* nameless_part = "mesh";
 
 /// A mesh as its file has it: nothing merged, removed or reordered but what this comment says.
 ///
-/// Triangles stand in the canonical order: the file's nodes depth first, each node's meshes, each
-/// mesh's faces, a polygon as the importer triangulates it; a mesh that several nodes place counts
-/// each time. Each node's mesh is a part; formats without groups are one part. Node transforms and
-/// the unit's factor are applied in double and rounded once to float; `.npz` keeps doubles. Corners
-/// with equal coordinates share one vertex, in the order of their first use, and vertices that no
-/// triangle uses are left out. Degenerate and duplicate triangles are kept.
+/// Triangles stand in the canonical order: that of the file's faces, a polygon as `PolygonCutter`
+/// cuts it; where the file has nodes, these depth first, each node's meshes, and a mesh that
+/// several nodes place counts each time. Formats without groups are one part. Coordinates are the
+/// doubles nearest to what the file says, times the unit's factor; the mesh is in floats where
+/// these hold all of them. Formats with nodes round once to float, after node transforms and the
+/// factor. Corners with equal coordinates share one vertex, in the order of their first use, and
+/// vertices that no triangle uses are left out (not so in `.npz`). Degenerate and duplicate
+/// triangles are kept.
 struct ImportedMesh {
     std::shared_ptr<const Mesh> mesh;
     std::vector<std::string> warnings; ///< A sentence each, naming the file.

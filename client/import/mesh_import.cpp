@@ -2,22 +2,33 @@
 
 #include "client/import/assimp_mesh.hpp"
 #include "client/import/gltf_import.hpp"
+#include "client/import/mesh_builder.hpp"
 #include "client/import/mesh_number_check.hpp"
 #include "client/import/mesh_text_check.hpp"
 #include "client/import/npz_mesh.hpp"
+#include "client/import/obj_mesh.hpp"
+#include "client/import/off_mesh.hpp"
+#include "client/import/ply_mesh.hpp"
+#include "client/import/stl_mesh.hpp"
 #include "client/words.hpp"
 #include "common/core/disk_file.hpp"
 #include "common/geometry/aabb.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace cd {
 
 namespace {
+
+using Reader = Result<ImportedMesh> (*)(const MeshSource&);
 
 Error bad(const std::filesystem::path& path, const std::string& detail) {
     return {ErrorCode::BadInput, path.string() + ": " + detail};
@@ -53,42 +64,20 @@ void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& impo
     }
 }
 
-Result<FileMapping> map_file(const std::filesystem::path& path) {
-    const auto file = DiskFile::open(path);
-    return file ? file.value().map() : Result<FileMapping>(file.error());
+/// The readers that take a file's bytes, by its ending.
+Reader reader_of(const std::string& extension) {
+    constexpr std::array<std::pair<std::string_view, Reader>, 4> readers{
+        {{".stl", import_stl}, {".obj", import_obj}, {".ply", import_ply}, {".off", import_off}}};
+    const auto found = std::find_if(readers.begin(), readers.end(), [&](const auto& reader) {
+        return reader.first == extension;
+    });
+    return found == readers.end() ? nullptr : found->second;
 }
 
-} // namespace
-
-Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const ImportOptions& options) {
-    std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) {
-        return bad(path, "no such file");
-    }
-    if (std::filesystem::is_directory(status)) {
-        return bad(path, "is a folder, not a mesh file");
-    }
-    if (std::filesystem::file_size(path, error) == 0 && !error) {
-        return bad(path, "is empty");
-    }
+/// Formats without a reader of our own.
+Result<ImportedMesh> import_others(const std::filesystem::path& path,
+                                   const ImportOptions& options) {
     const std::string extension = lower_extension(path);
-    if (extension == ".npz") {
-        return import_npz(path, options);
-    }
-    const auto bytes = map_file(path);
-    if (!bytes) {
-        return bytes.error();
-    }
-    const std::string_view text_bytes(reinterpret_cast<const char*>(bytes.value().bytes().data()),
-                                      bytes.value().bytes().size());
-    if (is_gltf(text_bytes, extension)) {
-        auto imported = read_gltf({path, text_bytes, options});
-        if (imported) {
-            warn_of_coarse_floats(path, imported.value());
-        }
-        return imported;
-    }
     if (const Status numbers = check_numbers(path, extension); !numbers) {
         return numbers.error();
     }
@@ -97,16 +86,103 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Import
         return text.error();
     }
     auto imported = import_with_assimp(path, options);
-    if (!imported) {
-        return imported;
-    }
-    if (text.value()) {
+    if (imported && text.value()) {
         const Mesh& mesh = *imported.value().mesh;
         if (const Status same = check_against_text(path, *text.value(), options, mesh); !same) {
             return same.error();
         }
     }
-    warn_of_coarse_floats(path, imported.value());
+    return imported;
+}
+
+/// Rounds each coordinate once to the nearest float; positions that become equal are one vertex.
+Result<ImportedMesh> in_floats(const std::filesystem::path& path, ImportedMesh imported) {
+    const Mesh& mesh = *imported.mesh;
+    const auto round = [](const Vec3& corner) {
+        return corner.cast<float>().cast<double>().eval();
+    };
+    MeshBuilder builder;
+    for (const Part& part : mesh.parts()) {
+        builder.begin_part(part.name);
+        for (std::uint32_t i = part.triangles_begin; i < part.triangles_end; ++i) {
+            const Corners exact = mesh.corners(i);
+            const Corners rounded{round(exact[0]), round(exact[1]), round(exact[2])};
+            if (!(rounded[0] + rounded[1] + rounded[2]).allFinite()) {
+                return bad(path,
+                           "triangle " + std::to_string(i) +
+                               " has a coordinate that no float holds; leave the precision to the "
+                               "file");
+            }
+            builder.add(rounded);
+        }
+    }
+    auto rounded = builder.finish(Precision::Float);
+    if (!rounded) {
+        return bad(path, rounded.error().detail);
+    }
+    imported.mesh = std::make_shared<const Mesh>(std::move(rounded.value()));
+    return imported;
+}
+
+/// That there is a file which holds something.
+Status check_file(const std::filesystem::path& path) {
+    if (path.empty()) {
+        return Error{ErrorCode::BadInput, "a mesh file without a name; name the file to be read"};
+    }
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found) {
+        return bad(path, "no such file");
+    }
+    if (error) {
+        return bad(path, "cannot be opened: " + error.message());
+    }
+    if (std::filesystem::is_directory(status)) {
+        return bad(path, "is a folder, not a mesh file; name a file in it");
+    }
+    if (std::filesystem::file_size(path, error) == 0 && !error) {
+        return bad(path, "is empty");
+    }
+    return Done{};
+}
+
+Result<FileMapping> map_file(const std::filesystem::path& path) {
+    const auto file = DiskFile::open(path);
+    return file ? file.value().map() : Result<FileMapping>(file.error());
+}
+
+Result<ImportedMesh> import_file(const std::filesystem::path& path, const ImportOptions& options) {
+    const std::string extension = lower_extension(path);
+    if (extension == ".npz") {
+        return import_npz(path, options);
+    }
+    const auto mapping = map_file(path);
+    if (!mapping) {
+        return Error{ErrorCode::BadInput, mapping.error().detail};
+    }
+    const std::span<const std::byte> bytes = mapping.value().bytes();
+    const MeshSource source{
+        path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, options};
+    if (const Reader read = reader_of(extension)) {
+        return read(source);
+    }
+    return is_gltf(source.bytes, extension) ? read_gltf(source) : import_others(path, options);
+}
+
+} // namespace
+
+Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const ImportOptions& options) {
+    if (const Status there = check_file(path); !there) {
+        return there.error();
+    }
+    auto imported = import_file(path, options);
+    if (imported && options.rounds_to_float &&
+        imported.value().mesh->precision() == Precision::Double) {
+        imported = in_floats(path, std::move(imported.value()));
+    }
+    if (imported) {
+        warn_of_coarse_floats(path, imported.value());
+    }
     return imported;
 }
 

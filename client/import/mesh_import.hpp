@@ -5,11 +5,12 @@
 
 namespace cd {
 
-/// Any format that assimp reads, and `.npz` with `vertices` (N,3) and `faces` (M,3).
+/// STL, OBJ, PLY, OFF, glTF and `.npz` by readers of our own, told apart by the file's ending in
+/// upper or lower case; other formats by assimp.
 ///
-/// Errors: BadInput, one line naming the file, and the face (from 0, in the file's order as far as
-/// the importer lets it be known) or line: no such file, empty, no mesh, an index out of range, a
-/// coordinate that is not finite, or a file of which the importer did not take everything.
+/// Errors: BadInput, one line naming the file, and the line, byte or face (from 0): no such file,
+/// empty, no mesh, an index out of range, a coordinate that is not finite, or anything else that
+/// would lose or change geometry.
 [[nodiscard]] Result<ImportedMesh> import_mesh(const std::filesystem::path& path,
                                                const ImportOptions& options);
 

@@ -8,13 +8,11 @@
 
 namespace cd {
 
-/// Importers read as much of a word as looks like a number: 1 of "1.#QNAN" (as some programs print
-/// what is no number) and of "1d5".
+/// Importers read as much of a word as looks like a number: 1 of "1.#QNAN", as some programs print
+/// what is no number.
 ///
-/// Errors: BadInput naming the file and the line or the node, for such coordinates in STL and PLY
-/// files in text, what check_collada names, and "1.#" with QNAN, SNAN, INF or IND in
-/// any file but binary ones; for an archive, in which other files would stand. AC3D, OBJ and OFF
-/// are left to read_text_mesh.
+/// Errors: BadInput naming the file and the line or the node, for what check_collada names, and
+/// "1.#" with QNAN, SNAN, INF or IND in any file; for an archive, in which other files would stand.
 [[nodiscard]] Status check_numbers(const std::filesystem::path& path,
                                    const std::string& lower_extension);
 

@@ -1,4 +1,4 @@
-// Holds what the importer made of an OBJ, OFF, PLY or AC3D file against the file itself.
+// Holds the mesh that assimp makes of an AC3D file against the file itself.
 #pragma once
 
 #include "client/import/mesh_import.hpp"
@@ -15,17 +15,14 @@ struct TextMesh {
     std::uint64_t triangles = 0; ///< Of all its polygons.
 };
 
-/// Reads an OBJ, OFF or AC3D file by itself; of a PLY file in text only whether it is there whole,
-/// since the importer repeats its last face where lines are missing. Nothing for other formats.
+/// Reads an AC3D file by itself. Nothing for other formats.
 ///
-/// Errors: BadInput naming the file and the line or face: an index that names no vertex, a number
-/// that is none or not finite, more or fewer lines than the file's own counts.
+/// Errors: BadInput naming the file and the line.
 [[nodiscard]] Result<std::optional<TextMesh>> read_text_mesh(const std::filesystem::path& path,
                                                              const std::string& lower_extension);
 
-/// The importer drops an OBJ vertex whose number it cannot read and replaces an OFF index that is
-/// out of range, without a word. So the number of triangles must be that of the file's faces, and
-/// every vertex that a face uses must be in the mesh, up to the importer's rounding of decimals.
+/// The number of triangles must be that of the file's faces, and every vertex that a face uses must
+/// be in the mesh, up to assimp's rounding of decimals.
 ///
 /// Errors: BadInput naming the file and the line or face.
 [[nodiscard]] Status check_against_text(const std::filesystem::path& path,

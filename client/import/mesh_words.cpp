@@ -1,7 +1,10 @@
 #include "client/import/mesh_words.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 namespace cd {
@@ -9,6 +12,29 @@ namespace cd {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
+
+/// What a decimal number rounds to that is too large for a double, or too small: infinity or 0.
+double beyond_doubles(std::string_view word) {
+    const bool is_negative = word.starts_with('-');
+    word.remove_prefix(is_negative ? 1 : 0);
+    const std::string_view digits = word.substr(0, word.find_first_of("eE"));
+    std::string_view exponent_text = word.substr(std::min(word.size(), digits.size() + 1));
+    exponent_text.remove_prefix(exponent_text.starts_with('+') ? 1 : 0);
+    std::int64_t exponent = 0;
+    const auto [end, error] = std::from_chars(
+        exponent_text.data(), exponent_text.data() + exponent_text.size(), exponent);
+    if (error == std::errc::result_out_of_range) {
+        exponent = exponent_text.starts_with('-') ? std::numeric_limits<std::int64_t>::min() / 2
+                                                  : std::numeric_limits<std::int64_t>::max() / 2;
+    }
+    // Where the first digit stands that is not 0, to the left of the point or to its right.
+    const std::size_t nonzero = digits.find_first_of("123456789");
+    const auto point = static_cast<std::int64_t>(std::min(digits.size(), digits.find('.')));
+    const bool is_large =
+        nonzero != digits.npos && exponent + point - static_cast<std::int64_t>(nonzero) > 0;
+    const double size = is_large ? std::numeric_limits<double>::infinity() : 0.0;
+    return is_negative ? -size : size;
+}
 
 } // namespace
 
@@ -39,14 +65,24 @@ std::string read_text(const std::filesystem::path& path) {
     return text;
 }
 
+std::string in_quotes(std::string_view word) {
+    constexpr std::size_t shown_max = 40;
+    std::string shown(word.substr(0, shown_max));
+    std::replace_if(
+        shown.begin(), shown.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    return "'" + shown + (word.size() > shown_max ? "...'" : "'");
+}
+
 std::optional<double> to_number(std::string_view word) {
-    if (word.starts_with('+')) {
-        word.remove_prefix(1);
-    }
+    const bool has_plus = word.starts_with('+');
+    word.remove_prefix(has_plus ? 1 : 0);
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool whole = end == word.data() + word.size() && !word.empty();
-    return whole && error != std::errc::invalid_argument ? std::optional(value) : std::nullopt;
+    if (!whole || error == std::errc::invalid_argument || (has_plus && word[0] == '-')) {
+        return std::nullopt;
+    }
+    return error == std::errc::result_out_of_range ? beyond_doubles(word) : value;
 }
 
 std::optional<std::uint64_t> to_whole(std::string_view word) {

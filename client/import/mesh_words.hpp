@@ -27,8 +27,11 @@ class Words {
 /// All bytes of a file but that mark; empty if unreadable.
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
 
-/// A decimal number that is the whole word, with '.' before its fraction; may be infinite or NaN.
-/// What overflows or underflows a double is 0.
+/// The word in single quotes, for a message: cut where it is long, without control characters.
+[[nodiscard]] std::string in_quotes(std::string_view word);
+
+/// The double nearest to a decimal number that is the whole word, with '.' before its fraction; may
+/// be infinite or NaN.
 [[nodiscard]] std::optional<double> to_number(std::string_view word);
 
 /// A number of digits alone that is the whole word.

@@ -21,6 +21,9 @@ inline constexpr std::uint64_t run_poses_at_once_max = 128;
 inline constexpr std::uint64_t computed_window_scenarios = 16;
 inline constexpr std::uint64_t computed_windows_max = 128;
 
+/// Corners that are held against ears before a polygon counts as too tangled to be cut.
+inline constexpr std::uint64_t polygon_tests_per_corner_max = 1u << 14;
+
 // Talking to a master.
 inline constexpr std::size_t mesh_piece_bytes = 1u << 20;             ///< Of one message.
 inline constexpr std::size_t client_write_queue_bytes_max = 4u << 20; ///< Then it waits.

@@ -21,6 +21,7 @@ mesh = "van.glb"
 mesh = "/abs/bollard.stl"
 unit = "mm"
 name = "bollard"
+precision = "float"
 [poses]
 file = "poses.npy"
 quat_order = "wxyz"
@@ -69,6 +70,8 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(job.bodies[1].path, "/abs/bollard.stl");
     EXPECT_EQ(job.bodies[1].unit, "mm");
     EXPECT_EQ(job.bodies[1].name, "bollard");
+    EXPECT_FALSE(job.bodies[0].rounds_to_float);
+    EXPECT_TRUE(job.bodies[1].rounds_to_float);
     const auto& poses = std::get<PoseFileSpec>(job.poses);
     EXPECT_EQ(poses.path, "folder/poses.npy");
     EXPECT_EQ(poses.quat_order, "wxyz");
@@ -219,6 +222,7 @@ TEST(JobOptions, AJobNeedsNoFile) {
     options.a = "cars/van.obj";
     options.b = "post.stl";
     options.unit_b = "mm";
+    options.precision = "float";
     options.random = 5;
     options.seed = 9;
     options.penetration = {0.01, 0.02};
@@ -228,6 +232,8 @@ TEST(JobOptions, AJobNeedsNoFile) {
     ASSERT_TRUE(spec) << spec.error().detail;
     EXPECT_EQ(spec.value().name, "van-post");
     EXPECT_EQ(spec.value().bodies[1].unit, "mm");
+    EXPECT_TRUE(spec.value().bodies[0].rounds_to_float);
+    EXPECT_TRUE(spec.value().bodies[1].rounds_to_float);
     EXPECT_EQ(spec.value().level, Level::Count);
     EXPECT_EQ(spec.value().output.dir, "here");
     const auto& random = std::get<RandomPoses>(spec.value().poses);

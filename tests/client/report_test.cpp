@@ -72,12 +72,15 @@ ProgressState at(double seconds) {
 TEST(Report, TheHeaderGivesSizes) {
     BodyLine small = body("bollard.glb", {0.22, 0.22, 1.05});
     small.parts = 1;
+    small.precision = Precision::Double;
     small.triangles = 6'340;
     small.closed = false;
-    EXPECT_EQ(header_text(body("van.glb", {4.91, 2.02, 2.31}), small, 100'000, "grid"),
-              "  A  van.glb          48 212 triangles   4.91 x 2.02 x 2.31 m   closed   12 parts\n"
-              "  B  bollard.glb       6 340 triangles   0.22 x 0.22 x 1.05 m   open     1 part\n"
-              "  poses              100 000  grid\n");
+    EXPECT_EQ(
+        header_text(body("van.glb", {4.91, 2.02, 2.31}), small, 100'000, "grid"),
+        "  A  van.glb          48 212 triangles   4.91 x 2.02 x 2.31 m   closed   12 parts, "
+        "floats\n"
+        "  B  bollard.glb       6 340 triangles   0.22 x 0.22 x 1.05 m   open     1 part, doubles\n"
+        "  poses              100 000  grid\n");
 }
 
 TEST(Report, ASizeRatioOfAUnitIsWarnedAbout) {

@@ -228,6 +228,19 @@ TEST_F(Run, AFirstStageIsForThisMachineAlone) {
     EXPECT_THAT(stderr_, HasSubstr("--first-stage"));
 }
 
+TEST_F(Run, TheHeaderNamesThePrecision) {
+    write("b.obj", tetrahedron("post", 0.1, 1));
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stderr_, HasSubstr("2 parts, floats\n"));
+    EXPECT_THAT(stderr_, HasSubstr("1 part, doubles\n"));
+    EXPECT_THAT(read("out/summary.json"), HasSubstr("\"precision\": \"double\""));
+    command_.job.precision = "float";
+    command_.job.out = (dir_ / "rounded").string();
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stderr_, HasSubstr("1 part, floats (rounded)\n"));
+}
+
 TEST_F(Run, IgnoredPartsAreNotInTheAnswer) {
     write("job.toml",
           "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n"

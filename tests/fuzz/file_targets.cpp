@@ -3,6 +3,10 @@
 #include "client/import/gltf_import.hpp"
 #include "client/import/mesh_number_check.hpp"
 #include "client/import/mesh_text_check.hpp"
+#include "client/import/obj_mesh.hpp"
+#include "client/import/off_mesh.hpp"
+#include "client/import/ply_mesh.hpp"
+#include "client/import/stl_mesh.hpp"
 #include "client/job_file.hpp"
 #include "client/npy.hpp"
 #include "client/npz.hpp"
@@ -63,8 +67,7 @@ void check_rows_of(Input input, const Result<NpyArray>& array) {
     }
 }
 
-constexpr std::array<const char*, 10> mesh_extensions{
-    ".obj", ".off", ".ac", ".stl", ".ply", ".gltf", ".glb", ".dae", ".3mf", ""};
+constexpr std::array<const char*, 4> mesh_extensions{".ac", ".dae", ".3mf", ""};
 
 void check_text(const TextMesh& text, std::uint64_t bytes) {
     require(text.vertices.size() == text.used.size() &&
@@ -73,6 +76,21 @@ void check_text(const TextMesh& text, std::uint64_t bytes) {
     require(text.triangles <= bytes, "no more triangles than bytes");
     for (const Vec3& vertex : text.vertices) {
         require(vertex.allFinite(), "a vertex that is accepted is finite");
+    }
+}
+
+/// A reader ends in a mesh, of no more triangles than the file has bytes, or in one line that names
+/// the file.
+void use_reader(Input input, Result<ImportedMesh> (*read)(const MeshSource&)) {
+    const std::string text = text_of(input);
+    const std::filesystem::path path = "/nowhere/at/all";
+    const auto imported = read({path, text, {}});
+    if (imported) {
+        require(imported.value().mesh->triangles().size() <= text.size(),
+                "no more triangles than bytes");
+    } else {
+        require(imported.error().detail.starts_with(path.string()), "an error names the file");
+        require(imported.error().detail.find('\n') == std::string::npos, "an error is one line");
     }
 }
 
@@ -150,6 +168,22 @@ void gltf(Input input) {
     }
     require(document.has_value(), "no mesh without a document");
     require(!imported.value().mesh->triangles().empty(), "a mesh has triangles");
+}
+
+void stl(Input input) {
+    use_reader(input, import_stl);
+}
+
+void obj(Input input) {
+    use_reader(input, import_obj);
+}
+
+void ply(Input input) {
+    use_reader(input, import_ply);
+}
+
+void off(Input input) {
+    use_reader(input, import_off);
 }
 
 void mesh_text(Input input) {

@@ -362,18 +362,48 @@ void add_mesh_texts(Seeds& seeds) {
     const auto add = [&](std::uint8_t format, const std::string& name, std::string_view text) {
         seeds.add("mesh_text", name, marked(format, bytes_of(text)));
     };
-    add(0, "obj", "v 0 0 0\nv 1 0 0\nv 0 1 -0.5e1 # c\nf 1/1 2//1 \\\n-1\n");
-    add(1, "off", "OFF # c\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n");
-    add(2, "ac3d", ac3d_text);
-    add(3,
-        "stl",
-        "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n");
-    add(4,
-        "ply",
-        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
-        "float z\nelement face 1\nproperty list uchar int i\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
-        "3 0 1 2\n");
-    add(7, "collada", collada_text);
+    add(0, "ac3d", ac3d_text);
+    add(1, "collada", collada_text);
+}
+
+void add_meshes(Seeds& seeds) {
+    const auto add = [&](const std::string& target, const std::string& name, std::string text) {
+        seeds.add(target, name, bytes_of(text));
+    };
+    add("obj",
+        "parts",
+        "o a b\nv 0 0 0\nv 1 0 0 1\nv 0 1 -0.5e1 # c\nv 1 1 0 1 0 0\ng c\nusemtl m\nf 1/1 2//1 "
+        "\\\n-1\nf 1 2 4 3\nf 1 2 3 4 2\nl 1 2\np 1\n");
+    add("off",
+        "colours",
+        "COFF # c\n4 2 0\n0 0 0 1 1 1 1\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n3 0 1 2\n");
+    const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 "
+                              "0\nvertex 0 1 0\nendloop\nendfacet\n";
+    add("stl", "text", "solid s t\n" + facet + "endsolid\nSOLID\n" + facet + "endsolid");
+    std::string binary = "solid s";
+    binary.resize(80, ' ');
+    binary += std::string("\1\0\0\0", 4) + std::string(50, '\0') + "end";
+    add("stl", "binary", binary);
+    const std::string vertices =
+        "element vertex 3\nproperty uchar x\nproperty uchar y\nproperty uchar z\n";
+    const std::string faces = "element face 1\nproperty list uchar int8 vertex_indices\n";
+    const std::string strips = "element tristrips 1\nproperty list uchar int8 vertex_indices\n";
+    const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+    const std::string bytes("\0\0\0\1\0\0\0\1\0\3\0\1\2", 13);
+    add("ply",
+        "text",
+        "ply\nformat ascii 1.0\n" + vertices + faces + "end_header\n" + points + "3 0 1 2\n");
+    add("ply",
+        "strips",
+        "ply\nformat ascii 1.0\ncomment c\n" + vertices + strips +
+            "element e 1\nproperty list int float l\nend_header\n" + points +
+            "5 0 1 2 -1 0\n1 nan\n");
+    add("ply",
+        "little",
+        "ply\nformat binary_little_endian 1.0\n" + vertices + faces + "end_header\n" + bytes);
+    add("ply",
+        "big",
+        "ply\nformat binary_big_endian 1.0\n" + vertices + strips + "end_header\n" + bytes);
 }
 
 void add_gltf(Seeds& seeds) {
@@ -470,6 +500,7 @@ int main(int argc, char** argv) {
     cd::fuzz::add_files(seeds);
     cd::fuzz::add_state(seeds);
     cd::fuzz::add_mesh_texts(seeds);
+    cd::fuzz::add_meshes(seeds);
     cd::fuzz::add_gltf(seeds);
     cd::fuzz::add_certificates(seeds);
     cd::fuzz::add_requests(seeds);

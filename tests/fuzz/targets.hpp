@@ -41,6 +41,10 @@ void tum_poses(Input input);
 void npy(Input input);
 void npz(Input input);
 void gltf(Input input);      ///< A glTF file or a GLB.
+void stl(Input input);
+void obj(Input input);
+void ply(Input input);
+void off(Input input);
 void mesh_text(Input input); ///< Which format (a byte), then a mesh's file.
 
 // Files of our programs.

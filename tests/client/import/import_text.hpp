@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 
 namespace cd::tests {
@@ -15,6 +16,14 @@ inline Result<ImportedMesh> import_text(const std::string& name, const std::stri
     const TemporaryFolder folder;
     write_text(folder / name, text);
     return import_mesh(folder / name, {});
+}
+
+/// The mesh of a file that must have been taken.
+inline const Mesh& mesh_of(const Result<ImportedMesh>& imported) {
+    if (!imported) {
+        throw std::runtime_error(imported.error().detail);
+    }
+    return *imported.value().mesh;
 }
 
 /// The one line with which the file is refused.

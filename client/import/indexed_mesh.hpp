@@ -1,0 +1,53 @@
+// Gathers faces that name the vertices of a list, as OBJ, OFF and PLY files have them.
+#pragma once
+
+#include "client/import/imported_mesh.hpp"
+#include "client/import/mesh_builder.hpp"
+#include "client/import/polygon_cut.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+class IndexedMesh {
+  public:
+    explicit IndexedMesh(double unit_factor) : unit_factor_(unit_factor) {}
+
+    void add_vertex(const Vec3& vertex);
+    [[nodiscard]] std::uint64_t vertex_count() const { return vertices_.size(); }
+    [[nodiscard]] const MeshBuilder& builder() const { return builder_; }
+
+    void begin_part(const std::string& name) { builder_.begin_part(name); }
+
+    /// A triangle, or a polygon that is cut into triangles; one corner is a point and two are a
+    /// line, which are counted. Corners are numbers of vertices, from 0.
+    ///
+    /// Errors: BadInput without a place: no corners, no such vertex, a coordinate that the unit's
+    /// factor makes infinite, a polygon that cannot be cut.
+    [[nodiscard]] Status add_face(std::span<const std::int64_t> corners);
+
+    void skip_lines(std::uint64_t count) { lines_ += count; }
+    void skip_points(std::uint64_t count) { points_ += count; }
+
+    /// Errors: BadInput naming the file: no triangles, or more than a mesh may have.
+    [[nodiscard]] Result<ImportedMesh> finish(const MeshSource& source);
+
+  private:
+    [[nodiscard]] Status resolve(std::span<const std::int64_t> corners);
+    [[nodiscard]] Status cut(std::span<const std::int64_t> corners);
+
+    double unit_factor_;
+    std::vector<Vec3> vertices_;         ///< As the file has them.
+    std::vector<std::uint32_t> numbers_; ///< Their numbers in the mesh, once a face uses them.
+    std::vector<std::uint32_t> corners_; ///< Numbers in the mesh, of the face being added.
+    std::vector<Vec3> polygon_;
+    PolygonCutter cutter_;
+    MeshBuilder builder_;
+    std::uint64_t points_ = 0;
+    std::uint64_t lines_ = 0;
+};
+
+} // namespace cd

@@ -1,0 +1,45 @@
+// The header of a PLY file: what its data are.
+#pragma once
+
+#include "client/import/imported_mesh.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cd {
+
+enum class PlyType : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
+
+enum class PlyFormat : std::uint8_t { Text, LittleEndian, BigEndian };
+
+[[nodiscard]] std::size_t size_of(PlyType type);
+[[nodiscard]] bool is_integer(PlyType type);
+
+struct PlyProperty {
+    std::string name;
+    PlyType type = PlyType::Int8;
+    std::optional<PlyType> count_type; ///< Of a list.
+};
+
+struct PlyElement {
+    std::string name;
+    std::uint64_t count = 0; ///< As the header says; the data may hold fewer.
+    std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+    PlyFormat format = PlyFormat::Text;
+    std::vector<PlyElement> elements;
+    std::size_t data_begin = 0;  ///< The data's first byte.
+    std::uint64_t data_line = 1; ///< The number of its line.
+};
+
+/// Errors: BadInput naming the file and the line: not a PLY file, a line that is none of a header,
+/// no `end_header`.
+[[nodiscard]] Result<PlyHeader> read_ply_header(const MeshSource& source);
+
+} // namespace cd

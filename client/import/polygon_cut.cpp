@@ -1,0 +1,214 @@
+#include "client/import/polygon_cut.hpp"
+
+#include "common/core/limits_client.hpp"
+#include "common/geometry/dyadic.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+using Point = std::array<double, 2>;
+
+int exact_orientation(const Point& a, const Point& b, const Point& c) {
+    const auto difference = [&c](const Point& point, std::size_t axis) {
+        return to_dyadic(point[axis]) - to_dyadic(c[axis]);
+    };
+    const Dyadic determinant =
+        difference(a, 0) * difference(b, 1) - difference(a, 1) * difference(b, 0);
+    return determinant.mantissa.sign();
+}
+
+/// 1 when a, b, c turn to the left, -1 to the right, 0 on a line. The bound of the rounding error
+/// is that of Shewchuk, Adaptive Precision Floating-Point Arithmetic (1997), section 4.3, made
+/// larger for products that underflow.
+int orientation(const Point& a, const Point& b, const Point& c) {
+    const double left = (a[0] - c[0]) * (b[1] - c[1]);
+    const double right = (a[1] - c[1]) * (b[0] - c[0]);
+    const double determinant = left - right;
+    const double bound = 0x1p-51 * (std::abs(left) + std::abs(right)) + 0x1p-1000;
+    if (std::abs(determinant) > bound) {
+        return determinant > 0 ? 1 : -1;
+    }
+    return exact_orientation(a, b, c);
+}
+
+/// The polygon's normal, of twice its area (Newell's), and the sums of the sizes of what adds up to
+/// it, which tell its plane also where its area is none.
+struct Normal {
+    Vec3 sum = Vec3::Zero();
+    Vec3 sizes = Vec3::Zero();
+};
+
+Normal normal_of(std::span<const Vec3> corners) {
+    Normal normal;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        const Vec3 from_first = corners[i] - corners[0];
+        const Vec3 twice_area = from_first.cross(corners[i + 1] - corners[0]);
+        normal.sum += twice_area;
+        normal.sizes += twice_area.cwiseAbs();
+    }
+    return normal;
+}
+
+/// True when the angles between the diagonal and the sides at this corner are together more than
+/// 180 degrees, which of a plane quadrilateral at most one corner has: cos a + cos b < 0.
+bool is_concave(std::span<const Vec3> quad, std::uint32_t corner) {
+    const Vec3 right = quad[(corner + 1) % 4] - quad[corner];
+    const Vec3 diagonal = quad[(corner + 2) % 4] - quad[corner];
+    const Vec3 left = quad[(corner + 3) % 4] - quad[corner];
+    return left.dot(diagonal) * right.norm() + right.dot(diagonal) * left.norm() < 0;
+}
+
+} // namespace
+
+std::span<const Triangle> PolygonCutter::cut(std::span<const Vec3> corners) {
+    triangles_.clear();
+    tests_ = 0;
+    project(corners);
+    if (corners.size() == 4) {
+        cut_quad(corners);
+    } else {
+        cut_ears();
+    }
+    return triangles_;
+}
+
+/// Keeps the order of the axes, or turns it round, so that the polygon turns to the left.
+void PolygonCutter::project(std::span<const Vec3> corners) {
+    const Normal normal = normal_of(corners);
+    Eigen::Index axis = 0;
+    normal.sizes.maxCoeff(&axis);
+    Eigen::Index first = (axis + 1) % 3;
+    Eigen::Index second = (axis + 2) % 3;
+    if (normal.sum[axis] < 0) {
+        std::swap(first, second);
+    }
+    points_.clear();
+    for (const Vec3& corner : corners) {
+        points_.push_back({corner[first], corner[second]});
+    }
+}
+
+int PolygonCutter::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return orientation(points_[a], points_[b], points_[c]);
+}
+
+/// Both triangles of the fan around a corner, if both are turned rightly.
+void PolygonCutter::try_quad(std::uint32_t start) {
+    const std::uint32_t right = (start + 1) % 4;
+    const std::uint32_t opposite = (start + 2) % 4;
+    const std::uint32_t left = (start + 3) % 4;
+    if (turn(start, right, opposite) >= 0 && turn(start, opposite, left) >= 0) {
+        triangles_ = {{start, right, opposite}, {start, opposite, left}};
+    }
+}
+
+void PolygonCutter::cut_quad(std::span<const Vec3> corners) {
+    std::uint32_t start = 0;
+    while (start < 4 && !is_concave(corners, start)) {
+        ++start;
+    }
+    start %= 4;
+    try_quad(start);
+    if (triangles_.empty()) {
+        try_quad((start + 1) % 4);
+    }
+}
+
+void PolygonCutter::cut_ears() {
+    const auto size = static_cast<std::uint32_t>(points_.size());
+    next_.resize(size);
+    previous_.resize(size);
+    is_convex_.resize(size);
+    for (std::uint32_t i = 0; i < size; ++i) {
+        next_[i] = (i + 1) % size;
+        previous_[i] = (i + size - 1) % size;
+    }
+    for (std::uint32_t i = 0; i < size; ++i) {
+        classify(i);
+    }
+    const std::uint64_t tests_max = limits::polygon_tests_per_corner_max * size;
+    std::uint32_t left = size;
+    std::uint32_t tried = 0;
+    bool takes_straight = false; // Only where no other ear is left.
+    std::uint32_t corner = 0;
+    while (left > 3 && tests_ <= tests_max) {
+        const bool is_straight =
+            takes_straight && turn(previous_[corner], corner, next_[corner]) == 0;
+        if (is_straight || is_ear(corner)) {
+            triangles_.push_back({previous_[corner], corner, next_[corner]});
+            unlink(corner);
+            --left;
+            tried = 0;
+            takes_straight = false;
+        } else if (++tried == left) {
+            if (takes_straight) {
+                break;
+            }
+            tried = 0;
+            takes_straight = true;
+        }
+        corner = next_[corner];
+    }
+    if (left > 3) {
+        triangles_.clear();
+        return;
+    }
+    add_last(corner);
+}
+
+bool PolygonCutter::is_ear(std::uint32_t corner) {
+    if (is_convex_[corner] == 0) {
+        return false;
+    }
+    const Triangle ear{previous_[corner], corner, next_[corner]};
+    for (std::uint32_t i = next_[ear[2]]; i != ear[0]; i = next_[i]) {
+        ++tests_;
+        if (is_convex_[i] == 0 && contains(ear, i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// True for a corner inside or on the edge of an ear, but not at one of its corners.
+bool PolygonCutter::contains(const Triangle& ear, std::uint32_t corner) const {
+    const Point& point = points_[corner];
+    const bool is_at_corner =
+        std::any_of(ear.begin(), ear.end(), [&](std::uint32_t i) { return points_[i] == point; });
+    return !is_at_corner && turn(ear[0], ear[1], corner) >= 0 &&
+           turn(ear[1], ear[2], corner) >= 0 && turn(ear[2], ear[0], corner) >= 0;
+}
+
+void PolygonCutter::classify(std::uint32_t corner) {
+    is_convex_[corner] = turn(previous_[corner], corner, next_[corner]) > 0 ? 1 : 0;
+}
+
+void PolygonCutter::unlink(std::uint32_t corner) {
+    const std::uint32_t before = previous_[corner];
+    const std::uint32_t after = next_[corner];
+    next_[before] = after;
+    previous_[after] = before;
+    classify(before);
+    classify(after);
+}
+
+/// The last three corners, in ascending order, if they are turned rightly.
+void PolygonCutter::add_last(std::uint32_t corner) {
+    Triangle last{corner, next_[corner], previous_[corner]};
+    std::rotate(last.begin(), std::min_element(last.begin(), last.end()), last.end());
+    if (turn(last[0], last[1], last[2]) < 0) {
+        triangles_.clear();
+        return;
+    }
+    triangles_.push_back(last);
+}
+
+} // namespace cd

@@ -1,0 +1,91 @@
+// Proves that the readers of our own take from real models what assimp takes: the same parts, and
+// the same triangles in the same order, up to assimp's rounding of decimals.
+#include "client/import/assimp_mesh.hpp"
+#include "client/import/mesh_import.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <string>
+
+namespace cd::tests {
+
+namespace {
+
+struct Model {
+    const char* file;
+    bool is_text;
+};
+
+void PrintTo(const Model& model, std::ostream* out) {
+    *out << model.file;
+}
+
+/// Numbers the floats in their order, both zeros as 0.
+std::int64_t float_number(double value) {
+    const auto bits = std::bit_cast<std::int32_t>(static_cast<float>(value));
+    return bits < 0 ? -(bits & std::numeric_limits<std::int32_t>::max()) : bits;
+}
+
+/// The largest number of float steps between two corners' coordinates.
+std::int64_t steps_between(const Vec3& left, const Vec3& right) {
+    std::int64_t steps = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        steps = std::max(steps, std::abs(float_number(left[axis]) - float_number(right[axis])));
+    }
+    return steps;
+}
+
+class AssimpTwin : public testing::TestWithParam<Model> {};
+
+} // namespace
+
+TEST_P(AssimpTwin, HasTheSamePartsAndTriangles) {
+    CD_NEEDS_MODEL(path, GetParam().file);
+    const auto own = import_mesh(path, {});
+    ASSERT_TRUE(own) << own.error().detail;
+    const auto twin = import_with_assimp(path, {});
+    ASSERT_TRUE(twin) << twin.error().detail;
+    const Mesh& left = *own.value().mesh;
+    const Mesh& right = *twin.value().mesh;
+
+    EXPECT_EQ(left.parts(), right.parts());
+    ASSERT_EQ(left.triangles().size(), right.triangles().size());
+    const std::int64_t steps_max = GetParam().is_text ? 1 : 0;
+    std::uint64_t far_apart = 0;
+    for (std::uint32_t i = 0; i < left.triangles().size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int64_t steps = steps_between(left.corners(i)[k], right.corners(i)[k]);
+            far_apart += steps > steps_max ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(far_apart, 0u);
+    if (!GetParam().is_text) {
+        EXPECT_EQ(left.hash(), right.hash());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All,
+                         AssimpTwin,
+                         testing::Values(Model{"audi_body.obj", true},
+                                         Model{"curiosity_rover.stl", false},
+                                         Model{"drivaer_fastback.ply", false},
+                                         Model{"hatchback.obj", true},
+                                         Model{"jet_fighter.obj", true},
+                                         Model{"lugged_wheel.obj", true},
+                                         Model{"motorbike.ply", false},
+                                         Model{"sedan.obj", true},
+                                         Model{"stanford_bunny.ply", true}),
+                         [](const auto& param) {
+                             std::string name = param.param.file;
+                             std::replace(name.begin(), name.end(), '.', '_');
+                             return name;
+                         });
+
+} // namespace cd::tests
