@@ -9,6 +9,8 @@ if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release)
 endif()
 
+include(cd_unity)
+
 find_program(CD_CCACHE ccache)
 if(CD_CCACHE)
     # One cache serves every checkout and build folder.
@@ -35,16 +37,21 @@ endif()
 # the canonical form of meshes and boxes depends on (tests/common/core/rounding_test.cpp).
 target_compile_options(cd_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 target_compile_options(cd_flags INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-align
+    -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow> -Wnon-virtual-dtor -Wold-style-cast -Wcast-align
     -Woverloaded-virtual -Wimplicit-fallthrough $<$<BOOL:${CD_WERROR}>:-Werror>)
+if(CMAKE_UNITY_BUILD)
+    # GCC takes a file that is included for a header, in which an anonymous base would be a mistake;
+    # and a file may shadow names of the one before it.
+    target_compile_options(cd_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 # GCC 12 guesses these from inlined library code, and guesses wrong.
 target_compile_options(cd_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:
     -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds -Wno-maybe-uninitialized -Wno-restrict>)
 target_include_directories(cd_flags INTERFACE "${CMAKE_SOURCE_DIR}")
 target_link_libraries(cd_flags INTERFACE Threads::Threads)
 
-# cd_add_library(NAME [PUBLIC libs...] [PRIVATE libs...]): all .cpp files of the calling folder but
-# main.cpp.
+# cd_add_library(NAME [PUBLIC libs...] [PRIVATE libs...] [SUBFOLDERS folders...]):
+# all .cpp files of the calling folder, and of these below it, but main.cpp.
 function(cd_add_library name)
     cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE;SUBFOLDERS" ${ARGN})
     set(patterns "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
@@ -55,6 +62,7 @@ function(cd_add_library name)
     list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC cd_flags ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+    cd_unity(${name})
 endfunction()
 
 # cd_add_program(NAME LIBRARY): main.cpp of the calling folder; all programs stand in one place.
@@ -72,6 +80,7 @@ function(cd_add_test name folder label)
         return()
     endif()
     add_executable(${name} ${sources})
+    cd_unity(${name})
     target_link_libraries(${name} PRIVATE ${ARGN} cd_test_support GTest::gtest_main GTest::gmock)
     gtest_discover_tests(${name} PROPERTIES LABELS ${label} DISCOVERY_MODE PRE_TEST)
 endfunction()
