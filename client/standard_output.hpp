@@ -1,4 +1,4 @@
-// What becomes of standard output when a verb has ended.
+// Reports standard output that could not be written, for example to a full disk.
 #pragma once
 
 namespace cd {

@@ -1,4 +1,4 @@
-// How many tests it took to tell insides.
+// Counts of the tests that decide whether one body lies inside another.
 #pragma once
 
 #include <cstdint>
