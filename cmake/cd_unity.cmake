@@ -1,7 +1,15 @@
 # Unity builds: several files are compiled as one, which spares the time that their headers take.
-# The preset `release` builds so. Those of developers do not: a changed file is compiled alone.
+# The presets `release` and `ci` build so. Those of developers do not: a changed file is compiled alone.
 
 set(CD_UNITY_BATCH 8 CACHE STRING "So many files at most are compiled as one in a unity build")
+
+# cd_first_definition(TARGET): a program that replaces files of a library. In a unity build the library
+# brings these along, compiled with others that the program needs; the program's own come first.
+function(cd_first_definition target)
+    if(CMAKE_UNITY_BUILD)
+        target_link_options(${target} PRIVATE -Wl,--allow-multiple-definition)
+    endif()
+endfunction()
 
 # cd_names_of(OUT SOURCE): what SOURCE defines at the beginning of a line; anonymous namespaces are
 # not indented, so the names in them are among these.
