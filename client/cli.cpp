@@ -46,9 +46,13 @@ struct Verbs {
     WatchCommand watch;
     WatchCommand wait;
     ResultsCommand results;
+    VerifyCommand verify;
+    ExtractCommand extract;
     GetCommand get;
     StatusCommand status;
     CancelCommand cancel;
+    RemoveCommand remove;
+    DrainCommand drain;
     ExplainCommand explain;
     JoinCommand join;
     TokenCommand token;
@@ -67,6 +71,8 @@ CLI::App* add_verb(CLI::App& app, Verbs& verbs, const char* name, const char* he
 void add_local_verbs(CLI::App& app, Verbs& verbs) {
     CLI::App* run = add_verb(app, verbs, "run", run_help, verbs.run);
     add_job_options(*run, verbs.run.job);
+    add_folder_options(*run, verbs.run.folder);
+    add_statistics(*run, verbs.run.statistics);
     add_master_options(*run, verbs.run.master, false);
     run->add_option("--threads", verbs.run.threads, "Threads here; 0 is one for each core")
         ->check(CLI::Range(0u, 4096u))
@@ -80,7 +86,9 @@ void add_local_verbs(CLI::App& app, Verbs& verbs) {
     add_first_stage(*run, verbs.run.first_stage);
     add_tree_cache(*run, verbs.run.tree_cache);
     add_fail_on(*run, verbs.run.fail_on);
-    run->add_flag("--dry-run", verbs.run.dry_run, "Read and check all inputs, then stop");
+    run->add_flag(
+        "--dry-run", verbs.run.dry_run, "Check all inputs, tell time and size, then stop");
+    run->add_flag("--yes", verbs.run.yes, "Also write more than 1 GB, or half of the free disk");
     add_quiet(*run, verbs.run.quiet);
     add_output(*run, verbs.run.output, {"text", "json", "csv"});
 
@@ -142,12 +150,13 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
 
     const auto add_watch = [&](const char* name, const char* help, WatchCommand& command) {
         CLI::App* watch = add_verb(app, verbs, name, help, command);
-        watch->add_option("job", command.job, "A job's id, or its beginning")
+        watch->add_option("job", command.job, "A job's id, its beginning, or last: your newest job")
             ->required()
             ->type_name("JOB");
         add_master_options(*watch, command.master, true);
         add_fail_on(*watch, command.fail_on);
         add_quiet(*watch, command.quiet);
+        add_statistics(*watch, command.statistics);
         add_output(*watch, command.output, {"text", "json"});
     };
     verbs.wait.only_wait = true;
@@ -157,23 +166,19 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
         "Waits for a job's end, without progress.\nExamples:\n  cdctl wait j-5692 --fail-on cross",
         verbs.wait);
 
-    CLI::App* results = add_verb(app,
-                                 verbs,
-                                 "results",
-                                 "Fetches a job's results.\n"
-                                 "Examples:\n"
-                                 "  cdctl results j-5692 --out out --formats csv,npz\n"
-                                 "  cdctl results j-5692 -o csv > scenarios.csv",
-                                 verbs.results);
-    results->add_option("job", verbs.results.job, "A job's id, or its beginning")
+    CLI::App* results = add_verb(app, verbs, "results", results_help, verbs.results);
+    results
+        ->add_option("job",
+                     verbs.results.job,
+                     "A results folder; or a job's id, its beginning, or last: your newest")
         ->required()
         ->type_name("JOB");
     add_master_options(*results, verbs.results.master, true);
-    results->add_option("--out", verbs.results.out, "Folder for the results")->type_name("DIR");
-    results
-        ->add_option("--formats", verbs.results.formats, "text, json, csv, npz (default csv,npz)")
-        ->delimiter(',')
-        ->type_name("LIST");
+    results->add_option("--out", verbs.results.out, "Folder for the results of a job")
+        ->type_name("DIR");
+    add_formats(*results, verbs.results.formats, verbs.results.exact_points);
+    add_folder_options(*results, verbs.results.folder);
+    add_statistics(*results, verbs.results.statistics);
     add_quiet(*results, verbs.results.quiet);
     add_output(*results, verbs.results.output, {"text", "json", "csv"});
 
@@ -187,7 +192,8 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
         verbs.cancel);
     cancel->add_option("--scenario", verbs.cancel.scenario, "Its number in the job, from 0")
         ->type_name("N");
-    cancel->add_option("job", verbs.cancel.job, "A job's id, or its beginning")
+    cancel
+        ->add_option("job", verbs.cancel.job, "A job's id, its beginning, or last: your newest job")
         ->required()
         ->type_name("JOB");
     add_master_options(*cancel, verbs.cancel.master, true);
@@ -200,7 +206,9 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
                                  "  cdctl explain j-5692 17\n"
                                  "  cdctl explain j-5692 17 -o json",
                                  verbs.explain);
-    explain->add_option("job", verbs.explain.job, "A job's id, or its beginning")
+    explain
+        ->add_option(
+            "job", verbs.explain.job, "A job's id, its beginning, or last: your newest job")
         ->required()
         ->type_name("JOB");
     explain->add_option("scenario", verbs.explain.scenario, "Its number in the job, from 0")
@@ -243,6 +251,46 @@ void add_cluster_verbs(CLI::App& app, Verbs& verbs) {
                                  "  cdctl version -o json",
                                  verbs.version);
     add_output(*version, verbs.version.output, {"text", "json"});
+}
+
+void add_upkeep_verbs(CLI::App& app, Verbs& verbs) {
+    CLI::App* remove = add_verb(app,
+                                verbs,
+                                "rm",
+                                "Removes jobs with their results and poses, and meshes; with a job "
+                                "go the meshes and\ntrees that no other job needs.\n"
+                                "Examples:\n"
+                                "  cdctl rm j-5692 j-a01c --yes\n"
+                                "  cdctl rm j-5692 --cancel --yes      also while it runs\n"
+                                "  cdctl rm 3f9c27a1 --yes             a mesh, for admins",
+                                verbs.remove);
+    remove
+        ->add_option("what",
+                     verbs.remove.what,
+                     "A job's id, its beginning, or last; or a mesh, by the beginning of its hash")
+        ->required()
+        ->type_name("JOB|MESH...");
+    remove->add_flag("--yes", verbs.remove.yes, "Remove; without it nothing is done");
+    remove->add_flag("--cancel", verbs.remove.cancel, "End a job first that runs");
+    add_master_options(*remove, verbs.remove.master, true);
+
+    CLI::App* drain =
+        add_verb(app,
+                 verbs,
+                 "drain",
+                 "Sends workers away: they finish what runs, hand back the rest, and "
+                 "end with exit code 0.\n"
+                 "Examples:\n"
+                 "  cdctl drain w-3\n"
+                 "  cdctl drain --all\n"
+                 "  cdctl drain w-3 --now               what runs goes to others, too",
+                 verbs.drain);
+    CLI::Option* workers =
+        drain->add_option("worker", verbs.drain.workers, "A worker's id, or its name")
+            ->type_name("WORKER...");
+    drain->add_flag("--all", verbs.drain.all, "All workers that are here")->excludes(workers);
+    drain->add_flag("--now", verbs.drain.now, "At once, without finishing anything");
+    add_master_options(*drain, verbs.drain.master, true);
 }
 
 void add_identity_verbs(CLI::App& app, Verbs& verbs) {
@@ -298,6 +346,73 @@ void add_identity_verbs(CLI::App& app, Verbs& verbs) {
     add_master_options(*create, verbs.token.master, true);
 }
 
+void add_check_verbs(CLI::App& app, Verbs& verbs) {
+    CLI::App* verify = add_verb(app,
+                                verbs,
+                                "verify",
+                                "Runs a sample of a run's scenarios again here and compares.\n"
+                                "Examples:\n"
+                                "  cdctl verify out\n"
+                                "  cdctl verify out --sample 100000 --seed 7\n"
+                                "\n"
+                                "Exit codes: 0 all records are the same; 1 one differs; 3 some "
+                                "scenario could not be run.",
+                                verbs.verify);
+    verify->add_option("run", verbs.verify.run, "A results folder, or a job's id")
+        ->required()
+        ->type_name("FOLDER|JOB");
+    add_master_options(*verify, verbs.verify.master, true);
+    verify->add_option("--sample", verbs.verify.sample, "How many scenarios, drawn by the seed")
+        ->check(CLI::PositiveNumber)
+        ->type_name("N")
+        ->capture_default_str();
+    verify->add_option("--seed", verbs.verify.seed, "Which ones")
+        ->type_name("N")
+        ->capture_default_str();
+    verify->add_option("--threads", verbs.verify.threads, "Threads here; 0 is one for each core")
+        ->check(CLI::Range(0u, 4096u))
+        ->type_name("N");
+    add_tree_cache(*verify, verbs.verify.tree_cache);
+    add_quiet(*verify, verbs.verify.quiet);
+
+    CLI::App* extract = add_verb(app,
+                                 verbs,
+                                 "extract",
+                                 "Writes scenarios of a run as a job of their own.\n"
+                                 "Examples:\n"
+                                 "  cdctl extract out 41230 --out case && cdctl run case/job.toml\n"
+                                 "  cdctl extract out 100-199 --out case\n"
+                                 "  cdctl extract out 41230 --out case --minimal\n"
+                                 "\n"
+                                 "A case has a.npz and b.npz (all triangles), poses.csv in the "
+                                 "form that was\n"
+                                 "tested, job.toml, and expected.json with the class and the "
+                                 "digest that `cdctl run`\n"
+                                 "must give.",
+                                 verbs.extract);
+    extract->add_option("run", verbs.extract.run, "A results folder, or a job's id")
+        ->required()
+        ->type_name("FOLDER|JOB");
+    extract->add_option("scenarios", verbs.extract.scenarios, "N, or N-M with both")
+        ->required()
+        ->type_name("N[-M]");
+    add_master_options(*extract, verbs.extract.master, true);
+    extract->add_option("--out", verbs.extract.out, "Folder for the case (scenario-N)")
+        ->type_name("DIR");
+    extract->add_option("--as", verbs.extract.as, "What is written")
+        ->check(CLI::IsMember(std::vector<std::string>{"case"}))
+        ->type_name("KIND")
+        ->capture_default_str();
+    extract->add_flag("--minimal",
+                      verbs.extract.minimal,
+                      "Only triangles whose boxes meet the other body's there; ids.csv leads back "
+                      "to their numbers");
+    extract->add_option("--threads", verbs.extract.threads, "Threads here; 0 is one for each core")
+        ->check(CLI::Range(0u, 4096u))
+        ->type_name("N");
+    add_tree_cache(*extract, verbs.extract.tree_cache);
+}
+
 /// CLI11's exit codes tell its own errors apart; ours is one for all wrong usage.
 CommandLine refused(const CLI::App& app,
                     const CLI::ParseError& error,
@@ -334,7 +449,9 @@ CommandLine parse_command_line(std::vector<std::string> arguments) {
     app.require_subcommand(1);
     add_local_verbs(app, verbs);
     add_job_verbs(app, verbs);
+    add_check_verbs(app, verbs);
     add_cluster_verbs(app, verbs);
+    add_upkeep_verbs(app, verbs);
     add_identity_verbs(app, verbs);
     try {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

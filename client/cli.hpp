@@ -22,8 +22,16 @@ struct MasterOptions {
 /// What decides exit code 1.
 enum class FailOn : std::uint8_t { Never, Touch, Cross };
 
+/// How a results folder is treated.
+struct FolderFlags {
+    bool overwrite = false;
+    bool fresh = false;
+    bool no_inputs = false;
+};
+
 struct RunCommand {
-    JobOptions job;
+    JobOptions job; ///< `job.file` may be a results folder.
+    FolderFlags folder;
     MasterOptions master; ///< No address: on this machine alone.
     unsigned threads = 0; ///< 0: one for each core.
     std::string simd;     ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
@@ -31,7 +39,9 @@ struct RunCommand {
     std::string tree_cache = "off";       ///< A folder, or off.
     FailOn fail_on = FailOn::Never;
     bool dry_run = false;
+    bool yes = false; ///< Also results of more than 1 GB.
     bool quiet = false;
+    bool statistics = false;
     std::string output = "text"; ///< text, json or csv, on stdout.
 };
 
@@ -57,17 +67,42 @@ struct WatchCommand {
     MasterOptions master;
     bool quiet = false;
     bool only_wait = false; ///< The verb `wait`: no progress.
+    bool statistics = false;
     FailOn fail_on = FailOn::Never;
     std::string output = "text"; ///< text, json
 };
 
 struct ResultsCommand {
-    std::string job;
+    std::string job; ///< Or a results folder.
     MasterOptions master;
     std::string out;
-    std::vector<std::string> formats{"csv", "npz"};
+    FolderFlags folder;
+    std::vector<std::string> formats; ///< Empty: not given.
+    bool exact_points = false;
     bool quiet = false;
+    bool statistics = false;
     std::string output = "text"; ///< text, json, csv: on stdout where no folder is given.
+};
+
+struct VerifyCommand {
+    std::string run; ///< A results folder, or a job's id.
+    MasterOptions master;
+    std::uint64_t sample = 1000;
+    std::uint64_t seed = 1;
+    unsigned threads = 0;
+    std::string tree_cache = "off"; ///< A folder, or off.
+    bool quiet = false;
+};
+
+struct ExtractCommand {
+    std::string run; ///< A results folder, or a job's id.
+    MasterOptions master;
+    std::string scenarios; ///< N or N-M
+    std::string out;
+    std::string as = "case";
+    bool minimal = false;
+    unsigned threads = 0;
+    std::string tree_cache = "off"; ///< A folder, or off.
 };
 
 struct GetCommand {
@@ -84,6 +119,21 @@ struct StatusCommand {
 struct CancelCommand {
     std::string job;
     std::optional<std::uint64_t> scenario; ///< Nothing: the whole job.
+    MasterOptions master;
+};
+
+/// `rm`
+struct RemoveCommand {
+    std::vector<std::string> what; ///< Jobs, or meshes by their hashes.
+    bool yes = false;
+    bool cancel = false; ///< End a job first that runs.
+    MasterOptions master;
+};
+
+struct DrainCommand {
+    std::vector<std::string> workers;
+    bool all = false;
+    bool now = false;
     MasterOptions master;
 };
 
@@ -126,9 +176,13 @@ using Command = std::variant<RunCommand,
                              SubmitCommand,
                              WatchCommand,
                              ResultsCommand,
+                             VerifyCommand,
+                             ExtractCommand,
                              GetCommand,
                              StatusCommand,
                              CancelCommand,
+                             RemoveCommand,
+                             DrainCommand,
                              ExplainCommand,
                              JoinCommand,
                              TokenCommand,

@@ -14,6 +14,7 @@ namespace cd {
 
 namespace {
 
+constexpr const char* results_group = "Results";
 constexpr const char* loopback_master = "127.0.0.1:7600";
 
 const std::vector<std::string> levels{"any", "count", "pairs", "contacts"};
@@ -52,6 +53,11 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->check(CLI::IsMember(units()))
         ->type_name("UNIT")
         ->group(inputs);
+    verb.add_option("--precision",
+                    job.precision,
+                    "Of both meshes: auto (doubles where floats lose digits), float (rounded)")
+        ->check(CLI::IsMember(std::vector<std::string>{"auto", "float"}))
+        ->type_name("PRECISION");
     verb.add_option("--poses", job.poses, "Poses of B in A's frame: .npy, .csv, TUM; - is stdin")
         ->type_name("FILE")
         ->group(inputs);
@@ -94,13 +100,12 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
     verb.add_option("--limit-pairs", job.limit_pairs, "Keep so many pairs a scenario; 0 keeps all")
         ->type_name("N")
         ->group(query);
-    verb.add_flag("--maps", job.maps, "At level count: how often each triangle was in contact")
+    verb.add_flag("--maps", job.maps, "From level count on: how often each triangle was in contact")
         ->group(query);
-    verb.add_option("--out", job.out, "Folder for the results")->type_name("DIR")->group(query);
-    verb.add_option("--formats", job.formats, "text, json, csv, npz (default csv,npz)")
-        ->delimiter(',')
-        ->type_name("LIST")
-        ->group(query);
+    verb.add_option("--out", job.out, "Folder for the results")
+        ->type_name("DIR")
+        ->group(results_group);
+    add_formats(verb, job.formats, job.exact_points);
 
     const std::string cluster = "On the cluster";
     verb.add_option("--strategy", job.strategy, "How workers are chosen (earliest-finish)")
@@ -155,6 +160,38 @@ void add_tree_cache(CLI::App& verb, std::string& folder) {
         ->type_name("DIR|off")
         ->envname("CDCTL_TREE_CACHE")
         ->capture_default_str();
+}
+
+void add_formats(CLI::App& verb, std::vector<std::string>& formats, bool& exact_points) {
+    verb.add_option("--formats",
+                    formats,
+                    "csv, csv-pairs, npz, json, text (default csv,npz); csv has a row a scenario, "
+                    "csv-pairs one a pair")
+        ->delimiter(',')
+        ->type_name("LIST")
+        ->group(results_group);
+    verb.add_flag("--exact-points",
+                  exact_points,
+                  "In npz also points relative to origins, with all their bits")
+        ->group(results_group);
+}
+
+void add_folder_options(CLI::App& verb, FolderFlags& flags) {
+    verb.add_flag("--overwrite", flags.overwrite, "Replace another run in the folder")
+        ->group(results_group);
+    verb.add_flag("--fresh", flags.fresh, "Run again what the folder already holds of this job")
+        ->group(results_group);
+    verb.add_flag("--no-inputs",
+                  flags.no_inputs,
+                  "Keep no meshes and poses there; the folder is opened again with their files")
+        ->group(results_group);
+}
+
+void add_statistics(CLI::App& verb, bool& statistics) {
+    verb.add_flag("--stats",
+                  statistics,
+                  "Say what the searches cost and what travelled; summary.json always does")
+        ->group(results_group);
 }
 
 void add_output(CLI::App& verb, std::string& output, const std::vector<std::string>& words) {

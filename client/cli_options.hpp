@@ -23,6 +23,11 @@ void add_tree_cache(CLI::App& verb, std::string& folder);
 void add_output(CLI::App& verb, std::string& output, const std::vector<std::string>& words);
 void add_quiet(CLI::App& verb, bool& quiet);
 void add_fail_on(CLI::App& verb, FailOn& fail_on);
+/// `--formats` and `--exact-points`.
+void add_formats(CLI::App& verb, std::vector<std::string>& formats, bool& exact_points);
+/// `--overwrite`, `--fresh` and `--no-inputs`.
+void add_folder_options(CLI::App& verb, FolderFlags& flags);
+void add_statistics(CLI::App& verb, bool& statistics);
 /// The stages by the names that the statistics give them.
 void add_first_stage(CLI::App& verb, std::optional<PairStage>& first_stage);
 

@@ -7,18 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <ctime>
 
 namespace cd {
 
 namespace {
-
-std::vector<JobId> job_ids(const ClusterStatus& status) {
-    std::vector<JobId> ids;
-    for (const JobStatus& job : status.jobs) {
-        ids.push_back(job.job);
-    }
-    return ids;
-}
 
 std::string worker_name(const WorkerStatus& worker) {
     return "w-" + std::to_string(worker.worker.value);
@@ -42,8 +36,20 @@ std::string worker_state(const WorkerStatus& worker) {
 }
 
 /// Empty where it is not known.
-Cell depth_cell(const std::optional<std::uint32_t>& depth) {
-    return depth ? Cell(std::uint64_t{*depth}) : Cell(std::string());
+Cell depth_cell(const std::vector<std::uint32_t>& depths, std::size_t body) {
+    return body < depths.size() ? Cell(std::uint64_t{depths[body]}) : Cell(std::string());
+}
+
+/// "2026-03-01 12:00:00Z"
+std::string utc_text(std::uint64_t unix_seconds) {
+    const auto time = static_cast<std::time_t>(unix_seconds);
+    std::tm parts{};
+    std::array<char, 32> text{};
+    if (::gmtime_r(&time, &parts) == nullptr ||
+        std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%SZ", &parts) == 0) {
+        return "";
+    }
+    return text.data();
 }
 
 std::size_t count_running(const ClusterStatus& status) {
@@ -100,6 +106,8 @@ Table jobs_table(const ClusterStatus& status) {
     table.columns = {{"job", "JOB", CellKind::Text},
                      {"name", "NAME", CellKind::Text},
                      {"state", "STATE", CellKind::Text},
+                     {"owner", "OWNER", CellKind::Text},
+                     {"began", "BEGAN", CellKind::Text},
                      {"scenarios", "SCENARIOS", CellKind::Count},
                      {"done", "DONE", CellKind::Count},
                      {"contact", "CONTACT", CellKind::Count},
@@ -129,11 +137,13 @@ Table jobs_table(const ClusterStatus& status) {
                      {"evictions", "EVICTED", CellKind::Count, true},
                      {"result_bytes", "RESULTS", CellKind::Size, true},
                      {"failure", "FAILURE", CellKind::Text, true}};
-    const std::vector<JobId> ids = job_ids(status);
+    const std::vector<JobId> ids = ids_of(status.jobs);
     for (const JobStatus& job : status.jobs) {
         table.rows.push_back({job_id_text(job.job, ids),
                               job.name,
                               std::string(job.paused.empty() ? to_text(job.state) : "paused"),
+                              job.owner,
+                              utc_text(job.began),
                               job.summary.total,
                               job.summary.merged(),
                               contacts_of(job.summary),
@@ -153,8 +163,8 @@ Table jobs_table(const ClusterStatus& status) {
                               job.recalled,
                               job.copies,
                               job.copies_won,
-                              depth_cell(job.depth_a),
-                              depth_cell(job.depth_b),
+                              depth_cell(job.depths, 0),
+                              depth_cell(job.depths, 1),
                               job.traffic.blocks.master_bytes,
                               job.traffic.blocks.peer_bytes,
                               job.traffic.blocks.hits,
@@ -282,10 +292,17 @@ std::string faults_text(const ClusterStatus& status) {
            "   scenarios given to others: " + std::to_string(status.scenarios_given_back) + "\n";
 }
 
+std::string sizes_text(const StateSizes& sizes) {
+    const auto size = [](std::uint64_t bytes) { return cell_text(bytes, CellKind::Size); };
+    return "on the master's disk: results " + size(sizes.results) + "   poses " +
+           size(sizes.poses) + "   meshes " + size(sizes.meshes) + "   trees " + size(sizes.trees) +
+           "   journal " + size(sizes.journal) + "   free " + size(sizes.free) + "\n";
+}
+
 /// A line for each scenario that takes long, for each job whose results are in doubt, and for each
 /// at whose end workers helped others.
 std::string long_text(const ClusterStatus& status) {
-    const std::vector<JobId> ids = job_ids(status);
+    const std::vector<JobId> ids = ids_of(status.jobs);
     std::string text;
     for (const JobStatus& job : status.jobs) {
         const std::string id = job_id_text(job.job, ids);
@@ -341,6 +358,7 @@ std::string status_text(const ClusterStatus& before, const ClusterStatus& after)
     }
     text += std::to_string(after.meshes.size()) + (after.meshes.size() == 1 ? " mesh" : " meshes") +
             "   " + cell_text(bytes, CellKind::Size) + "\n";
+    text += sizes_text(after.sizes);
     if (const std::string paused = paused_text(after); !paused.empty()) {
         text += "jobs wait, and go on by themselves when it can be written: " + paused + "\n";
     }
@@ -350,7 +368,7 @@ std::string status_text(const ClusterStatus& before, const ClusterStatus& after)
 namespace {
 
 nlohmann::ordered_json long_scenarios_json(const ClusterStatus& status) {
-    const std::vector<JobId> ids = job_ids(status);
+    const std::vector<JobId> ids = ids_of(status.jobs);
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const JobStatus& job : status.jobs) {
         for (const LongScenario& one : job.long_scenarios) {
@@ -381,6 +399,12 @@ std::string status_json(const ClusterStatus& before, const ClusterStatus& after)
     document["workers_lost"] = after.workers_lost;
     document["sessions_resumed"] = after.sessions_resumed;
     document["scenarios_given_back"] = after.scenarios_given_back;
+    document["state_bytes"] = {{"results", after.sizes.results},
+                               {"poses", after.sizes.poses},
+                               {"meshes", after.sizes.meshes},
+                               {"trees", after.sizes.trees},
+                               {"journal", after.sizes.journal},
+                               {"free", after.sizes.free}};
     document["long_scenarios"] = long_scenarios_json(after);
     document["paused"] = paused_text(after);
     document["bottleneck"] = bottleneck_text(before, after);

@@ -1,12 +1,16 @@
 #include "client/connection.hpp"
 
 #include "client/result_records.hpp"
+#include "client/table.hpp"
+#include "client/words.hpp"
+#include "common/core/check.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/limits_client.hpp"
 #include "common/core/printable.hpp"
 #include "common/core/version.hpp"
 #include "proto/channel.hpp"
 
+#include <pwd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,17 +30,62 @@ Error interrupted() {
     return {ErrorCode::Interrupted, "interrupted"};
 }
 
-Hello make_hello() {
+/// The master could not write `what` to its disk.
+Error no_room(const std::string& what, const Error& error) {
+    return {ErrorCode::Incomplete, "the master has no room for " + what + ": " + error.detail};
+}
+
+std::string host_name() {
     std::array<char, 256> host{};
     if (::gethostname(host.data(), host.size() - 1) != 0) {
         host[0] = '\0';
     }
+    return escaped(std::string(host.data())).substr(0, 150);
+}
+
+/// By the account, whose name the environment need not tell.
+std::string user_name() {
+    std::array<char, 4096> texts{};
+    passwd entry{};
+    passwd* found = nullptr;
+    const bool is_known =
+        ::getpwuid_r(::geteuid(), &entry, texts.data(), texts.size(), &found) == 0 &&
+        found != nullptr;
+    return is_known ? escaped(std::string(found->pw_name)).substr(0, 100)
+                    : std::to_string(::geteuid());
+}
+
+Hello make_hello() {
     Hello hello;
     hello.role = Role::Client;
-    hello.name =
-        "cdctl " + std::string(host.data()).substr(0, 200) + " " + std::to_string(::getpid());
+    hello.name = "cdctl " + host_name() + " " + std::to_string(::getpid());
+    hello.user = user_name() + "@" + host_name();
     hello.build = std::string(version);
     return hello;
+}
+
+Error other_poses() {
+    return {ErrorCode::BadFrame, "the master sent other poses than were asked for"};
+}
+
+/// Appends what came for scenarios `next` and on, at most `left`.
+Status take_poses(const JobPoses& part, std::uint64_t next, std::uint64_t left, FetchedPoses& all) {
+    if (part.first != next || part.count == 0 || part.count > left) {
+        return other_poses();
+    }
+    const auto scenarios = unpack_scenarios(part.scenarios, part.count);
+    if (!scenarios) {
+        return scenarios.error();
+    }
+    const auto fits = [&](std::size_t labels) { return labels == 0 || labels == part.count; };
+    const PoseLabels& labels = part.labels;
+    if (scenarios.value().size() != part.count || scenarios.value().front().index != next ||
+        !fits(labels.integers.size()) || !fits(labels.texts.size()) || !fits(labels.times.size())) {
+        return other_poses();
+    }
+    all.scenarios.insert(all.scenarios.end(), scenarios.value().begin(), scenarios.value().end());
+    all.labels.append(labels);
+    return Done{};
 }
 
 } // namespace
@@ -46,6 +95,7 @@ struct Connection::State {
     std::function<bool()> stopped;
     bool heeds_stop = true;
     std::string address;
+    std::string owner;
     std::shared_ptr<Channel> channel;
 
     template <class T>
@@ -64,9 +114,12 @@ struct Connection::State {
     asio::awaitable<Status> upload(std::span<const NamedMesh> meshes,
                                    const UploadProgress& progress);
     asio::awaitable<Status> upload_one(const NamedMesh& mesh, const UploadProgress& progress);
-    asio::awaitable<Result<JobId>> submit(Submit submit, PoseSource* poses);
-    asio::awaitable<Result<JobStatus>> watch(JobId job,
-                                             const std::function<void(const JobStatus&)>& changed);
+    asio::awaitable<Result<JobId>>
+    submit(Submit submit, PoseSource* poses, const PoseLabels& labels);
+    asio::awaitable<Result<JobStatus>>
+    watch(JobId job,
+          const std::function<void(const JobStatus&)>& changed,
+          const std::function<void(const ClusterStatus&)>& looked);
     asio::awaitable<Result<JobStatus>> cancel(JobId job);
 };
 
@@ -180,6 +233,7 @@ asio::awaitable<Status> Connection::State::open(Target target) {
     if (!welcome) {
         co_return welcome.error();
     }
+    owner = welcome.value().owner;
     co_return Done{};
 }
 
@@ -224,7 +278,10 @@ asio::awaitable<Status> Connection::State::upload_one(const NamedMesh& mesh,
     }
     const auto stored = co_await answer<MeshStored>(limits::mesh_stored_timeout);
     if (!stored) {
-        co_return stored.error();
+        const std::string what =
+            mesh.name + " (" + cell_text(static_cast<double>(bytes.size()), CellKind::Size) + ")";
+        co_return stored.error().code == ErrorCode::Io ? no_room(what, stored.error())
+                                                       : stored.error();
     }
     if (stored.value().mesh != mesh.mesh->hash()) {
         co_return Error{ErrorCode::BadFrame, "the master confirms another mesh than it was sent"};
@@ -232,7 +289,8 @@ asio::awaitable<Status> Connection::State::upload_one(const NamedMesh& mesh,
     co_return Done{};
 }
 
-asio::awaitable<Result<JobId>> Connection::State::submit(Submit submit, PoseSource* poses) {
+asio::awaitable<Result<JobId>>
+Connection::State::submit(Submit submit, PoseSource* poses, const PoseLabels& labels) {
     channel->send(submit);
     for (std::uint64_t sent = 0; poses != nullptr && sent < submit.scenarios;) {
         const auto run = poses->read(sent, std::min(poses_together, submit.scenarios - sent));
@@ -242,7 +300,8 @@ asio::awaitable<Result<JobId>> Connection::State::submit(Submit submit, PoseSour
         if (const Status status = co_await make_room(); !status) {
             co_return status.error();
         }
-        channel->send(PosesPart{pack_scenarios(run.value())});
+        channel->send(
+            PosesPart{pack_scenarios(run.value()), labels.slice(sent, run.value().size())});
         sent += run.value().size();
     }
     if (poses != nullptr) {
@@ -250,28 +309,48 @@ asio::awaitable<Result<JobId>> Connection::State::submit(Submit submit, PoseSour
     }
     const auto accepted = co_await answer<Accepted>(limits::mesh_stored_timeout);
     if (!accepted) {
-        co_return accepted.error();
+        const std::string what = "the poses of " + counted(submit.scenarios, "scenario");
+        co_return accepted.error().code == ErrorCode::Io ? no_room(what, accepted.error())
+                                                         : accepted.error();
     }
     co_return accepted.value().job;
 }
 
-/// A job may stand still for long, and then there is nothing to say about it. So that a master that
-/// is gone is noticed, it is asked something small after each silence.
+/// A job may stand still for long, and then there is nothing to say about it. So the master is
+/// asked about the cluster after each silence, and now and then besides; a master that is gone does
+/// not answer.
 asio::awaitable<Result<JobStatus>>
-Connection::State::watch(JobId job, const std::function<void(const JobStatus&)>& changed) {
+Connection::State::watch(JobId job,
+                         const std::function<void(const JobStatus&)>& changed,
+                         const std::function<void(const ClusterStatus&)>& looked) {
     channel->send(Watch{job});
-    bool asked = false;
+    auto heard = Clock::now();
+    auto asked = heard;
+    if (looked) {
+        channel->send(StatusQuery{});
+    }
     while (true) {
-        const Result<Message> message = co_await receive(limits::answer_timeout);
+        const Result<Message> message =
+            co_await receive(looked ? limits::watch_look_period : limits::answer_timeout);
+        const auto now = Clock::now();
+        if (!message && (message.error().code != ErrorCode::Timeout ||
+                         now - heard > 2 * limits::answer_timeout)) {
+            co_return message.error();
+        }
+        if (!message || (looked && now - asked > limits::watch_look_period_going_on)) {
+            channel->send(StatusQuery{});
+            asked = now;
+        }
         if (!message) {
-            if (message.error().code != ErrorCode::Timeout || asked) {
-                co_return message.error();
-            }
-            channel->send(MeshesQuery{});
-            asked = true;
             continue;
         }
-        asked = false;
+        heard = now;
+        if (const auto* cluster = std::get_if<ClusterStatus>(&message.value())) {
+            if (looked) {
+                looked(*cluster);
+            }
+            continue;
+        }
         if (const auto* failure = std::get_if<Failure>(&message.value())) {
             co_return Error{failure->code, failure->detail};
         }
@@ -337,18 +416,21 @@ Status Connection::upload(std::span<const NamedMesh> meshes, const UploadProgres
 }
 
 Result<JobId> Connection::submit(const Submit& submit) {
-    return state_->run(state_->submit(submit, nullptr));
+    return state_->run(state_->submit(submit, nullptr, {}));
 }
 
-Result<JobId> Connection::submit(Submit submit, PoseSource& poses) {
+Result<JobId> Connection::submit(Submit submit, PoseSource& poses, const PoseLabels& labels) {
     submit.grid.reset();
     submit.scenarios = poses.count();
-    return state_->run(state_->submit(std::move(submit), &poses));
+    submit.poses.labels = labels.columns();
+    CD_CHECK(submit.poses.labels.fit(labels, submit.scenarios));
+    return state_->run(state_->submit(std::move(submit), &poses, labels));
 }
 
 Result<JobStatus> Connection::watch(JobId job,
-                                    const std::function<void(const JobStatus&)>& changed) {
-    return state_->run(state_->watch(job, changed));
+                                    const std::function<void(const JobStatus&)>& changed,
+                                    const std::function<void(const ClusterStatus&)>& looked) {
+    return state_->run(state_->watch(job, changed, looked));
 }
 
 Status Connection::fetch(JobId job,
@@ -371,9 +453,59 @@ Status Connection::fetch(JobId job,
                 return taken;
             }
         }
-        next += results.value().size();
+        next = part.value().next;
     }
     return Done{};
+}
+
+Result<JobDescription> Connection::job_description(JobId job) {
+    Result<JobDescription> described = state_->run(state_->ask<JobDescription>(JobQuery{job}));
+    if (described && described.value().job != job) {
+        return Error{ErrorCode::BadFrame, "the master describes another job than was asked for"};
+    }
+    return described;
+}
+
+Result<Mesh> Connection::fetch_mesh(const Sha256& mesh) {
+    Bytes bytes;
+    std::uint64_t total = 0;
+    do {
+        const auto part = state_->run(state_->ask<MeshBytes>(MeshQuery{mesh, bytes.size()}));
+        if (!part) {
+            return part.error();
+        }
+        const MeshBytes& came = part.value();
+        total = came.bytes_total;
+        if (came.mesh != mesh || came.offset != bytes.size() || came.bytes.empty()) {
+            return Error{ErrorCode::BadFrame, "the master sent another mesh than was asked for"};
+        }
+        bytes.insert(bytes.end(), came.bytes.begin(), came.bytes.end());
+    } while (bytes.size() < total);
+    if (sha256(bytes) != mesh) {
+        return Error{ErrorCode::BadFrame, "the mesh that came does not have its hash"};
+    }
+    return Mesh::from_canonical_bytes(bytes);
+}
+
+Result<FetchedPoses> Connection::fetch_poses(JobId job, std::uint64_t first, std::uint64_t count) {
+    FetchedPoses all;
+    while (all.scenarios.size() < count) {
+        const std::uint64_t next = first + all.scenarios.size();
+        const std::uint64_t left = count - all.scenarios.size();
+        const auto part = state_->run(state_->ask<JobPoses>(PosesQuery{job, next, left}));
+        if (!part) {
+            return part.error();
+        }
+        const Status taken = take_poses(part.value(), next, left, all);
+        if (!taken) {
+            return taken.error();
+        }
+    }
+    return all;
+}
+
+const std::string& Connection::owner() const {
+    return state_->owner;
 }
 
 Result<ContactMapAnswer> Connection::contact_map(JobId job) {
@@ -394,6 +526,18 @@ Result<JobStatus> Connection::cancel(JobId job) {
 
 Result<JobStatus> Connection::cancel_scenario(JobId job, std::uint64_t scenario) {
     return state_->run(state_->ask<JobStatus>(Cancel{job, scenario}));
+}
+
+Result<Removed> Connection::remove_job(JobId job, bool cancel) {
+    return state_->run(state_->ask<Removed>(Remove{job, cancel}));
+}
+
+Result<Removed> Connection::remove_mesh(const Sha256& mesh) {
+    return state_->run(state_->ask<Removed>(RemoveMesh{mesh}));
+}
+
+Result<Draining> Connection::drain(const DrainWorkers& wish) {
+    return state_->run(state_->ask<Draining>(wish));
 }
 
 Result<Explained> Connection::explain(JobId job, std::uint64_t scenario) {

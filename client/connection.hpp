@@ -3,6 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
+#include "common/job/pose_labels.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/result.hpp"
 #include "proto/client_messages.hpp"
@@ -14,6 +15,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace cd {
 
@@ -21,6 +23,12 @@ namespace cd {
 struct NamedMesh {
     std::string name;
     std::shared_ptr<const Mesh> mesh;
+};
+
+/// Scenarios one after the other, and how their pose file names them.
+struct FetchedPoses {
+    std::vector<Scenario> scenarios;
+    PoseLabels labels;
 };
 
 /// One connection, used by one thread, one call at a time. Every call may fail with: Disconnected;
@@ -45,31 +53,56 @@ class Connection {
     using UploadProgress =
         std::function<void(const NamedMesh&, std::uint64_t bytes, std::uint64_t bytes_total)>;
     /// Sends those that the master does not have, each once, and waits until it has stored them.
+    /// Errors: Incomplete naming a mesh that the master has no room for.
     [[nodiscard]] Status upload(std::span<const NamedMesh> meshes, const UploadProgress& progress);
 
     /// A job that is whole in its description (`submit.grid` is set).
     [[nodiscard]] Result<JobId> submit(const Submit& submit);
-    /// A job whose poses follow. Sets `submit.scenarios`; reads the poses in runs. Errors: also
-    /// those of `poses`.
-    [[nodiscard]] Result<JobId> submit(Submit submit, PoseSource& poses);
+    /// A job whose poses follow, and how their file names them: all of `poses`, or none. Sets
+    /// `submit.scenarios` and `submit.poses.labels`; reads the poses in runs. Errors: also those of
+    /// `poses`.
+    [[nodiscard]] Result<JobId>
+    submit(Submit submit, PoseSource& poses, const PoseLabels& labels = {});
 
-    /// Until the job has ended. Calls `changed` with each status, the last one included.
-    [[nodiscard]] Result<JobStatus> watch(JobId job,
-                                          const std::function<void(const JobStatus&)>& changed);
+    /// Until the job has ended. Calls `changed` with each status, the last one included, and where
+    /// it is given `looked` with the cluster, once in a while and more often where the job stands
+    /// still.
+    [[nodiscard]] Result<JobStatus>
+    watch(JobId job,
+          const std::function<void(const JobStatus&)>& changed,
+          const std::function<void(const ClusterStatus&)>& looked = {});
 
     /// Of a job that is done. Errors: NotFound; Refused.
     [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);
 
-    /// The results of [first, first + count) in order, pulled in runs. An error of `take` ends it.
-    /// Errors: Incomplete when one is not there.
+    /// The results that there are of scenarios [first, first + count), in order, pulled in runs.
+    /// Scenarios without a result are passed over. An error of `take` ends it.
     [[nodiscard]] Status fetch(JobId job,
                                std::uint64_t first,
                                std::uint64_t count,
                                const std::function<Status(const ScenarioResult&)>& take);
 
+    /// A job as it was submitted. Errors: NotFound.
+    [[nodiscard]] Result<JobDescription> job_description(JobId job);
+    /// A mesh of the master's, checked against its hash. Errors: NotFound; TooLarge.
+    [[nodiscard]] Result<Mesh> fetch_mesh(const Sha256& mesh);
+    /// The poses of scenarios [first, first + count), which the job has, with their labels. Keeps
+    /// them in memory: whoever needs many asks for them in runs. Errors: NotFound; BadInput.
+    [[nodiscard]] Result<FetchedPoses>
+    fetch_poses(JobId job, std::uint64_t first, std::uint64_t count);
+
+    /// Whose the jobs are that are submitted here, as the master says.
+    [[nodiscard]] const std::string& owner() const;
     [[nodiscard]] Result<ClusterStatus> status();
     /// Ends the job; of one that has ended, nothing. The status after it.
     [[nodiscard]] Result<JobStatus> cancel(JobId job);
+    /// Removes a job, and what no other needs of its meshes. Errors: NotFound; Refused to who does
+    /// not own it, or while it runs, unless `cancel`.
+    [[nodiscard]] Result<Removed> remove_job(JobId job, bool cancel);
+    /// Errors: NotFound; Refused to who is no admin, or while a job names it.
+    [[nodiscard]] Result<Removed> remove_mesh(const Sha256& mesh);
+    /// Sends workers away. Errors: NotFound; Refused to who is no admin.
+    [[nodiscard]] Result<Draining> drain(const DrainWorkers& wish);
     /// One scenario fails, and the job goes on. Errors: NotFound; Refused when it has a result.
     [[nodiscard]] Result<JobStatus> cancel_scenario(JobId job, std::uint64_t scenario);
     /// How the workers score for a scenario of a running job.

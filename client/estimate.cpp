@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+constexpr std::uint64_t bytes_without_a_word = 1'000'000'000;
 /// Samples that take microseconds are run again until so much time has passed: then they are warm.
 constexpr double warm_seconds = 0.02;
 constexpr int passes_max = 8;
@@ -175,6 +176,16 @@ std::string seconds_text(double seconds) {
     return fixed_text(seconds, seconds < 1 ? 2 : seconds < 10 ? 1 : 0);
 }
 
+std::uint64_t free_bytes_near(fs::path folder) {
+    std::error_code error;
+    folder = fs::absolute(folder, error);
+    while (!fs::exists(folder, error) && folder.has_relative_path()) {
+        folder = folder.parent_path();
+    }
+    const fs::space_info space = fs::space(folder, error);
+    return error ? UINT64_MAX : space.available;
+}
+
 } // namespace
 
 Result<RunEstimate>
@@ -256,6 +267,22 @@ std::string estimate_json(const RunEstimate& estimate) {
          static_cast<double>(estimate.scenarios) / std::max(estimate.seconds, 1e-9)},
         {"bytes", estimate.bytes}};
     return json.dump(2) + "\n";
+}
+
+Status check_room(const RunEstimate& estimate, const OutputSpec& output) {
+    const std::uint64_t free = free_bytes_near(output.dir);
+    if (estimate.bytes <= std::min(bytes_without_a_word, free / 2)) {
+        return Done{};
+    }
+    std::string formats;
+    for (const std::string& format : output.formats) {
+        formats += (formats.empty() ? "" : ",") + format;
+    }
+    return Error{ErrorCode::BadInput,
+                 output.dir.string() + ": the results would take about " +
+                     size_text(estimate.bytes) + " as " + formats + ", and " + size_text(free) +
+                     " are free; choose other --formats, a lower --level or --limit-pairs, or say "
+                     "--yes"};
 }
 
 } // namespace cd

@@ -37,4 +37,8 @@ estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& op
 /// and bytes.
 [[nodiscard]] std::string estimate_json(const RunEstimate& estimate);
 
+/// More than 1 GB, or more than half of what is free where the folder is to be, wants a user's
+/// word. Errors: BadInput with the size and the ways out.
+[[nodiscard]] Status check_room(const RunEstimate& estimate, const OutputSpec& output);
+
 } // namespace cd

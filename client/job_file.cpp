@@ -18,11 +18,13 @@ namespace cd {
 namespace {
 
 constexpr std::array<std::string_view, 4> level_names{"any", "count", "pairs", "contacts"};
-constexpr std::array<std::string_view, 4> format_names{"text", "json", "csv", "npz"};
+constexpr std::array<std::string_view, 5> format_names{"text", "json", "csv", "csv-pairs", "npz"};
 constexpr std::string_view depth_auto = "auto";
 constexpr std::array<std::string_view, 2> up_axes{"y", "z"};
 constexpr std::array<std::string_view, 2> quat_orders{"xyzw", "wxyz"};
 constexpr std::array<std::string_view, 2> pose_owners{"b", "both"};
+/// "auto": floats where they hold every coordinate, else doubles.
+constexpr std::array<std::string_view, 2> precision_names{"auto", "float"};
 
 std::filesystem::path beside(const std::filesystem::path& job, const std::string& path) {
     return path == "-" ? std::filesystem::path(path) : job.parent_path() / path;
@@ -39,7 +41,7 @@ void read_body(const TomlFields& job,
         return;
     }
     const TomlFields fields(
-        *table, "[" + std::string(key) + "]", problem, {"mesh", "unit", "name", "up"});
+        *table, "[" + std::string(key) + "]", problem, {"mesh", "unit", "name", "up", "precision"});
     const auto mesh = fields.text("mesh");
     if (!mesh || mesh->empty()) {
         fields.report("mesh", "the key \"mesh\" with the file's name is missing");
@@ -49,6 +51,7 @@ void read_body(const TomlFields& job,
     body.unit = fields.word("unit", unit_names()).value_or("");
     body.name = fields.text("name").value_or("");
     body.up = fields.word("up", up_axes).value_or("");
+    body.rounds_to_float = fields.word("precision", precision_names) == "float";
 }
 
 GridAxis read_axis(const TomlFields& grid, std::string_view key) {
@@ -232,6 +235,7 @@ void read_output(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         }
         spec.output.formats.push_back(*format);
     }
+    keep_each_once(spec.output.formats);
 }
 
 void read_depth(const TomlFields& cluster, TomlProblem& problem, JobSpec& spec) {
@@ -245,8 +249,8 @@ void read_depth(const TomlFields& cluster, TomlProblem& problem, JobSpec& spec) 
                    ? std::nullopt
                    : fields.integer(key, 0, limits::distribution_depth_max);
     };
-    spec.cluster.depth_a = depth("a");
-    spec.cluster.depth_b = depth("b");
+    spec.cluster.set_depth(0, depth("a"));
+    spec.cluster.set_depth(1, depth("b"));
     if (const Status allowed = check_depths(spec); !allowed) {
         cluster.report("depth", allowed.error().detail);
     }
@@ -299,7 +303,7 @@ void read_job(const toml::table& table, TomlProblem& problem, JobSpec& spec) {
 } // namespace
 
 Status check_depths(const JobSpec& spec) {
-    if (spec.tolerance > 0 && (spec.cluster.depth_a || spec.cluster.depth_b)) {
+    if (spec.tolerance > 0 && (spec.cluster.depth(0) || spec.cluster.depth(1))) {
         return Error{ErrorCode::BadInput,
                      "a tolerance above 0 goes without a distribution depth: what stays undecided "
                      "depends on where trees are cut, so the meshes alone decide it; leave out "
@@ -336,12 +340,22 @@ Result<std::optional<std::uint32_t>> parse_depth(std::string_view text) {
 }
 
 Status check_maps(const JobSpec& spec) {
-    if (spec.maps && spec.level != Level::Count) {
+    if (spec.maps && spec.level == Level::Any) {
         return Error{ErrorCode::BadInput,
-                     "maps go with level count: level any knows no triangles, and from level pairs "
-                     "on the pairs themselves say more; set level count, or leave out maps"};
+                     "maps go with level count, pairs and contacts: level any knows no triangles; "
+                     "set another level, or leave out maps"};
     }
     return Done{};
+}
+
+void keep_each_once(std::vector<std::string>& formats) {
+    std::vector<std::string> once;
+    for (std::string& format : formats) {
+        if (std::find(once.begin(), once.end(), format) == once.end()) {
+            once.push_back(std::move(format));
+        }
+    }
+    formats = std::move(once);
 }
 
 Status check_format(std::string_view format) {
@@ -350,7 +364,7 @@ Status check_format(std::string_view format) {
     }
     return Error{ErrorCode::BadInput,
                  "format \"" + std::string(format) +
-                     "\" is not known; this version has text, json, csv and npz"};
+                     "\" is not known; this version has text, json, csv, csv-pairs and npz"};
 }
 
 Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path) {

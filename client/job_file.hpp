@@ -23,6 +23,7 @@ struct BodySpec {
     std::string unit;    ///< Of the file's coordinates; empty: what the file says, else the job's.
     std::string name;    ///< For people; empty: the file's name.
     std::string up = {}; ///< "y" is turned to z; "z" and empty: taken as it is.
+    bool rounds_to_float = false; ///< Coordinates become floats where the file has more digits.
 };
 
 /// Poses that stand in a file; "-" is standard input.
@@ -44,8 +45,9 @@ struct IgnoreRule {
 };
 
 struct OutputSpec {
-    std::filesystem::path dir; ///< Empty: results are not kept.
-    std::vector<std::string> formats{"csv", "npz"};
+    std::filesystem::path dir;                      ///< Empty: results are not kept.
+    std::vector<std::string> formats{"csv", "npz"}; ///< Each once.
+    bool exact_points = false; ///< NPZ: points with all their bits beside those in the world.
 };
 
 struct JobSpec {
@@ -81,8 +83,11 @@ struct JobSpec {
 /// Of a distribution depth: a number, or "auto", which is nothing. Errors: BadInput.
 [[nodiscard]] Result<std::optional<std::uint32_t>> parse_depth(std::string_view text);
 
-/// Maps go with level count. Errors: BadInput.
+/// Maps go with every level but any. Errors: BadInput.
 [[nodiscard]] Status check_maps(const JobSpec& spec);
+
+/// Leaves out each format that stands there already.
+void keep_each_once(std::vector<std::string>& formats);
 
 /// Errors: BadInput naming the formats that exist.
 [[nodiscard]] Status check_format(std::string_view format);

@@ -85,4 +85,29 @@ Result<JobId> find_job(std::string_view text, std::span<const JobId> jobs) {
     return found.front();
 }
 
+std::vector<JobId> ids_of(std::span<const JobStatus> jobs) {
+    std::vector<JobId> ids;
+    for (const JobStatus& job : jobs) {
+        ids.push_back(job.job);
+    }
+    return ids;
+}
+
+Result<JobId>
+find_job(std::string_view text, std::span<const JobStatus> jobs, std::string_view owner) {
+    if (text != "last") {
+        return find_job(text, ids_of(jobs));
+    }
+    std::optional<JobId> last;
+    for (const JobStatus& job : jobs) {
+        if (job.owner == owner && (!last || *last < job.job)) {
+            last = job.job;
+        }
+    }
+    if (!last) {
+        return Error{ErrorCode::NotFound, "the master has no job of '" + std::string(owner) + "'"};
+    }
+    return *last;
+}
+
 } // namespace cd

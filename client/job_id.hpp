@@ -3,10 +3,12 @@
 
 #include "common/core/id.hpp"
 #include "common/core/result.hpp"
+#include "proto/client_messages.hpp"
 
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cd {
 
@@ -18,5 +20,11 @@ namespace cd {
 /// or without "j-"), or by its plain number. Errors: NotFound, also when `text` is no id; BadInput
 /// naming the ids that begin so.
 [[nodiscard]] Result<JobId> find_job(std::string_view text, std::span<const JobId> jobs);
+
+[[nodiscard]] std::vector<JobId> ids_of(std::span<const JobStatus> jobs);
+
+/// The job that is meant, also by `last`: the newest of this owner's. Errors: those of the above.
+[[nodiscard]] Result<JobId>
+find_job(std::string_view text, std::span<const JobStatus> jobs, std::string_view owner);
 
 } // namespace cd

@@ -80,6 +80,8 @@ void replace(T& value, const std::optional<T>& given) {
     value = given.value_or(value);
 }
 
+} // namespace
+
 Status apply(const JobOptions& options, JobSpec& spec) {
     spec.name = options.name.empty() ? spec.name : options.name;
     if (!options.level.empty()) {
@@ -89,6 +91,10 @@ Status apply(const JobOptions& options, JobSpec& spec) {
                          "\" is none of any, count, pairs, contacts");
         }
         spec.level = *level;
+    }
+    for (BodySpec& body : spec.bodies) {
+        body.rounds_to_float =
+            options.precision.empty() ? body.rounds_to_float : options.precision == "float";
     }
     replace(spec.tolerance, options.tolerance);
     if (Status allowed = check_tolerance(spec.tolerance); !allowed) {
@@ -102,7 +108,9 @@ Status apply(const JobOptions& options, JobSpec& spec) {
     spec.output.dir = options.out.empty() ? spec.output.dir : std::filesystem::path(options.out);
     if (!options.formats.empty()) {
         spec.output.formats = options.formats;
+        keep_each_once(spec.output.formats);
     }
+    spec.output.exact_points = spec.output.exact_points || options.exact_points;
     for (const std::string& format : spec.output.formats) {
         if (Status known = check_format(format); !known) {
             return known;
@@ -124,8 +132,8 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         }
         spec.cluster.analysis = *analysis;
     }
-    for (const auto& [depth, given] : {std::pair(&spec.cluster.depth_a, &options.depth_a),
-                                       std::pair(&spec.cluster.depth_b, &options.depth_b)}) {
+    for (const auto& [body, given] :
+         {std::pair(0, &options.depth_a), std::pair(1, &options.depth_b)}) {
         if (given->empty()) {
             continue;
         }
@@ -133,7 +141,7 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         if (!parsed) {
             return parsed.error();
         }
-        *depth = parsed.value();
+        spec.cluster.set_depth(static_cast<std::size_t>(body), parsed.value());
     }
     if (Status allowed = check_depths(spec); !allowed) {
         return allowed;
@@ -144,12 +152,15 @@ Status apply(const JobOptions& options, JobSpec& spec) {
     return check_matching(spec.cluster);
 }
 
-} // namespace
+Status check_no_inputs(const JobOptions& options) {
+    return gives_inputs(options) ? Status(usage(options.file + " names the meshes and the poses; "
+                                                               "change them there, or give none"))
+                                 : Status(Done{});
+}
 
 Result<JobSpec> make_job_spec(const JobOptions& options) {
-    if (!options.file.empty() && gives_inputs(options)) {
-        return usage("the job file " + options.file +
-                     " names the meshes and the poses; change them there, or give no file");
+    if (Status none = check_no_inputs(options); !options.file.empty() && !none) {
+        return none.error();
     }
     auto spec = options.file.empty() ? spec_without_file(options) : read_job_file(options.file);
     if (!spec) {

@@ -32,12 +32,14 @@ struct JobOptions {
 
     // Over what the file says.
     std::string name;
+    std::string precision; ///< "auto" or "float", of both bodies.
     std::string level;
     std::optional<double> tolerance;
     std::optional<std::uint64_t> limit_pairs;
     bool maps = false;
     std::string out;
     std::vector<std::string> formats;
+    bool exact_points = false;
     std::string strategy;
     std::string analysis;
     std::string depth_a; ///< A number, or "auto".
@@ -46,6 +48,13 @@ struct JobOptions {
     std::optional<std::uint32_t> v_kb;
     bool claim = false;
 };
+
+/// That no option names meshes, poses or how they are read, where `options.file` does. Errors:
+/// BadInput naming the file.
+[[nodiscard]] Status check_no_inputs(const JobOptions& options);
+
+/// Changes what the options say over a job file. Errors: BadInput naming the option.
+[[nodiscard]] Status apply(const JobOptions& options, JobSpec& spec);
 
 /// Errors: those of `read_job_file`; BadInput naming the option.
 [[nodiscard]] Result<JobSpec> make_job_spec(const JobOptions& options);

@@ -24,7 +24,7 @@ double seconds_since(Clock::time_point start) {
 }
 
 Error interrupted() {
-    return {ErrorCode::Interrupted, "interrupted; no results were kept"};
+    return {ErrorCode::Interrupted, "interrupted"};
 }
 
 /// Hands the next scenarios to the run while it wants them, for no longer than until progress is
@@ -53,7 +53,7 @@ deliver(std::vector<DoneScenario> results, const RunObserver& observer, ResultMe
         if (observer.stopped()) {
             return interrupted();
         }
-        if (Status added = observer.result(done.result); !added) {
+        if (Status added = observer.result(done); !added) {
             return added;
         }
         const auto outcome = merger.add(done.result, done.digest);
@@ -90,15 +90,16 @@ Result<RunOutcome> run_locally(const ObbTree& a,
                                const Query& query,
                                ThreadPool& pool,
                                const RunObserver& observer,
-                               PairStage first_stage) {
+                               LocalRunOptions options) {
     const auto start = Clock::now();
     auto progress_due = start;
-    ResultMerger merger(poses.count());
+    ResultMerger merger = std::move(options.done).value_or(ResultMerger(poses.count()));
+    const PairStage first_stage = options.first_stage;
     std::atomic<bool> ended = false;
     const ScenarioRunner runner(
         a, b, query, first_stage, [&ended] { return ended.load(std::memory_order_relaxed); });
-    OrderedRun run(runner, ended, pool);
-    std::uint64_t fed = 0;
+    std::uint64_t fed = merger.summary().merged();
+    OrderedRun run(runner, ended, pool, fed);
     while (!merger.summary().is_complete()) {
         if (observer.stopped()) {
             return interrupted();
@@ -116,13 +117,13 @@ Result<RunOutcome> run_locally(const ObbTree& a,
         }
     }
     RunOutcome outcome{
-        merger.summary(), merger.digest(), seconds_since(start), run.statistics(), run.map(), {}};
+        merger.summary(), merger.digest(), seconds_since(start), run.statistics(), {}};
     if (!(query.tolerance > 0)) {
-        SearchCostOptions options;
-        options.for_any = query.level == Level::Any;
-        options.first_stage = first_stage;
-        options.time_max = cost_time_after(outcome.seconds);
-        outcome.cost = measure_search_cost(a.view(), b.view(), some_poses(poses), options);
+        SearchCostOptions cost;
+        cost.for_any = query.level == Level::Any;
+        cost.first_stage = first_stage;
+        cost.time_max = cost_time_after(outcome.seconds);
+        outcome.cost = measure_search_cost(a.view(), b.view(), some_poses(poses), cost);
     }
     return outcome;
 }

@@ -1,10 +1,9 @@
 // Runs a job in this process, with the code that the cluster runs.
 #pragma once
 
-#include "client/report.hpp"
+#include "client/done_scenario.hpp"
 #include "common/core/result.hpp"
 #include "common/core/thread_pool.hpp"
-#include "common/job/contact_map.hpp"
 #include "common/job/merge.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/query.hpp"
@@ -21,7 +20,7 @@ namespace cd {
 /// What a run reports to while it goes, all on the calling thread.
 struct RunObserver {
     /// Each result, in the submitted order. An error ends the run with it.
-    std::function<Status(const ScenarioResult&)> result;
+    std::function<Status(const DoneScenario&)> result;
     /// Now and then, at least some times a second.
     std::function<void(const Summary&, double seconds)> progress;
     /// True ends the run with the error Interrupted.
@@ -31,13 +30,18 @@ struct RunObserver {
 struct RunOutcome {
     Summary summary;
     std::optional<Sha256> digest;
-    double seconds = 0; ///< Without import and building of trees.
-    JobStatistics statistics;
-    ContactMap map; ///< Where the query is for maps.
+    double seconds = 0;       ///< Without import and building of trees.
+    JobStatistics statistics; ///< Of what was run, without what was done before.
     /// What this job's searches cost, measured after the run under some of its poses, for no more
     /// than a small share of the run's time. Nothing under a tolerance, or where no triangle was
     /// tested.
     std::optional<SearchCost> cost;
+};
+
+struct LocalRunOptions {
+    PairStage first_stage = PairStage::Float;
+    /// The results of the first scenarios, where an earlier run has them; they are not run again.
+    std::optional<ResultMerger> done;
 };
 
 /// Every scenario of `poses` on the threads of the pool, by a `ScenarioRunner`. The same results
@@ -49,6 +53,6 @@ struct RunOutcome {
                                              const Query& query,
                                              ThreadPool& pool,
                                              const RunObserver& observer,
-                                             PairStage first_stage = PairStage::Float);
+                                             LocalRunOptions options = {});
 
 } // namespace cd

@@ -19,9 +19,12 @@ asio::awaitable<void> keep(asio::awaitable<Result<Credential>> coroutine,
     result = co_await std::move(coroutine);
 }
 
-/// Runs the conversation to its end on this thread. Each of its waits has a deadline.
-Result<Credential> run(asio::awaitable<Result<Credential>> conversation) {
+/// Runs the conversation on this thread to its end, or until it is stopped. Each of its waits has a
+/// deadline. Errors: also Interrupted.
+Result<Credential> run(asio::awaitable<Result<Credential>> conversation,
+                       const std::stop_token& stop = {}) {
     asio::io_context context(1);
+    const std::stop_callback end(stop, [&context] { context.stop(); });
     std::optional<Result<Credential>> result;
     asio::co_spawn(
         context, keep(std::move(conversation), result), [](const std::exception_ptr& thrown) {
@@ -30,12 +33,14 @@ Result<Credential> run(asio::awaitable<Result<Credential>> conversation) {
             }
         });
     context.run();
-    return std::move(*result);
+    return result ? std::move(*result) : Error{ErrorCode::Interrupted, "interrupted"};
 }
 
-Result<Credential>
-renewed(const Endpoint& master, std::shared_ptr<const Tls> tls, const std::filesystem::path& path) {
-    Result<Credential> credential = run(renew_credential(master, std::move(tls)));
+Result<Credential> renewed(const Endpoint& master,
+                           std::shared_ptr<const Tls> tls,
+                           const std::filesystem::path& path,
+                           const std::stop_token& stop) {
+    Result<Credential> credential = run(renew_credential(master, std::move(tls)), stop);
     if (!credential) {
         return credential;
     }
@@ -55,8 +60,8 @@ std::filesystem::path client_credential_path(const MasterOptions& options, const
                                       : std::filesystem::path(options.credential);
 }
 
-Result<std::shared_ptr<const Tls>> client_tls(const MasterOptions& options,
-                                              const Endpoint& master) {
+Result<std::shared_ptr<const Tls>>
+client_tls(const MasterOptions& options, const Endpoint& master, const std::stop_token& stop) {
     const std::filesystem::path path = client_credential_path(options, master);
     if (path.empty()) {
         return std::shared_ptr<const Tls>();
@@ -72,7 +77,10 @@ Result<std::shared_ptr<const Tls>> client_tls(const MasterOptions& options,
     if (!tls || std::chrono::system_clock::now() < renew_at(*tls.value()->identity())) {
         return tls;
     }
-    const Result<Credential> next = renewed(master, tls.value(), path);
+    const Result<Credential> next = renewed(master, tls.value(), path, stop);
+    if (!next && next.error().code == ErrorCode::Interrupted) {
+        return tls;
+    }
     if (!next) {
         // The old one may still be good; if it is not, the master says so.
         std::fprintf(stderr,
@@ -82,6 +90,18 @@ Result<std::shared_ptr<const Tls>> client_tls(const MasterOptions& options,
         return tls;
     }
     return Tls::make(next.value());
+}
+
+std::optional<std::chrono::system_clock::time_point> renewal_time(const MasterOptions& options,
+                                                                  const Endpoint& master) {
+    const std::filesystem::path path = client_credential_path(options, master);
+    const Result<Credential> credential =
+        path.empty() ? Error{ErrorCode::NotFound, ""} : read_credential(path);
+    if (!credential) {
+        return std::nullopt;
+    }
+    const auto identity = read_identity(credential.value().certificate);
+    return identity ? std::optional(renew_at(identity.value())) : std::nullopt;
 }
 
 Result<Identity> join_as_client(const Endpoint& master,

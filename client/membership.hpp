@@ -5,8 +5,11 @@
 #include "proto/channel.hpp"
 #include "proto/join_token.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <stop_token>
 #include <string>
 
 namespace cd {
@@ -18,8 +21,13 @@ namespace cd {
 
 /// With what to connect; null where there is no credential, and none was named. One that has lived
 /// half of its time is renewed, or else a warning printed. Errors: those of `read_credential`.
-[[nodiscard]] Result<std::shared_ptr<const Tls>> client_tls(const MasterOptions& options,
-                                                            const Endpoint& master);
+/// `stop` ends a renewal that goes on.
+[[nodiscard]] Result<std::shared_ptr<const Tls>>
+client_tls(const MasterOptions& options, const Endpoint& master, const std::stop_token& stop = {});
+
+/// When the credential for this master is due to be renewed; nothing where there is none.
+[[nodiscard]] std::optional<std::chrono::system_clock::time_point>
+renewal_time(const MasterOptions& options, const Endpoint& master);
 
 /// Gets a credential and writes it to the file. Returns what it says. Errors: those of
 /// `join_cluster` and `write_credential`.

@@ -28,6 +28,14 @@ struct NpzWriter::State {
 
     std::filesystem::path path;
     std::vector<Array> arrays;
+
+    void remove_spools() {
+        for (Array& array : arrays) {
+            array.file.close();
+            std::error_code ignored;
+            std::filesystem::remove(array.spool, ignored);
+        }
+    }
 };
 
 NpzWriter::NpzWriter(std::filesystem::path path) : state_(std::make_unique<State>()) {
@@ -35,11 +43,7 @@ NpzWriter::NpzWriter(std::filesystem::path path) : state_(std::make_unique<State
 }
 
 NpzWriter::~NpzWriter() {
-    for (State::Array& array : state_->arrays) {
-        array.file.close();
-        std::error_code ignored;
-        std::filesystem::remove(array.spool, ignored);
-    }
+    state_->remove_spools();
 }
 
 std::size_t NpzWriter::add_array(const std::string& name, NpyType type, std::uint64_t columns) {
@@ -47,7 +51,7 @@ std::size_t NpzWriter::add_array(const std::string& name, NpyType type, std::uin
     array.name = name;
     array.type = type;
     array.columns = columns;
-    array.spool = state_->path.string() + "." + name + ".part";
+    array.spool = state_->path.string() + "." + std::to_string(state_->arrays.size()) + ".part";
     array.file.open(array.spool, std::ios::binary | std::ios::trunc);
     // The header is written at the end, when the length is known.
     const Bytes room(npy_header_bytes);
@@ -56,14 +60,19 @@ std::size_t NpzWriter::add_array(const std::string& name, NpyType type, std::uin
     return state_->arrays.size() - 1;
 }
 
-void NpzWriter::append_bytes(std::size_t array,
-                             std::span<const std::byte> bytes,
-                             std::size_t item) {
+Status
+NpzWriter::append_bytes(std::size_t array, std::span<const std::byte> bytes, std::size_t item) {
     State::Array& target = state_->arrays[array];
     CD_CHECK(item == size_of(target.type));
     target.file.write(reinterpret_cast<const char*>(bytes.data()),
                       static_cast<std::streamsize>(bytes.size()));
     target.elements += bytes.size() / item;
+    if (!target.file) {
+        return Error{ErrorCode::Io,
+                     state_->path.string() + ": cannot be written: no room, or no right, for " +
+                         target.spool.string()};
+    }
+    return Done{};
 }
 
 Status NpzWriter::finish() {
@@ -113,6 +122,7 @@ Status NpzWriter::finish() {
     if (error) {
         return failed(error.message());
     }
+    state_->remove_spools();
     return Done{};
 }
 

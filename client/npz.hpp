@@ -25,13 +25,14 @@ class NpzWriter {
     ~NpzWriter();
 
     /// A new array of one dimension, or of rows of `columns` elements. Returns its number. Errors
-    /// of the file system are reported by `finish`.
+    /// of the file system are reported by the first `append`.
     std::size_t add_array(const std::string& name, NpyType type, std::uint64_t columns = 0);
 
+    /// Errors: Io naming the file, as soon as the operating system takes no more.
     template <class T>
-    void append(std::size_t array, std::span<const T> values) {
+    [[nodiscard]] Status append(std::size_t array, std::span<const T> values) {
         static_assert(std::is_arithmetic_v<T>);
-        append_bytes(array, std::as_bytes(values), sizeof(T));
+        return append_bytes(array, std::as_bytes(values), sizeof(T));
     }
 
     /// Errors: Io naming the file.
@@ -39,7 +40,8 @@ class NpzWriter {
 
   private:
     struct State;
-    void append_bytes(std::size_t array, std::span<const std::byte> bytes, std::size_t item);
+    [[nodiscard]] Status
+    append_bytes(std::size_t array, std::span<const std::byte> bytes, std::size_t item);
 
     std::unique_ptr<State> state_;
 };

@@ -18,16 +18,26 @@ constexpr std::uint64_t block_scenarios = 512;
 /// What a thread does before it hands over.
 constexpr std::chrono::steady_clock::duration batch_time = 250us;
 
-std::uint64_t bytes_of(const ScenarioResult& result) {
-    return sizeof result + result.pairs.size() * sizeof(ContactPair) +
+std::uint64_t bytes_of(const DoneScenario& done) {
+    const ScenarioResult& result = done.result;
+    return sizeof done + done.record.size() + done.found.size() * sizeof(ContactPair) +
+           result.pairs.size() * sizeof(ContactPair) +
            (result.points.size() + result.point_origins.size()) * sizeof(Vec3) +
            result.point_offsets.size() * sizeof(std::uint32_t);
 }
 
 } // namespace
 
-OrderedRun::OrderedRun(const ScenarioRunner& runner, std::atomic<bool>& ended, ThreadPool& pool)
-    : runner_(runner), ended_(ended), thread_count_(pool.size()), threads_left_(pool.size()) {
+OrderedRun::OrderedRun(const ScenarioRunner& runner,
+                       std::atomic<bool>& ended,
+                       ThreadPool& pool,
+                       std::uint64_t first)
+    : runner_(runner),
+      ended_(ended),
+      thread_count_(pool.size()),
+      added_(first),
+      taken_(first),
+      threads_left_(pool.size()) {
     for (unsigned i = 0; i < thread_count_; ++i) {
         pool.post([this] { work(); });
     }
@@ -75,7 +85,7 @@ std::vector<DoneScenario> OrderedRun::take(std::chrono::milliseconds period, boo
         lock, period, [this, may_add] { return is_next_done() || (may_add && wanted_now() > 0); });
     std::vector<DoneScenario> taken;
     while (is_next_done() && taken.size() < limits::run_taken_at_once_max) {
-        bytes_in_hand_ += bytes_of(done_.front()->result);
+        bytes_in_hand_ += bytes_of(*done_.front());
         taken.push_back(std::move(*done_.front()));
         done_.pop_front();
         ++taken_;
@@ -89,11 +99,6 @@ std::vector<DoneScenario> OrderedRun::take(std::chrono::milliseconds period, boo
 JobStatistics OrderedRun::statistics() {
     const std::lock_guard lock(mutex_);
     return statistics_;
-}
-
-ContactMap OrderedRun::map() {
-    const std::lock_guard lock(mutex_);
-    return map_.map();
 }
 
 void OrderedRun::work() {
@@ -139,12 +144,14 @@ void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
             continue; // Nobody waits for it.
         }
         batch.statistics += {run.statistics, run.inside};
+        DoneScenario done{std::move(run.result), {}, {}, {}};
+        done.record = encode_result(done.result);
+        done.digest = sha256(done.record);
         if (runner_.query().maps) {
-            batch.map.add(run.found);
+            done.found = std::move(run.found);
         }
-        batch.bytes += bytes_of(run.result);
-        const Sha256 digest = digest_of(run.result);
-        batch.done.push_back({std::move(run.result), digest});
+        batch.bytes += bytes_of(done);
+        batch.done.push_back(std::move(done));
     }
     const auto fits = batch_time * batch.ran / std::max(spent, 1ns);
     batch.size =
@@ -153,7 +160,6 @@ void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
 
 void OrderedRun::hand_over(Batch& batch) {
     const auto not_run = batch.waiting.begin() + static_cast<std::ptrdiff_t>(batch.ran);
-    const ContactMap map = batch.map.take();
     const std::lock_guard lock(mutex_);
     if (not_run != batch.waiting.end()) {
         // Threads take scenarios in order, so what was not run stands together.
@@ -170,7 +176,6 @@ void OrderedRun::hand_over(Batch& batch) {
         done_[place] = std::move(done);
     }
     statistics_ += batch.statistics;
-    map_.add(map);
     bytes_ahead_ += batch.bytes;
     batch.done.clear();
     batch.statistics = {};

@@ -1,9 +1,8 @@
 // Scenarios on their way through the threads of a pool, and their results back in order.
 #pragma once
 
-#include "common/core/hash.hpp"
+#include "client/done_scenario.hpp"
 #include "common/core/thread_pool.hpp"
-#include "common/job/contact_map.hpp"
 #include "common/job/result.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/scenario.hpp"
@@ -20,12 +19,6 @@
 
 namespace cd {
 
-/// A result as it comes from a thread: its record has been digested there.
-struct DoneScenario {
-    ScenarioResult result;
-    Sha256 digest{};
-};
-
 /// Scenarios go in, in order; pool threads run them; results come out in the same order.
 ///
 /// Threads hand over what they have done, and take more, some scenarios at a time: as many as take
@@ -34,8 +27,12 @@ struct DoneScenario {
 /// number and in bytes.
 class OrderedRun {
   public:
-    /// `ended` is what the runner's check for an end looks at.
-    OrderedRun(const ScenarioRunner& runner, std::atomic<bool>& ended, ThreadPool& pool);
+    /// `ended` is what the runner's check for an end looks at; `first` is the index of the first
+    /// scenario that will be added.
+    OrderedRun(const ScenarioRunner& runner,
+               std::atomic<bool>& ended,
+               ThreadPool& pool,
+               std::uint64_t first = 0);
     OrderedRun(const OrderedRun&) = delete;
     OrderedRun& operator=(const OrderedRun&) = delete;
     /// Returns when no thread of the pool is in here any more; what waits is dropped.
@@ -53,8 +50,6 @@ class OrderedRun {
 
     /// Of all scenarios taken so far, and perhaps some more.
     [[nodiscard]] JobStatistics statistics();
-    /// The same; empty unless the query is for maps.
-    [[nodiscard]] ContactMap map();
 
   private:
     /// What one thread has taken, and what it has done and not handed over.
@@ -63,7 +58,6 @@ class OrderedRun {
         std::size_t ran = 0; ///< Of these.
         std::vector<DoneScenario> done;
         JobStatistics statistics;
-        ContactMapSum map;
         std::uint64_t bytes = 0; ///< Of the results.
         std::size_t size = 1;    ///< How many to take next.
     };
@@ -90,7 +84,6 @@ class OrderedRun {
     std::uint64_t bytes_ahead_ = 0;
     std::uint64_t bytes_in_hand_ = 0; ///< Of these, taken by the last call.
     JobStatistics statistics_;
-    ContactMapTotal map_;
     unsigned threads_left_; ///< In here.
     bool stopping_ = false;
 };

@@ -5,6 +5,7 @@
 #include "client/import/mesh_import.hpp"
 #include "client/interrupt.hpp"
 #include "client/poses/pose_file.hpp"
+#include "client/slow_note.hpp"
 #include "client/units.hpp"
 #include "client/words.hpp"
 #include "common/geometry/topology.hpp"
@@ -26,13 +27,17 @@ const std::string& unit_of(const BodySpec& body, const std::string& job_unit) {
     return body.unit.empty() ? job_unit : body.unit;
 }
 
-Status import_bodies(PreparedJob& job) {
+Status import_bodies(PreparedJob& job, bool quiet) {
     for (std::size_t i = 0; i < 2; ++i) {
         const BodySpec& body = job.spec.bodies[i];
         const BodySpec& first = job.spec.bodies[0];
         job.names[i] = name_of(body);
+        if (job.meshes[i]) {
+            continue;
+        }
         const std::string& unit = unit_of(body, job.spec.unit);
-        if (i == 1 && body.path == first.path && body.unit == first.unit && body.up == first.up) {
+        if (i == 1 && body.path == first.path && body.unit == first.unit && body.up == first.up &&
+            body.rounds_to_float == first.rounds_to_float) {
             job.meshes[1] = job.meshes[0];
             job.notes[1] = job.notes[0];
             continue;
@@ -44,7 +49,9 @@ Status import_bodies(PreparedJob& job) {
         ImportOptions options{*factor};
         options.declared_unit_to = body.unit.empty() ? job.spec.unit : "";
         options.is_y_up = body.up == "y";
+        options.rounds_to_float = body.rounds_to_float;
         options.is_stopped = [] { return InterruptGuard::signal() != 0; };
+        const SlowNote note("reading " + body.path.filename().string() + "...", quiet);
         auto imported = import_mesh(body.path, options);
         if (!imported) {
             return imported.error();
@@ -112,7 +119,7 @@ std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& ze
     return text;
 }
 
-Status make_poses(PreparedJob& job, ThreadPool& pool) {
+Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
     if (const auto* grid = std::get_if<Grid>(&job.spec.poses)) {
         job.grid = *grid;
         job.poses = make_grid_source(*grid);
@@ -126,6 +133,9 @@ Status make_poses(PreparedJob& job, ThreadPool& pool) {
         return Done{};
     }
     const auto& spec = std::get<PoseFileSpec>(job.spec.poses);
+    const SlowNote note(spec.path == "-" ? std::string("reading poses from standard input...")
+                                         : "reading " + spec.path.filename().string() + "...",
+                        quiet);
     auto file = open_pose_file(spec);
     if (!file) {
         return file.error();
@@ -159,13 +169,18 @@ void describe(PreparedJob& job) {
 
 } // namespace
 
-Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool) {
+Result<PreparedJob> prepare_job(
+    JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool, bool quiet, JobInputs given) {
     PreparedJob job;
     job.spec = std::move(spec);
-    if (Status imported = import_bodies(job); !imported) {
+    job.meshes = std::move(given.meshes);
+    if (Status imported = import_bodies(job, quiet); !imported) {
         return imported.error();
     }
-    auto ignored = resolve_ignored(job.spec.ignore, *job.meshes[0], *job.meshes[1], job.spec.file);
+    auto ignored =
+        given.ignored
+            ? Result(std::move(*given.ignored))
+            : resolve_ignored(job.spec.ignore, *job.meshes[0], *job.meshes[1], job.spec.file);
     if (!ignored) {
         return ignored.error();
     }
@@ -174,19 +189,39 @@ Result<PreparedJob> prepare_job(JobSpec spec, Trees trees, TreeCache& cache, Thr
                  job.spec.limit_pairs,
                  std::move(ignored.value()),
                  job.spec.maps};
-    if (trees == Trees::Always || std::holds_alternative<RandomPoses>(job.spec.poses)) {
+    const bool makes_poses = !given.poses && std::holds_alternative<RandomPoses>(job.spec.poses);
+    if (trees == Trees::Always || makes_poses) {
+        const SlowNote note("building trees of " + job.names[0] + " and " + job.names[1] + "...",
+                            quiet);
         get_trees(job, trees, cache, pool);
     }
-    if (Status made = make_poses(job, pool); !made) {
+    if (given.poses) {
+        job.grid = given.poses->grid() ? std::optional(*given.poses->grid()) : std::nullopt;
+        job.poses = std::move(given.poses);
+    } else if (Status made = make_poses(job, pool, quiet); !made) {
         return made.error();
     }
     describe(job);
     return job;
 }
 
+std::string export_name(const JobSpec& spec, std::size_t body) {
+    const std::string& name = spec.bodies[body].name;
+    return name.empty() ? std::string(1, static_cast<char>('a' + body)) : name;
+}
+
 ExportContext export_context(const PreparedJob& job) {
-    return {
-        job.spec.name, job.spec.unit, job.query.level, job.names, job.meshes, job.query.tolerance};
+    ExportContext context;
+    context.job = job.spec.name;
+    context.unit = job.spec.unit;
+    context.level = job.query.level;
+    context.tolerance = job.query.tolerance;
+    context.exact_points = job.spec.output.exact_points;
+    for (std::size_t i = 0; i < job.meshes.size(); ++i) {
+        context.bodies.push_back(
+            {export_name(job.spec, i), job.spec.bodies[i].path.filename().string(), job.meshes[i]});
+    }
+    return context;
 }
 
 } // namespace cd

@@ -37,11 +37,26 @@ struct PreparedJob {
 /// here, from trees.
 enum class Trees : std::uint8_t { Always, ForPosesOnly };
 
+/// Inputs that are at hand already, in place of the files that a job names.
+struct JobInputs {
+    std::array<std::shared_ptr<const Mesh>, 2> meshes;  ///< Null: imported from its file.
+    std::unique_ptr<PoseSource> poses;                  ///< Null: as the job says.
+    std::optional<std::vector<IgnoredRange>> ignored{}; ///< Nothing: by the job's rules.
+};
+
 /// Imports the meshes, resolves what is ignored, opens or makes the poses, gets the trees, each in
 /// the forms that the job walks. All of the same bits for any number of threads, whatever the cache
-/// holds. Errors: BadInput, NotFound and Io, each naming the file.
-[[nodiscard]] Result<PreparedJob>
-prepare_job(JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool);
+/// holds. A line on stderr, unless `quiet`, names work that takes longer than half a second.
+/// Errors: BadInput, NotFound and Io, each naming the file.
+[[nodiscard]] Result<PreparedJob> prepare_job(JobSpec spec,
+                                              Trees trees,
+                                              TreeCache& cache,
+                                              ThreadPool& pool,
+                                              bool quiet = true,
+                                              JobInputs given = {});
+
+/// The name of a body for exports: what the job calls it, or "a" and "b".
+[[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
 
 [[nodiscard]] ExportContext export_context(const PreparedJob& job);
 

@@ -107,14 +107,12 @@ std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b) {
     return std::nullopt;
 }
 
-PartTally::PartTally(const Mesh& a, const Mesh& b) {
-    const auto fill = [](Body& body, const Mesh& mesh) {
-        body.parts = mesh.parts();
-        body.scenarios.assign(body.parts.size(), 0);
-        body.last_seen.assign(body.parts.size(), 0);
-    };
-    fill(a_, a);
-    fill(b_, b);
+PartTally::PartTally(const std::vector<std::shared_ptr<const Mesh>>& meshes) {
+    for (const auto& mesh : meshes) {
+        const std::size_t parts = mesh->parts().size();
+        bodies_.push_back(
+            {mesh->parts(), std::vector<std::uint64_t>(parts), std::vector<std::uint64_t>(parts)});
+    }
 }
 
 void PartTally::note(Body& body, std::uint32_t triangle, std::uint64_t stamp) {
@@ -135,20 +133,17 @@ void PartTally::note(Body& body, std::uint32_t triangle, std::uint64_t stamp) {
 void PartTally::add(const ScenarioResult& result) {
     ++stamp_;
     for (const ContactPair& pair : result.pairs) {
-        note(a_, pair.a, stamp_);
-        note(b_, pair.b, stamp_);
+        note(bodies_[result.body_a], pair.a, stamp_);
+        note(bodies_[result.body_b], pair.b, stamp_);
     }
 }
 
 std::vector<PartTally::Touched> PartTally::most_touched(std::size_t count) const {
     std::vector<Touched> touched;
-    if (a_.parts.size() <= 1 && b_.parts.size() <= 1) {
-        return touched;
-    }
-    for (const Body* body : {&a_, &b_}) {
-        for (std::size_t i = 0; i < body->parts.size(); ++i) {
-            if (body->scenarios[i] != 0 && body->parts.size() > 1) {
-                touched.push_back({body->parts[i].name, body->scenarios[i]});
+    for (const Body& body : bodies_) {
+        for (std::size_t i = 0; i < body.parts.size(); ++i) {
+            if (body.scenarios[i] != 0 && body.parts.size() > 1) {
+                touched.push_back({body.parts[i].name, body.scenarios[i]});
             }
         }
     }
@@ -271,6 +266,17 @@ std::string traffic_text(const JobTraffic& traffic) {
            " of results\n";
 }
 
+std::string seconds_text(double seconds) {
+    return fixed_text(seconds, seconds < 10 ? 2 : 1);
+}
+
+/// What came before the run and is not in its time, where it is worth a word.
+std::string prepared_text(const RunReport& report) {
+    return report.prepare_seconds < 0.05
+               ? ""
+               : " (" + fixed_text(report.prepare_seconds, 1) + " s to read and build)";
+}
+
 std::string depths_text(const RunReport& report) {
     if (!report.depth_a || !report.depth_b) {
         return "";
@@ -286,17 +292,17 @@ double hit_share(const BlockTraffic& blocks) {
     return needed == 0 ? 0 : static_cast<double>(blocks.hits) / static_cast<double>(needed);
 }
 
-std::string summary_text(const RunReport& report, bool colours) {
+std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     const Summary& summary = report.summary;
-    const double rate =
-        report.seconds > 0 ? static_cast<double>(summary.merged()) / report.seconds : 0.0;
+    const std::uint64_t run = summary.merged() - report.resumed_at;
+    const double rate = report.seconds > 0 ? static_cast<double>(run) / report.seconds : 0.0;
     const double whole_rate = std::round(rate);
     std::string text =
-        (summary.is_complete() ? "done in " : "ended after ") +
-        fixed_text(report.seconds, report.seconds < 10 ? 2 : 1) + " s      " +
+        (summary.is_complete() ? "done in " : "ended after ") + seconds_text(report.seconds) +
+        " s" + prepared_text(report) + "      " +
         (rate < 100 ? fixed_text(rate, 1) : grouped(static_cast<std::uint64_t>(whole_rate))) +
         " scenarios/s" + (report.where.empty() ? "" : ", " + report.where) + "\n";
-    text += classes_text(summary, report.level, colours);
+    text += classes_text(summary, report.level, style.colours);
     if (summary.surfaces_only != 0) {
         text += "  surfaces only  in " + counted(summary.surfaces_only, "scenario") +
                 ": a body is open, so nothing is said of insides\n";
@@ -326,88 +332,16 @@ std::string summary_text(const RunReport& report, bool colours) {
         }
         text += "\n";
     }
-    text += statistics_text(report);
-    text += depths_text(report);
-    text += report.traffic ? traffic_text(*report.traffic) : "";
+    if (style.statistics) {
+        text += statistics_text(report);
+        text += depths_text(report);
+        text += report.traffic ? traffic_text(*report.traffic) : "";
+    }
     if (report.digest) {
         text += "  digest        " + to_short_hex(*report.digest) + "\n";
     }
+    text += report.summary_file.empty() ? "" : "  open it: " + report.summary_file + "\n";
     return text;
-}
-
-std::string progress_text(const ProgressState& state, bool with_bar) {
-    const Summary& summary = state.summary;
-    const std::uint64_t done = summary.merged();
-    const double share =
-        summary.total == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(summary.total);
-    std::string text = state.name + "  ";
-    if (with_bar) {
-        constexpr std::size_t width = 26;
-        const auto filled = static_cast<std::size_t>(share * static_cast<double>(width));
-        text += "[" + std::string(filled, '#') + std::string(width - filled, '-') + "]  ";
-    }
-    text += std::to_string(static_cast<int>(100 * share)) + "%  " + grouped(done) + "/" +
-            grouped(summary.total);
-    const double rate = state.seconds > 0 ? static_cast<double>(done) / state.seconds : 0;
-    const std::uint64_t contacts = summary.touch + summary.cross + summary.inside + summary.contact;
-    text += "   " + rate_text(rate) + "/s   contact " + grouped(contacts);
-    if (rate > 0 && done < summary.total) {
-        const auto left =
-            static_cast<std::uint64_t>(std::ceil(static_cast<double>(summary.total - done) / rate));
-        const std::uint64_t seconds = left % 60;
-        text += "   ETA " + std::to_string(left / 60) + (seconds < 10 ? ":0" : ":") +
-                std::to_string(seconds);
-    }
-    return text;
-}
-
-ProgressPrinter::Style ProgressPrinter::style_for(bool quiet) {
-    if (quiet) {
-        return Style::Silent;
-    }
-    const char* terminal = std::getenv("TERM");
-    const bool redraws = terminal != nullptr && std::string(terminal) != "dumb";
-    return isatty(STDERR_FILENO) != 0 && redraws ? Style::Bar : Style::Lines;
-}
-
-ProgressPrinter::~ProgressPrinter() {
-    if (line_is_open_) {
-        std::fputc('\n', stream_);
-    }
-}
-
-void ProgressPrinter::update(const ProgressState& state) {
-    constexpr double bar_period = 0.1;
-    constexpr double line_period = 10;
-    if (style_ == Style::Silent) {
-        return;
-    }
-    if (style_ == Style::Lines && next_seconds_ == 0) {
-        next_seconds_ = line_period;
-    }
-    if (state.seconds < next_seconds_) {
-        return;
-    }
-    next_seconds_ = state.seconds + (style_ == Style::Bar ? bar_period : line_period);
-    draw(state);
-}
-
-void ProgressPrinter::finish(const ProgressState& state) {
-    if (style_ == Style::Bar) {
-        draw(state);
-        std::fputc('\n', stream_);
-        line_is_open_ = false;
-    }
-}
-
-void ProgressPrinter::draw(const ProgressState& state) {
-    const bool bar = style_ == Style::Bar;
-    // To the start of the line, the text, and away with what stood there before.
-    const std::string line =
-        (bar ? "\r" : "") + progress_text(state, bar) + (bar ? "\x1b[K" : "\n");
-    std::fputs(line.c_str(), stream_);
-    std::fflush(stream_);
-    line_is_open_ = bar;
 }
 
 bool colours_wanted(std::FILE* stream) {

@@ -1,4 +1,4 @@
-// What a run tells a person: the lines before it, the progress, and the summary.
+// What a run tells a person: the lines before it, and the summary.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,7 +47,8 @@ describe_body(const std::string& name, const std::string& unit, const Mesh& mesh
 /// In how many scenarios each part was touched. Fed with results of level pairs and above.
 class PartTally {
   public:
-    PartTally(const Mesh& a, const Mesh& b);
+    /// `meshes` of the bodies, by the numbers that results give them; none may be null.
+    explicit PartTally(const std::vector<std::shared_ptr<const Mesh>>& meshes);
 
     void add(const ScenarioResult& result);
 
@@ -54,8 +56,7 @@ class PartTally {
         std::string part;
         std::uint64_t scenarios = 0;
     };
-    /// The most touched first; parts never touched are left out. Empty where neither body has more
-    /// than one part.
+    /// The most touched first; parts never touched are left out, and bodies of one part.
     [[nodiscard]] std::vector<Touched> most_touched(std::size_t count) const;
 
   private:
@@ -66,8 +67,7 @@ class PartTally {
     };
     static void note(Body& body, std::uint32_t triangle, std::uint64_t stamp);
 
-    Body a_;
-    Body b_;
+    std::vector<Body> bodies_;
     std::uint64_t stamp_ = 0;
 };
 
@@ -87,52 +87,22 @@ struct RunReport {
     std::string map_withdrawn;            ///< or why there is none.
     std::vector<PartTally::Touched> most_touched;
     std::string hint; ///< A line about poses that bring no contact; empty where there is none.
+    double prepare_seconds = 0;   ///< To read inputs and build trees; not in `seconds`.
+    std::uint64_t resumed_at = 0; ///< Scenarios that an earlier run had done.
+    std::string summary_file;     ///< Where it is kept; empty: nowhere.
 };
 
-/// The lines after a run, each ended; with colours for a terminal that takes them.
-[[nodiscard]] std::string summary_text(const RunReport& report, bool colours = false);
+/// How the lines after a run look.
+struct SummaryStyle {
+    bool colours = false;    ///< For a terminal that takes them.
+    bool statistics = false; ///< What the searches cost, and what travelled.
+};
+
+/// The lines after a run, each ended.
+[[nodiscard]] std::string summary_text(const RunReport& report, const SummaryStyle& style = {});
 
 /// Of the subtrees that scenarios needed at workers, those that were there.
 [[nodiscard]] double hit_share(const BlockTraffic& blocks);
-
-/// How far a run is.
-struct ProgressState {
-    std::string name; ///< Of the job.
-    Summary summary;
-    double seconds = 0; ///< Since it began.
-};
-
-/// One line without its end; with a bar for a terminal.
-[[nodiscard]] std::string progress_text(const ProgressState& state, bool with_bar);
-
-/// Writes progress to stderr: a bar that is redrawn on a terminal, otherwise a line each 10 s.
-class ProgressPrinter {
-  public:
-    enum class Style : std::uint8_t { Silent, Lines, Bar };
-
-    /// Silent when quiet; a bar when stderr is a terminal that can redraw.
-    [[nodiscard]] static Style style_for(bool quiet);
-
-    explicit ProgressPrinter(Style style, std::FILE* stream = stderr)
-        : style_(style), stream_(stream) {}
-    ProgressPrinter(const ProgressPrinter&) = delete;
-    ProgressPrinter& operator=(const ProgressPrinter&) = delete;
-    /// Ends the line of a bar.
-    ~ProgressPrinter();
-
-    /// Prints where it is due, judged by `state.seconds`.
-    void update(const ProgressState& state);
-    /// Prints the last state and ends the line of a bar.
-    void finish(const ProgressState& state);
-
-  private:
-    void draw(const ProgressState& state);
-
-    Style style_;
-    std::FILE* stream_;
-    double next_seconds_ = 0;
-    bool line_is_open_ = false;
-};
 
 /// True when what goes to the stream may be coloured: a terminal, and NO_COLOR is not set.
 [[nodiscard]] bool colours_wanted(std::FILE* stream);

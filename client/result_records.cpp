@@ -7,11 +7,8 @@ namespace cd {
 
 Result<std::vector<ScenarioResult>>
 unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count) {
-    if (part.count == 0) {
-        return Error{ErrorCode::Incomplete,
-                     "the master has no result of scenario " + std::to_string(first)};
-    }
-    if (part.first != first || part.count > count) {
+    // (The decoder has seen to it that what is held ascends within [first, next).)
+    if (part.first != first || part.next <= first || part.next - first > count) {
         return Error{ErrorCode::BadFrame, "the master sent other results than were asked for"};
     }
     const Result<Bytes> records = unpack_records(part.records, limits::results_bytes_max);
@@ -20,7 +17,13 @@ unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count
     }
     std::vector<ScenarioResult> results;
     ByteReader in(records.value());
-    for (std::uint64_t i = 0; i < part.count; ++i) {
+    std::vector<std::uint64_t> held;
+    for (const ScenarioInterval& run : part.held) {
+        for (std::uint64_t i = 0; i < run.count; ++i) {
+            held.push_back(run.first + i);
+        }
+    }
+    for (const std::uint64_t scenario : held) {
         const auto record = in.get_array<std::uint8_t>(in.get<std::uint32_t>());
         if (in.failed()) {
             break;
@@ -29,7 +32,7 @@ unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count
         if (!result) {
             return result.error();
         }
-        if (result.value().index != first + i) {
+        if (result.value().index != scenario) {
             return Error{ErrorCode::BadFrame, "the master sent results out of their order"};
         }
         results.push_back(std::move(result.value()));

@@ -10,8 +10,8 @@
 
 namespace cd {
 
-/// The results of scenarios `first` and on, at least one and at most `count`, in order. The bytes
-/// may be hostile. Errors: Incomplete when the part is empty; BadFrame when it holds anything else
+/// The results of scenarios [first, part.next), in order; the part is of one scenario or more, and
+/// of at most `count`. The bytes may be hostile. Errors: BadFrame when the part holds anything else
 /// than it should; TooLarge.
 [[nodiscard]] Result<std::vector<ScenarioResult>>
 unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count);

@@ -47,8 +47,19 @@ endif()
 # GCC 12 guesses these from inlined library code, and guesses wrong.
 target_compile_options(cd_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:
     -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds -Wno-maybe-uninitialized -Wno-restrict>)
+# Collecting garbage costs GCC 7 to 15 % of a compilation, and saves memory that is there.
+target_compile_options(cd_flags INTERFACE
+    "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1500000>")
 target_include_directories(cd_flags INTERFACE "${CMAKE_SOURCE_DIR}")
 target_link_libraries(cd_flags INTERFACE Threads::Threads)
+
+# cd_quick_folder(): with CD_QUICK_TESTS, compiles what the calling folder and those below it build at
+# -O1, which takes a third less time. The libraries of the programs are as optimised as ever.
+macro(cd_quick_folder)
+    if(CD_QUICK_TESTS)
+        add_compile_options(-O1)
+    endif()
+endmacro()
 
 # cd_add_library(NAME [PUBLIC libs...] [PRIVATE libs...] [SUBFOLDERS folders...]):
 # all .cpp files of the calling folder, and of these below it, but main.cpp.

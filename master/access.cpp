@@ -27,7 +27,8 @@ Rank rank_of(CertifiedRole role) {
     return Rank::None;
 }
 
-// What looks at the cluster, and what lets others in. All else is work with jobs.
+// What looks at the cluster, and what lets others in or sends them away. All else is work with
+// jobs.
 Rank rank_needed(const StatusQuery& /*message*/) {
     return Rank::Metrics;
 }
@@ -35,6 +36,12 @@ Rank rank_needed(const Heartbeat& /*message*/) {
     return Rank::Metrics;
 }
 Rank rank_needed(const TokenCreate& /*message*/) {
+    return Rank::Admin;
+}
+Rank rank_needed(const RemoveMesh& /*message*/) {
+    return Rank::Admin;
+}
+Rank rank_needed(const DrainWorkers& /*message*/) {
     return Rank::Admin;
 }
 template <class Other>
@@ -77,6 +84,15 @@ Status Access::check(Role role) const {
     return Error{ErrorCode::Refused,
                  "the certificate of a " + std::string(to_text(holder_->role)) +
                      " is not that of a " + (role == Role::Worker ? "worker" : "client")};
+}
+
+Status Access::check_owner(const std::string& of_job) const {
+    const bool is_admin = holder_ && holder_->role == CertifiedRole::Admin;
+    if (identity_ == nullptr || is_admin || owner() == of_job) {
+        return Done{};
+    }
+    return Error{ErrorCode::Refused,
+                 "the job belongs to '" + of_job + "'; its owner or an admin may do that"};
 }
 
 Status Access::check(const Message& message) const {

@@ -6,6 +6,8 @@
 #include "proto/message.hpp"
 
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace cd {
 
@@ -24,6 +26,14 @@ class Access {
     /// Nobody, where no certificate was shown.
     [[nodiscard]] const std::optional<Identity>& holder() const { return holder_; }
 
+    /// Whose the jobs are that come from here: the certificate's holder, or without TLS whom the
+    /// client names.
+    [[nodiscard]] const std::string& owner() const { return holder_ ? holder_->name : user_; }
+    void set_user(std::string user) { user_ = std::move(user); }
+    /// Whether a job of this owner may be ended or removed from here: by its owner, by an admin,
+    /// and by anyone without TLS. Errors: Refused naming the owner.
+    [[nodiscard]] Status check_owner(const std::string& of_job) const;
+
     /// Whether the holder's certificate is still good, and the holder is not refused. Nobody is
     /// anybody without TLS, or joining. Errors: Refused saying why not.
     [[nodiscard]] Status check_holder() const;
@@ -35,6 +45,7 @@ class Access {
   private:
     MasterIdentity* identity_ = nullptr;
     std::optional<Identity> holder_;
+    std::string user_;
 };
 
 } // namespace cd

@@ -13,10 +13,11 @@ namespace cd {
 namespace {
 
 constexpr std::uint64_t magic = 0x31'4b'4c'42'54'44'43'00; // "\0CDTBLK1"
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t format_version = 2;
 constexpr std::size_t place_bytes = 3 * sizeof(std::uint64_t) + 32 + sizeof(std::uint64_t);
-constexpr std::size_t header_bytes = sizeof magic + sizeof version + 32 + sizeof(std::uint64_t) +
-                                     2 * sizeof(std::uint32_t) + sizeof(SubtreeForm);
+constexpr std::size_t header_bytes = sizeof magic + sizeof format_version + 32 +
+                                     sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t) +
+                                     sizeof(SubtreeForm);
 
 /// Roots that are encoded before they are written: bounds the memory.
 constexpr std::size_t roots_at_once_per_thread = 16;
@@ -28,7 +29,7 @@ Bytes encode_index(const ObbTree& tree,
                    const std::vector<BlockPlace>& places) {
     ByteWriter out;
     out.put(magic);
-    out.put(version);
+    out.put(format_version);
     put_hash(out, tree.mesh().hash());
     out.put(tree_checksum(tree));
     out.put(depth);

@@ -102,7 +102,11 @@ class Check {
 
     /// Without them an unfinished job waits.
     void check_bodies(const JobRecord& job) {
-        for (const Sha256& mesh : std::set(job.submit.bodies.begin(), job.submit.bodies.end())) {
+        std::set<Sha256> meshes;
+        for (const JobBody& body : job.submit.bodies) {
+            meshes.insert(body.mesh);
+        }
+        for (const Sha256& mesh : meshes) {
             const std::filesystem::path path = mesh_path(directory_, mesh);
             if (!std::filesystem::exists(path)) {
                 problem(path.string() + " is missing: job " + std::to_string(job.id.value) +

@@ -5,8 +5,11 @@
 #include "common/core/printable.hpp"
 #include "master/answers.hpp"
 #include "master/identity.hpp"
+#include "master/job_removal.hpp"
 #include "master/run_on.hpp"
+#include "master/state_sizes.hpp"
 #include "master/submission.hpp"
+#include "master/worker_dismissal.hpp"
 #include "proto/codec.hpp"
 
 namespace cd {
@@ -33,7 +36,8 @@ ClientSession::ClientSession(Coordinator& coordinator,
     : coordinator_(coordinator),
       channel_(std::move(channel)),
       access_(std::move(access)),
-      quota_(std::move(quota)) {}
+      quota_(std::move(quota)),
+      queries_(coordinator.journal(), coordinator.geometry()) {}
 
 asio::awaitable<void> ClientSession::run() {
     const auto self = shared_from_this();
@@ -92,12 +96,18 @@ void ClientSession::refuse(const Error& error) {
     channel_->send(Failure{error.code, error.detail});
 }
 
-void ClientSession::answer(const Result<JobStatus>& status) {
-    if (status) {
-        channel_->send(status.value());
+template <class Answer>
+void ClientSession::answer(const Result<Answer>& found) {
+    if (found) {
+        channel_->send(found.value());
     } else {
-        refuse(status.error());
+        refuse(found.error());
     }
+}
+
+Status ClientSession::check_owner(JobId job) {
+    const Result<JobStatus> status = coordinator_.job_status(job);
+    return status ? access_.check_owner(status.value().owner) : Status(status.error());
 }
 
 template <class Other>
@@ -115,6 +125,7 @@ asio::awaitable<void> ClientSession::on(Heartbeat /*message*/) {
 // ---- Meshes -------------------------------------------------------------------------------------
 
 asio::awaitable<void> ClientSession::on(MeshesQuery message) {
+    meshes_asked_for_ = coordinator_.geometry().hold(message.meshes);
     channel_->send(MeshesMissing{coordinator_.geometry().missing(message.meshes)});
     co_return;
 }
@@ -201,12 +212,14 @@ Status ClientSession::queue_bytes(std::uint64_t bytes) {
 
 void ClientSession::drop_poses() {
     spool_.reset();
+    meshes_submitted_.reset();
     quota_.quotas->unqueue(quota_.client, std::exchange(queued_, 0));
 }
 
 asio::awaitable<void> ClientSession::on(Submit message) {
     drop_poses();
     refused_ = false;
+    message.owner = access_.owner();
     const bool poses_follow = !message.grid;
     Status begun = queue_bytes(bulk_bytes(message));
     if (begun) {
@@ -220,6 +233,7 @@ asio::awaitable<void> ClientSession::on(Submit message) {
 }
 
 asio::awaitable<Status> ClientSession::begin_poses(Submit message) {
+    meshes_submitted_ = coordinator_.geometry().hold(meshes_of(message));
     const auto stored = coordinator_.geometry().meshes();
     if (const Status checked = check_submission(message, stored); !checked) {
         co_return checked;
@@ -239,7 +253,7 @@ asio::awaitable<Status> ClientSession::begin_poses(Submit message) {
         drop_poses();
         co_return Done{};
     }
-    auto spool = PoseSpool::create(coordinator_.directory(), message.scenarios);
+    auto spool = JobSpool::create(coordinator_.directory(), message);
     if (!spool) {
         co_return spool.error();
     }
@@ -257,11 +271,11 @@ asio::awaitable<void> ClientSession::on(PosesPart message) {
         refuse_poses({ErrorCode::BadInput, "poses without a job before them"});
         co_return;
     }
-    if (const Status taken = queue_bytes(message.scenarios.size()); !taken) {
+    if (const Status taken = queue_bytes(bulk_bytes(message)); !taken) {
         refuse_poses(taken.error());
         co_return;
     }
-    auto append = [spool = spool_, &message] { return spool->append(message.scenarios); };
+    auto append = [spool = spool_, &message] { return spool->append(message); };
     const Status appended = co_await run_on(coordinator_.blocking(), append);
     progressed_ = std::chrono::steady_clock::now();
     if (!appended) {
@@ -276,9 +290,9 @@ asio::awaitable<void> ClientSession::on(PosesEnd /*message*/) {
     }
     if (spool == nullptr) {
         refuse({ErrorCode::BadInput, "the end of poses without a job before it"});
-    } else if (!spool->is_complete()) {
+    } else if (!spool->poses()->is_complete()) {
         refuse({ErrorCode::BadInput,
-                std::to_string(spool->count()) + " poses came, and " +
+                std::to_string(spool->poses()->count()) + " poses came, and " +
                     std::to_string(submit_.scenarios) + " were announced"});
     } else {
         co_await open_job(std::move(submit_), spool);
@@ -292,7 +306,7 @@ void ClientSession::refuse_poses(const Error& error) {
     refuse(error);
 }
 
-asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<PoseSpool> poses) {
+asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<JobSpool> poses) {
     Quotas& quotas = *quota_.quotas;
     const std::uint64_t scenarios = submit.scenarios;
     if (const Status allowed = quotas.begin_job(quota_.client, scenarios); !allowed) {
@@ -301,6 +315,7 @@ asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<Pos
     }
     const Result<JobId> job = co_await coordinator_.open_job(std::move(submit), std::move(poses));
     if (job) {
+        meshes_asked_for_.reset(); // The job has its own hold.
         quotas.add_job(quota_.client, job.value(), {scenarios, std::exchange(queued_, 0)});
         quota_.jobs_changed();
         channel_->send(Accepted{job.value()});
@@ -313,8 +328,13 @@ asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<Pos
 // ---- Asking -------------------------------------------------------------------------------------
 
 asio::awaitable<void> ClientSession::on(StatusQuery /*message*/) {
-    channel_->send(fitting(coordinator_.cluster_status()));
-    co_return;
+    auto measure = [state = coordinator_.directory().parent_path()] {
+        return measure_state(state);
+    };
+    const StateSizes sizes = co_await run_on(coordinator_.blocking(), measure);
+    ClusterStatus status = coordinator_.cluster_status();
+    status.sizes = sizes;
+    channel_->send(fitting(std::move(status)));
 }
 
 asio::awaitable<void> ClientSession::on(TokenCreate message) {
@@ -337,7 +357,45 @@ asio::awaitable<void> ClientSession::on(TokenCreate message) {
     }
 }
 
+asio::awaitable<void> ClientSession::on(JobQuery message) {
+    auto read = [this, &message] { return queries_.description(message.job); };
+    answer(co_await run_on(coordinator_.blocking(), read));
+}
+
+asio::awaitable<void> ClientSession::on(MeshQuery message) {
+    auto read = [this, &message] { return queries_.mesh(message); };
+    answer(co_await run_on(coordinator_.blocking(), read));
+}
+
+asio::awaitable<void> ClientSession::on(PosesQuery message) {
+    auto read = [this, &message] { return queries_.poses(message); };
+    answer(co_await run_on(coordinator_.blocking(), read));
+}
+
+asio::awaitable<void> ClientSession::on(Remove message) {
+    if (const Status allowed = check_owner(message.job); !allowed) {
+        refuse(allowed.error());
+        co_return;
+    }
+    JobRemoval removal(coordinator_);
+    answer(co_await removal.remove(message));
+}
+
+asio::awaitable<void> ClientSession::on(RemoveMesh message) {
+    JobRemoval removal(coordinator_);
+    answer(co_await removal.remove(message));
+}
+
+asio::awaitable<void> ClientSession::on(DrainWorkers message) {
+    answer(dismiss_workers(coordinator_, std::move(message)));
+    co_return;
+}
+
 asio::awaitable<void> ClientSession::on(Cancel message) {
+    if (const Status allowed = check_owner(message.job); !allowed) {
+        refuse(allowed.error());
+        co_return;
+    }
     if (message.scenario) {
         answer(co_await coordinator_.cancel_scenario(message.job, *message.scenario));
     } else {

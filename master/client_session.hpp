@@ -3,8 +3,9 @@
 
 #include "master/access.hpp"
 #include "master/coordinator.hpp"
+#include "master/job_queries.hpp"
+#include "master/job_spool.hpp"
 #include "master/mesh_upload.hpp"
-#include "master/pose_spool.hpp"
 #include "master/quotas.hpp"
 #include "proto/asio.hpp"
 #include "proto/channel.hpp"
@@ -55,6 +56,12 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     asio::awaitable<void> on(StatusQuery message);
     asio::awaitable<void> on(ResultsQuery message);
     asio::awaitable<void> on(ContactMapQuery message);
+    asio::awaitable<void> on(JobQuery message);
+    asio::awaitable<void> on(MeshQuery message);
+    asio::awaitable<void> on(PosesQuery message);
+    asio::awaitable<void> on(Remove message);
+    asio::awaitable<void> on(RemoveMesh message);
+    asio::awaitable<void> on(DrainWorkers message);
     asio::awaitable<void> on(Cancel message);
     asio::awaitable<void> on(Explain message);
     asio::awaitable<void> on(TokenCreate message);
@@ -65,7 +72,7 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     [[nodiscard]] asio::awaitable<Status> take_mesh_part(MeshPart message);
     [[nodiscard]] asio::awaitable<Status> begin_poses(Submit message);
     /// No poses with a grid.
-    [[nodiscard]] asio::awaitable<void> open_job(Submit submit, std::shared_ptr<PoseSpool> poses);
+    [[nodiscard]] asio::awaitable<void> open_job(Submit submit, std::shared_ptr<JobSpool> poses);
     /// It begins some time after it was spawned, and the session may have ended by then.
     [[nodiscard]] static asio::awaitable<void> watch(std::shared_ptr<ClientSession> self,
                                                      JobId job);
@@ -78,7 +85,10 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     void drop_poses();
     void refuse(const Error& error);
     void refuse_poses(const Error& error);
-    void answer(const Result<JobStatus>& status);
+    template <class Answer>
+    void answer(const Result<Answer>& found);
+    /// Whether the client may end or remove the job. Errors: NotFound; Refused.
+    [[nodiscard]] Status check_owner(JobId job);
 
     Coordinator& coordinator_;
     std::shared_ptr<Channel> channel_;
@@ -87,12 +97,16 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     std::unique_ptr<MeshUpload> upload_;
     /// A submitted job whose poses are coming.
     Submit submit_;
-    std::shared_ptr<PoseSpool> spool_;
+    /// The meshes that it asked for last, and those of the submission: it counts on them.
+    std::shared_ptr<const MeshHold> meshes_asked_for_;
+    std::shared_ptr<const MeshHold> meshes_submitted_;
+    std::shared_ptr<JobSpool> spool_;
     std::uint64_t queued_ = 0;                         ///< Bytes of it, in the quota.
     std::chrono::steady_clock::time_point progressed_; ///< The mesh or the poses.
     /// Its poses are passed over, up to their end: it was refused, and the client has been told.
     bool refused_ = false;
     std::size_t watches_ = 0;
+    JobQueries queries_;
 };
 
 } // namespace cd

@@ -57,6 +57,7 @@ struct Texts {
     std::string http;
     std::string state = state_folder().string();
     std::string certificate_life = "7d";
+    std::string keep_jobs = std::to_string(limits::jobs_ended_kept_max);
     double heartbeat_seconds = seconds(FailureTimes().heartbeat);
     double lost_after_seconds = seconds(FailureTimes().lost_after);
     double return_within_seconds = seconds(FailureTimes().return_within);
@@ -115,6 +116,11 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
                           "How long certificates are good; they are renewed from half on"),
            "DURATION")
         ->capture_default_str();
+    option(app.add_option("--keep-jobs",
+                          texts.keep_jobs,
+                          "Jobs that have ended are kept: so many (1000), or for so long (30d)"),
+           "N|DURATION")
+        ->capture_default_str();
     const CLI::Range times(
         0.0, std::chrono::duration<double>(limits::peer_lost_after_max).count(), "SECONDS");
     option(app.add_option("--heartbeat",
@@ -131,7 +137,8 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
         ->capture_default_str();
     option(app.add_option("--return-within",
                           texts.return_within_seconds,
-                          "So long the work of a worker waits for it when its connection broke"),
+                          "So long the work of a worker waits for it when its connection broke, "
+                          "or the master was started again"),
            "SECONDS")
         ->check(times)
         ->capture_default_str();
@@ -200,6 +207,11 @@ MasterCommandLine parse_master_command_line(int count, const char* const* argume
                     (life ? "too short for a renewal" : life.error().detail) + "\n",
                 2};
     }
+    const Result<JobRetention> retention = parse_retention(texts.keep_jobs);
+    if (!retention) {
+        return {std::nullopt, "cdmaster: --keep-jobs: " + retention.error().detail + "\n", 2};
+    }
+    config.retention = retention.value();
     const Result<FailureTimes> times = failure_times(texts);
     if (!times) {
         return {std::nullopt, "cdmaster: " + times.error().detail + "\n", 2};

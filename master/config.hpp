@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/limits.hpp"
+#include "master/job_retention.hpp"
 #include "master/worker_watch.hpp"
 #include "proto/channel.hpp"
 
@@ -26,6 +27,7 @@ struct MasterConfig {
     bool init = false;            ///< Make an identity in the state, and end.
     std::chrono::seconds certificate_life = limits::certificate_life;
     FailureTimes times;
+    JobRetention retention; ///< Of jobs that have ended.
 };
 
 /// A configuration; or none, with what to print instead (help on stdout, an error on stderr) and

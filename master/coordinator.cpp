@@ -30,7 +30,8 @@ Coordinator::Coordinator(CoordinatorParts parts)
     : parts_(std::move(parts)),
       epoch_(std::random_device{}() | std::uint64_t{std::random_device{}()} << 32),
       watch_(parts_.times),
-      blocks_(parts_.executor, trees_) {}
+      blocks_(parts_.executor, trees_),
+      jobs_(limits::results_ended_kept_max, parts_.retention) {}
 Coordinator::~Coordinator() = default;
 
 double Coordinator::now() const {

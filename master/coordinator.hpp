@@ -3,14 +3,15 @@
 
 #include "common/core/limits_master.hpp"
 #include "common/core/thread_pool.hpp"
+#include "master/awaited_workers.hpp"
 #include "master/block_delivery.hpp"
 #include "master/dispatcher.hpp"
 #include "master/geometry_store.hpp"
 #include "master/job_board.hpp"
+#include "master/job_spool.hpp"
 #include "master/journal.hpp"
 #include "master/late_results.hpp"
 #include "master/ledger.hpp"
-#include "master/pose_spool.hpp"
 #include "master/transfer_meter.hpp"
 #include "master/tree_registry.hpp"
 #include "master/worker_sessions.hpp"
@@ -47,6 +48,7 @@ struct CoordinatorParts {
     Durability durability = Durability::Synced;
     FailureTimes times;
     std::uint64_t results_aside_bytes_max = limits::results_aside_bytes_max;
+    JobRetention retention = {};
 };
 
 /// How a worker is let in.
@@ -80,6 +82,7 @@ class Coordinator {
     [[nodiscard]] const asio::any_io_executor& executor() const { return parts_.executor; }
     [[nodiscard]] GeometryStore& geometry() { return parts_.geometry; }
     [[nodiscard]] ThreadPool& blocking() { return parts_.blocking; }
+    [[nodiscard]] const Journal& journal() const { return parts_.journal; }
     [[nodiscard]] const std::filesystem::path& directory() const { return parts_.directory; }
 
     // ---- Workers (coordinator_workers.cpp) ------------------------------------------------------
@@ -120,6 +123,13 @@ class Coordinator {
     void worker_draining(WorkerId worker);
     /// Cuts off a worker that does not keep to the protocol.
     void cut_off(WorkerId worker, const Error& why);
+    /// The workers that have not left and are not lost, ascending.
+    [[nodiscard]] std::vector<WorkerId> workers_here() const;
+    /// Tells a worker that is here to hand over what it has and to leave.
+    void drain_worker(WorkerId worker);
+    /// Tells a worker that is here to end at once. Its work goes to others, and does not count as
+    /// lost.
+    void terminate_worker(WorkerId worker);
 
     // ---- How workers score (coordinator_explain.cpp) --------------------------------------------
     /// For the scenario, as things stand now. Of a job that has ended it is analysed again. Errors:
@@ -135,10 +145,15 @@ class Coordinator {
     /// The submission has been checked, and the poses are complete; none with a grid. Returns when
     /// the job is in the journal. Errors: Refused; Io.
     [[nodiscard]] asio::awaitable<Result<JobId>> open_job(Submit submit,
-                                                          std::shared_ptr<PoseSpool> poses);
+                                                          std::shared_ptr<JobSpool> poses);
     /// Returns when that is in the journal. Nothing to do for a job that has ended. Errors:
     /// NotFound.
     [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel_job(JobId job);
+    /// Forgets a job that has ended; its files go when the journal has forgotten it. Returns then.
+    /// Errors: NotFound; Refused while it runs; Io when the journal does not write.
+    [[nodiscard]] asio::awaitable<Status> forget_job(JobId job);
+    /// Forgets the jobs that are kept no longer. `now` is in seconds since 1970.
+    void forget_expired_jobs(std::uint64_t now);
     /// The scenario fails, and whoever runs it stops; the job goes on. Errors: NotFound; Refused
     /// when it has a result that is not in dispute.
     [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel_scenario(JobId job,
@@ -147,7 +162,7 @@ class Coordinator {
     [[nodiscard]] Result<JobStatus> job_status(JobId job);
     /// Grows when the status of the job changes; 0 for no job.
     [[nodiscard]] std::uint64_t job_changes(JobId job);
-    /// Cancels the timer when the job ends, if it still exists.
+    /// Cancels the timer when the job has ended, or is forgotten, if it still exists.
     void notify_at_end(JobId job, const std::shared_ptr<asio::steady_timer>& timer);
     /// Null for no job.
     [[nodiscard]] std::shared_ptr<ResultStore> results_of(JobId job);
@@ -175,6 +190,7 @@ class Coordinator {
         std::string name;
         bool is_settled = true;         ///< What it has is known: nothing that was sent got lost.
         bool is_cut_off = false;        ///< It has no session to come back to.
+        bool is_dismissed = false;      ///< It was told to end at once.
         std::uint64_t results_last = 0; ///< The greatest number of its messages of results so far.
         std::uint64_t bytes_seen = 0;   ///< Of its connection, when time was looked at last.
         std::optional<RunningScenario> longest;
@@ -306,6 +322,9 @@ class Coordinator {
     [[nodiscard]] bool
     merge_one(MasterJob& job, const TakenResult& taken, WorkerId worker, AddResults& add);
     void end_if_complete(MasterJob& job);
+    /// The jobs that go on are held back for the workers of before the restart.
+    void await_workers();
+    asio::awaitable<void> end_waiting(std::shared_ptr<asio::steady_timer> timer);
     /// It has a result: what it was analysed for is of no use any more.
     void close_analysis(MasterJob& job, std::uint64_t scenario);
     void fail_scenario(MasterJob& job, const Scenario& scenario, const std::string& why);
@@ -428,6 +447,9 @@ class Coordinator {
     [[nodiscard]] bool journal_has_room() const;
     void keep_promises();
     void job_ended(JobId job);
+    void wake_waiting(JobId job);
+    /// Its record goes, and then its files. The job is not on the board any more.
+    void drop_from_journal(JobId job);
     /// Now, or when the journal has room.
     void go_on(std::function<void()> done);
     [[nodiscard]] JobStatus status_of(const MasterJob& job) const;
@@ -495,6 +517,8 @@ class Coordinator {
     using Judging =
         std::multimap<std::pair<JobId, std::uint64_t>, std::shared_ptr<std::atomic<bool>>>;
     Judging judging_;
+    AwaitedWorkers awaited_;
+    std::shared_ptr<asio::steady_timer> awaited_until_; ///< Null: nobody is awaited.
 };
 
 } // namespace cd

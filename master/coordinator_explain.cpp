@@ -118,8 +118,9 @@ asio::awaitable<Result<Explained>> Coordinator::explain_ended(JobId id, std::uin
         co_return no_job(id);
     }
     Submit submit = job->submit;
-    submit.cluster.depth_a = job->depth_a ? job->depth_a : submit.cluster.depth_a;
-    submit.cluster.depth_b = job->depth_b ? job->depth_b : submit.cluster.depth_b;
+    for (std::size_t body = 0; body < job->depths.size(); ++body) {
+        submit.cluster.set_depth(body, job->depths[body]);
+    }
     auto look_up =
         [&store = parts_.geometry, &submit, path = parts_.journal.poses_path(id), scenario] {
             return EndedScenario::look_up(store, submit, path, scenario);
@@ -132,8 +133,8 @@ asio::awaitable<Result<Explained>> Coordinator::explain_ended(JobId id, std::uin
     // The dispatcher scores for jobs that it has: it has this one for as long as the question
     // takes.
     const JobGeometry& geometry = found.value().geometry;
-    const TreeId tree_a = trees_.acquire(submit.bodies[0], geometry.cut_a);
-    const TreeId tree_b = trees_.acquire(submit.bodies[1], geometry.cut_b);
+    const TreeId tree_a = trees_.acquire(submit.bodies[0].mesh, geometry.cut_a);
+    const TreeId tree_b = trees_.acquire(submit.bodies[1].mesh, geometry.cut_b);
     act(dispatcher().job_opened(id,
                                 submit.cluster,
                                 dispatch_tree(tree_a, *geometry.cut_a),

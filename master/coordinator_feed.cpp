@@ -17,7 +17,9 @@ void Coordinator::feed() {
             continue;
         }
         under_way += job.submitter->under_way();
-        if (!retries_.contains(id)) {
+        const bool is_held_back =
+            awaited_.holds_back(id, Clock::now()) && !mutated(Mutation::NobodyAwaited);
+        if (!retries_.contains(id) && !is_held_back) {
             jobs.push_back(&job);
         }
     }

@@ -1,10 +1,12 @@
 // The life of a job in the coordinator: prepared, fed, ended.
 #include "common/core/limits.hpp"
 #include "common/core/log.hpp"
+#include "common/core/wall_clock.hpp"
 #include "common/job/run_scenario.hpp"
 #include "master/coordinator.hpp"
 #include "master/job_geometry.hpp"
 #include "master/run_on.hpp"
+#include "master/submission.hpp"
 #include "master/way_out.hpp"
 
 #include <algorithm>
@@ -35,6 +37,7 @@ Status Coordinator::restore(Recovered recovered) {
         const std::vector<WorkerProcess> authors = std::move(found.authors);
         const std::vector<Remark> disputes = std::move(found.disputes);
         MasterJob& job = jobs_.add(MasterJob(std::move(found), Clock::now()));
+        job.meshes = parts_.geometry.hold(meshes_of(job.submit));
         if (!job.is_running()) {
             continue;
         }
@@ -55,12 +58,40 @@ Status Coordinator::restore(Recovered recovered) {
                  job.submit.scenarios);
         spawn(parts_.executor, "prepare job", prepare_job(job.id, done_scenarios(done)));
     }
+    await_workers();
     parts_.journal.start(journal_events());
     return Done{};
 }
 
+void Coordinator::await_workers() {
+    std::set<JobId> jobs;
+    std::set<WorkerProcess> processes;
+    for (const JobId id : jobs_.running()) {
+        jobs.insert(id);
+        processes.merge(std::set(jobs_.at(id).contributors));
+    }
+    std::erase_if(processes, [this](WorkerProcess one) { return quarantined_.contains(one); });
+    const auto until = Clock::now() + parts_.times.return_within;
+    awaited_ = AwaitedWorkers(std::move(jobs), std::move(processes), until);
+    if (awaited_.size() != 0) {
+        log_info("jobs wait for workers to come back: workers={} seconds_max={:.3f}",
+                 awaited_.size(),
+                 std::chrono::duration<double>(parts_.times.return_within).count());
+        awaited_until_ = std::make_shared<asio::steady_timer>(parts_.executor, until);
+        spawn(parts_.executor, "workers that come back", end_waiting(awaited_until_));
+    }
+}
+
+asio::awaitable<void> Coordinator::end_waiting(std::shared_ptr<asio::steady_timer> timer) {
+    boost::system::error_code ignored;
+    co_await timer->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    if (!closed_) {
+        feed();
+    }
+}
+
 asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
-                                                     std::shared_ptr<PoseSpool> spool) {
+                                                     std::shared_ptr<JobSpool> spool) {
     if (!paused_.empty()) {
         co_return Error{ErrorCode::Io, "the master takes no jobs now: " + paused_};
     }
@@ -71,7 +102,7 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
     const JobId id = next.value();
     if (spool != nullptr) {
         auto seal = [this, id, spool] {
-            return spool->seal(parts_.journal.poses_path(id), parts_.durability);
+            return spool->seal(parts_.journal, id, parts_.durability);
         };
         if (const Status sealed = co_await run_on(parts_.blocking, seal); !sealed) {
             jobs_.give_up(id);
@@ -83,14 +114,18 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
         parts_.executor, asio::steady_timer::time_point::max());
     waiting_for_acceptance_.emplace(id, accepted);
     ledger_.open_job(id);
-    ledger_.promise(JobAccepted{id}, write(AcceptJob{{id, submit}}));
+    const std::uint64_t began = unix_seconds();
+    ledger_.promise(JobAccepted{id}, write(AcceptJob{{id, submit, began}}));
     boost::system::error_code ignored;
     co_await accepted->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
 
     MasterJob& job = jobs_.add(MasterJob(id, submit, std::move(results), Clock::now()));
-    job.poses = spool;
+    job.began = began;
+    job.meshes = parts_.geometry.hold(meshes_of(submit));
     if (submit.grid) {
         job.poses = make_grid_source(decode_grid(*submit.grid).value());
+    } else {
+        job.poses = spool->poses();
     }
     log_info("job accepted: job={} name=\"{}\" scenarios={} strategy={}",
              id.value,
@@ -129,10 +164,9 @@ void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenari
     input.done = std::move(done);
     job.material = std::make_shared<const JobMaterial>(
         JobMaterial{made.tree_a, made.tree_b, submit.query, input.settler});
-    job.tree_a = trees_.acquire(submit.bodies[0], made.cut_a);
-    job.tree_b = trees_.acquire(submit.bodies[1], made.cut_b);
-    job.depth_a = made.cut_a->depth();
-    job.depth_b = made.cut_b->depth();
+    job.tree_a = trees_.acquire(submit.bodies[0].mesh, made.cut_a);
+    job.tree_b = trees_.acquire(submit.bodies[1].mesh, made.cut_b);
+    job.depths = {made.cut_a->depth(), made.cut_b->depth()};
     for (auto& [worker, link] : workers_) {
         if (!link.quarantined) {
             add_held_trees(link);
@@ -275,6 +309,39 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_job(JobId id) {
         co_await ended->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
     co_return job_status(id);
+}
+
+asio::awaitable<Status> Coordinator::forget_job(JobId id) {
+    const MasterJob* job = jobs_.find(id);
+    if (job == nullptr) {
+        co_return no_job(id);
+    }
+    if (job->state == JobState::Running) {
+        co_return Error{ErrorCode::Refused, "job " + std::to_string(id.value) + " is running"};
+    }
+    if (!paused_.empty()) {
+        co_return Error{ErrorCode::Io, "nothing can be removed now: " + paused_};
+    }
+    jobs_.drop(id);
+    const auto forgotten =
+        std::make_shared<asio::steady_timer>(parts_.executor, limits::cancel_wait_max);
+    waiting_for_end_.emplace(id, forgotten);
+    drop_from_journal(id);
+    boost::system::error_code woken;
+    co_await forgotten->async_wait(asio::redirect_error(asio::use_awaitable, woken));
+    if (!woken) {
+        co_return Error{ErrorCode::Io, "the removal does not get to the disk"};
+    }
+    co_return Done{};
+}
+
+void Coordinator::forget_expired_jobs(std::uint64_t now) {
+    if (!paused_.empty()) {
+        return;
+    }
+    for (const JobId job : jobs_.drop_expired(now)) {
+        drop_from_journal(job);
+    }
 }
 
 asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::uint64_t scenario) {

@@ -72,10 +72,10 @@ void Coordinator::keep_promises() {
             spawn(parts_.executor, "results that differ", settle_dispute(*dispute));
         } else {
             const JobId dropped = std::get<JobDropped>(promise).job;
-            for (const auto& path :
-                 {parts_.journal.results_path(dropped), parts_.journal.poses_path(dropped)}) {
+            for (const auto& path : parts_.journal.files_of(dropped)) {
                 parts_.blocking.post([path] { remove_file(path); });
             }
+            wake_waiting(dropped);
         }
     }
     for (const auto& [worker, message] : kept) {
@@ -91,7 +91,7 @@ void Coordinator::job_ended(JobId id) {
     CD_CHECK(job != nullptr);
     job->results->close();
     for (const JobId dropped : jobs_.announce(*job)) {
-        ledger_.promise(JobDropped{dropped}, write(DropJob{dropped}));
+        drop_from_journal(dropped);
     }
     const JobStatus status = status_of(*job);
     log_info("job ended: job={} state={} merged={} total={} seconds={:.3f} recalled={} copies={} "
@@ -106,14 +106,22 @@ void Coordinator::job_ended(JobId id) {
              status.copies_won,
              status.digest ? to_short_hex(*status.digest) : "none",
              status.failure.empty() ? "" : " reason=\"" + status.failure + "\"");
-    const auto [begin, end] = waiting_for_end_.equal_range(id);
+    wake_waiting(id);
+    look_at_late_results(id);
+}
+
+void Coordinator::wake_waiting(JobId job) {
+    const auto [begin, end] = waiting_for_end_.equal_range(job);
     for (auto waiting = begin; waiting != end; ++waiting) {
         if (const auto timer = waiting->second.lock()) {
             timer->cancel();
         }
     }
     waiting_for_end_.erase(begin, end);
-    look_at_late_results(id);
+}
+
+void Coordinator::drop_from_journal(JobId job) {
+    ledger_.promise(JobDropped{job}, write(DropJob{job}));
 }
 
 JobStatus Coordinator::status_of(const MasterJob& job) const {

@@ -89,6 +89,7 @@ void Coordinator::forget_late_results(WorkerId worker) {
 // ---- Of a job that runs -----------------------------------------------------------------------
 
 void Coordinator::check_late_results(const MasterJob& job, LateResults late) {
+    awaited_.check_begins(job.id);
     parts_.blocking.post([this,
                           executor = parts_.executor,
                           id = job.id,
@@ -104,12 +105,14 @@ void Coordinator::check_late_results(const MasterJob& job, LateResults late) {
 
 void Coordinator::late_results_checked(std::shared_ptr<ResultsInHand> hand) {
     const JobId id = hand->message->job;
+    awaited_.check_ends(id);
     MasterJob* job = jobs_.find_running(id);
     if (hand->taken || hand->taken.error().code != ErrorCode::Io) {
         if (job != nullptr) {
             disk_gives(*job);
         }
-        return take_in(std::move(hand));
+        take_in(std::move(hand));
+        return feed();
     }
     // That their poses cannot be read is not the worker's fault.
     LateResults late{hand->worker, hand->message, hand->done};
@@ -170,8 +173,8 @@ struct Coordinator::EndedRun {
 
     /// May take long. Errors: those of what is gone; Interrupted.
     [[nodiscard]] Result<ScenarioResult> run(const StopCheck& stop) const {
-        const auto a = store.tree(submit.bodies[0]);
-        const auto b = store.tree(submit.bodies[1]);
+        const auto a = store.tree(submit.bodies[0].mesh);
+        const auto b = store.tree(submit.bodies[1].mesh);
         if (!a || !b) {
             return a ? b.error() : a.error();
         }

@@ -201,8 +201,12 @@ void Coordinator::worker_returned(WorkerId worker, std::shared_ptr<Channel> chan
 
 void Coordinator::worker_stands(WorkerId worker, const Standing& standing) {
     const auto link = workers_.find(worker);
-    if (link == workers_.end() || link->second.is_settled) {
+    if (link == workers_.end()) {
         return;
+    }
+    if (link->second.is_settled) { // It has begun a session.
+        awaited_.has_told_all(sessions_.process_of(worker));
+        return feed();
     }
     if (const Status sound = check_standing(standing); !sound) {
         return cut_off(worker, sound.error());
@@ -335,7 +339,7 @@ void Coordinator::connection_ended(WorkerId worker,
     const WorkerStatus status = dispatcher_.worker_status(worker);
     const bool is_cut_off = link->second.is_cut_off;
     const bool is_drained = status.draining && status.working == 0 && !is_cut_off;
-    if (is_drained || link->second.quarantined) {
+    if (is_drained || link->second.quarantined || link->second.is_dismissed) {
         return worker_left(worker, why);
     }
     if (is_cut_off) {
@@ -395,6 +399,9 @@ void Coordinator::close() {
     if (watch_timer_ != nullptr) {
         watch_timer_->cancel();
     }
+    if (awaited_until_ != nullptr) {
+        awaited_until_->cancel();
+    }
     for (const auto& [job, retry] : retries_) {
         retry->cancel();
     }
@@ -408,6 +415,34 @@ void Coordinator::close() {
 void Coordinator::worker_draining(WorkerId worker) {
     log_info("worker draining: worker={}", worker.value);
     act(dispatcher().worker_draining(worker));
+    feed();
+}
+
+std::vector<WorkerId> Coordinator::workers_here() const {
+    std::vector<WorkerId> here;
+    for (const auto& [worker, link] : workers_) {
+        here.push_back(worker);
+    }
+    return here;
+}
+
+void Coordinator::drain_worker(WorkerId worker) {
+    const auto channel = workers_.at(worker).channel;
+    worker_draining(worker);
+    channel->send(Drain{}); // After all that is on its way to it.
+}
+
+void Coordinator::terminate_worker(WorkerId worker) {
+    log_info("worker told to end at once: worker={}", worker.value);
+    WorkerLink& link = workers_.at(worker);
+    link.is_dismissed = true;
+    take_all_back(worker);
+    if (link.channel->is_open()) {
+        link.channel->send(Terminate{"an admin has sent it away"});
+        link.channel->close(true);
+    } else {
+        worker_left(worker, "sent away while it had no connection");
+    }
     feed();
 }
 

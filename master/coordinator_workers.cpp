@@ -133,7 +133,7 @@ void Coordinator::add_job_to(WorkerLink& link, const MasterJob& job) {
     }
     add_tree_to(link, job.tree_a);
     add_tree_to(link, job.tree_b);
-    AddJob add{job.id, job.tree_a, job.tree_b, job.submit.query, std::nullopt};
+    AddJob add{job.id, {job.tree_a, job.tree_b}, job.submit.query, std::nullopt};
     if (const Grid* grid = job.order->grid()) {
         add.grid = encode_grid(*grid);
     }

@@ -28,6 +28,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 namespace {
 
+constexpr std::size_t hash_digits = 2 * sizeof(Sha256);
+
 /// One mesh, here or about to be.
 struct Entry {
     std::mutex making; ///< Held while the tree or a cut of it is made; guards these three:
@@ -51,6 +53,8 @@ struct GeometryStore::State {
     std::size_t meshes_max;
     std::shared_ptr<std::atomic<std::size_t>> open_uploads =
         std::make_shared<std::atomic<std::size_t>>(0);
+
+    std::shared_ptr<MeshUses> uses = std::make_shared<MeshUses>();
 
     mutable std::mutex mutex; ///< Guards all below; never held during work.
     std::map<Sha256, std::shared_ptr<Entry>> entries;
@@ -76,6 +80,8 @@ struct GeometryStore::State {
     void add_stored(const Sha256& mesh, std::uint64_t bytes);
     void find_mesh(const Sha256& mesh);
     [[nodiscard]] Error missing(const Sha256& mesh) const;
+    void remove_orphans() const;
+    [[nodiscard]] std::uint64_t remove_files(const Sha256& mesh) const;
     [[nodiscard]] bool has(const Sha256& mesh) const;
     [[nodiscard]] Status check_room(const Sha256& mesh) const;
     [[nodiscard]] std::shared_ptr<Entry> find(const Sha256& mesh) const;
@@ -140,6 +146,46 @@ bool GeometryStore::State::has(const Sha256& mesh) const {
     return statuses.contains(mesh);
 }
 
+/// What a removal that was interrupted has left of meshes that are gone. Files of other names are
+/// none of this store's making, or were set aside.
+void GeometryStore::State::remove_orphans() const {
+    for (const char* folder : {"meshes", "trees", "blocks"}) {
+        for (const auto& file : std::filesystem::directory_iterator(directory / folder)) {
+            const std::string name = file.path().filename().string();
+            const std::optional<Sha256> hash = sha256_from_hex(name.substr(0, hash_digits));
+            const std::string rest = name.substr(std::min(name.size(), hash_digits));
+            const bool is_ours = rest == ".info" || rest == ".tree" ||
+                                 (rest.starts_with("-d") && rest.ends_with(".blocks"));
+            std::error_code ignored;
+            if (hash && is_ours && !statuses.contains(*hash)) {
+                std::filesystem::remove(file.path(), ignored);
+            }
+        }
+    }
+}
+
+/// The mesh itself first: what is left without it is an orphan.
+std::uint64_t GeometryStore::State::remove_files(const Sha256& mesh) const {
+    std::vector<std::filesystem::path> files{mesh_path(mesh), info_path(mesh), tree_path(mesh)};
+    std::error_code error;
+    for (std::filesystem::directory_iterator file(directory / "blocks", error), end;
+         !error && file != end;
+         file.increment(error)) {
+        if (file->path().filename().string().starts_with(to_hex(mesh) + "-d")) {
+            files.push_back(file->path());
+        }
+    }
+    std::uint64_t bytes = 0;
+    for (const auto& path : files) {
+        std::error_code missing;
+        const std::uintmax_t size = std::filesystem::file_size(path, missing);
+        if (!missing && std::filesystem::remove(path, missing)) {
+            bytes += size;
+        }
+    }
+    return bytes;
+}
+
 Status GeometryStore::State::check_room(const Sha256& mesh) const {
     const std::lock_guard lock(mutex);
     if (statuses.size() < meshes_max || statuses.contains(mesh)) {
@@ -180,6 +226,10 @@ void GeometryStore::State::keep(const std::shared_ptr<const ObbTree>& tree) {
 Status check_opens(const std::filesystem::path& path) {
     const Result<DiskFile> file = DiskFile::open(path);
     return file || file.error().code == ErrorCode::NotFound ? Status(Done{}) : file.error();
+}
+
+Error no_mesh(const Sha256& mesh) {
+    return {ErrorCode::NotFound, "no mesh " + to_short_hex(mesh) + " is stored here"};
 }
 
 /// The workers prepare it for searches.
@@ -337,6 +387,7 @@ Result<std::unique_ptr<GeometryStore>> GeometryStore::open(const std::filesystem
     auto state = std::make_unique<State>(directory, std::move(lock_file.value()), pool, meshes_max);
     try {
         state->find_meshes();
+        state->remove_orphans();
     } catch (const std::filesystem::filesystem_error& error) {
         return Error{ErrorCode::Io, error.what()};
     }
@@ -424,6 +475,60 @@ GeometryStore::cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form) {
     const std::shared_ptr<Entry> entry = state_->find(mesh);
     const std::lock_guard making(entry->making);
     return state_->load_cut(*entry, tree.value(), depth, form);
+}
+
+std::shared_ptr<const MeshHold> GeometryStore::hold(std::vector<Sha256> meshes) {
+    return std::make_shared<const MeshHold>(state_->uses, std::move(meshes));
+}
+
+Result<std::uint64_t> GeometryStore::remove(const Sha256& mesh) {
+    const std::shared_ptr<Entry> entry = state_->find(mesh);
+    if (entry == nullptr) {
+        return no_mesh(mesh);
+    }
+    const std::lock_guard making(entry->making);
+    if (!entry->stored) {
+        return no_mesh(mesh);
+    }
+    {
+        const std::lock_guard lock(state_->mutex);
+        if (state_->uses->contains(mesh)) {
+            return Error{ErrorCode::Refused,
+                         "mesh " + to_short_hex(mesh) +
+                             " is needed by a job; remove its jobs first (`cdctl get jobs`)"};
+        }
+        state_->statuses.erase(mesh);
+        state_->entries.erase(mesh);
+        std::erase_if(state_->recent,
+                      [&](const auto& tree) { return tree->mesh().hash() == mesh; });
+    }
+    entry->stored = false;
+    return state_->remove_files(mesh);
+}
+
+Result<MeshBytes>
+GeometryStore::read(const Sha256& mesh, std::uint64_t offset, std::uint64_t bytes_max) const {
+    if (!has(mesh)) {
+        return no_mesh(mesh);
+    }
+    const Result<DiskFile> file = DiskFile::open(state_->mesh_path(mesh));
+    if (!file) {
+        return file.error();
+    }
+    const Result<std::uint64_t> size = file.value().size();
+    if (!size) {
+        return size.error();
+    }
+    if (offset >= size.value()) {
+        return Error{ErrorCode::BadInput,
+                     "byte " + std::to_string(offset) + " of a mesh of " +
+                         std::to_string(size.value()) + " bytes"};
+    }
+    Result<Bytes> bytes = file.value().read_at(offset, std::min(bytes_max, size.value() - offset));
+    if (!bytes) {
+        return bytes.error();
+    }
+    return MeshBytes{mesh, size.value(), offset, std::move(bytes.value())};
 }
 
 std::vector<MeshStatus> GeometryStore::meshes() const {

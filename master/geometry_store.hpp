@@ -7,6 +7,7 @@
 #include "common/core/thread_pool.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "master/cut_geometry.hpp"
+#include "master/mesh_hold.hpp"
 #include "master/mesh_upload.hpp"
 #include "proto/client_messages.hpp"
 
@@ -86,6 +87,17 @@ class GeometryStore {
     /// as `tree`; TooLarge over `limits::distribution_depth_max`; Io when it cannot be written.
     [[nodiscard]] StoreResult<std::shared_ptr<const CutGeometry>>
     cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form = SubtreeForm::Wide);
+
+    /// At most `bytes_max` of the canonical bytes of a mesh, from `offset` on. Errors: NotFound;
+    /// BadInput for an offset at or behind the end; Io.
+    [[nodiscard]] Result<MeshBytes>
+    read(const Sha256& mesh, std::uint64_t offset, std::uint64_t bytes_max) const;
+
+    /// Keeps these meshes, here or not, from being removed as long as it lives.
+    [[nodiscard]] std::shared_ptr<const MeshHold> hold(std::vector<Sha256> meshes);
+    /// Deletes the mesh, its tree and its blocks. The bytes that were freed. Errors: NotFound;
+    /// Refused while it is held; Io.
+    [[nodiscard]] Result<std::uint64_t> remove(const Sha256& mesh);
 
     /// All meshes, by hash.
     [[nodiscard]] std::vector<MeshStatus> meshes() const;

@@ -4,6 +4,7 @@
 #include "common/core/limits.hpp"
 #include "common/core/limits_master.hpp"
 #include "common/core/log.hpp"
+#include "common/core/wall_clock.hpp"
 #include "master/submission.hpp"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace cd {
 MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
     : id(recovered.record.id),
       submit(std::move(recovered.record.submit)),
+      began(recovered.record.began),
       started(now),
       seconds_before(recovered.progress.seconds),
       state(recovered.end ? recovered.end->state : JobState::Running),
@@ -32,8 +34,7 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
                           : 0),
       traffic(recovered.progress.traffic),
       help(recovered.progress.help),
-      depth_a(recovered.progress.depth_a),
-      depth_b(recovered.progress.depth_b),
+      depths(std::move(recovered.progress.depths)),
       map(std::move(recovered.map)) {
     if (end) {
         has_dropped_bulk = drop_bulk(submit);
@@ -64,8 +65,7 @@ JobProgress MasterJob::progress(Clock::time_point now) const {
             compute_seconds,
             traffic,
             help,
-            depth_a,
-            depth_b,
+            depths,
             map.withdrawn()};
 }
 
@@ -83,9 +83,9 @@ JobStatus MasterJob::status(Clock::time_point now) const {
         status.digest = end->digest;
         status.failure = end->failure;
     }
-    std::copy_n(submit.bodies.begin(),
-                std::min<std::size_t>(2, submit.bodies.size()),
-                status.bodies.begin());
+    for (const JobBody& body : submit.bodies) {
+        status.bodies.push_back(body.mesh);
+    }
     status.paused = paused;
     status.answered_by_master = answered_by_master;
     status.statistics = statistics;
@@ -95,8 +95,9 @@ JobStatus MasterJob::status(Clock::time_point now) const {
     status.copies = help.copies;
     status.copies_won = help.copies_won;
     status.traffic = traffic;
-    status.depth_a = depth_a;
-    status.depth_b = depth_b;
+    status.depths = depths;
+    status.owner = submit.owner;
+    status.began = began;
     return status;
 }
 
@@ -156,7 +157,7 @@ void JobBoard::end(MasterJob& job,
     CD_CHECK(job.is_running());
     CD_CHECK(state != JobState::Running);
     job.ended = now;
-    job.end = JobEnd{state, failure, {}};
+    job.end = JobEnd{state, failure, {}, unix_seconds()};
     if (state == JobState::Done) {
         job.end->digest = job.merger.digest();
         CD_CHECK(job.end->digest.has_value());
@@ -200,7 +201,7 @@ std::vector<JobId> JobBoard::announce(MasterJob& job) {
     std::size_t left = ended.size();
     std::vector<JobId> dropped;
     for (const auto& [when, id, count] : ended) {
-        if (left <= limits::jobs_ended_kept_max && results <= results_kept_) {
+        if (left <= retention_.count && results <= results_kept_) {
             break;
         }
         if (id != job.id) {
@@ -212,6 +213,26 @@ std::vector<JobId> JobBoard::announce(MasterJob& job) {
         }
     }
     return dropped;
+}
+
+std::vector<JobId> JobBoard::drop_expired(std::uint64_t now) {
+    std::vector<JobId> dropped;
+    for (const auto& [id, job] : jobs_) {
+        if (job.state != JobState::Running &&
+            retention_.is_over(job.end->ended, job.submit.retention_seconds, now)) {
+            log_info("results dropped: job={} reason=\"their time is over\"", id.value);
+            dropped.push_back(id);
+        }
+    }
+    for (const JobId id : dropped) {
+        jobs_.erase(id);
+    }
+    return dropped;
+}
+
+void JobBoard::drop(JobId job) {
+    CD_CHECK(find(job) != nullptr && !find(job)->is_running());
+    jobs_.erase(job);
 }
 
 std::vector<JobStatus> JobBoard::statuses(Clock::time_point now) const {

@@ -7,8 +7,10 @@
 #include "common/job/ordered_poses.hpp"
 #include "common/job/pose_source.hpp"
 #include "master/job_map.hpp"
+#include "master/job_retention.hpp"
 #include "master/journal.hpp"
 #include "master/ledger.hpp"
+#include "master/mesh_hold.hpp"
 #include "master/place_queue.hpp"
 #include "master/result_intake.hpp"
 #include "master/result_store.hpp"
@@ -54,10 +56,12 @@ struct MasterJob {
     MasterJob(RecoveredJob recovered, Clock::time_point now);
 
     JobId id;
-    Submit submit; ///< Once it has ended, without its bulk (`drop_bulk`).
+    Submit submit;           ///< Once it has ended, without its bulk (`drop_bulk`).
+    std::uint64_t began = 0; ///< In seconds since 1970.
     Clock::time_point started;
-    double seconds_before = 0;          ///< In earlier lives of the master.
-    JobState state = JobState::Running; ///< As clients are told.
+    double seconds_before = 0;              ///< In earlier lives of the master.
+    JobState state = JobState::Running;     ///< As clients are told.
+    std::shared_ptr<const MeshHold> meshes; ///< Its own, as long as it is known.
     ResultMerger merger;
     std::shared_ptr<ResultStore> results;
     std::uint64_t changes = 0; ///< Grows with whatever a status shows, but time.
@@ -106,10 +110,8 @@ struct MasterJob {
     double compute_seconds = 0;
     JobTraffic traffic;
     HelpAtEnd help;
-    // Where its trees are cut, once they are.
-    std::optional<std::uint32_t> depth_a;
-    std::optional<std::uint32_t> depth_b;
-    JobMap map; ///< Where the query is for maps.
+    std::vector<std::uint32_t> depths; ///< By body, where its tree is cut, once it is.
+    JobMap map;                        ///< Where the query is for maps.
 
     [[nodiscard]] bool is_running() const { return !end; }
     /// The scenario has no result, or one that is in doubt.
@@ -125,12 +127,13 @@ struct MasterJob {
 
 [[nodiscard]] Error no_job(JobId job);
 
-/// Jobs by id. Those that have ended are kept with their results, the last
-/// `limits::jobs_ended_kept_max` of them, or fewer with many results.
+/// Jobs by id. Those that have ended are kept with their results as `retention` says, or fewer with
+/// many results.
 class JobBoard {
   public:
-    explicit JobBoard(std::uint64_t results_kept = limits::results_ended_kept_max)
-        : results_kept_(results_kept) {}
+    explicit JobBoard(std::uint64_t results_kept = limits::results_ended_kept_max,
+                      JobRetention retention = {})
+        : results_kept_(results_kept), retention_(retention) {}
 
     /// The number of a new job, which counts among those that run until it is added or given up.
     /// Errors: Refused with too many jobs, or scenarios, running.
@@ -153,6 +156,11 @@ class JobBoard {
     /// that ended first.
     [[nodiscard]] std::vector<JobId> announce(MasterJob& job);
 
+    /// Forgets jobs that are kept no longer. `now` is in seconds since 1970. Their ids.
+    [[nodiscard]] std::vector<JobId> drop_expired(std::uint64_t now);
+    /// Forgets a job that has ended.
+    void drop(JobId job);
+
     /// Those that run.
     [[nodiscard]] const std::set<JobId>& running() const { return running_; }
     [[nodiscard]] std::vector<JobStatus> statuses(Clock::time_point now) const;
@@ -163,6 +171,7 @@ class JobBoard {
     std::map<JobId, std::uint64_t> begun_; ///< Their scenarios.
     std::uint64_t last_ = 0;
     std::uint64_t results_kept_;
+    JobRetention retention_;
 };
 
 } // namespace cd

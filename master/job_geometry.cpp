@@ -16,8 +16,8 @@ std::shared_ptr<const TreeTop> top_of(const std::shared_ptr<const CutGeometry>& 
 } // namespace
 
 StoreResult<JobGeometry> make_job_geometry(GeometryStore& store, const Submit& submit) {
-    const auto tree_a = store.tree(submit.bodies[0]);
-    const auto tree_b = store.tree(submit.bodies[1]);
+    const auto tree_a = store.tree(submit.bodies[0].mesh);
+    const auto tree_b = store.tree(submit.bodies[1].mesh);
     for (const auto* tree : {&tree_a, &tree_b}) {
         if (!*tree) {
             return tree->error();
@@ -33,10 +33,10 @@ StoreResult<JobGeometry> make_job_geometry(GeometryStore& store, const Submit& s
         }
         return given ? *given : choose_depth(tree, form);
     };
-    const std::uint32_t depth_a = depth_of(*tree_a.value(), submit.cluster.depth_a);
-    const std::uint32_t depth_b = depth_of(*tree_b.value(), submit.cluster.depth_b);
-    const auto cut_a = store.cut(submit.bodies[0], depth_a, form);
-    const auto cut_b = store.cut(submit.bodies[1], depth_b, form);
+    const std::uint32_t depth_a = depth_of(*tree_a.value(), submit.cluster.depth(0));
+    const std::uint32_t depth_b = depth_of(*tree_b.value(), submit.cluster.depth(1));
+    const auto cut_a = store.cut(submit.bodies[0].mesh, depth_a, form);
+    const auto cut_b = store.cut(submit.bodies[1].mesh, depth_b, form);
     for (const auto* cut : {&cut_a, &cut_b}) {
         if (!*cut) {
             return cut->is_unwritten() ? StoreResult<JobGeometry>::unwritten(cut->error())

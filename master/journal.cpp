@@ -32,7 +32,8 @@ bool is_urgent(const JournalEntry& entry) {
 
 struct Journal::State {
     JournalOptions options;
-    std::unique_ptr<JournalDatabase> database;
+    std::mutex database_use;
+    std::unique_ptr<JournalDatabase> database; ///< Of one thread at a time, by `database_use`.
     Recovered recovered;
     JournalEvents events;
 
@@ -50,6 +51,7 @@ struct Journal::State {
 
     void run();
     [[nodiscard]] std::vector<JournalEntry> next_group(SteadyClock::time_point not_before);
+    [[nodiscard]] Status write(const std::vector<JournalEntry>& group);
     /// False when it was not written, and the journal ends.
     bool write_until_done(const std::vector<JournalEntry>& group);
     [[nodiscard]] std::filesystem::path jobs_folder() const { return options.directory / "jobs"; }
@@ -57,10 +59,15 @@ struct Journal::State {
 
 // ---- Writing ------------------------------------------------------------------------------------
 
+Status Journal::State::write(const std::vector<JournalEntry>& group) {
+    const std::lock_guard lock(database_use);
+    return write_group({*database, jobs_folder(), options.synced}, group);
+}
+
 bool Journal::State::write_until_done(const std::vector<JournalEntry>& group) {
     std::string told;
     for (;;) {
-        const Status status = write_group({*database, jobs_folder(), options.synced}, group);
+        const Status status = write(group);
         if (status) {
             if (!told.empty()) {
                 log_info("journal goes on");
@@ -130,6 +137,7 @@ void remove_leftovers(const JournalOptions& options,
         const std::string number = std::to_string(job.record.id.value);
         known.insert(number + ".results");
         known.insert(number + ".poses");
+        known.insert(number + ".labels");
     }
     std::error_code ignored;
     std::vector<std::filesystem::path> leftovers;
@@ -225,8 +233,18 @@ std::uint64_t Journal::queued_bytes() const {
     return state_->queued_bytes;
 }
 
+Result<JobRecord> Journal::job(JobId job) const {
+    const std::lock_guard lock(state_->database_use);
+    const Result<Bytes> record = state_->database->record(job);
+    return record ? decode_job(record.value()) : Result<JobRecord>(record.error());
+}
+
 std::filesystem::path Journal::results_path(JobId job) const {
     return state_->jobs_folder() / (std::to_string(job.value) + ".results");
+}
+
+std::filesystem::path Journal::labels_path(JobId job) const {
+    return state_->jobs_folder() / (std::to_string(job.value) + ".labels");
 }
 
 std::filesystem::path Journal::poses_path(JobId job) const {

@@ -117,8 +117,16 @@ class Journal {
     /// Of records that are not committed. Any thread.
     [[nodiscard]] std::uint64_t queued_bytes() const;
 
+    /// A job as it was accepted. Blocks for the disk. Any thread. Errors: NotFound; Io.
+    [[nodiscard]] Result<JobRecord> job(JobId job) const;
+
     [[nodiscard]] std::filesystem::path results_path(JobId job) const;
     [[nodiscard]] std::filesystem::path poses_path(JobId job) const;
+    [[nodiscard]] std::filesystem::path labels_path(JobId job) const;
+    /// All of these, of which some need not be there.
+    [[nodiscard]] std::vector<std::filesystem::path> files_of(JobId job) const {
+        return {results_path(job), poses_path(job), labels_path(job)};
+    }
 
   private:
     struct State;

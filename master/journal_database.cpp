@@ -16,11 +16,8 @@ namespace cd {
 namespace {
 
 constexpr int application_id = 0x43'44'4a'31; // "CDJ1"
-constexpr int schema_version = 4;
-/// Read as they are; they become the version above with the first commit. The tables are the same.
-/// Groups of results have no losses before 4; before 3 they have no authors, and there are no
-/// alarms.
-constexpr int schema_version_oldest = 2;
+/// Of the tables and of what their rows hold; no other is read.
+constexpr int schema_version = 5;
 constexpr std::uint64_t mark_magic = 0x31'4b'52'4d'44'43'00'00; // "\0\0CDMRK1"
 constexpr std::uint64_t mark_bytes = 3 * sizeof(std::uint64_t);
 
@@ -143,7 +140,6 @@ struct JournalDatabase::State {
     std::filesystem::path path;
     std::optional<DiskFile> mark;
     Database database;
-    int version = schema_version; ///< Of what is on the disk.
     bool writing = false; ///< Something was written, and what stands here is known to be sound.
     Sha256 cluster;
     std::uint64_t last_job = 0;
@@ -178,7 +174,6 @@ struct JournalDatabase::State {
     [[nodiscard]] Status read_meta();
     [[nodiscard]] Result<std::uint64_t> read_mark() const;
     [[nodiscard]] Status write_mark() const;
-    [[nodiscard]] bool upgrade();
     [[nodiscard]] bool apply(const DatabaseChange& change);
 };
 
@@ -285,14 +280,13 @@ Status JournalDatabase::State::check_version() {
     if (!number.step()) {
         return refusal(sqlite3_errmsg(database.get()));
     }
-    version = static_cast<int>(number.number(0));
-    if (version >= schema_version_oldest && version <= schema_version) {
+    const std::uint64_t version = number.number(0);
+    if (version == schema_version) {
         return Done{};
     }
     return Error{ErrorCode::Io,
                  path.string() + " is of version " + std::to_string(version) +
-                     ", and this cdmaster reads versions " + std::to_string(schema_version_oldest) +
-                     " to " + std::to_string(schema_version) +
+                     ", and this cdmaster reads version " + std::to_string(schema_version) +
                      "; nothing was changed: start the cdmaster that wrote it, or move the state "
                      "directory away and start with an empty one"};
 }
@@ -453,6 +447,21 @@ Result<std::vector<DatabaseJob>> JournalDatabase::jobs() const {
     return jobs;
 }
 
+Result<Bytes> JournalDatabase::record(JobId job) const {
+    const std::string name = "job " + std::to_string(job.value);
+    Statement statement(state_->database.get(), "SELECT record FROM jobs WHERE job=?");
+    statement.bind(1, job.value);
+    if (!statement.step()) {
+        return statement.failed() ? state_->failure("read")
+                                  : Error{ErrorCode::NotFound, "no " + name + " is known here"};
+    }
+    auto record = unsealed(statement.bytes(0), RowKind::Record, job.value);
+    if (!record) {
+        return state_->damage(name + " has a wrong checksum");
+    }
+    return std::move(*record);
+}
+
 Result<Bytes> JournalDatabase::alarms() const {
     Statement statement(state_->database.get(), "SELECT value FROM meta WHERE name='alarms'");
     if (!statement.step()) {
@@ -507,12 +516,6 @@ bool JournalDatabase::State::set_number(const char* name, std::uint64_t value) c
     return set_meta(name, std::as_bytes(std::span(&value, 1)));
 }
 
-/// A cdmaster of before must not take what is written from now on for its own.
-bool JournalDatabase::State::upgrade() {
-    const std::string name = "PRAGMA user_version=" + std::to_string(schema_version);
-    return version == schema_version || run(name.c_str());
-}
-
 bool JournalDatabase::State::apply(const DatabaseChange& change) {
     using Kind = DatabaseChange::Kind;
     const std::uint64_t job = change.job.value;
@@ -553,7 +556,7 @@ Status JournalDatabase::write(std::span<const DatabaseChange> changes) {
                          " was removed or replaced under the running master: nothing more can be "
                          "kept; put it back, or start the master again"};
     }
-    bool written = state.run("BEGIN IMMEDIATE") && state.upgrade();
+    bool written = state.run("BEGIN IMMEDIATE");
     for (const DatabaseChange& change : changes) {
         written = written && state.apply(change);
     }
@@ -564,7 +567,6 @@ Status JournalDatabase::write(std::span<const DatabaseChange> changes) {
         return why;
     }
     ++state.commits;
-    state.version = schema_version;
     state.writing = true;
     for (const DatabaseChange& change : changes) {
         if (change.kind == DatabaseChange::Kind::Accept) {

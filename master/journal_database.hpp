@@ -59,6 +59,8 @@ class JournalDatabase {
     [[nodiscard]] JobId last_job() const;
     /// By id. Errors: Io.
     [[nodiscard]] Result<std::vector<DatabaseJob>> jobs() const;
+    /// The record of one job. Errors: NotFound; Io.
+    [[nodiscard]] Result<Bytes> record(JobId job) const;
     /// Empty before the first. Errors: Io.
     [[nodiscard]] Result<Bytes> alarms() const;
     /// All groups of results of a job in the order of their commits. An error of `take` ends it.

@@ -406,7 +406,7 @@ ExaminedJobs examine_jobs(const JournalDatabase& database,
 }
 
 bool is_of_a_job(const std::string& name) {
-    return name.ends_with(".results") || name.ends_with(".poses");
+    return name.ends_with(".results") || name.ends_with(".poses") || name.ends_with(".labels");
 }
 
 std::filesystem::path file_of_a_job(const std::filesystem::path& jobs_folder) {

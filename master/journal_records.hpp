@@ -19,6 +19,7 @@ namespace cd {
 struct JobRecord {
     JobId id;
     Submit submit;
+    std::uint64_t began = 0; ///< When it was accepted, in seconds since 1970.
 };
 
 /// Of scenarios at a job's end (ARCHITECTURE.md, how a job ends).
@@ -38,9 +39,8 @@ struct JobProgress {
     double compute_seconds = 0;
     JobTraffic traffic;
     HelpAtEnd help;
-    std::optional<std::uint32_t> depth_a;
-    std::optional<std::uint32_t> depth_b;
-    std::string map_withdrawn; ///< Why the job's map is not to be used; else empty.
+    std::vector<std::uint32_t> depths; ///< By body; empty before its geometry is prepared.
+    std::string map_withdrawn;         ///< Why the job's map is not to be used; else empty.
 };
 
 /// How a job ended.
@@ -48,6 +48,7 @@ struct JobEnd {
     JobState state = JobState::Done;
     std::string failure;
     std::optional<Sha256> digest;
+    std::uint64_t ended = 0; ///< When, in seconds since 1970.
 };
 
 /// Not the protocol's form of it, which may change from version to version.

@@ -35,6 +35,7 @@ enum class Mutation : std::uint8_t {
     EvictionNotTold,        ///< A worker lets a block go, and says nothing.
     HeardAgainForgotten,    ///< A worker that was silent is heard again, and gets nothing more.
     BatchesWithoutBound,    ///< A worker gets batch after batch, however many stand there.
+    NobodyAwaited,          ///< After a restart work goes out before its workers are back.
     OthersSourceNamed,      ///< A worker is sent to one that has the first of the blocks alone.
     count,
 };

@@ -213,15 +213,8 @@ Result<ResultGroup> decode_group(std::span<const std::byte> bytes) {
     if (!get_rows(in, group.rows) || !get_maps(in, group.maps)) {
         return damaged_row(what);
     }
-    if (in.remaining() == 0) { // Of version 2.
-        group.authors.push_back({group.rows.size(), 0});
-        return group;
-    }
-    if (!get_authors(in, group.rows.size(), group.authors) || !get_remarks(in, group.remarks)) {
-        return damaged_row(what);
-    }
-    const bool is_of_version_3 = in.remaining() == 0;
-    if (!is_of_version_3 && (!get_losses(in, group.losses) || !in.complete())) {
+    if (!get_authors(in, group.rows.size(), group.authors) || !get_remarks(in, group.remarks) ||
+        !get_losses(in, group.losses) || !in.complete()) {
         return damaged_row(what);
     }
     return group;

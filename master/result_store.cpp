@@ -328,32 +328,39 @@ Result<ResultsPart>
 ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_max) const {
     const std::lock_guard lock(state_->mutex);
     const std::uint64_t begin = std::min(first, state_->scenarios);
-    const std::uint64_t end = begin + std::min(count, state_->scenarios - begin);
+    const std::uint64_t end =
+        begin + std::min({count, state_->scenarios - begin, limits::results_scan_max});
     ByteWriter records;
     ResultsPart part;
     part.first = first;
-    if (begin == end || state_->find(begin).length == 0) {
-        part.records = pack_records({});
-        return part;
-    }
-    const Result<DiskFile> file = state_->open();
-    if (!file) {
-        return file.error();
-    }
+    part.next = std::max(first, end);
+    std::optional<DiskFile> file; // A job without a result has none yet.
     for (std::uint64_t scenario = begin; scenario < end; ++scenario) {
         const RecordPlace place = state_->find(scenario);
-        const bool fits =
-            part.count == 0 || (records.size() + place.length <= bytes_max &&
-                                part.count < std::numeric_limits<std::uint32_t>::max());
-        if (place.length == 0 || !fits) {
+        if (place.length == 0) {
+            continue;
+        }
+        if (part.count != 0 && records.size() + place.length > bytes_max) {
+            part.next = scenario;
             break;
         }
-        const Result<Bytes> record = state_->read(file.value(), scenario, place);
+        if (!file) {
+            Result<DiskFile> opened = state_->open();
+            if (!opened) {
+                return opened.error();
+            }
+            file = std::move(opened.value());
+        }
+        const Result<Bytes> record = state_->read(*file, scenario, place);
         if (!record) {
             return record.error();
         }
         records.put(static_cast<std::uint32_t>(place.length));
         put_bytes(records, record.value());
+        if (part.held.empty() || part.held.back().first + part.held.back().count != scenario) {
+            part.held.push_back({scenario, 0});
+        }
+        ++part.held.back().count;
         ++part.count;
     }
     part.records = pack_records(records.bytes());

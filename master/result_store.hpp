@@ -82,10 +82,10 @@ class ResultStore {
     [[nodiscard]] bool has(std::uint64_t scenario) const;
     [[nodiscard]] std::uint64_t count() const; ///< Scenarios whose records can be read.
 
-    /// The records of scenarios [first, first + count) up to the first that is not here or would
-    /// bring the uncompressed records over `bytes_max`; one that is there is given whatever its
-    /// size. `job` is left for the caller to set. Errors: Io, when a record is damaged or cannot be
-    /// read.
+    /// The records that are here of scenarios [first, first + count), up to the one that would
+    /// bring the uncompressed records over `bytes_max`, and at most `limits::results_scan_max`
+    /// scenarios further; the first record is given whatever its size. `job` is left for the caller
+    /// to set. Errors: Io, when a record is damaged or cannot be read.
     [[nodiscard]] Result<ResultsPart>
     read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_max) const;
 

@@ -5,6 +5,7 @@
 #include "common/core/log.hpp"
 #include "common/core/state_folder.hpp"
 #include "common/core/thread_pool.hpp"
+#include "common/core/wall_clock.hpp"
 #include "master/coordinator.hpp"
 #include "master/geometry_store.hpp"
 #include "master/http_front.hpp"
@@ -45,6 +46,17 @@ void allow_many_files() {
     if (getrlimit(RLIMIT_NOFILE, &files) == 0) {
         files.rlim_cur = files.rlim_max;
         (void)setrlimit(RLIMIT_NOFILE, &files); // Fewer will do for fewer jobs.
+    }
+}
+
+/// Jobs that ended long ago are forgotten.
+asio::awaitable<void>
+keep_jobs(Coordinator& coordinator, asio::steady_timer& pause, const bool& stopping) {
+    while (!stopping) {
+        coordinator.forget_expired_jobs(unix_seconds());
+        pause.expires_after(limits::retention_check_period);
+        boost::system::error_code ignored;
+        co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
 }
 
@@ -136,7 +148,9 @@ Status run_master(const MasterConfig& config) {
                              *journal.value(),
                              config.state / "jobs",
                              config.no_sync ? Durability::Unsynced : Durability::Synced,
-                             config.times});
+                             config.times,
+                             limits::results_aside_bytes_max,
+                             config.retention});
     if (Status restored = coordinator.restore(journal.value()->take_recovered()); !restored) {
         return restored;
     }
@@ -152,12 +166,15 @@ Status run_master(const MasterConfig& config) {
     }
     bool stopping = false;
     asio::steady_timer renewal(context);
+    asio::steady_timer retention(context);
+    spawn(context.get_executor(), "retention", keep_jobs(coordinator, retention, stopping));
     if (secured) {
         spawn(context.get_executor(), "renewal", keep_valid(*identity.value(), renewal, stopping));
     }
     StopSignals signals(context.get_executor(), [&](unsigned) {
         stopping = true;
         renewal.cancel();
+        retention.cancel();
         server.value()->close();
         if (http.value() != nullptr) {
             http.value()->close();

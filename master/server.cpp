@@ -143,9 +143,6 @@ asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
                                          Seats::Seat& seat) {
     Welcome welcome;
     welcome.cluster = coordinator_.cluster();
-    const Agreement agreed = negotiate(hello).value();
-    welcome.version = agreed.version;
-    welcome.choices = agreed.choices;
     welcome.build = version;
     if (hello.role == Role::Worker) {
         const std::string holder = name_of(access, *channel);
@@ -170,6 +167,8 @@ asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
         co_await admit(channel, access);
     } else {
         welcome.id = connection_last_;
+        access.set_user(hello.user.empty() ? hello.name : hello.user);
+        welcome.owner = access.owner();
         co_await serve_client(channel, welcome, access, seat);
     }
 }

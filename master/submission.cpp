@@ -31,9 +31,43 @@ Status check_ignored(const Query& query, std::uint64_t triangles_a, std::uint64_
                          std::to_string(limits::ignored_ranges_max) + " are taken"};
     }
     for (const IgnoredRange& range : query.ignored) {
+        if (range.body_a != 0 || range.body_b != 1) {
+            return bad("ignored parts of bodies " + std::to_string(range.body_a) + " and " +
+                       std::to_string(range.body_b) + "; the job has 0 and 1");
+        }
         if (range.a_begin > range.a_end || range.a_end > triangles_a ||
             range.b_begin > range.b_end || range.b_end > triangles_b) {
             return bad("a pair of ignored parts is outside the meshes");
+        }
+    }
+    return Done{};
+}
+
+Status check_text(const std::string& what, const std::string& text, std::size_t bytes_max) {
+    if (text.size() > bytes_max) {
+        return bad(what + " is longer than " + std::to_string(bytes_max) + " bytes");
+    }
+    return is_printable(text) ? Status(Done{}) : Status(bad(what + " is not printable"));
+}
+
+Status check_texts(const Submit& submit) {
+    constexpr std::size_t text_max = limits::hello_text_bytes_max;
+    for (const JobBody& body : submit.bodies) {
+        for (const Status& status : {check_text("a body's name", body.name, text_max),
+                                     check_text("a body's file", body.file, limits::path_bytes_max),
+                                     check_text("a body's unit", body.unit, text_max)}) {
+            if (!status) {
+                return status;
+            }
+        }
+    }
+    for (const Status& status :
+         {check_text("the job's name", submit.name, text_max),
+          check_text("the job's unit", submit.unit, text_max),
+          check_text("the file of poses", submit.poses.file, limits::path_bytes_max),
+          check_text("the order of quaternions", submit.poses.quat_order, text_max)}) {
+        if (!status) {
+            return status;
         }
     }
     return Done{};
@@ -45,12 +79,15 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     if (submit.bodies.size() != 2) {
         return bad("a job has two bodies, not " + std::to_string(submit.bodies.size()));
     }
-    if (submit.name.size() > limits::hello_text_bytes_max) {
-        return bad("the job's name is longer than " + std::to_string(limits::hello_text_bytes_max) +
-                   " bytes");
+    if (const Status texts = check_texts(submit); !texts) {
+        return texts;
     }
-    if (!is_printable(submit.name)) {
-        return bad("the job's name is not printable");
+    if (submit.priority != 0) {
+        return bad("the priority is " + std::to_string(submit.priority) +
+                   "; this master takes 0 alone");
+    }
+    if (submit.grid.has_value() != (submit.poses.kind == PosesKind::Grid)) {
+        return bad("poses of kind grid, and no others, are told by a grid");
     }
     if (submit.grid && submit.grid->size() > limits::grid_bytes_max) {
         return Error{ErrorCode::TooLarge,
@@ -60,11 +97,11 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     std::array<std::uint64_t, 2> triangles{};
     for (std::size_t body = 0; body < 2; ++body) {
         const auto mesh = std::find_if(stored.begin(), stored.end(), [&](const MeshStatus& status) {
-            return status.mesh == submit.bodies[body];
+            return status.mesh == submit.bodies[body].mesh;
         });
         if (mesh == stored.end()) {
             return Error{ErrorCode::NotFound,
-                         "mesh " + to_short_hex(submit.bodies[body]) +
+                         "mesh " + to_short_hex(submit.bodies[body].mesh) +
                              " is not stored here; upload it before the job"};
         }
         triangles[body] = mesh->triangles;
@@ -78,8 +115,8 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
                          " are taken: split the job into several, one after the other"};
     }
     for (const Status& status : {
-             check_range("the distribution depth of A", cluster.depth_a.value_or(0), 0, depth_max),
-             check_range("the distribution depth of B", cluster.depth_b.value_or(0), 0, depth_max),
+             check_range("the distribution depth of A", cluster.depth(0).value_or(0), 0, depth_max),
+             check_range("the distribution depth of B", cluster.depth(1).value_or(0), 0, depth_max),
              check_range("q", cluster.q, 1, limits::q_max),
              check_range("v_kb", cluster.v_kb, 1, limits::v_kb_max),
              check_tolerance(submit.query.tolerance),
@@ -92,9 +129,27 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     return Done{};
 }
 
+std::vector<Sha256> meshes_of(const Submit& submit) {
+    std::vector<Sha256> meshes;
+    for (const JobBody& body : submit.bodies) {
+        meshes.push_back(body.mesh);
+    }
+    return meshes;
+}
+
 std::uint64_t bulk_bytes(const Submit& submit) {
     return (submit.grid ? submit.grid->size() : 0) +
            submit.query.ignored.size() * sizeof(IgnoredRange);
+}
+
+std::uint64_t bulk_bytes(const PosesPart& part) {
+    std::uint64_t bytes = part.scenarios.size() +
+                          part.labels.integers.size() * sizeof(std::int64_t) +
+                          part.labels.times.size() * sizeof(double);
+    for (const std::string& text : part.labels.texts) {
+        bytes += text.size();
+    }
+    return bytes;
 }
 
 bool drop_bulk(Submit& submit) {

@@ -149,18 +149,13 @@ greet(std::shared_ptr<Channel> channel,
       Hello hello,
       std::chrono::steady_clock::duration timeout = limits::connect_timeout);
 
-/// What a Welcome says of how both sides go on.
-struct Agreement {
-    std::uint16_t version = 0; ///< The greatest that both speak.
-    Choices choices;
-};
-/// Errors: Refused naming what both sides can.
-[[nodiscard]] Result<Agreement> negotiate(const Hello& hello);
+/// Errors: Refused naming the versions of both sides, where they differ.
+[[nodiscard]] Status check_version(const Hello& hello);
 
-/// Awaits the hello of whoever connected, within `limits::connect_timeout`. A peer without a common
+/// Awaits the hello of whoever connected, within `limits::connect_timeout`. A peer of another
 /// version, or that says something else, is told so and the channel closed; else it expects what
-/// the role sends. The caller answers with a Welcome that says what was `negotiate`d. Errors:
-/// Refused, BadFrame, and those of `receive`.
+/// the role sends. The caller answers with a Welcome. Errors: Refused, BadFrame, and those of
+/// `receive`.
 [[nodiscard]] asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel);
 
 /// Runs a coroutine on its own; what escapes from it is logged under `name`.

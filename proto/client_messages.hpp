@@ -5,13 +5,14 @@
 #include "common/core/hash.hpp"
 #include "common/core/id.hpp"
 #include "common/job/merge.hpp"
+#include "common/job/pose_labels.hpp"
 #include "common/job/query.hpp"
+#include "common/job/random_poses.hpp"
 #include "common/job/statistics.hpp"
 #include "proto/cluster_options.hpp"
 #include "proto/session_messages.hpp"
 #include "proto/traffic.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -41,25 +42,102 @@ struct MeshStored {
     Sha256 mesh;
 };
 
+/// A body of a job.
+struct JobBody {
+    Sha256 mesh = {};      ///< Of its canonical bytes, in the job's unit.
+    std::string name = {}; ///< "a" and "b", unless the job says others.
+    std::string file = {}; ///< For people: where the mesh was read.
+    std::string unit = {}; ///< Of the file's coordinates.
+
+    friend bool operator==(const JobBody&, const JobBody&) = default;
+};
+
+enum class PosesKind : std::uint8_t { Grid = 0, File = 1, Random = 2 };
+
+/// Where a job's poses came from, for whoever opens the job again.
+struct PosesOrigin {
+    PosesKind kind = PosesKind::File;
+    std::optional<RandomPoses> random = {}; ///< Of kind Random.
+    std::string file = {};                  ///< Of kind File; "-" is standard input.
+    std::string quat_order = {};            ///< "xyzw", "wxyz", or empty.
+    bool of_both_bodies = false;
+    std::optional<double> rigid_tolerance = {};
+    LabelColumns labels = {}; ///< That follow with the poses.
+
+    friend bool operator==(const PosesOrigin&, const PosesOrigin&) = default;
+};
+
 /// A new job. With a grid it is complete and answered by Accepted; otherwise poses follow in
 /// PosesPart, and PosesEnd is answered by Accepted.
 struct Submit {
     std::string name;
-    std::vector<Sha256> bodies; ///< A and B; they must be stored.
+    std::string unit;            ///< Of poses, tolerance and results.
+    std::string owner;           ///< Set by the master.
+    std::int32_t priority = 0;   ///< 0: no other one is taken yet.
+    std::vector<JobBody> bodies; ///< Two; their meshes must be stored.
     Query query;
     ClusterOptions cluster;
+    PosesOrigin poses;
     std::uint64_t scenarios = 0;
-    std::optional<Bytes> grid; ///< `encode_grid`.
+    std::optional<Bytes> grid; ///< `encode_grid`; of poses of kind Grid, and of no others.
+    /// Seconds for which the job is kept after its end; 0, or more than the master keeps any job:
+    /// as long as the master keeps jobs.
+    std::uint64_t retention_seconds = 0;
 };
 
 /// The next scenarios in order.
 struct PosesPart {
-    Bytes scenarios; ///< `pack_scenarios`.
+    Bytes scenarios;        ///< `pack_scenarios`.
+    PoseLabels labels = {}; ///< Of these scenarios, in the columns that were announced.
 };
 struct PosesEnd {};
 
 struct Accepted {
     JobId job;
+};
+
+/// Answered by JobDescription. Errors: NotFound.
+struct JobQuery {
+    JobId job;
+};
+
+/// What `Submit` said, and what the master added.
+struct JobDescription {
+    JobId job;
+    std::uint64_t began = 0; ///< When it was accepted, in seconds since 1970.
+    Submit submit;
+};
+
+/// Answered by MeshBytes. Errors: NotFound; BadInput for an offset behind the end.
+struct MeshQuery {
+    Sha256 mesh;
+    std::uint64_t offset = 0;
+};
+
+/// A run of a mesh's canonical bytes, as many as the message takes.
+struct MeshBytes {
+    Sha256 mesh;
+    std::uint64_t bytes_total = 0;
+    std::uint64_t offset = 0;
+    Bytes bytes;
+};
+
+/// Answered by JobPoses. Errors: NotFound; BadInput for scenarios that the job does not have.
+struct PosesQuery {
+    JobId job;
+    std::uint64_t first = 0;
+    std::uint64_t count = 0;
+};
+
+/// Poses of scenarios [first, first + count), in submitted order; at least one and at most as many
+/// as were asked for. Poses on a grid are told by the job's description, and are answered all the
+/// same.
+struct JobPoses {
+    JobId job;
+    std::uint64_t first = 0;
+    std::uint64_t count = 0;
+    Bytes scenarios; ///< `pack_scenarios`.
+    PoseLabels labels = {};
 };
 
 enum class JobState : std::uint8_t { Running = 0, Done = 1, Cancelled = 2, Failed = 3 };
@@ -83,7 +161,7 @@ struct JobStatus {
     double seconds = 0;           ///< Since it was accepted; of a finished job, how long it took.
     double scenarios_per_second = 0;
     std::string failure;
-    std::array<Sha256, 2> bodies;
+    std::vector<Sha256> bodies;           ///< Their meshes.
     std::uint64_t answered_by_master = 0; ///< No pair of distribution roots: no worker was asked.
     JobStatistics statistics; ///< Of the scenarios whose results came, also those that came twice.
     double compute_seconds = 0;
@@ -95,9 +173,10 @@ struct JobStatus {
     std::uint64_t copies = 0;     ///< Sent to a second worker, beside the first,
     std::uint64_t copies_won = 0; ///< and answered by that one first.
     JobTraffic traffic;
-    // Where its trees are cut; nothing until its geometry has been prepared.
-    std::optional<std::uint32_t> depth_a;
-    std::optional<std::uint32_t> depth_b;
+    /// By body, where its tree is cut; empty until its geometry has been prepared.
+    std::vector<std::uint32_t> depths;
+    std::string owner;
+    std::uint64_t began = 0; ///< When it was accepted, in seconds since 1970.
 };
 
 /// Answered by JobStatus at once and whenever something changed, at most some five times a second,
@@ -150,6 +229,18 @@ struct MeshStatus {
     double build_seconds = 0; ///< 0 when its tree was found on disk.
 };
 
+/// Bytes on the disk in the state directory.
+struct StateSizes {
+    std::uint64_t results = 0;
+    std::uint64_t poses = 0; ///< With their labels.
+    std::uint64_t meshes = 0;
+    std::uint64_t trees = 0;   ///< With the blocks that were cut of them.
+    std::uint64_t journal = 0; ///< The index of all that.
+    std::uint64_t free = 0;    ///< On the file system, for the master.
+
+    friend bool operator==(const StateSizes&, const StateSizes&) = default;
+};
+
 struct ClusterStatus {
     std::string build;
     double uptime_seconds = 0;
@@ -162,6 +253,7 @@ struct ClusterStatus {
     std::uint64_t workers_lost = 0;         ///< Since the master started: workers that were lost,
     std::uint64_t sessions_resumed = 0;     ///< and that came back in time,
     std::uint64_t scenarios_given_back = 0; ///< and scenarios that stood at lost ones.
+    StateSizes sizes;
 };
 
 /// Answered by ResultsPart. Records exist for scenarios already merged.
@@ -171,12 +263,22 @@ struct ResultsQuery {
     std::uint64_t count = 0;
 };
 
-/// Records of scenarios [first, first + count) as in `Results`; fewer than asked for where the
-/// message would grow too large. Count 0: `first` is not there (yet).
+/// Scenarios one after the other.
+struct ScenarioInterval {
+    std::uint64_t first = 0;
+    std::uint64_t count = 0;
+
+    friend bool operator==(const ScenarioInterval&, const ScenarioInterval&) = default;
+};
+
+/// The records, as in `Results`, of all scenarios of [first, next) that have a result. `next` lies
+/// before the end of what was asked for where the message would grow too large.
 struct ResultsPart {
     JobId job;
     std::uint64_t first = 0;
-    std::uint32_t count = 0;
+    std::uint64_t next = 0;
+    std::vector<ScenarioInterval> held; ///< Ascending: whose records these are.
+    std::uint32_t count = 0;            ///< Of records.
     Bytes records;
 };
 
@@ -197,6 +299,36 @@ struct ContactMapAnswer {
 struct Cancel {
     JobId job;
     std::optional<std::uint64_t> scenario = {};
+};
+
+/// Forgets a job and frees what no other job uses. Answered by Removed when that is on the disk.
+/// Errors: NotFound; Refused for a job that runs, unless `cancel` is set.
+struct Remove {
+    JobId job;
+    bool cancel = false; ///< End it first where it runs.
+};
+
+/// Forgets a mesh, its tree and its blocks. Answered by Removed. Errors: NotFound; Refused while a
+/// job names it.
+struct RemoveMesh {
+    Sha256 mesh;
+};
+
+struct Removed {
+    std::uint64_t bytes = 0; ///< That were freed on the disk.
+};
+
+/// The workers take nothing more, and leave when they have handed over what they have. Answered by
+/// Draining. Errors: NotFound naming a worker that is not here; then nothing is done.
+struct DrainWorkers {
+    std::vector<WorkerId> workers; ///< Empty: all.
+    /// They end at once, and their work goes to others without counting as lost.
+    bool now = false;
+};
+
+/// The workers that were told, ascending.
+struct Draining {
+    std::vector<WorkerId> workers;
 };
 
 /// Answered by Explained. Errors: NotFound, also of meshes or poses that are gone; Refused for a

@@ -1,10 +1,13 @@
 // How a job is given out: the [cluster] table of a job.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace cd {
 
@@ -38,10 +41,8 @@ enum class Strategy : std::uint8_t {
 /// and those given here are not looked at.
 struct ClusterOptions {
     Strategy strategy = Strategy::EarliestFinish;
-    /// Distribution depths (paper: 12 or 10 for the fixed body, 6 for the moved one). Where none is
-    /// given, the body's tree tells it.
-    std::optional<std::uint32_t> depth_a = {};
-    std::optional<std::uint32_t> depth_b = {};
+    /// Distribution depths by body (paper: 12 or 10 for the fixed body, 6 for the moved one).
+    std::vector<std::optional<std::uint32_t>> depths = {};
     std::uint32_t q = 20;      ///< A buffer is full at q scenarios
     std::uint32_t v_kb = 4096; ///< or V kB.
     bool claim = false;        ///< The paper's strict claiming: one task at a worker at a time.
@@ -50,6 +51,17 @@ struct ClusterOptions {
     AnalysisMode analysis = AnalysisMode::Auto;
     /// Workers hear what they will need next. Looked at by `earliest-finish` alone.
     bool hints = true;
+
+    /// The distribution depth given for a body; where none is, the body's tree tells it.
+    [[nodiscard]] std::optional<std::uint32_t> depth(std::size_t body) const {
+        return body < depths.size() ? depths[body] : std::nullopt;
+    }
+    void set_depth(std::size_t body, std::optional<std::uint32_t> depth) {
+        if (depth || body < depths.size()) {
+            depths.resize(std::max(depths.size(), body + 1));
+            depths[body] = depth;
+        }
+    }
 };
 
 } // namespace cd

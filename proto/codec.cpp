@@ -22,16 +22,13 @@ Problem problem_of(const T& /*message*/) {
 }
 
 Problem problem_of(const Hello& hello) {
-    if (hello.version_min == 0 || hello.version_min > hello.version_max) {
-        return "no range of versions";
-    }
     if (!(hello.weight > 0) || hello.weight > limits::worker_weight_max) {
         return "a weight that is none";
     }
     if (hello.threads > limits::worker_threads_max) {
         return "more threads than a worker has";
     }
-    for (const std::string* text : {&hello.name, &hello.build}) {
+    for (const std::string* text : {&hello.name, &hello.build, &hello.user}) {
         if (text->size() > limits::hello_text_bytes_max || !is_printable(*text)) {
             return "a name that is too long or not printable";
         }
@@ -41,6 +38,21 @@ Problem problem_of(const Hello& hello) {
 
 Problem problem_of(const AddJob& add) {
     return add.query.tolerance < 0 ? "a negative tolerance" : nullptr;
+}
+
+/// Records of ascending runs within [first, next), as many as there are.
+Problem problem_of(const ResultsPart& part) {
+    std::uint64_t end = part.first;
+    std::uint64_t count = 0;
+    for (const ScenarioInterval& run : part.held) {
+        if (run.first < end || run.first > part.next || run.count > part.next - run.first) {
+            return "scenarios that do not ascend, or beyond those that it is of";
+        }
+        end = run.first + run.count;
+        count += run.count;
+    }
+    return end > part.next || count != part.count ? "another number of records than of scenarios"
+                                                  : nullptr;
 }
 
 Problem problem_of(const ScenarioRange& range) {
@@ -138,12 +150,25 @@ Problem problem_of(const FetchFromPeers& fetch) {
     return problem_of_roots(fetch.roots);
 }
 
-Problem problem_of(const MeshPart& part) {
+template <class Part>
+Problem problem_of_part(const Part& part) {
     if (part.bytes_total > limits::mesh_bytes_max || part.bytes.size() > part.bytes_total ||
         part.offset > part.bytes_total - part.bytes.size()) {
         return "a part outside its mesh";
     }
     return nullptr;
+}
+/// Who decodes them takes them for labels of so many scenarios.
+Problem problem_of(const JobPoses& poses) {
+    return poses.count > limits::poses_answer_scenarios ? "more scenarios than are sent at once"
+                                                        : nullptr;
+}
+
+Problem problem_of(const MeshPart& part) {
+    return problem_of_part(part);
+}
+Problem problem_of(const MeshBytes& part) {
+    return problem_of_part(part);
 }
 
 Problem problem_of(const Results& results) {
@@ -201,6 +226,9 @@ std::size_t bytes_expected(const ContactMapAnswer& part) {
     return 256 + part.map.size();
 }
 std::size_t bytes_expected(const MeshPart& part) {
+    return 256 + part.bytes.size();
+}
+std::size_t bytes_expected(const MeshBytes& part) {
     return 256 + part.bytes.size();
 }
 

@@ -3,41 +3,11 @@
 #include "common/core/log.hpp"
 #include "proto/channel.hpp"
 
-#include <algorithm>
-#include <bit>
-
 namespace cd {
 namespace {
 
 Error unexpected(const std::string& what) {
     return {ErrorCode::BadFrame, "the peer did not answer with a " + what};
-}
-
-std::string versions(std::uint16_t min, std::uint16_t max) {
-    return std::to_string(min) + " to " + std::to_string(max);
-}
-
-/// The greatest way that both can go.
-Result<std::uint32_t> common_way(std::uint32_t ours, std::uint32_t theirs, const char* of_what) {
-    if ((ours & theirs) == 0) {
-        return Error{ErrorCode::Refused,
-                     std::string("no common ") + of_what + ": the peer has " +
-                         std::to_string(theirs) + ", this side " + std::to_string(ours)};
-    }
-    return std::bit_floor(ours & theirs);
-}
-
-bool is_one_of(std::uint32_t way, std::uint32_t ways) {
-    return std::has_single_bit(way) && (way & ways) != 0;
-}
-
-/// It answers this hello.
-bool is_agreement(const Welcome& welcome, const Hello& hello) {
-    const Choices& chosen = welcome.choices;
-    return welcome.version >= hello.version_min && welcome.version <= hello.version_max &&
-           (chosen.features & ~hello.choices.features) == 0 &&
-           is_one_of(chosen.digests, hello.choices.digests) &&
-           is_one_of(chosen.compressors, hello.choices.compressors);
 }
 
 /// Who has no place for another connection closes it unanswered.
@@ -64,32 +34,22 @@ greet(std::shared_ptr<Channel> channel, Hello hello, std::chrono::steady_clock::
         co_return Error{ErrorCode::Refused, failure->detail};
     }
     const auto* welcome = std::get_if<Welcome>(&answer.value());
-    if (welcome == nullptr || !is_agreement(*welcome, hello)) {
+    if (welcome == nullptr || welcome->version != hello.version) {
         channel->close();
-        co_return unexpected("welcome in a version, and with choices, that this side has");
+        co_return unexpected("welcome in the version of this side");
     }
     channel->expect(hello.role == Role::Peer ? Party::Giver : Party::Master);
     co_return *welcome;
 }
 
-Result<Agreement> negotiate(const Hello& hello) {
-    const std::uint16_t lowest = std::max(hello.version_min, protocol_version_min);
-    const std::uint16_t highest = std::min(hello.version_max, protocol_version_max);
-    if (lowest > highest) {
-        return Error{ErrorCode::Refused,
-                     "no common protocol version: the peer speaks " +
-                         versions(hello.version_min, hello.version_max) + ", this side " +
-                         versions(protocol_version_min, protocol_version_max)};
+Status check_version(const Hello& hello) {
+    if (hello.version == protocol_version) {
+        return Done{};
     }
-    const Choices ours;
-    const Choices& theirs = hello.choices;
-    const auto digest = common_way(ours.digests, theirs.digests, "digest");
-    const auto compressor = common_way(ours.compressors, theirs.compressors, "compressor");
-    if (!digest || !compressor) {
-        return digest ? compressor.error() : digest.error();
-    }
-    return Agreement{highest,
-                     {ours.features & theirs.features, digest.value(), compressor.value()}};
+    return Error{ErrorCode::Refused,
+                 "the peer speaks version " + std::to_string(hello.version) +
+                     " of the protocol, this side version " + std::to_string(protocol_version) +
+                     ": install the same release on both hosts"};
 }
 
 asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel) {
@@ -101,12 +61,12 @@ asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel) {
     auto* hello = std::get_if<Hello>(&first.value());
     Error problem = unexpected("hello");
     if (hello != nullptr) {
-        const Result<Agreement> agreement = negotiate(*hello);
-        if (agreement) {
+        const Status spoken = check_version(*hello);
+        if (spoken) {
             channel->expect(party_of(hello->role));
             co_return std::move(*hello);
         }
-        problem = agreement.error();
+        problem = spoken.error();
     }
     Failure failure;
     failure.code = problem.code;

@@ -88,6 +88,17 @@ constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"hint", of_master, Lane::Data, limits::message_roots_bytes_max},
     {"contact map query", of_client},
     {"contact map", of_master, Lane::Data, limits::message_results_bytes_max},
+    {"job query", of_client},
+    {"job description", of_master, Lane::Data, limits::message_data_bytes_max},
+    {"mesh query", of_client},
+    {"mesh bytes", of_master, Lane::Data, limits::message_part_bytes_max},
+    {"poses query", of_client},
+    {"job poses", of_master, Lane::Data, limits::message_part_bytes_max},
+    {"remove", of_client},
+    {"remove mesh", of_client},
+    {"removed", of_master},
+    {"drain workers", of_client},
+    {"draining", of_master},
 }};
 static_assert(!kinds.back().name.empty(), "a message without a row");
 

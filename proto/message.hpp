@@ -63,6 +63,17 @@ using Message = std::variant<Hello,
                              Recalled,
                              Hint,
                              ContactMapQuery,
-                             ContactMapAnswer>;
+                             ContactMapAnswer,
+                             JobQuery,
+                             JobDescription,
+                             MeshQuery,
+                             MeshBytes,
+                             PosesQuery,
+                             JobPoses,
+                             Remove,
+                             RemoveMesh,
+                             Removed,
+                             DrainWorkers,
+                             Draining>;
 
 } // namespace cd

@@ -12,10 +12,8 @@
 
 namespace cd {
 
-inline constexpr std::uint16_t protocol_version_min = 7;
-inline constexpr std::uint16_t protocol_version_max = 8;
-/// From which on greetings have `Choices`.
-inline constexpr std::uint16_t protocol_version_choices = 8;
+/// Both sides of a connection speak the same version.
+inline constexpr std::uint16_t protocol_version = 9;
 
 enum class Role : std::uint8_t {
     Worker = 1,
@@ -24,22 +22,9 @@ enum class Role : std::uint8_t {
     Joiner = 4, ///< Wants a certificate, and nothing else.
 };
 
-/// What programs of one version may do in different ways, each way a bit. A Hello has all that the
-/// program can; a Welcome the features that both have, and of the others the way to be taken, which
-/// is the greatest that both can.
-struct Choices {
-    std::uint64_t features = 0;    ///< None has a bit yet.
-    std::uint32_t digests = 1;     ///< Of blocks. 1: SHA-256.
-    std::uint32_t compressors = 1; ///< Of blocks, results and poses. 1: Zstandard.
-
-    friend bool operator==(const Choices&, const Choices&) = default;
-};
-
-/// First message of whoever connects. Later versions append to it; what one does not know is not
-/// read.
+/// First message of whoever connects. Of another version nothing but the number is read.
 struct Hello {
-    std::uint16_t version_min = protocol_version_min;
-    std::uint16_t version_max = protocol_version_max;
+    std::uint16_t version = protocol_version;
     Role role = Role::Client;
     std::string name;              ///< For people: host and process, or what --name said.
     std::string build;             ///< Version of the program.
@@ -51,7 +36,7 @@ struct Hello {
     // Of a worker that would go on with a session whose connection broke: what its Welcome said.
     std::uint64_t session = 0; ///< The WorkerId; 0: it has none to go on with.
     std::uint64_t epoch = 0;
-    Choices choices = {};
+    std::string user = {}; ///< Of a client: user@host, which owns its jobs where there is no TLS.
 };
 
 /// A secret of the master and one worker, by which the worker knows the master's tickets.
@@ -59,8 +44,8 @@ using PeerKey = Sha256;
 
 /// The master's answer to a Hello that it accepts.
 struct Welcome {
-    std::uint16_t version = protocol_version_max; ///< The greatest that both speak.
-    std::uint64_t id = 0;                         ///< A WorkerId, or the client's number.
+    std::uint16_t version = protocol_version;
+    std::uint64_t id = 0; ///< A WorkerId, or the client's number.
     std::string build;
     PeerKey peer_key; ///< Of a worker; else zeros.
     Sha256 cluster; ///< Names the master's state: numbers of jobs mean the same as long as it does.
@@ -68,7 +53,7 @@ struct Welcome {
     bool is_resumed = false; ///< The worker's session goes on: what both hold of it still counts.
     std::uint32_t heartbeat_ms = 0;  ///< The period of heartbeats, which a worker keeps to, too;
     std::uint32_t lost_after_ms = 0; ///< after so long a silence its work goes to others.
-    Choices choices = {};
+    std::string owner = {};          ///< Of a client: whose its jobs are.
 };
 
 /// The other side cannot or will not. To a client it answers the request before it.

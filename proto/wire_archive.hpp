@@ -92,7 +92,7 @@ template <>
 inline constexpr bool is_flat<IgnoredRange> = true;
 static_assert(sizeof(Sha256) == 32);
 static_assert(sizeof(RootPair) == 2 * 4);
-static_assert(sizeof(IgnoredRange) == 4 * 4);
+static_assert(sizeof(IgnoredRange) == 6 * 4);
 
 /// The fewest bytes that a T can take: everything in it that has a size is empty by default.
 template <class T>

@@ -34,33 +34,23 @@ void serialize(Archive& archive, Summary& s) {
 }
 
 template <class Archive>
-void serialize(Archive& archive, Choices& c) {
-    archive(c.features, c.digests, c.compressors);
-}
-
-template <class Archive>
 void serialize(Archive& archive, Hello& m) {
-    archive(m.version_min, m.version_max);
-    enumeration(archive, m.role, Role::Worker, Role::Joiner);
-    archive(m.name, m.build, m.threads, m.cache_bytes, m.peer_port, m.weight);
-    archive(m.instance, m.session, m.epoch);
-    if (m.version_max >= protocol_version_choices) {
-        archive(m.choices);
-    }
+    archive(m.version);
     if constexpr (Archive::is_input) {
-        if (m.version_max > protocol_version_max) {
+        if (m.version != protocol_version) {
             archive.skip_rest();
+            return;
         }
     }
+    enumeration(archive, m.role, Role::Worker, Role::Joiner);
+    archive(m.name, m.build, m.threads, m.cache_bytes, m.peer_port, m.weight);
+    archive(m.instance, m.session, m.epoch, m.user);
 }
 
 template <class Archive>
 void serialize(Archive& archive, Welcome& m) {
     archive(m.version, m.id, m.build, m.peer_key, m.cluster);
-    archive(m.epoch, m.is_resumed, m.heartbeat_ms, m.lost_after_ms);
-    if (m.version >= protocol_version_choices) {
-        archive(m.choices);
-    }
+    archive(m.epoch, m.is_resumed, m.heartbeat_ms, m.lost_after_ms, m.owner);
 }
 
 template <class Archive>
@@ -123,7 +113,7 @@ void serialize(Archive& archive, Batch& m) {
 
 template <class Archive>
 void serialize(Archive& archive, AddJob& m) {
-    archive(m.job, m.tree_a, m.tree_b, m.query, m.grid);
+    archive(m.job, m.trees, m.query, m.grid);
 }
 
 template <class Archive>
@@ -257,19 +247,102 @@ void serialize(Archive& archive, MeshStored& m) {
 template <class Archive>
 void serialize(Archive& archive, ClusterOptions& o) {
     enumeration(archive, o.strategy, Strategy::BestMatch, Strategy::EarliestFinish);
-    archive(o.depth_a, o.depth_b, o.q, o.v_kb, o.claim, o.seed);
+    archive(o.depths, o.q, o.v_kb, o.claim, o.seed);
     enumeration(archive, o.analysis, AnalysisMode::Auto, AnalysisMode::Never);
     archive(o.hints);
 }
 
 template <class Archive>
+void serialize(Archive& archive, JobBody& b) {
+    archive(b.mesh, b.name, b.file, b.unit);
+}
+
+template <class Archive>
+void serialize(Archive& archive, RandomPoses& r) {
+    archive(r.count, r.seed, r.penetration_min, r.penetration_max);
+}
+
+template <class Archive>
+void serialize(Archive& archive, LabelColumns& c) {
+    enumeration(archive, c.ids, IdKind::None, IdKind::Text);
+    archive(c.has_times);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PoseLabels& l) {
+    archive(l.integers, l.texts, l.times);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PosesOrigin& o) {
+    enumeration(archive, o.kind, PosesKind::Grid, PosesKind::Random);
+    archive(o.random, o.file, o.quat_order, o.of_both_bodies, o.rigid_tolerance, o.labels);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Submit& m) {
-    archive(m.name, m.bodies, m.query, m.cluster, m.scenarios, m.grid);
+    archive(m.name, m.unit, m.owner, m.priority, m.bodies, m.query, m.cluster, m.poses);
+    archive(m.scenarios, m.grid, m.retention_seconds);
 }
 
 template <class Archive>
 void serialize(Archive& archive, PosesPart& m) {
-    archive(m.scenarios);
+    archive(m.scenarios, m.labels);
+}
+
+template <class Archive>
+void serialize(Archive& archive, JobQuery& m) {
+    archive(m.job);
+}
+
+template <class Archive>
+void serialize(Archive& archive, JobDescription& m) {
+    archive(m.job, m.began, m.submit);
+}
+
+template <class Archive>
+void serialize(Archive& archive, MeshQuery& m) {
+    archive(m.mesh, m.offset);
+}
+
+template <class Archive>
+void serialize(Archive& archive, MeshBytes& m) {
+    archive(m.mesh, m.bytes_total, m.offset, m.bytes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PosesQuery& m) {
+    archive(m.job, m.first, m.count);
+}
+
+template <class Archive>
+void serialize(Archive& archive, JobPoses& m) {
+    archive(m.job, m.first, m.count, m.scenarios, m.labels);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Remove& m) {
+    archive(m.job, m.cancel);
+}
+
+template <class Archive>
+void serialize(Archive& archive, RemoveMesh& m) {
+    archive(m.mesh);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Removed& m) {
+    archive(m.bytes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, DrainWorkers& m) {
+    archive(m.workers, m.now);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Draining& m) {
+    archive(m.workers);
 }
 
 template <class Archive>
@@ -289,7 +362,7 @@ void serialize(Archive& archive, JobStatus& m) {
     archive(m.summary, m.digest, m.seconds, m.scenarios_per_second, m.failure, m.bodies);
     archive(m.answered_by_master, m.statistics, m.compute_seconds, m.paused);
     archive(m.long_scenarios, m.doubted, m.recalled, m.copies, m.copies_won);
-    archive(m.traffic, m.depth_a, m.depth_b);
+    archive(m.traffic, m.depths, m.owner, m.began);
 }
 
 template <class Archive>
@@ -313,9 +386,15 @@ void serialize(Archive& archive, MeshStatus& s) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, StateSizes& s) {
+    archive(s.results, s.poses, s.meshes, s.trees, s.journal, s.free);
+}
+
+template <class Archive>
 void serialize(Archive& archive, ClusterStatus& m) {
     archive(m.build, m.uptime_seconds, m.cpu_seconds, m.workers, m.jobs, m.meshes);
     archive(m.alarms, m.alarm_count, m.workers_lost, m.sessions_resumed, m.scenarios_given_back);
+    archive(m.sizes);
 }
 
 template <class Archive>
@@ -324,8 +403,13 @@ void serialize(Archive& archive, ResultsQuery& m) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, ScenarioInterval& r) {
+    archive(r.first, r.count);
+}
+
+template <class Archive>
 void serialize(Archive& archive, ResultsPart& m) {
-    archive(m.job, m.first, m.count, m.records);
+    archive(m.job, m.first, m.next, m.held, m.count, m.records);
 }
 
 template <class Archive>

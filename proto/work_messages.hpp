@@ -57,8 +57,7 @@ struct Subtrees {
 /// From now on tasks of this job may come. Its trees have been added.
 struct AddJob {
     JobId job;
-    TreeId tree_a;
-    TreeId tree_b;
+    std::vector<TreeId> trees; ///< By body.
     Query query;
     std::optional<Bytes> grid; ///< `encode_grid`, of a job whose poses it tells.
 };

@@ -83,9 +83,6 @@ asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel, Sea
     if (hello && hello.value().role == Role::Peer && place != nullptr) {
         seat.reset();
         Welcome welcome;
-        const Agreement agreed = negotiate(hello.value()).value();
-        welcome.version = agreed.version;
-        welcome.choices = agreed.choices;
         welcome.build = version;
         channel->send(welcome);
         co_await answer_all(channel);

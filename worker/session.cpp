@@ -197,9 +197,11 @@ Status Session::handle(ResultsKept& kept) {
     return Done{};
 }
 
+/// The master's answer to the worker's own Drain, or its wish that the worker leaves.
 Status Session::handle(Drain& /*drain*/) {
     log_debug("draining: nothing more comes from the master");
     draining_ = true;
+    stop();
     settle_soon();
     return Done{};
 }

@@ -81,6 +81,7 @@ void Session::take_up() {
     for (const Results& results : again) {
         channel_->send(results);
     }
+    channel_->send(Standing{}); // That was all.
 }
 
 /// All that the master may have missed, and all by which it sees what got lost on its way here.

@@ -20,15 +20,19 @@ bool DroppedScenarios::contains(std::uint64_t scenario) const {
 
 Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const SubtreeCache& cache) {
     const std::string name = "job " + std::to_string(add.job.value) + " ";
-    if (cache.find(add.tree_a) == nullptr || cache.find(add.tree_b) == nullptr) {
+    if (add.trees.size() != 2) {
+        return Error{ErrorCode::BadFrame,
+                     name + "has " + std::to_string(add.trees.size()) + " bodies and not two"};
+    }
+    const auto [tree_a, tree_b] = std::pair(add.trees[0], add.trees[1]);
+    if (cache.find(tree_a) == nullptr || cache.find(tree_b) == nullptr) {
         return Error{ErrorCode::BadFrame, name + "names a tree that is not here"};
     }
-    const SubtreeForm form = cache.form_of(add.tree_a);
-    if (form != cache.form_of(add.tree_b) ||
-        (add.query.tolerance > 0 && form != SubtreeForm::Binary)) {
+    const SubtreeForm form = cache.form_of(tree_a);
+    if (form != cache.form_of(tree_b) || (add.query.tolerance > 0 && form != SubtreeForm::Binary)) {
         return Error{ErrorCode::BadFrame, name + "has trees whose forms do not suit"};
     }
-    WorkerJob job{add.job, add.tree_a, add.tree_b, std::move(add.query), {}};
+    WorkerJob job{add.job, tree_a, tree_b, std::move(add.query), {}};
     if (add.grid) {
         Result<Grid> grid = decode_grid(*add.grid);
         if (!grid) {

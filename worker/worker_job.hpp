@@ -39,8 +39,8 @@ struct WorkerJob {
     [[nodiscard]] bool uses(TreeId tree) const { return tree_a == tree || tree_b == tree; }
 };
 
-/// Errors: BadFrame when a tree is not here, the trees have unlike forms, wide ones under a
-/// tolerance, or the grid is none.
+/// Errors: BadFrame unless there are two trees; when a tree is not here, the trees have unlike
+/// forms, wide ones under a tolerance, or the grid is none.
 [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add,
                                                                        const SubtreeCache& cache);
 

@@ -41,21 +41,24 @@ def main():
     parser.add_argument("--rounds", type=int, default=20)
     parser.add_argument("--scenarios", type=int, default=50)
     parser.add_argument("--couples", type=int, default=4)
+    parser.add_argument("--models", help="folder of the vehicles; default: as built")
     parser.add_argument("--callgrind", action="store_true")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)
     programs = [os.path.join(options.programs, name) for name in PROGRAMS]
+    models = ["--models", options.models] if options.models else []
 
     commands = {}  # By level: for each couple the commands of both programs.
     for couple in range(options.couples):
         poses = os.path.join(options.out, f"poses_{couple}.bin")
         saved = subprocess.run([programs[0], "--save", poses, "--couple", str(couple),
-                                "--scenarios", str(options.scenarios)], check=False)
+                                "--scenarios", str(options.scenarios), *models], check=False)
         if saved.returncode != 0:
             continue  # It has said which model is missing.
         for level in LEVELS:
             commands.setdefault(level, []).append(
-                [[program, "--load", poses, "--couple", str(couple), "--level", level]
+                [[program, "--load", poses, "--couple", str(couple), "--level", level,
+                  *models]
                  for program in programs])
 
     with open(os.path.join(options.out, "certification.csv"), "w", newline="") as file:

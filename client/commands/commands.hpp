@@ -9,6 +9,8 @@ namespace cd {
 [[nodiscard]] int execute(const RunCommand& command);
 [[nodiscard]] int execute(const DemoCommand& command);
 [[nodiscard]] int execute(const InspectCommand& command);
+[[nodiscard]] int execute(const VerifyCommand& command);
+[[nodiscard]] int execute(const ExtractCommand& command);
 [[nodiscard]] int execute(const VersionCommand& command);
 
 /// The exit code of a run that has ended: 3 where a scenario has no answer, then what `fail_on`

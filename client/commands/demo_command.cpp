@@ -26,6 +26,8 @@ RunCommand demo_run(const DemoCommand& command, const std::filesystem::path& cac
     run.job.seed = 1;
     run.job.penetration = {0.005, 0.05};
     run.job.out = command.out.empty() ? (cache / "demo-results").string() : command.out;
+    run.folder.fresh = true;
+    run.folder.overwrite = command.out.empty(); // Then the folder is the demo's own.
     run.quiet = command.quiet;
     return run;
 }

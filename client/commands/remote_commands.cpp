@@ -6,11 +6,9 @@
 #include "client/commands/remote_session.hpp"
 #include "client/exit_code.hpp"
 #include "client/explain_report.hpp"
-#include "client/export/result_writer.hpp"
 #include "client/interrupt.hpp"
 
 #include <cstdio>
-#include <optional>
 
 namespace cd {
 
@@ -23,81 +21,6 @@ constexpr std::chrono::milliseconds sample_time{500};
 Level level_of(const Summary& summary) {
     return summary.contact != 0 ? Level::Any : Level::Pairs;
 }
-
-/// Where results go that were fetched without the meshes being here.
-class FetchedResults {
-  public:
-    FetchedResults(const ResultsCommand& command, const KnownJob& job)
-        : command_(command), job_(job) {}
-
-    /// What the files look like depends on the level, which the first result tells.
-    Status add(const ScenarioResult& result) {
-        if (!opened_) {
-            if (Status opened = open(result.level); !opened) {
-                return opened;
-            }
-        }
-        if (files_) {
-            if (Status added = files_->add(result); !added) {
-                return added;
-            }
-        }
-        return stdout_writer_ ? stdout_writer_->add(result) : Status(Done{});
-    }
-
-    Status finish(Connection& connection) {
-        RunReport report = report_of(job_.status, level_);
-        if (level_ == Level::Count) {
-            if (Status map = fetch_map(connection, job_.status.job, report); !map) {
-                return map;
-            }
-        }
-        if (files_) {
-            if (Status finished = files_->finish(report); !finished) {
-                return finished;
-            }
-        }
-        if (stdout_writer_) {
-            return stdout_writer_->finish();
-        }
-        std::string text = summary_text(report, colours_wanted(stdout));
-        text += files_ ? "  results       " + files_->dir().string() + "\n" : "";
-        std::fputs(text.c_str(), stdout);
-        return Done{};
-    }
-
-  private:
-    Status open(Level level) {
-        opened_ = true;
-        level_ = level;
-        ExportContext context;
-        context.job = job_.status.name;
-        context.level = level;
-        context.bodies = job_.bodies;
-        if (!command_.out.empty()) {
-            auto files = ResultFiles::open(command_.out, command_.formats, context);
-            if (!files) {
-                return files.error();
-            }
-            files_.emplace(std::move(files.value()));
-        }
-        if (command_.output == "json") {
-            stdout_writer_ = make_json_writer(context, OutputFile::standard_output());
-        } else if (command_.output == "csv") {
-            stdout_writer_ = make_scenarios_csv_writer(OutputFile::standard_output());
-        } else if (command_.out.empty()) {
-            stdout_writer_ = make_text_writer(context, OutputFile::standard_output());
-        }
-        return Done{};
-    }
-
-    const ResultsCommand& command_;
-    const KnownJob& job_;
-    bool opened_ = false;
-    Level level_ = Level::Pairs;
-    std::optional<ResultFiles> files_;
-    std::unique_ptr<ResultWriter> stdout_writer_;
-};
 
 struct Statuses {
     ClusterStatus before;
@@ -150,7 +73,8 @@ int execute(const WatchCommand& command) {
         std::fputs(job_json(status.value()).c_str(), stdout);
     } else if (!command.quiet && !command.only_wait) {
         const RunReport report = report_of(status.value(), level);
-        std::fputs(summary_text(report, colours_wanted(stdout)).c_str(), stdout);
+        std::fputs(summary_text(report, {colours_wanted(stdout), command.statistics}).c_str(),
+                   stdout);
     }
     if (const Status done = check_done(status.value(), job.value().id); !done) {
         return fail(done.error());
@@ -159,33 +83,6 @@ int execute(const WatchCommand& command) {
         return fail(answerable.error());
     }
     return exit_code_of(status.value().summary, command.fail_on);
-}
-
-int execute(const ResultsCommand& command) {
-    const InterruptGuard interrupts;
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
-    }
-    const Result<KnownJob> job = find_known_job(*connection.value(), command.job);
-    if (!job) {
-        return fail(job.error());
-    }
-    if (const Status done = check_done(job.value().status, job.value().id); !done) {
-        return fail(done.error());
-    }
-    FetchedResults results(command, job.value());
-    const Status fetched =
-        fetch_results(*connection.value(),
-                      job.value().status,
-                      [&](const ScenarioResult& result) -> Status { return results.add(result); });
-    if (!fetched) {
-        return fail(fetched.error());
-    }
-    if (const Status finished = results.finish(*connection.value()); !finished) {
-        return fail(finished.error());
-    }
-    return exit_code_of(job.value().status.summary, FailOn::Never);
 }
 
 int execute(const GetCommand& command) {

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "client/cli.hpp"
+#include "client/connection.hpp"
 #include "client/prepared_job.hpp"
+
+#include <memory>
 
 namespace cd {
 
@@ -12,12 +15,15 @@ namespace cd {
 [[nodiscard]] int execute(const GetCommand& command);
 [[nodiscard]] int execute(const StatusCommand& command);
 [[nodiscard]] int execute(const CancelCommand& command);
+[[nodiscard]] int execute(const RemoveCommand& command);
+[[nodiscard]] int execute(const DrainCommand& command);
 [[nodiscard]] int execute(const ExplainCommand& command);
 [[nodiscard]] int execute(const JoinCommand& command);
 [[nodiscard]] int execute(const TokenCommand& command);
 
 /// `run --master`: submits, watches, fetches, reports. The job's header has been printed, and an
 /// InterruptGuard lives; an interrupt cancels the job.
-[[nodiscard]] int run_on_master(const RunCommand& command, PreparedJob& job);
+[[nodiscard]] int
+run_on_master(const RunCommand& command, PreparedJob& job, std::unique_ptr<Connection> connection);
 
 } // namespace cd

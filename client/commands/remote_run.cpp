@@ -1,9 +1,12 @@
 // run --master and submit: a prepared job on its way to a master, and its results back.
 #include "client/commands/commands.hpp"
+#include "client/commands/fetched_job.hpp"
 #include "client/commands/remote_commands.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
 #include "client/exit_code.hpp"
+#include "client/export/result_sink.hpp"
+#include "client/folder/folder_run.hpp"
 #include "client/interrupt.hpp"
 #include "client/job_id.hpp"
 #include "client/words.hpp"
@@ -11,6 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 namespace cd {
 
@@ -26,16 +31,11 @@ int fail_and_cancel(Connection& connection, JobId job, const Error& error) {
     return fail(error);
 }
 
-std::string workers_text(Connection& connection) {
-    const Result<ClusterStatus> status = connection.status();
-    return status ? counted(status.value().workers.size(), "worker") : std::string();
-}
-
-Status report(Connection& connection,
-              const RunCommand& command,
-              const PreparedJob& job,
-              const JobStatus& status) {
-    auto sink = ResultSink::open(job.spec.output, command.output, export_context(job));
+Status report_without_folder(Connection& connection,
+                             const RunCommand& command,
+                             const PreparedJob& job,
+                             const JobStatus& status) {
+    auto sink = ResultSink::open({{}, {}, command.output}, export_context(job));
     if (!sink) {
         return sink.error();
     }
@@ -46,16 +46,44 @@ Status report(Connection& connection,
     if (!fetched) {
         return fetched;
     }
-    RunReport told = report_of(status, job.query.level);
-    if (job.query.maps) {
-        if (Status map = fetch_map(connection, status.job, told); !map) {
-            return map;
-        }
+    auto told = fetched_report(connection, job.query, status);
+    if (!told) {
+        return told.error();
     }
-    told.where = workers_text(connection);
-    told.most_touched = sink.value().tally().most_touched(touched_parts_shown);
-    told.hint = hint_of(job, told.summary);
-    return sink.value().finish(told, command.quiet);
+    told.value().most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    told.value().hint = hint_of(job, told.value().summary);
+    if (!job.query.maps && job.query.level >= Level::Pairs) {
+        told.value().map = sink.value().map();
+    }
+    if (Status finished = sink.value().finish(std::nullopt); !finished) {
+        return finished;
+    }
+    return print_summary(
+        told.value(), sink.value().uses_stdout(), command.quiet, command.statistics);
+}
+
+Status report_into_folder(Connection& connection,
+                          const RunCommand& command,
+                          const PreparedJob& job,
+                          const JobStatus& status,
+                          FolderRun& run) {
+    const Status fetched =
+        fetch_results(connection, status, [&](const ScenarioResult& result) -> Status {
+            return run.add({result, encode_result(result), {}, {}});
+        });
+    if (!fetched) {
+        return fetched;
+    }
+    auto told = fetched_report(connection, job.query, status);
+    if (!told) {
+        return told.error();
+    }
+    told.value().hint = hint_of(job, told.value().summary);
+    const std::optional<ContactMap> map = told.value().map;
+    if (Status finished = run.finish(told.value(), command.output, map); !finished) {
+        return finished;
+    }
+    return print_summary(told.value(), command.output != "text", command.quiet, command.statistics);
 }
 
 std::string submitted_text(const SubmitCommand& command, const PreparedJob& job, JobId id) {
@@ -76,28 +104,41 @@ std::string submitted_text(const SubmitCommand& command, const PreparedJob& job,
 
 } // namespace
 
-int run_on_master(const RunCommand& command, PreparedJob& job) {
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
+int run_on_master(const RunCommand& command,
+                  PreparedJob& job,
+                  std::unique_ptr<Connection> connection) {
+    make_paths_absolute(job.spec);
+    std::optional<FolderRun> folder;
+    if (!job.spec.output.dir.empty()) {
+        auto begun = FolderRun::begin(job, folder_options(command.folder, command.master));
+        if (!begun) {
+            return fail(begun.error());
+        }
+        folder.emplace(std::move(begun.value()));
+        if (folder->is_complete()) {
+            return tell_complete(command, job, *folder);
+        }
     }
-    const Result<JobId> id = send_job(*connection.value(), job, command.quiet);
+    const Result<JobId> id = send_job(*connection, job, command.quiet);
     if (!id) {
         return fail(id.error());
     }
     const std::string text = job_id_text(id.value());
-    const auto status = watch_job(command.master,
-                                  connection.value(),
-                                  id.value(),
-                                  text,
-                                  ProgressPrinter::style_for(command.quiet));
+    const auto status = watch_job(
+        command.master, connection, id.value(), text, ProgressPrinter::style_for(command.quiet));
     if (!status) {
-        return fail_and_cancel(*connection.value(), id.value(), status.error());
+        return fail_and_cancel(*connection, id.value(), status.error());
     }
     if (const Status done = check_done(status.value(), text); !done) {
         return fail(done.error());
     }
-    if (const Status told = report(*connection.value(), command, job, status.value()); !told) {
+    if (folder) {
+        folder->set_job(text);
+    }
+    const Status told = folder
+                            ? report_into_folder(*connection, command, job, status.value(), *folder)
+                            : report_without_folder(*connection, command, job, status.value());
+    if (!told) {
         return fail(told.error());
     }
     return exit_code_of(status.value().summary, command.fail_on);
@@ -111,10 +152,12 @@ int execute(const SubmitCommand& command) {
     }
     ThreadPool pool(command.threads);
     TreeCache cache(tree_cache_folder(command.tree_cache));
-    auto job = prepare_job(std::move(spec.value()), Trees::ForPosesOnly, cache, pool);
+    auto job =
+        prepare_job(std::move(spec.value()), Trees::ForPosesOnly, cache, pool, command.quiet);
     if (!job) {
         return fail(job.error());
     }
+    make_paths_absolute(job.value().spec);
     print_header(job.value(), command.quiet);
     InterruptGuard::begin_to_flag();
     auto connection = open_master(command.master);

@@ -1,8 +1,11 @@
 #include "client/commands/remote_session.hpp"
 
+#include "client/credential_renewal.hpp"
 #include "client/interrupt.hpp"
 #include "client/job_id.hpp"
 #include "client/membership.hpp"
+#include "client/slow_note.hpp"
+#include "client/waiting_note.hpp"
 #include "client/words.hpp"
 #include "common/core/limits_client.hpp"
 #include "common/core/printable.hpp"
@@ -31,6 +34,46 @@ std::string mesh_name(const ClusterStatus& status, const Sha256& mesh) {
 bool is_of_the_network(const Error& error) {
     return error.code == ErrorCode::Disconnected || error.code == ErrorCode::Timeout ||
            error.code == ErrorCode::BadFrame;
+}
+
+PosesOrigin origin_of(const PosesSpec& spec) {
+    PosesOrigin origin;
+    if (std::holds_alternative<Grid>(spec)) {
+        origin.kind = PosesKind::Grid;
+    } else if (const auto* random = std::get_if<RandomPoses>(&spec)) {
+        origin.kind = PosesKind::Random;
+        origin.random = *random;
+    } else {
+        const auto& file = std::get<PoseFileSpec>(spec);
+        origin.file = escaped(file.path.string());
+        origin.quat_order = file.quat_order;
+        origin.of_both_bodies = file.of_both_bodies;
+        origin.rigid_tolerance = file.rigid_tolerance;
+    }
+    return origin;
+}
+
+/// What the master is told of the job. Names may be those of files, so they are escaped.
+Submit submission(const PreparedJob& job) {
+    constexpr std::array<const char*, 2> names{"a", "b"};
+    Submit submit;
+    submit.name = escaped(job.spec.name);
+    submit.unit = job.spec.unit;
+    for (std::size_t body = 0; body < names.size(); ++body) {
+        const BodySpec& spec = job.spec.bodies[body];
+        submit.bodies.push_back({job.meshes[body]->hash(),
+                                 spec.name.empty() ? names[body] : escaped(spec.name),
+                                 escaped(spec.path.string()),
+                                 spec.unit.empty() ? job.spec.unit : spec.unit});
+    }
+    submit.query = job.query;
+    submit.cluster = job.spec.cluster;
+    submit.poses = origin_of(job.spec.poses);
+    submit.scenarios = job.poses->count();
+    if (job.grid) {
+        submit.grid = encode_grid(*job.grid);
+    }
+    return submit;
 }
 
 Result<std::unique_ptr<Connection>> open_again(const MasterOptions& master) {
@@ -84,16 +127,11 @@ Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
     if (!uploaded) {
         return uploaded.error();
     }
-    Submit submit;
-    submit.name = escaped(job.spec.name); // It may be that of a file.
-    submit.bodies = {job.meshes[0]->hash(), job.meshes[1]->hash()};
-    submit.query = job.query;
-    submit.cluster = job.spec.cluster;
-    submit.scenarios = job.poses->count();
+    Submit submit = submission(job);
     if (!job.grid) {
+        const SlowNote note("  sending " + counted(submit.scenarios, "pose") + "...", quiet);
         return connection.submit(std::move(submit), *job.poses);
     }
-    submit.grid = encode_grid(*job.grid);
     return connection.submit(submit);
 }
 
@@ -102,11 +140,8 @@ Result<KnownJob> find_known_job(Connection& connection, const std::string& text)
     if (!status) {
         return status.error();
     }
-    std::vector<JobId> ids;
-    for (const JobStatus& job : status.value().jobs) {
-        ids.push_back(job.job);
-    }
-    const Result<JobId> id = find_job(text, ids);
+    const std::vector<JobId> ids = ids_of(status.value().jobs);
+    const Result<JobId> id = find_job(text, status.value().jobs, connection.owner());
     if (!id) {
         return id.error();
     }
@@ -118,7 +153,7 @@ Result<KnownJob> find_known_job(Connection& connection, const std::string& text)
         }
     }
     for (std::size_t body = 0; body < known.bodies.size(); ++body) {
-        known.bodies[body] = mesh_name(status.value(), known.status.bodies[body]);
+        known.bodies[body] = mesh_name(status.value(), known.status.bodies.at(body));
     }
     return known;
 }
@@ -130,17 +165,45 @@ Result<JobStatus> watch_job(const MasterOptions& master,
                             ProgressPrinter::Style progress) {
     ProgressPrinter printer(progress);
     int damaged = 0; // Connections, one after the other.
-    const auto show = [&](const JobStatus& status) {
-        damaged = 0;
-        const ProgressState state{id, status.summary, status.seconds};
-        if (status.state == JobState::Running) {
+    JobStatus last;
+    ClusterStatus cluster;
+    bool has_looked = false;
+    const auto print = [&] {
+        const std::string note =
+            has_looked ? waiting_note(last, cluster, master.address) : std::string();
+        const ProgressState state{id, last.summary, last.seconds, note};
+        if (last.state == JobState::Running) {
             printer.update(state);
         } else {
             printer.finish(state);
         }
     };
+    const auto show = [&](const JobStatus& status) {
+        damaged = 0;
+        last = status;
+        print();
+    };
+    const auto look = [&](const ClusterStatus& status) {
+        cluster = status;
+        has_looked = true;
+        print();
+    };
+    const bool tells = progress != ProgressPrinter::Style::Silent;
+    const CredentialRenewal renewal(master, parse_endpoint(master.address).value());
+    std::uint64_t renewals = renewal.count();
     for (;;) {
-        Result<JobStatus> status = connection->watch(job, show);
+        Result<JobStatus> status = connection->watch(
+            job, show, tells ? look : std::function<void(const ClusterStatus&)>());
+        if (!status && status.error().code == ErrorCode::Refused && renewal.count() != renewals) {
+            // The certificate of the connection has expired, and another one has been got.
+            renewals = renewal.count();
+            auto again = open_again(master);
+            if (!again) {
+                return again.error();
+            }
+            connection = std::move(again.value());
+            continue;
+        }
         if (status || !is_of_the_network(status.error())) {
             return status;
         }
@@ -218,6 +281,15 @@ Status check_done(const JobStatus& job, const std::string& id) {
     return Error{ErrorCode::BadFrame, "job " + id + " is in a state that is not known here"};
 }
 
+std::string coverage_text(const JobStatus& job, std::uint64_t answered) {
+    if (job.state == JobState::Done) {
+        return "";
+    }
+    return "incomplete: " + grouped(answered) + " of " + grouped(job.summary.total) +
+           " scenarios have a result; the job is " + std::string(to_text(job.state)) +
+           (job.failure.empty() || job.state != JobState::Failed ? "" : ": " + job.failure);
+}
+
 RunReport report_of(const JobStatus& job, Level level) {
     RunReport report;
     report.summary = job.summary;
@@ -226,8 +298,10 @@ RunReport report_of(const JobStatus& job, Level level) {
     report.seconds = job.seconds;
     report.statistics = job.statistics;
     report.traffic = job.traffic;
-    report.depth_a = job.depth_a;
-    report.depth_b = job.depth_b;
+    if (job.depths.size() == 2) {
+        report.depth_a = job.depths[0];
+        report.depth_b = job.depths[1];
+    }
     return report;
 }
 

@@ -4,6 +4,7 @@
 #include "client/cli.hpp"
 #include "client/connection.hpp"
 #include "client/prepared_job.hpp"
+#include "client/progress.hpp"
 #include "client/report.hpp"
 #include "common/core/result.hpp"
 #include "common/job/merge.hpp"
@@ -38,8 +39,8 @@ struct KnownJob {
                                           const std::string& id,
                                           ProgressPrinter::Style progress);
 
-/// Pulls all results of a job that is done into `take`. Errors: those of `take`; BadFrame when what
-/// came does not have the digest that the master states.
+/// Pulls all results that there are of a job into `take`. Errors: those of `take`; BadFrame when
+/// what came does not have the digest that the master states of a job that is done.
 [[nodiscard]] Status fetch_results(Connection& connection,
                                    const JobStatus& job,
                                    const std::function<Status(const ScenarioResult&)>& take);
@@ -50,6 +51,10 @@ struct KnownJob {
 
 /// Nothing of a job that is done; otherwise why there are no results of it: Incomplete.
 [[nodiscard]] Status check_done(const JobStatus& job, const std::string& id);
+
+/// How much of a job has an answer, unless all has: "incomplete: 12 of 90 scenarios ...". Empty for
+/// a job that is done.
+[[nodiscard]] std::string coverage_text(const JobStatus& job, std::uint64_t answered);
 
 /// What a report says of a job that has ended. `level` is that of its results where it is known.
 [[nodiscard]] RunReport report_of(const JobStatus& job, Level level);

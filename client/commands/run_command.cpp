@@ -5,15 +5,23 @@
 #include "client/commands/remote_session.hpp"
 #include "client/estimate.hpp"
 #include "client/exit_code.hpp"
+#include "client/export/result_sink.hpp"
+#include "client/folder/folder_exports.hpp"
+#include "client/folder/opened_run.hpp"
 #include "client/heap.hpp"
 #include "client/interrupt.hpp"
 #include "client/local_run.hpp"
 #include "client/poses/nearness.hpp"
+#include "client/progress.hpp"
 #include "client/words.hpp"
 #include "common/geometry/simd_target.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
+#include <utility>
 
 namespace cd {
 
@@ -21,57 +29,196 @@ namespace {
 
 constexpr std::size_t touched_parts_shown = 3;
 
-int run_here(const RunCommand& command, PreparedJob& job, ThreadPool& pool) {
-    auto sink = ResultSink::open(job.spec.output, command.output, export_context(job));
+/// A prepared job with all that a run of it here needs.
+struct LocalJob {
+    const RunCommand& command;
+    PreparedJob& job;
+    ThreadPool& pool;
+    double prepare_seconds = 0;
+};
+
+RunReport report_of(const LocalJob& local, const RunOutcome& outcome) {
+    RunReport report;
+    report.summary = outcome.summary;
+    report.level = local.job.query.level;
+    report.digest = outcome.digest;
+    report.seconds = outcome.seconds;
+    report.statistics = outcome.statistics;
+    report.cost = outcome.cost;
+    report.where = counted(local.pool.size(), "thread");
+    report.prepare_seconds = local.prepare_seconds;
+    return report;
+}
+
+/// Runs the job with a progress line; `take` gets each result, `tick` is called now and then.
+Result<RunOutcome> run_with_progress(const LocalJob& local,
+                                     LocalRunOptions options,
+                                     const std::function<Status(const DoneScenario&)>& take,
+                                     const std::function<void()>& tick) {
+    ProgressPrinter progress(ProgressPrinter::style_for(local.command.quiet));
+    options.first_stage = local.command.first_stage.value_or(PairStage::Float);
+    const RunObserver observer{take,
+                               [&](const Summary& summary, double seconds) {
+                                   progress.update({local.job.spec.name, summary, seconds});
+                                   tick();
+                               },
+                               [] { return InterruptGuard::signal() != 0; }};
+    auto outcome = run_locally(*local.job.trees[0],
+                               *local.job.trees[1],
+                               *local.job.poses,
+                               local.job.query,
+                               local.pool,
+                               observer,
+                               std::move(options));
+    if (outcome) {
+        progress.finish({local.job.spec.name, outcome.value().summary, outcome.value().seconds});
+    }
+    return outcome;
+}
+
+int run_without_folder(const LocalJob& local) {
+    const RunCommand& command = local.command;
+    auto sink = ResultSink::open({{}, {}, command.output}, export_context(local.job));
     if (!sink) {
         return fail(sink.error());
     }
-    ProgressPrinter progress(ProgressPrinter::style_for(command.quiet));
-    const RunObserver observer{
-        [&](const ScenarioResult& result) { return sink.value().add(result); },
-        [&](const Summary& summary, double seconds) {
-            progress.update({job.spec.name, summary, seconds});
-        },
-        [] { return InterruptGuard::signal() != 0; }};
-    const auto outcome = run_locally(*job.trees[0],
-                                     *job.trees[1],
-                                     *job.poses,
-                                     job.query,
-                                     pool,
-                                     observer,
-                                     command.first_stage.value_or(PairStage::Float));
+    const auto outcome = run_with_progress(
+        local,
+        {},
+        [&](const DoneScenario& done) { return sink.value().add(done.result, done.found); },
+        [] {});
+    if (!outcome && outcome.error().code == ErrorCode::Interrupted) {
+        return fail({ErrorCode::Interrupted,
+                     "interrupted; no results were kept, since there was no --out"});
+    }
     if (!outcome) {
         return fail(outcome.error());
     }
-    progress.finish({job.spec.name, outcome.value().summary, outcome.value().seconds});
-    RunReport report;
-    report.summary = outcome.value().summary;
-    report.level = job.query.level;
-    report.digest = outcome.value().digest;
-    report.seconds = outcome.value().seconds;
-    report.statistics = outcome.value().statistics;
-    report.cost = outcome.value().cost;
-    if (job.query.maps) {
-        report.map = outcome.value().map;
-    }
-    report.where = counted(pool.size(), "thread");
+    RunReport report = report_of(local, outcome.value());
     report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
-    report.hint = hint_of(job, report.summary);
-    if (Status finished = sink.value().finish(report, command.quiet); !finished) {
+    report.hint = hint_of(local.job, report.summary);
+    if (local.job.query.maps || local.job.query.level >= Level::Pairs) {
+        report.map = sink.value().map();
+    }
+    if (Status finished = sink.value().finish(std::nullopt); !finished) {
         return fail(finished.error());
     }
-    return exit_code_of(report.summary, command.fail_on);
+    const Status told =
+        print_summary(report, sink.value().uses_stdout(), command.quiet, command.statistics);
+    return told ? exit_code_of(report.summary, command.fail_on) : fail(told.error());
 }
 
-} // namespace
+/// After a run that ended early: what of it is kept.
+int fail_and_keep(const LocalJob& local, FolderRun& run, const Error& error) {
+    const Status kept = run.keep();
+    if (!kept) {
+        return fail(kept.error());
+    }
+    const std::string what =
+        "; " + grouped(run.kept()) + " of " + grouped(local.job.poses->count()) + " are kept in " +
+        run.folder().dir().string() + ", and the same command goes on from there";
+    return fail({error.code, error.detail + what});
+}
 
-namespace {
+int run_into_folder(const LocalJob& local) {
+    const RunCommand& command = local.command;
+    FolderRunOptions options = folder_options(command.folder);
+    options.where.threads = local.pool.size();
+    options.where.simd = to_text(simd_target());
+    auto run = FolderRun::begin(local.job, std::move(options));
+    if (!run) {
+        return fail(run.error());
+    }
+    if (run.value().is_complete()) {
+        return tell_complete(command, local.job, run.value());
+    }
+    for (const std::string& remark : run.value().remarks()) {
+        std::fprintf(stderr, "%s\n", remark.c_str());
+    }
+    auto done = run.value().done();
+    if (!done) {
+        return fail(done.error());
+    }
+    const std::uint64_t resumed_at = done.value().summary().merged();
+    if (resumed_at != 0 && !command.quiet) {
+        std::fprintf(stderr,
+                     "resumed at %s of %s\n",
+                     grouped(resumed_at).c_str(),
+                     grouped(local.job.poses->count()).c_str());
+    }
+    LocalRunOptions run_options;
+    run_options.done = std::move(done.value());
+    Status ticked = Done{};
+    const auto outcome = run_with_progress(
+        local,
+        std::move(run_options),
+        [&](const DoneScenario& result) { return ticked ? run.value().add(result) : ticked; },
+        [&] { ticked = ticked ? run.value().keep_if_due() : ticked; });
+    if (!outcome) {
+        return fail_and_keep(local, run.value(), outcome.error());
+    }
+    RunReport report = report_of(local, outcome.value());
+    report.resumed_at = resumed_at;
+    report.hint = hint_of(local.job, report.summary);
+    if (Status finished = run.value().finish(report, command.output, std::nullopt); !finished) {
+        return fail(finished.error());
+    }
+    const Status told =
+        print_summary(report, command.output != "text", command.quiet, command.statistics);
+    return told ? exit_code_of(report.summary, command.fail_on) : fail(told.error());
+}
 
-/// The first line of a run: where it runs. Connects before the inputs are read, which may take
-/// long. Errors: those of `open_master`.
-Result<std::string> where_text(const RunCommand& command, const ThreadPool& pool) {
-    const std::string& address = command.master.address;
-    if (address.empty()) {
+/// What the command line asks for: the job of a job file, of options, or of a results folder.
+struct AskedJob {
+    JobSpec spec;
+    std::optional<OpenedRun> run; ///< Of a results folder.
+};
+
+/// Reads the job, but none of its inputs. Errors: those of `make_job_spec` and `OpenedRun::open`.
+Result<AskedJob> asked_job(const JobOptions& options) {
+    if (!is_folder(options.file)) {
+        auto spec = make_job_spec(options);
+        return spec ? Result<AskedJob>(AskedJob{std::move(spec.value()), std::nullopt})
+                    : spec.error();
+    }
+    if (Status none = check_no_inputs(options); !none) {
+        return none.error();
+    }
+    if (!options.precision.empty()) {
+        return Error{ErrorCode::BadInput,
+                     options.file + " holds the meshes as they were tested, so --precision has no "
+                                    "effect: give the job file"};
+    }
+    auto run = OpenedRun::open(options.file);
+    if (!run) {
+        return run.error();
+    }
+    JobSpec spec = spec_of(run.value().manifest());
+    if (Status applied = apply(options, spec); !applied) {
+        return applied.error();
+    }
+    return AskedJob{std::move(spec), std::move(run.value())};
+}
+
+Result<PreparedJob>
+prepare(AskedJob asked, Trees trees, TreeCache& cache, ThreadPool& pool, bool quiet) {
+    return asked.run ? prepare_again(*asked.run, std::move(asked.spec), trees, cache, pool, quiet)
+                     : prepare_job(std::move(asked.spec), trees, cache, pool, quiet);
+}
+
+/// Connects before the inputs are read, which may take long. Errors: those of `open_master`.
+Result<std::unique_ptr<Connection>> open_for_run(const RunCommand& command) {
+    auto opened = open_master(command.master);
+    if (!opened && opened.error().code == ErrorCode::Disconnected) {
+        return Error{ErrorCode::Disconnected,
+                     opened.error().detail + " without --master the job runs here"};
+    }
+    return opened;
+}
+
+/// The first line of a run: where it runs. `connection` is null for a run on this machine.
+std::string where_text(const RunCommand& command, Connection* connection, const ThreadPool& pool) {
+    if (connection == nullptr) {
         const char* master = std::getenv("CDCTL_MASTER");
         return "  here, " + counted(pool.size(), "thread") +
                (master == nullptr || *master == '\0'
@@ -79,15 +226,8 @@ Result<std::string> where_text(const RunCommand& command, const ThreadPool& pool
                     : "; to run on CDCTL_MASTER: --master " + std::string(master)) +
                "\n";
     }
-    const auto opened = open_master(command.master);
-    if (!opened) {
-        const bool is_absent = opened.error().code == ErrorCode::Disconnected;
-        return Error{opened.error().code,
-                     opened.error().detail +
-                         (is_absent ? " without --master the job runs here" : "")};
-    }
-    const Result<ClusterStatus> status = opened.value()->status();
-    return "  on " + address +
+    const Result<ClusterStatus> status = connection->status();
+    return "  on " + command.master.address +
            (status ? ", " + counted(status.value().workers.size(), "worker") : "") + "\n";
 }
 
@@ -107,55 +247,59 @@ int tell_estimate(const RunCommand& command, const PreparedJob& job, ThreadPool&
     return exit_done;
 }
 
+/// Refuses results that are too large. Samples so few scenarios that this takes some percent of
+/// the run. Errors: those of `check_room`.
+Status check_size(const PreparedJob& job, ThreadPool& pool) {
+    EstimateOptions options;
+    options.samples_max = std::min(options.samples_max, job.poses->count() / 20);
+    options.time_max = std::chrono::milliseconds(2000);
+    if (job.spec.output.dir.empty() || options.samples_max == 0) {
+        return Done{};
+    }
+    const auto estimate = estimate_run(job, pool, options);
+    // A run that cannot be estimated is no reason to refuse it.
+    return estimate ? check_room(estimate.value(), job.spec.output) : Status(Done{});
+}
+
 } // namespace
 
-Result<ResultSink>
-ResultSink::open(const OutputSpec& spec, const std::string& output, const ExportContext& context) {
-    ResultSink sink(PartTally(*context.meshes[0], *context.meshes[1]));
-    if (!spec.dir.empty()) {
-        auto files = ResultFiles::open(spec.dir, spec.formats, context);
-        if (!files) {
-            return files.error();
-        }
-        sink.files_.emplace(std::move(files.value()));
-    }
-    if (output == "json") {
-        sink.stdout_writer_ = make_json_writer(context, OutputFile::standard_output());
-    } else if (output == "csv") {
-        sink.stdout_writer_ = make_scenarios_csv_writer(OutputFile::standard_output());
-    }
-    return sink;
+FolderRunOptions folder_options(const FolderFlags& flags) {
+    FolderRunOptions options;
+    options.folder = {flags.overwrite, flags.fresh};
+    options.keep_inputs = !flags.no_inputs;
+    options.command = own_command_line();
+    return options;
 }
 
-Status ResultSink::add(const ScenarioResult& result) {
-    tally_.add(result);
-    if (files_) {
-        if (Status added = files_->add(result); !added) {
-            return added;
-        }
-    }
-    return stdout_writer_ ? stdout_writer_->add(result) : Status(Done{});
+FolderRunOptions folder_options(const FolderFlags& flags, const MasterOptions& master) {
+    FolderRunOptions options = folder_options(flags);
+    options.folder.resume = false;
+    options.maps_from_master = true;
+    options.where.master = master.address;
+    return options;
 }
 
-Status ResultSink::finish(const RunReport& report, bool quiet) {
-    if (files_) {
-        if (Status finished = files_->finish(report); !finished) {
-            return finished;
-        }
+int tell_complete(const RunCommand& command, const PreparedJob& job, FolderRun& run) {
+    const RunManifest manifest = *run.folder().finished();
+    const auto opened = OpenedRun::open(run.folder().dir());
+    if (!opened) {
+        return fail(opened.error());
     }
-    if (stdout_writer_) {
-        if (Status finished = stdout_writer_->finish(); !finished) {
-            return finished;
-        }
+    if (!command.quiet) {
+        std::fprintf(stderr,
+                     "%s holds this run already, of %s: digest %s; --fresh runs it again\n",
+                     run.folder().dir().string().c_str(),
+                     manifest.started.c_str(),
+                     to_short_hex(*manifest.digest).c_str());
     }
-    std::FILE* stream = stdout_writer_ ? stderr : stdout;
-    if (!stdout_writer_ || !quiet) {
-        std::string text = summary_text(report, colours_wanted(stream));
-        text += files_ ? "  results       " + files_->dir().string() + "\n" : "";
-        std::fputs(text.c_str(), stream);
-        std::fflush(stream);
+    const auto summary = add_exports(opened.value(),
+                                     run.folder(),
+                                     export_context(job),
+                                     {job.spec.output.formats, command.output, false});
+    if (!summary) {
+        return fail(summary.error());
     }
-    return Done{};
+    return exit_code_of(summary.value(), command.fail_on);
 }
 
 void print_header(const PreparedJob& job, bool quiet) {
@@ -179,13 +323,7 @@ std::string hint_of(const PreparedJob& job, const Summary& summary) {
 }
 
 int run_job(const RunCommand& command) {
-    auto spec = make_job_spec(command.job);
-    if (!spec) {
-        return fail(spec.error());
-    }
-    if (Status answerable = check_fail_on(command.fail_on, spec.value().level); !answerable) {
-        return fail(answerable.error());
-    }
+    const auto start = std::chrono::steady_clock::now();
     const bool here = command.master.address.empty();
     if (command.first_stage && !here) {
         return fail({ErrorCode::BadInput, "--first-stage is for a run on this machine alone"});
@@ -195,29 +333,47 @@ int run_job(const RunCommand& command) {
     if (!simd) {
         return fail(simd.error());
     }
+    auto asked = asked_job(command.job);
+    if (!asked) {
+        return fail(asked.error());
+    }
     ThreadPool pool(command.threads);
-    const auto where = where_text(command, pool);
-    if (!where) {
-        return fail(where.error());
+    auto connection = here ? Result<std::unique_ptr<Connection>>(nullptr) : open_for_run(command);
+    if (!connection) {
+        return fail(connection.error());
     }
     if (!command.quiet) {
-        std::fputs(where.value().c_str(), stderr);
+        std::fputs(where_text(command, connection.value().get(), pool).c_str(), stderr);
     }
     TreeCache cache(tree_cache_folder(command.tree_cache));
-    auto job = prepare_job(std::move(spec.value()),
-                           here || command.dry_run ? Trees::Always : Trees::ForPosesOnly,
-                           cache,
-                           pool);
+    auto job = prepare(std::move(asked.value()),
+                       here || command.dry_run ? Trees::Always : Trees::ForPosesOnly,
+                       cache,
+                       pool,
+                       command.quiet);
     if (!job) {
         return fail(job.error());
+    }
+    if (Status answerable = check_fail_on(command.fail_on, job.value().spec.level); !answerable) {
+        return fail(answerable.error());
     }
     return_free_memory();
     print_header(job.value(), command.quiet);
     if (command.dry_run) {
         return tell_estimate(command, job.value(), pool);
     }
+    if (here && !command.yes) {
+        if (Status room = check_size(job.value(), pool); !room) {
+            return fail(room.error());
+        }
+    }
     InterruptGuard::begin_to_flag();
-    return here ? run_here(command, job.value(), pool) : run_on_master(command, job.value());
+    if (!here) {
+        return run_on_master(command, job.value(), std::move(connection.value()));
+    }
+    const std::chrono::duration<double> prepared = std::chrono::steady_clock::now() - start;
+    const LocalJob local{command, job.value(), pool, prepared.count()};
+    return job.value().spec.output.dir.empty() ? run_without_folder(local) : run_into_folder(local);
 }
 
 } // namespace cd

@@ -9,12 +9,24 @@ namespace {
 
 class ScenariosCsvWriter final : public ResultWriter {
   public:
-    explicit ScenariosCsvWriter(OutputFile file) : file_(std::move(file)) {}
+    ScenariosCsvWriter(const ExportContext& context, OutputFile file) : file_(std::move(file)) {
+        for (const ExportBody& body : context.bodies) {
+            names_.push_back(csv_field(body.name));
+        }
+    }
 
     Status add(const ScenarioResult& result) override {
         const std::string_view yes_or_no[] = {"0", "1"}; // NOLINT(modernize-avoid-c-arrays)
         row_.clear();
-        row_.add(header_once(), result.index, ",", to_text(result.kind), ",");
+        row_.add(header_once(),
+                 result.index,
+                 ",",
+                 name_of(result.body_a),
+                 ",",
+                 name_of(result.body_b),
+                 ",",
+                 to_text(result.kind),
+                 ",");
         if (result.level != Level::Any) {
             row_.add(result.pair_count);
         }
@@ -38,28 +50,33 @@ class ScenariosCsvWriter final : public ResultWriter {
     [[nodiscard]] std::string_view header_once() {
         const bool first = !has_header_;
         has_header_ = true;
-        return first ? "scenario,class,count,cut,distance_bound,surfaces_only,failure\n" : "";
+        return first ? "scenario,body_a,body_b,class,count,cut,distance_bound,surfaces_only,"
+                       "failure\n"
+                     : "";
+    }
+    [[nodiscard]] std::string_view name_of(std::uint32_t body) const {
+        return body < names_.size() ? std::string_view(names_[body]) : std::string_view();
     }
 
     OutputFile file_;
+    std::vector<std::string> names_; ///< As fields.
     TextBuffer row_;
     bool has_header_ = false;
 };
 
-class CsvWriter final : public ResultWriter {
+class PairsCsvWriter final : public ResultWriter {
   public:
-    CsvWriter(const ExportContext& context,
-              std::unique_ptr<ResultWriter> scenarios,
-              std::optional<RowFile> pairs,
-              std::optional<RowFile> points)
-        : parts_a_(context.meshes[0]),
-          parts_b_(context.meshes[1]),
-          scenarios_(std::move(scenarios)),
-          pairs_(std::move(pairs)),
-          points_(std::move(points)) {}
+    PairsCsvWriter(const ExportContext& context,
+                   std::optional<RowFile> pairs,
+                   std::optional<RowFile> points)
+        : pairs_(std::move(pairs)), points_(std::move(points)) {
+        for (const ExportBody& body : context.bodies) {
+            parts_.emplace_back(body.mesh);
+        }
+    }
 
     Status add(const ScenarioResult& result) override {
-        Status status = scenarios_->add(result);
+        Status status = Done{};
         for (std::size_t i = 0; status && pairs_ && i < result.pairs.size(); ++i) {
             status = add_pair(result, i);
         }
@@ -75,7 +92,7 @@ class CsvWriter final : public ResultWriter {
                 return done;
             }
         }
-        return scenarios_->finish();
+        return Done{};
     }
 
   private:
@@ -86,9 +103,9 @@ class CsvWriter final : public ResultWriter {
         Status status = pairs_->add(key_.text(),
                                     pair_class_name(pair.kind),
                                     ",",
-                                    parts_a_.of(pair.a),
+                                    part_of(result.body_a, pair.a),
                                     ",",
-                                    parts_b_.of(pair.b),
+                                    part_of(result.body_b, pair.b),
                                     "\n");
         for_each_point(result, place, [&](const Vec3& point) {
             if (status && points_) {
@@ -98,9 +115,11 @@ class CsvWriter final : public ResultWriter {
         return status;
     }
 
-    PartFields parts_a_;
-    PartFields parts_b_;
-    std::unique_ptr<ResultWriter> scenarios_;
+    [[nodiscard]] std::string_view part_of(std::uint32_t body, std::uint32_t triangle) {
+        return body < parts_.size() ? parts_[body].of(triangle) : std::string_view();
+    }
+
+    std::vector<PartFields> parts_; ///< Of each body.
     std::optional<RowFile> pairs_;
     std::optional<RowFile> points_;
     TextBuffer key_;
@@ -108,16 +127,13 @@ class CsvWriter final : public ResultWriter {
 
 } // namespace
 
-std::unique_ptr<ResultWriter> make_scenarios_csv_writer(OutputFile file) {
-    return std::make_unique<ScenariosCsvWriter>(std::move(file));
+std::unique_ptr<ResultWriter> make_scenarios_csv_writer(const ExportContext& context,
+                                                        OutputFile file) {
+    return std::make_unique<ScenariosCsvWriter>(context, std::move(file));
 }
 
-Result<std::unique_ptr<ResultWriter>> make_csv_writer(const ExportContext& context,
-                                                      const std::filesystem::path& dir) {
-    auto scenarios = OutputFile::create(dir / "scenarios.csv");
-    if (!scenarios) {
-        return scenarios.error();
-    }
+Result<std::unique_ptr<ResultWriter>> make_pairs_csv_writer(const ExportContext& context,
+                                                            const std::filesystem::path& dir) {
     std::optional<RowFile> pairs;
     std::optional<RowFile> points;
     if (context.level >= Level::Pairs) {
@@ -137,10 +153,7 @@ Result<std::unique_ptr<ResultWriter>> make_csv_writer(const ExportContext& conte
         points.emplace(std::move(created.value()));
     }
     return std::unique_ptr<ResultWriter>(
-        std::make_unique<CsvWriter>(context,
-                                    make_scenarios_csv_writer(std::move(scenarios.value())),
-                                    std::move(pairs),
-                                    std::move(points)));
+        std::make_unique<PairsCsvWriter>(context, std::move(pairs), std::move(points)));
 }
 
 } // namespace cd

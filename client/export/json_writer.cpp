@@ -25,10 +25,14 @@ Json points_of(const ScenarioResult& result, std::size_t pair) {
 
 class JsonWriter final : public ResultWriter {
   public:
-    explicit JsonWriter(OutputFile file) : file_(std::move(file)) {}
+    JsonWriter(const ExportContext& context, OutputFile file)
+        : context_(context), file_(std::move(file)) {}
 
     Status add(const ScenarioResult& result) override {
-        Json line{{"index", result.index}, {"class", to_text(result.kind)}};
+        Json line{{"index", result.index},
+                  {"body_a", context_.body_name(result.body_a)},
+                  {"body_b", context_.body_name(result.body_b)},
+                  {"class", to_text(result.kind)}};
         if (result.level != Level::Any) {
             line["count"] = result.pair_count;
         }
@@ -65,6 +69,7 @@ class JsonWriter final : public ResultWriter {
         }
     }
 
+    ExportContext context_;
     OutputFile file_;
 };
 
@@ -102,31 +107,37 @@ Json depth_json(const std::optional<std::uint32_t>& depth) {
     return depth ? Json(*depth) : Json();
 }
 
-Json body_json(const std::string& name, const Mesh* mesh) {
+Json body_json(const ExportBody& body) {
+    const Mesh* mesh = body.mesh.get();
     if (mesh == nullptr) {
-        return {{"name", name}};
+        return {{"name", body.name}, {"file", body.file}};
     }
     const Vec3 size = bounding_box(mesh->vertices()).size();
-    return {{"name", name},
+    return {{"name", body.name},
+            {"file", body.file},
             {"triangles", mesh->triangles().size()},
             {"parts", mesh->parts().size()},
+            {"precision", mesh->precision() == Precision::Float ? "float" : "double"},
             {"size", {size.x(), size.y(), size.z()}},
             {"sha256", to_hex(mesh->hash())}};
 }
 
 } // namespace
 
-std::unique_ptr<ResultWriter> make_json_writer(const ExportContext&, OutputFile file) {
-    return std::make_unique<JsonWriter>(std::move(file));
+std::unique_ptr<ResultWriter> make_json_writer(const ExportContext& context, OutputFile file) {
+    return std::make_unique<JsonWriter>(context, std::move(file));
 }
 
 std::string summary_json(const ExportContext& context, const RunReport& report) {
     const Summary& summary = report.summary;
+    Json bodies = Json::array();
+    for (const ExportBody& body : context.bodies) {
+        bodies.push_back(body_json(body));
+    }
     Json json{{"job", context.job},
               {"unit", context.unit},
               {"level", to_text(context.level)},
-              {"a", body_json(context.bodies[0], context.meshes[0].get())},
-              {"b", body_json(context.bodies[1], context.meshes[1].get())},
+              {"bodies", std::move(bodies)},
               {"total", summary.total},
               {"tested", summary.tested()},
               {"separate", summary.separate},
@@ -145,6 +156,9 @@ std::string summary_json(const ExportContext& context, const RunReport& report) 
               {"where", report.where}};
     if (context.tolerance) {
         json["tolerance"] = *context.tolerance;
+    }
+    if (report.resumed_at != 0) {
+        json["resumed_at"] = report.resumed_at;
     }
     json["statistics"] = statistics_json(report);
     if (report.traffic) {

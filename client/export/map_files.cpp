@@ -10,8 +10,6 @@ namespace cd {
 
 namespace {
 
-constexpr std::array<const char*, 2> body_names{"a", "b"};
-
 Status
 write_csv(const ContactMap& map, const std::filesystem::path& path, const ExportContext& context) {
     auto file = RowFile::create(path, "body,triangle,scenarios,part\n");
@@ -19,9 +17,10 @@ write_csv(const ContactMap& map, const std::filesystem::path& path, const Export
         return file.error();
     }
     for (std::size_t i = 0; i < map.bodies.size(); ++i) {
-        PartFields parts(context.meshes[i]);
+        PartFields parts(context.bodies[i].mesh);
+        const std::string name = csv_field(context.bodies[i].name);
         for (const TriangleContacts& row : map.bodies[i]) {
-            const Status added = file.value().add(std::string_view(body_names[i]),
+            const Status added = file.value().add(std::string_view(name),
                                                   ",",
                                                   row.triangle,
                                                   ",",
@@ -37,13 +36,17 @@ write_csv(const ContactMap& map, const std::filesystem::path& path, const Export
     return file.value().commit();
 }
 
-Status write_npz(const ContactMap& map, const std::filesystem::path& path) {
+Status
+write_npz(const ContactMap& map, const std::filesystem::path& path, const ExportContext& context) {
     NpzWriter file(path);
     for (std::size_t i = 0; i < map.bodies.size(); ++i) {
-        const std::size_t array = file.add_array(body_names[i], NpyType::U8, 2);
+        const std::size_t array = file.add_array(context.bodies[i].name, NpyType::U8, 2);
         for (const TriangleContacts& row : map.bodies[i]) {
             const std::array<std::uint64_t, 2> numbers{row.triangle, row.scenarios};
-            file.append(array, std::span<const std::uint64_t>(numbers));
+            if (Status added = file.append(array, std::span<const std::uint64_t>(numbers));
+                !added) {
+                return added;
+            }
         }
     }
     return file.finish();
@@ -59,7 +62,7 @@ Status write_map_files(const ContactMap& map,
         return std::find(formats.begin(), formats.end(), format) != formats.end();
     };
     if (has("npz")) {
-        if (Status written = write_npz(map, dir / "map.npz"); !written) {
+        if (Status written = write_npz(map, dir / "map.npz", context); !written) {
             return written;
         }
         if (!has("csv")) {

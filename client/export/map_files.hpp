@@ -10,10 +10,10 @@
 
 namespace cd {
 
-/// With format csv map.csv, a row a triangle: body (a or b), triangle, scenarios, part; with npz
-/// map.npz with the arrays a[K,2] and b[L,2], each row a triangle and its scenarios; without either
-/// map.csv. Triangles ascend, and those in contact in no scenario have no row. Errors: Io naming
-/// the file.
+/// With format csv map.csv, a row a triangle: the body's name, triangle, scenarios, part; with npz
+/// map.npz with an array (K,2) named after each body, each row a triangle and its scenarios;
+/// without either map.csv. Triangles ascend, and those in contact in no scenario have no row.
+/// Errors: Io naming the file.
 [[nodiscard]] Status write_map_files(const ContactMap& map,
                                      const std::filesystem::path& dir,
                                      const std::vector<std::string>& formats,

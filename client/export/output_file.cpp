@@ -10,8 +10,9 @@ namespace cd {
 
 namespace {
 
+/// Where standard output takes no more, what was asked for is not whole.
 Error io_error(const std::filesystem::path& path) {
-    return {ErrorCode::Io,
+    return {path.empty() ? ErrorCode::Incomplete : ErrorCode::Io,
             (path.empty() ? "standard output" : path.string()) + ": " + std::strerror(errno)};
 }
 

@@ -23,7 +23,7 @@ class OutputFile {
     OutputFile& operator=(OutputFile&&) = delete;
     ~OutputFile();
 
-    /// Errors: Io naming the file (a full disk, a closed pipe).
+    /// Errors: Io naming the file (a full disk); Incomplete for standard output.
     [[nodiscard]] Status write(std::string_view text);
     [[nodiscard]] Status commit();
 

@@ -9,11 +9,16 @@ namespace cd {
 
 namespace {
 
+/// The file of a format that has one.
+std::string file_of(std::string_view format) {
+    return format == "csv" ? "scenarios.csv" : format == "text" ? "results.txt" : "results.jsonl";
+}
+
 Result<std::unique_ptr<ResultWriter>> make_writer(const std::string& format,
                                                   const ExportContext& context,
                                                   const std::filesystem::path& dir) {
-    if (format == "csv") {
-        return make_csv_writer(context, dir);
+    if (format == "csv-pairs") {
+        return make_pairs_csv_writer(context, dir);
     }
     if (format == "npz") {
         return make_npz_writer(context, dir);
@@ -21,13 +26,13 @@ Result<std::unique_ptr<ResultWriter>> make_writer(const std::string& format,
     if (Status known = check_format(format); !known) {
         return known.error();
     }
-    const bool is_text = format == "text";
-    auto file = OutputFile::create(dir / (is_text ? "results.txt" : "results.jsonl"));
+    auto file = OutputFile::create(dir / file_of(format));
     if (!file) {
         return file.error();
     }
-    return is_text ? make_text_writer(context, std::move(file.value()))
-                   : make_json_writer(context, std::move(file.value()));
+    return format == "csv"    ? make_scenarios_csv_writer(context, std::move(file.value()))
+           : format == "text" ? make_text_writer(context, std::move(file.value()))
+                              : make_json_writer(context, std::move(file.value()));
 }
 
 } // namespace
@@ -87,23 +92,23 @@ Status ResultFiles::add(const ScenarioResult& result) {
     return Done{};
 }
 
-Status ResultFiles::finish(const RunReport& report) {
+Status ResultFiles::finish(const std::optional<ContactMap>& map) {
     for (const auto& writer : writers_) {
         if (Status finished = writer->finish(); !finished) {
             return finished;
         }
     }
-    if (report.map) {
-        const Status written = write_map_files(*report.map, dir_, formats_, context_);
-        if (!written) {
-            return written;
-        }
-    }
-    auto file = OutputFile::create(dir_ / "summary.json");
+    return map ? write_map_files(*map, dir_, formats_, context_) : Status(Done{});
+}
+
+Status write_summary(const std::filesystem::path& dir,
+                     const ExportContext& context,
+                     const RunReport& report) {
+    auto file = OutputFile::create(dir / "summary.json");
     if (!file) {
         return file.error();
     }
-    if (Status written = file.value().write(summary_json(context_, report) + "\n"); !written) {
+    if (Status written = file.value().write(summary_json(context, report) + "\n"); !written) {
         return written;
     }
     return file.value().commit();

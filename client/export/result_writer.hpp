@@ -7,7 +7,7 @@
 #include "common/geometry/mesh.hpp"
 #include "common/job/result.hpp"
 
-#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,15 +17,27 @@
 
 namespace cd {
 
+/// A body as exports name it.
+struct ExportBody {
+    std::string name; ///< "a", "b", or what the job calls it.
+    std::string file; ///< Its mesh, for people.
+    /// Null where results are fetched without the meshes: parts are then not named.
+    std::shared_ptr<const Mesh> mesh;
+};
+
 /// What the writers say about the job beside its results.
 struct ExportContext {
     std::string job;
     std::string unit;
     Level level = Level::Pairs;
-    std::array<std::string, 2> bodies;
-    /// Nothing where results are fetched without the meshes: parts are then not named.
-    std::array<std::shared_ptr<const Mesh>, 2> meshes;
+    std::vector<ExportBody> bodies;  ///< Results name them by their places in it.
     std::optional<double> tolerance; ///< Where it is known.
+    bool exact_points = false;       ///< NPZ: points with all their bits, relative to origins.
+
+    /// The name of a body; empty where there is none of this number.
+    [[nodiscard]] std::string_view body_name(std::uint32_t body) const {
+        return body < bodies.size() ? std::string_view(bodies[body].name) : std::string_view();
+    }
 };
 
 /// A seam: one implementation for each format. Holds no more than a bounded buffer of results.
@@ -49,22 +61,18 @@ class ResultWriter {
 /// results.jsonl: one JSON object a line for each scenario.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_json_writer(const ExportContext& context,
                                                              OutputFile file);
-/// scenarios.csv alone. distance_bound is empty but where the class is undecided.
-[[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(OutputFile file);
-/// scenarios.csv, from level pairs on pairs.csv, and at level contacts points.csv.
+/// scenarios.csv. distance_bound is empty but where the class is undecided.
+[[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(const ExportContext& context,
+                                                                      OutputFile file);
+/// From level pairs on pairs.csv, and at level contacts points.csv; nothing below.
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
-make_csv_writer(const ExportContext& context, const std::filesystem::path& dir);
-/// results.npz with the arrays index[N], class[N] (the numbers of `ScenarioClass`), count[N],
-/// distance_bound[N] (0 but where the class is undecided), surfaces_only[N]; from level pairs on
-/// offsets[N+1], pairs[M,2], pair_class[M] (`PairClass`); at level contacts point_origins[M,3],
-/// point_offsets[M+1], points[K,3]. The pairs of scenario i are [offsets[i], offsets[i+1]), the
-/// points of pair j [point_offsets[j], point_offsets[j+1]), and a point in the world is
-/// point_origins[j] + points[k].
+make_pairs_csv_writer(const ExportContext& context, const std::filesystem::path& dir);
+/// results.npz. docs/formats.md tells each array.
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_npz_writer(const ExportContext& context, const std::filesystem::path& dir);
 
-/// The whole output of a job: a folder with a writer for each format, the files of its map where
-/// there is one (`map_files.hpp`), and summary.json.
+/// The exports of a job: a folder with the files of each format, and those of its map where there
+/// is one (`map_files.hpp`).
 class ResultFiles {
   public:
     /// Makes the folder. Errors: Io; BadInput for an unknown format.
@@ -73,10 +81,8 @@ class ResultFiles {
                                                   const ExportContext& context);
 
     [[nodiscard]] Status add(const ScenarioResult& result);
-    /// Completes all files. Without it nothing of this run is left in the folder.
-    [[nodiscard]] Status finish(const RunReport& report);
-
-    [[nodiscard]] const std::filesystem::path& dir() const { return dir_; }
+    /// Completes all files. Without it none of them is left in the folder.
+    [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
 
   private:
     ResultFiles(std::filesystem::path dir, ExportContext context)
@@ -90,6 +96,11 @@ class ResultFiles {
 
 /// The report and the inputs as one JSON document.
 [[nodiscard]] std::string summary_json(const ExportContext& context, const RunReport& report);
+
+/// Writes it as summary.json. Errors: Io naming the file.
+[[nodiscard]] Status write_summary(const std::filesystem::path& dir,
+                                   const ExportContext& context,
+                                   const RunReport& report);
 
 /// touch, coplanar or proper.
 [[nodiscard]] std::string_view pair_class_name(PairClass kind);

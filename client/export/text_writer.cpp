@@ -43,14 +43,18 @@ class TextWriter final : public ResultWriter {
   private:
     [[nodiscard]] std::string pair_text(const ScenarioResult& result, std::size_t place) const {
         const ContactPair& pair = result.pairs[place];
-        std::string text = "    A " + triangle_text(context_.meshes[0].get(), pair.a) + "  B " +
-                           triangle_text(context_.meshes[1].get(), pair.b) + "  " +
+        std::string text = "    A " + triangle_text(mesh_of(result.body_a), pair.a) + "  B " +
+                           triangle_text(mesh_of(result.body_b), pair.b) + "  " +
                            std::string(pair_class_name(pair.kind));
         for_each_point(result, place, [&](const Vec3& point) {
             text += "  " + exact_text(point.x()) + " " + exact_text(point.y()) + " " +
                     exact_text(point.z());
         });
         return text + "\n";
+    }
+
+    [[nodiscard]] const Mesh* mesh_of(std::uint32_t body) const {
+        return body < context_.bodies.size() ? context_.bodies[body].mesh.get() : nullptr;
     }
 
     ExportContext context_;

@@ -16,6 +16,9 @@ import_notes(const ImportedMesh& imported, const std::string& unit, bool is_y_up
     } else if (!declared.up.empty()) {
         notes.push_back("up axis " + declared.up + ", from the file; not turned");
     }
+    if (imported.is_rounded) {
+        notes.emplace_back("coordinates rounded to floats, as asked");
+    }
     if (imported.is_by_assimp) {
         notes.emplace_back("read by assimp: coordinates within one float step of the file's");
     }

@@ -20,8 +20,9 @@ struct ImportOptions {
     /// The job's unit: a unit that the file declares is converted to it, in place of `unit_factor`.
     /// Empty: what the file declares changes nothing.
     std::string declared_unit_to = {};
-    bool is_y_up = false;      ///< y of the file becomes z, and z becomes -y.
-    StopCheck is_stopped = {}; ///< Ends the reading of formats that take a process of their own.
+    bool is_y_up = false;         ///< y of the file becomes z, and z becomes -y.
+    bool rounds_to_float = false; ///< Each coordinate becomes the nearest float.
+    StopCheck is_stopped = {};    ///< Ends the reading of formats that take a process of their own.
 };
 
 /// What coordinates are multiplied by.
@@ -60,6 +61,7 @@ struct ImportedMesh {
     std::shared_ptr<const Mesh> mesh;
     DeclaredFrame declared;            ///< Applied to the mesh is no more than its unit.
     bool is_by_assimp = false;         ///< Coordinates are within one float step of the file's.
+    bool is_rounded = false;           ///< To floats, as asked; the file has more digits.
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
     std::uint64_t points_skipped = 0;  ///< Faces of one corner,
     std::uint64_t lines_skipped = 0;   ///< and of two.

@@ -1,6 +1,7 @@
 #include "client/import/mesh_import.hpp"
 
 #include "client/import/assimp_import.hpp"
+#include "client/import/float_rounding.hpp"
 #include "client/import/foreign_format.hpp"
 #include "client/import/gltf_import.hpp"
 #include "client/import/mesh_number_check.hpp"
@@ -156,6 +157,12 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Import
     auto imported = import_file(path, options);
     if (!imported) {
         return imported;
+    }
+    if (options.rounds_to_float) {
+        imported = rounded_to_floats(path, std::move(imported.value()));
+        if (!imported) {
+            return imported;
+        }
     }
     warn_of_coarse_floats(path, imported.value());
     return options.is_y_up ? turned_to_z_up(std::move(imported.value())) : std::move(imported);

@@ -76,7 +76,9 @@ inline constexpr std::uint64_t client_bytes_max = 256ull << 30; ///< Sent in a d
 inline constexpr std::chrono::hours client_bytes_period{24};
 inline constexpr std::size_t jobs_running_max = 256;
 inline constexpr std::size_t jobs_ended_kept_max =
-    1024; ///< With their results; then the oldest goes.
+    1024; ///< With their results; then the oldest goes, unless the master is told otherwise.
+inline constexpr std::size_t jobs_kept_max = 100'000; ///< As many as it may be told.
+inline constexpr std::chrono::seconds retention_check_period{30};
 inline constexpr std::size_t authors_kept_max = 1u << 18; ///< Of scenarios of a job that has ended.
 inline constexpr std::uint32_t v_kb_max = 16'384;         ///< So that a batch fits a message.
 inline constexpr std::size_t ignored_ranges_max = 1u << 16; ///< They go with each batch.
@@ -86,6 +88,7 @@ inline constexpr std::size_t subtrees_bytes_min = 1u << 20; ///< Blocks are gath
 inline constexpr std::size_t subtrees_queue_bytes_max = 16u << 20; ///< Towards one worker.
 inline constexpr std::size_t results_in_hand_max = 8; ///< Messages of one worker, being checked.
 inline constexpr std::uint64_t results_bytes_max = 512u << 20; ///< Of one message, uncompressed.
+inline constexpr std::uint64_t results_scan_max = 1u << 20;    ///< Scenarios looked at for one.
 inline constexpr std::uint64_t results_part_bytes_target = 4u << 20; ///< To a client, uncompressed.
 inline constexpr std::size_t watches_max = 64;                       ///< Of one client at a time.
 inline constexpr std::size_t peer_sources_max = 3;                   ///< Named for one fetch.

@@ -15,6 +15,7 @@ inline constexpr std::size_t run_taken_at_once_max = 256;
 inline constexpr std::size_t run_batch_scenarios_max = 64;
 inline constexpr std::uint64_t run_batch_bytes_max = 1u << 20;
 inline constexpr std::chrono::milliseconds progress_period{100};
+inline constexpr std::chrono::milliseconds slow_note_after{500}; ///< Before work is told as slow.
 /// Poses that are read before results are looked at again.
 inline constexpr std::uint64_t run_poses_at_once_max = 128;
 /// Poses that are computed ahead of the run: so many by one thread at a time, and windows of these.
@@ -23,10 +24,16 @@ inline constexpr std::uint64_t computed_windows_max = 128;
 
 /// Corners that are held against ears before a polygon counts as too tangled to be cut.
 inline constexpr std::uint64_t polygon_tests_per_corner_max = 1u << 14;
+// A results folder. Work that a killed run may lose; what is kept of a job beside its results.
+inline constexpr std::chrono::seconds record_flush_period{5};
+inline constexpr std::uint64_t run_inputs_bytes_max = 1ull << 30;
 
 // Talking to a master.
 inline constexpr std::size_t mesh_piece_bytes = 1u << 20;             ///< Of one message.
 inline constexpr std::size_t client_write_queue_bytes_max = 4u << 20; ///< Then it waits.
+/// How often a watch looks at the cluster, where its job stands still and where it goes on.
+inline constexpr std::chrono::seconds watch_look_period{1};
+inline constexpr std::chrono::seconds watch_look_period_going_on{10};
 /// How often a call that waits looks whether it has been stopped.
 inline constexpr std::chrono::milliseconds stop_check_period{100};
 /// After a stop, how long a call may take to end by itself.

@@ -9,6 +9,10 @@ namespace cd::limits {
 
 /// In one message: identities take a few bytes on the wire, and hundreds in memory.
 inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16;
+inline constexpr std::uint64_t poses_answer_scenarios = 1u << 12; ///< In one answer to a client.
+inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20;      ///< The same, of a mesh.
+inline constexpr std::size_t label_bytes_max = 256;               ///< Of a scenario's id.
+inline constexpr std::size_t path_bytes_max = 4096;               ///< Of a file's name, for people.
 inline constexpr std::size_t grid_bytes_max = 8u << 20;        ///< In memory and the journal, each.
 inline constexpr std::size_t ended_grid_bytes_max = 64u << 10; ///< In memory, when it has ended.
 inline constexpr std::uint64_t client_queued_bytes_max = 64ull << 30; ///< Of jobs not yet done.

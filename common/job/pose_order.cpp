@@ -12,9 +12,9 @@ constexpr std::size_t coordinates = 6;
 constexpr unsigned coordinate_bits = 10;
 constexpr double cells = 1u << coordinate_bits;
 
-using Place = std::array<double, coordinates>;
+using Coordinates = std::array<double, coordinates>;
 
-Place place_of(const PosePair& poses) {
+Coordinates place_of(const PosePair& poses) {
     const RelativePose relative = relative_pose(poses);
     const Mat3& r = relative.rotation;
     const Vec3& t = relative.translation;
@@ -28,7 +28,7 @@ std::uint64_t cell_of(double value, double low, double high) {
 }
 
 /// The bits of the cells in turn, highest first.
-std::uint64_t curve_of(const Place& place, const Place& low, const Place& high) {
+std::uint64_t curve_of(const Coordinates& place, const Coordinates& low, const Coordinates& high) {
     std::array<std::uint64_t, coordinates> cell{};
     for (std::size_t k = 0; k < coordinates; ++k) {
         cell[k] = cell_of(place[k], low[k], high[k]);
@@ -45,21 +45,21 @@ std::uint64_t curve_of(const Place& place, const Place& low, const Place& high) 
 } // namespace
 
 std::vector<std::uint32_t> coherent_order(std::span<const Scenario> scenarios) {
-    std::vector<Place> places(scenarios.size());
+    std::vector<Coordinates> places(scenarios.size());
     std::transform(scenarios.begin(),
                    scenarios.end(),
                    places.begin(),
                    [](const Scenario& scenario) { return place_of(scenario.poses); });
-    Place low = places.empty() ? Place{} : places.front();
-    Place high = low;
-    for (const Place& place : places) {
+    Coordinates low = places.empty() ? Coordinates{} : places.front();
+    Coordinates high = low;
+    for (const Coordinates& place : places) {
         for (std::size_t k = 0; k < coordinates; ++k) {
             low[k] = std::min(low[k], place[k]);
             high[k] = std::max(high[k], place[k]);
         }
     }
     std::vector<std::uint64_t> curve(places.size());
-    std::transform(places.begin(), places.end(), curve.begin(), [&](const Place& place) {
+    std::transform(places.begin(), places.end(), curve.begin(), [&](const Coordinates& place) {
         return curve_of(place, low, high);
     });
     std::vector<std::uint32_t> order(places.size());

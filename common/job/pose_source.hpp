@@ -4,6 +4,7 @@
 #include "common/core/bytes.hpp"
 #include "common/core/result.hpp"
 #include "common/core/thread_pool.hpp"
+#include "common/job/random_poses.hpp"
 #include "common/job/scenario.hpp"
 #include "common/tree/obb_tree.hpp"
 
@@ -77,17 +78,6 @@ struct Grid {
 /// The bytes may be hostile: every place has a pose of finite numbers, quaternions are near to unit
 /// ones, and the count lies in [1, `limits::scenarios_max`]. Errors: BadFrame.
 [[nodiscard]] Result<Grid> decode_grid(std::span<const std::byte> bytes);
-
-/// The paper's scenarios (section 7): B comes in a random orientation from a random direction and
-/// is pushed in until it first collides, then by a random share in [penetration_min,
-/// penetration_max] of the diagonal of B's box further. Whoever reads a job sees to it that 0 <=
-/// penetration_min <= penetration_max <= 1.
-struct RandomPoses {
-    std::uint64_t count = 1000;
-    std::uint64_t seed = 1;
-    double penetration_min = 0.005;
-    double penetration_max = 0.05;
-};
 
 /// The same scenarios on every host and for any number of threads. B's poses are quaternions, A's
 /// the identity. A scenario depends on its index, the seed and the shares alone, not on `count`.

@@ -28,7 +28,7 @@ struct Query {
     double tolerance = 0;
     std::uint64_t limit_pairs = 0; ///< Of a scenario, the first so many are kept; 0 keeps all.
     std::vector<IgnoredRange> ignored;
-    /// At level count: the job says in how many scenarios each triangle was in contact.
+    /// From level count on: the job says in how many scenarios each triangle was in contact.
     bool maps = false;
 };
 

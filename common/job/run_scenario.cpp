@@ -49,6 +49,15 @@ void find_any(std::span<const SubtreePair> pairs, ContactSearch& search, Scenari
     }
 }
 
+ScenarioResult
+too_many_for_a_map(const ContactSearch& search, const Scenario& scenario, const Query& query) {
+    return failed_result(
+        scenario,
+        query,
+        {ErrorCode::TooLarge,
+         std::to_string(search.pair_count()) + " pairs are too many for a map; leave out maps"});
+}
+
 void find_count(std::span<const SubtreePair> pairs,
                 const Scenario& scenario,
                 const Query& query,
@@ -63,11 +72,7 @@ void find_count(std::span<const SubtreePair> pairs,
         search.sort();
         run.found = search.take_pairs();
     } else if (query.maps) {
-        run.result = failed_result(scenario,
-                                   query,
-                                   {ErrorCode::TooLarge,
-                                    std::to_string(search.pair_count()) +
-                                        " pairs are too many for a map; leave out maps"});
+        run.result = too_many_for_a_map(search, scenario, query);
     }
 }
 
@@ -88,9 +93,10 @@ bool add_shared_points(ContactSearch& search, const StopCheck& stop, ScenarioRes
     return true;
 }
 
-/// How many pairs a result can have: with one more, `within_limit` makes a failure of it.
+/// How many pairs a result can have: with one more, `within_limit` makes a failure of it. A map is
+/// of all pairs, however few of them the result keeps.
 std::uint64_t pairs_worth_keeping(const Query& query) {
-    if (query.limit_pairs != 0) {
+    if (query.limit_pairs != 0 && !query.maps) {
         return query.limit_pairs;
     }
     constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
@@ -101,17 +107,29 @@ std::uint64_t pairs_worth_keeping(const Query& query) {
 
 /// False if it was told to stop while it made points.
 bool find_pairs(std::span<const SubtreePair> pairs,
+                const Scenario& scenario,
                 const Query& query,
                 const StopCheck& stop,
                 ContactSearch& search,
-                ScenarioResult& result) {
+                ScenarioRun& run) {
     for (const SubtreePair& pair : pairs) {
         search.collect(pair.a, pair.b);
     }
     search.sort();
+    ScenarioResult& result = run.result;
     result.pairs = search.take_pairs();
     note_found(search, result);
     note_undecided(search, result);
+    if (query.maps && result.pairs.size() != result.pair_count) {
+        result = too_many_for_a_map(search, scenario, query);
+        return true;
+    }
+    if (query.maps) {
+        run.found = result.pairs;
+    }
+    if (query.limit_pairs != 0 && result.pairs.size() > query.limit_pairs) {
+        result.pairs.resize(query.limit_pairs);
+    }
     return query.level != Level::Contacts || add_shared_points(search, stop, result);
 }
 
@@ -172,7 +190,7 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
         break;
     case Level::Pairs:
     case Level::Contacts:
-        is_whole = find_pairs(pairs, query, options.stop, search, run.result);
+        is_whole = find_pairs(pairs, scenario, query, options.stop, search, run);
         break;
     }
     if (search.is_stopped() || !is_whole) {

@@ -180,7 +180,7 @@ TEST_F(Status, OneJobIsOneObject) {
 
 TEST_F(Status, AJobTellsWhatTravelledForIt) {
     before_.jobs[0].traffic = {{1, 2, 3, 4, 5, 6}, 7};
-    before_.jobs[0].depth_a = 8;
+    before_.jobs[0].depths = {8};
     const auto json = nlohmann::json::parse(job_json(before_.jobs[0]));
     EXPECT_EQ(json["cache_hits"], 1);
     EXPECT_EQ(json["cache_misses"], 2);

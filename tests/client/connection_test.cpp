@@ -57,7 +57,7 @@ ResultsPart make_part(JobId job, std::uint64_t first, std::uint32_t count) {
             records.put(std::to_integer<std::uint8_t>(byte));
         }
     }
-    return {job, first, count, pack_records(records.bytes())};
+    return {job, first, first + count, {{first, count}}, count, pack_records(records.bytes())};
 }
 
 // ---- Opening --------------------------------------------------------------------------------
@@ -69,6 +69,7 @@ TEST(Connection, GreetsAsAClient) {
     ASSERT_EQ(hellos.size(), 1u);
     EXPECT_EQ(hellos[0].role, Role::Client);
     EXPECT_THAT(hellos[0].name, HasSubstr("cdctl"));
+    EXPECT_THAT(hellos[0].user, HasSubstr("@"));
 }
 
 TEST(Connection, WhereNobodyListensIsUnreachable) {
@@ -152,6 +153,23 @@ TEST(Connection, AMeshThatIsRefusedFailsWithTheMastersWords) {
     EXPECT_EQ(status.error().detail, "the disk is full");
 }
 
+TEST(Connection, AMeshThatTheMastersDiskRefusesIsNamed) {
+    const auto mesh = share(make_box({1, 2, 3}));
+    FakeMaster master(welcoming([&](const Message& message) -> Answers {
+        if (std::holds_alternative<MeshesQuery>(message)) {
+            return std::vector<Message>{MeshesMissing{{mesh->hash()}}};
+        }
+        return std::vector<Message>{Failure{ErrorCode::Io, "No space left on device"}};
+    }));
+    const Status status =
+        open(master)->upload(std::vector{NamedMesh{"A", mesh}}, [](const auto&, auto, auto) {});
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().code, ErrorCode::Incomplete) << "exit code 3";
+    EXPECT_THAT(
+        status.error().detail,
+        testing::MatchesRegex("the master has no room for A .[0-9]+ B.: No space left on device"));
+}
+
 // ---- Jobs -----------------------------------------------------------------------------------
 
 TEST(Connection, AGridTravelsAsItsDescription) {
@@ -160,6 +178,7 @@ TEST(Connection, AGridTravelsAsItsDescription) {
     submit.name = "grid";
     submit.scenarios = 1;
     submit.grid = encode_grid(Grid{});
+    submit.poses.kind = PosesKind::Grid;
     const auto job = open(master)->submit(submit);
     ASSERT_TRUE(job) << job.error().detail;
     EXPECT_EQ(job.value(), JobId{42});
@@ -272,6 +291,68 @@ TEST(Connection, FetchesResultsInRunsAndInOrder) {
     EXPECT_EQ(master.received_of<ResultsQuery>().size(), 4u);
 }
 
+TEST(Connection, ScenariosWithoutAResultArePassedOver) {
+    FakeMaster master(welcoming([](const Message& message) -> Answers {
+        const std::uint64_t first = std::get<ResultsQuery>(message).first;
+        ResultsPart part = make_part(JobId{1}, first + 2, first < 20 ? 3 : 0);
+        part.first = first;
+        part.next = first + 10;
+        if (part.count == 0) {
+            part.held.clear();
+        }
+        return std::vector<Message>{part};
+    }));
+    std::vector<std::uint64_t> came;
+    const Status status =
+        open(master)->fetch(JobId{1}, 0, 30, [&](const ScenarioResult& result) -> Status {
+            came.push_back(result.index);
+            return Done{};
+        });
+    ASSERT_TRUE(status) << status.error().detail;
+    EXPECT_EQ(came, (std::vector<std::uint64_t>{2, 3, 4, 12, 13, 14}));
+}
+
+TEST(Connection, AMeshComesInPiecesAndIsCheckedAgainstItsHash) {
+    const Mesh mesh = make_box({1, 2, 3});
+    const Bytes bytes = mesh.canonical_bytes();
+    std::atomic<bool> is_damaged = false;
+    FakeMaster master(welcoming([&](const Message& message) -> Answers {
+        const auto& query = std::get<MeshQuery>(message);
+        const std::uint64_t end = std::min<std::uint64_t>(bytes.size(), query.offset + 100);
+        MeshBytes part{query.mesh, bytes.size(), query.offset, {}};
+        for (std::uint64_t i = query.offset; i < end; ++i) {
+            part.bytes.push_back(bytes[i] ^ std::byte{is_damaged && i == 150});
+        }
+        return std::vector<Message>{part};
+    }));
+    const auto connection = open(master);
+    const auto fetched = connection->fetch_mesh(mesh.hash());
+    ASSERT_TRUE(fetched) << fetched.error().detail;
+    EXPECT_EQ(fetched.value().canonical_bytes(), bytes);
+    is_damaged = true;
+    EXPECT_EQ(connection->fetch_mesh(mesh.hash()).error().code, ErrorCode::BadFrame);
+}
+
+TEST(Connection, PosesComeInRunsWithTheirLabels) {
+    FakeMaster master(welcoming([](const Message& message) -> Answers {
+        const auto& query = std::get<PosesQuery>(message);
+        JobPoses part{query.job, query.first, std::min<std::uint64_t>(query.count, 3), {}, {}};
+        std::vector<Scenario> scenarios(part.count);
+        for (std::uint64_t i = 0; i < part.count; ++i) {
+            scenarios[i].index = query.first + i;
+            part.labels.integers.push_back(static_cast<std::int64_t>(10 * (query.first + i)));
+        }
+        part.scenarios = pack_scenarios(scenarios);
+        return std::vector<Message>{part};
+    }));
+    const auto poses = open(master)->fetch_poses(JobId{1}, 5, 8);
+    ASSERT_TRUE(poses) << poses.error().detail;
+    ASSERT_EQ(poses.value().scenarios.size(), 8u);
+    EXPECT_EQ(poses.value().scenarios.back().index, 12u);
+    EXPECT_EQ(poses.value().labels.integers,
+              (std::vector<std::int64_t>{50, 60, 70, 80, 90, 100, 110, 120}));
+}
+
 TEST(Connection, TheTakersErrorEndsTheFetch) {
     FakeMaster master(welcoming([](const Message& message) -> Answers {
         return std::vector<Message>{make_part(JobId{1}, std::get<ResultsQuery>(message).first, 2)};
@@ -291,20 +372,23 @@ TEST(Connection, ResultsThatAreNoneAreErrors) {
             JobId{1}, 0, 10, [](const ScenarioResult&) -> Status { return Done{}; });
     };
     ResultsPart empty;
-    EXPECT_EQ(fetch_from(empty).error().code, ErrorCode::Incomplete);
+    EXPECT_EQ(fetch_from(empty).error().code, ErrorCode::BadFrame) << "it leads nowhere";
 
     ResultsPart shifted = make_part(JobId{1}, 3, 2);
     EXPECT_EQ(fetch_from(shifted).error().code, ErrorCode::BadFrame);
     shifted.first = 0;
+    shifted.held = {{0, 2}};
     EXPECT_EQ(fetch_from(shifted).error().code, ErrorCode::BadFrame);
 
     EXPECT_EQ(fetch_from(make_part(JobId{1}, 0, 11)).error().code, ErrorCode::BadFrame);
 
     ResultsPart fewer = make_part(JobId{1}, 0, 2);
-    fewer.count = 3;
-    EXPECT_EQ(fetch_from(fewer).error().code, ErrorCode::BadFrame);
-    fewer.count = 1;
-    EXPECT_EQ(fetch_from(fewer).error().code, ErrorCode::BadFrame);
+    for (const std::uint32_t count : {3u, 1u}) {
+        fewer.count = count;
+        fewer.held = {{0, count}};
+        fewer.next = 3;
+        EXPECT_EQ(fetch_from(fewer).error().code, ErrorCode::BadFrame);
+    }
 
     ResultsPart garbage = make_part(JobId{1}, 0, 2);
     garbage.records.resize(garbage.records.size() / 2);

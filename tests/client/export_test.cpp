@@ -2,6 +2,7 @@
 // not at all.
 #include "client/export/result_writer.hpp"
 #include "client/npz.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/npz_arrays.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -31,9 +32,8 @@ class Export : public testing::Test {
                           box.triangles(),
                           {{"left, \"old\"", 0, 6}, {"right", 6, 12}},
                           box.precision()};
-        context_.meshes = {share(Mesh::create(std::move(arrays)).value()),
-                           share(make_box({1, 1, 1}))};
-        context_.bodies = {"a.obj", "b.obj"};
+        context_.bodies = {{"a", "a.obj", share(Mesh::create(std::move(arrays)).value())},
+                           {"b", "b.obj", share(make_box({1, 1, 1}))}};
         context_.job = "test";
         context_.unit = "m";
     }
@@ -61,7 +61,8 @@ class Export : public testing::Test {
             result.level = level;
             ASSERT_TRUE(files.value().add(result));
         }
-        ASSERT_TRUE(files.value().finish(report));
+        ASSERT_TRUE(files.value().finish(std::nullopt));
+        ASSERT_TRUE(write_summary(dir_, context_, report));
     }
 
     /// Separate; two pairs of which one has points, and a third that was cut; failed; undecided.
@@ -93,14 +94,14 @@ class Export : public testing::Test {
 
 } // namespace
 
-TEST_F(Export, CsvHasARowForEachScenarioPairAndPoint) {
-    write({"csv"}, Level::Contacts);
+TEST_F(Export, CsvHasARowForEachScenarioAndCsvPairsForEachPairAndPoint) {
+    write({"csv", "csv-pairs"}, Level::Contacts);
     EXPECT_EQ(text_of("scenarios.csv"),
-              "scenario,class,count,cut,distance_bound,surfaces_only,failure\n"
-              "0,separate,0,0,,0,\n"
-              "1,cross,3,1,,0,\n"
-              "2,failed,0,0,,0,\"too, large\"\n"
-              "3,undecided,0,0,0.125,0,\n");
+              "scenario,body_a,body_b,class,count,cut,distance_bound,surfaces_only,failure\n"
+              "0,a,b,separate,0,0,,0,\n"
+              "1,a,b,cross,3,1,,0,\n"
+              "2,a,b,failed,0,0,,0,\"too, large\"\n"
+              "3,a,b,undecided,0,0,0.125,0,\n");
     EXPECT_EQ(text_of("pairs.csv"),
               "scenario,triangle_a,triangle_b,class,part_a,part_b\n"
               "1,0,5,proper,\"left, \"\"old\"\"\",\n"
@@ -111,8 +112,15 @@ TEST_F(Export, CsvHasARowForEachScenarioPairAndPoint) {
               "1,0,5,10.25,0,-3\n");
 }
 
-TEST_F(Export, CsvOfLevelCountHasScenariosAlone) {
-    write({"csv"}, Level::Count);
+TEST_F(Export, CsvAloneHasScenariosAlone) {
+    write({"csv"}, Level::Contacts);
+    EXPECT_TRUE(fs::exists(dir_ / "scenarios.csv"));
+    EXPECT_FALSE(fs::exists(dir_ / "pairs.csv"));
+    EXPECT_FALSE(fs::exists(dir_ / "points.csv"));
+}
+
+TEST_F(Export, LevelCountHasNoPairs) {
+    write({"csv", "csv-pairs"}, Level::Count);
     EXPECT_TRUE(fs::exists(dir_ / "scenarios.csv"));
     EXPECT_FALSE(fs::exists(dir_ / "pairs.csv"));
     EXPECT_FALSE(fs::exists(dir_ / "points.csv"));
@@ -127,6 +135,7 @@ TEST_F(Export, JsonHasAnObjectOnEachLine) {
     }
     ASSERT_EQ(parsed.size(), 4u);
     EXPECT_EQ(parsed[0]["class"], "separate");
+    EXPECT_EQ(parsed[1]["body_a"], "a");
     EXPECT_EQ(parsed[1]["count"], 3);
     EXPECT_EQ(parsed[1]["cut"], true);
     EXPECT_EQ(parsed[1]["pairs"], nlohmann::json::parse(R"([[0,5,"proper"],[7,2,"coplanar"]])"));
@@ -163,9 +172,39 @@ TEST_F(Export, NpzHoldsCompressedRows) {
     EXPECT_EQ(arrays.at("pairs").shape, (std::vector<std::uint64_t>{2, 2}));
     EXPECT_EQ(integers("pair_class"), (Integers{3, 2}));
     EXPECT_EQ(integers("point_offsets"), (Integers{0, 2, 2}));
+    EXPECT_EQ(integers("body_a"), (Integers{0, 0, 0, 0}));
+    EXPECT_EQ(integers("body_b"), (Integers{1, 1, 1, 1}));
+    EXPECT_EQ(arrays.at("points_world").shape, (std::vector<std::uint64_t>{2, 3}));
+    EXPECT_EQ(arrays.at("points_world").to_doubles(),
+              (std::vector<double>{10.5, 1, 0, 10.25, 0, -3}));
+    EXPECT_FALSE(arrays.contains("points")) << "what is written is in the world";
+}
+
+TEST_F(Export, NpzHoldsExactPointsWhereTheyAreAskedFor) {
+    context_.exact_points = true;
+    write({"npz"}, Level::Contacts);
+    const auto read = read_npz(dir_ / "results.npz");
+    ASSERT_TRUE(read) << read.error().detail;
+    const auto& arrays = read.value();
     EXPECT_EQ(arrays.at("points").shape, (std::vector<std::uint64_t>{2, 3}));
     EXPECT_EQ(arrays.at("points").to_doubles(), (std::vector<double>{0.5, 1, 0, 0.25, 0, -3}));
     EXPECT_EQ(arrays.at("point_origins").to_doubles(), (std::vector<double>{10, 0, 0, 20, 0, 0}));
+    EXPECT_TRUE(arrays.contains("points_world"));
+}
+
+TEST_F(Export, AFullDiskIsNoticedAtOnce) {
+    fs::create_directories(dir_);
+    const FileSizeLimit limit(1u << 20);
+    context_.level = Level::Pairs;
+    auto writer = make_npz_writer(context_, dir_);
+    ASSERT_TRUE(writer);
+    ScenarioResult result = results()[1];
+    Status added = Done{};
+    for (int i = 0; i < 200'000 && added; ++i) {
+        added = writer.value()->add(result);
+    }
+    ASSERT_FALSE(added) << "long before the end";
+    EXPECT_THAT(added.error().detail, HasSubstr("results.npz"));
 }
 
 TEST_F(Export, NpzOfLevelCountHasNoLists) {
@@ -181,8 +220,9 @@ TEST_F(Export, TheSummaryIsADocument) {
     write({"csv"}, Level::Pairs);
     const auto summary = nlohmann::json::parse(text_of("summary.json"));
     EXPECT_EQ(summary["job"], "test");
-    EXPECT_EQ(summary["a"]["triangles"], 12);
-    EXPECT_EQ(summary["a"]["sha256"], to_hex(context_.meshes[0]->hash()));
+    EXPECT_EQ(summary["bodies"][0]["triangles"], 12);
+    EXPECT_EQ(summary["bodies"][0]["sha256"], to_hex(context_.bodies[0].mesh->hash()));
+    EXPECT_EQ(summary["bodies"][1]["name"], "b");
     EXPECT_EQ(summary["not_tested"], 3);
     EXPECT_TRUE(summary["digest"].is_null());
     EXPECT_EQ(summary["statistics"],
@@ -202,16 +242,18 @@ TEST_F(Export, TheSummaryGivesThePapersCost) {
 }
 
 TEST_F(Export, WithoutTheMeshesPartsAreNotNamed) {
-    context_.meshes = {};
-    write({"csv", "text"}, Level::Pairs);
+    for (ExportBody& body : context_.bodies) {
+        body.mesh = nullptr;
+    }
+    write({"csv-pairs", "text"}, Level::Pairs);
     EXPECT_THAT(text_of("pairs.csv"), HasSubstr("1,0,5,proper,,\n"));
     EXPECT_THAT(text_of("results.txt"), HasSubstr("    A 0  B 5  proper"));
-    EXPECT_EQ(nlohmann::json::parse(text_of("summary.json"))["a"]["name"], "a.obj");
+    EXPECT_EQ(nlohmann::json::parse(text_of("summary.json"))["bodies"][0]["file"], "a.obj");
 }
 
 TEST_F(Export, NothingStaysOfARunThatDidNotFinish) {
     {
-        auto files = ResultFiles::open(dir_, {"csv", "json", "text", "npz"}, context_);
+        auto files = ResultFiles::open(dir_, {"csv", "csv-pairs", "json", "text", "npz"}, context_);
         ASSERT_TRUE(files) << files.error().detail;
         ASSERT_TRUE(files.value().add(results()[1]));
         EXPECT_FALSE(fs::is_empty(dir_));
@@ -220,10 +262,10 @@ TEST_F(Export, NothingStaysOfARunThatDidNotFinish) {
 }
 
 TEST_F(Export, ARunThatDidNotFinishLeavesEarlierResultsAlone) {
-    write({"csv"}, Level::Pairs);
+    write({"csv-pairs"}, Level::Pairs);
     const std::string before = text_of("pairs.csv");
     {
-        auto files = ResultFiles::open(dir_, {"csv"}, context_);
+        auto files = ResultFiles::open(dir_, {"csv-pairs"}, context_);
         ASSERT_TRUE(files);
     }
     EXPECT_EQ(text_of("pairs.csv"), before);

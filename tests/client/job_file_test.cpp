@@ -21,6 +21,7 @@ mesh = "van.glb"
 mesh = "/abs/bollard.stl"
 unit = "mm"
 name = "bollard"
+precision = "float"
 [poses]
 file = "poses.npy"
 quat_order = "wxyz"
@@ -69,6 +70,8 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(job.bodies[1].path, "/abs/bollard.stl");
     EXPECT_EQ(job.bodies[1].unit, "mm");
     EXPECT_EQ(job.bodies[1].name, "bollard");
+    EXPECT_FALSE(job.bodies[0].rounds_to_float);
+    EXPECT_TRUE(job.bodies[1].rounds_to_float);
     const auto& poses = std::get<PoseFileSpec>(job.poses);
     EXPECT_EQ(poses.path, "folder/poses.npy");
     EXPECT_EQ(poses.quat_order, "wxyz");
@@ -79,13 +82,13 @@ TEST(JobFile, EveryKeyIsRead) {
     ASSERT_EQ(job.ignore.size(), 1u);
     EXPECT_EQ(job.ignore[0].a, "wheel_*");
     EXPECT_EQ(job.ignore[0].b, "ground");
-    EXPECT_EQ(job.ignore[0].line, 18u);
+    EXPECT_EQ(job.ignore[0].line, 19u);
     EXPECT_EQ(job.output.dir, "folder/results");
     EXPECT_EQ(job.output.formats, (std::vector<std::string>{"json", "npz"}));
     EXPECT_EQ(job.cluster.strategy, Strategy::Lowest);
     EXPECT_EQ(job.cluster.analysis, AnalysisMode::Never);
-    EXPECT_EQ(job.cluster.depth_a, 10u);
-    EXPECT_EQ(job.cluster.depth_b, 4u);
+    EXPECT_EQ(job.cluster.depth(0), 10u);
+    EXPECT_EQ(job.cluster.depth(1), 4u);
     EXPECT_EQ(job.cluster.q, 7u);
     EXPECT_EQ(job.cluster.v_kb, 64u);
     EXPECT_TRUE(job.cluster.claim);
@@ -160,8 +163,10 @@ TEST(JobFile, ValuesOutOfRangeAreRefused) {
 TEST(JobFile, UnknownWordsNameThoseThatExist) {
     EXPECT_THAT(problem_with(random_poses + "[query]\nlevel = \"contact\"\n"),
                 HasSubstr("did you mean \"contacts\"?"));
-    EXPECT_THAT(problem_with(random_poses + "[output]\nformats = [\"csv\", \"h5\"]\n"),
-                HasSubstr("format \"h5\" is not known; this version has text, json, csv and npz"));
+    EXPECT_THAT(
+        problem_with(random_poses + "[output]\nformats = [\"csv\", \"h5\"]\n"),
+        HasSubstr(
+            "format \"h5\" is not known; this version has text, json, csv, csv-pairs and npz"));
     EXPECT_THAT(problem_with(random_poses + "[output]\nformats = [1]\n"),
                 HasSubstr("text in quotes"));
     EXPECT_THAT(parse("unit = \"inch\"\n" + minimal + random_poses).error().detail,
@@ -219,6 +224,7 @@ TEST(JobOptions, AJobNeedsNoFile) {
     options.a = "cars/van.obj";
     options.b = "post.stl";
     options.unit_b = "mm";
+    options.precision = "float";
     options.random = 5;
     options.seed = 9;
     options.penetration = {0.01, 0.02};
@@ -228,6 +234,8 @@ TEST(JobOptions, AJobNeedsNoFile) {
     ASSERT_TRUE(spec) << spec.error().detail;
     EXPECT_EQ(spec.value().name, "van-post");
     EXPECT_EQ(spec.value().bodies[1].unit, "mm");
+    EXPECT_TRUE(spec.value().bodies[0].rounds_to_float);
+    EXPECT_TRUE(spec.value().bodies[1].rounds_to_float);
     EXPECT_EQ(spec.value().level, Level::Count);
     EXPECT_EQ(spec.value().output.dir, "here");
     const auto& random = std::get<RandomPoses>(spec.value().poses);
@@ -247,7 +255,7 @@ TEST(JobOptions, OptionsThatDoNotFitAreRefused) {
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("--random"));
     options.seed.reset();
     options.formats = {"h5"};
-    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("text, json, csv and npz"));
+    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("csv-pairs and npz"));
     options.file = "job.toml";
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("names the meshes"));
 }

@@ -61,5 +61,17 @@ TEST(FindJob, KnowsNoOtherJobs) {
     EXPECT_EQ(find_job("1", {}).error().code, ErrorCode::NotFound);
 }
 
+TEST(JobIds, LastIsTheNewestJobOfItsOwner) {
+    std::vector<JobStatus> jobs(3);
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        jobs[i].job = JobId{i + 1};
+        jobs[i].owner = i == 2 ? "uri" : "ilan";
+    }
+    EXPECT_EQ(find_job("last", jobs, "ilan").value(), JobId{2});
+    EXPECT_EQ(find_job("last", jobs, "uri").value(), JobId{3});
+    EXPECT_EQ(find_job("last", jobs, "eve").error().code, ErrorCode::NotFound);
+    EXPECT_EQ(find_job("1", jobs, "uri").value(), JobId{1}) << "others may be named";
+}
+
 } // namespace
 } // namespace cd::tests

@@ -30,7 +30,7 @@ class LocalRun : public testing::Test {
         ThreadPool pool(threads);
         const auto poses = make_list_source(make_scenarios());
         if (!observer.result) {
-            observer.result = [](const ScenarioResult&) { return Status(Done{}); };
+            observer.result = [](const DoneScenario&) { return Status(Done{}); };
         }
         if (!observer.progress) {
             observer.progress = [](const Summary&, double) {};
@@ -55,8 +55,10 @@ TEST_F(LocalRun, EveryResultComesOnceInOrder) {
     const auto list = make_scenarios();
     const auto outcome =
         run(3,
-            {[&](const ScenarioResult& result) {
+            {[&](const DoneScenario& done) {
+                 const ScenarioResult& result = done.result;
                  EXPECT_EQ(result.index, next);
+                 EXPECT_EQ(done.record, encode_result(result));
                  EXPECT_EQ(digest_of(result),
                            digest_of(run_scenario(a_, b_, list[next], query_).result));
                  ++next;
@@ -115,7 +117,7 @@ TEST_F(LocalRun, UnderAToleranceNoCostIsTold) {
 TEST_F(LocalRun, AnInterruptEndsIt) {
     std::uint64_t seen = 0;
     const auto outcome = run(2,
-                             {[&](const ScenarioResult&) {
+                             {[&](const DoneScenario&) {
                                   ++seen;
                                   return Status(Done{});
                               },
@@ -127,13 +129,14 @@ TEST_F(LocalRun, AnInterruptEndsIt) {
 }
 
 TEST_F(LocalRun, AWriterThatFailsEndsIt) {
-    const auto outcome = run(
-        2,
-        {[](const ScenarioResult& result) {
-             return result.index == 5 ? Status(Error{ErrorCode::Io, "disk full"}) : Status(Done{});
-         },
-         {},
-         {}});
+    const auto outcome = run(2,
+                             {[](const DoneScenario& done) {
+                                  return done.result.index == 5
+                                             ? Status(Error{ErrorCode::Io, "disk full"})
+                                             : Status(Done{});
+                              },
+                              {},
+                              {}});
     ASSERT_FALSE(outcome);
     EXPECT_EQ(outcome.error().detail, "disk full");
 }
@@ -158,7 +161,7 @@ TEST_F(LocalRun, PosesThatCannotBeReadEndIt) {
                                      poses,
                                      query_,
                                      pool,
-                                     {[](const ScenarioResult&) { return Status(Done{}); },
+                                     {[](const DoneScenario&) { return Status(Done{}); },
                                       [](const Summary&, double) {},
                                       [] { return false; }});
     ASSERT_FALSE(outcome);

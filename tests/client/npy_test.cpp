@@ -54,9 +54,9 @@ void write_archive(const std::filesystem::path& path) {
     const auto ids = writer.add_array("ids", NpyType::U4);
     const auto points = writer.add_array("points", NpyType::F8, 3);
     for (std::uint32_t i = 0; i < 1000; ++i) {
-        writer.append(ids, std::span<const std::uint32_t>(&i, 1));
+        EXPECT_TRUE(writer.append(ids, std::span<const std::uint32_t>(&i, 1)));
         const std::vector<double> point{0.1 * i, 2, -1.0 / (i + 1)};
-        writer.append(points, std::span<const double>(point));
+        EXPECT_TRUE(writer.append(points, std::span<const double>(point)));
     }
     ASSERT_TRUE(writer.finish());
 }

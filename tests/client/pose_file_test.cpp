@@ -143,8 +143,8 @@ TEST_F(PoseFile, NpzHoldsAnArrayCalledPoses) {
     NpzWriter writer(folder_ / "p.npz");
     const auto other = writer.add_array("other", NpyType::F8);
     const auto poses = writer.add_array("poses", NpyType::F8, 12);
-    writer.append(other, std::span<const double>(turned));
-    writer.append(poses, std::span<const double>(turned).first(12));
+    EXPECT_TRUE(writer.append(other, std::span<const double>(turned)));
+    EXPECT_TRUE(writer.append(poses, std::span<const double>(turned).first(12)));
     ASSERT_TRUE(writer.finish());
     EXPECT_EQ(read_all(spec("p.npz")).size(), 1u);
 }
@@ -152,8 +152,8 @@ TEST_F(PoseFile, NpzHoldsAnArrayCalledPoses) {
 TEST_F(PoseFile, ATextArrayBesideThePosesIsNoMatter) {
     const std::string labels = "\x93NUMPY\x01\x00 is of a type that is not read";
     NpzWriter writer(folder_ / "p.npz");
-    writer.append(writer.add_array("poses", NpyType::F8, 12),
-                  std::span<const double>(turned).first(12));
+    ASSERT_TRUE(writer.append(writer.add_array("poses", NpyType::F8, 12),
+                              std::span<const double>(turned).first(12)));
     ASSERT_TRUE(writer.finish());
     zip_t* const archive = zip_open((folder_ / "p.npz").c_str(), 0, nullptr);
     ASSERT_NE(archive, nullptr);

@@ -1,6 +1,7 @@
 // Proves that the lines around a run say what happened: sizes, progress, classes, coverage, digest.
 #include "client/report.hpp"
 
+#include "client/progress.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gmock/gmock.h>
@@ -16,6 +17,8 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
+
+constexpr SummaryStyle with_statistics{false, true};
 
 Summary example_summary() {
     Summary summary;
@@ -125,6 +128,18 @@ TEST(Report, WhatWasNotTestedIsNotCalledDone) {
     EXPECT_THAT(text, Not(HasSubstr("digest")));
 }
 
+TEST(Report, TheSummaryTellsWhatCameBeforeAndWhereItIs) {
+    RunReport report;
+    report.summary = example_summary();
+    report.seconds = 0.04;
+    report.prepare_seconds = 1.14;
+    report.resumed_at = 99'000;
+    report.summary_file = "out/summary.json";
+    const std::string text = summary_text(report);
+    EXPECT_THAT(text, testing::StartsWith("done in 0.04 s (1.1 s to read and build)      25 000 "));
+    EXPECT_THAT(text, testing::EndsWith("  open it: out/summary.json\n"));
+}
+
 TEST(Report, LevelAnyKnowsContactAndInside) {
     RunReport report;
     report.level = Level::Any;
@@ -145,7 +160,8 @@ TEST(Report, StatisticsSayWhatWasVisitedAndAtWhatPrecision) {
     report.statistics.search.decisions[PairStage::Float] = 99'999;
     report.statistics.search.decisions[PairStage::WideInteger] = 1;
     report.statistics.inside = {4, 0.25, {}};
-    const std::string text = summary_text(report);
+    EXPECT_THAT(summary_text(report), Not(HasSubstr("visited"))) << "unless it is asked for";
+    const std::string text = summary_text(report, with_statistics);
     EXPECT_THAT(text,
                 HasSubstr("  visited       13 517 box pairs, 10 000 candidates a scenario; settled "
                           "in float > 99.99 %, wide integer < 0.01 %\n"));
@@ -161,7 +177,7 @@ TEST(Report, TheCostIsThePapersSumOfTheMeanScenario) {
     report.statistics.search.triangle_tests = 100'000;
     report.cost = SearchCost{2, 10};
     EXPECT_THAT(
-        summary_text(report),
+        summary_text(report, with_statistics),
         HasSubstr("  cost          N_b C_b + N_p C_p = 13 517 x 2.00 ns + 10 000 x 10.00 ns "
                   "= 127.0 us a scenario\n"));
 }
@@ -169,9 +185,9 @@ TEST(Report, TheCostIsThePapersSumOfTheMeanScenario) {
 TEST(Report, WhatTravelledIsToldWhereSomethingDid) {
     RunReport report;
     report.summary = example_summary();
-    EXPECT_THAT(summary_text(report), Not(HasSubstr("geometry")));
+    EXPECT_THAT(summary_text(report, with_statistics), Not(HasSubstr("geometry")));
     report.traffic = JobTraffic{{990, 10, 0, 3, 2u << 20, 1u << 20}, 4096};
-    const std::string text = summary_text(report);
+    const std::string text = summary_text(report, with_statistics);
     EXPECT_THAT(text, HasSubstr("  geometry      2.0 MiB from the master, 1.0 MiB from other"));
     EXPECT_THAT(text,
                 HasSubstr("held what was needed 990 times, asked for it 10 times (99.00 %), 3 "
@@ -181,8 +197,10 @@ TEST(Report, WhatTravelledIsToldWhereSomethingDid) {
     report.traffic->blocks.hinted = 7;
     report.depth_a = 6;
     report.depth_b = 4;
-    EXPECT_THAT(summary_text(report), HasSubstr("(99.00 %), 7 asked for ahead, 3 evicted\n"));
-    EXPECT_THAT(summary_text(report), HasSubstr("  depths        A cut at 6, B at 4\n"));
+    EXPECT_THAT(summary_text(report, with_statistics),
+                HasSubstr("(99.00 %), 7 asked for ahead, 3 evicted\n"));
+    EXPECT_THAT(summary_text(report, with_statistics),
+                HasSubstr("  depths        A cut at 6, B at 4\n"));
 }
 
 TEST(Report, WhatIsUndecidedIsSaid) {
@@ -196,14 +214,14 @@ TEST(Report, WhatIsUndecidedIsSaid) {
 TEST(Report, ColoursComeOnlyWhenAskedFor) {
     RunReport report;
     report.summary = example_summary();
-    EXPECT_THAT(summary_text(report, false), Not(HasSubstr("\x1b")));
-    EXPECT_THAT(summary_text(report, true), HasSubstr("\x1b[31mcross 12 557\x1b[0m"));
+    EXPECT_THAT(summary_text(report), Not(HasSubstr("\x1b")));
+    EXPECT_THAT(summary_text(report, {true, false}), HasSubstr("\x1b[31mcross 12 557\x1b[0m"));
 }
 
 TEST(PartTally, CountsScenariosNotPairs) {
     const Mesh a = two_parts();
     const Mesh b = make_box({1, 1, 1});
-    PartTally tally(a, b);
+    PartTally tally({share(a), share(b)});
     ScenarioResult result;
     result.pairs = {{0, 0, PairClass::Proper}, {1, 0, PairClass::Proper}, {7, 3, PairClass::Touch}};
     tally.add(result);
@@ -215,7 +233,7 @@ TEST(PartTally, CountsScenariosNotPairs) {
     EXPECT_EQ(touched[0].part, "right");
     EXPECT_EQ(touched[0].scenarios, 2u);
     EXPECT_EQ(touched[1].scenarios, 1u);
-    EXPECT_TRUE(PartTally(b, b).most_touched(5).empty());
+    EXPECT_TRUE(PartTally({share(b), share(b)}).most_touched(5).empty());
 }
 
 TEST(Progress, ABarShowsShareRateAndTimeLeft) {
@@ -249,6 +267,33 @@ TEST(Progress, ABarIsRedrawnOnItsLine) {
     });
     EXPECT_EQ(std::count(text.begin(), text.end(), '\r'), 2);
     EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(Progress, ANoteStandsUnderTheBar) {
+    const std::string text = printed([](std::FILE* stream) {
+        ProgressPrinter printer(ProgressPrinter::Style::Bar, stream);
+        ProgressState state = at(1);
+        state.note = "no worker is here";
+        printer.update(state);
+        printer.update(state);
+        printer.update(at(1.01));
+    });
+    EXPECT_THAT(text, HasSubstr("\x1b[K\nno worker is here\x1b[K\x1b[A\r"));
+    EXPECT_THAT(text, HasSubstr("\x1b[K\n\x1b[K\x1b[A\r")) << "taken away when it is over";
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << "and not drawn without need";
+}
+
+TEST(Progress, WithoutATerminalEachNoteIsPrintedOnce) {
+    const std::string text = printed([](std::FILE* stream) {
+        ProgressPrinter printer(ProgressPrinter::Style::Lines, stream);
+        ProgressState state = at(1);
+        state.note = "no worker is here";
+        printer.update(state);
+        printer.update(state);
+        state.note = "paused: disk full";
+        printer.update(state);
+    });
+    EXPECT_EQ(text, "j-1  no worker is here\nj-1  paused: disk full\n");
 }
 
 TEST(Progress, QuietIsSilent) {

@@ -1,6 +1,7 @@
 // Proves that `cdctl run` without a master does a whole job: inputs, ignored parts, output, exit
 // codes, and that wrong inputs end it with one clear line.
 #include "client/commands/commands.hpp"
+#include "client/estimate.hpp"
 #include "client/exit_code.hpp"
 #include "client/prepared_job.hpp"
 #include "common/geometry/simd_target.hpp"
@@ -22,6 +23,7 @@ namespace cd::tests {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 /// A tetrahedron with its corner at (x, 0, 0), as a group of an OBJ file; `first` is the number of
@@ -56,6 +58,8 @@ class Run : public testing::Test {
         command_.job.poses = (dir_ / "poses.csv").string();
         command_.job.out = (dir_ / "out").string();
         command_.job.formats = {"csv", "json"};
+        command_.folder.overwrite = true;
+        command_.folder.fresh = true; // Each run is one of its own.
         command_.threads = 2;
         command_.quiet = true;
     }
@@ -91,13 +95,13 @@ class Run : public testing::Test {
 TEST_F(Run, GivesEachScenarioItsClass) {
     EXPECT_EQ(run(), exit_done) << stderr_;
     const std::string rows = read("out/scenarios.csv");
-    EXPECT_THAT(rows, HasSubstr("\n0,separate,0,"));
-    EXPECT_THAT(rows, HasSubstr("\n1,cross,"));
-    EXPECT_THAT(rows, HasSubstr("\n2,cross,"));
-    EXPECT_THAT(rows, HasSubstr("\n3,touch,"));
+    EXPECT_THAT(rows, HasSubstr("\n0,a,b,separate,0,"));
+    EXPECT_THAT(rows, HasSubstr("\n1,a,b,cross,"));
+    EXPECT_THAT(rows, HasSubstr("\n2,a,b,cross,"));
+    EXPECT_THAT(rows, HasSubstr("\n3,a,b,touch,"));
     EXPECT_THAT(stdout_, HasSubstr("tested 4 of 4"));
     EXPECT_THAT(stdout_, HasSubstr("most touched  body 50.0 %, wheel_left 25.0 %"));
-    EXPECT_THAT(stdout_, HasSubstr("results       " + command_.job.out));
+    EXPECT_THAT(stdout_, HasSubstr("open it: " + command_.job.out + "/summary.json"));
     EXPECT_EQ(stderr_, "");
 }
 
@@ -139,7 +143,7 @@ TEST_F(Run, UnderAToleranceTheRestIsUndecided) {
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_THAT(stdout_, HasSubstr("separate  1    touch 0    cross 0    inside 0    undecided 3"));
     EXPECT_THAT(stdout_, HasSubstr("boxes as small as the tolerance"));
-    EXPECT_THAT(read("out/scenarios.csv"), HasSubstr("\n1,undecided,0,0,"));
+    EXPECT_THAT(read("out/scenarios.csv"), HasSubstr("\n1,a,b,undecided,0,0,"));
     EXPECT_EQ(nlohmann::json::parse(read("out/summary.json"))["tolerance"], 100);
     command_.fail_on = FailOn::Touch;
     EXPECT_EQ(run(), exit_incomplete) << "whether there is a contact is not known";
@@ -225,6 +229,19 @@ TEST_F(Run, ASimdTargetThatIsNotHereIsWrongUsage) {
     EXPECT_THAT(stderr_, HasSubstr("no SIMD target \"abacus\" on this host; there are auto"));
 }
 
+TEST_F(Run, PrecisionFloatRoundsOnceAndSaysSo) {
+    write("b.obj", tetrahedron("post", 0.1, 1));
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stderr_, Not(HasSubstr("rounded to floats")));
+    EXPECT_THAT(read("out/summary.json"), HasSubstr("\"precision\": \"double\""));
+    command_.job.precision = "float";
+    command_.job.out = (dir_ / "rounded").string();
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stderr_, HasSubstr("coordinates rounded to floats, as asked\n"));
+    EXPECT_THAT(read("rounded/summary.json"), Not(HasSubstr("\"precision\": \"double\"")));
+}
+
 TEST_F(Run, AFirstStageIsForThisMachineAlone) {
     command_.first_stage = PairStage::Double;
     command_.master.address = "127.0.0.1:1";
@@ -240,8 +257,8 @@ TEST_F(Run, IgnoredPartsAreNotInTheAnswer) {
     command_.job.file = (dir_ / "job.toml").string();
     command_.output = "csv";
     EXPECT_EQ(run(), exit_done) << stderr_;
-    EXPECT_THAT(stdout_, HasSubstr("\n1,separate,0,"));
-    EXPECT_THAT(stdout_, HasSubstr("\n2,cross,"));
+    EXPECT_THAT(stdout_, HasSubstr("\n1,a,b,separate,0,"));
+    EXPECT_THAT(stdout_, HasSubstr("\n2,a,b,cross,"));
 }
 
 TEST_F(Run, AnIgnoredNameThatMatchesNothingIsAnError) {
@@ -293,6 +310,19 @@ TEST_F(Run, ADryRunTellsTheSizeOfTheResults) {
         EXPECT_GT(told["bytes"].get<double>(), bytes / 2) << level;
         EXPECT_LT(told["bytes"].get<double>(), bytes * 2) << level;
     }
+}
+
+TEST_F(Run, ResultsThatNeedAWordAreRefusedWithoutIt) {
+    RunEstimate estimate;
+    estimate.bytes = 4'860'000'000;
+    const OutputSpec output{dir_ / "new" / "out", {"csv", "npz"}};
+    const Status refused = check_room(estimate, output);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(
+        refused.error().detail,
+        testing::AllOf(HasSubstr("would take about 4.9 GB as csv,npz"), HasSubstr("--yes")));
+    estimate.bytes = 1000;
+    EXPECT_TRUE(check_room(estimate, output));
 }
 
 TEST_F(Run, AMasterInTheEnvironmentIsHintedAt) {

@@ -1,10 +1,9 @@
 // cdctl as a user runs it, and what it reads and says.
 #pragma once
 
-#include "common/geometry/mesh.hpp"
+#include "tests/support/obj_file.hpp"
 #include "tests/support/process.hpp"
 
-#include <filesystem>
 #include <regex>
 #include <string>
 
@@ -16,21 +15,8 @@ inline std::string cdctl() {
 
 inline std::string digest_of(const Ran& ran) {
     std::smatch found;
-    const std::regex pattern("digest +([0-9a-f]{16})");
+    const std::regex pattern("\n +digest +([0-9a-f]{16})"); // Not the one of a map.
     return std::regex_search(ran.output, found, pattern) ? found[1].str() : "none: " + ran.errors;
-}
-
-inline void write_obj(const std::filesystem::path& path, const Mesh& mesh) {
-    std::string text;
-    for (const Vec3& v : mesh.vertices()) {
-        text += "v " + std::to_string(v.x()) + " " + std::to_string(v.y()) + " " +
-                std::to_string(v.z()) + "\n";
-    }
-    for (const Triangle& t : mesh.triangles()) {
-        text += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " +
-                std::to_string(t[2] + 1) + "\n";
-    }
-    write_text(path, text);
 }
 
 } // namespace cd::tests

@@ -20,22 +20,27 @@ void write_boxes(const TemporaryFolder& folder) {
 
 } // namespace
 
-TEST_F(Cluster, CdctlFindsTheSameWithAndWithoutAMasterOnRealModels) {
-    CD_NEEDS_MODEL(sedan, "sedan.obj");
-    CD_NEEDS_MODEL(wheel, "lugged_wheel.obj");
+class CdctlOnModels : public Cluster {
+  protected:
+    /// One thread, two threads and a cluster give one digest.
+    void expect_one_digest(const std::filesystem::path& a, const std::filesystem::path& b);
+};
+
+void CdctlOnModels::expect_one_digest(const std::filesystem::path& a,
+                                      const std::filesystem::path& b) {
     write_text(folder_ / "job.toml",
-               "name = \"wheel\"\n[a]\nmesh = \"" + sedan.string() + "\"\n[b]\nmesh = \"" +
-                   wheel.string() +
+               "[a]\nmesh = \"" + a.string() + "\"\n[b]\nmesh = \"" + b.string() +
                    "\"\n[poses]\nrandom = { n = 200, seed = 3, penetration = [0.01, 0.05] }\n"
                    "[query]\nlevel = \"contacts\"\n[output]\ndir = \"" +
                    (folder_ / "out").string() +
                    "\"\nformats = [\"csv\", \"npz\", \"json\", \"text\"]\n");
     const std::string job = folder_ / "job.toml";
     const Ran one = tests::run({cdctl(), "run", job, "--threads", "1"});
-    const Ran two = tests::run({cdctl(), "run", job, "--threads", "2"});
+    const Ran two = tests::run({cdctl(), "run", job, "--threads", "2", "--fresh"});
     start_worker();
     start_worker();
-    const Ran cluster = tests::run({cdctl(), "run", job, "--master", master_->address()});
+    const Ran cluster =
+        tests::run({cdctl(), "run", job, "--fresh", "--master", master_->address()});
 
     EXPECT_EQ(one.exit_code, 0) << one.errors;
     EXPECT_EQ(cluster.exit_code, 0) << cluster.errors;
@@ -49,6 +54,18 @@ TEST_F(Cluster, CdctlFindsTheSameWithAndWithoutAMasterOnRealModels) {
     EXPECT_EQ(arrays.value().at("offsets").shape[0], 201u);
     EXPECT_EQ(arrays.value().at("pairs").shape[1], 2u);
     EXPECT_GT(std::filesystem::file_size(folder_ / "out" / "results.jsonl"), 1000u);
+}
+
+TEST_F(CdctlOnModels, FindsTheSameWithAndWithoutAMasterOnRealModels) {
+    CD_NEEDS_MODEL(sedan, "sedan.obj");
+    CD_NEEDS_MODEL(wheel, "lugged_wheel.obj");
+    expect_one_digest(sedan, wheel);
+}
+
+TEST_F(CdctlOnModels, FindsTheSameWithAndWithoutAMasterOnToriOfOurs) {
+    write_obj(folder_ / "large.obj", make_torus(1, 0.4, 96, 48));
+    write_obj(folder_ / "small.obj", make_torus(0.5, 0.1, 48, 24));
+    expect_one_digest(folder_ / "large.obj", folder_ / "small.obj");
 }
 
 TEST_F(Cluster, SubmitWaitResultsAndGetSpeakOfTheSameJob) {

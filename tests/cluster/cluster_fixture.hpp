@@ -92,8 +92,7 @@ struct Job {
 /// Bodies as small as these would be a block each, and nothing be seen of what goes where.
 [[nodiscard]] inline ClusterOptions many_blocks() {
     ClusterOptions options;
-    options.depth_a = 12;
-    options.depth_b = 6;
+    options.depths = {12, 6};
     return options;
 }
 
@@ -152,7 +151,7 @@ class Cluster : public testing::Test {
         EXPECT_TRUE(uploaded) << uploaded.error().detail;
         Submit message;
         message.name = "test";
-        message.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+        message.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
         message.query = query;
         message.cluster = options;
         const auto poses = make_list_source(job.scenarios);

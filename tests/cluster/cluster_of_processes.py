@@ -34,7 +34,7 @@ def digest_of(programs, *job):
     """Of a job that `cdctl run` does in one process: the first digits."""
     done = subprocess.run([programs / "cdctl", "run", *job, "--tree-cache", "off", "--quiet"],
                           capture_output=True, text=True, check=True)
-    return re.search(r"digest +([0-9a-f]+)", done.stdout)[1]
+    return re.search(r"^ *digest +([0-9a-f]+)", done.stdout, re.MULTILINE)[1]
 
 
 class Cluster:

@@ -57,7 +57,7 @@ TEST_F(Cluster, UnderAToleranceTheDigestIsThatOfOneProcess) {
             Query query = at_level(level);
             query.tolerance = tolerance;
             ClusterOptions options; // The depths are not looked at.
-            options.depth_a = level == Level::Any ? 3 : 9;
+            options.set_depth(0, level == Level::Any ? 3 : 9);
             const JobStatus status = run(job, query, options);
             EXPECT_EQ(status.digest, job.digest_in_one_process(query))
                 << to_text(level) << ", tolerance " << tolerance;
@@ -191,6 +191,17 @@ TEST_F(Cluster, WhoRunsAScenarioDoesNotShowInTheMap) {
             EXPECT_EQ(map.value(), expected) << to_text(mode) << ", " << to_text(strategy);
         }
     }
+    Query cut = at_level(Level::Pairs);
+    cut.maps = true;
+    cut.limit_pairs = 3;
+    const JobId listed = submit(job, cut, {});
+    EXPECT_EQ(finish(listed, [](auto&&...) {}).digest, job.digest_in_one_process(cut));
+    const auto of_all = connection_->contact_map(listed);
+    ASSERT_TRUE(of_all) << of_all.error().detail;
+    const auto map_of_all = unpack_map(of_all.value().map, {1u << 20, 1u << 20, 1500});
+    ASSERT_TRUE(map_of_all) << map_of_all.error().detail;
+    EXPECT_EQ(map_of_all.value(), expected) << "also of the pairs that were cut";
+
     const JobId plain = submit(job, at_level(Level::Count), {});
     EXPECT_EQ(finish(plain, [](auto&&...) {}).digest, digest);
     EXPECT_FALSE(connection_->contact_map(plain).value().is_asked);
@@ -203,18 +214,15 @@ TEST_F(Cluster, TheDistributionDepthDoesNotShow) {
     start_worker(2);
     for (std::uint32_t depth = 4; depth <= 14; ++depth) {
         ClusterOptions options;
-        options.depth_a = depth;
-        options.depth_b = 18 - depth;
+        options.depths = {depth, 18 - depth};
         const JobStatus status = run(job, query, options);
         EXPECT_EQ(status.digest, expected) << "depth " << depth;
-        EXPECT_EQ(status.depth_a, depth);
-        EXPECT_EQ(status.depth_b, 18 - depth);
+        EXPECT_EQ(status.depths, (std::vector<std::uint32_t>{depth, 18 - depth}));
     }
     const JobStatus chosen = run(job, query, {});
     EXPECT_EQ(chosen.digest, expected);
     // Of 8,000 triangles, and of 5,120.
-    EXPECT_EQ(chosen.depth_a, 1u);
-    EXPECT_EQ(chosen.depth_b, 0u);
+    EXPECT_EQ(chosen.depths, (std::vector<std::uint32_t>{1, 0}));
 }
 
 TEST_F(Cluster, AWorkerThatJoinsInTheMiddleTakesItsShare) {
@@ -324,9 +332,10 @@ TEST_F(Cluster, AGridTravelsAsItsDescription) {
 
     Submit message;
     message.name = "grid";
-    message.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+    message.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
     message.scenarios = grid.count();
     message.grid = encode_grid(grid);
+    message.poses.kind = PosesKind::Grid;
     const auto accepted = connection_->submit(message);
     ASSERT_TRUE(accepted) << accepted.error().detail;
     EXPECT_EQ(finish(accepted.value(), [](const JobStatus&) {}).digest,

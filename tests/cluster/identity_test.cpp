@@ -48,10 +48,11 @@ class SecuredCluster : public Cluster {
     /// A credential as the authority itself could have given it.
     [[nodiscard]] fs::path write_issued(const CertificateAuthority& issuer,
                                         CertifiedRole role,
-                                        std::chrono::seconds until = 1h) const {
+                                        std::chrono::seconds until = 1h,
+                                        const std::string& holder = "someone") const {
         const WallTime now = std::chrono::system_clock::now();
-        const fs::path path = folder_ / (std::string(to_text(role)) + ".pem");
-        EXPECT_TRUE(write_credential(path, issuer.issue({role, "someone", now - 2h, now + until})));
+        const fs::path path = folder_ / (holder + "-" + std::string(to_text(role)) + ".pem");
+        EXPECT_TRUE(write_credential(path, issuer.issue({role, holder, now - 2h, now + until})));
         return path;
     }
 
@@ -112,6 +113,34 @@ TEST_F(SecuredCluster, AWholeJobWithPeersHasTheSameDigest) {
     }
     EXPECT_GT(from_peers, 0u);
     EXPECT_THAT(log(), HasSubstr("tls=true"));
+}
+
+TEST_F(SecuredCluster, AJobIsRemovedByItsOwnerOrAnAdmin) {
+    write_text(folder_ / "box.obj",
+               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    const fs::path ilan = write_issued(authority(), CertifiedRole::Submitter, 1h, "ilan");
+    const fs::path uri = write_issued(authority(), CertifiedRole::Submitter, 1h, "uri");
+    const std::string box = (folder_ / "box.obj").string();
+    const auto submit = [&] {
+        const Ran ran =
+            cdctl({"submit", "--a", box, "--b", box, "--random", "10", "--seed", "1", "-o", "name"},
+                  ilan);
+        EXPECT_EQ(ran.exit_code, 0) << ran.errors;
+        return ran.output.substr(0, ran.output.find_first_of(" \n"));
+    };
+    const std::string first = submit();
+    EXPECT_THAT(cdctl({"get", "jobs"}, uri).output, HasSubstr("ilan"));
+    for (const auto& words : std::vector<std::vector<std::string>>{
+             {"rm", first, "--cancel", "--yes"}, {"cancel", first}}) {
+        const Ran refused = cdctl(words, uri);
+        EXPECT_EQ(refused.exit_code, 5);
+        EXPECT_THAT(refused.errors, HasSubstr("belongs to 'ilan'"));
+    }
+    EXPECT_EQ(cdctl({"rm", "last", "--yes"}, uri).exit_code, 2) << "uri has none";
+    EXPECT_EQ(cdctl({"rm", first, "--cancel", "--yes"}, ilan).exit_code, 0);
+    EXPECT_EQ(cdctl({"rm", submit(), "--cancel", "--yes"}, admin()).exit_code, 0);
+    EXPECT_EQ(cdctl({"drain", "--all"}, ilan).exit_code, 5);
+    EXPECT_EQ(cdctl({"drain", "--all"}, admin()).exit_code, 0);
 }
 
 TEST_F(SecuredCluster, AClientJoinsAndDoesWhatItsRoleMay) {

@@ -20,7 +20,7 @@ TEST_F(FullLoad, OfAHostWithFewProcessorsDoesNotMakeItsWorkerLost) {
     Query query;
     query.level = Level::Count;
     ClusterOptions one_block;
-    one_block.depth_a = one_block.depth_b = 0;
+    one_block.depths = {0, 0};
     const JobId id = submit(*connection, make_long_job(threads, 0), query, one_block);
     const auto is_inside = [&] {
         const auto status = connection->status();

@@ -116,7 +116,7 @@ class MortalCluster : public testing::Test {
         EXPECT_TRUE(uploaded) << uploaded.error().detail;
         Submit message;
         message.name = "test";
-        message.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+        message.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
         message.query = query;
         message.cluster = options;
         const auto poses = make_list_source(job.scenarios);

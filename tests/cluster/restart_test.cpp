@@ -84,8 +84,8 @@ TEST_F(Restart, WhatIsDoneIsNotDoneAgainAndNoBlockIsSentAgain) {
     ASSERT_EQ(cluster.value().workers.size(), 2u);
     // With what came before the restart nobody got more blocks than there are.
     auto sent = blocks_sent(cluster.value());
-    const std::uint64_t blocks_there = cut_tree(*job.a, status.depth_a.value()).root_count() +
-                                       cut_tree(*job.b, status.depth_b.value()).root_count() +
+    const std::uint64_t blocks_there = cut_tree(*job.a, status.depths.at(0)).root_count() +
+                                       cut_tree(*job.b, status.depths.at(1)).root_count() +
                                        2; // The tops.
     for (const auto& [name, blocks] : blocks_sent(at_death.value())) {
         EXPECT_GT(blocks, blocks_there * 3 / 4) << "then this shows little";
@@ -204,7 +204,7 @@ TEST_F(Restart, KilledWhileAJobIsSubmittedItKnowsTheJobOrNothing) {
     const Job job = make_job(scenarios);
     const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()}, {"b", job.b->mesh_pointer()}};
     Submit message;
-    message.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+    message.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
     std::set<JobId> promised;
     // Killed at the start and in the middle of an upload; before the first poses, and the last;
     // and as soon as the job is accepted.
@@ -292,6 +292,47 @@ TEST_F(Restart, WorkersLeftAloneKeepTheirResultsForTheNextMaster) {
     EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
 }
 
+/// The workers have done all that they had, and come back one after the other.
+TEST_F(Restart, WhatWorkersBringBackFromALongAbsenceIsNotDoneTwice) {
+    constexpr std::uint64_t scenarios = 20000;
+    const Job job = make_job(scenarios);
+    for (int i = 0; i < 3; ++i) {
+        start_worker();
+    }
+    auto connection = connect();
+    Query query;
+    query.level = Level::Any;
+    const JobId id = submit(*connection, job, query);
+    ASSERT_EQ(watch_until(*connection, id, 2000).state, JobState::Running);
+    connection.reset();
+    master_.kill();
+    const auto attempts = [](const Process& worker) {
+        const std::string log = worker.errors();
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = log.find("no master yet", at + 1)) != std::string::npos;) {
+            ++count;
+        }
+        return count;
+    };
+    ASSERT_TRUE(comes_true([&] {
+        return std::ranges::all_of(workers_,
+                                   [&](const auto& worker) { return attempts(*worker) >= 5; });
+    }));
+    master_.start();
+    connection = connect();
+    const JobStatus status = finish(*connection, id);
+    EXPECT_EQ(status.digest, job.digest_in_one_process(query));
+    std::uint64_t computed = status.answered_by_master;
+    for (const auto& worker : workers_) {
+        worker->signal(SIGTERM);
+        EXPECT_EQ(worker->wait(), 0);
+        const std::string log = worker->errors();
+        computed += std::stoull(log.substr(log.rfind("scenarios_computed=") + 19));
+    }
+    EXPECT_GE(computed, scenarios);
+    EXPECT_LE(computed, scenarios + scenarios / 100);
+}
+
 TEST_F(Restart, WithoutItsStateDirectoryAJobIsPausedUntilThatIsBack) {
     const Job job = make_job(4000);
     start_worker();
@@ -336,7 +377,7 @@ TEST_F(Restart, WithAFullDiskJobsWaitVisiblyAndGoOnWhenThereIsRoom) {
     const Ran told = run({program("cdctl").string(), "status", "--master", master_.address()});
     EXPECT_NE(told.output.find("paused"), std::string::npos) << told.output;
     Submit another;
-    another.bodies = {job.a->mesh().hash(), job.b->mesh().hash()};
+    another.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
     const auto poses = make_list_source(job.scenarios);
     EXPECT_FALSE(connect()->submit(another, *poses)) << "what cannot be kept is not accepted";
     limit_files(master_.process(), RLIM_INFINITY);

@@ -68,7 +68,7 @@ class StopSignalInALongScenario : public StopSignal {
         Query query;
         query.level = Level::Count;
         ClusterOptions one_block;
-        one_block.depth_a = one_block.depth_b = 0;
+        one_block.depths = {0, 0};
         Process& worker = start_worker(1, options);
         id_ = submit(*connection_, make_long_job(1, 9), query, one_block);
         wait_until_it_is_inside("worker" + std::to_string(workers_.size() - 1));

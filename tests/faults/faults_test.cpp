@@ -13,8 +13,8 @@
 namespace cd::tests {
 namespace {
 
-constexpr std::uint64_t shards = 20;
-constexpr std::uint64_t seeds_of_shard = 100;
+constexpr std::uint64_t shards = 10;
+constexpr std::uint64_t seeds_of_shard = 200; // Workers that are found wrong are rare: some 8.
 
 /// `workers`: as SimulationOptions has it.
 std::string replay(std::uint64_t seed, std::size_t workers = 0) {
@@ -159,6 +159,7 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::EvictionNotTold, "EvictionNotTold", "holds a block that is not there"},
         {Mutation::HeardAgainForgotten, "HeardAgainForgotten", "no progress"},
         {Mutation::BatchesWithoutBound, "BatchesWithoutBound", "tasks <= std::max"},
+        {Mutation::NobodyAwaited, "NobodyAwaited", "has said what it brings"},
         {Mutation::OthersSourceNamed, "OthersSourceNamed", "that it never said to hold"},
     };
     return faults;

@@ -74,9 +74,10 @@ struct Known {
                          GridAxis{-1.5, 1.5, steps[1]},
                          GridAxis{0.1, steps[2] == 1 ? 0.1 : 1.1, steps[2]}};
         Submit submit;
-        submit.bodies = {a, b};
+        submit.bodies = {{a}, {b}};
         submit.scenarios = grid.count();
         submit.grid = encode_grid(grid);
+        submit.poses.kind = PosesKind::Grid;
         std::vector<Scenario> scenarios;
         for (std::uint64_t place = 0; place < grid.count(); ++place) {
             scenarios.push_back(scenario_on(grid, place));
@@ -87,7 +88,7 @@ struct Known {
     void add_list(
         const Sha256& a, const Sha256& b, std::uint64_t count, Level level, bool maps = false) {
         Submit submit;
-        submit.bodies = {a, b};
+        submit.bodies = {{a}, {b}};
         submit.query.level = level;
         submit.query.maps = maps;
         submit.scenarios = count;
@@ -104,8 +105,8 @@ struct Known {
 
     KnownJob make(Submit submit, std::vector<Scenario> scenarios) {
         submit.name = "job " + std::to_string(jobs.size());
-        const auto a = store->tree(submit.bodies[0]).value();
-        const auto b = store->tree(submit.bodies[1]).value();
+        const auto a = store->tree(submit.bodies[0].mesh).value();
+        const auto b = store->tree(submit.bodies[1].mesh).value();
         std::vector<Sha256> digests;
         std::vector<std::vector<ContactPair>> pairs;
         for (const Scenario& scenario : scenarios) {

@@ -44,6 +44,10 @@ Result<std::vector<DatabaseJob>> JournalDatabase::jobs() const {
     return jobs;
 }
 
+Result<Bytes> JournalDatabase::record(JobId job) const {
+    return World::current()->watcher.jobs().at(job).record;
+}
+
 Result<Bytes> JournalDatabase::alarms() const {
     return World::current()->watcher.alarms;
 }
@@ -197,8 +201,17 @@ std::uint64_t Journal::queued_bytes() const {
     return state_->queued_bytes;
 }
 
+Result<JobRecord> Journal::job(JobId job) const {
+    const Result<Bytes> record = state_->database->record(job);
+    return record ? decode_job(record.value()) : Result<JobRecord>(record.error());
+}
+
 std::filesystem::path Journal::results_path(JobId job) const {
     return state_->jobs_folder() / (std::to_string(job.value) + ".results");
+}
+
+std::filesystem::path Journal::labels_path(JobId job) const {
+    return state_->jobs_folder() / (std::to_string(job.value) + ".labels");
 }
 
 std::filesystem::path Journal::poses_path(JobId job) const {

@@ -91,15 +91,16 @@ void Simulation::plan_jobs() {
 ClusterOptions Simulation::any_options() {
     ClusterOptions options;
     options.strategy = static_cast<Strategy>(world_.below(6));
-    options.depth_a = static_cast<std::uint32_t>(1 + world_.below(3));
-    options.depth_b = static_cast<std::uint32_t>(1 + world_.below(3));
+    const auto depth_a = static_cast<std::uint32_t>(1 + world_.below(3));
+    const auto depth_b = static_cast<std::uint32_t>(1 + world_.below(3));
+    options.depths = {depth_a, depth_b};
     options.q = static_cast<std::uint32_t>(1 + world_.below(12));
     options.claim = world_.happens(200);
     options.seed = world_.below(100);
     options.analysis = static_cast<AnalysisMode>(world_.below(3));
     options.hints = options.seed % 4 != 0;
     if (options.seed % 8 == 1) {
-        options.depth_b.reset();
+        options.set_depth(1, std::nullopt);
     }
     return options;
 }

@@ -7,6 +7,7 @@
 #include "common/job/result.hpp"
 #include "common/job/scenario.hpp"
 #include "master/journal_records.hpp"
+#include "master/worker_watch.hpp"
 
 #include <algorithm>
 
@@ -145,6 +146,15 @@ void Watcher::master_began() {
             done_before_[id].insert(scenario);
         }
     }
+    awaited_.clear();
+    awaited_until_ = std::chrono::steady_clock::now() + FailureTimes().return_within;
+    for (const auto& [id, job] : jobs_) {
+        for (const auto& [scenario, result] : job.results) {
+            if (job.end.empty() && result.author != 0) {
+                awaited_[id].insert(result.author);
+            }
+        }
+    }
 }
 
 // ---- What is said
@@ -178,7 +188,25 @@ std::string Watcher::master_says(const Route& route, const Message& message) {
     return {};
 }
 
+/// Else what a worker brings might be done again.
+std::string Watcher::check_awaited(JobId job) const {
+    const auto found = awaited_.find(job);
+    if (found == awaited_.end() || std::chrono::steady_clock::now() >= awaited_until_) {
+        return {};
+    }
+    for (const std::uint64_t worker : found->second) {
+        if (!quarantine().contains(worker)) {
+            return "work of job " + std::to_string(job.value) + " goes out before worker-" +
+                   std::to_string(worker) + " has said what it brings";
+        }
+    }
+    return {};
+}
+
 std::string Watcher::sent(JobId job, std::span<const std::uint64_t> scenarios) {
+    if (std::string wrong = check_awaited(job); !wrong.empty()) {
+        return wrong;
+    }
     const std::set<std::uint64_t>& done = done_before_[job];
     for (const std::uint64_t scenario : scenarios) {
         ++scenarios_sent_;
@@ -300,6 +328,11 @@ std::string Watcher::master_hears(const Route& route, const Message& message) {
     }
     note_held(id->second, message);
     note_correction(route, message, true);
+    if (std::holds_alternative<Standing>(message)) {
+        for (auto& [job, workers] : awaited_) {
+            workers.erase(route.from);
+        }
+    }
     if (const auto* results = std::get_if<Results>(&message)) {
         answering_.insert(route.from);
         late_results_ += results->task == TaskId{} ? 1 : 0;

@@ -10,6 +10,7 @@
 #include "tests/faults/jobs.hpp"
 #include "tests/faults/lies.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -94,6 +95,7 @@ class Watcher {
     using Key = std::pair<JobId, std::uint64_t>;
     [[nodiscard]] std::string add_group(JobId job, const Bytes& bytes);
     [[nodiscard]] std::string sent(JobId job, std::span<const std::uint64_t> scenarios);
+    [[nodiscard]] std::string check_awaited(JobId job) const;
     void given_back(std::uint64_t worker, const Recalled& recalled);
     [[nodiscard]] std::string check_answers(std::uint64_t worker, const Results& results);
     [[nodiscard]] std::string check_kept(std::uint64_t worker, std::uint64_t sequence);
@@ -112,6 +114,10 @@ class Watcher {
     std::map<JobId, DurableJob> jobs_;
     std::map<Key, unsigned> times_sent_;                   ///< In all lives of the master.
     std::map<JobId, std::set<std::uint64_t>> done_before_; ///< This life of the master.
+    /// Workers (their processes) that have results of the job in the journal, and of which the
+    /// master, in this life, has not yet heard what else they bring;
+    std::map<JobId, std::set<std::uint64_t>> awaited_;
+    std::chrono::steady_clock::time_point awaited_until_; ///< for which it waits no longer.
     /// By worker (its process) and sequence.
     std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<Key>> deliveries_;
     std::map<std::uint64_t, WorkerId> worker_ids_;           ///< By connection.

@@ -125,15 +125,24 @@ TEST_F(FirstHour, NoMasterIsSaidBeforeInputsAreRead) {
                 testing::EndsWith("; is cdmaster running there?\n"));
 }
 
-TEST_F(FirstHour, ARunOnAMasterSaysWhere) {
+TEST_F(FirstHour, ARunWithoutWorkersSaysSoAndGoesOnWhenOneComes) {
     const MortalMaster master(folder_);
-    const Process worker(
-        {program("cdworker").string(), "--master", master.address(), "--threads", "1"},
-        folder_ / "worker");
-    const Ran ran = type({"run", "--master", master.address()}, bodies("poses.csv"));
-    EXPECT_EQ(ran.exit_code, 0) << ran.errors;
-    EXPECT_THAT(ran.errors, StartsWith("  on " + master.address() + ", "));
-    EXPECT_THAT(ran.output, HasSubstr("tested 3 of 3"));
+    std::vector<std::string> words{cdctl(), "run", "--master", master.address()};
+    const std::vector<std::string> inputs = bodies("poses.csv");
+    words.insert(words.end(), inputs.begin(), inputs.end());
+    Process run(words, folder_ / "run");
+    EXPECT_TRUE(comes_true([&] {
+        return run.errors().find("no worker is here: start cdworker --master " +
+                                 master.address()) != std::string::npos;
+    })) << run.errors();
+    Process worker({program("cdworker").string(), "--master", master.address(), "--threads", "1"},
+                   folder_ / "worker");
+    const auto code = run.wait();
+    EXPECT_EQ(code, 0) << run.errors();
+    EXPECT_THAT(run.errors(), StartsWith("  on " + master.address() + ", 0 workers\n"));
+    EXPECT_THAT(run.output(), HasSubstr("tested 3 of 3"));
+    words.front() = "cdctl";
+    print(words, run.errors() + run.output(), code.value_or(-1));
 }
 
 TEST_F(FirstHour, ControlCEndsARunAtOnce) {

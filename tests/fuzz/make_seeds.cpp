@@ -1,6 +1,7 @@
 // Writes valid inputs of every target, for the corpus to begin with:
 //
 //   fuzz_seeds FOLDER
+#include "client/folder/run_manifest.hpp"
 #include "client/npy.hpp"
 #include "client/npz.hpp"
 #include "common/core/compress.hpp"
@@ -11,6 +12,7 @@
 #include "common/job/packed_map.hpp"
 #include "common/job/packed_records.hpp"
 #include "common/job/pose_source.hpp"
+#include "common/job/record_file.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build.hpp"
 #include "common/tree/cut.hpp"
@@ -296,8 +298,8 @@ void add_files(Seeds& seeds) {
     seeds.add("npy", "matrix", array);
     const tests::TemporaryFolder folder;
     NpzWriter writer(folder / "poses.npz");
-    writer.append<double>(writer.add_array("poses", NpyType::F8, 12), pose);
-    if (!writer.finish()) {
+    const auto array_of_poses = writer.add_array("poses", NpyType::F8, 12);
+    if (!writer.append<double>(array_of_poses, pose) || !writer.finish()) {
         std::exit(1);
     }
     seeds.add("npz", "poses", read_file(folder / "poses.npz"));
@@ -473,6 +475,52 @@ void add_state(Seeds& seeds) {
     add_both(seeds, "tree_file", "wide", 2, bytes_of(read_file(folder / "wide")));
 }
 
+void add_folders(Seeds& seeds) {
+    const tests::TemporaryFolder folder;
+    auto writer = RecordWriter::create(folder / "records");
+    if (!writer) {
+        std::exit(1);
+    }
+    for (std::uint64_t i = 0; i < 6; ++i) {
+        ScenarioResult result;
+        result.index = 2 * i;
+        if (i % 2 == 1) {
+            result.kind = ScenarioClass::Cross;
+            result.pairs = {{1, 2, PairClass::Proper}, {1, 3, PairClass::Touch}};
+            result.pair_count = 2;
+        }
+        writer.value().add(result.index, encode_result(result));
+        if (i == 2 && !writer.value().flush()) {
+            std::exit(1);
+        }
+    }
+    if (!writer.value().finish()) {
+        std::exit(1);
+    }
+    add_both(seeds, "record_file", "two_blocks", 0, bytes_of(read_file(folder / "records")));
+
+    RunManifest manifest;
+    manifest.name = "car";
+    manifest.bodies = {{"a", "/m/car.obj", "m", sha256({}), {"wheel"}},
+                       {"post", "/m/post.stl", "mm", sha256({}), {}}};
+    manifest.query.ignored = {IgnoredRange{}};
+    manifest.poses.count = 4;
+    manifest.poses.kind = PosesKind::Random;
+    manifest.poses.random = RandomPoses{4, 1, 0.1, 0.2};
+    manifest.files = {{"records", 12}};
+    seeds.add("run_json", "random", manifest_json(manifest));
+    manifest.poses = {};
+    manifest.poses.count = 4;
+    manifest.poses.kind = PosesKind::Grid;
+    Grid grid;
+    grid.position[0] = {0, 1, 2};
+    grid.rotation[2] = rotation_axis({0, 90, 2}, 2);
+    manifest.poses.grid = grid;
+    manifest.poses.hash = sha256({});
+    manifest.digest = sha256({});
+    seeds.add("run_json", "grid", manifest_json(manifest));
+}
+
 void add_requests(Seeds& seeds) {
     const auto add = [&](std::uint16_t cut, const std::string& name, std::string_view text) {
         ByteWriter out;
@@ -504,5 +552,6 @@ int main(int argc, char** argv) {
     cd::fuzz::add_gltf(seeds);
     cd::fuzz::add_certificates(seeds);
     cd::fuzz::add_requests(seeds);
+    cd::fuzz::add_folders(seeds);
     return 0;
 }

@@ -83,6 +83,8 @@ std::vector<Input> records_in(Input unpacked) {
 void check_results(Input packed, const std::vector<Input>& records) {
     ResultsPart part;
     part.count = static_cast<std::uint32_t>(records.size());
+    part.next = part.count;
+    part.held = {{0, part.count}};
     part.records.assign(packed.begin(), packed.end());
     const auto results = unpack_results(part, 0, part.count);
     if (!results) {

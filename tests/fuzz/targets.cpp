@@ -37,6 +37,8 @@ std::span<const Target> targets() {
         Target{"tokens", tokens},
         Target{"pose_spool", pose_spool},
         Target{"tree_file", tree_file},
+        Target{"record_file", record_file},
+        Target{"run_json", run_json},
     };
     return list;
 }

@@ -52,6 +52,10 @@ void tokens(Input input);     ///< A master's tokens, as text.
 void pose_spool(Input input); ///< Odd or even, how many scenarios (a byte), then a job's poses.
 void tree_file(Input input);  ///< Odd or even, wide where its next bit is set; of `sample_mesh`.
 
+// Results folders.
+void record_file(Input input); ///< Odd or even, then a file of records.
+void run_json(Input input);
+
 struct Target {
     std::string_view name; ///< That of the function, and of its folder in the corpus.
     void (*run)(Input);

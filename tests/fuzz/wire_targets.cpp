@@ -21,9 +21,8 @@ void decode(std::uint16_t type, Input payload) {
         require(message_type(decoded.value()) == type, "a message has the type it came as");
         const Bytes again = encode_message(decoded.value());
         const auto* hello = std::get_if<Hello>(&decoded.value());
-        const bool is_newer = hello != nullptr && hello->version_max > protocol_version_max;
-        require(again.size() <= payload.size() && (is_newer || again.size() == payload.size()) &&
-                    std::ranges::equal(again, payload.first(again.size())),
+        const bool is_foreign = hello != nullptr && hello->version != protocol_version;
+        require(is_foreign || std::ranges::equal(again, payload),
                 "what is accepted is what the encoder writes");
     }
 }

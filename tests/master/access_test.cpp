@@ -60,6 +60,28 @@ TEST_F(AccessOfRoles, EachMessageIsForThoseWhoMaySendIt) {
     }
 }
 
+TEST_F(AccessOfRoles, AJobIsEndedByItsOwnerAndByAnAdmin) {
+    EXPECT_EQ(of(CertifiedRole::Submitter).owner(), "someone");
+    EXPECT_TRUE(of(CertifiedRole::Submitter).check_owner("someone"));
+    const Status foreign = of(CertifiedRole::Submitter).check_owner("another");
+    EXPECT_EQ(foreign.error().code, ErrorCode::Refused);
+    EXPECT_NE(foreign.error().detail.find("'another'"), std::string::npos);
+    EXPECT_TRUE(of(CertifiedRole::Admin).check_owner("another"));
+    Access plain;
+    plain.set_user("me@here");
+    EXPECT_EQ(plain.owner(), "me@here");
+    EXPECT_TRUE(plain.check_owner("you@there")) << "who is here may all";
+}
+
+TEST_F(AccessOfRoles, AnAdminSendsWorkersAwayAndRemovesMeshes) {
+    for (const Message& message : {Message{DrainWorkers{}}, Message{RemoveMesh{}}}) {
+        EXPECT_FALSE(of(CertifiedRole::Submitter).check(message));
+        EXPECT_TRUE(of(CertifiedRole::Admin).check(message));
+    }
+    EXPECT_TRUE(of(CertifiedRole::Submitter).check(Message{Remove{}}));
+    EXPECT_TRUE(of(CertifiedRole::Submitter).check(Message{JobQuery{}}));
+}
+
 TEST_F(AccessOfRoles, OneGreetsAsWhatItsCertificateSays) {
     EXPECT_TRUE(of(CertifiedRole::Worker).check(Role::Worker));
     EXPECT_FALSE(of(CertifiedRole::Worker).check(Role::Client));

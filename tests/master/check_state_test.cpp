@@ -48,7 +48,10 @@ class CheckState : public testing::Test {
             JobRecord job;
             job.id = id;
             job.submit.scenarios = 5;
-            job.submit.bodies = {mesh_.hash(), mesh_.hash()};
+            job.submit.bodies.resize(2);
+            for (JobBody& body : job.submit.bodies) {
+                body.mesh = mesh_.hash();
+            }
             const auto spool = std::move(PoseSpool::create(folder_ / "jobs", 5).value());
             std::vector<Scenario> scenarios(5);
             for (std::uint64_t i = 0; i < 5; ++i) {

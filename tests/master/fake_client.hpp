@@ -39,10 +39,9 @@ struct Reference {
     [[nodiscard]] Submit submission() const {
         Submit submit;
         submit.name = "test";
-        submit.bodies = {a.hash(), b.hash()};
+        submit.bodies = {{a.hash(), "a"}, {b.hash(), "b"}};
         submit.cluster.strategy = Strategy::BestMatch; // With small batches.
-        submit.cluster.depth_a = 4;
-        submit.cluster.depth_b = 3;
+        submit.cluster.depths = {4, 3};
         submit.cluster.q = 5;
         submit.scenarios = scenarios.size();
         return submit;
@@ -170,7 +169,11 @@ class Client {
 
     asio::awaitable<void> submit_job(Submit submit) {
         co_await greet_master();
-        channel_->send(MeshesQuery{submit.bodies});
+        MeshesQuery query;
+        for (const JobBody& body : submit.bodies) {
+            query.meshes.push_back(body.mesh);
+        }
+        channel_->send(query);
         const auto missing =
             std::get<MeshesMissing>((co_await channel_->receive(patience)).value());
         for (const Sha256& hash : missing.meshes) {

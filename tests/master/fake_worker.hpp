@@ -153,7 +153,7 @@ class FakeWorker {
     bool has_tops(const ScenarioRange& range) {
         const AddJob& job = jobs_.at(range.job);
         bool has_all = true;
-        for (const TreeId id : {job.tree_a, job.tree_b}) {
+        for (const TreeId id : job.trees) {
             Tree& tree = trees_.at(id);
             has_all = has_all && tree.top;
             if (!tree.top && !std::exchange(tree.is_top_wanted, true)) {
@@ -206,7 +206,7 @@ class FakeWorker {
         Batch batch{range.task, range.job, pack_scenarios(scenarios), {0}, {}};
         for (const Scenario& scenario : scenarios) {
             const auto pairs = colliding_roots(
-                *trees_.at(job.tree_a).top, *trees_.at(job.tree_b).top, scenario.poses);
+                *trees_.at(job.trees[0]).top, *trees_.at(job.trees[1]).top, scenario.poses);
             batch.pairs.insert(batch.pairs.end(), pairs.value().begin(), pairs.value().end());
             batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
         }
@@ -226,15 +226,15 @@ class FakeWorker {
     void ask() {
         const Batch& batch = waiting_.back();
         const AddJob& job = jobs_.at(batch.job);
-        const auto a = missing(job.tree_a, roots_of_a(batch.pairs));
-        const auto b = missing(job.tree_b, roots_of_b(batch.pairs));
+        const auto a = missing(job.trees[0], roots_of_a(batch.pairs));
+        const auto b = missing(job.trees[1], roots_of_b(batch.pairs));
         if (habits_.holds_too_much) {
-            channel_->send(Held{job.tree_a, {1u << 30}});
+            channel_->send(Held{job.trees[0], {1u << 30}});
         }
         // Twice, as a worker might: the master sends each once, or twice, but never fails.
-        channel_->send(WantSubtrees{job.tree_a, a});
-        channel_->send(WantSubtrees{job.tree_a, a});
-        channel_->send(WantSubtrees{job.tree_b, b});
+        channel_->send(WantSubtrees{job.trees[0], a});
+        channel_->send(WantSubtrees{job.trees[0], a});
+        channel_->send(WantSubtrees{job.trees[1], b});
     }
 
     void work() {
@@ -242,8 +242,8 @@ class FakeWorker {
             const Batch& batch = waiting_.front();
             const AddJob& job = jobs_.at(batch.job);
             is_held = has(batch, habits_.holds);
-            if (is_held || !missing(job.tree_a, roots_of_a(batch.pairs)).empty() ||
-                !missing(job.tree_b, roots_of_b(batch.pairs)).empty()) {
+            if (is_held || !missing(job.trees[0], roots_of_a(batch.pairs)).empty() ||
+                !missing(job.trees[1], roots_of_b(batch.pairs)).empty()) {
                 return;
             }
             compute(batch, job);
@@ -281,8 +281,8 @@ class FakeWorker {
         for (std::size_t i = 0; i < scenarios.size(); ++i) {
             std::vector<SubtreePair> pairs;
             for (std::uint32_t p = batch.pair_offsets[i]; p < batch.pair_offsets[i + 1]; ++p) {
-                pairs.push_back({trees_.at(job.tree_a).subtrees.at(batch.pairs[p].a).view(),
-                                 trees_.at(job.tree_b).subtrees.at(batch.pairs[p].b).view()});
+                pairs.push_back({trees_.at(job.trees[0]).subtrees.at(batch.pairs[p].a).view(),
+                                 trees_.at(job.trees[1]).subtrees.at(batch.pairs[p].b).view()});
             }
             const ScenarioRun run = run_on_subtrees(pairs, scenarios[i], job.query);
             const Bytes record = encode_result(run.result);

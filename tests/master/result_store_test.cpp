@@ -85,18 +85,32 @@ TEST_F(ResultStoreTest, GivesRecordsInTheOrderOfScenarios) {
     EXPECT_EQ(next, count);
 }
 
-TEST_F(ResultStoreTest, StopsAtTheFirstThatIsMissing) {
+TEST_F(ResultStoreTest, PassesOverWhatIsMissingAndSaysWhereToGoOn) {
     const auto store = make_store(10);
     for (const std::uint64_t i : {0, 1, 2, 4, 9}) {
         ASSERT_TRUE(add(*store, i, make_record(i, 5)));
     }
-    EXPECT_EQ(store->read(0, 10, 1000).value().count, 3u);
-    EXPECT_EQ(store->read(1, 1, 1000).value().count, 1u);
-    EXPECT_EQ(store->read(3, 10, 1000).value().count, 0u);
-    EXPECT_EQ(store->read(9, ~std::uint64_t{0}, 1000).value().count, 1u);
-    EXPECT_EQ(store->read(10, 10, 1000).value().count, 0u);
-    EXPECT_EQ(store->read(~std::uint64_t{0}, 10, 1000).value().count, 0u);
-    EXPECT_EQ(store->read(0, 0, 1000).value().count, 0u);
+    const auto expect = [&](std::uint64_t first,
+                            std::uint64_t count,
+                            std::uint64_t next,
+                            const std::vector<ScenarioInterval>& held) {
+        const ResultsPart part = store->read(first, count, 1000).value();
+        EXPECT_EQ(part.first, first);
+        EXPECT_EQ(part.next, next);
+        EXPECT_EQ(part.held, held) << first << " " << count;
+        EXPECT_EQ(records_of(part).size(), part.count);
+    };
+    expect(0, 10, 10, {{0, 3}, {4, 1}, {9, 1}});
+    expect(1, 1, 2, {{1, 1}});
+    expect(3, 1, 4, {});
+    expect(3, 5, 8, {{4, 1}});
+    expect(9, ~std::uint64_t{0}, 10, {{9, 1}});
+    expect(10, 10, 10, {});
+    expect(~std::uint64_t{0}, 10, ~std::uint64_t{0}, {});
+    expect(0, 0, 0, {});
+    const ResultsPart little = store->read(1, 9, 20).value();
+    EXPECT_EQ(little.next, 4u);
+    EXPECT_EQ(little.held, (std::vector<ScenarioInterval>{{1, 2}}));
 }
 
 TEST_F(ResultStoreTest, OneRecordOverTheLimitIsGivenAlone) {

@@ -324,7 +324,7 @@ struct FullMaster : Master {
 
     [[nodiscard]] static Submit other_submission() {
         Submit submit = reference().submission();
-        submit.cluster.depth_a = 5; // So that there are no such blocks.
+        submit.cluster.set_depth(0, 5); // So that there are no such blocks.
         return submit;
     }
     /// Until the job waits for room.

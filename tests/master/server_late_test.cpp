@@ -101,6 +101,7 @@ TEST(LateServer, WhatComesWhileTheEndIsWrittenIsComparedToo) {
     Submit submit = reference().submission();
     submit.scenarios = grid.count();
     submit.grid = encode_grid(grid);
+    submit.poses.kind = PosesKind::Grid;
     submit.cluster.analysis = AnalysisMode::Never;
     Client client(master);
     client.start_asking({submit});

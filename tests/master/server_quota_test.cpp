@@ -74,6 +74,7 @@ Submit grid_submission(std::uint32_t steps) {
     Submit submit = reference().submission();
     submit.scenarios = grid.count();
     submit.grid = encode_grid(grid);
+    submit.poses.kind = PosesKind::Grid;
     return submit;
 }
 
@@ -206,6 +207,7 @@ TEST(ServerQuota, AGridOfAnySizeIsNotTaken) {
     EXPECT_THAT(refusal_of(master, {many}), HasSubstr("split the job into several"));
     Submit submit = reference().submission();
     submit.grid = Bytes(limits::grid_bytes_max + 1);
+    submit.poses.kind = PosesKind::Grid;
     EXPECT_THAT(refusal_of(master, {submit}), HasSubstr("a grid of"));
 }
 

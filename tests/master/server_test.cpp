@@ -102,7 +102,7 @@ TEST(Server, JobsOfSeveralClientsRunSideBySideAndMeshesAreSentOnce) {
     master.run_until([&] { return first.job.has_value(); });
     Client second(master);
     Submit other = reference().submission();
-    other.cluster.depth_a = 6;
+    other.cluster.set_depth(0, 6);
     second.start(other);
     master.run_until([&] { return first.done && second.done; });
     expect_right(first);
@@ -126,6 +126,7 @@ TEST(Server, AGridNeedsNoPoses) {
     Submit submit = reference().submission();
     submit.scenarios = grid.count();
     submit.grid = encode_grid(grid);
+    submit.poses.kind = PosesKind::Grid;
     Client client(master);
     client.start_asking({submit});
     master.run_until([&] { return client.done; });
@@ -175,17 +176,21 @@ TEST(Server, WhatIsSubmittedWrongIsRefusedWithAReason) {
         return std::vector<Message>{submit};
     };
     expect_failure(with([](Submit& s) { s.bodies.pop_back(); }), "two bodies");
-    expect_failure(with([](Submit& s) { s.bodies[1] = Sha256{}; }), "not stored");
+    expect_failure(with([](Submit& s) { s.bodies[1].mesh = Sha256{}; }), "not stored");
     expect_failure(with([](Submit& s) { s.name = "a\nb"; }), "job's name is not printable");
     expect_failure({MeshPart{Sha256{}, "x\x1b[2J", 100, 0, Bytes(100)}},
                    "mesh's name is not printable");
-    expect_failure(with([](Submit& s) { s.cluster.depth_a = 21; }), "depth of A");
+    expect_failure(with([](Submit& s) { s.cluster.set_depth(0, 21); }), "depth of A");
     expect_failure(with([](Submit& s) { s.cluster.q = 0; }), "q is 0");
     expect_failure(with([](Submit& s) { s.cluster.v_kb = 0; }), "v_kb");
     expect_failure(with([](Submit& s) { s.scenarios = ~0ull; }), "number of scenarios");
     expect_failure(with([](Submit& s) { s.query.ignored = {{0, 1u << 30, 0, 1}}; }), "outside");
     expect_failure(with([](Submit& s) { s.query.tolerance = -0.5; }), "tolerance");
-    expect_failure(with([](Submit& s) { s.grid = Bytes(3); }), "");
+    expect_failure(with([](Submit& s) {
+                       s.grid = Bytes(3);
+                       s.poses.kind = PosesKind::Grid;
+                   }),
+                   "");
     // Fewer poses than announced; then more.
     const std::span<const Scenario> all(reference().scenarios);
     expect_failure({good, PosesPart{pack_scenarios(all.first(10))}, PosesEnd{}}, "announced");

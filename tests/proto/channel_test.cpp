@@ -351,7 +351,7 @@ TEST(Channel, AHostThatIsGoneIsNoticedInASilence) {
     });
 }
 
-TEST(Greeting, BothSidesAgreeOnTheVersion) {
+TEST(Greeting, AHelloOfTheSameVersionIsTaken) {
     run_conversation([]() -> asio::awaitable<void> {
         const Ends ends = co_await connect_ends();
         Hello hello;
@@ -360,7 +360,7 @@ TEST(Greeting, BothSidesAgreeOnTheVersion) {
         ends.left->send(hello);
         const Result<Hello> accepted = co_await accept_hello(ends.right);
         EXPECT_EQ(accepted.value().name, "node");
-        EXPECT_EQ(negotiate(accepted.value()).value().version, protocol_version_max);
+        EXPECT_EQ(accepted.value().version, protocol_version);
         ends.left->close();
     });
 }
@@ -393,37 +393,18 @@ asio::awaitable<void> refuse(std::shared_ptr<Channel> channel) {
     EXPECT_FALSE(channel->is_open());
 }
 
-TEST(Greeting, WithoutACommonVersionBothSidesKnowWhy) {
+TEST(Greeting, OfAnotherVersionBothSidesKnowWhy) {
     run_conversation([]() -> asio::awaitable<void> {
         Ends ends = co_await connect_ends();
         const auto executor = co_await asio::this_coro::executor;
         spawn(executor, "refuse", refuse(std::move(ends.right)));
         Hello hello;
-        hello.version_min = protocol_version_max + 1;
-        hello.version_max = protocol_version_max + 3;
+        hello.version = protocol_version + 1;
         const Result<Welcome> welcome = co_await greet(ends.left, hello);
         EXPECT_EQ(welcome.error().code, ErrorCode::Refused);
-        EXPECT_THAT(welcome.error().detail, testing::HasSubstr("9 to 11"));
+        EXPECT_THAT(welcome.error().detail,
+                    testing::HasSubstr("speaks version 10 of the protocol, this side version 9"));
     });
-}
-
-TEST(Greeting, AnEarlierVersionIsSpokenWithWhoeverHasNoChoices) {
-    Hello hello;
-    hello.version_max = 7;
-    const Agreement agreed = negotiate(hello).value();
-    EXPECT_EQ(agreed.version, 7);
-    EXPECT_EQ(agreed.choices, Choices{});
-}
-
-TEST(Greeting, OfWhatBothCanTheGreatestIsChosen) {
-    Hello hello;
-    hello.choices = {6, 0b111, 0b101}; // More than this side can.
-    EXPECT_EQ(negotiate(hello).value().choices, (Choices{0, 1, 1}));
-    hello.choices = {0, 0b110, 1};
-    EXPECT_EQ(negotiate(hello).error().code, ErrorCode::Refused);
-    EXPECT_THAT(negotiate(hello).error().detail, testing::HasSubstr("no common digest"));
-    hello.choices = {0, 1, 0};
-    EXPECT_THAT(negotiate(hello).error().detail, testing::HasSubstr("no common compressor"));
 }
 
 asio::awaitable<void> welcome_with(std::shared_ptr<Channel> channel, Welcome welcome) {
@@ -434,22 +415,17 @@ asio::awaitable<void> welcome_with(std::shared_ptr<Channel> channel, Welcome wel
     EXPECT_FALSE(end);
 }
 
-TEST(Greeting, AWelcomeThatChoosesWhatWasNotOfferedIsNone) {
+TEST(Greeting, AWelcomeOfAnotherVersionIsNone) {
     run_conversation([]() -> asio::awaitable<void> {
-        std::vector<Welcome> wrong(4);
-        wrong[0].version = protocol_version_max + 1;
-        wrong[1].choices.features = 1;
-        wrong[2].choices.digests = 2;
-        wrong[3].choices.compressors = 0;
+        Welcome wrong;
+        wrong.version = protocol_version + 1;
         const auto executor = co_await asio::this_coro::executor;
-        for (const Welcome& welcome : wrong) {
-            Ends ends = co_await connect_ends();
-            spawn(executor, "welcome", welcome_with(std::move(ends.right), welcome));
-            const Hello hello;
-            const Result<Welcome> answer = co_await greet(ends.left, hello);
-            EXPECT_EQ(answer.error().code, ErrorCode::BadFrame);
-            EXPECT_FALSE(ends.left->is_open());
-        }
+        Ends ends = co_await connect_ends();
+        spawn(executor, "welcome", welcome_with(std::move(ends.right), wrong));
+        const Hello hello;
+        const Result<Welcome> answer = co_await greet(ends.left, hello);
+        EXPECT_EQ(answer.error().code, ErrorCode::BadFrame);
+        EXPECT_FALSE(ends.left->is_open());
     });
 }
 

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstring>
 #include <random>
+#include <string_view>
 #include <vector>
 
 namespace cd::tests {
@@ -215,7 +216,13 @@ TEST(Party, EachSendsWhatTheProtocolSays) {
                         Cancel,
                         Explain,
                         TokenCreate,
-                        ContactMapQuery>()));
+                        ContactMapQuery,
+                        JobQuery,
+                        MeshQuery,
+                        PosesQuery,
+                        Remove,
+                        RemoveMesh,
+                        DrainWorkers>()));
     EXPECT_EQ(types_from(Party::Observer), types_from(Party::Client));
     for (std::uint16_t type = 1; type <= std::variant_size_v<Message>; ++type) {
         EXPECT_TRUE(std::any_of(parties.begin(), parties.end(), [&](Party party) {
@@ -267,4 +274,14 @@ TEST(MessageAssembler, WhatIsTooLargeIsRefusedByItsHeader) {
 }
 
 } // namespace
+TEST(Frame, AWebServersAnswerIsRecognised) {
+    const std::string_view answer = "HTTP/1.1 400 Bad Request\r\nServer: cdmaster\r\n";
+    std::array<std::byte, frame_header_bytes> bytes{};
+    std::memcpy(bytes.data(), answer.data(), bytes.size());
+    const auto decoded = decode_header(bytes);
+    ASSERT_FALSE(decoded);
+    EXPECT_EQ(decoded.error().code, ErrorCode::BadFrame);
+    EXPECT_NE(decoded.error().detail.find("that is the master's --http port"), std::string::npos);
+}
+
 } // namespace cd::tests

@@ -28,7 +28,7 @@ inline Query some_query() {
     query.level = Level::Contacts;
     query.tolerance = 0.125;
     query.limit_pairs = 77;
-    query.ignored = {{1, 2, 3, 4}, {5, 6, 7, 8}};
+    query.ignored = {{1, 2, 3, 4}, {5, 6, 7, 8, 2, 3}};
     return query;
 }
 
@@ -61,8 +61,9 @@ inline JobStatus some_job_status() {
     status.copies = 43;
     status.copies_won = 44;
     status.traffic = {{33, 34, 35, 36, 37, 38}, 39};
-    status.depth_a = 40;
-    status.depth_b = 41;
+    status.depths = {40, 41};
+    status.owner = "ilan";
+    status.began = 45;
     return status;
 }
 
@@ -91,6 +92,14 @@ inline WorkerStatus some_worker_status() {
     return status;
 }
 
+inline PoseLabels some_labels() {
+    PoseLabels labels;
+    labels.integers = {-1, 2};
+    labels.texts = {"stop", "start"};
+    labels.times = {0.25, 0.5};
+    return labels;
+}
+
 inline Batch some_batch() {
     Batch batch;
     batch.task = TaskId{1};
@@ -104,19 +113,31 @@ inline Batch some_batch() {
 inline Submit some_submit() {
     Submit submit;
     submit.name = "job";
-    submit.bodies = {some_hash(1), some_hash(2)};
+    submit.unit = "mm";
+    submit.owner = "ilan";
+    submit.priority = -3;
+    submit.bodies = {{some_hash(1), "a", "sedan.obj", "in"}, {some_hash(2), "b", "van.stl", "m"}};
     submit.query = some_query();
-    submit.cluster = {Strategy::Lowest, 10, 5, 21, 4097, true, 6, AnalysisMode::Never, false};
+    submit.cluster = {
+        Strategy::Lowest, {10, std::nullopt, 5}, 21, 4097, true, 6, AnalysisMode::Never, false};
+    submit.poses = {PosesKind::Random,
+                    RandomPoses{7, 8, 0.25, 0.5},
+                    "poses.csv",
+                    "wxyz",
+                    true,
+                    0.125,
+                    {IdKind::Text, true}};
     submit.scenarios = 1000;
     submit.grid = some_bytes(9);
+    submit.retention_seconds = 86400;
     return submit;
 }
 
 /// In the order of their numbers.
 inline std::vector<Message> sample_messages() {
     return {
-        Hello{1, 4, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321, 1.5, 99, 7, 8},
-        Welcome{1, 42, "0.1.0", some_hash(17), some_hash(18), 8, true, 2000, 15000},
+        Hello{9, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321, 1.5, 99, 7, 8, "ilan@node-1"},
+        Welcome{9, 42, "0.1.0", some_hash(17), some_hash(18), 8, true, 2000, 15000, "ilan"},
         Failure{ErrorCode::NotFound, "no job 7"},
         Heartbeat{1, 2, 3, {{4, 5, 6, 7, 8, 9}, 10}, RunningScenario{JobId{10}, 11, 12.5}},
         AddTree{TreeId{1}, SubtreeForm::Wide, some_hash(6), some_hash(7), 32, 1600},
@@ -142,7 +163,7 @@ inline std::vector<Message> sample_messages() {
         MeshPart{some_hash(1), "sedan.obj", 100, 40, some_bytes(60)},
         MeshStored{some_hash(1)},
         some_submit(),
-        PosesPart{some_bytes(64)},
+        PosesPart{some_bytes(64), some_labels()},
         PosesEnd{},
         Accepted{JobId{3}},
         Watch{JobId{4}},
@@ -158,9 +179,10 @@ inline std::vector<Message> sample_messages() {
                       1,
                       2,
                       3,
-                      4},
+                      4,
+                      {5, 6, 7, 8, 9, 10}},
         ResultsQuery{JobId{1}, 2, 3},
-        ResultsPart{JobId{1}, 2, 3, some_bytes(30)},
+        ResultsPart{JobId{1}, 2, 9, {{3, 2}, {8, 1}}, 3, some_bytes(30)},
         Cancel{JobId{8}, 9},
         FetchFromPeers{TreeId{2},
                        {1, 5},
@@ -180,7 +202,7 @@ inline std::vector<Message> sample_messages() {
                   11,
                   12,
                   {{WorkerId{1}, "node-1", true, false, 13, 0.5, 14, 15, 1, 2, 3, 4, 5, 6}}},
-        AddJob{JobId{2}, TreeId{3}, TreeId{4}, some_query(), some_bytes(9)},
+        AddJob{JobId{2}, {TreeId{3}, TreeId{4}}, some_query(), some_bytes(9)},
         RemoveJob{JobId{2}},
         ScenarioRange{TaskId{1}, JobId{2}, 3, 4, some_bytes(20)},
         ResultsKept{{3, 5, 4}},
@@ -197,6 +219,17 @@ inline std::vector<Message> sample_messages() {
         Hint{JobId{8}, TreeId{2}, {1, 5}},
         ContactMapQuery{JobId{8}},
         ContactMapAnswer{JobId{8}, true, "a worker was wrong", some_bytes(12)},
+        JobQuery{JobId{8}},
+        JobDescription{JobId{8}, 9, some_submit()},
+        MeshQuery{some_hash(1), 40},
+        MeshBytes{some_hash(1), 100, 40, some_bytes(60)},
+        PosesQuery{JobId{8}, 9, 10},
+        JobPoses{JobId{8}, 9, 3, some_bytes(20), some_labels()},
+        Remove{JobId{8}, true},
+        RemoveMesh{some_hash(1)},
+        Removed{11},
+        DrainWorkers{{WorkerId{1}, WorkerId{3}}, true},
+        Draining{{WorkerId{1}, WorkerId{3}}},
     };
 }
 

@@ -56,8 +56,7 @@ asio::awaitable<void> welcome(tcp::socket socket, std::shared_ptr<const Tls> tls
     }
     const Result<Hello> hello = co_await accept_hello(channel.value());
     if (hello) {
-        Welcome welcome;
-        welcome.version = protocol_version_max;
+        const Welcome welcome;
         channel.value()->send(welcome);
         channel.value()->close(true);
     }

@@ -99,7 +99,7 @@ TEST(WorkerJob, OfTreesWhoseFormsDoNotSuitIsRefused) {
         Query query;
         query.tolerance = tolerance;
         return static_cast<bool>(
-            make_worker_job({JobId{1}, TreeId{a}, TreeId{b}, query, std::nullopt}, cache));
+            make_worker_job({JobId{1}, {TreeId{a}, TreeId{b}}, query, std::nullopt}, cache));
     };
     EXPECT_TRUE(is_taken(1, 1, 0));
     EXPECT_TRUE(is_taken(2, 2, 0));
@@ -114,7 +114,7 @@ class TaskTest : public testing::Test {
   protected:
     void SetUp() override { ASSERT_TRUE(cache_.add_tree(body_.add(TreeId{1}))); }
     std::shared_ptr<const WorkerJob> make_job(std::optional<Grid> grid = std::nullopt) {
-        AddJob add{JobId{1}, TreeId{1}, TreeId{1}, {}, std::nullopt};
+        AddJob add{JobId{1}, {TreeId{1}, TreeId{1}}, {}, std::nullopt};
         if (grid) {
             add.grid = encode_grid(*grid);
         }

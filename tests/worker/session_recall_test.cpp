@@ -14,7 +14,7 @@ TEST(Session, WhatWaitsForARemovedJobIsDroppedAndItsTreesStay) {
         const auto scenarios = make_scenarios(600, 400);
         master.channel->send(make_range(TaskId{1}, scenarios));
         master.channel->send(RemoveJob{JobId{1}});
-        master.channel->send(AddJob{JobId{1}, tree_a, tree_b, {}, {}});
+        master.channel->send(AddJob{JobId{1}, {tree_a, tree_b}, {}, {}});
         co_await master.serve_until_ended(1);
         EXPECT_LT(master.records.size(), scenarios.size());
         master.records.clear();

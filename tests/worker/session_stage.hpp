@@ -77,7 +77,7 @@ class FakeMaster {
     void add_job(std::optional<Bytes> grid = std::nullopt) {
         channel->send(bodies().a.add(tree_a));
         channel->send(bodies().b.add(tree_b));
-        channel->send(AddJob{JobId{1}, tree_a, tree_b, {}, std::move(grid)});
+        channel->send(AddJob{JobId{1}, {tree_a, tree_b}, {}, std::move(grid)});
     }
 
     /// Serves until it is so, or the connection has ended.

@@ -42,8 +42,8 @@ void write_mesh(const std::filesystem::path& path, const Vec3& factors, const Ve
     NpzWriter writer(path);
     const auto v = writer.add_array("vertices", NpyType::F8, 3);
     const auto f = writer.add_array("faces", NpyType::I8, 3);
-    writer.append(v, std::span<const double>(vertices));
-    writer.append(f, std::span<const std::int64_t>(faces));
+    EXPECT_TRUE(writer.append(v, std::span<const double>(vertices)));
+    EXPECT_TRUE(writer.append(f, std::span<const std::int64_t>(faces)));
     ASSERT_TRUE(writer.finish());
 }
 
@@ -237,7 +237,7 @@ TEST(HostileMeshes, PosesThatAreNotFiniteAreRefusedByPlace) {
         }
         NpzWriter writer(folder / "poses.npz");
         const auto array = writer.add_array("poses", NpyType::F8, 12);
-        writer.append(array, std::span<const double>(poses));
+        EXPECT_TRUE(writer.append(array, std::span<const double>(poses)));
         ASSERT_TRUE(writer.finish());
         expect_refused(folder, "unit.npz", "poses.npz", "row 2");
     }

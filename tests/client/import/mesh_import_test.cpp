@@ -191,8 +191,8 @@ TEST(MeshImport, ReadsNpzInDoubles) {
         NpzWriter writer(folder / "mesh.npz");
         const auto v = writer.add_array("vertices", NpyType::F8, 3);
         const auto f = writer.add_array("faces", NpyType::I8, 3);
-        writer.append(v, std::span<const double>(points));
-        writer.append(f, std::span<const std::int64_t>(faces));
+        EXPECT_TRUE(writer.append(v, std::span<const double>(points)));
+        EXPECT_TRUE(writer.append(f, std::span<const std::int64_t>(faces)));
         ASSERT_TRUE(writer.finish());
     };
     write(vertices, {0, 1, 2});
@@ -216,11 +216,13 @@ TEST(MeshImport, OfAnArchiveOnlyTheNeededArraysAreUnpacked) {
     const auto v = writer.add_array("vertices", NpyType::F8, 3);
     const auto f = writer.add_array("faces", NpyType::I8, 3);
     const auto other = writer.add_array("other", NpyType::F8);
-    writer.append(v, std::span<const double>(std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
-    writer.append(f, std::span<const std::int64_t>(std::vector<std::int64_t>{0, 1, 2}));
+    ASSERT_TRUE(
+        writer.append(v, std::span<const double>(std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0})));
+    ASSERT_TRUE(
+        writer.append(f, std::span<const std::int64_t>(std::vector<std::int64_t>{0, 1, 2})));
     const std::vector<double> zeros(1u << 20, 0);
     for (int i = 0; i < 8; ++i) {
-        writer.append(other, std::span<const double>(zeros));
+        ASSERT_TRUE(writer.append(other, std::span<const double>(zeros)));
     }
     ASSERT_TRUE(writer.finish());
     const MemoryBound bound(32u << 20); // Half of what the other array takes.

@@ -187,4 +187,33 @@ TEST(ContactMap, ACountWithMapsFindsThePairsAndCountsTheSame) {
     EXPECT_LT(in_contact, 200u);
 }
 
+TEST(ContactMap, AListThatIsCutHasAMapOfAllItsPairs) {
+    ThreadPool pool(1);
+    const ObbTree a = build_tree(share(make_torus(1, 0.4, 30, 20)), {}, pool);
+    const ObbTree b = build_tree(share(make_sphere(2)), {}, pool);
+    std::mt19937_64 random(4);
+    std::size_t cut = 0;
+    for (const Level level : {Level::Pairs, Level::Contacts}) {
+        Query plain;
+        plain.level = level;
+        plain.limit_pairs = 5;
+        Query maps = plain;
+        maps.maps = true;
+        const Query all;
+        const ScenarioRunner listing(a, b, all);
+        const ScenarioRunner cutting(a, b, plain);
+        const ScenarioRunner mapping(a, b, maps);
+        for (std::uint64_t index = 0; index < 100; ++index) {
+            Scenario scenario;
+            scenario.index = index;
+            scenario.poses.b = make_pose(random, 1.5);
+            const ScenarioRun run = mapping.run(scenario);
+            EXPECT_EQ(encode_result(run.result), encode_result(cutting.run(scenario).result));
+            EXPECT_EQ(run.found, listing.run(scenario).result.pairs);
+            cut += run.found.size() > 5 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(cut, 50u);
+}
+
 } // namespace cd::tests

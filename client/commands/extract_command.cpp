@@ -1,0 +1,108 @@
+// The verb `extract`: scenarios of a run as a job of their own.
+#include "client/commands/commands.hpp"
+#include "client/commands/run_at_hand.hpp"
+#include "client/exit_code.hpp"
+#include "client/folder/extracted_case.hpp"
+#include "client/folder/opened_run.hpp"
+#include "client/interrupt.hpp"
+#include "client/words.hpp"
+
+#include <charconv>
+#include <cstdio>
+#include <optional>
+
+namespace cd {
+
+namespace {
+
+constexpr std::uint64_t scenarios_max = 100'000; ///< Of one case; their results stand in memory.
+
+struct Range {
+    std::uint64_t first = 0;
+    std::uint64_t last = 0;
+};
+
+std::optional<std::uint64_t> whole_number(std::string_view text) {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() ? std::optional(number)
+                                                                    : std::nullopt;
+}
+
+/// Of "N" or "N-M".
+Result<Range> parse_range(const std::string& text, std::uint64_t count) {
+    const std::size_t dash = text.find('-');
+    const auto first = whole_number(std::string_view(text).substr(0, dash));
+    const auto last =
+        dash == std::string::npos ? first : whole_number(std::string_view(text).substr(dash + 1));
+    if (!first || !last || *last < *first) {
+        return Error{ErrorCode::BadInput,
+                     "\"" + text + "\" is no scenario: give its number, or first-last"};
+    }
+    if (*last >= count) {
+        return Error{ErrorCode::BadInput,
+                     "the run has the scenarios 0 to " + std::to_string(count - 1)};
+    }
+    if (*last - *first >= scenarios_max) {
+        return Error{ErrorCode::BadInput,
+                     "a case has at most " + grouped(scenarios_max) + " scenarios"};
+    }
+    return Range{*first, *last};
+}
+
+Result<CaseScenarios> read_case(OpenedRun& run, PreparedJob& job, const Range& range) {
+    CaseScenarios found;
+    auto scenarios = job.poses->read(range.first, range.last - range.first + 1);
+    if (!scenarios) {
+        return scenarios.error();
+    }
+    found.scenarios = std::move(scenarios.value());
+    for (std::uint64_t index = range.first; index <= range.last; ++index) {
+        const auto record = run.records().find(index);
+        if (!record) {
+            return record.error();
+        }
+        if (!record.value()) {
+            return Error{ErrorCode::Incomplete,
+                         "the run has no result of scenario " + std::to_string(index)};
+        }
+        found.results.push_back(record.value()->result);
+    }
+    return found;
+}
+
+} // namespace
+
+int execute(const ExtractCommand& command) {
+    const InterruptGuard interrupts;
+    auto at_hand = RunAtHand::open(command.run, command.master);
+    if (!at_hand) {
+        return fail(at_hand.error());
+    }
+    OpenedRun& run = at_hand.value().run();
+    const auto range = parse_range(command.scenarios, run.manifest().poses.count);
+    if (!range) {
+        return fail(range.error());
+    }
+    ThreadPool pool(command.threads);
+    TreeCache cache(tree_cache_folder(command.tree_cache));
+    auto job = prepare_again(run, spec_of(run.manifest()), Trees::ForPosesOnly, cache, pool);
+    if (!job) {
+        return fail(job.error());
+    }
+    const auto found = read_case(run, job.value(), range.value());
+    if (!found) {
+        return fail(found.error());
+    }
+    const std::string dir = command.out.empty() ? "scenario-" + command.scenarios : command.out;
+    const Status written = write_case(job.value(), found.value(), command.minimal, dir, pool);
+    if (!written) {
+        return fail(written.error());
+    }
+    std::printf("%s: cdctl run %s/job.toml\n",
+                counted(found.value().results.size(), "scenario").c_str(),
+                dir.c_str());
+    return exit_done;
+}
+
+} // namespace cd

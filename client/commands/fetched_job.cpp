@@ -1,0 +1,205 @@
+#include "client/commands/fetched_job.hpp"
+
+#include "client/export/result_sink.hpp"
+#include "client/words.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+constexpr std::size_t touched_parts_shown = 3;
+
+/// The poses of a job, fetched in runs.
+class RemotePoses final : public PoseSource {
+  public:
+    RemotePoses(Connection& connection, JobId job, std::uint64_t count)
+        : connection_(connection), job_(job), count_(count) {}
+
+    [[nodiscard]] std::uint64_t count() const override { return count_; }
+    [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
+                                                     std::uint64_t count) override {
+        auto poses = connection_.fetch_poses(job_, first, count);
+        return poses ? Result<std::vector<Scenario>>(std::move(poses.value().scenarios))
+                     : poses.error();
+    }
+
+  private:
+    Connection& connection_;
+    JobId job_;
+    std::uint64_t count_;
+};
+
+PosesSpec poses_spec_of(const PosesOrigin& origin) {
+    if (origin.random) {
+        return *origin.random;
+    }
+    return PoseFileSpec{
+        origin.file, origin.quat_order, origin.of_both_bodies, origin.rigid_tolerance};
+}
+
+JobSpec spec_of(const Submit& submit) {
+    constexpr std::array<std::string_view, 2> keys{"a", "b"};
+    JobSpec spec;
+    spec.name = submit.name;
+    spec.unit = submit.unit;
+    for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
+        const JobBody& body = submit.bodies.at(i);
+        spec.bodies[i] = {body.file, body.unit, body.name == keys[i] ? "" : body.name};
+    }
+    spec.poses = poses_spec_of(submit.poses);
+    spec.level = submit.query.level;
+    spec.tolerance = submit.query.tolerance;
+    spec.limit_pairs = submit.query.limit_pairs;
+    spec.maps = submit.query.maps;
+    return spec;
+}
+
+Result<std::unique_ptr<PoseSource>>
+poses_of(Connection& connection, JobId job, const Submit& submit) {
+    if (!submit.grid) {
+        return std::unique_ptr<PoseSource>(
+            std::make_unique<RemotePoses>(connection, job, submit.scenarios));
+    }
+    const auto grid = decode_grid(*submit.grid);
+    return grid ? Result<std::unique_ptr<PoseSource>>(make_grid_source(grid.value()))
+                : grid.error();
+}
+
+Status fetch_meshes(Connection& connection, const Submit& submit, JobInputs& inputs) {
+    for (std::size_t i = 0; i < inputs.meshes.size(); ++i) {
+        if (i == 1 && submit.bodies.at(1).mesh == submit.bodies.at(0).mesh) {
+            inputs.meshes[1] = inputs.meshes[0];
+            continue;
+        }
+        auto mesh = connection.fetch_mesh(submit.bodies.at(i).mesh);
+        if (!mesh) {
+            return mesh.error();
+        }
+        inputs.meshes[i] = std::make_shared<const Mesh>(std::move(mesh.value()));
+    }
+    return Done{};
+}
+
+std::string workers_text(Connection& connection) {
+    const Result<ClusterStatus> status = connection.status();
+    return status ? counted(status.value().workers.size(), "worker") : std::string();
+}
+
+} // namespace
+
+Result<RunReport>
+fetched_report(Connection& connection, const Query& query, const JobStatus& status) {
+    RunReport report = report_of(status, query.level);
+    report.where = workers_text(connection);
+    if (query.maps && status.state == JobState::Done) {
+        if (Status map = fetch_map(connection, status.job, report); !map) {
+            return map.error();
+        }
+    }
+    return report;
+}
+
+Result<FetchedJob> FetchedJob::open(const MasterOptions& master, const std::string& text) {
+    auto connection = open_master(master);
+    if (!connection) {
+        return connection.error();
+    }
+    auto known = find_known_job(*connection.value(), text);
+    if (!known) {
+        return known.error();
+    }
+    FetchedJob job(std::move(connection.value()), std::move(known.value()));
+    if (Status prepared = job.prepare(); !prepared) {
+        return prepared.error();
+    }
+    return job;
+}
+
+Status FetchedJob::prepare() {
+    const JobId id = known_.status.job;
+    const auto described = connection_->job_description(id);
+    if (!described) {
+        return described.error();
+    }
+    const Submit& submit = described.value().submit;
+    if (submit.bodies.size() != 2) {
+        return Error{ErrorCode::BadFrame, "the job has other than two bodies"};
+    }
+    JobInputs inputs;
+    if (Status fetched = fetch_meshes(*connection_, submit, inputs); !fetched) {
+        return fetched;
+    }
+    auto poses = poses_of(*connection_, id, submit);
+    if (!poses) {
+        return poses.error();
+    }
+    inputs.poses = std::move(poses.value());
+    inputs.ignored = submit.query.ignored;
+    ThreadPool pool(1);
+    TreeCache cache{std::filesystem::path()};
+    auto job =
+        prepare_job(spec_of(submit), Trees::ForPosesOnly, cache, pool, true, std::move(inputs));
+    if (!job) {
+        return job.error();
+    }
+    prepared_ = std::make_unique<PreparedJob>(std::move(job.value()));
+    return Done{};
+}
+
+Result<RunReport> FetchedJob::make_report() {
+    return fetched_report(*connection_, prepared_->query, known_.status);
+}
+
+Result<RunReport> FetchedJob::print(const std::string& output) {
+    auto sink = ResultSink::open({{}, {}, output}, export_context(*prepared_));
+    if (!sink) {
+        return sink.error();
+    }
+    const Status fetched = fetch_results(*connection_, known_.status, [&](const auto& result) {
+        ++fetched_;
+        return sink.value().add(result);
+    });
+    if (!fetched) {
+        return fetched.error();
+    }
+    if (Status finished = sink.value().finish(std::nullopt); !finished) {
+        return finished.error();
+    }
+    auto report = make_report();
+    if (report) {
+        report.value().most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    }
+    return report;
+}
+
+Result<RunReport> FetchedJob::write(FolderRunOptions options, const std::string& output) {
+    options.where.job = known_.id;
+    options.folder.fresh = true; // The job may have more results by now.
+    auto run = FolderRun::begin(*prepared_, std::move(options));
+    if (!run) {
+        return run.error();
+    }
+    const Status fetched =
+        fetch_results(*connection_, known_.status, [&](const ScenarioResult& result) {
+            ++fetched_;
+            return run.value().add({result, encode_result(result), {}, {}});
+        });
+    if (!fetched) {
+        return fetched.error();
+    }
+    auto report = make_report();
+    if (!report) {
+        return report;
+    }
+    const std::optional<ContactMap> map = report.value().map;
+    if (Status finished = run.value().finish(report.value(), output, map); !finished) {
+        return finished.error();
+    }
+    return report;
+}
+
+} // namespace cd

@@ -1,0 +1,370 @@
+#include "client/folder/extracted_case.hpp"
+
+#include "client/export/csv_rows.hpp"
+#include "client/folder/job_text.hpp"
+#include "client/npz.hpp"
+#include "client/words.hpp"
+#include "common/core/disk_file.hpp"
+#include "common/geometry/aabb.hpp"
+#include "common/job/merge.hpp"
+#include "common/job/run_scenario.hpp"
+#include "common/tree/build.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 2> body_names{"a", "b"};
+
+/// A body's mesh for the case, and the numbers that its triangles have in the run.
+struct CaseBody {
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<std::uint32_t> ids;
+};
+
+std::string seventeen_digits(double value) {
+    std::array<char, 40> text{};
+    const int size = std::snprintf(text.data(), text.size(), "%.17g", value);
+    return {text.data(), static_cast<std::size_t>(size)};
+}
+
+Status write_text(const fs::path& path, const std::string& text) {
+    auto file = OutputFile::create(path);
+    if (!file) {
+        return file.error();
+    }
+    if (Status written = file.value().write(text); !written) {
+        return written;
+    }
+    return file.value().commit();
+}
+
+Status write_mesh(const fs::path& path, const Mesh& mesh) {
+    NpzWriter file(path);
+    const std::size_t vertices = file.add_array("vertices", NpyType::F8, 3);
+    const std::size_t faces = file.add_array("faces", NpyType::U4, 3);
+    for (const Vec3& vertex : mesh.vertices()) {
+        if (Status added = file.append(vertices, std::span<const double>(vertex.data(), 3));
+            !added) {
+            return added;
+        }
+    }
+    for (const Triangle& triangle : mesh.triangles()) {
+        if (Status added = file.append(faces, std::span<const std::uint32_t>(triangle)); !added) {
+            return added;
+        }
+    }
+    return file.finish();
+}
+
+// ---- Poses --------------------------------------------------------------------------------------
+
+bool is_identity(const Pose& pose) {
+    return pose == Pose();
+}
+
+/// What poses.csv looks like: one body's poses or both's, all as quaternions or all as matrices.
+struct PoseColumns {
+    bool of_both_bodies = false;
+    Pose::Kind kind = Pose::Kind::Matrix;
+};
+
+Result<PoseColumns> columns_for(const std::vector<Scenario>& scenarios) {
+    PoseColumns columns;
+    columns.kind = scenarios.front().poses.b.kind();
+    for (const Scenario& scenario : scenarios) {
+        columns.of_both_bodies = columns.of_both_bodies || !is_identity(scenario.poses.a);
+    }
+    for (const Scenario& scenario : scenarios) {
+        const bool fits = scenario.poses.b.kind() == columns.kind &&
+                          (!columns.of_both_bodies || scenario.poses.a.kind() == columns.kind);
+        if (!fits) {
+            return Error{ErrorCode::BadInput,
+                         "the poses of these scenarios are quaternions and matrices mixed, which "
+                         "one pose file cannot hold; extract them one by one"};
+        }
+    }
+    return columns;
+}
+
+std::string pose_text(const Pose& pose) {
+    std::string text;
+    const auto add = [&](double value) {
+        text += (text.empty() ? "" : ",") + seventeen_digits(value);
+    };
+    const Vec3& t = pose.translation();
+    if (pose.kind() == Pose::Kind::Quaternion) {
+        const Quaternion& q = pose.quaternion();
+        for (const double value : {t.x(), t.y(), t.z(), q.x, q.y, q.z, q.w}) {
+            add(value);
+        }
+        return text;
+    }
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            add(pose.matrix()(row, column));
+        }
+        add(t[row]);
+    }
+    return text;
+}
+
+std::string poses_text(const std::vector<Scenario>& scenarios, const PoseColumns& columns) {
+    std::string text = columns.of_both_bodies ? "scenario,body," : "";
+    text += columns.kind == Pose::Kind::Quaternion
+                ? "x,y,z,qx,qy,qz,qw\n"
+                : "m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n";
+    for (std::size_t i = 0; i < scenarios.size(); ++i) {
+        const std::string number = std::to_string(i);
+        if (columns.of_both_bodies) {
+            text += number + ",a," + pose_text(scenarios[i].poses.a) + "\n" + number + ",b,";
+        }
+        text += pose_text(scenarios[i].poses.b) + "\n";
+    }
+    return text;
+}
+
+// ---- The smallest meshes ------------------------------------------------------------------------
+
+/// A box in the world that holds the posed points for certain.
+Aabb posed_box(std::span<const Vec3> points, const Pose& pose) {
+    Aabb box;
+    for (const Vec3& point : points) {
+        box.add(pose.apply(point));
+    }
+    // Far above the rounding of `apply`; a triangle too many does no harm.
+    const double margin = 1e-9 * (box.min.cwiseAbs().maxCoeff() + box.max.cwiseAbs().maxCoeff());
+    box.min.array() -= margin;
+    box.max.array() += margin;
+    return box;
+}
+
+/// The triangles of a body whose boxes meet the other body's at some of the poses.
+Result<CaseBody> part_that_meets(const Mesh& mesh,
+                                 const Mesh& other,
+                                 const std::vector<PosePair>& poses, // first of `mesh`
+                                 const char* name) {
+    CaseBody body;
+    std::vector<Aabb> boxes;
+    for (const PosePair& pose : poses) {
+        boxes.push_back(posed_box(other.vertices(), pose.b));
+    }
+    MeshArrays arrays;
+    std::vector<std::uint32_t> vertex_ids(mesh.vertices().size(), UINT32_MAX);
+    for (std::uint32_t id = 0; id < mesh.triangles().size(); ++id) {
+        const Corners corners = mesh.corners(id);
+        const bool meets = std::ranges::any_of(poses, [&](const PosePair& pose) {
+            const auto place = static_cast<std::size_t>(&pose - poses.data());
+            return !are_apart(posed_box(corners, pose.a), boxes[place]);
+        });
+        if (!meets) {
+            continue;
+        }
+        body.ids.push_back(id);
+        Triangle triangle = mesh.triangles()[id];
+        for (std::uint32_t& vertex : triangle) {
+            if (vertex_ids[vertex] == UINT32_MAX) {
+                vertex_ids[vertex] = static_cast<std::uint32_t>(arrays.vertices.size());
+                arrays.vertices.push_back(mesh.vertices()[vertex]);
+            }
+            vertex = vertex_ids[vertex];
+        }
+        arrays.triangles.push_back(triangle);
+    }
+    if (body.ids.empty()) {
+        return Error{ErrorCode::BadInput,
+                     std::string("no triangle of ") + name +
+                         " comes near the other body there: without --minimal the case has all"};
+    }
+    arrays.precision = mesh.precision();
+    auto made = Mesh::create(std::move(arrays));
+    if (!made) {
+        return made.error();
+    }
+    body.mesh = std::make_shared<const Mesh>(std::move(made.value()));
+    return body;
+}
+
+Result<std::array<CaseBody, 2>> smallest_bodies(const PreparedJob& job,
+                                                const std::vector<Scenario>& scenarios) {
+    std::vector<PosePair> poses;
+    std::vector<PosePair> swapped;
+    for (const Scenario& scenario : scenarios) {
+        poses.push_back(scenario.poses);
+        swapped.push_back({scenario.poses.b, scenario.poses.a});
+    }
+    auto a = part_that_meets(*job.meshes[0], *job.meshes[1], poses, "a");
+    auto b = part_that_meets(*job.meshes[1], *job.meshes[0], swapped, "b");
+    if (!a || !b) {
+        return a ? b.error() : a.error();
+    }
+    return std::array<CaseBody, 2>{std::move(a.value()), std::move(b.value())};
+}
+
+/// What the smallest meshes give. Errors: BadInput where these are not the pairs of the run.
+Result<std::vector<ScenarioResult>> run_smallest(const PreparedJob& job,
+                                                 const CaseScenarios& given,
+                                                 const std::array<CaseBody, 2>& bodies,
+                                                 ThreadPool& pool) {
+    const ObbTree a = build_tree(bodies[0].mesh, {}, pool);
+    const ObbTree b = build_tree(bodies[1].mesh, {}, pool);
+    std::vector<ScenarioResult> results;
+    for (std::size_t i = 0; i < given.scenarios.size(); ++i) {
+        ScenarioResult result = run_scenario(a, b, given.scenarios[i], job.query).result;
+        std::vector<ContactPair> as_in_run = result.pairs;
+        for (ContactPair& pair : as_in_run) {
+            pair.a = bodies[0].ids[pair.a];
+            pair.b = bodies[1].ids[pair.b];
+        }
+        const bool is_same =
+            result.pair_count == given.results[i].pair_count && as_in_run == given.results[i].pairs;
+        if (!is_same) {
+            return Error{ErrorCode::BadInput,
+                         "the smallest meshes of scenario " +
+                             std::to_string(given.results[i].index) +
+                             " do not have the run's contacts; `cdctl verify` tells whether the "
+                             "run is right"};
+        }
+        results.push_back(std::move(result));
+    }
+    return results;
+}
+
+Status write_ids(const fs::path& path, const std::array<CaseBody, 2>& bodies) {
+    auto file = RowFile::create(path, "body,triangle,triangle_in_run\n");
+    if (!file) {
+        return file.error();
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        for (std::size_t id = 0; id < bodies[i].ids.size(); ++id) {
+            const Status added = file.value().add(
+                std::string_view(body_names[i]), ",", id, ",", bodies[i].ids[id], "\n");
+            if (!added) {
+                return added;
+            }
+        }
+    }
+    return file.value().commit();
+}
+
+// ---- The job and what it has to give ------------------------------------------------------------
+
+std::string
+case_job_text(const PreparedJob& job, const CaseScenarios& given, const PoseColumns& columns) {
+    RunManifest manifest;
+    manifest.name = job.spec.name + " scenario " + std::to_string(given.results.front().index);
+    if (given.results.size() > 1) {
+        manifest.name += " to " + std::to_string(given.results.back().index);
+    }
+    manifest.unit = job.spec.unit;
+    for (const char* name : body_names) {
+        manifest.bodies.push_back({name, std::string(name) + ".npz", "", {}, {}});
+    }
+    manifest.poses.file = "poses.csv";
+    manifest.poses.of_both_bodies = columns.of_both_bodies;
+    manifest.poses.rigid_tolerance = 1; // The run has taken them as they are.
+    manifest.query = job.query;
+    return job_text(manifest);
+}
+
+std::string expected_text(std::vector<ScenarioResult> results) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    ResultMerger merger(results.size());
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const std::uint64_t index_in_run = results[i].index;
+        results[i].index = i;
+        static_cast<void>(merger.add(results[i]));
+        list.push_back({{"scenario", i},
+                        {"scenario_in_run", index_in_run},
+                        {"class", to_text(results[i].kind)},
+                        {"count", results[i].pair_count},
+                        {"record_sha256", to_hex(digest_of(results[i]))}});
+    }
+    const nlohmann::ordered_json json{{"digest", to_hex(*merger.digest())},
+                                      {"scenarios", std::move(list)}};
+    return json.dump(1) + "\n";
+}
+
+Status check_expressible(const PreparedJob& job, bool minimal) {
+    if (!job.query.ignored.empty()) {
+        return Error{ErrorCode::BadInput,
+                     "the run passes over parts, and the meshes of a case have none; extract has "
+                     "no way to say so yet"};
+    }
+    if (minimal && job.query.tolerance > 0) {
+        return Error{ErrorCode::BadInput,
+                     "--minimal goes without a tolerance: what stays undecided depends on all of "
+                     "a body's triangles; leave out --minimal"};
+    }
+    return Done{};
+}
+
+Status write_files(const PreparedJob& job,
+                   const CaseScenarios& given,
+                   const std::array<CaseBody, 2>& bodies,
+                   const std::vector<ScenarioResult>& expected,
+                   const fs::path& dir) {
+    const auto columns = columns_for(given.scenarios);
+    if (!columns) {
+        return columns.error();
+    }
+    if (Status made = make_directories(dir); !made) {
+        return made;
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const fs::path path = dir / (std::string(body_names[i]) + ".npz");
+        if (Status written = write_mesh(path, *bodies[i].mesh); !written) {
+            return written;
+        }
+    }
+    for (const auto& [name, text] :
+         {std::pair("poses.csv", poses_text(given.scenarios, columns.value())),
+          std::pair("job.toml", case_job_text(job, given, columns.value())),
+          std::pair("expected.json", expected_text(expected))}) {
+        if (Status written = write_text(dir / name, text); !written) {
+            return written;
+        }
+    }
+    return Done{};
+}
+
+} // namespace
+
+Status write_case(const PreparedJob& job,
+                  const CaseScenarios& scenarios,
+                  bool minimal,
+                  const fs::path& dir,
+                  ThreadPool& pool) {
+    if (Status expressible = check_expressible(job, minimal); !expressible) {
+        return expressible;
+    }
+    if (!minimal) {
+        return write_files(job,
+                           scenarios,
+                           {CaseBody{job.meshes[0], {}}, CaseBody{job.meshes[1], {}}},
+                           scenarios.results,
+                           dir);
+    }
+    const auto bodies = smallest_bodies(job, scenarios.scenarios);
+    if (!bodies) {
+        return bodies.error();
+    }
+    auto expected = run_smallest(job, scenarios, bodies.value(), pool);
+    if (!expected) {
+        return expected.error();
+    }
+    const Status written = write_files(job, scenarios, bodies.value(), expected.value(), dir);
+    return written ? write_ids(dir / "ids.csv", bodies.value()) : written;
+}
+
+} // namespace cd

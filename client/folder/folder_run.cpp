@@ -1,0 +1,304 @@
+#include "client/folder/folder_run.hpp"
+
+#include "client/export/output_file.hpp"
+#include "client/words.hpp"
+#include "common/core/limits_client.hpp"
+#include "common/core/version.hpp"
+#include "common/job/poses_hash.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <variant>
+
+namespace cd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t touched_parts_shown = 3;
+/// Of a pose as a quaternion with a translation; both bodies move at most.
+constexpr std::uint64_t scenario_bytes = 64;
+
+std::string absolute_path(const fs::path& path) {
+    std::error_code error;
+    const fs::path whole = path == "-" ? path : fs::absolute(path, error).lexically_normal();
+    return (error ? path : whole).string();
+}
+
+ManifestPoses poses_of(const PreparedJob& job) {
+    ManifestPoses poses;
+    poses.count = job.poses->count();
+    if (job.grid) {
+        poses.kind = PosesKind::Grid;
+        poses.grid = job.grid;
+    } else if (const auto* random = std::get_if<RandomPoses>(&job.spec.poses)) {
+        poses.kind = PosesKind::Random;
+        poses.random = *random;
+    } else if (const auto* file = std::get_if<PoseFileSpec>(&job.spec.poses)) {
+        poses.file = absolute_path(file->path);
+        poses.quat_order = file->quat_order;
+        poses.of_both_bodies = file->of_both_bodies;
+        poses.rigid_tolerance = file->rigid_tolerance;
+        poses.length_factor = file->length_factor;
+    }
+    return poses;
+}
+
+Status write_mesh(const fs::path& folder, const Mesh& mesh) {
+    auto file = OutputFile::create(folder / (to_hex(mesh.hash()) + ".mesh"));
+    if (!file) {
+        return file.error();
+    }
+    const Bytes bytes = mesh.canonical_bytes();
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (Status written = file.value().write(text); !written) {
+        return written;
+    }
+    return file.value().commit();
+}
+
+Status move_file(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::create_directories(to.parent_path(), error);
+    fs::rename(from, to, error);
+    return error ? Status(Error{ErrorCode::Io, to.string() + ": " + error.message()})
+                 : Status(Done{});
+}
+
+} // namespace
+
+Result<RunManifest> manifest_of(const PreparedJob& job) {
+    RunManifest manifest;
+    manifest.program = "cdctl " + std::string(version);
+    manifest.started = utc_now();
+    manifest.name = job.spec.name;
+    manifest.unit = job.spec.unit;
+    for (std::size_t i = 0; i < job.meshes.size(); ++i) {
+        const BodySpec& spec = job.spec.bodies[i];
+        ManifestBody body{export_name(job.spec, i),
+                          absolute_path(spec.path),
+                          spec.unit.empty() ? job.spec.unit : spec.unit,
+                          job.meshes[i]->hash(),
+                          {}};
+        for (const Part& part : job.meshes[i]->parts()) {
+            body.parts.push_back(part.name);
+        }
+        manifest.bodies.push_back(std::move(body));
+    }
+    manifest.query = job.query;
+    manifest.poses = poses_of(job);
+    manifest.formats = job.spec.output.formats;
+    if (manifest.poses.kind != PosesKind::Random) {
+        const auto hash = hash_of(*job.poses);
+        if (!hash) {
+            return hash.error();
+        }
+        manifest.poses.hash = hash.value();
+    }
+    return manifest;
+}
+
+void make_paths_absolute(JobSpec& spec) {
+    for (BodySpec& body : spec.bodies) {
+        body.path = absolute_path(body.path);
+    }
+    if (auto* file = std::get_if<PoseFileSpec>(&spec.poses)) {
+        file->path = absolute_path(file->path);
+    }
+}
+
+std::string own_command_line() {
+    std::ifstream file("/proc/self/cmdline", std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    while (!text.empty() && text.back() == '\0') {
+        text.pop_back();
+    }
+    std::ranges::replace(text, '\0', ' ');
+    return text;
+}
+
+Result<FolderRun> FolderRun::begin(PreparedJob& job, FolderRunOptions options) {
+    auto manifest = manifest_of(job);
+    if (!manifest) {
+        return manifest.error();
+    }
+    manifest.value().command = std::move(options.command);
+    manifest.value().where = std::move(options.where);
+    auto folder = RunFolder::open(job.spec.output.dir, manifest.value(), options.folder);
+    if (!folder) {
+        return folder.error();
+    }
+    FolderRun run(std::move(folder.value()), std::move(manifest.value()), job);
+    run.keeps_inputs_ = options.keep_inputs;
+    run.maps_from_master_ = options.maps_from_master;
+    if (options.keep_inputs && run.input_bytes() > limits::run_inputs_bytes_max) {
+        run.keeps_inputs_ = false;
+        run.remarks_.push_back(
+            "the inputs are larger than " + std::to_string(limits::run_inputs_bytes_max >> 30) +
+            " GiB, so the folder does not keep them: it is opened again with the input files");
+    }
+    if (!run.is_complete()) {
+        if (Status opened = run.open_files(job); !opened) {
+            return opened.error();
+        }
+    }
+    return run;
+}
+
+std::uint64_t FolderRun::input_bytes() const {
+    std::uint64_t bytes = job_->grid ? 0 : job_->poses->count() * scenario_bytes;
+    for (const auto& mesh : job_->meshes) {
+        bytes +=
+            mesh->vertices().size() * sizeof(Vec3) + mesh->triangles().size() * sizeof(Triangle);
+    }
+    return bytes;
+}
+
+Status FolderRun::open_files(PreparedJob& job) {
+    auto recorder = RunRecorder::open(folder_.part(), job_->query.maps && !maps_from_master_);
+    if (!recorder) {
+        return recorder.error();
+    }
+    recorder_.emplace(std::move(recorder.value()));
+    if (job.grid) {
+        return Done{};
+    }
+    const fs::path path = folder_.part() / "scenarios";
+    std::error_code error;
+    auto writer =
+        fs::exists(path, error) ? ScenarioWriter::resume(path) : ScenarioWriter::create(path);
+    if (!writer) {
+        return writer.error();
+    }
+    auto poses = std::make_unique<PoseRecorder>(std::move(job.poses), std::move(writer.value()));
+    poses_ = poses.get();
+    job.poses = std::move(poses);
+    return Done{};
+}
+
+Result<ResultMerger> FolderRun::done() const {
+    ResultMerger merger(manifest_.poses.count);
+    const auto records = RecordFile::open_unfinished(folder_.part() / "records");
+    if (!records) {
+        return records.error();
+    }
+    const Status read = records.value().for_each([&](const KeptRecord& record) -> Status {
+        const auto added = merger.add(record.result, sha256(record.bytes));
+        // A local run writes its results in order.
+        return added == ResultMerger::Outcome::Added &&
+                       merger.summary().merged() == record.result.index + 1
+                   ? Status(Done{})
+                   : Status(Error{ErrorCode::Io,
+                                  (folder_.part() / "records").string() +
+                                      " is of another kind of run; add --fresh"});
+    });
+    return read ? Result<ResultMerger>(std::move(merger)) : read.error();
+}
+
+Status FolderRun::keep_inputs() const {
+    const fs::path inputs = folder_.out() / "inputs";
+    std::error_code error;
+    fs::create_directories(inputs / "meshes", error);
+    for (std::size_t i = 0; i < job_->meshes.size(); ++i) {
+        if (i > 0 && job_->meshes[i]->hash() == job_->meshes[0]->hash()) {
+            continue;
+        }
+        if (Status written = write_mesh(inputs / "meshes", *job_->meshes[i]); !written) {
+            return written;
+        }
+    }
+    return poses_ == nullptr ? Status(Done{})
+                             : move_file(folder_.part() / "scenarios", inputs / "scenarios");
+}
+
+Status FolderRun::finish_inputs() {
+    if (poses_ != nullptr) {
+        if (Status finished = poses_->finish(); !finished) {
+            return finished;
+        }
+        auto kept = open_scenario_file(folder_.part() / "scenarios");
+        if (!kept) {
+            return kept.error();
+        }
+        const auto hash = hash_of(*kept.value());
+        if (!hash) {
+            return hash.error();
+        }
+        manifest_.poses.hash = hash.value();
+    }
+    return keeps_inputs_ ? keep_inputs() : Status(Done{});
+}
+
+Result<std::optional<ContactMap>>
+FolderRun::finish_maps(const std::optional<ContactMap>& fetched) const {
+    if (!job_->query.maps || (maps_from_master_ && !fetched)) {
+        return std::optional<ContactMap>();
+    }
+    const fs::path path = folder_.part() / "maps";
+    if (fetched) {
+        if (Status written = write_maps(path, *fetched, manifest_.poses.count); !written) {
+            return written.error();
+        }
+    }
+    auto map = read_maps(path);
+    if (!map) {
+        return map.error();
+    }
+    if (Status moved = move_file(path, folder_.out() / "maps"); !moved) {
+        return moved.error();
+    }
+    return std::optional(std::move(map.value()));
+}
+
+Status FolderRun::finish(RunReport& report,
+                         const std::string& output,
+                         const std::optional<ContactMap>& fetched_map) {
+    std::error_code error;
+    fs::remove_all(folder_.out(), error);
+    fs::create_directories(folder_.out(), error);
+    if (Status finished = recorder_->finish(); !finished) {
+        return finished;
+    }
+    auto kept_map = finish_maps(fetched_map);
+    if (!kept_map) {
+        return kept_map.error();
+    }
+    const ExportContext context = export_context(*job_);
+    const auto records = RecordFile::open(folder_.part() / "records");
+    auto sink = ResultSink::open({folder_.out(), manifest_.formats, output}, context);
+    if (!records || !sink) {
+        return records ? sink.error() : records.error();
+    }
+    const Status exported = records.value().for_each(
+        [&](const KeptRecord& record) { return sink.value().add(record.result); });
+    if (!exported) {
+        return exported;
+    }
+    report.map = std::move(kept_map.value());
+    if (!job_->query.maps && job_->query.level >= Level::Pairs) {
+        report.map = sink.value().map();
+    }
+    if (Status finished = sink.value().finish(report.map); !finished) {
+        return finished;
+    }
+    report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    if (Status written = write_summary(folder_.out(), context, report); !written) {
+        return written;
+    }
+    if (Status kept = finish_inputs(); !kept) {
+        return kept;
+    }
+    manifest_.ended = utc_now();
+    manifest_.answered = records.value().count();
+    manifest_.digest = report.digest;
+    manifest_.map_digest =
+        report.map ? std::optional(digest_of(*report.map)) : std::optional<Sha256>();
+    report.summary_file = (folder_.dir() / "summary.json").string();
+    return folder_.commit(manifest_);
+}
+
+} // namespace cd

@@ -1,0 +1,96 @@
+// A run into a results folder, from the decision where to begin to the files that stay.
+#pragma once
+
+#include "client/export/result_sink.hpp"
+#include "client/folder/pose_recorder.hpp"
+#include "client/folder/run_folder.hpp"
+#include "client/folder/run_manifest.hpp"
+#include "client/folder/run_recorder.hpp"
+#include "client/prepared_job.hpp"
+#include "client/report.hpp"
+#include "common/core/result.hpp"
+#include "common/job/merge.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cd {
+
+struct FolderRunOptions {
+    FolderOptions folder;
+    bool keep_inputs = true;
+    bool maps_from_master = false; ///< They are not summed of the results' pairs.
+    ManifestPlace where;
+    std::string command; ///< The command line.
+};
+
+/// Keeps each result as it comes, and makes all exports of the records at the end.
+class FolderRun {
+  public:
+    /// Takes the job's output folder. From here on `job.poses` are kept as they are read. Errors:
+    /// those of `RunFolder::open` and of reading poses.
+    [[nodiscard]] static Result<FolderRun> begin(PreparedJob& job, FolderRunOptions options);
+
+    /// The folder holds all of this job already; then nothing may be called but `folder`.
+    [[nodiscard]] bool is_complete() const { return folder_.state() == RunFolder::State::All; }
+    [[nodiscard]] RunFolder& folder() { return folder_; }
+
+    /// Names the job of a master.
+    void set_job(const std::string& id) { manifest_.where.job = id; }
+
+    /// What an earlier run has done of the first scenarios. Errors: Io.
+    [[nodiscard]] Result<ResultMerger> done() const;
+
+    /// The next result. Errors: Io.
+    [[nodiscard]] Status add(const DoneScenario& done) { return recorder_->add(done); }
+    /// Keeps what has come where it is time. Errors: Io.
+    [[nodiscard]] Status keep_if_due() { return recorder_->flush_if_due(); }
+    /// Keeps what has come. Errors: Io.
+    [[nodiscard]] Status keep() { return recorder_->flush(); }
+    /// Scenarios that a run after this one would not do again.
+    [[nodiscard]] std::uint64_t kept() const { return recorder_->kept(); }
+
+    /// Writes the exports, `output` on stdout, the summary and run.json, and completes the report
+    /// with what only the records tell. `fetched_map` is the map that a master summed. Errors: Io.
+    [[nodiscard]] Status finish(RunReport& report,
+                                const std::string& output,
+                                const std::optional<ContactMap>& fetched_map);
+
+    /// What the user should know, a line each.
+    [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
+
+  private:
+    FolderRun(RunFolder folder, RunManifest manifest, const PreparedJob& job)
+        : folder_(std::move(folder)), manifest_(std::move(manifest)), job_(&job) {}
+
+    [[nodiscard]] Status open_files(PreparedJob& job);
+    [[nodiscard]] Status finish_inputs();
+    [[nodiscard]] Status keep_inputs() const;
+    [[nodiscard]] Result<std::optional<ContactMap>>
+    finish_maps(const std::optional<ContactMap>& fetched) const;
+    [[nodiscard]] std::uint64_t input_bytes() const;
+
+    RunFolder folder_;
+    RunManifest manifest_;
+    const PreparedJob* job_;
+    bool keeps_inputs_ = true;
+    bool maps_from_master_ = false;
+    PoseRecorder* poses_ = nullptr; ///< The job owns it; null for a grid.
+    std::optional<RunRecorder> recorder_;
+    std::vector<std::string> remarks_;
+};
+
+/// What run.json says of a prepared job; the hash of random poses is left out, since they are made
+/// while the run goes on. Errors: those of reading poses.
+[[nodiscard]] Result<RunManifest> manifest_of(const PreparedJob& job);
+
+/// Whoever opens the job again may stand in another folder.
+void make_paths_absolute(JobSpec& spec);
+
+/// The command line of this process.
+[[nodiscard]] std::string own_command_line();
+
+} // namespace cd

@@ -1,0 +1,66 @@
+// A results folder that is read again.
+#pragma once
+
+#include "client/folder/run_manifest.hpp"
+#include "client/job_file.hpp"
+#include "client/prepared_job.hpp"
+#include "common/core/result.hpp"
+#include "common/job/contact_map.hpp"
+#include "common/job/record_file.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace cd {
+
+/// A run that is whole in its folder: what it was asked, and its records.
+class OpenedRun {
+  public:
+    /// Errors: NotFound where there is no run; BadInput and Io naming the file, also for a folder
+    /// of an earlier version, and for a run that has not ended.
+    [[nodiscard]] static Result<OpenedRun> open(const std::filesystem::path& dir);
+
+    [[nodiscard]] const std::filesystem::path& dir() const { return dir_; }
+    [[nodiscard]] const RunManifest& manifest() const { return manifest_; }
+    [[nodiscard]] const RecordFile& records() const { return records_; }
+    [[nodiscard]] RecordFile& records() { return records_; }
+
+    /// The mesh of a body as it was tested: the one that is kept, or else that of the file which
+    /// run.json names. Errors: NotFound, Io; BadInput where the file has changed since.
+    [[nodiscard]] Result<std::shared_ptr<const Mesh>> mesh(std::size_t body) const;
+    /// The poses that are kept; null where none are. Errors: Io.
+    [[nodiscard]] Result<std::unique_ptr<PoseSource>> kept_poses() const;
+    /// The contact map of a job at level count. Errors: Io.
+    [[nodiscard]] Result<std::optional<ContactMap>> kept_map() const;
+
+  private:
+    OpenedRun(std::filesystem::path dir, RunManifest manifest, RecordFile records)
+        : dir_(std::move(dir)), manifest_(std::move(manifest)), records_(std::move(records)) {}
+
+    std::filesystem::path dir_;
+    RunManifest manifest_;
+    RecordFile records_;
+};
+
+/// Whether an argument that may be a job's id is a folder instead.
+[[nodiscard]] bool is_folder(const std::string& argument);
+
+/// The job of a run as its job file would give it, without an output folder.
+[[nodiscard]] JobSpec spec_of(const RunManifest& manifest);
+
+/// The job, ready to be run again: `spec` is `spec_of` the run's manifest, perhaps changed. Errors:
+/// those of `OpenedRun` and `prepare_job`; BadInput naming an input file that has changed.
+[[nodiscard]] Result<PreparedJob> prepare_again(const OpenedRun& run,
+                                                JobSpec spec,
+                                                Trees trees,
+                                                TreeCache& cache,
+                                                ThreadPool& pool,
+                                                bool quiet = true);
+
+/// What exports of the run say beside its results. Errors: those of `OpenedRun::mesh`.
+[[nodiscard]] Result<ExportContext> export_context(const OpenedRun& run);
+
+} // namespace cd

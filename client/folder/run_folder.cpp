@@ -1,0 +1,312 @@
+#include "client/folder/run_folder.hpp"
+
+#include "client/export/output_file.hpp"
+#include "client/words.hpp"
+#include "common/job/record_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* manifest_name = "run.json";
+/// What versions without run.json wrote.
+constexpr std::array<const char*, 9> old_names{"summary.json",
+                                               "scenarios.csv",
+                                               "pairs.csv",
+                                               "points.csv",
+                                               "results.npz",
+                                               "results.jsonl",
+                                               "results.txt",
+                                               "map.csv",
+                                               "map.npz"};
+
+Error refused(const fs::path& dir, const std::string& what) {
+    return {ErrorCode::BadInput,
+            dir.string() + " holds " + what + "; give another folder with --out, or --overwrite"};
+}
+
+/// Nothing where there is no such file.
+Result<std::optional<RunManifest>> read_if_there(const fs::path& path) {
+    auto manifest = read_run_json(path);
+    if (manifest) {
+        return std::optional(std::move(manifest.value()));
+    }
+    if (manifest.error().code == ErrorCode::NotFound) {
+        return std::optional<RunManifest>();
+    }
+    return manifest.error();
+}
+
+bool holds_old_results(const fs::path& dir) {
+    return std::ranges::any_of(old_names, [&](const char* name) {
+        std::error_code error;
+        return fs::exists(dir / name, error);
+    });
+}
+
+std::string named(const RunManifest& manifest) {
+    return "another run (" + manifest.name + ", of " + manifest.started + ")";
+}
+
+/// What stands against a run of this job in the folder.
+Status check_no_other(const fs::path& dir,
+                      const RunManifest& manifest,
+                      const std::optional<RunManifest>& finished,
+                      const std::optional<RunManifest>& unfinished) {
+    if (finished && !is_same_job(*finished, manifest)) {
+        return refused(dir, named(*finished));
+    }
+    if (unfinished && !is_same_job(*unfinished, manifest)) {
+        return refused(dir, "the unfinished part of " + named(*unfinished));
+    }
+    if (!finished && !unfinished && holds_old_results(dir)) {
+        return refused(dir, "results without a run.json");
+    }
+    return Done{};
+}
+
+Status write_text(const fs::path& path, const std::string& text) {
+    auto file = OutputFile::create(path);
+    if (!file) {
+        return file.error();
+    }
+    if (Status written = file.value().write(text); !written) {
+        return written;
+    }
+    return file.value().commit();
+}
+
+Error failure(const fs::path& path, const std::error_code& error) {
+    return {ErrorCode::Io, path.string() + ": " + error.message()};
+}
+
+/// Removes a file, and the folders that it leaves empty.
+void remove_listed(const fs::path& dir, const std::string& name) {
+    std::error_code error;
+    fs::remove(dir / name, error);
+    for (fs::path parent = fs::path(name).parent_path(); !parent.empty();
+         parent = parent.parent_path()) {
+        fs::remove(dir / parent, error); // Only where it is empty.
+    }
+}
+
+std::vector<std::string> files_below(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
+        if (entry.is_regular_file(error)) {
+            names.push_back(entry.path().lexically_relative(folder).generic_string());
+        }
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+} // namespace
+
+Result<RunManifest> read_run_json(const fs::path& path) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) {
+        return Error{ErrorCode::NotFound, path.string() + ": no such file"};
+    }
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    if (!file || !(text << file.rdbuf())) {
+        return Error{ErrorCode::Io, path.string() + ": cannot be read, or is empty"};
+    }
+    auto manifest = parse_manifest(text.str());
+    if (!manifest) {
+        return Error{ErrorCode::BadInput, path.string() + ": " + manifest.error().detail};
+    }
+    return manifest;
+}
+
+bool is_inside(std::string_view name) {
+    const fs::path path(name);
+    return !name.empty() && path.is_relative() &&
+           std::ranges::none_of(path, [](const fs::path& step) { return step == ".."; });
+}
+
+RunFolder::RunFolder(fs::path dir, DiskFile lock)
+    : dir_(std::move(dir)), part_(dir_ / ".part"), lock_(std::move(lock)) {}
+
+Result<RunFolder>
+RunFolder::open(const fs::path& dir, const RunManifest& manifest, FolderOptions options) {
+    const auto finished = read_if_there(dir / manifest_name);
+    const auto unfinished = read_if_there(dir / ".part" / manifest_name);
+    for (const auto* read : {&finished, &unfinished}) {
+        if (!*read && !options.overwrite) {
+            return read->error();
+        }
+    }
+    const auto there = [](const Result<std::optional<RunManifest>>& read) {
+        return read ? read.value() : std::nullopt;
+    };
+    if (!options.overwrite) {
+        const Status free = check_no_other(dir, manifest, there(finished), there(unfinished));
+        if (!free) {
+            return free.error();
+        }
+    }
+    auto taken = take(dir);
+    if (!taken) {
+        return taken;
+    }
+    RunFolder& folder = taken.value();
+    folder.before_ = there(finished);
+    const auto is_this = [&](const std::optional<RunManifest>& other) {
+        return other && !options.fresh && is_same_job(*other, manifest);
+    };
+    if (is_this(there(finished)) && folder.before_->is_complete()) {
+        folder.state_ = State::All;
+        return taken;
+    }
+    if (options.resume && is_this(there(unfinished))) {
+        folder.state_ = State::Some;
+        folder.recover_files();
+        return taken;
+    }
+    if (Status begun = folder.begin(manifest); !begun) {
+        return begun.error();
+    }
+    return taken;
+}
+
+Result<RunFolder> RunFolder::open_finished(const fs::path& dir) {
+    auto manifest = read_run_json(dir / manifest_name);
+    if (!manifest) {
+        return manifest.error();
+    }
+    auto taken = take(dir);
+    if (taken) {
+        taken.value().before_ = std::move(manifest.value());
+        taken.value().state_ = State::All;
+    }
+    return taken;
+}
+
+Result<RunFolder> RunFolder::take(const fs::path& dir) {
+    if (Status made = make_directories(dir / ".part"); !made) {
+        return made.error();
+    }
+    auto lock = DiskFile::lock(dir / ".part" / "lock");
+    if (!lock) {
+        return Error{ErrorCode::Io,
+                     dir.string() + " is being written by another cdctl; give another folder"};
+    }
+    return RunFolder(dir, std::move(lock.value()));
+}
+
+/// Empties `.part` but for the lock.
+Status RunFolder::begin(const RunManifest& manifest) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(part_, error)) {
+        if (entry.path().filename() != "lock") {
+            fs::remove_all(entry.path(), error);
+        }
+    }
+    return write_text(part_ / manifest_name, manifest_json(manifest));
+}
+
+/// Where a run was killed while it moved its files, some have another place already.
+void RunFolder::recover_files() {
+    constexpr std::array<std::array<const char*, 2>, 3> moved{
+        {{"records", "records"}, {"maps", "maps"}, {"scenarios", "inputs/scenarios"}}};
+    std::error_code error;
+    for (const auto& [name, last] : moved) {
+        for (const fs::path& folder : {out(), dir_}) {
+            const bool is_ours = folder != dir_ || !before_;
+            if (is_ours && !fs::exists(part_ / name, error)) {
+                fs::rename(folder / last, part_ / name, error);
+            }
+        }
+    }
+}
+
+Result<std::vector<ManifestFile>> RunFolder::move_files() {
+    std::vector<ManifestFile> files;
+    for (const std::string& name : files_below(out())) {
+        std::error_code error;
+        fs::create_directories((dir_ / name).parent_path(), error);
+        files.push_back({name, fs::file_size(out() / name, error)});
+        fs::rename(out() / name, dir_ / name, error);
+        if (error) {
+            return failure(dir_ / name, error);
+        }
+    }
+    return files;
+}
+
+Status RunFolder::commit(RunManifest manifest) {
+    const std::vector<std::string> news = files_below(out());
+    const auto is_new = [&](const std::string& name) {
+        return std::ranges::binary_search(news, name) || name == "records";
+    };
+    std::error_code error;
+    fs::remove(dir_ / manifest_name, error);
+    if (before_) {
+        for (const ManifestFile& file : before_->files) {
+            if (is_inside(file.name) && !is_new(file.name)) {
+                remove_listed(dir_, file.name);
+            }
+        }
+    } else {
+        for (const char* name : old_names) {
+            fs::remove(dir_ / name, error);
+        }
+    }
+    auto files = move_files();
+    if (!files) {
+        return files.error();
+    }
+    manifest.files = std::move(files.value());
+    manifest.files.push_back({"records", fs::file_size(part_ / "records", error)});
+    fs::rename(part_ / "records", dir_ / "records", error);
+    if (error) {
+        return failure(dir_ / "records", error);
+    }
+    if (Status written = write_text(dir_ / manifest_name, manifest_json(manifest)); !written) {
+        return written;
+    }
+    clean();
+    return Done{};
+}
+
+Status RunFolder::add_files(std::span<const std::string> formats) {
+    RunManifest manifest = *before_;
+    auto files = move_files();
+    if (!files) {
+        return files.error();
+    }
+    for (const ManifestFile& file : files.value()) {
+        std::erase_if(manifest.files,
+                      [&](const ManifestFile& old) { return old.name == file.name; });
+        manifest.files.push_back(file);
+    }
+    for (const std::string& format : formats) {
+        if (std::ranges::find(manifest.formats, format) == manifest.formats.end()) {
+            manifest.formats.push_back(format);
+        }
+    }
+    if (Status written = write_text(dir_ / manifest_name, manifest_json(manifest)); !written) {
+        return written;
+    }
+    clean();
+    return Done{};
+}
+
+void RunFolder::clean() {
+    std::error_code error;
+    fs::remove_all(part_, error);
+}
+
+} // namespace cd

@@ -1,0 +1,368 @@
+#include "client/folder/run_manifest.hpp"
+
+#include "client/folder/job_text.hpp"
+#include "common/core/limits.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+namespace cd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint64_t format_version = 1;
+/// That of the canonical record (result.hpp).
+constexpr std::uint64_t record_version = 2;
+constexpr std::array<std::string_view, 3> kind_names{"grid", "file", "random"};
+
+std::string_view to_text(PosesKind kind) {
+    return kind_names[static_cast<std::size_t>(kind)];
+}
+
+template <class T>
+Json json_or_null(const std::optional<T>& value) {
+    return value ? Json(*value) : Json();
+}
+
+Json hash_json(const std::optional<Sha256>& hash) {
+    return hash ? Json(to_hex(*hash)) : Json();
+}
+
+Json grid_json(const Grid& grid) {
+    Json positions = Json::array();
+    for (const GridAxis& axis : grid.position) {
+        positions.push_back({{"first", axis.first}, {"last", axis.last}, {"count", axis.count}});
+    }
+    Json rotations = Json::array();
+    for (const std::vector<Quaternion>& rotation : grid.rotation) {
+        Json turns = Json::array();
+        for (const Quaternion& q : rotation) {
+            turns.push_back(Json::array({q.w, q.x, q.y, q.z}));
+        }
+        rotations.push_back(std::move(turns));
+    }
+    return {{"position", std::move(positions)}, {"rotation_wxyz", std::move(rotations)}};
+}
+
+Json poses_json(const ManifestPoses& poses) {
+    Json json{{"kind", to_text(poses.kind)},
+              {"count", poses.count},
+              {"sha256", hash_json(poses.hash)},
+              {"ids", poses.has_ids},
+              {"times", poses.has_times}};
+    if (poses.grid) {
+        json["grid"] = grid_json(*poses.grid);
+    }
+    if (poses.random) {
+        json["seed"] = poses.random->seed;
+        json["penetration"] = {poses.random->penetration_min, poses.random->penetration_max};
+    }
+    if (poses.kind == PosesKind::File) {
+        json["file"] = poses.file;
+        json["quat_order"] = poses.quat_order;
+        json["both"] = poses.of_both_bodies;
+        json["rigid_tolerance"] = json_or_null(poses.rigid_tolerance);
+        json["length_factor"] = poses.length_factor;
+    }
+    return json;
+}
+
+Json query_json(const Query& query) {
+    Json ignored = Json::array();
+    for (const IgnoredRange& range : query.ignored) {
+        ignored.push_back({{"bodies", {0, 1}},
+                           {"triangles",
+                            Json::array({Json::array({range.a_begin, range.a_end}),
+                                         Json::array({range.b_begin, range.b_end})})}});
+    }
+    return {{"level", to_text(query.level)},
+            {"tolerance", query.tolerance},
+            {"limit_pairs", query.limit_pairs},
+            {"maps", query.maps},
+            {"ignored", std::move(ignored)}};
+}
+
+Json where_json(const ManifestPlace& where) {
+    if (where.master.empty()) {
+        return {{"threads", where.threads}, {"simd", where.simd}};
+    }
+    return {{"master", where.master}, {"job", where.job}};
+}
+
+Json bodies_json(const std::vector<ManifestBody>& bodies) {
+    Json json = Json::array();
+    for (const ManifestBody& body : bodies) {
+        json.push_back({{"name", body.name},
+                        {"file", body.file},
+                        {"unit", body.unit},
+                        {"sha256", to_hex(body.mesh)},
+                        {"parts", body.parts}});
+    }
+    return json;
+}
+
+Json files_json(const std::vector<ManifestFile>& files) {
+    Json json = Json::array();
+    for (const ManifestFile& file : files) {
+        json.push_back({{"name", file.name}, {"bytes", file.bytes}});
+    }
+    return json;
+}
+
+// ---- Reading: `at` throws what `parse_manifest` catches ----------------------------------------
+
+struct Wrong {
+    std::string what;
+};
+
+template <class T>
+T value_of(const Json& json, const char* key) {
+    const auto found = json.find(key);
+    if (found == json.end()) {
+        throw Wrong{"\"" + std::string(key) + "\" is missing"};
+    }
+    return found->get<T>();
+}
+
+template <class T>
+T value_or(const Json& json, const char* key, T other) {
+    const auto found = json.find(key);
+    return found == json.end() || found->is_null() ? other : found->get<T>();
+}
+
+double number_of(const Json& json) {
+    const auto value = json.get<double>();
+    if (!std::isfinite(value)) {
+        throw Wrong{"a number is not finite"};
+    }
+    return value;
+}
+
+std::optional<Sha256> read_hash(const Json& json, const char* key) {
+    const auto text = value_or<std::string>(json, key, "");
+    const auto hash = sha256_from_hex(text);
+    if (!text.empty() && !hash) {
+        throw Wrong{"\"" + std::string(key) + "\" is no SHA-256"};
+    }
+    return hash;
+}
+
+std::vector<ManifestBody> read_bodies(const Json& json) {
+    std::vector<ManifestBody> bodies;
+    for (const Json& each : json.at("bodies")) {
+        ManifestBody body;
+        body.name = value_of<std::string>(each, "name");
+        body.file = value_of<std::string>(each, "file");
+        body.unit = value_of<std::string>(each, "unit");
+        const auto mesh = read_hash(each, "sha256");
+        if (!mesh) {
+            throw Wrong{"body \"" + body.name + "\" has no SHA-256"};
+        }
+        body.mesh = *mesh;
+        body.parts = value_or<std::vector<std::string>>(each, "parts", {});
+        bodies.push_back(std::move(body));
+    }
+    if (bodies.size() != 2) {
+        throw Wrong{"a run of this version has two bodies"};
+    }
+    return bodies;
+}
+
+Grid read_grid(const Json& json) {
+    Grid grid;
+    for (std::size_t i = 0; i < grid.position.size(); ++i) {
+        const Json& axis = json.at("position").at(i);
+        grid.position[i] = {number_of(axis.at("first")),
+                            number_of(axis.at("last")),
+                            value_of<std::uint64_t>(axis, "count")};
+        for (const Json& q : json.at("rotation_wxyz").at(i)) {
+            grid.rotation[i].push_back(
+                {number_of(q.at(0)), number_of(q.at(1)), number_of(q.at(2)), number_of(q.at(3))});
+        }
+    }
+    // What comes over the wire is checked in the same way.
+    if (const auto checked = decode_grid(encode_grid(grid)); !checked) {
+        throw Wrong{checked.error().detail};
+    }
+    return grid;
+}
+
+ManifestPoses read_poses(const Json& json) {
+    ManifestPoses poses;
+    const auto kind = std::ranges::find(kind_names, value_of<std::string>(json, "kind"));
+    if (kind == kind_names.end()) {
+        throw Wrong{"the kind of poses is not known"};
+    }
+    poses.kind = static_cast<PosesKind>(kind - kind_names.begin());
+    poses.count = value_of<std::uint64_t>(json, "count");
+    poses.hash = read_hash(json, "sha256");
+    poses.has_ids = value_or(json, "ids", false);
+    poses.has_times = value_or(json, "times", false);
+    if (poses.kind == PosesKind::Grid) {
+        poses.grid = read_grid(json.at("grid"));
+        if (poses.grid->count() != poses.count) {
+            throw Wrong{"the grid has another number of poses"};
+        }
+    }
+    if (poses.kind == PosesKind::Random) {
+        const Json& penetration = json.at("penetration");
+        poses.random = RandomPoses{poses.count,
+                                   value_of<std::uint64_t>(json, "seed"),
+                                   number_of(penetration.at(0)),
+                                   number_of(penetration.at(1))};
+        if (!(0 <= poses.random->penetration_min &&
+              poses.random->penetration_min <= poses.random->penetration_max &&
+              poses.random->penetration_max <= 1)) {
+            throw Wrong{"the penetration is not within 0 to 1"};
+        }
+    }
+    poses.file = value_or<std::string>(json, "file", "");
+    poses.quat_order = value_or<std::string>(json, "quat_order", "");
+    poses.of_both_bodies = value_or(json, "both", false);
+    if (json.contains("rigid_tolerance") && !json["rigid_tolerance"].is_null()) {
+        poses.rigid_tolerance = number_of(json["rigid_tolerance"]);
+    }
+    if (json.contains("length_factor")) {
+        poses.length_factor = number_of(json["length_factor"]);
+    }
+    if (poses.count == 0 || poses.count > limits::scenarios_max) {
+        throw Wrong{"the number of poses is out of range"};
+    }
+    return poses;
+}
+
+IgnoredRange read_ignored(const Json& json) {
+    const Json& triangles = json.at("triangles");
+    const auto end_of = [&](std::size_t body, std::size_t end) {
+        return triangles.at(body).at(end).get<std::uint32_t>();
+    };
+    return {end_of(0, 0), end_of(0, 1), end_of(1, 0), end_of(1, 1)};
+}
+
+Query read_query(const Json& json) {
+    Query query;
+    const auto level = level_from_text(value_of<std::string>(json, "level"));
+    if (!level) {
+        throw Wrong{"the level is not known"};
+    }
+    query.level = *level;
+    query.tolerance = number_of(json.at("tolerance"));
+    query.limit_pairs = value_of<std::uint64_t>(json, "limit_pairs");
+    query.maps = value_of<bool>(json, "maps");
+    if (query.tolerance < 0) {
+        throw Wrong{"the tolerance is negative"};
+    }
+    for (const Json& each : json.at("ignored")) {
+        query.ignored.push_back(read_ignored(each));
+    }
+    return query;
+}
+
+RunManifest read_manifest(const Json& json) {
+    const auto version = value_of<std::uint64_t>(json, "format");
+    if (version > format_version) {
+        throw Wrong{"its format is " + std::to_string(version) + ", and this program reads " +
+                    std::to_string(format_version) + "; use a later cdctl"};
+    }
+    if (value_of<std::uint64_t>(json, "record_version") != record_version) {
+        throw Wrong{"its records are of another version; use the cdctl that wrote them"};
+    }
+    RunManifest manifest;
+    manifest.program = value_or<std::string>(json, "program", "");
+    manifest.command = value_or<std::string>(json, "command", "");
+    manifest.started = value_or<std::string>(json, "started", "");
+    manifest.ended = value_or<std::string>(json, "ended", "");
+    const Json where = json.value("where", Json::object());
+    manifest.where = {value_or<std::uint64_t>(where, "threads", 0),
+                      value_or<std::string>(where, "simd", ""),
+                      value_or<std::string>(where, "master", ""),
+                      value_or<std::string>(where, "job", "")};
+    manifest.name = value_of<std::string>(json, "name");
+    manifest.unit = value_of<std::string>(json, "unit");
+    manifest.bodies = read_bodies(json);
+    manifest.poses = read_poses(json.at("poses"));
+    manifest.query = read_query(json.at("query"));
+    manifest.answered = value_or<std::uint64_t>(json, "answered", 0);
+    manifest.digest = read_hash(json, "digest");
+    manifest.map_digest = read_hash(json, "map_digest");
+    manifest.formats = value_or<std::vector<std::string>>(json, "formats", {});
+    for (const Json& file : json.value("files", Json::array())) {
+        manifest.files.push_back(
+            {value_of<std::string>(file, "name"), value_of<std::uint64_t>(file, "bytes")});
+    }
+    return manifest;
+}
+
+bool is_equal(const Query& left, const Query& right) {
+    return left.level == right.level && left.tolerance == right.tolerance &&
+           left.limit_pairs == right.limit_pairs && left.maps == right.maps &&
+           left.ignored == right.ignored;
+}
+
+bool has_same_poses(const ManifestPoses& left, const ManifestPoses& right) {
+    if (left.random && right.random) {
+        return left.random == right.random;
+    }
+    return left.count == right.count && left.hash && left.hash == right.hash;
+}
+
+} // namespace
+
+std::string manifest_json(const RunManifest& manifest) {
+    const Json json{{"format", format_version},
+                    {"record_version", record_version},
+                    {"program", manifest.program},
+                    {"command", manifest.command},
+                    {"started", manifest.started},
+                    {"ended", manifest.ended},
+                    {"where", where_json(manifest.where)},
+                    {"name", manifest.name},
+                    {"unit", manifest.unit},
+                    {"job", job_text(manifest)},
+                    {"bodies", bodies_json(manifest.bodies)},
+                    {"poses", poses_json(manifest.poses)},
+                    {"query", query_json(manifest.query)},
+                    {"complete", manifest.is_complete()},
+                    {"answered", manifest.answered},
+                    {"digest", hash_json(manifest.digest)},
+                    {"map_digest", hash_json(manifest.map_digest)},
+                    {"formats", manifest.formats},
+                    {"files", files_json(manifest.files)}};
+    // A name may hold bytes that are no UTF-8.
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<RunManifest> parse_manifest(std::string_view text) {
+    try {
+        return read_manifest(Json::parse(text));
+    } catch (const Wrong& wrong) {
+        return Error{ErrorCode::BadInput, wrong.what};
+    } catch (const nlohmann::json::exception&) {
+        return Error{ErrorCode::BadInput, "it is damaged, or no run.json of cdctl"};
+    }
+}
+
+bool is_same_job(const RunManifest& left, const RunManifest& right) {
+    const bool same_meshes =
+        std::ranges::equal(left.bodies, right.bodies, {}, &ManifestBody::mesh, &ManifestBody::mesh);
+    return same_meshes && has_same_poses(left.poses, right.poses) &&
+           is_equal(left.query, right.query);
+}
+
+std::string utc_now() {
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    std::tm parts{};
+    gmtime_r(&now, &parts);
+    std::array<char, 32> text{};
+    const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return {text.data(), size};
+}
+
+} // namespace cd

@@ -1,0 +1,58 @@
+// Results on their way to the disk while a run goes on.
+#pragma once
+
+#include "client/done_scenario.hpp"
+#include "common/core/result.hpp"
+#include "common/job/block_file.hpp"
+#include "common/job/contact_map.hpp"
+#include "common/job/record_file.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace cd {
+
+/// Writes the files `records` and, for maps, `maps` of a folder, a block whenever
+/// one is full, and at least each `limits::record_flush_period`. A block of `maps` is the sum over
+/// the block of `records` with the same scenarios.
+class RunRecorder {
+  public:
+    /// Goes on after what the folder holds, or starts. Errors: Io.
+    [[nodiscard]] static Result<RunRecorder> open(const std::filesystem::path& folder,
+                                                  bool with_maps);
+
+    /// The next result. Errors: Io.
+    [[nodiscard]] Status add(const DoneScenario& done);
+    /// Writes what waits where the period is over. Errors: Io.
+    [[nodiscard]] Status flush_if_due();
+    /// Writes what waits. Errors: Io.
+    [[nodiscard]] Status flush();
+    /// Completes the files. Errors: Io.
+    [[nodiscard]] Status finish();
+
+    /// Scenarios that are on the disk.
+    [[nodiscard]] std::uint64_t kept() const { return records_.written(); }
+
+  private:
+    RunRecorder(RecordWriter records, std::optional<BlockFileWriter> maps)
+        : records_(std::move(records)), maps_(std::move(maps)) {}
+
+    RecordWriter records_;
+    std::optional<BlockFileWriter> maps_;
+    ContactMapSum map_; ///< Of the results that wait.
+    std::uint64_t first_waiting_ = 0;
+    std::uint64_t waiting_ = 0;
+    std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
+};
+
+/// Writes a map that is known as a whole. Errors: Io.
+[[nodiscard]] Status
+write_maps(const std::filesystem::path& path, const ContactMap& map, std::uint64_t scenarios);
+
+/// The sum of a finished or unfinished file of maps. Errors: Io naming the file.
+[[nodiscard]] Result<ContactMap> read_maps(const std::filesystem::path& path);
+
+} // namespace cd

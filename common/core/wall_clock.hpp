@@ -1,0 +1,16 @@
+// The time of day, for people and for what outlives a process. No decision about work hangs on it.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace cd {
+
+/// Seconds since 1970, UTC.
+[[nodiscard]] inline std::uint64_t unix_seconds() {
+    const auto since = std::chrono::system_clock::now().time_since_epoch();
+    return static_cast<std::uint64_t>(
+        std::chrono::duration_cast<std::chrono::seconds>(since).count());
+}
+
+} // namespace cd

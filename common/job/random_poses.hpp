@@ -1,0 +1,21 @@
+// How random poses are to be made.
+#pragma once
+
+#include <cstdint>
+
+namespace cd {
+
+/// The paper's scenarios (section 7): B comes in a random orientation from a random direction and
+/// is pushed in until it first collides, then by a random share in [penetration_min,
+/// penetration_max] of the diagonal of B's box further. Whoever reads a job sees to it that 0 <=
+/// penetration_min <= penetration_max <= 1.
+struct RandomPoses {
+    std::uint64_t count = 1000;
+    std::uint64_t seed = 1;
+    double penetration_min = 0.005;
+    double penetration_max = 0.05;
+
+    friend bool operator==(const RandomPoses&, const RandomPoses&) = default;
+};
+
+} // namespace cd

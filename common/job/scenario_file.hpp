@@ -1,0 +1,48 @@
+// A run's poses on disk, so that it can be opened again without the files that they came from.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/job/block_file.hpp"
+#include "common/job/pose_source.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace cd {
+
+/// Writes a block file (block_file.hpp) of `pack_scenarios`, in submitted order.
+class ScenarioWriter {
+  public:
+    /// Errors: those of `BlockFileWriter`.
+    [[nodiscard]] static Result<ScenarioWriter> create(const std::filesystem::path& path);
+    [[nodiscard]] static Result<ScenarioWriter> resume(const std::filesystem::path& path);
+
+    /// Adds scenarios; their indices go on from those before. Errors: Io.
+    [[nodiscard]] Status add(std::span<const Scenario> scenarios);
+    /// Writes the table. Errors: Io.
+    [[nodiscard]] Status finish();
+
+    /// Scenarios written so far, from the first on.
+    [[nodiscard]] std::uint64_t written() const { return file_.written().count(); }
+
+  private:
+    explicit ScenarioWriter(BlockFileWriter file) : file_(std::move(file)) {}
+
+    BlockFileWriter file_;
+};
+
+/// The scenarios of a finished file. Any thread may read. Errors: those of `BlockFile::open`; Io
+/// where scenarios are missing.
+[[nodiscard]] Result<std::unique_ptr<PoseSource>>
+open_scenario_file(const std::filesystem::path& path);
+
+/// The scenarios in the whole blocks of a file that is being written. Errors: those of
+/// `BlockFile::open_unfinished`; Io.
+[[nodiscard]] Result<std::unique_ptr<PoseSource>>
+open_unfinished_scenario_file(const std::filesystem::path& path);
+
+} // namespace cd

@@ -1,0 +1,36 @@
+// What a client sends of a job beside its description, on disk: poses, and how they are named.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "master/journal.hpp"
+#include "master/label_spool.hpp"
+#include "master/pose_spool.hpp"
+#include "proto/client_messages.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace cd {
+
+/// The poses of one job and, where its pose file has them, their labels. One thread at a time adds;
+/// all members block for the disk.
+class JobSpool {
+  public:
+    /// New files in `directory`, for the scenarios and columns that `submit` announces. Errors:
+    /// those of the two spools.
+    [[nodiscard]] static Result<std::shared_ptr<JobSpool>>
+    create(const std::filesystem::path& directory, const Submit& submit);
+
+    /// The next scenarios. Errors: those of the two spools.
+    [[nodiscard]] Status append(const PosesPart& part);
+    /// All have come: the files get the names by which the journal finds them. Errors: Io.
+    [[nodiscard]] Status seal(const Journal& journal, JobId job, Durability durability);
+
+    [[nodiscard]] const std::shared_ptr<PoseSpool>& poses() const { return poses_; }
+
+  private:
+    std::shared_ptr<PoseSpool> poses_;
+    std::unique_ptr<LabelSpool> labels_; ///< Null for a job without labels.
+};
+
+} // namespace cd

@@ -1,0 +1,342 @@
+// Proves, with real processes, that a run into a folder can be interrupted and killed and goes on,
+// that its folder opens again without the files that it came from, and that what is there is never
+// mixed with another run.
+#include "client/npz.hpp"
+#include "tests/cluster/cdctl_runs.hpp"
+#include "tests/support/comes_true.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <fstream>
+
+namespace cd::tests {
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class Folder : public testing::Test {
+  protected:
+    Folder() {
+        write_obj(folder_ / "a.obj", make_torus(1.0, 0.4, 24, 12));
+        write_obj(folder_ / "b.obj", make_sphere(2));
+    }
+
+    /// A job of `count` squared poses on a grid.
+    void write_job(int count, const std::string& query) {
+        const std::string n = std::to_string(count);
+        write_text(folder_ / "job.toml",
+                   "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\n"
+                   "grid = { x = [-2.5, 2.5, " +
+                       n + "], yaw_deg = [0, 350, " + n + "] }\n[query]\n" + query + "\n");
+    }
+
+    [[nodiscard]] std::vector<std::string>
+    command(const std::string& verb, const std::string& what, std::vector<std::string> more) {
+        std::vector<std::string> words{cdctl(), verb, verb == "run" && what.empty() ? job_ : what};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+    [[nodiscard]] Ran run(std::vector<std::string> more) {
+        return tests::run(command("run", "", std::move(more)));
+    }
+    [[nodiscard]] nlohmann::json read_json(const fs::path& path) {
+        return nlohmann::json::parse(read_text(path));
+    }
+
+    /// Starts the job into `out` and sends the signal when the first results are on the disk.
+    std::string stop_early(int signal, const std::string& out) {
+        Process process(command("run", "", {"--out", folder_ / out}), folder_ / "stopped");
+        const fs::path records = folder_ / out / ".part" / "records";
+        EXPECT_TRUE(comes_true([&] {
+            std::error_code error;
+            return fs::file_size(records, error) > 1000 && !error;
+        }));
+        process.signal(signal);
+        EXPECT_EQ(process.wait(), 128 + signal) << process.errors();
+        return process.errors();
+    }
+
+    const TemporaryFolder folder_;
+    const std::string job_ = folder_ / "job.toml";
+};
+
+TEST_F(Folder, AnInterruptedRunGoesOnWithTheSameCommand) {
+    for (const char* query : {"level = \"pairs\"", "level = \"count\"\nmaps = true"}) {
+        SCOPED_TRACE(query);
+        write_job(200, query);
+        const std::string out = folder_ / "out";
+        const Ran whole = run({"--out", folder_ / "whole", "--overwrite"});
+        ASSERT_EQ(whole.exit_code, 0) << whole.errors;
+        EXPECT_THAT(stop_early(SIGINT, "out"),
+                    HasSubstr("of 40 000 are kept in " + out + ", and the same command goes on"));
+        stop_early(SIGKILL, "out");
+        EXPECT_FALSE(fs::exists(folder_ / "out" / "run.json"));
+
+        const Ran resumed = run({"--out", out});
+        ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
+        EXPECT_THAT(resumed.errors, HasSubstr("resumed at "));
+        EXPECT_EQ(digest_of(resumed), digest_of(whole));
+        const auto got = read_json(folder_ / "out" / "run.json");
+        const auto expected = read_json(folder_ / "whole" / "run.json");
+        EXPECT_EQ(got["digest"], expected["digest"]);
+        EXPECT_EQ(got["map_digest"], expected["map_digest"]);
+        EXPECT_TRUE(got["map_digest"].is_string());
+        EXPECT_FALSE(fs::exists(folder_ / "out" / ".part"));
+        EXPECT_EQ(read_text(folder_ / "out" / "scenarios.csv"),
+                  read_text(folder_ / "whole" / "scenarios.csv"));
+        fs::remove_all(out);
+    }
+}
+
+TEST_F(Folder, ACompleteRunIsToldAndNotRunAgain) {
+    write_job(10, "level = \"contacts\"");
+    const std::string out = folder_ / "out";
+    const Ran first = run({"--out", out, "--formats", "csv"});
+    ASSERT_EQ(first.exit_code, 0) << first.errors;
+    const auto records = fs::last_write_time(folder_ / "out" / "records");
+    const Ran second = run({"--out", out, "--formats", "csv,npz,npz"});
+    EXPECT_EQ(second.exit_code, 0);
+    EXPECT_THAT(second.errors, HasSubstr("holds this run already"));
+    EXPECT_THAT(second.errors, HasSubstr("digest " + digest_of(first)));
+    EXPECT_TRUE(fs::exists(folder_ / "out" / "results.npz")) << "a missing format is added";
+    EXPECT_EQ(fs::last_write_time(folder_ / "out" / "records"), records);
+    const Ran fresh = run({"--out", out, "--fresh"});
+    EXPECT_EQ(digest_of(fresh), digest_of(first));
+    EXPECT_NE(fs::last_write_time(folder_ / "out" / "records"), records);
+}
+
+TEST_F(Folder, AnotherRunIsNotMixedWith) {
+    write_job(10, "level = \"pairs\"");
+    const std::string out = folder_ / "out";
+    ASSERT_EQ(run({"--out", out, "--formats", "csv,csv-pairs,npz"}).exit_code, 0);
+    write_text(folder_ / "out" / "mine.txt", "of the user");
+    const Ran refused = run({"--out", out, "--level", "count"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr(out + " holds another run (job, of "));
+    EXPECT_THAT(refused.errors, HasSubstr("--overwrite"));
+    EXPECT_TRUE(fs::exists(folder_ / "out" / "pairs.csv"));
+
+    const Ran replaced =
+        run({"--out", out, "--level", "count", "--formats", "json", "--overwrite"});
+    EXPECT_EQ(replaced.exit_code, 0) << replaced.errors;
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(out)) {
+        names.push_back(entry.path().filename());
+    }
+    EXPECT_THAT(names,
+                testing::UnorderedElementsAre(
+                    "mine.txt", "run.json", "records", "summary.json", "results.jsonl", "inputs"));
+}
+
+TEST_F(Folder, ResultsOfAnEarlierVersionAreNotMixedWithAndOpenForTheirSummary) {
+    write_job(5, "level = \"count\"");
+    fs::create_directories(folder_ / "out");
+    write_text(folder_ / "out" / "summary.json", "{}");
+    write_text(folder_ / "out" / "pairs.csv", "old");
+    const std::string out = folder_ / "out";
+    const Ran refused = run({"--out", out});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("holds results without a run.json"));
+    const Ran opened = tests::run({cdctl(), "run", out});
+    EXPECT_EQ(opened.exit_code, 2);
+    EXPECT_THAT(opened.errors, HasSubstr("only its summary.json can be opened"));
+    EXPECT_EQ(run({"--out", out, "--overwrite"}).exit_code, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "pairs.csv"));
+}
+
+TEST_F(Folder, AFolderRunsAgainWithoutTheFilesThatItCameFrom) {
+    write_text(folder_ / "poses.csv",
+               "id,x,y,z,qx,qy,qz,qw\np0,3,0,0,0,0,0,1\np1,1,0,0,0,0,0.1,1\np2,0.5,0,0,0,0,0,1\n");
+    write_text(folder_ / "job.toml",
+               "unit = \"cm\"\n[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\nunit = \"cm\"\n"
+               "name = \"ball\"\n[poses]\nfile = \"poses.csv\"\nrigid_tolerance = 1\n[query]\n"
+               "level = \"contacts\"\nlimit_pairs = 7\n");
+    const Ran first = run({"--out", folder_ / "out"});
+    ASSERT_EQ(first.exit_code, 0) << first.errors;
+    for (const char* file : {"a.obj", "b.obj", "poses.csv", "job.toml"}) {
+        fs::remove(folder_ / file);
+    }
+    const Ran again = tests::run({cdctl(), "run", folder_ / "out", "--out", folder_ / "again"});
+    EXPECT_EQ(again.exit_code, 0) << again.errors;
+    EXPECT_EQ(digest_of(again), digest_of(first));
+    EXPECT_EQ(read_text(folder_ / "again" / "records"), read_text(folder_ / "out" / "records"));
+    const auto bodies = read_json(folder_ / "again" / "run.json")["bodies"];
+    EXPECT_EQ(bodies[0]["name"], "a");
+    EXPECT_EQ(bodies[1]["name"], "ball");
+    EXPECT_EQ(bodies, read_json(folder_ / "out" / "run.json")["bodies"]);
+}
+
+TEST_F(Folder, WithoutInputsTheFilesAreReadAgainAndAChangedOneIsNamed) {
+    write_text(folder_ / "poses.csv", "x,y,z,qx,qy,qz,qw\n3,0,0,0,0,0,1\n1,0,0,0,0,0,1\n");
+    write_text(folder_ / "job.toml",
+               "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n");
+    const std::string out = folder_ / "out";
+    const Ran first = run({"--out", out, "--no-inputs"});
+    ASSERT_EQ(first.exit_code, 0) << first.errors;
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "inputs"));
+    EXPECT_EQ(digest_of(tests::run({cdctl(), "run", out})), digest_of(first));
+
+    write_text(folder_ / "poses.csv", "x,y,z,qx,qy,qz,qw\n3,0,0,0,0,0,1\n2,0,0,0,0,0,1\n");
+    const Ran poses = tests::run({cdctl(), "run", out});
+    EXPECT_EQ(poses.exit_code, 2);
+    EXPECT_THAT(poses.errors, HasSubstr("poses.csv has changed since the run"));
+    write_obj(folder_ / "b.obj", make_sphere(1));
+    const Ran mesh = tests::run({cdctl(), "run", out});
+    EXPECT_EQ(mesh.exit_code, 2);
+    EXPECT_THAT(mesh.errors, HasSubstr("b.obj has changed since the run"));
+}
+
+TEST_F(Folder, ResultsMakesMoreFormatsOfAFolderWithoutRunning) {
+    write_job(12, "level = \"contacts\"");
+    const std::string out = folder_ / "out";
+    ASSERT_EQ(run({"--out", out, "--formats", "json"}).exit_code, 0);
+    ASSERT_EQ(run({"--out", folder_ / "all", "--formats", "csv,csv-pairs,npz,text"}).exit_code, 0);
+    fs::remove(folder_ / "a.obj"); // Nothing is read but the folder.
+    const Ran made = tests::run({cdctl(), "results", out, "--formats", "csv,csv-pairs,npz,text"});
+    EXPECT_EQ(made.exit_code, 0) << made.errors;
+    for (const char* name : {"scenarios.csv",
+                             "pairs.csv",
+                             "points.csv",
+                             "results.npz",
+                             "results.txt",
+                             "map.csv",
+                             "map.npz"}) {
+        EXPECT_EQ(read_text(folder_ / "out" / name), read_text(folder_ / "all" / name)) << name;
+        EXPECT_FALSE(read_text(folder_ / "out" / name).empty()) << name;
+    }
+    const Ran printed = tests::run({cdctl(), "results", out, "-o", "csv"});
+    EXPECT_EQ(printed.output, read_text(folder_ / "all" / "scenarios.csv"));
+    const Ran unknown = tests::run({cdctl(), "results", out, "--formats", "xml"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_THAT(unknown.errors, HasSubstr("this version has"));
+}
+
+TEST_F(Folder, MapsOfLevelCountAreThereForLaterFormats) {
+    write_job(12, "level = \"count\"\nmaps = true");
+    ASSERT_EQ(run({"--out", folder_ / "out", "--formats", "csv"}).exit_code, 0);
+    ASSERT_EQ(run({"--out", folder_ / "npz", "--formats", "npz"}).exit_code, 0);
+    ASSERT_EQ(tests::run({cdctl(), "results", folder_ / "out", "--formats", "npz"}).exit_code, 0);
+    EXPECT_EQ(read_text(folder_ / "out" / "map.npz"), read_text(folder_ / "npz" / "map.npz"));
+}
+
+TEST_F(Folder, AFullStandardOutputIsToldInOneLine) {
+    write_job(3, "level = \"pairs\"");
+    for (const std::string more : {"", " -o csv", " -o json"}) {
+        const std::string line = cdctl() + " run -q " + job_ + more + " > /dev/full";
+        const Ran full = tests::run({"/bin/sh", "-c", line});
+        EXPECT_EQ(full.exit_code, 3) << more;
+        EXPECT_EQ(full.errors, "cdctl: standard output: No space left on device\n") << more;
+    }
+}
+
+TEST_F(Folder, TwoRunsDoNotWriteOneFolder) {
+    write_job(200, "level = \"pairs\"");
+    Process first(command("run", "", {"--out", folder_ / "out"}), folder_ / "first");
+    EXPECT_TRUE(comes_true([&] { return fs::exists(folder_ / "out" / ".part" / "records"); }));
+    first.signal(SIGSTOP);
+    const Ran second = run({"--out", folder_ / "out"});
+    EXPECT_EQ(second.exit_code, 2);
+    EXPECT_THAT(second.errors, HasSubstr("is being written by another cdctl"));
+    first.signal(SIGKILL);
+}
+
+TEST_F(Folder, VerifyFindsARecordThatIsWrong) {
+    write_job(12, "level = \"pairs\"");
+    const std::string out = folder_ / "out";
+    ASSERT_EQ(run({"--out", out}).exit_code, 0);
+    const Ran right = tests::run({cdctl(), "verify", out});
+    EXPECT_EQ(right.exit_code, 0) << right.errors;
+    EXPECT_THAT(right.output, HasSubstr("144 of 144 scenarios run again: 144 the same"));
+    const Ran few = tests::run({cdctl(), "verify", out, "--sample", "10", "--seed", "5"});
+    EXPECT_THAT(few.output, HasSubstr("10 of 144 scenarios run again: 10 the same"));
+
+    // The records of the same poses with another mesh.
+    write_obj(folder_ / "b.obj", make_sphere(1));
+    ASSERT_EQ(run({"--out", folder_ / "other"}).exit_code, 0);
+    fs::copy_file(folder_ / "other" / "records",
+                  folder_ / "out" / "records",
+                  fs::copy_options::overwrite_existing);
+    const Ran wrong = tests::run({cdctl(), "verify", out});
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_THAT(wrong.output, HasSubstr(" differs\n"));
+}
+
+TEST_F(Folder, AnExtractedCaseGivesTheSameRecords) {
+    // Separate, touch at a corner, cross and inside; and undecided under a tolerance.
+    write_obj(folder_ / "a.obj", make_box({2, 2, 2}));
+    write_obj(folder_ / "b.obj", make_box({1, 1, 1}));
+    write_text(
+        folder_ / "poses.csv",
+        "x,y,z,qx,qy,qz,qw\n9,0,0,0,0,0,1\n1.5,1.5,1.5,0,0,0,1\n1.25,0.3,0.1,0.1,0.2,0.3,0.9\n"
+        "0.1,0.2,0,0,0,0,1\n");
+    std::set<std::string> classes;
+    for (const std::string query : {"level = \"contacts\"",
+                                    "level = \"any\"",
+                                    "level = \"count\"\ntolerance = 100.0",
+                                    "level = \"pairs\"\nlimit_pairs = 2"}) {
+        SCOPED_TRACE(query);
+        write_text(folder_ / "job.toml",
+                   "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n"
+                   "rigid_tolerance = 1\n[query]\n" +
+                       query + "\n");
+        ASSERT_EQ(run({"--out", folder_ / "out", "--overwrite"}).exit_code, 0);
+        for (const std::string scenarios : {"0", "1", "2", "3", "1-3"}) {
+            const std::string dir = folder_ / "case";
+            const Ran made =
+                tests::run({cdctl(), "extract", folder_ / "out", scenarios, "--out", dir});
+            ASSERT_EQ(made.exit_code, 0) << made.errors;
+            const Ran again = tests::run({cdctl(), "run", dir + "/job.toml"});
+            const auto expected = read_json(folder_ / "case" / "expected.json");
+            EXPECT_EQ(digest_of(again), expected["digest"].get<std::string>().substr(0, 16));
+            for (const auto& each : expected["scenarios"]) {
+                classes.insert(each["class"]);
+            }
+        }
+    }
+    EXPECT_THAT(
+        classes,
+        testing::IsSupersetOf({"separate", "touch", "cross", "inside", "contact", "undecided"}));
+    const Ran none = tests::run({cdctl(), "extract", folder_ / "out", "4"});
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_THAT(none.errors, HasSubstr("the run has the scenarios 0 to 3"));
+}
+
+TEST_F(Folder, ASmallestCaseHasTheRunsContactsUnderNewNumbers) {
+    write_job(12, "level = \"contacts\"");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    std::istringstream rows(read_text(folder_ / "out" / "scenarios.csv"));
+    std::string crossing;
+    for (std::string row; std::getline(rows, row);) {
+        crossing =
+            row.find(",cross,") == std::string::npos ? crossing : row.substr(0, row.find(','));
+    }
+    const std::string dir = folder_ / "case";
+    const Ran made =
+        tests::run({cdctl(), "extract", folder_ / "out", crossing, "--out", dir, "--minimal"});
+    ASSERT_EQ(made.exit_code, 0) << made.errors;
+    const auto faces = read_npz(folder_ / "case" / "a.npz");
+    ASSERT_TRUE(faces);
+    EXPECT_LT(faces.value().at("faces").shape[0], make_torus(1.0, 0.4, 24, 12).triangles().size());
+    EXPECT_THAT(read_text(folder_ / "case" / "ids.csv"),
+                testing::StartsWith("body,triangle,triangle_in_run\na,0,"));
+    const auto expected = read_json(folder_ / "case" / "expected.json");
+    EXPECT_EQ(digest_of(tests::run({cdctl(), "run", dir + "/job.toml"})),
+              expected["digest"].get<std::string>().substr(0, 16));
+
+    write_job(12, "level = \"pairs\"\ntolerance = 100.0");
+    ASSERT_EQ(run({"--out", folder_ / "tolerant"}).exit_code, 0);
+    const Ran refused =
+        tests::run({cdctl(), "extract", folder_ / "tolerant", crossing, "--minimal"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("--minimal goes without a tolerance"));
+}
+
+} // namespace
+
+} // namespace cd::tests

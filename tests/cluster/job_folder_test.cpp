@@ -1,0 +1,130 @@
+// Proves, with real processes, that a job on a master opens again as a folder: the one that
+// `results` writes is the one that `run --master` writes, but for times.
+#include "tests/cluster/cdctl_runs.hpp"
+#include "tests/cluster/cluster_fixture.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace cd::tests {
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class JobFolder : public Cluster {
+  protected:
+    JobFolder() {
+        write_obj(folder_ / "a.obj", make_torus(1.0, 0.4, 24, 12));
+        write_obj(folder_ / "b.obj", make_sphere(2));
+    }
+
+    void write_job(const std::string& poses, const std::string& query) {
+        write_text(folder_ / "job.toml",
+                   "unit = \"cm\"\n[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\nname = \"ball\"\n"
+                   "unit = \"cm\"\n[poses]\n" +
+                       poses + "\n[query]\n" + query + "\n");
+    }
+    [[nodiscard]] Ran cdctl_at_master(std::vector<std::string> words) {
+        words.insert(words.begin(), cdctl());
+        words.insert(words.end(), {"--master", master_->address()});
+        return tests::run(words);
+    }
+    /// run.json without what two writers of one run may say differently.
+    [[nodiscard]] static nlohmann::json without_times(const fs::path& path) {
+        auto json = nlohmann::json::parse(read_text(path));
+        for (const char* key : {"started", "ended", "command"}) {
+            json.erase(key);
+        }
+        return json;
+    }
+    [[nodiscard]] std::vector<std::string> files_of(const std::string& name) {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_ / name)) {
+            if (entry.is_regular_file()) {
+                names.push_back(entry.path().lexically_relative(folder_ / name));
+            }
+        }
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+    [[nodiscard]] std::string id_of_last_job() {
+        const Ran jobs = cdctl_at_master({"get", "jobs", "-o", "name"});
+        const std::string ids = jobs.output.substr(0, jobs.output.find_last_not_of('\n') + 1);
+        return ids.substr(ids.rfind('\n') + 1);
+    }
+};
+
+TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
+    start_worker();
+    write_text(folder_ / "poses.csv",
+               "x,y,z,qx,qy,qz,qw\n3,0,0,0,0,0,1\n1,0,0,0,0,0,1\n0.5,0.2,0.1,0,0,0,1\n");
+    const std::vector<std::array<std::string, 2>> jobs{
+        {"random = { n = 50, seed = 3 }", "level = \"contacts\""},
+        {"file = \"poses.csv\"", "level = \"pairs\"\nlimit_pairs = 3"},
+        {"grid = { x = [-2, 2, 9], yaw_deg = [0, 90, 4] }", "level = \"count\"\nmaps = true"}};
+    for (const auto& [poses, query] : jobs) {
+        SCOPED_TRACE(poses);
+        write_job(poses, query);
+        const std::vector<std::string> formats{"--formats", "csv,csv-pairs,npz,json"};
+        std::vector<std::string> command{"run", folder_ / "job.toml", "--out", folder_ / "x"};
+        command.insert(command.end(), formats.begin(), formats.end());
+        const Ran ran = cdctl_at_master(command);
+        ASSERT_EQ(ran.exit_code, 0) << ran.errors;
+        command = {"results", "last", "--out", folder_ / "y"};
+        command.insert(command.end(), formats.begin(), formats.end());
+        const Ran fetched = cdctl_at_master(command);
+        ASSERT_EQ(fetched.exit_code, 0) << fetched.errors;
+        EXPECT_EQ(digest_of(fetched), digest_of(ran));
+
+        ASSERT_EQ(files_of("y"), files_of("x"));
+        for (const std::string& name : files_of("x")) {
+            if (name != "run.json") {
+                EXPECT_EQ(read_text(folder_ / "y" / name), read_text(folder_ / "x" / name)) << name;
+            }
+        }
+        EXPECT_EQ(without_times(folder_ / "y" / "run.json"),
+                  without_times(folder_ / "x" / "run.json"));
+        const Ran here = tests::run({cdctl(), "run", folder_ / "y"});
+        EXPECT_EQ(digest_of(here), digest_of(ran)) << here.errors;
+        fs::remove_all(folder_ / "x");
+        fs::remove_all(folder_ / "y");
+    }
+}
+
+TEST_F(JobFolder, AJobIsVerifiedAndExtractedAsAFolderIs) {
+    start_worker();
+    write_job("random = { n = 40, seed = 3 }", "level = \"contacts\"");
+    ASSERT_EQ(cdctl_at_master({"run", folder_ / "job.toml"}).exit_code, 0);
+    const Ran verified = cdctl_at_master({"verify", "last", "--sample", "30"});
+    EXPECT_EQ(verified.exit_code, 0) << verified.errors;
+    EXPECT_THAT(verified.output, HasSubstr("30 of 40 scenarios run again: 30 the same"));
+    const std::string dir = folder_ / "case";
+    const Ran extracted = cdctl_at_master({"extract", "last", "17", "--out", dir});
+    EXPECT_EQ(extracted.exit_code, 0) << extracted.errors;
+    const Ran again = tests::run({cdctl(), "run", dir + "/job.toml"});
+    const auto expected = nlohmann::json::parse(read_text(folder_ / "case" / "expected.json"));
+    EXPECT_EQ(digest_of(again), expected["digest"].get<std::string>().substr(0, 16));
+}
+
+TEST_F(JobFolder, OfACancelledJobThereIsWhatItHas) {
+    write_job("random = { n = 500, seed = 3 }", "level = \"count\"\nmaps = true");
+    // No worker: only the master answers, what it can without one.
+    const Ran submitted = cdctl_at_master({"submit", folder_ / "job.toml", "-o", "name"});
+    ASSERT_EQ(submitted.exit_code, 0) << submitted.errors;
+    ASSERT_EQ(cdctl_at_master({"cancel", "last"}).exit_code, 0);
+    const Ran results = cdctl_at_master({"results", "last", "--out", folder_ / "x"});
+    EXPECT_EQ(results.exit_code, 3) << results.errors;
+    EXPECT_THAT(results.errors, HasSubstr("incomplete: "));
+    EXPECT_THAT(results.errors, HasSubstr("of 500 scenarios have a result"));
+    const auto run = nlohmann::json::parse(read_text(folder_ / "x" / "run.json"));
+    EXPECT_EQ(run["complete"], false);
+    EXPECT_LT(run["answered"], 500);
+    EXPECT_TRUE(run["digest"].is_null());
+    EXPECT_EQ(cdctl_at_master({"verify", "last"}).exit_code, 3);
+}
+
+} // namespace
+
+} // namespace cd::tests

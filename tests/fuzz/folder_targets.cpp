@@ -1,0 +1,99 @@
+#include "client/folder/run_manifest.hpp"
+#include "common/core/hash.hpp"
+#include "common/job/record_file.hpp"
+#include "tests/fuzz/memory_file.hpp"
+#include "tests/fuzz/require.hpp"
+#include "tests/fuzz/targets.hpp"
+
+#include <cstring>
+
+namespace cd::fuzz {
+
+namespace {
+
+constexpr std::size_t word = sizeof(std::uint64_t);
+constexpr std::size_t header_bytes = 2 * word;
+constexpr std::size_t block_header_bytes = 3 * word;
+constexpr std::size_t footer_bytes = 4 * word;
+
+std::uint64_t word_at(const Bytes& bytes, std::size_t at) {
+    std::uint64_t value = 0;
+    std::memcpy(&value, bytes.data() + at, word);
+    return value;
+}
+
+/// Puts the checksum of [begin, end) behind it.
+void sum_up(Bytes& file, std::size_t begin, std::size_t end) {
+    const std::uint64_t sum = checksum(std::span(file).subspan(begin, end - begin));
+    std::memcpy(file.data() + end, &sum, word);
+}
+
+/// Makes the checksums of a block file right, as far as its sizes let it be followed.
+void sum_up_blocks(Bytes& file) {
+    std::size_t at = header_bytes;
+    while (file.size() >= at + block_header_bytes + word) {
+        const std::uint64_t bytes = word_at(file, at + 2 * word);
+        if (bytes > file.size() - at - block_header_bytes - word) {
+            break;
+        }
+        const std::size_t end = at + block_header_bytes + bytes;
+        sum_up(file, at, end);
+        at = end + word;
+    }
+    if (file.size() < header_bytes + footer_bytes) {
+        return;
+    }
+    const std::size_t footer = file.size() - footer_bytes;
+    const std::uint64_t rows = word_at(file, footer);
+    if (rows <= (footer - header_bytes) / (4 * word)) {
+        sum_up(file, footer - rows * 4 * word, footer + 2 * word);
+    }
+}
+
+/// What is read ascends and is canonical. How many records there are, where all can be read.
+void check_records(const Result<RecordFile>& file) {
+    if (!file) {
+        require(!file.error().detail.empty(), "whoever is refused is told why");
+        return;
+    }
+    std::uint64_t count = 0;
+    std::uint64_t index_min = 0;
+    const Status read = file.value().for_each([&](const KeptRecord& record) -> Status {
+        require(record.result.index >= index_min, "records ascend");
+        require(encode_result(record.result) == record.bytes, "records are canonical");
+        index_min = record.result.index + 1;
+        ++count;
+        return Done{};
+    });
+    require(!read || count == file.value().count(), "as many are read as the file says");
+}
+
+} // namespace
+
+void record_file(Input input) {
+    if (input.empty()) {
+        return;
+    }
+    Bytes bytes(input.begin() + 1, input.end());
+    if ((std::to_integer<unsigned>(input.front()) & 1u) != 0) {
+        sum_up_blocks(bytes);
+    }
+    const MemoryFile file(bytes);
+    check_records(RecordFile::open(file.path()));
+    check_records(RecordFile::open_unfinished(file.path()));
+}
+
+void run_json(Input input) {
+    const auto manifest = parse_manifest(text_of(input));
+    if (!manifest) {
+        require(!manifest.error().detail.empty(), "whoever is refused is told why");
+        return;
+    }
+    const std::string text = manifest_json(manifest.value());
+    const auto again = parse_manifest(text);
+    require(again && manifest_json(again.value()) == text, "a manifest's text is one of the same");
+    require(is_same_job(again.value(), again.value()) || !again.value().poses.hash,
+            "a run is of its own job");
+}
+
+} // namespace cd::fuzz

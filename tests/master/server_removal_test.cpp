@@ -1,0 +1,146 @@
+// Proves that a master tells and removes what a client names: a job's description, meshes and poses
+// with their labels, to whoever asks; removal to the owner and to an admin alone; and that files
+// whose job or mesh is gone are removed at the next start.
+#include "tests/master/fake_client.hpp"
+#include "tests/master/fake_worker.hpp"
+#include "tests/master/master_stage.hpp"
+
+#include <gmock/gmock.h>
+
+namespace cd::tests {
+namespace {
+
+using testing::HasSubstr;
+
+/// What the master answers to the messages, of which all but the last need no answer.
+Message answer_to(Master& master, std::vector<Message> messages) {
+    Client client(master);
+    client.start_asking(std::move(messages));
+    master.run_until([&] { return client.done; });
+    return client.answer->value();
+}
+
+Submit labelled_submission() {
+    Submit submit = reference().submission();
+    submit.unit = "mm";
+    submit.poses.labels = {IdKind::Integer, true};
+    return submit;
+}
+
+PoseLabels labels_of(std::uint64_t first, std::uint64_t count) {
+    PoseLabels labels;
+    for (std::uint64_t i = first; i < first + count; ++i) {
+        labels.integers.push_back(-static_cast<std::int64_t>(i));
+        labels.times.push_back(0.5 * static_cast<double>(i));
+    }
+    return labels;
+}
+
+std::vector<Message> parts_with_labels(const Submit& submit) {
+    const std::span<const Scenario> all(reference().scenarios);
+    return {submit,
+            PosesPart{pack_scenarios(all.first(40)), labels_of(0, 40)},
+            PosesPart{pack_scenarios(all.subspan(40)), labels_of(40, all.size() - 40)},
+            PosesEnd{}};
+}
+
+/// A job has been done, so that its meshes are there.
+void do_a_job(Master& master) {
+    FakeWorker worker(master, {});
+    Client client(master);
+    client.start(reference().submission());
+    master.run_until([&] { return client.done; });
+}
+
+TEST(Removal, AJobIsToldAsItWasSubmittedWithItsLabels) {
+    Master master;
+    do_a_job(master);
+    const auto accepted =
+        std::get<Accepted>(answer_to(master, parts_with_labels(labelled_submission())));
+    const auto described = std::get<JobDescription>(answer_to(master, {JobQuery{accepted.job}}));
+    EXPECT_EQ(described.job, accepted.job);
+    EXPECT_EQ(described.submit.unit, "mm");
+    EXPECT_EQ(described.submit.bodies, reference().submission().bodies);
+    EXPECT_EQ(described.submit.poses, labelled_submission().poses);
+    EXPECT_EQ(described.submit.cluster.depths, reference().submission().cluster.depths);
+
+    const auto poses = std::get<JobPoses>(answer_to(master, {PosesQuery{accepted.job, 35, 10}}));
+    EXPECT_EQ(poses.first, 35u);
+    EXPECT_EQ(poses.count, 10u);
+    EXPECT_EQ(poses.labels, labels_of(35, 10));
+    const auto scenarios = unpack_scenarios(poses.scenarios, 10).value();
+    EXPECT_TRUE(std::equal(scenarios.begin(),
+                           scenarios.end(),
+                           reference().scenarios.begin() + 35,
+                           [](auto& a, auto& b) { return a == b; }));
+}
+
+TEST(Removal, LabelsThatWereNotAnnouncedAreRefused) {
+    Master master;
+    do_a_job(master);
+    const auto refused =
+        std::get<Failure>(answer_to(master, parts_with_labels(reference().submission())));
+    EXPECT_EQ(refused.code, ErrorCode::BadInput);
+    EXPECT_THAT(refused.detail, HasSubstr("not announced"));
+}
+
+TEST(Removal, AMeshIsTold) {
+    Master master;
+    do_a_job(master);
+    const Bytes bytes = reference().a.canonical_bytes();
+    const auto part =
+        std::get<MeshBytes>(answer_to(master, {MeshQuery{reference().a.hash(), 100}}));
+    EXPECT_EQ(part.bytes_total, bytes.size());
+    ASSERT_EQ(part.bytes.size(), bytes.size() - 100);
+    EXPECT_TRUE(std::equal(part.bytes.begin(), part.bytes.end(), bytes.begin() + 100));
+    const auto behind =
+        std::get<Failure>(answer_to(master, {MeshQuery{reference().a.hash(), bytes.size()}}));
+    EXPECT_EQ(behind.code, ErrorCode::BadInput);
+    EXPECT_EQ(std::get<Failure>(answer_to(master, {MeshQuery{}})).code, ErrorCode::NotFound);
+}
+
+TEST(Removal, AMeshOfASubmissionUnderWayStays) {
+    Master master;
+    do_a_job(master);
+    Client submitting(master);
+    submitting.start_asking({labelled_submission()}); // Its poses do not come.
+    master.run_until([&] {
+        const std::filesystem::directory_iterator files(master.directory / "jobs");
+        return std::any_of(begin(files), end(files), [](const auto& file) {
+            return file.path().filename().string().starts_with("labels");
+        });
+    });
+    const auto removed = std::get<Removed>(answer_to(master, {Remove{JobId{1}, false}}));
+    EXPECT_GT(removed.bytes, 0u);
+    master.run_until([&] { return master.coordinator.cluster_status().jobs.empty(); });
+    EXPECT_EQ(master.store->meshes().size(), 2u);
+    const auto refused = std::get<Failure>(answer_to(master, {RemoveMesh{reference().a.hash()}}));
+    EXPECT_EQ(refused.code, ErrorCode::Refused);
+}
+
+TEST(Removal, WhatIsLeftOfJobsAndMeshesThatAreGoneGoesAtTheNextStart) {
+    const TemporaryFolder folder;
+    const std::string gone = to_hex(Sha256{});
+    std::filesystem::path kept;
+    {
+        Master master({}, folder.path());
+        do_a_job(master);
+        kept = folder / "trees" / (to_hex(reference().a.hash()) + ".tree");
+    }
+    const std::vector<std::filesystem::path> orphans{folder / "jobs" / "77.labels",
+                                                     folder / "jobs" / "77.results",
+                                                     folder / "trees" / (gone + ".tree"),
+                                                     folder / "blocks" / (gone + "-d7.blocks"),
+                                                     folder / "meshes" / (gone + ".info")};
+    for (const auto& path : orphans) {
+        write_text(path, "left");
+    }
+    const Master master({}, folder.path());
+    for (const auto& path : orphans) {
+        EXPECT_FALSE(std::filesystem::exists(path)) << path;
+    }
+    EXPECT_TRUE(std::filesystem::exists(kept));
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,26 @@
+// Meshes as OBJ files.
+#pragma once
+
+#include "common/geometry/mesh.hpp"
+#include "tests/support/process.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace cd::tests {
+
+/// Coordinates with six places.
+inline void write_obj(const std::filesystem::path& path, const Mesh& mesh) {
+    std::string text;
+    for (const Vec3& v : mesh.vertices()) {
+        text += "v " + std::to_string(v.x()) + " " + std::to_string(v.y()) + " " +
+                std::to_string(v.z()) + "\n";
+    }
+    for (const Triangle& t : mesh.triangles()) {
+        text += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " +
+                std::to_string(t[2] + 1) + "\n";
+    }
+    write_text(path, text);
+}
+
+} // namespace cd::tests
