@@ -25,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 2> body_names{"a", "b"};
+constexpr const char* ids_name = "ids.csv";
 
 /// A body's mesh for the case, and the numbers that its triangles have in the run.
 struct CaseBody {
@@ -211,7 +212,35 @@ Result<std::array<CaseBody, 2>> smallest_bodies(const PreparedJob& job,
     return std::array<CaseBody, 2>{std::move(a.value()), std::move(b.value())};
 }
 
-/// What the smallest meshes give. Errors: BadInput where these are not the pairs of the run.
+/// Whether the smallest meshes answer as the run did. `pairs` are theirs, with the run's numbers.
+Status check_smallest(const ScenarioResult& smallest,
+                      const std::vector<ContactPair>& pairs,
+                      const ScenarioResult& of_run) {
+    const std::string name = "scenario " + std::to_string(of_run.index);
+    if (smallest.pair_count != of_run.pair_count || pairs != of_run.pairs) {
+        return Error{ErrorCode::BadInput,
+                     "the smallest meshes of " + name +
+                         " do not have the run's contacts; `cdctl verify` tells whether the run is "
+                         "right"};
+    }
+    const bool insides_matter =
+        of_run.kind == ScenarioClass::Separate || of_run.kind == ScenarioClass::Touch;
+    const bool says_more = of_run.surfaces_only && !smallest.surfaces_only && insides_matter;
+    if (smallest.kind != of_run.kind || says_more) {
+        const auto class_text = [](const ScenarioResult& result) {
+            return std::string(to_text(result.kind)) +
+                   (result.surfaces_only ? " (surfaces only)" : "");
+        };
+        return Error{ErrorCode::BadInput,
+                     name + " is " + class_text(of_run) + ", and its smallest meshes are " +
+                         class_text(smallest) +
+                         ": the class depends on more triangles; without --minimal the case has "
+                         "all"};
+    }
+    return Done{};
+}
+
+/// What the smallest meshes give. Errors: BadInput where this is not the answer of the run.
 Result<std::vector<ScenarioResult>> run_smallest(const PreparedJob& job,
                                                  const CaseScenarios& given,
                                                  const std::array<CaseBody, 2>& bodies,
@@ -226,14 +255,8 @@ Result<std::vector<ScenarioResult>> run_smallest(const PreparedJob& job,
             pair.a = bodies[0].ids[pair.a];
             pair.b = bodies[1].ids[pair.b];
         }
-        const bool is_same =
-            result.pair_count == given.results[i].pair_count && as_in_run == given.results[i].pairs;
-        if (!is_same) {
-            return Error{ErrorCode::BadInput,
-                         "the smallest meshes of scenario " +
-                             std::to_string(given.results[i].index) +
-                             " do not have the run's contacts; `cdctl verify` tells whether the "
-                             "run is right"};
+        if (Status same = check_smallest(result, as_in_run, given.results[i]); !same) {
+            return same.error();
         }
         results.push_back(std::move(result));
     }
@@ -295,16 +318,36 @@ std::string expected_text(std::vector<ScenarioResult> results) {
     return json.dump(1) + "\n";
 }
 
-Status check_expressible(const PreparedJob& job, bool minimal) {
+Status check_expressible(const PreparedJob& job, const CaseScenarios& given, bool minimal) {
+    for (const ScenarioResult& result : given.results) {
+        if (result.kind == ScenarioClass::Failed) {
+            // A failure names its scenario, whose number is another one in a case.
+            return Error{ErrorCode::BadInput,
+                         result.failure + ": a scenario that failed has no answer for a case to "
+                                          "give again"};
+        }
+    }
     if (!job.query.ignored.empty()) {
         return Error{ErrorCode::BadInput,
-                     "the run passes over parts, and the meshes of a case have none; extract has "
-                     "no way to say so yet"};
+                     "the run passes over parts (ignore), and the meshes of a case have no parts: "
+                     "run the job without ignore into another folder, and extract from there"};
     }
     if (minimal && job.query.tolerance > 0) {
         return Error{ErrorCode::BadInput,
                      "--minimal goes without a tolerance: what stays undecided depends on all of "
                      "a body's triangles; leave out --minimal"};
+    }
+    return Done{};
+}
+
+/// A job that is no case is the user's own.
+Status check_target(const fs::path& dir) {
+    std::error_code error;
+    if (fs::exists(dir / "job.toml", error) && !fs::exists(dir / "expected.json", error)) {
+        return Error{ErrorCode::BadInput,
+                     (dir / "job.toml").string() +
+                         " is of no case, and would be overwritten; give another folder with "
+                         "--out"};
     }
     return Done{};
 }
@@ -321,6 +364,8 @@ Status write_files(const PreparedJob& job,
     if (Status made = make_directories(dir); !made) {
         return made;
     }
+    std::error_code error;
+    fs::remove(dir / ids_name, error); // Of an earlier case.
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const fs::path path = dir / (std::string(body_names[i]) + ".npz");
         if (Status written = write_mesh(path, *bodies[i].mesh); !written) {
@@ -345,8 +390,10 @@ Status write_case(const PreparedJob& job,
                   bool minimal,
                   const fs::path& dir,
                   ThreadPool& pool) {
-    if (Status expressible = check_expressible(job, minimal); !expressible) {
-        return expressible;
+    for (const Status& possible : {check_expressible(job, scenarios, minimal), check_target(dir)}) {
+        if (!possible) {
+            return possible;
+        }
     }
     if (!minimal) {
         return write_files(job,
@@ -364,7 +411,7 @@ Status write_case(const PreparedJob& job,
         return expected.error();
     }
     const Status written = write_files(job, scenarios, bodies.value(), expected.value(), dir);
-    return written ? write_ids(dir / "ids.csv", bodies.value()) : written;
+    return written ? write_ids(dir / ids_name, bodies.value()) : written;
 }
 
 } // namespace cd

@@ -24,8 +24,10 @@ struct CaseScenarios {
 ///
 /// `minimal` keeps the triangles whose boxes meet the other body's box at one of the poses, and
 /// writes ids.csv, which leads back to their numbers; the scenarios are run here to know what is
-/// expected. Errors: Io; BadInput for what such files cannot say (ignored triangles, poses of
-/// several forms) and for `minimal` under a tolerance or without any such triangle.
+/// expected. An earlier case in the folder is replaced. Errors: Io; BadInput for what such files
+/// cannot say (ignored triangles, poses of several forms), for a scenario that failed, for a folder
+/// with a job.toml of another kind, and for `minimal` under a tolerance, without any such triangle,
+/// or where these give another answer than the run's.
 [[nodiscard]] Status write_case(const PreparedJob& job,
                                 const CaseScenarios& scenarios,
                                 bool minimal,

@@ -1,13 +1,9 @@
 // Proves, with real processes, that a run into a folder can be interrupted and killed and goes on,
 // that its folder opens again without the files that it came from, and that what is there is never
 // mixed with another run.
-#include "client/npz.hpp"
-#include "tests/cluster/cdctl_runs.hpp"
-#include "tests/support/comes_true.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/cluster/folder/folder_fixture.hpp"
 
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 #include <csignal>
 #include <fstream>
@@ -20,51 +16,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-class Folder : public testing::Test {
-  protected:
-    Folder() {
-        write_obj(folder_ / "a.obj", make_torus(1.0, 0.4, 24, 12));
-        write_obj(folder_ / "b.obj", make_sphere(2));
-    }
-
-    /// A job of `count` squared poses on a grid.
-    void write_job(int count, const std::string& query) {
-        const std::string n = std::to_string(count);
-        write_text(folder_ / "job.toml",
-                   "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\n"
-                   "grid = { x = [-2.5, 2.5, " +
-                       n + "], yaw_deg = [0, 350, " + n + "] }\n[query]\n" + query + "\n");
-    }
-
-    [[nodiscard]] std::vector<std::string>
-    command(const std::string& verb, const std::string& what, std::vector<std::string> more) {
-        std::vector<std::string> words{cdctl(), verb, verb == "run" && what.empty() ? job_ : what};
-        words.insert(words.end(), more.begin(), more.end());
-        return words;
-    }
-    [[nodiscard]] Ran run(std::vector<std::string> more) {
-        return tests::run(command("run", "", std::move(more)));
-    }
-    [[nodiscard]] nlohmann::json read_json(const fs::path& path) {
-        return nlohmann::json::parse(read_text(path));
-    }
-
-    /// Starts the job into `out` and sends the signal when the first results are on the disk.
-    std::string stop_early(int signal, const std::string& out) {
-        Process process(command("run", "", {"--out", folder_ / out}), folder_ / "stopped");
-        const fs::path records = folder_ / out / ".part" / "records";
-        EXPECT_TRUE(comes_true([&] {
-            std::error_code error;
-            return fs::file_size(records, error) > 1000 && !error;
-        }));
-        process.signal(signal);
-        EXPECT_EQ(process.wait(), 128 + signal) << process.errors();
-        return process.errors();
-    }
-
-    const TemporaryFolder folder_;
-    const std::string job_ = folder_ / "job.toml";
-};
+class Folder : public FolderTest {};
 
 TEST_F(Folder, AnInterruptedRunGoesOnWithTheSameCommand) {
     for (const char* query : {"level = \"pairs\"", "level = \"count\"\nmaps = true"}) {
@@ -265,76 +217,6 @@ TEST_F(Folder, VerifyFindsARecordThatIsWrong) {
     const Ran wrong = tests::run({cdctl(), "verify", out});
     EXPECT_EQ(wrong.exit_code, 1);
     EXPECT_THAT(wrong.output, HasSubstr(" differs\n"));
-}
-
-TEST_F(Folder, AnExtractedCaseGivesTheSameRecords) {
-    // Separate, touch at a corner, cross and inside; and undecided under a tolerance.
-    write_obj(folder_ / "a.obj", make_box({2, 2, 2}));
-    write_obj(folder_ / "b.obj", make_box({1, 1, 1}));
-    write_text(
-        folder_ / "poses.csv",
-        "x,y,z,qx,qy,qz,qw\n9,0,0,0,0,0,1\n1.5,1.5,1.5,0,0,0,1\n1.25,0.3,0.1,0.1,0.2,0.3,0.9\n"
-        "0.1,0.2,0,0,0,0,1\n");
-    std::set<std::string> classes;
-    for (const std::string query : {"level = \"contacts\"",
-                                    "level = \"any\"",
-                                    "level = \"count\"\ntolerance = 100.0",
-                                    "level = \"pairs\"\nlimit_pairs = 2"}) {
-        SCOPED_TRACE(query);
-        write_text(folder_ / "job.toml",
-                   "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n"
-                   "rigid_tolerance = 1\n[query]\n" +
-                       query + "\n");
-        ASSERT_EQ(run({"--out", folder_ / "out", "--overwrite"}).exit_code, 0);
-        for (const std::string scenarios : {"0", "1", "2", "3", "1-3"}) {
-            const std::string dir = folder_ / "case";
-            const Ran made =
-                tests::run({cdctl(), "extract", folder_ / "out", scenarios, "--out", dir});
-            ASSERT_EQ(made.exit_code, 0) << made.errors;
-            const Ran again = tests::run({cdctl(), "run", dir + "/job.toml"});
-            const auto expected = read_json(folder_ / "case" / "expected.json");
-            EXPECT_EQ(digest_of(again), expected["digest"].get<std::string>().substr(0, 16));
-            for (const auto& each : expected["scenarios"]) {
-                classes.insert(each["class"]);
-            }
-        }
-    }
-    EXPECT_THAT(
-        classes,
-        testing::IsSupersetOf({"separate", "touch", "cross", "inside", "contact", "undecided"}));
-    const Ran none = tests::run({cdctl(), "extract", folder_ / "out", "4"});
-    EXPECT_EQ(none.exit_code, 2);
-    EXPECT_THAT(none.errors, HasSubstr("the run has the scenarios 0 to 3"));
-}
-
-TEST_F(Folder, ASmallestCaseHasTheRunsContactsUnderNewNumbers) {
-    write_job(12, "level = \"contacts\"");
-    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
-    std::istringstream rows(read_text(folder_ / "out" / "scenarios.csv"));
-    std::string crossing;
-    for (std::string row; std::getline(rows, row);) {
-        crossing =
-            row.find(",cross,") == std::string::npos ? crossing : row.substr(0, row.find(','));
-    }
-    const std::string dir = folder_ / "case";
-    const Ran made =
-        tests::run({cdctl(), "extract", folder_ / "out", crossing, "--out", dir, "--minimal"});
-    ASSERT_EQ(made.exit_code, 0) << made.errors;
-    const auto faces = read_npz(folder_ / "case" / "a.npz");
-    ASSERT_TRUE(faces);
-    EXPECT_LT(faces.value().at("faces").shape[0], make_torus(1.0, 0.4, 24, 12).triangles().size());
-    EXPECT_THAT(read_text(folder_ / "case" / "ids.csv"),
-                testing::StartsWith("body,triangle,triangle_in_run\na,0,"));
-    const auto expected = read_json(folder_ / "case" / "expected.json");
-    EXPECT_EQ(digest_of(tests::run({cdctl(), "run", dir + "/job.toml"})),
-              expected["digest"].get<std::string>().substr(0, 16));
-
-    write_job(12, "level = \"pairs\"\ntolerance = 100.0");
-    ASSERT_EQ(run({"--out", folder_ / "tolerant"}).exit_code, 0);
-    const Ran refused =
-        tests::run({cdctl(), "extract", folder_ / "tolerant", crossing, "--minimal"});
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.errors, HasSubstr("--minimal goes without a tolerance"));
 }
 
 } // namespace

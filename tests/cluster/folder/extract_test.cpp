@@ -1,0 +1,213 @@
+// Proves, with real processes, that scenarios of a run become a job of their own that gives the
+// same records, and that what cannot become one is refused.
+#include "client/npz.hpp"
+#include "common/job/record_file.hpp"
+#include "tests/cluster/folder/folder_fixture.hpp"
+
+#include <gmock/gmock.h>
+
+#include <set>
+#include <sstream>
+
+namespace cd::tests {
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Extract : public FolderTest {
+  protected:
+    [[nodiscard]] Ran extract(const std::string& scenarios, std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {scenarios, "--out", folder_ / "case"});
+        return tests::run(command("extract", folder_ / "out", std::move(more)));
+    }
+    /// The poses are those of poses.csv.
+    void write_job_of_file(const std::string& poses, const std::string& query) {
+        write_text(job_,
+                   "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n" +
+                       poses + "[query]\n" + query + "\n");
+    }
+    /// Runs the case and compares the digest.
+    void expect_the_case_gives_what_it_says() {
+        const Ran again = tests::run({cdctl(), "run", folder_ / "case" / "job.toml"});
+        const auto expected = read_json(folder_ / "case" / "expected.json");
+        EXPECT_EQ(digest_of(again), expected["digest"].get<std::string>().substr(0, 16));
+    }
+};
+
+TEST_F(Extract, AnExtractedCaseGivesTheSameRecords) {
+    // Separate, touch at a corner, cross and inside; and undecided under a tolerance.
+    write_obj(folder_ / "a.obj", make_box({2, 2, 2}));
+    write_obj(folder_ / "b.obj", make_box({1, 1, 1}));
+    write_text(
+        folder_ / "poses.csv",
+        "x,y,z,qx,qy,qz,qw\n9,0,0,0,0,0,1\n1.5,1.5,1.5,0,0,0,1\n1.25,0.3,0.1,0.1,0.2,0.3,0.9\n"
+        "0.1,0.2,0,0,0,0,1\n");
+    std::set<std::string> classes;
+    for (const std::string query : {"level = \"contacts\"",
+                                    "level = \"any\"",
+                                    "level = \"count\"\ntolerance = 100.0",
+                                    "level = \"pairs\"\nlimit_pairs = 2"}) {
+        SCOPED_TRACE(query);
+        write_text(folder_ / "job.toml",
+                   "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n"
+                   "rigid_tolerance = 1\n[query]\n" +
+                       query + "\n");
+        ASSERT_EQ(run({"--out", folder_ / "out", "--overwrite"}).exit_code, 0);
+        for (const std::string scenarios : {"0", "1", "2", "3", "1-3"}) {
+            const std::string dir = folder_ / "case";
+            const Ran made =
+                tests::run({cdctl(), "extract", folder_ / "out", scenarios, "--out", dir});
+            ASSERT_EQ(made.exit_code, 0) << made.errors;
+            const Ran again = tests::run({cdctl(), "run", dir + "/job.toml"});
+            const auto expected = read_json(folder_ / "case" / "expected.json");
+            EXPECT_EQ(digest_of(again), expected["digest"].get<std::string>().substr(0, 16));
+            for (const auto& each : expected["scenarios"]) {
+                classes.insert(each["class"]);
+            }
+        }
+    }
+    EXPECT_THAT(
+        classes,
+        testing::IsSupersetOf({"separate", "touch", "cross", "inside", "contact", "undecided"}));
+    const Ran none = tests::run({cdctl(), "extract", folder_ / "out", "4"});
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_THAT(none.errors, HasSubstr("the run has the scenarios 0 to 3"));
+}
+
+TEST_F(Extract, ASmallestCaseHasTheRunsContactsUnderNewNumbers) {
+    write_job(12, "level = \"contacts\"");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    std::istringstream rows(read_text(folder_ / "out" / "scenarios.csv"));
+    std::string crossing;
+    for (std::string row; std::getline(rows, row);) {
+        crossing =
+            row.find(",cross,") == std::string::npos ? crossing : row.substr(0, row.find(','));
+    }
+    const std::string dir = folder_ / "case";
+    const Ran made =
+        tests::run({cdctl(), "extract", folder_ / "out", crossing, "--out", dir, "--minimal"});
+    ASSERT_EQ(made.exit_code, 0) << made.errors;
+    const auto faces = read_npz(folder_ / "case" / "a.npz");
+    ASSERT_TRUE(faces);
+    EXPECT_LT(faces.value().at("faces").shape[0], make_torus(1.0, 0.4, 24, 12).triangles().size());
+    EXPECT_THAT(read_text(folder_ / "case" / "ids.csv"),
+                testing::StartsWith("body,triangle,triangle_in_run\na,0,"));
+    const auto expected = read_json(folder_ / "case" / "expected.json");
+    EXPECT_EQ(digest_of(tests::run({cdctl(), "run", dir + "/job.toml"})),
+              expected["digest"].get<std::string>().substr(0, 16));
+
+    write_job(12, "level = \"pairs\"\ntolerance = 100.0");
+    ASSERT_EQ(run({"--out", folder_ / "tolerant"}).exit_code, 0);
+    const Ran refused =
+        tests::run({cdctl(), "extract", folder_ / "tolerant", crossing, "--minimal"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("--minimal goes without a tolerance"));
+}
+
+TEST_F(Extract, PosesOfAnyFormAreThoseThatWereTested) {
+    const std::string matrices =
+        "m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n"
+        "0.6,-0.8,0,1.1,0.8,0.6,0,0.1,0,0,1,0.3\n1,0,0,0.3,0,1,0,0,0,0,1,0.1\n";
+    const std::string both = "scenario,body,x,y,z,qx,qy,qz,qw\n0,a,0.1,0,0,0,0,0.1,1\n"
+                             "0,b,1,0.1,0.2,0.1,0,0,1\n1,a,0,0,7,0,0,0,1\n1,b,0.9,0,7,0,0,0,1\n";
+    for (const auto& [poses, more] :
+         {std::pair(matrices, ""), std::pair(both, "of = \"both\"\n")}) {
+        SCOPED_TRACE(poses);
+        write_text(folder_ / "poses.csv", poses);
+        write_job_of_file(std::string("rigid_tolerance = 1\n") + more, "level = \"contacts\"");
+        ASSERT_EQ(run({"--out", folder_ / "out", "--overwrite"}).exit_code, 0);
+        for (const char* scenarios : {"0", "1", "0-1"}) {
+            const Ran made = extract(scenarios);
+            ASSERT_EQ(made.exit_code, 0) << made.errors;
+            expect_the_case_gives_what_it_says();
+        }
+    }
+}
+
+TEST_F(Extract, OfOpenBodiesACaseSpeaksOfSurfacesToo) {
+    const Mesh torus = make_torus(1.0, 0.4, 24, 12);
+    std::vector<Triangle> triangles = torus.triangles();
+    triangles.pop_back();
+    write_obj(folder_ / "a.obj", make_mesh(torus.vertices(), triangles));
+    write_text(folder_ / "poses.csv", "x\n0\n1\n9\n");
+    write_job_of_file("", "level = \"any\"");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    const Ran made = extract("0-2");
+    ASSERT_EQ(made.exit_code, 0) << made.errors;
+    expect_the_case_gives_what_it_says();
+    const Ran shown = tests::run({cdctl(), "run", folder_ / "case" / "job.toml", "-o", "json"});
+    EXPECT_THAT(shown.output, HasSubstr("\"surfaces_only\":true"));
+}
+
+TEST_F(Extract, ASmallestCaseOfAnotherClassIsRefused) {
+    write_obj(folder_ / "a.obj", make_sphere(0));
+    write_obj(folder_ / "b.obj", make_box({0.4, 0.4, 0.4}));
+    write_text(folder_ / "poses.csv", "x\n0.35\n");
+    for (const char* level : {"any", "pairs"}) {
+        write_job_of_file("", "level = \"" + std::string(level) + "\"");
+        ASSERT_EQ(run({"--out", folder_ / "out", "--overwrite"}).exit_code, 0);
+        const Ran refused = extract("0", {"--minimal"});
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_EQ(refused.errors,
+                  "cdctl: scenario 0 is inside, and its smallest meshes are separate (surfaces "
+                  "only): the class depends on more triangles; without --minimal the case has "
+                  "all\n");
+        EXPECT_FALSE(fs::exists(folder_ / "case"));
+        EXPECT_EQ(extract("0").exit_code, 0);
+        fs::remove_all(folder_ / "case");
+    }
+}
+
+TEST_F(Extract, AScenarioThatFailedIsRefused) {
+    write_job(2, "level = \"pairs\"");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    auto records = RecordWriter::create(folder_ / "out" / "records");
+    ASSERT_TRUE(records);
+    for (std::uint64_t i = 0; i < 4; ++i) {
+        ScenarioResult result;
+        result.index = i;
+        result.kind = i == 1 ? ScenarioClass::Failed : ScenarioClass::Separate;
+        result.failure = i == 1 ? "scenario 1: its worker lost three limbs" : "";
+        records.value().add(i, encode_result(result));
+    }
+    ASSERT_TRUE(records.value().finish());
+    const Ran refused = extract("0-2");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors,
+                HasSubstr("scenario 1: its worker lost three limbs: a scenario that failed has no "
+                          "answer"));
+    EXPECT_FALSE(fs::exists(folder_ / "case"));
+}
+
+TEST_F(Extract, ARunThatPassesOverPartsIsRefused) {
+    write_text(folder_ / "a.obj", "o front\n" + read_text(folder_ / "a.obj"));
+    write_job(2, "ignore = [[\"front\", \"*\"]]");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    const Ran refused = extract("0");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("the run passes over parts (ignore)"));
+    EXPECT_THAT(refused.errors, HasSubstr("run the job without ignore into another folder"));
+}
+
+TEST_F(Extract, TheUsersOwnJobIsNotOverwrittenButAnEarlierCaseIs) {
+    fs::create_directories(folder_ / "case");
+    write_job(2, "level = \"pairs\"");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    write_text(folder_ / "case" / "job.toml", "mine");
+    const Ran refused = extract("0");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("job.toml is of no case, and would be overwritten"));
+    EXPECT_EQ(read_text(folder_ / "case" / "job.toml"), "mine");
+
+    write_text(folder_ / "case" / "expected.json", "{}");
+    write_text(folder_ / "case" / "ids.csv", "of --minimal");
+    ASSERT_EQ(extract("0").exit_code, 0);
+    expect_the_case_gives_what_it_says();
+    EXPECT_FALSE(fs::exists(folder_ / "case" / "ids.csv"));
+}
+
+} // namespace
+
+} // namespace cd::tests
