@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/job_options.hpp"
+#include "common/core/limits_client.hpp"
 #include "common/geometry/triangle_pair.hpp"
 
 #include <cstdint>
@@ -39,7 +40,8 @@ struct RunCommand {
     std::string tree_cache = "off";       ///< A folder, or off.
     FailOn fail_on = FailOn::Never;
     bool dry_run = false;
-    bool yes = false; ///< Also results of more than 1 GB.
+    bool yes = false; ///< Also results of more than that.
+    std::uint64_t results_bytes_max = limits::folder_bytes_unasked_max;
     bool quiet = false;
     bool statistics = false;
     std::string output = "text"; ///< text, json or csv, on stdout.

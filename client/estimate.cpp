@@ -1,7 +1,13 @@
 #include "client/estimate.hpp"
 
+#include "client/done_scenario.hpp"
+#include "client/export/result_sink.hpp"
+#include "client/folder/folder_run.hpp"
+#include "client/folder/run_recorder.hpp"
 #include "client/words.hpp"
+#include "common/core/limits_client.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/job/scenario_file.hpp"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -20,7 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t bytes_without_a_word = 1'000'000'000;
 /// Samples that take microseconds are run again until so much time has passed: then they are warm.
 constexpr double warm_seconds = 0.02;
 constexpr int passes_max = 8;
@@ -45,8 +50,9 @@ std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t samples) {
 
 struct Sample {
     Scenario scenario;
-    std::optional<ScenarioResult> result; ///< Nothing where time was over before.
-    double seconds = 0;                   ///< Of one thread.
+    std::optional<DoneScenario> done; ///< Nothing where time was over before.
+    QueryStatistics work;
+    double seconds = 0; ///< Of one thread.
 };
 
 /// With a stride, so that the samples that were run when time is over are spread over the job.
@@ -78,11 +84,14 @@ void run_samples(const ScenarioRunner& runner,
                 return;
             }
             ScenarioRun run = session.run(sample.scenario);
-            (void)digest_of(run.result);
+            DoneScenario done{std::move(run.result), {}, {}, std::move(run.found)};
+            done.record = encode_result(done.result);
+            done.digest = sha256(done.record);
             sample.seconds = seconds_since(start);
-            pairs += run.result.pairs.size();
+            sample.work = run.statistics;
+            pairs += done.result.pairs.size();
             if (!run.is_stopped) {
-                sample.result = std::move(run.result);
+                sample.done = std::move(done);
             }
         }
     });
@@ -94,6 +103,12 @@ double sum_of(const std::vector<Sample>& samples) {
                            0.0,
                            [](double sum, const Sample& sample) { return sum + sample.seconds; });
 }
+
+/// What samples leave in a results folder.
+struct FolderBytes {
+    std::uint64_t scenarios = 0; ///< Of files that have something of each scenario,
+    std::uint64_t maps = 0;      ///< and of those that have something of each triangle in contact.
+};
 
 /// A folder that is gone with the object.
 class TemporaryFiles {
@@ -107,30 +122,97 @@ class TemporaryFiles {
         fs::remove_all(folder_, ignored);
     }
 
-    /// Bytes of the files that these results make in the job's formats.
-    Result<std::uint64_t> write(const PreparedJob& job, const std::vector<Sample>& samples) {
-        auto files = ResultFiles::open(folder_, job.spec.output.formats, export_context(job));
-        if (!files) {
-            return files.error();
+    /// Writes what a run keeps of these results, the job's formats and the kept poses among it.
+    Result<FolderBytes>
+    write(const PreparedJob& job, bool keeps_inputs, const std::vector<Sample>& samples) {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+        if (Status written = write_results(job, samples); !written) {
+            return written.error();
         }
-        for (const Sample& sample : samples) {
-            if (Status added = files.value().add(*sample.result); !added) {
-                return added.error();
+        if (keeps_inputs && !job.grid) {
+            if (Status written = write_poses(samples); !written) {
+                return written.error();
             }
         }
-        if (Status finished = files.value().finish({}); !finished) {
-            return finished.error();
-        }
-        std::uint64_t bytes = 0;
+        FolderBytes bytes;
         for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
-            bytes += entry.is_regular_file() ? entry.file_size() : 0;
+            const bool is_map = entry.path().filename().string().starts_with("map");
+            (is_map ? bytes.maps : bytes.scenarios) += entry.file_size();
         }
         return bytes;
     }
 
   private:
+    Status write_results(const PreparedJob& job, const std::vector<Sample>& samples) {
+        auto sink =
+            ResultSink::open({folder_, job.spec.output.formats, "text"}, export_context(job));
+        if (!sink) {
+            return sink.error();
+        }
+        auto recorder = RunRecorder::open(folder_, job.query.maps);
+        if (!recorder) {
+            return recorder.error();
+        }
+        for (const Sample& sample : samples) {
+            const DoneScenario& done = *sample.done;
+            for (const Status& added :
+                 {sink.value().add(done.result, done.found), recorder.value().add(done)}) {
+                if (!added) {
+                    return added;
+                }
+            }
+        }
+        if (Status finished = recorder.value().finish(); !finished) {
+            return finished;
+        }
+        const bool has_map = job.query.maps || job.query.level >= Level::Pairs;
+        return sink.value().finish(has_map ? std::optional(sink.value().map()) : std::nullopt);
+    }
+
+    Status write_poses(const std::vector<Sample>& samples) {
+        std::vector<Scenario> scenarios;
+        for (const Sample& sample : samples) {
+            scenarios.push_back(sample.scenario);
+            scenarios.back().index = scenarios.size() - 1;
+        }
+        auto writer = ScenarioWriter::create(folder_ / "scenarios");
+        if (!writer) {
+            return writer.error();
+        }
+        const Status added = writer.value().add(scenarios);
+        return added ? writer.value().finish() : added;
+    }
+
     fs::path folder_;
 };
+
+/// Triangles of both bodies that are in contact in some of each `step`-th sample.
+double triangles_touched(const std::vector<Sample>& samples, std::size_t step) {
+    ContactMapSum sum;
+    for (std::size_t i = 0; i < samples.size(); i += step) {
+        const DoneScenario& done = *samples[i].done;
+        sum.add(done.found.empty() ? done.result.pairs : done.found);
+    }
+    const ContactMap map = sum.take();
+    return static_cast<double>(map.bodies[0].size() + map.bodies[1].size());
+}
+
+/// How many times more triangles are in contact in all scenarios than in the samples. The number
+/// grows as a power of the scenarios, by what it does from half of the samples to all, up to that
+/// of all triangles.
+double triangles_factor(const PreparedJob& job, const std::vector<Sample>& samples) {
+    const double all = triangles_touched(samples, 1);
+    const double some = triangles_touched(samples, 2);
+    if (all == 0 || some == 0) {
+        return 1;
+    }
+    const auto most =
+        static_cast<double>(job.meshes[0]->triangles().size() + job.meshes[1]->triangles().size());
+    const double times =
+        static_cast<double>(job.poses->count()) / static_cast<double>(samples.size());
+    return std::min(std::pow(times, std::log2(std::max(1.0, all / some))), most / all);
+}
 
 /// Errors: those of the poses.
 Result<std::vector<Sample>> read_samples(PoseSource& poses, std::uint64_t samples_max) {
@@ -140,12 +222,13 @@ Result<std::vector<Sample>> read_samples(PoseSource& poses, std::uint64_t sample
         if (!read) {
             return read.error();
         }
-        samples.push_back({std::move(read.value().front()), {}, 0});
+        samples.push_back({std::move(read.value().front()), {}, {}, 0});
     }
     return samples;
 }
 
-/// The seconds that samples of these times stand for, and their range.
+/// The seconds that samples of these times stand for, and their range. Samples are for all threads,
+/// what is done besides is for one.
 void put_times(const std::vector<Sample>& samples,
                double more_per_scenario,
                unsigned threads,
@@ -157,10 +240,56 @@ void put_times(const std::vector<Sample>& samples,
         squares += (sample.seconds - mean) * (sample.seconds - mean);
     }
     const double error = samples.size() < 2 ? mean : std::sqrt(squares / (count - 1) / count);
-    const double scale = static_cast<double>(estimate.scenarios) / threads;
-    estimate.seconds = scale * (mean + more_per_scenario);
-    estimate.seconds_low = scale * (std::max(0.0, mean - 2 * error) + more_per_scenario);
-    estimate.seconds_high = scale * (mean + 2 * error + more_per_scenario);
+    const auto seconds = [&](double per_sample) {
+        return static_cast<double>(estimate.scenarios) * (per_sample / threads + more_per_scenario);
+    };
+    estimate.seconds = seconds(mean);
+    estimate.seconds_low = seconds(std::max(0.0, mean - 2 * error));
+    estimate.seconds_high = seconds(mean + 2 * error);
+}
+
+/// Box and triangle tests of the whole job.
+void put_work(const std::vector<Sample>& samples, RunEstimate& estimate) {
+    const auto count = static_cast<double>(samples.size());
+    const double times = static_cast<double>(estimate.scenarios) / count;
+    for (const Sample& sample : samples) {
+        estimate.box_tests += times * static_cast<double>(sample.work.box_tests);
+        estimate.triangle_tests += times * static_cast<double>(sample.work.triangle_tests);
+    }
+}
+
+/// The bytes of the job's results folder. Returns the seconds that writing a scenario takes.
+Result<double> put_bytes(const PreparedJob& job,
+                         const EstimateOptions& options,
+                         const std::vector<Sample>& samples,
+                         RunEstimate& estimate) {
+    const bool keeps_inputs =
+        options.keeps_inputs && input_bytes(job) <= limits::run_inputs_bytes_max;
+    TemporaryFiles files;
+    const auto base_start = Clock::now();
+    const auto base = files.write(job, keeps_inputs, {});
+    const double base_seconds = seconds_since(base_start);
+    if (!base) {
+        return base.error();
+    }
+    const auto start = Clock::now();
+    const auto bytes = files.write(job, keeps_inputs, samples);
+    const double seconds = seconds_since(start);
+    if (!bytes) {
+        return bytes.error();
+    }
+    const auto size = static_cast<double>(samples.size());
+    const auto more = [](std::uint64_t with, std::uint64_t without) {
+        return static_cast<double>(with - std::min(with, without));
+    };
+    const double times = static_cast<double>(estimate.scenarios) / size;
+    const double grown =
+        times * more(bytes.value().scenarios, base.value().scenarios) +
+        triangles_factor(job, samples) * more(bytes.value().maps, base.value().maps);
+    estimate.bytes = base.value().scenarios + base.value().maps +
+                     (keeps_inputs ? mesh_bytes(job) : 0) + static_cast<std::uint64_t>(grown);
+    // Each file is synchronised to the disk once a run, not once a scenario.
+    return std::max(0.0, seconds - base_seconds) / size;
 }
 
 std::string size_text(std::uint64_t bytes) {
@@ -205,7 +334,7 @@ estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& op
     double spent = 0;
     for (int pass = 0; pass < passes_max && spent < warm_seconds; ++pass) {
         run_samples(runner, pool, pass == 0 ? end : Clock::time_point::max(), samples);
-        std::erase_if(samples, [](const Sample& sample) { return !sample.result; });
+        std::erase_if(samples, [](const Sample& sample) { return !sample.done; });
         spent += sum_of(samples);
     }
     estimate.sampled = samples.size();
@@ -217,28 +346,14 @@ estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& op
     }
     double write_seconds = 0;
     if (!job.spec.output.dir.empty()) {
-        TemporaryFiles empty;
-        const auto base = empty.write(job, {});
-        if (!base) {
-            return base.error();
+        const auto written = put_bytes(job, options, samples, estimate);
+        if (!written) {
+            return written.error();
         }
-        const auto write_start = Clock::now();
-        const auto bytes = empty.write(job, samples);
-        if (!bytes) {
-            return bytes.error();
-        }
-        // Each file is synchronised to the disk once a run, not once a scenario.
-        write_seconds = std::max(0.0, seconds_since(write_start) - 0.05);
-        const double per_scenario =
-            static_cast<double>(bytes.value() - std::min(bytes.value(), base.value())) /
-            static_cast<double>(samples.size());
-        estimate.bytes = base.value() + static_cast<std::uint64_t>(
-                                            per_scenario * static_cast<double>(estimate.scenarios));
+        write_seconds = written.value();
     }
-    put_times(samples,
-              read_seconds + write_seconds / static_cast<double>(samples.size()),
-              pool.size(),
-              estimate);
+    put_work(samples, estimate);
+    put_times(samples, read_seconds + write_seconds, pool.size(), estimate);
     return estimate;
 }
 
@@ -255,7 +370,7 @@ std::string estimate_text(const RunEstimate& estimate) {
     return "about " + time + "/s)" + (estimate.bytes == 0 ? "" : ", " + size_text(estimate.bytes));
 }
 
-std::string estimate_json(const RunEstimate& estimate) {
+std::string estimate_json(const RunEstimate& estimate, const Status& room) {
     const nlohmann::ordered_json json{
         {"scenarios", estimate.scenarios},
         {"sampled", estimate.sampled},
@@ -265,13 +380,16 @@ std::string estimate_json(const RunEstimate& estimate) {
           {"high", estimate.seconds_high}}},
         {"scenarios_per_second",
          static_cast<double>(estimate.scenarios) / std::max(estimate.seconds, 1e-9)},
-        {"bytes", estimate.bytes}};
-    return json.dump(2) + "\n";
+        {"box_tests", std::round(estimate.box_tests)},
+        {"triangle_tests", std::round(estimate.triangle_tests)},
+        {"bytes", estimate.bytes},
+        {"refused", room ? nlohmann::ordered_json() : nlohmann::ordered_json(room.error().detail)}};
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-Status check_room(const RunEstimate& estimate, const OutputSpec& output) {
+Status check_room(const RunEstimate& estimate, const OutputSpec& output, std::uint64_t bytes_max) {
     const std::uint64_t free = free_bytes_near(output.dir);
-    if (estimate.bytes <= std::min(bytes_without_a_word, free / 2)) {
+    if (estimate.bytes <= std::min(bytes_max, free / 2)) {
         return Done{};
     }
     std::string formats;
@@ -279,8 +397,8 @@ Status check_room(const RunEstimate& estimate, const OutputSpec& output) {
         formats += (formats.empty() ? "" : ",") + format;
     }
     return Error{ErrorCode::BadInput,
-                 output.dir.string() + ": the results would take about " +
-                     size_text(estimate.bytes) + " as " + formats + ", and " + size_text(free) +
+                 output.dir.string() + ": the run would take " + estimate_text(estimate) + " as " +
+                     formats + ", and " + size_text(free) +
                      " are free; choose other --formats, a lower --level or --limit-pairs, or say "
                      "--yes"};
 }

@@ -17,28 +17,32 @@ struct RunEstimate {
     double seconds = 0;          ///< On this machine's threads, without reading and building.
     double seconds_low = 0;      ///< Two standard errors of the mean below and above.
     double seconds_high = 0;
-    std::uint64_t bytes = 0; ///< Of the files in the chosen formats; 0 without a folder for them.
+    double box_tests = 0;
+    double triangle_tests = 0;
+    std::uint64_t bytes = 0; ///< Of the results folder; 0 without one.
 };
 
 struct EstimateOptions {
     std::uint64_t samples_max = 200;
     std::chrono::milliseconds time_max{5000}; ///< For the samples.
     PairStage first_stage = PairStage::Float;
+    bool keeps_inputs = true; ///< The results folder gets the meshes and poses.
 };
 
-/// Runs samples of a job with trees on the pool's threads, and writes their results, in the job's
-/// formats, to a temporary folder that is removed. Errors: those of the poses and of the files.
+/// Runs samples of a job with trees on the pool's threads, and writes what a run would keep of them
+/// to a temporary folder that is removed. Errors: those of the poses and of the files.
 [[nodiscard]] Result<RunEstimate>
 estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& options);
 
 /// "about 52 s here (731/s), 0.4 GB", or "about 40 to 75 s here ..." where samples differ much.
 [[nodiscard]] std::string estimate_text(const RunEstimate& estimate);
-/// An object with the keys scenarios, sampled, seconds {low, expected, high}, scenarios_per_second
-/// and bytes.
-[[nodiscard]] std::string estimate_json(const RunEstimate& estimate);
+/// An object with the keys scenarios, sampled, seconds {low, expected, high}, scenarios_per_second,
+/// box_tests, triangle_tests, bytes, and refused: what `check_room` says, or null.
+[[nodiscard]] std::string estimate_json(const RunEstimate& estimate, const Status& room);
 
-/// More than 1 GB, or more than half of what is free where the folder is to be, wants a user's
-/// word. Errors: BadInput with the size and the ways out.
-[[nodiscard]] Status check_room(const RunEstimate& estimate, const OutputSpec& output);
+/// More than `bytes_max`, or more than half of what is free where the folder is to be, wants a
+/// user's word. Errors: BadInput with time, size and the ways out.
+[[nodiscard]] Status
+check_room(const RunEstimate& estimate, const OutputSpec& output, std::uint64_t bytes_max);
 
 } // namespace cd

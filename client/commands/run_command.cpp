@@ -231,34 +231,49 @@ std::string where_text(const RunCommand& command, Connection* connection, const 
            (status ? ", " + counted(status.value().workers.size(), "worker") : "") + "\n";
 }
 
-/// The answer to --dry-run.
-int tell_estimate(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
+EstimateOptions estimate_options(const RunCommand& command) {
     EstimateOptions options;
     options.first_stage = command.first_stage.value_or(PairStage::Float);
-    const auto estimate = estimate_run(job, pool, options);
+    options.keeps_inputs = !command.folder.no_inputs;
+    return options;
+}
+
+/// The answer to --dry-run.
+int tell_estimate(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
+    const auto estimate = estimate_run(job, pool, estimate_options(command));
     if (!estimate) {
         return fail(estimate.error());
     }
-    const std::string text =
-        command.output == "json"
-            ? estimate_json(estimate.value())
-            : "inputs are fine; " + estimate_text(estimate.value()) + "; nothing was run\n";
+    const Status room =
+        command.yes ? Status(Done{})
+                    : check_room(estimate.value(), job.spec.output, command.results_bytes_max);
+    std::string text = "inputs are fine; " + estimate_text(estimate.value()) +
+                       "; nothing was run\n" + (room ? "" : room.error().detail + "\n");
+    if (command.output == "json") {
+        text = estimate_json(estimate.value(), room);
+    }
     std::fputs(text.c_str(), stdout);
     return exit_done;
 }
 
+/// Whether a run is to look how large its results would be.
+bool checks_size(const RunCommand& command, const JobSpec& spec) {
+    return !command.yes && !spec.output.dir.empty();
+}
+
 /// Refuses results that are too large. Samples so few scenarios that this takes some percent of
 /// the run. Errors: those of `check_room`.
-Status check_size(const PreparedJob& job, ThreadPool& pool) {
-    EstimateOptions options;
+Status check_size(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
+    EstimateOptions options = estimate_options(command);
     options.samples_max = std::min(options.samples_max, job.poses->count() / 20);
     options.time_max = std::chrono::milliseconds(2000);
-    if (job.spec.output.dir.empty() || options.samples_max == 0) {
+    if (!checks_size(command, job.spec) || options.samples_max == 0) {
         return Done{};
     }
     const auto estimate = estimate_run(job, pool, options);
     // A run that cannot be estimated is no reason to refuse it.
-    return estimate ? check_room(estimate.value(), job.spec.output) : Status(Done{});
+    return estimate ? check_room(estimate.value(), job.spec.output, command.results_bytes_max)
+                    : Status(Done{});
 }
 
 } // namespace
@@ -346,8 +361,9 @@ int run_job(const RunCommand& command) {
         std::fputs(where_text(command, connection.value().get(), pool).c_str(), stderr);
     }
     TreeCache cache(tree_cache_folder(command.tree_cache));
+    const bool samples_run = command.dry_run || checks_size(command, asked.value().spec);
     auto job = prepare(std::move(asked.value()),
-                       here || command.dry_run ? Trees::Always : Trees::ForPosesOnly,
+                       here || samples_run ? Trees::Always : Trees::ForPosesOnly,
                        cache,
                        pool,
                        command.quiet);
@@ -362,10 +378,8 @@ int run_job(const RunCommand& command) {
     if (command.dry_run) {
         return tell_estimate(command, job.value(), pool);
     }
-    if (here && !command.yes) {
-        if (Status room = check_size(job.value(), pool); !room) {
-            return fail(room.error());
-        }
+    if (Status room = check_size(command, job.value(), pool); !room) {
+        return fail(room.error());
     }
     InterruptGuard::begin_to_flag();
     if (!here) {

@@ -102,6 +102,18 @@ Result<RunManifest> manifest_of(const PreparedJob& job) {
     return manifest;
 }
 
+std::uint64_t mesh_bytes(const PreparedJob& job) {
+    const auto bytes = [](const Mesh& mesh) {
+        return mesh.vertices().size() * sizeof(Vec3) + mesh.triangles().size() * sizeof(Triangle);
+    };
+    return bytes(*job.meshes[0]) +
+           (job.meshes[0]->hash() == job.meshes[1]->hash() ? 0 : bytes(*job.meshes[1]));
+}
+
+std::uint64_t input_bytes(const PreparedJob& job) {
+    return mesh_bytes(job) + (job.grid ? 0 : job.poses->count() * scenario_bytes);
+}
+
 void make_paths_absolute(JobSpec& spec) {
     for (BodySpec& body : spec.bodies) {
         body.path = absolute_path(body.path);
@@ -135,7 +147,7 @@ Result<FolderRun> FolderRun::begin(PreparedJob& job, FolderRunOptions options) {
     FolderRun run(std::move(folder.value()), std::move(manifest.value()), job);
     run.keeps_inputs_ = options.keep_inputs;
     run.maps_from_master_ = options.maps_from_master;
-    if (options.keep_inputs && run.input_bytes() > limits::run_inputs_bytes_max) {
+    if (options.keep_inputs && input_bytes(job) > limits::run_inputs_bytes_max) {
         run.keeps_inputs_ = false;
         run.remarks_.push_back(
             "the inputs are larger than " + std::to_string(limits::run_inputs_bytes_max >> 30) +
@@ -147,15 +159,6 @@ Result<FolderRun> FolderRun::begin(PreparedJob& job, FolderRunOptions options) {
         }
     }
     return run;
-}
-
-std::uint64_t FolderRun::input_bytes() const {
-    std::uint64_t bytes = job_->grid ? 0 : job_->poses->count() * scenario_bytes;
-    for (const auto& mesh : job_->meshes) {
-        bytes +=
-            mesh->vertices().size() * sizeof(Vec3) + mesh->triangles().size() * sizeof(Triangle);
-    }
-    return bytes;
 }
 
 Status FolderRun::open_files(PreparedJob& job) {

@@ -71,7 +71,6 @@ class FolderRun {
     [[nodiscard]] Status keep_inputs() const;
     [[nodiscard]] Result<std::optional<ContactMap>>
     finish_maps(const std::optional<ContactMap>& fetched) const;
-    [[nodiscard]] std::uint64_t input_bytes() const;
 
     RunFolder folder_;
     RunManifest manifest_;
@@ -86,6 +85,11 @@ class FolderRun {
 /// What run.json says of a prepared job; the hash of random poses is left out, since they are made
 /// while the run goes on. Errors: those of reading poses.
 [[nodiscard]] Result<RunManifest> manifest_of(const PreparedJob& job);
+
+/// What a folder's meshes take, about.
+[[nodiscard]] std::uint64_t mesh_bytes(const PreparedJob& job);
+/// Meshes and poses, which is at least what a folder's inputs take.
+[[nodiscard]] std::uint64_t input_bytes(const PreparedJob& job);
 
 /// Whoever opens the job again may stand in another folder.
 void make_paths_absolute(JobSpec& spec);

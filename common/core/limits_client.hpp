@@ -27,6 +27,8 @@ inline constexpr std::uint64_t polygon_tests_per_corner_max = 1u << 14;
 // A results folder. Work that a killed run may lose; what is kept of a job beside its results.
 inline constexpr std::chrono::seconds record_flush_period{5};
 inline constexpr std::uint64_t run_inputs_bytes_max = 1ull << 30;
+/// More is written on a user's word only.
+inline constexpr std::uint64_t folder_bytes_unasked_max = 1'000'000'000;
 
 // Talking to a master.
 inline constexpr std::size_t mesh_piece_bytes = 1u << 20;             ///< Of one message.
