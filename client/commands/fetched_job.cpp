@@ -183,10 +183,16 @@ Result<RunReport> FetchedJob::write(FolderRunOptions options, const std::string&
     if (!run) {
         return run.error();
     }
+    auto report = write_into(run.value(), output);
+    run.value().drop_unfinished();
+    return report;
+}
+
+Result<RunReport> FetchedJob::write_into(FolderRun& run, const std::string& output) {
     const Status fetched =
         fetch_results(*connection_, known_.status, [&](const ScenarioResult& result) {
             ++fetched_;
-            return run.value().add({result, encode_result(result), {}, {}});
+            return run.add({result, encode_result(result), {}, {}});
         });
     if (!fetched) {
         return fetched.error();
@@ -196,7 +202,7 @@ Result<RunReport> FetchedJob::write(FolderRunOptions options, const std::string&
         return report;
     }
     const std::optional<ContactMap> map = report.value().map;
-    if (Status finished = run.value().finish(report.value(), output, map); !finished) {
+    if (Status finished = run.finish(report.value(), output, map); !finished) {
         return finished.error();
     }
     return report;

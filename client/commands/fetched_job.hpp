@@ -39,6 +39,7 @@ class FetchedJob {
 
     [[nodiscard]] Status prepare();
     [[nodiscard]] Result<RunReport> make_report();
+    [[nodiscard]] Result<RunReport> write_into(FolderRun& run, const std::string& output);
 
     std::unique_ptr<Connection> connection_;
     KnownJob known_;

@@ -23,11 +23,22 @@ namespace {
 
 constexpr std::size_t touched_parts_shown = 3;
 
-/// Who interrupts `run` does not want its job to go on.
+/// Who interrupts `run` does not want its job to go on. What was answered stays at the master.
 int fail_and_cancel(Connection& connection, JobId job, const Error& error) {
     if (error.code == ErrorCode::Interrupted && connection.cancel(job)) {
-        std::fprintf(stderr, "cdctl: job %s is cancelled\n", job_id_text(job).c_str());
+        const std::string id = job_id_text(job);
+        std::fprintf(stderr,
+                     "cdctl: job %s is cancelled; `cdctl results %s` gives what was answered\n",
+                     id.c_str(),
+                     id.c_str());
     }
+    return fail(error);
+}
+
+/// The job is done, and its results have not come.
+int fail_to_fetch(const std::string& job, const Error& error) {
+    std::fprintf(
+        stderr, "cdctl: job %s is done; `cdctl results %s` gives it\n", job.c_str(), job.c_str());
     return fail(error);
 }
 
@@ -102,23 +113,11 @@ std::string submitted_text(const SubmitCommand& command, const PreparedJob& job,
            "; `cdctl watch " + text + "` shows how it goes\n";
 }
 
-} // namespace
-
-int run_on_master(const RunCommand& command,
-                  PreparedJob& job,
-                  std::unique_ptr<Connection> connection) {
-    make_paths_absolute(job.spec);
-    std::optional<FolderRun> folder;
-    if (!job.spec.output.dir.empty()) {
-        auto begun = FolderRun::begin(job, folder_options(command.folder, command.master));
-        if (!begun) {
-            return fail(begun.error());
-        }
-        folder.emplace(std::move(begun.value()));
-        if (folder->is_complete()) {
-            return tell_complete(command, job, *folder);
-        }
-    }
+/// With a folder where there is an output folder.
+int run_there(const RunCommand& command,
+              PreparedJob& job,
+              std::unique_ptr<Connection> connection,
+              FolderRun* folder) {
     const Result<JobId> id = send_job(*connection, job, command.quiet);
     if (!id) {
         return fail(id.error());
@@ -132,16 +131,37 @@ int run_on_master(const RunCommand& command,
     if (const Status done = check_done(status.value(), text); !done) {
         return fail(done.error());
     }
-    if (folder) {
+    if (folder != nullptr) {
         folder->set_job(text);
     }
-    const Status told = folder
+    const Status told = folder != nullptr
                             ? report_into_folder(*connection, command, job, status.value(), *folder)
                             : report_without_folder(*connection, command, job, status.value());
     if (!told) {
-        return fail(told.error());
+        return fail_to_fetch(text, told.error());
     }
     return exit_code_of(status.value().summary, command.fail_on);
+}
+
+} // namespace
+
+int run_on_master(const RunCommand& command,
+                  PreparedJob& job,
+                  std::unique_ptr<Connection> connection) {
+    make_paths_absolute(job.spec);
+    if (job.spec.output.dir.empty()) {
+        return run_there(command, job, std::move(connection), nullptr);
+    }
+    auto folder = FolderRun::begin(job, folder_options(command.folder, command.master));
+    if (!folder) {
+        return fail(folder.error());
+    }
+    if (folder.value().is_complete()) {
+        return tell_complete(command, job, folder.value());
+    }
+    const int code = run_there(command, job, std::move(connection), &folder.value());
+    folder.value().drop_unfinished();
+    return code;
 }
 
 int execute(const SubmitCommand& command) {

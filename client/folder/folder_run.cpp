@@ -301,7 +301,15 @@ Status FolderRun::finish(RunReport& report,
     manifest_.map_digest =
         report.map ? std::optional(digest_of(*report.map)) : std::optional<Sha256>();
     report.summary_file = (folder_.dir() / "summary.json").string();
-    return folder_.commit(manifest_);
+    const Status committed = folder_.commit(manifest_);
+    is_finished_ = committed.has_value();
+    return committed;
+}
+
+void FolderRun::drop_unfinished() {
+    if (!is_finished_) {
+        folder_.clean();
+    }
 }
 
 } // namespace cd

@@ -58,6 +58,9 @@ class FolderRun {
     [[nodiscard]] Status finish(RunReport& report,
                                 const std::string& output,
                                 const std::optional<ContactMap>& fetched_map);
+    /// For a run that no later one goes on from: leaves nothing of it where `finish` did not
+    /// succeed.
+    void drop_unfinished();
 
     /// What the user should know, a line each.
     [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
@@ -77,6 +80,7 @@ class FolderRun {
     const PreparedJob* job_;
     bool keeps_inputs_ = true;
     bool maps_from_master_ = false;
+    bool is_finished_ = false;
     PoseRecorder* poses_ = nullptr; ///< The job owns it; null for a grid.
     std::optional<RunRecorder> recorder_;
     std::vector<std::string> remarks_;

@@ -65,7 +65,9 @@ Status check_no_other(const fs::path& dir,
     if (finished && !is_same_job(*finished, manifest)) {
         return refused(dir, named(*finished));
     }
-    if (unfinished && !is_same_job(*unfinished, manifest)) {
+    // Of a master's job all that there is can be fetched again.
+    const bool is_fetched = unfinished && !unfinished->where.master.empty();
+    if (unfinished && !is_fetched && !is_same_job(*unfinished, manifest)) {
         return refused(dir, "the unfinished part of " + named(*unfinished));
     }
     if (!finished && !unfinished && holds_old_results(dir)) {

@@ -2,9 +2,12 @@
 // `results` writes is the one that `run --master` writes, but for times.
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
+#include "tests/support/comes_true.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+
+#include <csignal>
 
 namespace cd::tests {
 
@@ -30,6 +33,16 @@ class JobFolder : public Cluster {
         words.insert(words.begin(), cdctl());
         words.insert(words.end(), {"--master", master_->address()});
         return tests::run(words);
+    }
+    [[nodiscard]] Process start_run_into(const std::string& name) {
+        return {{cdctl(),
+                 "run",
+                 folder_ / "job.toml",
+                 "--out",
+                 folder_ / name,
+                 "--master",
+                 master_->address()},
+                folder_ / "run"};
     }
     /// run.json without what two writers of one run may say differently.
     [[nodiscard]] static nlohmann::json without_times(const fs::path& path) {
@@ -123,6 +136,38 @@ TEST_F(JobFolder, OfACancelledJobThereIsWhatItHas) {
     EXPECT_LT(run["answered"], 500);
     EXPECT_TRUE(run["digest"].is_null());
     EXPECT_EQ(cdctl_at_master({"verify", "last"}).exit_code, 3);
+}
+
+TEST_F(JobFolder, AnInterruptedRunLeavesItsAnswersAtTheMasterAndNothingInItsFolder) {
+    write_job("random = { n = 500, seed = 3 }", "level = \"count\"");
+    // No worker: only the master answers, what it can without one.
+    Process run = start_run_into("x");
+    ASSERT_TRUE(comes_true([&] { return id_of_last_job().starts_with("j-"); })) << run.errors();
+    run.signal(SIGINT);
+    EXPECT_EQ(run.wait(), 130);
+    const std::string id = id_of_last_job();
+    EXPECT_THAT(run.errors(),
+                HasSubstr("cdctl: job " + id + " is cancelled; `cdctl results " + id +
+                          "` gives what was answered\n"));
+    EXPECT_FALSE(fs::exists(folder_ / "x" / ".part"));
+
+    const Ran results = cdctl_at_master({"results", id, "--out", folder_ / "y"});
+    EXPECT_EQ(results.exit_code, 3) << results.errors;
+    EXPECT_THAT(results.errors, HasSubstr("incomplete: "));
+    write_job("random = { n = 5, seed = 4 }", "level = \"count\"");
+    const Ran other = tests::run({cdctl(), "run", folder_ / "job.toml", "--out", folder_ / "x"});
+    EXPECT_EQ(other.exit_code, 0) << other.errors;
+}
+
+TEST_F(JobFolder, AKilledRunOfAMasterDoesNotKeepItsFolderFromOthers) {
+    write_job("random = { n = 500, seed = 3 }", "level = \"count\"");
+    Process run = start_run_into("x");
+    ASSERT_TRUE(comes_true([&] { return fs::exists(folder_ / "x" / ".part" / "run.json"); }));
+    run.signal(SIGKILL);
+    EXPECT_EQ(run.wait(), 128 + SIGKILL);
+    write_job("random = { n = 5, seed = 4 }", "level = \"count\"");
+    const Ran other = tests::run({cdctl(), "run", folder_ / "job.toml", "--out", folder_ / "x"});
+    EXPECT_EQ(other.exit_code, 0) << other.errors;
 }
 
 } // namespace
