@@ -6,7 +6,9 @@
 #include <array>
 #include <charconv>
 #include <fstream>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 namespace cd {
 
@@ -27,12 +29,12 @@ std::optional<unsigned> to_flags(std::string_view word) {
     return whole ? std::optional(flags) : std::nullopt;
 }
 
-class Ac3dReader {
+class Ac3dCounter {
   public:
-    Ac3dReader(const std::filesystem::path& path, std::string_view text)
+    Ac3dCounter(const std::filesystem::path& path, std::string_view text)
         : path_(path), text_(text), rest_(text) {}
 
-    Result<TextMesh> read() {
+    Result<std::uint64_t> count() {
         while (next_line()) {
             Words words(line_);
             const std::string_view keyword = words.next();
@@ -44,7 +46,7 @@ class Ac3dReader {
             }
         }
         const Status ended = end_surface();
-        return ended ? Result(mesh_) : ended.error();
+        return ended ? Result(triangles_) : ended.error();
     }
 
   private:
@@ -191,7 +193,7 @@ class Ac3dReader {
             }
         }
         const bool is_line = type == SurfaceType::ClosedLine || type == SurfaceType::OpenLine;
-        mesh_.triangles += !is_line && count.value() > 2 ? count.value() - 2 : 0;
+        triangles_ += !is_line && count.value() > 2 ? count.value() - 2 : 0;
         type_ = SurfaceType::Polygon; // Some programs write surfaces without a line of 'SURF'.
         surface_has_no_corners_ = false;
         return Done{};
@@ -222,7 +224,7 @@ class Ac3dReader {
     std::string_view rest_;
     std::string_view line_;
     std::uint64_t number_ = 0; ///< Of the line, from 1.
-    TextMesh mesh_;
+    std::uint64_t triangles_ = 0;
 
     std::uint64_t vertices_ = 0; ///< Of the object.
     SurfaceType type_ = SurfaceType::Polygon;
@@ -243,9 +245,9 @@ bool is_ac3d(const std::filesystem::path& path, const std::string& lower_extensi
            lower_extension == ".ac3d";
 }
 
-Result<TextMesh> read_ac3d(const std::filesystem::path& path) {
+Result<std::uint64_t> count_ac3d_triangles(const std::filesystem::path& path) {
     const std::string text = read_text(path);
-    return Ac3dReader(path, text).read();
+    return Ac3dCounter(path, text).count();
 }
 
 } // namespace cd

@@ -1,11 +1,11 @@
 #include "client/import/mesh_import.hpp"
 
+#include "client/import/ac3d_text.hpp"
+#include "client/import/assimp_checks.hpp"
 #include "client/import/assimp_import.hpp"
 #include "client/import/float_rounding.hpp"
 #include "client/import/foreign_format.hpp"
 #include "client/import/gltf_import.hpp"
-#include "client/import/mesh_number_check.hpp"
-#include "client/import/mesh_text_check.hpp"
 #include "client/import/npz_mesh.hpp"
 #include "client/import/obj_mesh.hpp"
 #include "client/import/off_mesh.hpp"
@@ -80,19 +80,22 @@ Reader reader_of(const std::string& extension) {
 Result<ImportedMesh> import_others(const std::filesystem::path& path,
                                    const ImportOptions& options) {
     const std::string extension = lower_extension(path);
-    if (const Status numbers = check_numbers(path, extension); !numbers) {
-        return numbers.error();
+    if (const Status sound = check_for_assimp(path, extension); !sound) {
+        return sound.error();
     }
-    const auto text = read_text_mesh(path, extension);
-    if (!text) {
-        return text.error();
+    if (!is_ac3d(path, extension)) {
+        return import_with_assimp(path, options);
+    }
+    const auto triangles = count_ac3d_triangles(path);
+    if (!triangles) {
+        return triangles.error();
     }
     auto imported = import_with_assimp(path, options);
-    if (imported && text.value()) {
-        const Mesh& mesh = *imported.value().mesh;
-        if (const Status same = check_against_text(path, *text.value(), options, mesh); !same) {
-            return same.error();
-        }
+    if (imported && imported.value().mesh->triangles().size() != triangles.value()) {
+        return bad(path,
+                   "the file's faces make " + std::to_string(triangles.value()) +
+                       " triangles, but the importer took " +
+                       std::to_string(imported.value().mesh->triangles().size()));
     }
     return imported;
 }

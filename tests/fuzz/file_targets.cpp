@@ -1,8 +1,8 @@
+#include "client/import/ac3d_text.hpp"
+#include "client/import/assimp_checks.hpp"
 #include "client/import/gltf_container.hpp"
 #include "client/import/gltf_document.hpp"
 #include "client/import/gltf_import.hpp"
-#include "client/import/mesh_number_check.hpp"
-#include "client/import/mesh_text_check.hpp"
 #include "client/import/obj_mesh.hpp"
 #include "client/import/off_mesh.hpp"
 #include "client/import/ply_mesh.hpp"
@@ -68,16 +68,6 @@ void check_rows_of(Input input, const Result<NpyArray>& array) {
 }
 
 constexpr std::array<const char*, 4> mesh_extensions{".ac", ".dae", ".3mf", ""};
-
-void check_text(const TextMesh& text, std::uint64_t bytes) {
-    require(text.vertices.size() == text.used.size() &&
-                text.vertices.size() == text.vertex_lines.size(),
-            "each vertex has its line");
-    require(text.triangles <= bytes, "no more triangles than bytes");
-    for (const Vec3& vertex : text.vertices) {
-        require(vertex.allFinite(), "a vertex that is accepted is finite");
-    }
-}
 
 /// A reader ends in a mesh, of no more triangles than the file has bytes, or in one line that names
 /// the file.
@@ -203,14 +193,16 @@ void mesh_text(Input input) {
     const auto check_names_file = [&](const Error& error) {
         require(error.detail.starts_with(file.path().string()), "an error names the file");
     };
-    if (const Status numbers = check_numbers(file.path(), extension); !numbers) {
-        check_names_file(numbers.error());
+    if (const Status sound = check_for_assimp(file.path(), extension); !sound) {
+        check_names_file(sound.error());
     }
-    const auto text = read_text_mesh(file.path(), extension);
-    if (!text) {
-        check_names_file(text.error());
-    } else if (text.value()) {
-        check_text(*text.value(), input.size());
+    if (is_ac3d(file.path(), extension)) {
+        const auto triangles = count_ac3d_triangles(file.path());
+        if (!triangles) {
+            check_names_file(triangles.error());
+        } else {
+            require(triangles.value() <= input.size(), "no more triangles than bytes");
+        }
     }
 }
 

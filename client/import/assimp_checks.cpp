@@ -1,4 +1,4 @@
-#include "client/import/mesh_number_check.hpp"
+#include "client/import/assimp_checks.hpp"
 
 #include "client/import/collada_check.hpp"
 #include "client/import/mesh_words.hpp"
@@ -56,7 +56,7 @@ Status check_markup(const std::filesystem::path& path) {
 
 } // namespace
 
-Status check_numbers(const std::filesystem::path& path, const std::string& lower_extension) {
+Status check_for_assimp(const std::filesystem::path& path, const std::string& lower_extension) {
     const std::string begin = first_bytes(path);
     // Some importers look into any archive for files that they know.
     if (begin.starts_with("PK\x03\x04") && lower_extension != ".3mf") {
