@@ -176,6 +176,10 @@ void Channel::State::read_part(asio::mutable_buffer rest, void (State::*next)())
 
 void Channel::State::header_came() {
     if (came < header_bytes.size()) {
+        // Such an answer may be shorter than a header.
+        if (auto foreign = foreign_answer(std::span(header_bytes).first(came))) {
+            return fail(std::move(*foreign));
+        }
         watch_read();
         return read_header();
     }

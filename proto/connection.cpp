@@ -4,6 +4,7 @@
 #include "common/core/log.hpp"
 #include "proto/channel.hpp"
 #include "proto/deadline.hpp"
+#include "proto/frame.hpp"
 
 #include <algorithm>
 #include <array>
@@ -91,7 +92,7 @@ asio::awaitable<Error> refuse_tls(asio::ip::tcp::socket& socket) {
 asio::awaitable<Error> refuse_plaintext(asio::ip::tcp::socket socket) {
     Failure failure;
     failure.code = ErrorCode::Refused;
-    failure.detail = "only TLS is spoken here: join with a token, or name a credential";
+    failure.detail = speaks_tls_text;
     const auto channel = Channel::make(std::make_unique<Stream>(std::move(socket)));
     channel->send(failure);
     channel->close(true);

@@ -13,22 +13,27 @@ constexpr std::uint32_t frame_magic = 0x31464443; // "CDF1"
 constexpr std::uint16_t flag_has_more = 1;
 constexpr std::size_t header_checked_bytes = frame_header_bytes - sizeof(std::uint32_t);
 
-/// Who answers instead, where the first bytes tell.
-Error not_a_frame(std::span<const std::byte> bytes) {
-    constexpr std::string_view http = "HTTP/";
-    const std::string_view start(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    return {ErrorCode::BadFrame,
-            start.starts_with(http)
-                ? "a web server answers: that is the master's --http port; give the port of its "
-                  "--listen, 7600 by default"
-                : "no frame of this protocol: wrong magic number"};
-}
-
 std::uint32_t header_checksum(std::span<const std::byte> bytes) {
     return static_cast<std::uint32_t>(checksum(bytes.first(header_checked_bytes)));
 }
 
 } // namespace
+
+std::optional<Error> foreign_answer(std::span<const std::byte> first_bytes) {
+    // A TLS record with an alert in it (RFC 8446, section 5.1), of any version.
+    constexpr std::string_view tls_alert = "\x15\x03";
+    const std::string_view start(reinterpret_cast<const char*>(first_bytes.data()),
+                                 first_bytes.size());
+    if (start.starts_with("HTTP/")) {
+        return Error{ErrorCode::BadFrame,
+                     "a web server answers: that is the master's --http port; give the port of its "
+                     "--listen, 7600 by default"};
+    }
+    if (start.starts_with(tls_alert)) {
+        return Error{ErrorCode::Refused, std::string(speaks_tls_text)};
+    }
+    return std::nullopt;
+}
 
 std::array<std::byte, frame_header_bytes> encode_header(const FrameHeader& header) {
     ByteWriter out;
@@ -49,7 +54,8 @@ std::array<std::byte, frame_header_bytes> encode_header(const FrameHeader& heade
 Result<FrameHeader> decode_header(std::span<const std::byte, frame_header_bytes> bytes) {
     ByteReader in(bytes);
     if (in.get<std::uint32_t>() != frame_magic) {
-        return not_a_frame(bytes);
+        return foreign_answer(bytes).value_or(
+            Error{ErrorCode::BadFrame, "no frame of this protocol: wrong magic number"});
     }
     FrameHeader header;
     header.type = in.get<std::uint16_t>();

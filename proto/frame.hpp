@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace cd {
 
@@ -32,6 +33,14 @@ struct FrameHeader {
 /// Errors: BadFrame for a wrong magic, checksum, flag or type; TooLarge for an overlong length.
 [[nodiscard]] Result<FrameHeader>
 decode_header(std::span<const std::byte, frame_header_bytes> bytes);
+
+/// To whoever speaks without TLS to one who does.
+inline constexpr std::string_view speaks_tls_text =
+    "the master speaks TLS: cdctl join gets a credential, cdworker takes a --token";
+
+/// Who answers in place of one who speaks this protocol, as far as the first bytes tell: a web
+/// server, or one who speaks TLS.
+[[nodiscard]] std::optional<Error> foreign_answer(std::span<const std::byte> first_bytes);
 
 /// Puts messages together from frames; a pure state machine, no I/O. Holds at most what
 /// `payload_bytes_max_from` their sender allows, over few streams.

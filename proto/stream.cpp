@@ -88,7 +88,9 @@ Error handshake_error(const error_code& error, SSL* ssl) {
                     std::string(X509_verify_cert_error_string(verdict))};
     }
     if (is_of_tls(error) && is_other_protocol(reason_of(error))) {
-        return {ErrorCode::Refused, "no TLS 1.3 with the other end: " + reason_text(error)};
+        return {ErrorCode::Refused,
+                "no TLS 1.3 with the other end: " + reason_text(error) +
+                    (SSL_is_server(ssl) == 1 ? "" : "; is that the master's --http port?")};
     }
     Error other = stream_error(error);
     if (reason_of(error) == alert_reason + SSL_AD_PROTOCOL_VERSION) {

@@ -237,7 +237,7 @@ TEST_F(SecuredCluster, NobodyJoinsUnderANameThatPeopleCannotRead) {
 TEST_F(SecuredCluster, PlaintextIsRefused) {
     const Ran ran = cdctl({"status"}, "none");
     EXPECT_EQ(ran.exit_code, 5);
-    EXPECT_THAT(ran.errors, HasSubstr("only TLS is spoken"));
+    EXPECT_THAT(ran.errors, HasSubstr("the master speaks TLS: cdctl join"));
     // It is logged when the peer has gone, which has read why.
     EXPECT_TRUE(
         comes_true([&] { return log().find("plaintext at a port of TLS") != std::string::npos; }));

@@ -284,4 +284,15 @@ TEST(Frame, AWebServersAnswerIsRecognised) {
     EXPECT_NE(decoded.error().detail.find("that is the master's --http port"), std::string::npos);
 }
 
+TEST(Frame, AnAlertOfTlsIsRecognisedBeforeAHeaderIsWhole) {
+    const std::array<std::byte, 7> alert{
+        std::byte{0x15}, std::byte{3}, std::byte{3}, std::byte{0}, std::byte{2}, std::byte{2}};
+    const auto foreign = foreign_answer(alert);
+    ASSERT_TRUE(foreign);
+    EXPECT_EQ(foreign->code, ErrorCode::Refused);
+    EXPECT_TRUE(foreign->detail.starts_with("the master speaks TLS: cdctl join"));
+    EXPECT_FALSE(foreign_answer(std::span(alert).first(1)));
+    EXPECT_FALSE(foreign_answer(encode_header({})));
+}
+
 } // namespace cd::tests

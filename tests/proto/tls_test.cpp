@@ -253,7 +253,7 @@ TEST(Tls, PlaintextAtAPortOfTlsIsToldSo) {
         const Cluster cluster;
         Attempt ends = co_await try_to_connect(nullptr, cluster.tls(CertifiedRole::Master));
         EXPECT_EQ(ends.left.error().code, ErrorCode::Refused);
-        EXPECT_THAT(ends.left.error().detail, HasSubstr("only TLS"));
+        EXPECT_THAT(ends.left.error().detail, HasSubstr("the master speaks TLS: cdctl join"));
         EXPECT_EQ(ends.right.error().code, ErrorCode::Refused);
         EXPECT_THAT(ends.right.error().detail, HasSubstr("plaintext"));
     });
