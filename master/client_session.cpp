@@ -22,9 +22,7 @@ Error without_room(const Error& why, const std::string& what, std::uint64_t byte
         return why;
     }
     log_error("no room: for=\"{}\" bytes={} error=\"{}\"", what, bytes, why.detail);
-    return {ErrorCode::Io,
-            "the master has no room for " + what + " (" + std::to_string((bytes + 1023) / 1024) +
-                " KiB), or cannot write it: its log says why"};
+    return {ErrorCode::Io, "its disk is full, or cannot be written; its log says why"};
 }
 
 } // namespace
