@@ -161,10 +161,10 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
     };
     verbs.wait.only_wait = true;
     add_watch("watch", "Follows a job to its end.\nExamples:\n  cdctl watch j-5692", verbs.watch);
-    add_watch(
-        "wait",
-        "Waits for a job's end, without progress.\nExamples:\n  cdctl wait j-5692 --fail-on cross",
-        verbs.wait);
+    add_watch("wait",
+              "Waits for a job's end; of progress it tells only what the job waits "
+              "for.\nExamples:\n  cdctl wait j-5692 --fail-on cross",
+              verbs.wait);
 
     CLI::App* results = add_verb(app, verbs, "results", results_help, verbs.results);
     results
@@ -354,11 +354,15 @@ void add_check_verbs(CLI::App& app, Verbs& verbs) {
                                 "Examples:\n"
                                 "  cdctl verify out\n"
                                 "  cdctl verify out --sample 100000 --seed 7\n"
+                                "  cdctl verify j-5692\n"
                                 "\n"
                                 "Exit codes: 0 all records are the same; 1 one differs; 3 some "
                                 "scenario could not be run.",
                                 verbs.verify);
-    verify->add_option("run", verbs.verify.run, "A results folder, or a job's id")
+    verify
+        ->add_option("run",
+                     verbs.verify.run,
+                     "A results folder; or a job's id, its beginning, or last: your newest")
         ->required()
         ->type_name("FOLDER|JOB");
     add_master_options(*verify, verbs.verify.master, true);
@@ -382,6 +386,7 @@ void add_check_verbs(CLI::App& app, Verbs& verbs) {
                                  "Examples:\n"
                                  "  cdctl extract out 41230 --out case && cdctl run case/job.toml\n"
                                  "  cdctl extract out 100-199 --out case\n"
+                                 "  cdctl extract j-5692 41230 --out case\n"
                                  "  cdctl extract out 41230 --out case --minimal\n"
                                  "\n"
                                  "A case has a.npz and b.npz (all triangles), poses.csv in the "
@@ -390,7 +395,10 @@ void add_check_verbs(CLI::App& app, Verbs& verbs) {
                                  "digest that `cdctl run`\n"
                                  "must give.",
                                  verbs.extract);
-    extract->add_option("run", verbs.extract.run, "A results folder, or a job's id")
+    extract
+        ->add_option("run",
+                     verbs.extract.run,
+                     "A results folder; or a job's id, its beginning, or last: your newest")
         ->required()
         ->type_name("FOLDER|JOB");
     extract->add_option("scenarios", verbs.extract.scenarios, "N, or N-M with both")

@@ -64,7 +64,7 @@ struct Coordinator::EndedScenario {
 Result<AnalysisInput> Coordinator::analysis_input(JobId id) {
     const MasterJob* job = jobs_.find(id);
     if (job == nullptr) {
-        return no_job(id);
+        return no_job();
     }
     if (!job->analysis_input) {
         return Error{ErrorCode::Refused,
@@ -77,7 +77,7 @@ Result<AnalysisInput> Coordinator::analysis_input(JobId id) {
 asio::awaitable<Result<Explained>> Coordinator::explain(JobId id, std::uint64_t scenario) {
     const MasterJob* job = jobs_.find(id);
     if (job == nullptr) {
-        co_return no_job(id);
+        co_return no_job();
     }
     const std::uint64_t scenarios = job->submit.scenarios;
     if (scenario >= scenarios) {
@@ -115,7 +115,7 @@ Result<Explained> Coordinator::explain(JobId id, Analysis analysis) {
 asio::awaitable<Result<Explained>> Coordinator::explain_ended(JobId id, std::uint64_t scenario) {
     const MasterJob* job = jobs_.find(id);
     if (job == nullptr) {
-        co_return no_job(id);
+        co_return no_job();
     }
     Submit submit = job->submit;
     for (std::size_t body = 0; body < job->depths.size(); ++body) {
@@ -128,7 +128,7 @@ asio::awaitable<Result<Explained>> Coordinator::explain_ended(JobId id, std::uin
     Result<EndedScenario> found = co_await run_on(parts_.blocking, look_up);
     job = jobs_.find(id);
     if (!found || job == nullptr) {
-        co_return found ? no_job(id) : found.error();
+        co_return found ? no_job() : found.error();
     }
     // The dispatcher scores for jobs that it has: it has this one for as long as the question
     // takes.

@@ -294,7 +294,7 @@ void Coordinator::release_tree(TreeId tree) {
 asio::awaitable<Result<JobStatus>> Coordinator::cancel_job(JobId id) {
     MasterJob* job = jobs_.find(id);
     if (job == nullptr) {
-        co_return no_job(id);
+        co_return no_job();
     }
     if (job->is_running()) {
         end_job(*job, JobState::Cancelled, "cancelled");
@@ -314,10 +314,10 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_job(JobId id) {
 asio::awaitable<Status> Coordinator::forget_job(JobId id) {
     const MasterJob* job = jobs_.find(id);
     if (job == nullptr) {
-        co_return no_job(id);
+        co_return no_job();
     }
     if (job->state == JobState::Running) {
-        co_return Error{ErrorCode::Refused, "job " + std::to_string(id.value) + " is running"};
+        co_return Error{ErrorCode::Refused, "the job is running"};
     }
     if (!paused_.empty()) {
         co_return Error{ErrorCode::Io, "nothing can be removed now: " + paused_};
@@ -348,7 +348,7 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::u
     const auto running = [&]() -> Result<MasterJob*> {
         MasterJob* job = jobs_.find(id);
         if (job == nullptr) {
-            return no_job(id);
+            return no_job();
         }
         const std::string name = "scenario " + std::to_string(scenario);
         if (scenario >= job->merger.summary().total) {
@@ -402,7 +402,7 @@ void Coordinator::fail_scenario(MasterJob& job, const Scenario& scenario, const 
 Result<JobStatus> Coordinator::job_status(JobId id) {
     const MasterJob* job = jobs_.find(id);
     if (job == nullptr) {
-        return no_job(id);
+        return no_job();
     }
     return status_of(*job);
 }

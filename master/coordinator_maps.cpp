@@ -102,8 +102,7 @@ Result<ContactMapAnswer> Coordinator::contact_map(JobId id) {
         return job_status(id).error();
     }
     if (job->state != JobState::Done) {
-        return Error{ErrorCode::Refused,
-                     "job " + std::to_string(id.value) + " is not done, so it has no map"};
+        return Error{ErrorCode::Refused, "the job is not done, so it has no map"};
     }
     return ContactMapAnswer{id, job->submit.query.maps, job->map.withdrawn(), job->map.packed()};
 }

@@ -101,8 +101,8 @@ JobStatus MasterJob::status(Clock::time_point now) const {
     return status;
 }
 
-Error no_job(JobId job) {
-    return {ErrorCode::NotFound, "no job " + std::to_string(job.value) + " is known here"};
+Error no_job() {
+    return {ErrorCode::NotFound, "the master knows no such job"};
 }
 
 Result<JobId> JobBoard::next(std::uint64_t scenarios) {

@@ -125,7 +125,7 @@ struct MasterJob {
     [[nodiscard]] JobStatus status(Clock::time_point now) const;
 };
 
-[[nodiscard]] Error no_job(JobId job);
+[[nodiscard]] Error no_job();
 
 /// Jobs by id. Those that have ended are kept with their results as `retention` says, or fewer with
 /// many results.

@@ -32,9 +32,7 @@ asio::awaitable<Result<JobStatus>> JobRemoval::ended(Remove wish) {
         co_return status;
     }
     if (!wish.cancel) {
-        co_return Error{ErrorCode::Refused,
-                        "job " + std::to_string(wish.job.value) +
-                            " is running; with --cancel it is ended first"};
+        co_return Error{ErrorCode::Refused, "it is running; with --cancel it is ended first"};
     }
     status = co_await coordinator_.cancel_job(wish.job);
     if (status && status.value().state == JobState::Running) {

@@ -130,9 +130,11 @@ TEST(CommandLine, VersionTellsCommitAndLibraries) {
 }
 
 TEST(CommandLine, NoExampleNamesAJobThatCannotBe) {
-    for (const char* verb : {"watch", "wait", "results", "cancel", "explain"}) {
+    for (const char* verb :
+         {"watch", "wait", "results", "cancel", "explain", "rm", "verify", "extract"}) {
         const std::string help = parse_command_line({verb, "--help"}).text;
         EXPECT_THAT(help, HasSubstr(" j-5692")) << verb;
+        EXPECT_THAT(help, HasSubstr("last")) << verb;
         EXPECT_THAT(help, testing::Not(HasSubstr("j-1 "))) << verb;
     }
 }

@@ -198,9 +198,9 @@ TEST(Server, WhatIsSubmittedWrongIsRefusedWithAReason) {
     one.scenarios = 1;
     expect_failure({one, PosesPart{pack_scenarios(all.first(2))}, PosesEnd{}}, "");
     expect_failure({PosesEnd{}}, "without a job");
-    expect_failure({Cancel{JobId{99}}}, "no job 99");
-    expect_failure({Watch{JobId{99}}}, "no job 99");
-    expect_failure({ResultsQuery{JobId{99}, 0, 1}}, "no job 99");
+    expect_failure({Cancel{JobId{99}}}, "no such job");
+    expect_failure({Watch{JobId{99}}}, "no such job");
+    expect_failure({ResultsQuery{JobId{99}, 0, 1}}, "no such job");
     expect_failure({EndOfTask{}}, "does not send");
     // A mesh whose bytes are not what its name says, and one that starts in the middle.
     const Bytes bytes(100);
