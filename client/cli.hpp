@@ -68,7 +68,7 @@ struct WatchCommand {
     std::string job;
     MasterOptions master;
     bool quiet = false;
-    bool only_wait = false; ///< The verb `wait`: no progress.
+    bool only_wait = false; ///< The verb `wait`: notes, but no progress.
     bool statistics = false;
     FailOn fail_on = FailOn::Never;
     std::string output = "text"; ///< text, json

@@ -38,10 +38,11 @@ std::string progress_text(const ProgressState& state, bool with_bar) {
     }
     text += std::to_string(static_cast<int>(100 * share)) + "%  " + grouped(done) + "/" +
             grouped(summary.total);
-    const double rate = state.seconds > 0 ? static_cast<double>(done) / state.seconds : 0;
+    const double rate =
+        state.seconds > 0 ? static_cast<double>(done - state.resumed) / state.seconds : 0;
     const std::uint64_t contacts = summary.touch + summary.cross + summary.inside + summary.contact;
     text += "   " + rate_text(rate) + "/s   contact " + grouped(contacts);
-    if (rate > 0 && done < summary.total && state.note.empty()) {
+    if (rate > 0 && done < summary.total && !state.note.stands_still) {
         const auto left =
             static_cast<std::uint64_t>(std::ceil(static_cast<double>(summary.total - done) / rate));
         const std::uint64_t seconds = left % 60;
@@ -73,8 +74,8 @@ void ProgressPrinter::update(const ProgressState& state) {
     if (style_ == Style::Lines && next_seconds_ == 0) {
         next_seconds_ = line_period;
     }
-    const bool is_due = state.seconds >= next_seconds_;
-    if (!is_due && state.note == note_) {
+    const bool is_due = style_ != Style::Notes && state.seconds >= next_seconds_;
+    if (!is_due && state.note.text == note_) {
         return;
     }
     if (is_due) {
@@ -85,7 +86,7 @@ void ProgressPrinter::update(const ProgressState& state) {
     } else {
         draw_lines(state, is_due);
     }
-    note_ = state.note;
+    note_ = state.note.text;
 }
 
 void ProgressPrinter::finish(const ProgressState& state) {
@@ -101,8 +102,8 @@ void ProgressPrinter::finish(const ProgressState& state) {
 void ProgressPrinter::draw_bar(const ProgressState& state) {
     const std::size_t width = width_of(stream_);
     std::string text = "\r" + progress_text(state, true).substr(0, width) + "\x1b[K";
-    if (!state.note.empty() || !note_.empty()) {
-        text += "\n" + state.note.substr(0, width) + "\x1b[K\x1b[A\r";
+    if (!state.note.text.empty() || !note_.empty()) {
+        text += "\n" + state.note.text.substr(0, width) + "\x1b[K\x1b[A\r";
     }
     std::fputs(text.c_str(), stream_);
     std::fflush(stream_);
@@ -113,8 +114,8 @@ void ProgressPrinter::draw_lines(const ProgressState& state, bool is_due) {
     if (is_due) {
         std::fprintf(stream_, "%s\n", progress_text(state, false).c_str());
     }
-    if (!state.note.empty() && state.note != note_) {
-        std::fprintf(stream_, "%s  %s\n", state.name.c_str(), state.note.c_str());
+    if (!state.note.text.empty() && state.note.text != note_) {
+        std::fprintf(stream_, "%s  %s\n", state.name.c_str(), state.note.text.c_str());
     }
     std::fflush(stream_);
 }

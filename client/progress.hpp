@@ -1,6 +1,7 @@
 // The progress of a run on stderr.
 #pragma once
 
+#include "client/waiting_note.hpp"
 #include "common/job/merge.hpp"
 
 #include <cstddef>
@@ -14,18 +15,20 @@ namespace cd {
 struct ProgressState {
     std::string name; ///< Of the job.
     Summary summary;
-    double seconds = 0;    ///< Since it began.
-    std::string note = {}; ///< What it waits for; empty: nothing.
+    double seconds = 0;        ///< Since it began.
+    WaitingNote note = {};     ///< What it waits for.
+    std::uint64_t resumed = 0; ///< Scenarios that were done before it began.
 };
 
 /// One line without its end; with a bar for a terminal.
 [[nodiscard]] std::string progress_text(const ProgressState& state, bool with_bar);
 
 /// Writes progress to stderr: on a terminal a bar that is redrawn, with the note below it,
-/// otherwise a line each 10 s and each new note. Lines on a terminal are cut at its width.
+/// otherwise a line each 10 s and each new note; or new notes alone. Lines on a terminal are cut at
+/// its width.
 class ProgressPrinter {
   public:
-    enum class Style : std::uint8_t { Silent, Lines, Bar };
+    enum class Style : std::uint8_t { Silent, Notes, Lines, Bar };
 
     /// Silent when quiet; a bar when stderr is a terminal that can redraw.
     [[nodiscard]] static Style style_for(bool quiet);

@@ -27,7 +27,7 @@ std::string names_in(const ClusterStatus& cluster, WorkerState state) {
 
 } // namespace
 
-std::string
+WaitingNote
 waiting_note(const JobStatus& job, const ClusterStatus& cluster, const std::string& master) {
     const std::uint64_t silent = count_in(cluster, WorkerState::Silent);
     const std::uint64_t lost = count_in(cluster, WorkerState::Lost);
@@ -35,18 +35,20 @@ waiting_note(const JobStatus& job, const ClusterStatus& cluster, const std::stri
         return {};
     }
     if (!job.paused.empty()) {
-        return "paused: " + escaped(job.paused);
+        return {"paused: " + escaped(job.paused), true};
     }
     if (cluster.workers.size() == lost) {
-        return "no worker is here: start cdworker --master " + master;
+        return {"no worker is here: start cdworker --master " + master, true};
     }
     if (silent != 0) {
         const double seconds = first_in(cluster, WorkerState::Silent).silent_seconds;
-        return "silent: " + names_in(cluster, WorkerState::Silent) + ", for " +
-               fixed_text(seconds, 0) + " s; others get the work if that lasts";
+        return {"silent: " + names_in(cluster, WorkerState::Silent) + ", for " +
+                fixed_text(seconds, 0) + " s; others get the work if that lasts"};
     }
-    return lost == 0 ? std::string()
-                     : "lost: " + names_in(cluster, WorkerState::Lost) + "; others do the work";
+    if (lost != 0) {
+        return {"lost: " + names_in(cluster, WorkerState::Lost) + "; others do the work"};
+    }
+    return {};
 }
 
 } // namespace cd

@@ -84,17 +84,13 @@ Status fetch_meshes(Connection& connection, const Submit& submit, JobInputs& inp
     return Done{};
 }
 
-std::string workers_text(Connection& connection) {
-    const Result<ClusterStatus> status = connection.status();
-    return status ? counted(status.value().workers.size(), "worker") : std::string();
-}
-
 } // namespace
 
 Result<RunReport>
 fetched_report(Connection& connection, const Query& query, const JobStatus& status) {
     RunReport report = report_of(status, query.level);
-    report.where = workers_text(connection);
+    const Result<ClusterStatus> cluster = connection.status();
+    report.where = cluster ? workers_text(cluster.value()) : std::string();
     if (query.maps && status.state == JobState::Done) {
         if (Status map = fetch_map(connection, status.job, report); !map) {
             return map.error();

@@ -62,7 +62,9 @@ int execute(const WatchCommand& command) {
     if (!job) {
         return fail(job.error());
     }
-    const auto style = ProgressPrinter::style_for(command.quiet || command.only_wait);
+    const auto style = command.only_wait && !command.quiet
+                           ? ProgressPrinter::Style::Notes
+                           : ProgressPrinter::style_for(command.quiet);
     const auto status = watch_job(
         command.master, connection.value(), job.value().status.job, job.value().id, style);
     if (!status) {

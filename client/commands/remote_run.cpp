@@ -170,6 +170,10 @@ int execute(const SubmitCommand& command) {
     if (!spec) {
         return fail(spec.error());
     }
+    auto connection = open_master_for_job(command.master);
+    if (!connection) {
+        return fail(connection.error());
+    }
     ThreadPool pool(command.threads);
     TreeCache cache(tree_cache_folder(command.tree_cache));
     auto job =
@@ -180,10 +184,6 @@ int execute(const SubmitCommand& command) {
     make_paths_absolute(job.value().spec);
     print_header(job.value(), command.quiet);
     InterruptGuard::begin_to_flag();
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
-    }
     const Result<JobId> id = send_job(*connection.value(), job.value(), command.quiet);
     if (!id) {
         return fail(id.error());

@@ -112,6 +112,22 @@ Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options) {
     return opened;
 }
 
+Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& options) {
+    auto opened = open_master(options);
+    if (!opened && opened.error().code == ErrorCode::Disconnected) {
+        return Error{ErrorCode::Disconnected,
+                     opened.error().detail + " without --master the job runs here"};
+    }
+    return opened;
+}
+
+std::string workers_text(const ClusterStatus& cluster) {
+    const auto here = std::ranges::count_if(cluster.workers, [](const WorkerStatus& worker) {
+        return worker.state != WorkerState::Lost;
+    });
+    return counted(static_cast<std::uint64_t>(here), "worker");
+}
+
 Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
     const std::array<NamedMesh, 2> meshes{NamedMesh{job.names[0], job.meshes[0]},
                                           NamedMesh{job.names[1], job.meshes[1]}};
@@ -169,8 +185,8 @@ Result<JobStatus> watch_job(const MasterOptions& master,
     ClusterStatus cluster;
     bool has_looked = false;
     const auto print = [&] {
-        const std::string note =
-            has_looked ? waiting_note(last, cluster, master.address) : std::string();
+        const WaitingNote note =
+            has_looked ? waiting_note(last, cluster, master.address) : WaitingNote();
         const ProgressState state{id, last.summary, last.seconds, note};
         if (last.state == JobState::Running) {
             printer.update(state);

@@ -17,6 +17,12 @@ namespace cd {
 
 /// A connection that heeds the InterruptGuard.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options);
+/// The same for a job that could also run on this machine, which an error of the network says.
+/// Called before the inputs are read, which may take long.
+[[nodiscard]] Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& options);
+
+/// "12 workers"; those that are lost do not count.
+[[nodiscard]] std::string workers_text(const ClusterStatus& cluster);
 
 /// Uploads what is missing, with a line on stderr for each mesh unless quiet, and submits.
 [[nodiscard]] Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet);

@@ -57,12 +57,14 @@ Result<RunOutcome> run_with_progress(const LocalJob& local,
                                      const std::function<void()>& tick) {
     ProgressPrinter progress(ProgressPrinter::style_for(local.command.quiet));
     options.first_stage = local.command.first_stage.value_or(PairStage::Float);
-    const RunObserver observer{take,
-                               [&](const Summary& summary, double seconds) {
-                                   progress.update({local.job.spec.name, summary, seconds});
-                                   tick();
-                               },
-                               [] { return InterruptGuard::signal() != 0; }};
+    const std::uint64_t resumed = options.done ? options.done->summary().merged() : 0;
+    const RunObserver observer{
+        take,
+        [&](const Summary& summary, double seconds) {
+            progress.update({local.job.spec.name, summary, seconds, {}, resumed});
+            tick();
+        },
+        [] { return InterruptGuard::signal() != 0; }};
     auto outcome = run_locally(*local.job.trees[0],
                                *local.job.trees[1],
                                *local.job.poses,
@@ -71,7 +73,8 @@ Result<RunOutcome> run_with_progress(const LocalJob& local,
                                observer,
                                std::move(options));
     if (outcome) {
-        progress.finish({local.job.spec.name, outcome.value().summary, outcome.value().seconds});
+        progress.finish(
+            {local.job.spec.name, outcome.value().summary, outcome.value().seconds, {}, resumed});
     }
     return outcome;
 }
@@ -206,16 +209,6 @@ prepare(AskedJob asked, Trees trees, TreeCache& cache, ThreadPool& pool, bool qu
                      : prepare_job(std::move(asked.spec), trees, cache, pool, quiet);
 }
 
-/// Connects before the inputs are read, which may take long. Errors: those of `open_master`.
-Result<std::unique_ptr<Connection>> open_for_run(const RunCommand& command) {
-    auto opened = open_master(command.master);
-    if (!opened && opened.error().code == ErrorCode::Disconnected) {
-        return Error{ErrorCode::Disconnected,
-                     opened.error().detail + " without --master the job runs here"};
-    }
-    return opened;
-}
-
 /// The first line of a run: where it runs. `connection` is null for a run on this machine.
 std::string where_text(const RunCommand& command, Connection* connection, const ThreadPool& pool) {
     if (connection == nullptr) {
@@ -227,8 +220,8 @@ std::string where_text(const RunCommand& command, Connection* connection, const 
                "\n";
     }
     const Result<ClusterStatus> status = connection->status();
-    return "  on " + command.master.address +
-           (status ? ", " + counted(status.value().workers.size(), "worker") : "") + "\n";
+    return "  on " + command.master.address + (status ? ", " + workers_text(status.value()) : "") +
+           "\n";
 }
 
 EstimateOptions estimate_options(const RunCommand& command) {
@@ -353,7 +346,8 @@ int run_job(const RunCommand& command) {
         return fail(asked.error());
     }
     ThreadPool pool(command.threads);
-    auto connection = here ? Result<std::unique_ptr<Connection>>(nullptr) : open_for_run(command);
+    auto connection =
+        here ? Result<std::unique_ptr<Connection>>(nullptr) : open_master_for_job(command.master);
     if (!connection) {
         return fail(connection.error());
     }

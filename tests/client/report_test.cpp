@@ -245,6 +245,34 @@ TEST(Progress, ABarShowsShareRateAndTimeLeft) {
         "ETA 0:01");
 }
 
+TEST(Progress, WhatWasDoneBeforeIsNoPartOfTheRate) {
+    ProgressState state = at(1);
+    state.summary.separate = 60;
+    state.resumed = 50;
+    EXPECT_EQ(progress_text(state, false), "j-1  60%  60/100   10/s   contact 0   ETA 0:04");
+}
+
+TEST(Progress, NoTimeIsLeftOnlyWhereNothingGoesOn) {
+    ProgressState state = at(50);
+    state.note = {"lost: w-1; others do the work"};
+    EXPECT_THAT(progress_text(state, false), HasSubstr("ETA 0:50"));
+    state.note = {"no worker is here", true};
+    EXPECT_THAT(progress_text(state, false), Not(HasSubstr("ETA")));
+}
+
+TEST(Progress, NotesComeAloneWhereNoProgressIsWanted) {
+    const std::string text = printed([](std::FILE* stream) {
+        ProgressPrinter printer(ProgressPrinter::Style::Notes, stream);
+        printer.update(at(20));
+        ProgressState state = at(40);
+        state.note = {"no worker is here", true};
+        printer.update(state);
+        printer.update(state);
+        printer.finish(at(60));
+    });
+    EXPECT_EQ(text, "j-1  no worker is here\n");
+}
+
 TEST(Progress, WithoutATerminalALineComesEachTenSeconds) {
     const std::string text = printed([](std::FILE* stream) {
         ProgressPrinter printer(ProgressPrinter::Style::Lines, stream);
@@ -273,7 +301,7 @@ TEST(Progress, ANoteStandsUnderTheBar) {
     const std::string text = printed([](std::FILE* stream) {
         ProgressPrinter printer(ProgressPrinter::Style::Bar, stream);
         ProgressState state = at(1);
-        state.note = "no worker is here";
+        state.note = {"no worker is here", true};
         printer.update(state);
         printer.update(state);
         printer.update(at(1.01));
@@ -287,10 +315,10 @@ TEST(Progress, WithoutATerminalEachNoteIsPrintedOnce) {
     const std::string text = printed([](std::FILE* stream) {
         ProgressPrinter printer(ProgressPrinter::Style::Lines, stream);
         ProgressState state = at(1);
-        state.note = "no worker is here";
+        state.note = {"no worker is here", true};
         printer.update(state);
         printer.update(state);
-        state.note = "paused: disk full";
+        state.note = {"paused: disk full", true};
         printer.update(state);
     });
     EXPECT_EQ(text, "j-1  no worker is here\nj-1  paused: disk full\n");
