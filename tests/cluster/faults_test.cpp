@@ -3,6 +3,7 @@
 // or stalled; workers halted, killed, and back; the master killed among all that. What a broken
 // connection interrupts is not done again when the worker is back in time.
 #include "tests/cluster/broken_network.hpp"
+#include "tests/cluster/cdctl_runs.hpp"
 #include "tests/support/comes_true.hpp"
 
 #include <gmock/gmock.h>
@@ -188,9 +189,35 @@ TEST_F(LostWorkers, AKilledWorkerIsReplacedAndTheStatusTellsOfIt) {
     progress(300);
     workers_[0]->signal(SIGKILL);
     wait_for_state(WorkerState::Lost);
-    const Ran told = run({program("cdctl").string(), "status", "--master", master_.address()});
+    const Ran told = run({cdctl(), "status", "--master", master_.address()});
     EXPECT_THAT(told.output, HasSubstr("lost"));
     expect_right(false);
+
+    // Of the two that are listed one is here.
+    write_obj(folder_ / "box.obj", make_box({1, 1, 1}));
+    const std::string box = folder_ / "box.obj";
+    const Ran next = run(
+        {cdctl(), "run", "--a", box, "--b", box, "--random", "3", "--master", master_.address()});
+    EXPECT_EQ(next.exit_code, 0) << next.errors;
+    EXPECT_THAT(next.errors, testing::StartsWith("  on " + master_.address() + ", 1 worker\n"));
+}
+
+TEST_F(LostWorkers, WhoWatchesAJobHearsOfAWorkerThatIsKilled) {
+    connection_ = connect();
+    job_ = make_long_job(1, 9);
+    start_worker(1, {"--no-peers"});
+    start_worker(1, {"--no-peers"});
+    ClusterOptions one_block;
+    one_block.depths = {0, 0};
+    id_ = submit(*connection_, job_, Query{}, one_block);
+    status_when([&](const ClusterStatus& status) { return status.workers.size() == 2; });
+    Process watch({cdctl(), "watch", "last", "--master", master_.address()}, folder_ / "watch");
+    workers_[0]->signal(SIGKILL);
+    EXPECT_TRUE(comes_true([&] {
+        return watch.errors().find("  lost: worker0; others do the work\n") != std::string::npos;
+    })) << watch.errors();
+    ASSERT_TRUE(connection_->cancel(id_));
+    EXPECT_EQ(watch.wait(), 3) << watch.errors();
 }
 
 } // namespace

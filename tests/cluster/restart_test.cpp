@@ -2,6 +2,7 @@
 // on, workers come back by themselves with what they hold and what was not acknowledged, nothing
 // that is done is done again, and the digest is that of one process.
 #include "client/job_id.hpp"
+#include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"
 
@@ -376,6 +377,35 @@ TEST_F(Restart, WithAFullDiskJobsWaitVisiblyAndGoOnWhenThereIsRoom) {
     EXPECT_EQ(status.state, JobState::Running);
     const Ran told = run({program("cdctl").string(), "status", "--master", master_.address()});
     EXPECT_NE(told.output.find("paused"), std::string::npos) << told.output;
+    std::vector<std::unique_ptr<Process>> followers;
+    for (const char* verb : {"watch", "wait"}) {
+        followers.push_back(std::make_unique<Process>(
+            std::vector<std::string>{
+                program("cdctl").string(), verb, "last", "--master", master_.address()},
+            folder_ / verb));
+    }
+    for (const auto& follower : followers) {
+        EXPECT_TRUE(comes_true([&] {
+            return follower->errors().find("  paused: ") != std::string::npos;
+        })) << follower->errors();
+    }
+    write_obj(folder_ / "big.obj", make_torus(2, 1, 200, 150));
+    const std::string big = folder_ / "big.obj";
+    const Ran upload = run({cdctl(),
+                            "run",
+                            "-q",
+                            "--a",
+                            big,
+                            "--b",
+                            big,
+                            "--random",
+                            "1",
+                            "--master",
+                            master_.address()});
+    EXPECT_EQ(upload.exit_code, 3);
+    EXPECT_EQ(upload.errors,
+              "cdctl: the master has no room for big.obj (1.4 MiB): its disk is full, or cannot be "
+              "written; its log says why\n");
     Submit another;
     another.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
     const auto poses = make_list_source(job.scenarios);
@@ -385,6 +415,9 @@ TEST_F(Restart, WithAFullDiskJobsWaitVisiblyAndGoOnWhenThereIsRoom) {
     EXPECT_EQ(status.state, JobState::Done);
     EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
     EXPECT_EQ(fetched(*connection, status), 4000u);
+    for (const auto& follower : followers) {
+        EXPECT_EQ(follower->wait(), 0) << follower->errors();
+    }
 }
 
 TEST_F(Restart, ADamagedStateIsNamedNotUsedAndNotChanged) {

@@ -1,6 +1,8 @@
 // Proves that the first hour of a stranger goes well: what is typed wrong, given in a wrong unit or
 // run with nobody there is answered by one line that names the way out. With CD_TRANSCRIPT set it
 // prints all that was typed and answered (tests/first_hour/run).
+#include "client/commands/commands.hpp"
+#include "proto/certificate.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"
@@ -92,8 +94,9 @@ TEST_F(FirstHour, MeshesAreInspectedAndCadFilesNamed) {
 TEST_F(FirstHour, ADryRunTellsTimeAndSizeAndARunWhereItIs) {
     const Ran dry = type({"run", "--dry-run", "--out", path("out")}, bodies("poses.csv"));
     EXPECT_EQ(dry.exit_code, 0) << dry.errors;
-    EXPECT_THAT(dry.output, StartsWith("inputs are fine; about "));
-    EXPECT_THAT(dry.output, testing::EndsWith(" MB; nothing was run\n"));
+    EXPECT_THAT(dry.output,
+                testing::MatchesRegex("inputs are fine; about [0-9.]+( to [0-9.]+)? s here "
+                                      "\\([0-9.]+ ?[kM]?/s\\), [0-9.]+ MB; nothing was run\n"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
     const Ran ran = type({"run", "--threads", "2", "--out", path("out")}, bodies("poses.csv"));
     EXPECT_EQ(ran.exit_code, 0) << ran.errors;
@@ -121,8 +124,61 @@ TEST_F(FirstHour, NoMasterIsSaidBeforeInputsAreRead) {
     EXPECT_EQ(none.errors,
               "cdctl: cannot connect to 127.0.0.1:1: Connection refused; is cdmaster running "
               "there? without --master the job runs here\n");
+    const Ran submit = type({"submit", "--master", "127.0.0.1:1"}, bodies("none.csv"));
+    EXPECT_EQ(submit.exit_code, 4);
+    EXPECT_EQ(submit.errors, none.errors);
     EXPECT_THAT(type({"status", "--master", "127.0.0.1:1"}).errors,
                 testing::EndsWith("; is cdmaster running there?\n"));
+}
+
+TEST_F(FirstHour, TheOtherPortOfAMasterIsRecognised) {
+    const MortalMaster master(folder_, {"--http", "127.0.0.1:0"});
+    std::smatch found;
+    const std::string log = master.log();
+    ASSERT_TRUE(std::regex_search(log, found, std::regex("http listening: host=.* port=([0-9]+)")))
+        << log;
+    const std::string http_port = "127.0.0.1:" + found[1].str();
+    const Ran http = type({"status", "--master", http_port});
+    EXPECT_EQ(http.exit_code, 5);
+    EXPECT_EQ(http.errors,
+              "cdctl: a web server answers: that is the master's --http port; give the port of its "
+              "--listen, 7600 by default\n");
+    const CertificateAuthority authority =
+        CertificateAuthority::make(std::chrono::system_clock::now());
+    const std::chrono::hours hour(1);
+    const WallTime now = std::chrono::system_clock::now();
+    ASSERT_TRUE(write_credential(
+        folder_ / "me.pem", authority.issue({CertifiedRole::Admin, "me", now - hour, now + hour})));
+    const Ran tls = type({"status", "--master", http_port, "--credential", path("me.pem")});
+    EXPECT_EQ(tls.exit_code, 5);
+    EXPECT_THAT(tls.errors, testing::EndsWith("; is that the master's --http port?\n"));
+}
+
+TEST_F(FirstHour, AMasterThatSpeaksTlsSaysHowToJoin) {
+    ASSERT_EQ(
+        tests::run({program("cdmaster").string(), "init", "--state", path("state")}).exit_code, 0);
+    const MortalMaster master(folder_);
+    const Ran plain = type({"status", "--master", master.address(), "--credential", "none"});
+    EXPECT_EQ(plain.exit_code, 5);
+    EXPECT_THAT(plain.errors, StartsWith("cdctl: the master speaks TLS: cdctl join"));
+}
+
+TEST_F(FirstHour, LargeResultsOfAMasterAreRefusedBeforeItHearsOfThem) {
+    const MortalMaster master(folder_);
+    RunCommand command;
+    command.job.a = path("car.obj");
+    command.job.b = path("post.obj");
+    command.job.random = 100;
+    command.job.out = path("out");
+    command.master.address = master.address();
+    command.results_bytes_max = 1000;
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(execute(command), 2);
+    EXPECT_THAT(testing::internal::GetCapturedStderr(),
+                testing::ContainsRegex("cdctl: .*/out: the run would take about .* s here "
+                                       "\\(.*/s\\), .* MB as csv,npz, and .*or say --yes\n$"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+    EXPECT_EQ(type({"get", "jobs", "-o", "name", "--master", master.address()}).output, "");
 }
 
 TEST_F(FirstHour, ARunWithoutWorkersSaysSoAndGoesOnWhenOneComes) {
@@ -145,15 +201,98 @@ TEST_F(FirstHour, ARunWithoutWorkersSaysSoAndGoesOnWhenOneComes) {
     print(words, run.errors() + run.output(), code.value_or(-1));
 }
 
+TEST_F(FirstHour, AJobWithoutWorkersSaysSoToWhoFollowsIt) {
+    const MortalMaster master(folder_);
+    const std::vector<std::string> there{"--master", master.address()};
+    const Ran submitted = type({"submit", "--master", master.address()}, bodies("poses.csv"));
+    EXPECT_EQ(submitted.exit_code, 0) << submitted.errors;
+    std::vector<std::vector<std::string>> commands;
+    std::vector<std::unique_ptr<Process>> followers;
+    for (const char* verb : {"watch", "wait"}) {
+        commands.push_back({cdctl(), verb, "last", "--master", master.address()});
+        followers.push_back(std::make_unique<Process>(commands.back(), folder_ / verb));
+    }
+    for (const auto& follower : followers) {
+        EXPECT_TRUE(comes_true([&] {
+            return follower->errors().find("  no worker is here: start cdworker --master " +
+                                           master.address()) != std::string::npos;
+        })) << follower->errors();
+    }
+    const Process worker(
+        {program("cdworker").string(), "--master", master.address(), "--threads", "1"},
+        folder_ / "worker");
+    for (std::size_t i = 0; i < followers.size(); ++i) {
+        EXPECT_EQ(followers[i]->wait(), 0) << followers[i]->errors();
+        commands[i].front() = "cdctl";
+        print(commands[i], followers[i]->errors() + followers[i]->output(), 0);
+    }
+    EXPECT_THAT(followers[0]->output(), HasSubstr("tested 3 of 3"));
+    EXPECT_EQ(followers[1]->output(), "") << "wait prints nothing but what is waited for";
+    EXPECT_EQ(lines(followers[1]->errors()), 1u) << followers[1]->errors();
+}
+
+TEST_F(FirstHour, AJobIsRemoved) {
+    const MortalMaster master(folder_);
+    const Process worker(
+        {program("cdworker").string(), "--master", master.address(), "--threads", "1"},
+        folder_ / "worker");
+    const std::vector<std::string> there{"--master", master.address()};
+    EXPECT_EQ(type({"run", "-q", "--master", master.address()}, bodies("poses.csv")).exit_code, 0);
+    EXPECT_THAT(type({"status"}, there).output, HasSubstr("on the master's disk: "));
+    EXPECT_THAT(type({"get", "jobs"}, there).output,
+                testing::ContainsRegex("OWNER +.*BEGAN.*\n.*@.* 20[0-9][0-9]-"));
+    const Ran asked = type({"rm", "last"}, there);
+    EXPECT_EQ(asked.exit_code, 2);
+    EXPECT_THAT(asked.errors,
+                testing::MatchesRegex("cdctl: job j-[0-9a-f]+ would be removed for good\n"
+                                      "cdctl: nothing was removed; add --yes\n"));
+    const Ran removed = type({"rm", "last", "--yes"}, there);
+    EXPECT_EQ(removed.exit_code, 0) << removed.errors;
+    EXPECT_THAT(removed.output, testing::MatchesRegex("job j-[0-9a-f]+ removed, .* freed\n"));
+    const Ran gone = type({"results", "last", "--out", path("out")}, there);
+    EXPECT_EQ(gone.exit_code, 2);
+    EXPECT_THAT(gone.errors, StartsWith("cdctl: the master has no job of '"));
+}
+
 TEST_F(FirstHour, ControlCEndsARunAtOnce) {
     std::vector<std::string> words{
         cdctl(), "run", "--a", path("car.obj"), "--b", path("post.obj"), "--random", "100000000"};
     Process run(words, folder_ / "run");
     EXPECT_TRUE(comes_true([&] { return run.errors().find("  poses ") != std::string::npos; }));
+    // Ended by the signal itself, as long as it prepares.
+    EXPECT_TRUE(
+        comes_true([&] { return run.errors().find("/100 000 000 ") != std::string::npos; }));
     run.signal(SIGINT);
     EXPECT_EQ(run.wait(), 130);
+    EXPECT_THAT(
+        run.errors(),
+        testing::EndsWith("cdctl: interrupted; no results were kept, since there was no --out\n"));
     words.front() = "cdctl";
     print(words, run.errors(), 130);
+}
+
+TEST_F(FirstHour, AfterControlCTheSameCommandGoesOn) {
+    std::vector<std::string> words{cdctl(), "run", "--threads", "1", "--random", "20000"};
+    words.insert(words.end(),
+                 {"--a", path("car.obj"), "--b", path("post.obj"), "--out", path("out")});
+    Process run(words, folder_ / "run");
+    const auto kept = folder_ / "out/.part/records";
+    EXPECT_TRUE(comes_true([&] {
+        std::error_code error;
+        return std::filesystem::file_size(kept, error) > 1000 && !error;
+    })) << run.errors();
+    run.signal(SIGINT);
+    EXPECT_EQ(run.wait(), 130) << run.errors();
+    EXPECT_THAT(run.errors(),
+                testing::ContainsRegex("cdctl: interrupted; [0-9 ]+ of 20 000 are kept in .*/out, "
+                                       "and the same command goes on from there\n$"));
+    words.front() = "cdctl";
+    print(words, run.errors(), 130);
+    words.erase(words.begin());
+    const Ran again = type(words);
+    EXPECT_EQ(again.exit_code, 0) << again.errors;
+    EXPECT_THAT(again.errors, testing::ContainsRegex("\nresumed at [0-9 ]+ of 20 000\n"));
+    EXPECT_THAT(again.output, HasSubstr("tested 20 000 of 20 000"));
 }
 
 TEST_F(FirstHour, AFullDiskUnderStandardOutputIsNoticed) {
