@@ -164,6 +164,13 @@ std::string coloured(const std::string& text, const char* colour, bool colours) 
     return colours ? colour + text + "\x1b[0m" : text;
 }
 
+/// What a sum over listed pairs leaves out; empty: nothing.
+std::string first_pairs_text(const RunReport& report) {
+    return report.limit_pairs == 0
+               ? ""
+               : ", of the first " + counted(report.limit_pairs, "pair") + " a scenario";
+}
+
 std::string map_text(const RunReport& report) {
     if (!report.map_withdrawn.empty()) {
         return "  map           withdrawn: " + report.map_withdrawn + "; run the job again\n";
@@ -173,7 +180,19 @@ std::string map_text(const RunReport& report) {
     }
     const auto& [a, b] = report.map->bodies;
     return "  map           " + counted(a.size(), "triangle") + " of A and " + grouped(b.size()) +
-           " of B were in contact; digest " + to_short_hex(digest_of(*report.map)) + "\n";
+           " of B were in contact" + (report.maps_all_pairs ? "" : first_pairs_text(report)) +
+           "; digest " + to_short_hex(digest_of(*report.map)) + "\n";
+}
+
+/// A share would be too low where some pairs are not listed.
+std::string most_touched_text(const RunReport& report) {
+    std::string text;
+    for (const PartTally::Touched& part : report.most_touched) {
+        text += (text.empty() ? "  most touched  " : ", ") + part.part + " " +
+                (report.limit_pairs == 0 ? percent(part.scenarios, report.summary.tested())
+                                         : grouped(part.scenarios));
+    }
+    return text.empty() ? text : text + first_pairs_text(report) + "\n";
 }
 
 std::string classes_text(const Summary& summary, Level level, bool colours) {
@@ -323,15 +342,7 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
         text += "  hint          " + report.hint + "\n";
     }
     text += map_text(report);
-    if (!report.most_touched.empty()) {
-        text += "  most touched  ";
-        for (std::size_t i = 0; i < report.most_touched.size(); ++i) {
-            const auto& part = report.most_touched[i];
-            text +=
-                (i == 0 ? "" : ", ") + part.part + " " + percent(part.scenarios, summary.tested());
-        }
-        text += "\n";
-    }
+    text += most_touched_text(report);
     if (style.statistics) {
         text += statistics_text(report);
         text += depths_text(report);
@@ -339,6 +350,11 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     }
     if (report.digest) {
         text += "  digest        " + to_short_hex(*report.digest) + "\n";
+    }
+    if (report.inputs_are_too_large) {
+        text +=
+            "  inputs        not kept, since they are too large: whoever opens the folder needs "
+            "their files\n";
     }
     text += report.summary_file.empty() ? "" : "  open it: " + report.summary_file + "\n";
     return text;

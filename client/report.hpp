@@ -75,7 +75,9 @@ class PartTally {
 struct RunReport {
     Summary summary;
     Level level = Level::Pairs;
-    std::optional<Sha256> digest; ///< Nothing while scenarios are missing.
+    std::uint64_t limit_pairs = 0; ///< Pairs that a result lists at most; 0: all.
+    bool maps_all_pairs = false;   ///< Also those that are not listed are in the map.
+    std::optional<Sha256> digest;  ///< Nothing while scenarios are missing.
     double seconds = 0;
     JobStatistics statistics;
     std::optional<SearchCost> cost;       ///< Of this machine's searches; nothing on a cluster.
@@ -85,11 +87,12 @@ struct RunReport {
     std::string where;                    ///< "2 threads", "2 workers"; may be empty.
     std::optional<ContactMap> map;        ///< Where one was asked for,
     std::string map_withdrawn;            ///< or why there is none.
-    std::vector<PartTally::Touched> most_touched;
+    std::vector<PartTally::Touched> most_touched; ///< Of listed pairs.
     std::string hint; ///< A line about poses that bring no contact; empty where there is none.
-    double prepare_seconds = 0;   ///< To read inputs and build trees; not in `seconds`.
-    std::uint64_t resumed_at = 0; ///< Scenarios that an earlier run had done.
-    std::string summary_file;     ///< Where it is kept; empty: nowhere.
+    double prepare_seconds = 0;        ///< To read inputs and build trees; not in `seconds`.
+    std::uint64_t resumed_at = 0;      ///< Scenarios that an earlier run had done.
+    std::string summary_file;          ///< Where it is kept; empty: nowhere.
+    bool inputs_are_too_large = false; ///< So that the results folder does not keep them.
 };
 
 /// How the lines after a run look.

@@ -167,8 +167,12 @@ std::string summary_json(const ExportContext& context, const RunReport& report) 
         json["traffic"] = traffic_json(*report.traffic);
     }
     json["digest"] = report.digest ? Json(to_hex(*report.digest)) : Json();
+    if (report.limit_pairs != 0) {
+        json["limit_pairs"] = report.limit_pairs;
+    }
     if (report.map) {
         json["map_digest"] = to_hex(digest_of(*report.map));
+        json["map_of_listed_pairs"] = report.limit_pairs != 0 && !report.maps_all_pairs;
     } else if (!report.map_withdrawn.empty()) {
         json["map_withdrawn"] = report.map_withdrawn;
     }

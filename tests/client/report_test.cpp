@@ -140,6 +140,26 @@ TEST(Report, TheSummaryTellsWhatCameBeforeAndWhereItIs) {
     EXPECT_THAT(text, testing::EndsWith("  open it: out/summary.json\n"));
 }
 
+TEST(Report, OfCutListsNoShareIsGiven) {
+    RunReport report;
+    report.summary = example_summary();
+    report.limit_pairs = 3;
+    report.most_touched = {{"front_bumper", 6'100}, {"door", 7}};
+    report.map.emplace();
+    report.map->bodies[0].push_back({5, 2});
+    std::string text = summary_text(report);
+    EXPECT_THAT(
+        text,
+        HasSubstr("most touched  front_bumper 6 100, door 7, of the first 3 pairs a scenario"));
+    EXPECT_THAT(text,
+                HasSubstr("1 triangle of A and 0 of B were in contact, of the first 3 pairs a "
+                          "scenario; digest "));
+    report.maps_all_pairs = true; // But not those that parts are counted by.
+    text = summary_text(report);
+    EXPECT_THAT(text, HasSubstr("1 triangle of A and 0 of B were in contact; digest "));
+    EXPECT_THAT(text, HasSubstr("door 7, of the first 3 pairs a scenario"));
+}
+
 TEST(Report, LevelAnyKnowsContactAndInside) {
     RunReport report;
     report.level = Level::Any;
