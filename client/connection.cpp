@@ -26,10 +26,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t poses_together = 4096;
 
-Error interrupted() {
-    return {ErrorCode::Interrupted, "interrupted"};
-}
-
 /// The master could not write `what` to its disk.
 Error no_room(const std::string& what, const Error& error) {
     return {ErrorCode::Incomplete, "the master has no room for " + what + ": " + error.detail};

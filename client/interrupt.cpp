@@ -46,6 +46,13 @@ void InterruptGuard::begin_to_flag() {
     }
 }
 
+void InterruptGuard::begin_to_end() {
+    handle(end_process, nullptr, nullptr);
+    if (received != 0) {
+        end_process(received);
+    }
+}
+
 InterruptGuard::~InterruptGuard() {
     sigaction(SIGINT, &old_interrupt_, nullptr);
     sigaction(SIGTERM, &old_terminate_, nullptr);

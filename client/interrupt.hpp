@@ -21,8 +21,13 @@ class InterruptGuard {
 
     /// From now on the first signal only sets the flag.
     static void begin_to_flag();
+    /// From now on the first signal ends the process, as with `EndsProcess`; one that has come ends
+    /// it now.
+    static void begin_to_end();
     /// The signal that came, or 0.
     [[nodiscard]] static int signal();
+    /// For a `StopCheck`.
+    [[nodiscard]] static bool has_come() { return signal() != 0; }
 
   private:
     struct sigaction old_interrupt_ {};

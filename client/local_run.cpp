@@ -23,10 +23,6 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-Error interrupted() {
-    return {ErrorCode::Interrupted, "interrupted"};
-}
-
 /// Hands the next scenarios to the run while it wants them, for no longer than until progress is
 /// due.
 Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {

@@ -27,7 +27,10 @@ struct NpzWriter::State {
     };
 
     std::filesystem::path path;
+    StopCheck stop;
     std::vector<Array> arrays;
+
+    [[nodiscard]] bool is_stopped() const { return stop && stop(); }
 
     void remove_spools() {
         for (Array& array : arrays) {
@@ -38,8 +41,10 @@ struct NpzWriter::State {
     }
 };
 
-NpzWriter::NpzWriter(std::filesystem::path path) : state_(std::make_unique<State>()) {
+NpzWriter::NpzWriter(std::filesystem::path path, StopCheck stop)
+    : state_(std::make_unique<State>()) {
     state_->path = std::move(path);
+    state_->stop = std::move(stop);
 }
 
 NpzWriter::~NpzWriter() {
@@ -113,7 +118,15 @@ Status NpzWriter::finish() {
         // Equal arrays make equal files: 1 January 1980 stands for the time of writing.
         zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0, 0x21, 0);
     }
+    zip_register_cancel_callback_with_state(
+        archive.get(),
+        [](zip_t*, void* state) { return static_cast<State*>(state)->is_stopped() ? 1 : 0; },
+        nullptr,
+        state_.get());
     if (zip_close(archive.get()) != 0) {
+        if (state_->is_stopped()) {
+            return interrupted();
+        }
         return failed(zip_strerror(archive.get()));
     }
     static_cast<void>(archive.release()); // Freed by zip_close.

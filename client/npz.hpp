@@ -3,6 +3,7 @@
 
 #include "client/npy.hpp"
 #include "common/core/result.hpp"
+#include "common/core/stop_check.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -18,7 +19,8 @@ namespace cd {
 /// to a file beside the target, which appears whole at `finish` or not at all.
 class NpzWriter {
   public:
-    explicit NpzWriter(std::filesystem::path path);
+    /// `stop` ends `finish`, which packs all arrays.
+    explicit NpzWriter(std::filesystem::path path, StopCheck stop = {});
     NpzWriter(const NpzWriter&) = delete;
     NpzWriter& operator=(const NpzWriter&) = delete;
     /// Removes what was spooled.
@@ -35,7 +37,7 @@ class NpzWriter {
         return append_bytes(array, std::as_bytes(values), sizeof(T));
     }
 
-    /// Errors: Io naming the file.
+    /// Errors: Io naming the file; Interrupted.
     [[nodiscard]] Status finish();
 
   private:

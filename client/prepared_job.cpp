@@ -50,7 +50,7 @@ Status import_bodies(PreparedJob& job, bool quiet) {
         options.declared_unit_to = body.unit.empty() ? job.spec.unit : "";
         options.is_y_up = body.up == "y";
         options.rounds_to_float = body.rounds_to_float;
-        options.is_stopped = [] { return InterruptGuard::signal() != 0; };
+        options.is_stopped = &InterruptGuard::has_come;
         const SlowNote note("reading " + body.path.filename().string() + "...", quiet);
         auto imported = import_mesh(body.path, options);
         if (!imported) {
@@ -129,7 +129,7 @@ Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
         job.poses = make_computed_source(random->count,
                                          random_scenarios(*random, *job.trees[0], *job.trees[1]),
                                          pool.size(),
-                                         [] { return InterruptGuard::signal() != 0; });
+                                         &InterruptGuard::has_come);
         return Done{};
     }
     const auto& spec = std::get<PoseFileSpec>(job.spec.poses);
@@ -217,6 +217,7 @@ ExportContext export_context(const PreparedJob& job) {
     context.level = job.query.level;
     context.tolerance = job.query.tolerance;
     context.exact_points = job.spec.output.exact_points;
+    context.stop = &InterruptGuard::has_come;
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
         context.bodies.push_back(
             {export_name(job.spec, i), job.spec.bodies[i].path.filename().string(), job.meshes[i]});

@@ -60,7 +60,7 @@ int execute(const DemoCommand& command) {
     options.logs = cache / "demo-logs";
     options.workers = demo_workers;
     options.threads = std::max(1u, std::thread::hardware_concurrency() / demo_workers);
-    auto cluster = LocalCluster::start(options, [] { return InterruptGuard::signal() != 0; });
+    auto cluster = LocalCluster::start(options, &InterruptGuard::has_come);
     if (!cluster) {
         return fail(cluster.error());
     }

@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 namespace cd {
 
@@ -74,19 +75,24 @@ Result<CaseScenarios> read_case(OpenedRun& run, PreparedJob& job, const Range& r
 } // namespace
 
 int execute(const ExtractCommand& command) {
-    const InterruptGuard interrupts;
+    const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     auto at_hand = RunAtHand::open(command.run, command.master);
     if (!at_hand) {
         return fail(at_hand.error());
     }
-    OpenedRun& run = at_hand.value().run();
+    OpenedRun& run = at_hand.value().run;
     const auto range = parse_range(command.scenarios, run.manifest().poses.count);
     if (!range) {
         return fail(range.error());
     }
     ThreadPool pool(command.threads);
     TreeCache cache(tree_cache_folder(command.tree_cache));
-    auto job = prepare_again(run, spec_of(run.manifest()), Trees::ForPosesOnly, cache, pool);
+    auto job = prepare_again(run.manifest(),
+                             std::move(at_hand.value().inputs),
+                             spec_of(run.manifest()),
+                             Trees::ForPosesOnly,
+                             cache,
+                             pool);
     if (!job) {
         return fail(job.error());
     }
@@ -94,8 +100,10 @@ int execute(const ExtractCommand& command) {
     if (!found) {
         return fail(found.error());
     }
+    InterruptGuard::begin_to_flag(); // No half of a file is left.
     const std::string dir = command.out.empty() ? "scenario-" + command.scenarios : command.out;
-    const Status written = write_case(job.value(), found.value(), command.minimal, dir, pool);
+    const Status written = write_case(
+        job.value(), found.value(), {command.minimal, &InterruptGuard::has_come}, dir, pool);
     if (!written) {
         return fail(written.error());
     }

@@ -89,6 +89,8 @@ Status fetch_meshes(Connection& connection, const Submit& submit, JobInputs& inp
 Result<RunReport>
 fetched_report(Connection& connection, const Query& query, const JobStatus& status) {
     RunReport report = report_of(status, query.level);
+    report.limit_pairs = query.limit_pairs;
+    report.maps_all_pairs = query.maps;
     const Result<ClusterStatus> cluster = connection.status();
     report.where = cluster ? workers_text(cluster.value()) : std::string();
     if (query.maps && status.state == JobState::Done) {

@@ -37,7 +37,7 @@ int execute(const InspectCommand& command) {
     for (const std::string& file : command.meshes) {
         ImportOptions options{factor.value()};
         options.declared_unit_to = command.unit.empty() ? "m" : "";
-        options.is_stopped = [] { return InterruptGuard::signal() != 0; };
+        options.is_stopped = &InterruptGuard::has_come;
         const auto imported = import_mesh(file, options);
         if (!imported) {
             return fail(imported.error());

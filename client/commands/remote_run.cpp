@@ -62,7 +62,9 @@ Status report_without_folder(Connection& connection,
         return told.error();
     }
     told.value().most_touched = sink.value().tally().most_touched(touched_parts_shown);
-    told.value().hint = hint_of(job, told.value().summary);
+    if (Status hinted = add_hint(job, told.value()); !hinted) {
+        return hinted;
+    }
     if (!job.query.maps && job.query.level >= Level::Pairs) {
         told.value().map = sink.value().map();
     }
@@ -89,7 +91,9 @@ Status report_into_folder(Connection& connection,
     if (!told) {
         return told.error();
     }
-    told.value().hint = hint_of(job, told.value().summary);
+    if (Status hinted = add_hint(job, told.value()); !hinted) {
+        return hinted;
+    }
     const std::optional<ContactMap> map = told.value().map;
     if (Status finished = run.finish(told.value(), command.output, map); !finished) {
         return finished;

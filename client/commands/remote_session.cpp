@@ -100,10 +100,7 @@ Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options) {
         return tls.error();
     }
     auto opened = Connection::open(
-        options.address,
-        options.insecure,
-        [] { return InterruptGuard::signal() != 0; },
-        std::move(tls.value()));
+        options.address, options.insecure, &InterruptGuard::has_come, std::move(tls.value()));
     if (!opened && opened.error().code == ErrorCode::Disconnected &&
         opened.error().detail.starts_with("cannot connect")) {
         return Error{ErrorCode::Disconnected,

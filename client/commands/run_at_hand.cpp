@@ -2,20 +2,17 @@
 
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/run_command.hpp"
+#include "client/interrupt.hpp"
 
+#include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace cd {
 
 namespace {
-
-void remove_folder(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    if (!folder.empty()) {
-        std::filesystem::remove_all(folder, ignored);
-    }
-}
 
 Status
 fetch_into(const std::filesystem::path& dir, const std::string& id, const MasterOptions& master) {
@@ -25,32 +22,39 @@ fetch_into(const std::filesystem::path& dir, const std::string& id, const Master
     }
     job.value().prepared().spec.output.dir = dir;
     job.value().prepared().spec.output.formats.clear();
-    const auto written = job.value().write(folder_options({}, master), "text");
+    FolderRunOptions options = folder_options({}, master);
+    options.inputs_bytes_max = UINT64_MAX; // Nowhere else are they at hand.
+    const auto written = job.value().write(std::move(options), "text");
     return written ? Status(Done{}) : written.error();
+}
+
+Result<RunAtHand> opened(const std::filesystem::path& dir) {
+    auto run = OpenedRun::open(dir);
+    if (!run) {
+        return run.error();
+    }
+    auto inputs = read_inputs(run.value());
+    return inputs ? Result<RunAtHand>(RunAtHand{std::move(run.value()), std::move(inputs.value())})
+                  : inputs.error();
 }
 
 } // namespace
 
 Result<RunAtHand> RunAtHand::open(const std::string& argument, const MasterOptions& master) {
     if (is_folder(argument)) {
-        auto run = OpenedRun::open(argument);
-        return run ? Result<RunAtHand>(RunAtHand(std::move(run.value()), {})) : run.error();
+        return opened(argument);
     }
+    InterruptGuard::begin_to_flag();
     std::string name = (std::filesystem::temp_directory_path() / "cdctl-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) {
         return Error{ErrorCode::Io, "cannot create " + name};
     }
     const Status fetched = fetch_into(name, argument, master);
-    auto run = fetched ? OpenedRun::open(name) : Result<OpenedRun>(fetched.error());
-    if (!run) {
-        remove_folder(name);
-        return run.error();
-    }
-    return RunAtHand(std::move(run.value()), name);
-}
-
-RunAtHand::~RunAtHand() {
-    remove_folder(temporary_);
+    auto run = fetched ? opened(name) : Result<RunAtHand>(fetched.error());
+    std::error_code ignored;
+    std::filesystem::remove_all(name, ignored);
+    InterruptGuard::begin_to_end();
+    return run;
 }
 
 } // namespace cd

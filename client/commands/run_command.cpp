@@ -41,6 +41,8 @@ RunReport report_of(const LocalJob& local, const RunOutcome& outcome) {
     RunReport report;
     report.summary = outcome.summary;
     report.level = local.job.query.level;
+    report.limit_pairs = local.job.query.limit_pairs;
+    report.maps_all_pairs = local.job.query.maps;
     report.digest = outcome.digest;
     report.seconds = outcome.seconds;
     report.statistics = outcome.statistics;
@@ -64,7 +66,7 @@ Result<RunOutcome> run_with_progress(const LocalJob& local,
             progress.update({local.job.spec.name, summary, seconds, {}, resumed});
             tick();
         },
-        [] { return InterruptGuard::signal() != 0; }};
+        &InterruptGuard::has_come};
     auto outcome = run_locally(*local.job.trees[0],
                                *local.job.trees[1],
                                *local.job.poses,
@@ -79,6 +81,13 @@ Result<RunOutcome> run_with_progress(const LocalJob& local,
     return outcome;
 }
 
+int fail_without_folder(const Error& error) {
+    return fail(
+        error.code == ErrorCode::Interrupted
+            ? Error{error.code, "interrupted; no results were kept, since there was no --out"}
+            : error);
+}
+
 int run_without_folder(const LocalJob& local) {
     const RunCommand& command = local.command;
     auto sink = ResultSink::open({{}, {}, command.output}, export_context(local.job));
@@ -90,16 +99,14 @@ int run_without_folder(const LocalJob& local) {
         {},
         [&](const DoneScenario& done) { return sink.value().add(done.result, done.found); },
         [] {});
-    if (!outcome && outcome.error().code == ErrorCode::Interrupted) {
-        return fail({ErrorCode::Interrupted,
-                     "interrupted; no results were kept, since there was no --out"});
-    }
     if (!outcome) {
-        return fail(outcome.error());
+        return fail_without_folder(outcome.error());
     }
     RunReport report = report_of(local, outcome.value());
     report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
-    report.hint = hint_of(local.job, report.summary);
+    if (Status told = add_hint(local.job, report); !told) {
+        return fail_without_folder(told.error());
+    }
     if (local.job.query.maps || local.job.query.level >= Level::Pairs) {
         report.map = sink.value().map();
     }
@@ -135,9 +142,6 @@ int run_into_folder(const LocalJob& local) {
     if (run.value().is_complete()) {
         return tell_complete(command, local.job, run.value());
     }
-    for (const std::string& remark : run.value().remarks()) {
-        std::fprintf(stderr, "%s\n", remark.c_str());
-    }
     auto done = run.value().done();
     if (!done) {
         return fail(done.error());
@@ -162,9 +166,11 @@ int run_into_folder(const LocalJob& local) {
     }
     RunReport report = report_of(local, outcome.value());
     report.resumed_at = resumed_at;
-    report.hint = hint_of(local.job, report.summary);
-    if (Status finished = run.value().finish(report, command.output, std::nullopt); !finished) {
-        return fail(finished.error());
+    const Status hinted = add_hint(local.job, report);
+    const Status finished =
+        hinted ? run.value().finish(report, command.output, std::nullopt) : hinted;
+    if (!finished) {
+        return fail_and_keep(local, run.value(), finished.error());
     }
     const Status told =
         print_summary(report, command.output != "text", command.quiet, command.statistics);
@@ -205,8 +211,18 @@ Result<AskedJob> asked_job(const JobOptions& options) {
 
 Result<PreparedJob>
 prepare(AskedJob asked, Trees trees, TreeCache& cache, ThreadPool& pool, bool quiet) {
-    return asked.run ? prepare_again(*asked.run, std::move(asked.spec), trees, cache, pool, quiet)
-                     : prepare_job(std::move(asked.spec), trees, cache, pool, quiet);
+    if (!asked.run) {
+        return prepare_job(std::move(asked.spec), trees, cache, pool, quiet);
+    }
+    auto inputs = read_inputs(*asked.run);
+    return inputs ? prepare_again(asked.run->manifest(),
+                                  std::move(inputs.value()),
+                                  std::move(asked.spec),
+                                  trees,
+                                  cache,
+                                  pool,
+                                  quiet)
+                  : inputs.error();
 }
 
 /// The first line of a run: where it runs. `connection` is null for a run on this machine.
@@ -324,10 +340,17 @@ int execute(const RunCommand& command) {
     return run_job(command);
 }
 
-std::string hint_of(const PreparedJob& job, const Summary& summary) {
-    return summary.separate == summary.total
-               ? nearness_hint(*job.meshes[0], *job.meshes[1], *job.poses, job.spec.unit)
-               : std::string();
+Status add_hint(const PreparedJob& job, RunReport& report) {
+    if (report.summary.separate != report.summary.total) {
+        return Done{};
+    }
+    auto hint = nearness_hint(
+        *job.meshes[0], *job.meshes[1], *job.poses, job.spec.unit, &InterruptGuard::has_come);
+    if (!hint) {
+        return hint.error();
+    }
+    report.hint = std::move(hint.value());
+    return Done{};
 }
 
 int run_job(const RunCommand& command) {

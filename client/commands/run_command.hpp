@@ -15,8 +15,9 @@ namespace cd {
 /// Header and warnings on stderr; warnings also when quiet.
 void print_header(const PreparedJob& job, bool quiet);
 
-/// For `RunReport::hint`. Reads the poses again where all scenarios are separate.
-[[nodiscard]] std::string hint_of(const PreparedJob& job, const Summary& summary);
+/// Fills `report.hint`. Reads the poses again where all scenarios are separate. Errors:
+/// Interrupted.
+[[nodiscard]] Status add_hint(const PreparedJob& job, RunReport& report);
 
 /// How a run here treats its output folder.
 [[nodiscard]] FolderRunOptions folder_options(const FolderFlags& flags);

@@ -12,6 +12,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -76,9 +77,6 @@ compare_all(OpenedRun& run, PreparedJob& job, const std::vector<std::uint64_t>& 
     const ScenarioRunner runner(*job.trees[0], *job.trees[1], job.query);
     Counts counts;
     for (const std::uint64_t index : indices) {
-        if (InterruptGuard::signal() != 0) {
-            return Error{ErrorCode::Interrupted, "interrupted"};
-        }
         const auto outcome = compare(run, job, runner, index);
         if (!outcome) {
             return outcome.error();
@@ -96,15 +94,20 @@ compare_all(OpenedRun& run, PreparedJob& job, const std::vector<std::uint64_t>& 
 } // namespace
 
 int execute(const VerifyCommand& command) {
-    const InterruptGuard interrupts;
+    const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     auto at_hand = RunAtHand::open(command.run, command.master);
     if (!at_hand) {
         return fail(at_hand.error());
     }
-    OpenedRun& run = at_hand.value().run();
+    OpenedRun& run = at_hand.value().run;
     ThreadPool pool(command.threads);
     TreeCache cache(tree_cache_folder(command.tree_cache));
-    auto job = prepare_again(run, spec_of(run.manifest()), Trees::Always, cache, pool);
+    auto job = prepare_again(run.manifest(),
+                             std::move(at_hand.value().inputs),
+                             spec_of(run.manifest()),
+                             Trees::Always,
+                             cache,
+                             pool);
     if (!job) {
         return fail(job.error());
     }

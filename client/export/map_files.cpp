@@ -38,7 +38,7 @@ write_csv(const ContactMap& map, const std::filesystem::path& path, const Export
 
 Status
 write_npz(const ContactMap& map, const std::filesystem::path& path, const ExportContext& context) {
-    NpzWriter file(path);
+    NpzWriter file(path, context.stop);
     for (std::size_t i = 0; i < map.bodies.size(); ++i) {
         const std::size_t array = file.add_array(context.bodies[i].name, NpyType::U8, 2);
         for (const TriangleContacts& row : map.bodies[i]) {

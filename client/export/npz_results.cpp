@@ -19,7 +19,7 @@ struct Column {
 class NpzResults final : public ResultWriter {
   public:
     NpzResults(const ExportContext& context, const std::filesystem::path& path)
-        : level_(context.level), exact_points_(context.exact_points), file_(path) {
+        : level_(context.level), exact_points_(context.exact_points), file_(path, context.stop) {
         add_array(index_, "index", NpyType::U8);
         add_array(body_a_, "body_a", NpyType::U4);
         add_array(body_b_, "body_b", NpyType::U4);

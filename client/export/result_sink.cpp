@@ -28,7 +28,7 @@ Result<ResultSink> ResultSink::open(const SinkOptions& options, const ExportCont
     for (const ExportBody& body : context.bodies) {
         meshes.push_back(body.mesh);
     }
-    ResultSink sink{PartTally(meshes)};
+    ResultSink sink(PartTally(meshes), context.stop);
     if (!options.dir.empty()) {
         auto files = ResultFiles::open(options.dir, options.formats, context);
         if (!files) {
@@ -41,6 +41,9 @@ Result<ResultSink> ResultSink::open(const SinkOptions& options, const ExportCont
 }
 
 Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair> found) {
+    if (stop_ && stop_()) {
+        return interrupted();
+    }
     tally_.add(result);
     waiting_.add(found.empty() ? std::span<const ContactPair>(result.pairs) : found);
     if (waiting_.bytes() >= waiting_bytes_max) {

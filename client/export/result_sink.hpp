@@ -30,7 +30,7 @@ class ResultSink {
                                                  const ExportContext& context);
 
     /// The next result, in the submitted order. `found` are all its pairs where the job is for
-    /// maps; otherwise the map is the sum of the listed pairs.
+    /// maps; otherwise the map is the sum of the listed pairs. Errors: Io; Interrupted.
     [[nodiscard]] Status add(const ScenarioResult& result, std::span<const ContactPair> found = {});
     /// Completes the files, those of `map` included.
     [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
@@ -42,11 +42,13 @@ class ResultSink {
     [[nodiscard]] bool uses_stdout() const { return stdout_writer_ != nullptr; }
 
   private:
-    explicit ResultSink(PartTally tally) : tally_(std::move(tally)) {}
+    ResultSink(PartTally tally, StopCheck stop)
+        : tally_(std::move(tally)), stop_(std::move(stop)) {}
 
     std::optional<ResultFiles> files_;
     std::unique_ptr<ResultWriter> stdout_writer_;
     PartTally tally_;
+    StopCheck stop_;
     ContactMapSum waiting_; ///< Not in `map_` yet.
     ContactMapTotal map_;
 };

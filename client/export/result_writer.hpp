@@ -4,6 +4,7 @@
 #include "client/export/output_file.hpp"
 #include "client/report.hpp"
 #include "common/core/result.hpp"
+#include "common/core/stop_check.hpp"
 #include "common/geometry/mesh.hpp"
 #include "common/job/result.hpp"
 
@@ -33,6 +34,7 @@ struct ExportContext {
     std::vector<ExportBody> bodies;  ///< Results name them by their places in it.
     std::optional<double> tolerance; ///< Where it is known.
     bool exact_points = false;       ///< NPZ: points with all their bits, relative to origins.
+    StopCheck stop;                  ///< Ends the writing with Interrupted.
 
     /// The name of a body; empty where there is none of this number.
     [[nodiscard]] std::string_view body_name(std::uint32_t body) const {

@@ -154,7 +154,8 @@ Aabb posed_box(std::span<const Vec3> points, const Pose& pose) {
 Result<CaseBody> part_that_meets(const Mesh& mesh,
                                  const Mesh& other,
                                  const std::vector<PosePair>& poses, // first of `mesh`
-                                 const char* name) {
+                                 const char* name,
+                                 const StopCheck& stop) {
     CaseBody body;
     std::vector<Aabb> boxes;
     for (const PosePair& pose : poses) {
@@ -163,6 +164,9 @@ Result<CaseBody> part_that_meets(const Mesh& mesh,
     MeshArrays arrays;
     std::vector<std::uint32_t> vertex_ids(mesh.vertices().size(), UINT32_MAX);
     for (std::uint32_t id = 0; id < mesh.triangles().size(); ++id) {
+        if (stop && stop()) {
+            return interrupted();
+        }
         const Corners corners = mesh.corners(id);
         const bool meets = std::ranges::any_of(poses, [&](const PosePair& pose) {
             const auto place = static_cast<std::size_t>(&pose - poses.data());
@@ -197,15 +201,16 @@ Result<CaseBody> part_that_meets(const Mesh& mesh,
 }
 
 Result<std::array<CaseBody, 2>> smallest_bodies(const PreparedJob& job,
-                                                const std::vector<Scenario>& scenarios) {
+                                                const std::vector<Scenario>& scenarios,
+                                                const StopCheck& stop) {
     std::vector<PosePair> poses;
     std::vector<PosePair> swapped;
     for (const Scenario& scenario : scenarios) {
         poses.push_back(scenario.poses);
         swapped.push_back({scenario.poses.b, scenario.poses.a});
     }
-    auto a = part_that_meets(*job.meshes[0], *job.meshes[1], poses, "a");
-    auto b = part_that_meets(*job.meshes[1], *job.meshes[0], swapped, "b");
+    auto a = part_that_meets(*job.meshes[0], *job.meshes[1], poses, "a", stop);
+    auto b = part_that_meets(*job.meshes[1], *job.meshes[0], swapped, "b", stop);
     if (!a || !b) {
         return a ? b.error() : a.error();
     }
@@ -244,12 +249,18 @@ Status check_smallest(const ScenarioResult& smallest,
 Result<std::vector<ScenarioResult>> run_smallest(const PreparedJob& job,
                                                  const CaseScenarios& given,
                                                  const std::array<CaseBody, 2>& bodies,
+                                                 const StopCheck& stop,
                                                  ThreadPool& pool) {
     const ObbTree a = build_tree(bodies[0].mesh, {}, pool);
     const ObbTree b = build_tree(bodies[1].mesh, {}, pool);
+    const ScenarioRunner runner(a, b, job.query, PairStage::Float, stop);
     std::vector<ScenarioResult> results;
     for (std::size_t i = 0; i < given.scenarios.size(); ++i) {
-        ScenarioResult result = run_scenario(a, b, given.scenarios[i], job.query).result;
+        ScenarioRun run = runner.run(given.scenarios[i]);
+        if (run.is_stopped) {
+            return interrupted();
+        }
+        ScenarioResult result = std::move(run.result);
         std::vector<ContactPair> as_in_run = result.pairs;
         for (ContactPair& pair : as_in_run) {
             pair.a = bodies[0].ids[pair.a];
@@ -387,26 +398,27 @@ Status write_files(const PreparedJob& job,
 
 Status write_case(const PreparedJob& job,
                   const CaseScenarios& scenarios,
-                  bool minimal,
+                  const CaseOptions& options,
                   const fs::path& dir,
                   ThreadPool& pool) {
-    for (const Status& possible : {check_expressible(job, scenarios, minimal), check_target(dir)}) {
+    for (const Status& possible :
+         {check_expressible(job, scenarios, options.minimal), check_target(dir)}) {
         if (!possible) {
             return possible;
         }
     }
-    if (!minimal) {
+    if (!options.minimal) {
         return write_files(job,
                            scenarios,
                            {CaseBody{job.meshes[0], {}}, CaseBody{job.meshes[1], {}}},
                            scenarios.results,
                            dir);
     }
-    const auto bodies = smallest_bodies(job, scenarios.scenarios);
+    const auto bodies = smallest_bodies(job, scenarios.scenarios, options.stop);
     if (!bodies) {
         return bodies.error();
     }
-    auto expected = run_smallest(job, scenarios, bodies.value(), pool);
+    auto expected = run_smallest(job, scenarios, bodies.value(), options.stop, pool);
     if (!expected) {
         return expected.error();
     }

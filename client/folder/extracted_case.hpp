@@ -3,6 +3,7 @@
 
 #include "client/prepared_job.hpp"
 #include "common/core/result.hpp"
+#include "common/core/stop_check.hpp"
 #include "common/core/thread_pool.hpp"
 #include "common/job/scenario.hpp"
 
@@ -18,6 +19,11 @@ struct CaseScenarios {
     std::vector<ScenarioResult> results; ///< As many.
 };
 
+struct CaseOptions {
+    bool minimal = false; ///< Only the triangles that may matter.
+    StopCheck stop;       ///< Ends it with Interrupted.
+};
+
 /// Writes a.npz, b.npz, poses.csv, job.toml and expected.json into a folder, which is made if
 /// missing. `cdctl run` of job.toml gives the digest in expected.json, and the given results but
 /// for their indices, which count from 0 there.
@@ -27,10 +33,10 @@ struct CaseScenarios {
 /// expected. An earlier case in the folder is replaced. Errors: Io; BadInput for what such files
 /// cannot say (ignored triangles, poses of several forms), for a scenario that failed, for a folder
 /// with a job.toml of another kind, and for `minimal` under a tolerance, without any such triangle,
-/// or where these give another answer than the run's.
+/// or where these give another answer than the run's; Interrupted.
 [[nodiscard]] Status write_case(const PreparedJob& job,
                                 const CaseScenarios& scenarios,
-                                bool minimal,
+                                const CaseOptions& options,
                                 const std::filesystem::path& dir,
                                 ThreadPool& pool);
 

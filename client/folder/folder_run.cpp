@@ -1,8 +1,8 @@
 #include "client/folder/folder_run.hpp"
 
 #include "client/export/output_file.hpp"
+#include "client/interrupt.hpp"
 #include "client/words.hpp"
-#include "common/core/limits_client.hpp"
 #include "common/core/version.hpp"
 #include "common/job/poses_hash.hpp"
 
@@ -93,7 +93,7 @@ Result<RunManifest> manifest_of(const PreparedJob& job) {
     manifest.poses = poses_of(job);
     manifest.formats = job.spec.output.formats;
     if (manifest.poses.kind != PosesKind::Random) {
-        const auto hash = hash_of(*job.poses);
+        const auto hash = hash_of(*job.poses, &InterruptGuard::has_come);
         if (!hash) {
             return hash.error();
         }
@@ -145,14 +145,9 @@ Result<FolderRun> FolderRun::begin(PreparedJob& job, FolderRunOptions options) {
         return folder.error();
     }
     FolderRun run(std::move(folder.value()), std::move(manifest.value()), job);
-    run.keeps_inputs_ = options.keep_inputs;
     run.maps_from_master_ = options.maps_from_master;
-    if (options.keep_inputs && input_bytes(job) > limits::run_inputs_bytes_max) {
-        run.keeps_inputs_ = false;
-        run.remarks_.push_back(
-            "the inputs are larger than " + std::to_string(limits::run_inputs_bytes_max >> 30) +
-            " GiB, so the folder does not keep them: it is opened again with the input files");
-    }
+    run.inputs_bytes_max_ = options.inputs_bytes_max;
+    run.wants_inputs_ = options.keep_inputs;
     if (!run.is_complete()) {
         if (Status opened = run.open_files(job); !opened) {
             return opened.error();
@@ -167,19 +162,19 @@ Status FolderRun::open_files(PreparedJob& job) {
         return recorder.error();
     }
     recorder_.emplace(std::move(recorder.value()));
+    keeps_inputs_ = wants_inputs_ && input_bytes(job) <= inputs_bytes_max_;
     if (job.grid) {
         return Done{};
     }
-    const fs::path path = folder_.part() / "scenarios";
-    std::error_code error;
-    auto writer =
-        fs::exists(path, error) ? ScenarioWriter::resume(path) : ScenarioWriter::create(path);
-    if (!writer) {
-        return writer.error();
+    PoseRecorderOptions options;
+    options.hashes = !manifest_.poses.hash;
+    options.bytes_max = keeps_inputs_ ? inputs_bytes_max_ - mesh_bytes(job) : 0;
+    auto poses = PoseRecorder::open(std::move(job.poses), folder_.part() / "scenarios", options);
+    if (!poses) {
+        return poses.error();
     }
-    auto poses = std::make_unique<PoseRecorder>(std::move(job.poses), std::move(writer.value()));
-    poses_ = poses.get();
-    job.poses = std::move(poses);
+    poses_ = poses.value().get();
+    job.poses = std::move(poses.value());
     return Done{};
 }
 
@@ -190,6 +185,9 @@ Result<ResultMerger> FolderRun::done() const {
         return records.error();
     }
     const Status read = records.value().for_each([&](const KeptRecord& record) -> Status {
+        if (InterruptGuard::has_come()) {
+            return interrupted();
+        }
         const auto added = merger.add(record.result, sha256(record.bytes));
         // A local run writes its results in order.
         return added == ResultMerger::Outcome::Added &&
@@ -220,18 +218,12 @@ Status FolderRun::keep_inputs() const {
 
 Status FolderRun::finish_inputs() {
     if (poses_ != nullptr) {
-        if (Status finished = poses_->finish(); !finished) {
-            return finished;
-        }
-        auto kept = open_scenario_file(folder_.part() / "scenarios");
-        if (!kept) {
-            return kept.error();
-        }
-        const auto hash = hash_of(*kept.value());
+        const auto hash = poses_->finish(&InterruptGuard::has_come);
         if (!hash) {
             return hash.error();
         }
-        manifest_.poses.hash = hash.value();
+        manifest_.poses.hash = hash.value() ? hash.value() : manifest_.poses.hash;
+        keeps_inputs_ = keeps_inputs_ && poses_->keeps();
     }
     return keeps_inputs_ ? keep_inputs() : Status(Done{});
 }
@@ -289,11 +281,12 @@ Status FolderRun::finish(RunReport& report,
         return finished;
     }
     report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
-    if (Status written = write_summary(folder_.out(), context, report); !written) {
-        return written;
-    }
     if (Status kept = finish_inputs(); !kept) {
         return kept;
+    }
+    report.inputs_are_too_large = wants_inputs_ && !keeps_inputs_;
+    if (Status written = write_summary(folder_.out(), context, report); !written) {
+        return written;
     }
     manifest_.ended = utc_now();
     manifest_.answered = records.value().count();

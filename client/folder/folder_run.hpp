@@ -8,6 +8,7 @@
 #include "client/folder/run_recorder.hpp"
 #include "client/prepared_job.hpp"
 #include "client/report.hpp"
+#include "common/core/limits_client.hpp"
 #include "common/core/result.hpp"
 #include "common/job/merge.hpp"
 
@@ -21,7 +22,8 @@ namespace cd {
 
 struct FolderRunOptions {
     FolderOptions folder;
-    bool keep_inputs = true;
+    bool keep_inputs = true;                                       ///< Where they take at most
+    std::uint64_t inputs_bytes_max = limits::run_inputs_bytes_max; ///< so many bytes.
     bool maps_from_master = false; ///< They are not summed of the results' pairs.
     ManifestPlace where;
     std::string command; ///< The command line.
@@ -31,7 +33,7 @@ struct FolderRunOptions {
 class FolderRun {
   public:
     /// Takes the job's output folder. From here on `job.poses` are kept as they are read. Errors:
-    /// those of `RunFolder::open` and of reading poses.
+    /// those of `RunFolder::open` and of reading poses; Interrupted.
     [[nodiscard]] static Result<FolderRun> begin(PreparedJob& job, FolderRunOptions options);
 
     /// The folder holds all of this job already; then nothing may be called but `folder`.
@@ -41,7 +43,7 @@ class FolderRun {
     /// Names the job of a master.
     void set_job(const std::string& id) { manifest_.where.job = id; }
 
-    /// What an earlier run has done of the first scenarios. Errors: Io.
+    /// What an earlier run has done of the first scenarios. Errors: Io; Interrupted.
     [[nodiscard]] Result<ResultMerger> done() const;
 
     /// The next result. Errors: Io.
@@ -54,16 +56,14 @@ class FolderRun {
     [[nodiscard]] std::uint64_t kept() const { return recorder_->kept(); }
 
     /// Writes the exports, `output` on stdout, the summary and run.json, and completes the report
-    /// with what only the records tell. `fetched_map` is the map that a master summed. Errors: Io.
+    /// with what only the records tell. `fetched_map` is the map that a master summed. Errors: Io;
+    /// those of reading poses; Interrupted.
     [[nodiscard]] Status finish(RunReport& report,
                                 const std::string& output,
                                 const std::optional<ContactMap>& fetched_map);
     /// For a run that no later one goes on from: leaves nothing of it where `finish` did not
     /// succeed.
     void drop_unfinished();
-
-    /// What the user should know, a line each.
-    [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 
   private:
     FolderRun(RunFolder folder, RunManifest manifest, const PreparedJob& job)
@@ -78,16 +78,17 @@ class FolderRun {
     RunFolder folder_;
     RunManifest manifest_;
     const PreparedJob* job_;
-    bool keeps_inputs_ = true;
+    bool wants_inputs_ = true;
+    bool keeps_inputs_ = true; ///< As far as is known.
+    std::uint64_t inputs_bytes_max_ = 0;
     bool maps_from_master_ = false;
     bool is_finished_ = false;
     PoseRecorder* poses_ = nullptr; ///< The job owns it; null for a grid.
     std::optional<RunRecorder> recorder_;
-    std::vector<std::string> remarks_;
 };
 
 /// What run.json says of a prepared job; the hash of random poses is left out, since they are made
-/// while the run goes on. Errors: those of reading poses.
+/// while the run goes on. Errors: those of reading poses; Interrupted.
 [[nodiscard]] Result<RunManifest> manifest_of(const PreparedJob& job);
 
 /// What a folder's meshes take, about.

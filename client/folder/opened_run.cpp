@@ -3,6 +3,7 @@
 #include "client/folder/run_folder.hpp"
 #include "client/folder/run_recorder.hpp"
 #include "client/import/mesh_import.hpp"
+#include "client/interrupt.hpp"
 #include "client/units.hpp"
 #include "client/words.hpp"
 #include "common/job/poses_hash.hpp"
@@ -21,14 +22,13 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 2> body_keys{"a", "b"};
 
 Error no_run(const fs::path& dir) {
-    std::error_code error;
     if (const auto unfinished = read_run_json(dir / ".part" / "run.json")) {
         return {ErrorCode::BadInput,
                 dir.string() + " holds an unfinished run of " +
                     counted(unfinished.value().poses.count, "scenario") +
                     "; the command that began it goes on with it: " + unfinished.value().command};
     }
-    if (fs::exists(dir / "summary.json", error)) {
+    if (holds_only_a_summary(dir)) {
         return {ErrorCode::BadInput,
                 dir.string() + " was written by an earlier version, without run.json and records: "
                                "only its summary.json can be opened; run the job again"};
@@ -66,7 +66,9 @@ Result<std::shared_ptr<const Mesh>> import_again(const ManifestBody& body,
     if (!factor) {
         return Error{ErrorCode::BadInput, "run.json: unit \"" + body.unit + "\" is not known"};
     }
-    auto imported = import_mesh(body.file, {*factor});
+    ImportOptions options{*factor};
+    options.is_stopped = &InterruptGuard::has_come;
+    auto imported = import_mesh(body.file, options);
     if (!imported) {
         return imported.error();
     }
@@ -136,11 +138,17 @@ Result<std::unique_ptr<PoseSource>> OpenedRun::kept_poses() const {
 
 Result<std::optional<ContactMap>> OpenedRun::kept_map() const {
     std::error_code error;
-    if (!fs::exists(dir_ / "maps", error)) {
+    if (!manifest_.query.maps || !fs::exists(dir_ / "maps", error)) {
         return std::optional<ContactMap>();
     }
     auto map = read_maps(dir_ / "maps");
     return map ? Result<std::optional<ContactMap>>(std::move(map.value())) : map.error();
+}
+
+bool holds_only_a_summary(const fs::path& dir) {
+    std::error_code error;
+    return fs::exists(dir / "summary.json", error) && !fs::exists(dir / "run.json", error) &&
+           !fs::exists(dir / ".part" / "run.json", error);
 }
 
 bool is_folder(const std::string& argument) {
@@ -164,12 +172,7 @@ JobSpec spec_of(const RunManifest& manifest) {
     return spec;
 }
 
-Result<PreparedJob> prepare_again(const OpenedRun& run,
-                                  JobSpec spec,
-                                  Trees trees,
-                                  TreeCache& cache,
-                                  ThreadPool& pool,
-                                  bool quiet) {
+Result<JobInputs> read_inputs(const OpenedRun& run) {
     JobInputs inputs;
     for (std::size_t body = 0; body < inputs.meshes.size(); ++body) {
         const auto& bodies = run.manifest().bodies;
@@ -187,19 +190,28 @@ Result<PreparedJob> prepare_again(const OpenedRun& run,
     if (!poses) {
         return poses.error();
     }
-    const bool are_kept = poses.value() != nullptr;
     inputs.poses = std::move(poses.value());
     inputs.ignored = run.manifest().query.ignored;
+    return inputs;
+}
+
+Result<PreparedJob> prepare_again(const RunManifest& manifest,
+                                  JobInputs inputs,
+                                  JobSpec spec,
+                                  Trees trees,
+                                  TreeCache& cache,
+                                  ThreadPool& pool,
+                                  bool quiet) {
+    const bool are_kept = inputs.poses != nullptr;
     auto job = prepare_job(std::move(spec), trees, cache, pool, quiet, std::move(inputs));
-    if (!job || are_kept || !run.manifest().poses.hash) {
+    if (!job || are_kept || !manifest.poses.hash) {
         return job;
     }
-    const auto hash = hash_of(*job.value().poses);
+    const auto hash = hash_of(*job.value().poses, &InterruptGuard::has_come);
     if (!hash) {
         return hash.error();
     }
-    return hash.value() == run.manifest().poses.hash ? std::move(job)
-                                                     : changed(run.manifest().poses.file);
+    return hash.value() == manifest.poses.hash ? std::move(job) : changed(manifest.poses.file);
 }
 
 Result<ExportContext> export_context(const OpenedRun& run) {
@@ -209,6 +221,7 @@ Result<ExportContext> export_context(const OpenedRun& run) {
     context.unit = manifest.unit;
     context.level = manifest.query.level;
     context.tolerance = manifest.query.tolerance;
+    context.stop = &InterruptGuard::has_come;
     for (std::size_t i = 0; i < manifest.bodies.size(); ++i) {
         auto mesh = run.mesh(i);
         if (!mesh) {

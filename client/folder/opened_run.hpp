@@ -33,7 +33,7 @@ class OpenedRun {
     [[nodiscard]] Result<std::shared_ptr<const Mesh>> mesh(std::size_t body) const;
     /// The poses that are kept; null where none are. Errors: Io.
     [[nodiscard]] Result<std::unique_ptr<PoseSource>> kept_poses() const;
-    /// The contact map of a job at level count. Errors: Io.
+    /// The contact map of a job with maps. Errors: Io.
     [[nodiscard]] Result<std::optional<ContactMap>> kept_map() const;
 
   private:
@@ -45,15 +45,23 @@ class OpenedRun {
     RecordFile records_;
 };
 
+/// Whether a folder was written by an earlier version, without run.json and records.
+[[nodiscard]] bool holds_only_a_summary(const std::filesystem::path& dir);
+
 /// Whether an argument that may be a job's id is a folder instead.
 [[nodiscard]] bool is_folder(const std::string& argument);
 
 /// The job of a run as its job file would give it, without an output folder.
 [[nodiscard]] JobSpec spec_of(const RunManifest& manifest);
 
+/// What the run was asked of: its meshes, the poses where they are kept, and what is ignored. Does
+/// not need the folder's files any more. Errors: those of `OpenedRun`.
+[[nodiscard]] Result<JobInputs> read_inputs(const OpenedRun& run);
+
 /// The job, ready to be run again: `spec` is `spec_of` the run's manifest, perhaps changed. Errors:
-/// those of `OpenedRun` and `prepare_job`; BadInput naming an input file that has changed.
-[[nodiscard]] Result<PreparedJob> prepare_again(const OpenedRun& run,
+/// those of `prepare_job`; BadInput naming a pose file that has changed; Interrupted.
+[[nodiscard]] Result<PreparedJob> prepare_again(const RunManifest& manifest,
+                                                JobInputs inputs,
                                                 JobSpec spec,
                                                 Trees trees,
                                                 TreeCache& cache,

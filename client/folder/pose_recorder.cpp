@@ -1,7 +1,6 @@
 #include "client/folder/pose_recorder.hpp"
 
 #include <algorithm>
-#include <span>
 
 namespace cd {
 
@@ -11,30 +10,96 @@ constexpr std::uint64_t scenarios_at_once = 4096;
 
 } // namespace
 
+Result<std::unique_ptr<PoseRecorder>> PoseRecorder::open(std::unique_ptr<PoseSource> source,
+                                                         const std::filesystem::path& file,
+                                                         PoseRecorderOptions options) {
+    std::unique_ptr<PoseRecorder> recorder(new PoseRecorder(std::move(source), file, options));
+    const Status opened = recorder->open_file();
+    return opened ? Result<std::unique_ptr<PoseRecorder>>(std::move(recorder)) : opened.error();
+}
+
+Status PoseRecorder::open_file() {
+    if (bytes_max_ == 0) {
+        drop_file();
+        return Done{};
+    }
+    std::error_code error;
+    const bool resumes = std::filesystem::exists(file_, error);
+    auto writer = resumes ? ScenarioWriter::resume(file_) : ScenarioWriter::create(file_);
+    if (!writer) {
+        return writer.error();
+    }
+    writer_.emplace(std::move(writer.value()));
+    next_ = writer_->written();
+    if (!hash_ || next_ == 0) {
+        return Done{};
+    }
+    auto before = open_unfinished_scenario_file(file_);
+    for (std::uint64_t first = 0; before && first < next_; first += scenarios_at_once) {
+        const auto scenarios =
+            before.value()->read(first, std::min(scenarios_at_once, next_ - first));
+        if (!scenarios) {
+            return scenarios.error();
+        }
+        hash_->add(scenarios.value());
+    }
+    return before ? Status(Done{}) : before.error();
+}
+
+void PoseRecorder::drop_file() {
+    writer_.reset();
+    std::error_code error;
+    std::filesystem::remove(file_, error);
+}
+
+Status PoseRecorder::add(std::span<const Scenario> news) {
+    next_ += news.size();
+    if (hash_) {
+        hash_->add(news);
+    }
+    if (!writer_) {
+        return Done{};
+    }
+    if (Status added = writer_->add(news); !added) {
+        return added;
+    }
+    if (writer_->bytes() > bytes_max_) {
+        drop_file();
+    }
+    return Done{};
+}
+
 Result<std::vector<Scenario>> PoseRecorder::read(std::uint64_t first, std::uint64_t count) {
     auto scenarios = source_->read(first, count);
     if (!scenarios) {
         return scenarios;
     }
     const std::lock_guard lock(mutex_);
-    const std::uint64_t written = writer_.written();
-    if (first <= written && written < first + count) {
-        const auto news = std::span<const Scenario>(scenarios.value()).subspan(written - first);
-        if (Status added = writer_.add(news); !added) {
+    if (first <= next_ && next_ < first + count) {
+        const auto news = std::span<const Scenario>(scenarios.value()).subspan(next_ - first);
+        if (Status added = add(news); !added) {
             return added.error();
         }
     }
     return scenarios;
 }
 
-Status PoseRecorder::finish() {
-    while (writer_.written() < count()) {
-        const std::uint64_t first = writer_.written();
-        if (const auto more = read(first, std::min(scenarios_at_once, count() - first)); !more) {
+Result<std::optional<Sha256>> PoseRecorder::finish(const StopCheck& stop) {
+    while ((writer_ || hash_) && next_ < count()) {
+        if (stop && stop()) {
+            return interrupted();
+        }
+        const auto more = read(next_, std::min(scenarios_at_once, count() - next_));
+        if (!more) {
             return more.error();
         }
     }
-    return writer_.finish();
+    if (writer_) {
+        if (Status finished = writer_->finish(); !finished) {
+            return finished.error();
+        }
+    }
+    return hash_ ? std::optional(hash_->finish()) : std::optional<Sha256>();
 }
 
 } // namespace cd

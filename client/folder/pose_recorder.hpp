@@ -2,22 +2,36 @@
 #pragma once
 
 #include "common/core/result.hpp"
+#include "common/core/stop_check.hpp"
 #include "common/job/pose_source.hpp"
+#include "common/job/poses_hash.hpp"
 #include "common/job/scenario_file.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace cd {
 
-/// Reads from another source, and writes each scenario that goes on from those written before.
+struct PoseRecorderOptions {
+    bool hashes = false;         ///< The hash of all poses is wanted.
+    std::uint64_t bytes_max = 0; ///< Of the file; where it would be larger, none is kept.
+};
+
+/// Reads from another source, and writes each scenario that goes on from those written before into
+/// a file.
 class PoseRecorder final : public PoseSource {
   public:
-    PoseRecorder(std::unique_ptr<PoseSource> source, ScenarioWriter writer)
-        : source_(std::move(source)), writer_(std::move(writer)) {}
+    /// Goes on with the file, where there is one and it is to be kept. Errors: Io.
+    [[nodiscard]] static Result<std::unique_ptr<PoseRecorder>>
+    open(std::unique_ptr<PoseSource> source,
+         const std::filesystem::path& file,
+         PoseRecorderOptions options);
 
     [[nodiscard]] std::uint64_t count() const override { return source_->count(); }
     [[nodiscard]] const Grid* grid() const override { return source_->grid(); }
@@ -25,13 +39,33 @@ class PoseRecorder final : public PoseSource {
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
                                                      std::uint64_t count) override;
 
-    /// Reads and writes what nobody has read, and completes the file. Errors: those of `read`.
-    [[nodiscard]] Status finish();
+    /// Reads and writes what nobody has read, and completes the file. The hash, if it is wanted.
+    /// Errors: those of `read`; Interrupted.
+    [[nodiscard]] Result<std::optional<Sha256>> finish(const StopCheck& stop = {});
+    /// Whether there is a file; there is none as soon as it is too large.
+    [[nodiscard]] bool keeps() const { return writer_.has_value(); }
 
   private:
+    PoseRecorder(std::unique_ptr<PoseSource> source,
+                 std::filesystem::path file,
+                 PoseRecorderOptions options)
+        : source_(std::move(source)), file_(std::move(file)), bytes_max_(options.bytes_max) {
+        if (options.hashes) {
+            hash_.emplace();
+        }
+    }
+
+    [[nodiscard]] Status open_file();
+    [[nodiscard]] Status add(std::span<const Scenario> news);
+    void drop_file();
+
     std::unique_ptr<PoseSource> source_;
+    std::filesystem::path file_;
+    std::uint64_t bytes_max_;
     std::mutex mutex_;
-    ScenarioWriter writer_;
+    std::optional<ScenarioWriter> writer_;
+    std::optional<PosesHash> hash_;
+    std::uint64_t next_ = 0; ///< The scenario that is written and hashed next.
 };
 
 } // namespace cd

@@ -37,11 +37,15 @@ std::string length_text(double length) {
 
 } // namespace
 
-std::optional<double> least_distance(const Mesh& a, const Mesh& b, PoseSource& poses) {
+std::optional<double>
+least_distance(const Mesh& a, const Mesh& b, PoseSource& poses, const StopCheck& stop) {
     const Aabb box_a = bounding_box(a.vertices());
     const Aabb box_b = bounding_box(b.vertices());
     std::optional<double> least;
     for (std::uint64_t first = 0; first < poses.count(); first += poses_at_once) {
+        if (stop && stop()) {
+            return std::nullopt;
+        }
         const auto run = poses.read(first, std::min(poses_at_once, poses.count() - first));
         if (!run) {
             return std::nullopt;
@@ -58,11 +62,17 @@ std::optional<double> least_distance(const Mesh& a, const Mesh& b, PoseSource& p
     return least;
 }
 
-std::string
-nearness_hint(const Mesh& a, const Mesh& b, PoseSource& poses, const std::string& unit) {
-    const auto least = least_distance(a, b, poses);
+Result<std::string> nearness_hint(const Mesh& a,
+                                  const Mesh& b,
+                                  PoseSource& poses,
+                                  const std::string& unit,
+                                  const StopCheck& stop) {
+    const auto least = least_distance(a, b, poses, stop);
+    if (stop && stop()) {
+        return interrupted();
+    }
     if (!least || !(*least < 1e15)) {
-        return {};
+        return std::string();
     }
     const double length_a = bounding_box(a.vertices()).size().maxCoeff();
     const double length_b = bounding_box(b.vertices()).size().maxCoeff();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
+#include "common/core/stop_check.hpp"
 #include "common/geometry/mesh.hpp"
 #include "common/job/pose_source.hpp"
 
@@ -11,12 +12,17 @@
 namespace cd {
 
 /// The least distance of the bodies' boxes over all poses; nothing as soon as one pose lets the
-/// boxes meet, or where poses cannot be read.
-[[nodiscard]] std::optional<double> least_distance(const Mesh& a, const Mesh& b, PoseSource& poses);
+/// boxes meet, or where poses cannot be read, or it is stopped.
+[[nodiscard]] std::optional<double>
+least_distance(const Mesh& a, const Mesh& b, PoseSource& poses, const StopCheck& stop = {});
 
 /// A line for the summary of a job whose boxes never meet: how near B comes, and where that is many
 /// lengths of the bodies, whether the poses are in millimetres. Empty where boxes meet.
-[[nodiscard]] std::string
-nearness_hint(const Mesh& a, const Mesh& b, PoseSource& poses, const std::string& unit);
+/// Errors: Interrupted.
+[[nodiscard]] Result<std::string> nearness_hint(const Mesh& a,
+                                                const Mesh& b,
+                                                PoseSource& poses,
+                                                const std::string& unit,
+                                                const StopCheck& stop = {});
 
 } // namespace cd

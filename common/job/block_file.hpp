@@ -44,6 +44,8 @@ class BlockFile {
     [[nodiscard]] const std::vector<BlockPlace>& blocks() const { return blocks_; }
     /// Scenarios in all blocks.
     [[nodiscard]] std::uint64_t count() const { return count_; }
+    /// Of the last block, in bytes.
+    [[nodiscard]] std::uint64_t end() const;
     /// The block that may hold a scenario; nothing where none can.
     [[nodiscard]] std::optional<std::size_t> block_of(std::uint64_t scenario) const;
     /// The content of a block. Errors: Io naming the file where it is damaged.
@@ -59,7 +61,6 @@ class BlockFile {
     [[nodiscard]] std::optional<BlockPlace> whole_block_at(std::uint64_t offset,
                                                            std::uint64_t size) const;
     void append(const BlockPlace& block);
-    [[nodiscard]] std::uint64_t end() const; ///< Of the last block, in bytes.
 
     DiskFile file_;
     FileKind kind_;

@@ -54,12 +54,15 @@ Sha256 hash_of(const Grid& grid) {
     return sha256(encode_grid(grid));
 }
 
-Result<Sha256> hash_of(PoseSource& poses) {
+Result<Sha256> hash_of(PoseSource& poses, const StopCheck& stop) {
     if (const Grid* grid = poses.grid()) {
         return hash_of(*grid);
     }
     PosesHash hash;
     for (std::uint64_t first = 0; first < poses.count(); first += scenarios_at_once) {
+        if (stop && stop()) {
+            return interrupted();
+        }
         const auto scenarios =
             poses.read(first, std::min(scenarios_at_once, poses.count() - first));
         if (!scenarios) {

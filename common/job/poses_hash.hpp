@@ -3,6 +3,7 @@
 
 #include "common/core/hash.hpp"
 #include "common/core/result.hpp"
+#include "common/core/stop_check.hpp"
 #include "common/job/pose_source.hpp"
 
 #include <span>
@@ -24,7 +25,8 @@ class PosesHash {
 /// SHA-256 of a grid's description (`encode_grid`), which is the hash of its poses.
 [[nodiscard]] Sha256 hash_of(const Grid& grid);
 
-/// The hash of all poses of a source: of its grid where it has one. Errors: those of reading.
-[[nodiscard]] Result<Sha256> hash_of(PoseSource& poses);
+/// The hash of all poses of a source: of its grid where it has one. Errors: those of reading;
+/// Interrupted.
+[[nodiscard]] Result<Sha256> hash_of(PoseSource& poses, const StopCheck& stop = {});
 
 } // namespace cd

@@ -28,6 +28,8 @@ class ScenarioWriter {
 
     /// Scenarios written so far, from the first on.
     [[nodiscard]] std::uint64_t written() const { return file_.written().count(); }
+    /// What they take in the file.
+    [[nodiscard]] std::uint64_t bytes() const { return file_.written().end(); }
 
   private:
     explicit ScenarioWriter(BlockFileWriter file) : file_(std::move(file)) {}

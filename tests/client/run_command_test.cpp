@@ -115,6 +115,20 @@ TEST_F(Run, TheDigestIsThatOfOneThread) {
     EXPECT_TRUE(two.is_string());
 }
 
+TEST_F(Run, TheMapOfCutListsSaysSo) {
+    command_.job.limit_pairs = 1;
+    ASSERT_EQ(run(), exit_done);
+    EXPECT_THAT(stdout_, HasSubstr("were in contact, of the first 1 pair a scenario; digest"));
+    auto summary = nlohmann::json::parse(read("out/summary.json"));
+    EXPECT_EQ(summary["limit_pairs"], 1);
+    EXPECT_EQ(summary["map_of_listed_pairs"], true);
+    command_.job.maps = true;
+    ASSERT_EQ(run(), exit_done);
+    EXPECT_THAT(stdout_, HasSubstr("were in contact; digest"));
+    summary = nlohmann::json::parse(read("out/summary.json"));
+    EXPECT_EQ(summary["map_of_listed_pairs"], false);
+}
+
 TEST_F(Run, FailOnDecidesBetweenZeroAndOne) {
     command_.fail_on = FailOn::Touch;
     EXPECT_EQ(run(), exit_contacts);
