@@ -219,8 +219,11 @@ ExportContext export_context(const PreparedJob& job) {
     context.exact_points = job.spec.output.exact_points;
     context.stop = &InterruptGuard::has_come;
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
-        context.bodies.push_back(
-            {export_name(job.spec, i), job.spec.bodies[i].path.filename().string(), job.meshes[i]});
+        const BodySpec& body = job.spec.bodies[i];
+        context.bodies.push_back({export_name(job.spec, i),
+                                  body.path.filename().string(),
+                                  job.meshes[i],
+                                  body.rounds_to_float});
     }
     return context;
 }

@@ -118,6 +118,7 @@ Json body_json(const ExportBody& body) {
             {"triangles", mesh->triangles().size()},
             {"parts", mesh->parts().size()},
             {"precision", mesh->precision() == Precision::Float ? "float" : "double"},
+            {"rounded", body.is_rounded},
             {"size", {size.x(), size.y(), size.z()}},
             {"sha256", to_hex(mesh->hash())}};
 }

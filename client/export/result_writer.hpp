@@ -24,6 +24,7 @@ struct ExportBody {
     std::string file; ///< Its mesh, for people.
     /// Null where results are fetched without the meshes: parts are then not named.
     std::shared_ptr<const Mesh> mesh;
+    bool is_rounded = false; ///< Its coordinates were rounded to floats, as the job asked.
 };
 
 /// What the writers say about the job beside its results.

@@ -2,6 +2,7 @@
 // and that it ends at the first file that is none.
 #include "client/commands/commands.hpp"
 #include "client/exit_code.hpp"
+#include "tests/client/import/gltf_text.hpp"
 #include "tests/support/process.hpp"
 
 #include <gmock/gmock.h>
@@ -89,6 +90,15 @@ TEST_F(Inspect, AUnitGivenIsApplied) {
     add("a.obj", 1000);
     EXPECT_EQ(run(), exit_done);
     EXPECT_THAT(stdout_, HasSubstr("3 x 4 x 0"));
+}
+
+TEST_F(Inspect, WhatTheFileDeclaresIsNamed) {
+    add_text("a.gltf", GltfText::triangle().text());
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("up axis Y, from the file; not turned"));
+    command_.unit = "mm";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("unit mm, as asked; the file says m"));
 }
 
 TEST_F(Inspect, EndsAtTheFirstFileThatIsNoMesh) {

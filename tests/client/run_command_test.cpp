@@ -254,7 +254,27 @@ TEST_F(Run, PrecisionFloatRoundsOnceAndSaysSo) {
     command_.job.out = (dir_ / "rounded").string();
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_THAT(stderr_, HasSubstr("coordinates rounded to floats, as asked\n"));
-    EXPECT_THAT(read("rounded/summary.json"), Not(HasSubstr("\"precision\": \"double\"")));
+    const auto summary = nlohmann::json::parse(read("rounded/summary.json"));
+    for (const auto& body : summary["bodies"]) {
+        EXPECT_EQ(body["precision"], "float");
+        EXPECT_EQ(body["rounded"], true);
+    }
+}
+
+TEST_F(Run, MapCoordinatesOfAFileKeepTheirMillimetres) {
+    // UTM metres, where the step of a float is 0.5 m: a plate, and one that is 1 mm above it.
+    const auto plate = [](const std::string& z) {
+        return "v 500000.125 5400000.25 " + z + "\nv 500001.125 5400000.25 " + z +
+               "\nv 500000.125 5400001.25 " + z + "\nf 1 2 3\n";
+    };
+    write("a.obj", plate("112.001"));
+    write("b.obj", plate("112.000"));
+    write("poses.csv", "z\n0\n0.001\n0.002\n");
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    const std::string rows = read("out/scenarios.csv");
+    EXPECT_THAT(rows, HasSubstr("\n0,a,b,separate,0,"));
+    EXPECT_THAT(rows, HasSubstr("\n2,a,b,separate,0,"));
+    EXPECT_THAT(read("out/summary.json"), HasSubstr("\"precision\": \"double\""));
 }
 
 TEST_F(Run, AFirstStageIsForThisMachineAlone) {

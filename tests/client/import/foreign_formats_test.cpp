@@ -181,6 +181,19 @@ TEST(ForeignFormats, YIsTurnedToZWhereAsked) {
     }
 }
 
+TEST(ForeignFormats, ASkinIsRefused) {
+    const std::string skin = "SkinWeights { \"bone\"; 1; 0; 1.0; "
+                             "1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;; }";
+    const auto direct_x = [](const std::string& more) {
+        return "xof 0303txt 0032\nFrame bone {\nMesh m {\n3; 0.0;0.0;0.0;, 2.0;0.0;0.0;, "
+               "0.0;4.0;8.0;;\n1; 3;0,1,2;;\n" +
+               more + "}\n}\n";
+    };
+    EXPECT_EQ(mesh_of(import_text("plain.x", direct_x(""))).triangles().size(), 1u);
+    EXPECT_THAT(error_of("skin.x", direct_x(skin)),
+                HasSubstr("is bent by a skin, and only rigid meshes are read"));
+}
+
 TEST(ForeignFormats, NotesSayWhatWasTaken) {
     const auto inch = import_text("inch.dae", collada("<unit name='inch' meter='0.0254'/>"));
     ASSERT_TRUE(inch) << inch.error().detail;
