@@ -412,6 +412,15 @@ TEST_F(Run, AMasterInTheEnvironmentIsHintedAt) {
         testing::StartsWith("  here, 2 threads; to run on CDCTL_MASTER: --master node-1:7600\n"));
 }
 
+TEST_F(Run, WhatItCostIsToldWhereItIsAskedFor) {
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_THAT(stdout_, Not(HasSubstr("candidates")));
+    command_.statistics = true;
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_THAT(stdout_, HasSubstr(" candidates a scenario; settled in float "));
+    EXPECT_THAT(stdout_, HasSubstr("  inside        looked at in "));
+}
+
 TEST_F(Run, RandomPosesNeedNoFile) {
     command_.job.poses.clear();
     command_.job.random = 20;

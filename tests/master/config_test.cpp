@@ -107,6 +107,18 @@ TEST(MasterConfig, TimesOfFailuresAreInSecondsAndGoTogether) {
     EXPECT_EQ(parse({"--return-within", "100000"}).exit_code, 2);
 }
 
+TEST(MasterConfig, JobsAreKeptByNumberOrByTime) {
+    EXPECT_EQ(parse({}).config->retention.count, limits::jobs_ended_kept_max);
+    EXPECT_FALSE(parse({}).config->retention.age);
+    EXPECT_EQ(parse({"--keep-jobs", "7"}).config->retention.count, 7u);
+    EXPECT_EQ(parse({"--keep-jobs", "30d"}).config->retention.age, std::chrono::hours(24 * 30));
+    for (const char* wrong : {"soon", "0", "-1", "1.5"}) {
+        const auto line = parse({"--keep-jobs", wrong});
+        EXPECT_EQ(line.exit_code, 2) << wrong;
+        EXPECT_EQ(line.text.find("cdmaster: --keep-jobs: "), 0u) << line.text;
+    }
+}
+
 TEST(MasterConfig, CertificatesLiveAsLongAsItSays) {
     EXPECT_EQ(parse({}).config->certificate_life, std::chrono::hours(24 * 7));
     EXPECT_EQ(parse({"--certificate-ttl", "36h"}).config->certificate_life, std::chrono::hours(36));

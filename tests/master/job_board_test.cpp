@@ -119,5 +119,27 @@ TEST_F(Jobs, WhoseEndIsNotToldAreNotDropped) {
     EXPECT_THAT(announce(jobs[0]), ElementsAre(jobs[1]));
 }
 
+TEST_F(Jobs, AreKeptInTheNumberThatIsAskedFor) {
+    board_ = JobBoard(limits::results_ended_kept_max, parse_retention("1").value());
+    const JobId first = open(1);
+    const JobId second = open(1);
+    EXPECT_THAT(end_and_announce(first), IsEmpty());
+    EXPECT_THAT(end_and_announce(second), ElementsAre(first));
+    EXPECT_EQ(board_.find(first), nullptr);
+    EXPECT_NE(board_.find(second), nullptr);
+}
+
+TEST_F(Jobs, AreKeptForTheTimeThatIsAskedFor) {
+    board_ = JobBoard(limits::results_ended_kept_max, parse_retention("30d").value());
+    const JobId running = open(1);
+    const JobId ended = open(1);
+    EXPECT_THAT(end_and_announce(ended), IsEmpty());
+    const std::uint64_t at = board_.find(ended)->end->ended;
+    EXPECT_THAT(board_.drop_expired(at + 30 * 86'400), IsEmpty());
+    EXPECT_THAT(board_.drop_expired(at + 30 * 86'400 + 1), ElementsAre(ended));
+    EXPECT_EQ(board_.find(ended), nullptr);
+    EXPECT_NE(board_.find(running), nullptr);
+}
+
 } // namespace
 } // namespace cd::tests

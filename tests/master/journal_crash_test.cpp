@@ -15,6 +15,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -238,9 +239,11 @@ struct History {
     std::vector<std::vector<std::uint64_t>> added{{}}; ///< By position.
     std::uint64_t verdict = 0;                         ///< A scenario that was added with an alarm.
     std::uint64_t ended_at = 0;
+    std::uint64_t dropped_at = 0; ///< Job 3, whose files went then.
 };
 
 constexpr std::uint64_t verdict_group = 30;
+constexpr std::uint64_t dropped_results = 5;
 
 /// `failing_folder_syncs`: from the first results on.
 History record(const std::filesystem::path& directory, int failing_folder_syncs = 0) {
@@ -296,7 +299,25 @@ History record(const std::filesystem::path& directory, int failing_folder_syncs 
         journal->add(AcceptJob{other});
         history.ended_at =
             journal->add(EndJob{other.id, {JobState::Cancelled, "cancelled", {}}, {}});
-        wait_for(history.ended_at);
+        JobRecord dropped = job;
+        dropped.id = JobId{3};
+        journal->add(AcceptJob{dropped});
+        AddResults results{
+            dropped.id,
+            ResultStore::create(journal->results_path(dropped.id), dropped.id, 10'000),
+            {},
+            {},
+            {}};
+        for (std::uint64_t i = 0; i < dropped_results; ++i) {
+            results.results.push_back(result_of(i));
+        }
+        journal->add(std::move(results));
+        journal->add(EndJob{dropped.id, {JobState::Done, "", {}}, {}});
+        history.dropped_at = journal->add(DropJob{dropped.id});
+        wait_for(history.dropped_at);
+        for (const auto& file : journal->files_of(dropped.id)) {
+            ::unlink(file.c_str());
+        }
     }
     history.operations = Recorder::instance().stop();
     return history;
@@ -309,12 +330,26 @@ void expect_kept(const std::filesystem::path& directory,
     auto journal = Journal::open({.directory = directory, .synced = false});
     ASSERT_TRUE(journal) << journal.error().detail;
     const Recovered recovered = journal.value()->take_recovered();
+    const auto find = [&](std::uint64_t id) {
+        return std::ranges::find(
+            recovered.jobs, JobId{id}, [](auto& job) { return job.record.id; });
+    };
     if (confirmed >= 1) {
         ASSERT_GE(recovered.jobs.size(), 1u);
     }
     if (confirmed >= history.ended_at) {
-        ASSERT_EQ(recovered.jobs.size(), 2u);
-        ASSERT_TRUE(recovered.jobs[1].end);
+        ASSERT_NE(find(2), recovered.jobs.end());
+        ASSERT_TRUE(find(2)->end);
+    }
+    // Whole, or not at all.
+    const auto dropped = find(3);
+    if (confirmed >= history.dropped_at) {
+        ASSERT_EQ(dropped, recovered.jobs.end());
+    }
+    if (dropped != recovered.jobs.end() && dropped->end) {
+        ASSERT_NE(dropped->results, nullptr);
+        ASSERT_TRUE(dropped->results->verify());
+        ASSERT_EQ(dropped->results->count(), dropped_results);
     }
     if (recovered.jobs.empty()) {
         return;
@@ -365,7 +400,7 @@ TEST(JournalCrash, ThePowerMayFailBehindEveryOperation) {
         }
     }
     EXPECT_GT(confirms, 20u);
-    EXPECT_EQ(confirmed, history.ended_at);
+    EXPECT_EQ(confirmed, history.dropped_at);
 }
 
 /// The folder of the segments cannot be synced when there is a new one.

@@ -84,6 +84,41 @@ TEST(Removal, LabelsThatWereNotAnnouncedAreRefused) {
     EXPECT_THAT(refused.detail, HasSubstr("not announced"));
 }
 
+/// Files of jobs that this process holds open below the folder.
+std::size_t open_job_files(const std::filesystem::path& folder) {
+    std::size_t count = 0;
+    for (const auto& descriptor : std::filesystem::directory_iterator("/proc/self/fd")) {
+        std::error_code gone;
+        const auto file = std::filesystem::read_symlink(descriptor.path(), gone);
+        count += !gone && file.parent_path() == folder / "jobs" ? 1 : 0;
+    }
+    return count;
+}
+
+TEST(Removal, JobsThatHaveEndedHoldNoFilesOpen) {
+    constexpr int jobs = 20;
+    const TemporaryFolder folder;
+    const auto files_of_jobs = [&] {
+        return static_cast<int>(std::ranges::count_if(
+            std::filesystem::directory_iterator(folder / "jobs"),
+            [](const auto& file) { return file.path().extension() == ".results"; }));
+    };
+    {
+        Master master({}, folder.path());
+        for (int i = 0; i < jobs; ++i) {
+            do_a_job(master);
+        }
+        EXPECT_EQ(files_of_jobs(), jobs);
+        master.run_until([&] { return open_job_files(folder.path()) == 0; });
+    }
+    Master master({}, folder.path());
+    EXPECT_EQ(files_of_jobs(), jobs);
+    EXPECT_EQ(open_job_files(folder.path()), 0u);
+    const auto part = std::get<ResultsPart>(answer_to(master, {ResultsQuery{JobId{1}, 0, 10}}));
+    EXPECT_GT(part.next, 0u);
+    EXPECT_EQ(open_job_files(folder.path()), 0u) << "read, and closed again";
+}
+
 TEST(Removal, AMeshIsTold) {
     Master master;
     do_a_job(master);
