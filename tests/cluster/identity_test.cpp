@@ -1,6 +1,7 @@
 // Proves, with real processes, that a cluster with an identity does its work under TLS, geometry
 // between workers included, with the same answer; and that who has no right to it is refused with a
 // log line on the master and exit code 5.
+#include "client/job_id.hpp"
 #include "client/membership.hpp"
 #include "proto/asio_tls.hpp"
 #include "proto/credential_file.hpp"
@@ -192,6 +193,42 @@ TEST_F(ShortLived, AWorkerRenewsItsCertificateByItself) {
     EXPECT_TRUE(comes_true([&] { return log().find("session ended") != std::string::npos; }));
     EXPECT_TRUE(comes_true([&] { return log().find("worker came back") != std::string::npos; }));
     EXPECT_THAT(log(), HasSubstr("has expired"));
+}
+
+TEST_F(ShortLived, AWaitThatIsLongerThanTheCredentialLivesRenewsIt) {
+    const std::string me = (folder_ / "me.pem").string();
+    ASSERT_EQ(tests::run({program("cdctl").string(),
+                          "join",
+                          master_->address(),
+                          "--token",
+                          token("submitter", "1"),
+                          "--credential",
+                          me})
+                  .exit_code,
+              0);
+    const auto end_of = [](const std::string& credential) {
+        return read_identity(credential.substr(credential.find("-----BEGIN CERTIFICATE")))
+            .value()
+            .until;
+    };
+    const auto first = end_of(read_text(me));
+    const Job job = make_job(50);
+    const JobId id = submit(job, Query{}, many_blocks());
+    Process wait({program("cdctl").string(),
+                  "wait",
+                  job_id_text(id),
+                  "--master",
+                  master_->address(),
+                  "--credential",
+                  me},
+                 folder_ / "wait");
+    // Past the end of the first one, and of the next.
+    EXPECT_TRUE(comes_true(
+        [&] { return std::chrono::system_clock::now() > first + 4s || !wait.is_running(); }));
+    EXPECT_TRUE(wait.is_running()) << wait.errors();
+    EXPECT_GT(end_of(read_text(me)), first);
+    start_joined(token("worker", "1"), "one");
+    EXPECT_EQ(wait.wait(), 0) << wait.errors();
 }
 
 TEST_F(SecuredCluster, ItsStateIsForItsUserAlone) {

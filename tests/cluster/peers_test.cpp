@@ -69,7 +69,8 @@ TEST_F(Cluster, AWorkerThatHasServedPeersEndsWhenItHasDrained) {
     ASSERT_GT(geometry_of(connection_->status().value()).from_peers, 0u);
     for (const auto& worker : workers_) {
         worker->signal(SIGTERM);
-        EXPECT_EQ(worker->wait(limits::peer_idle_max / 4), 0) << worker->errors();
+        // It takes far less than a second; the rest is for a machine that is busy.
+        EXPECT_EQ(worker->wait(std::chrono::seconds(5)), 0) << worker->errors();
     }
 }
 

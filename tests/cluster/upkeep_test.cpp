@@ -6,6 +6,7 @@
 #include "tests/support/comes_true.hpp"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -55,6 +56,14 @@ TEST_F(Upkeep, AJobThatIsRemovedLeavesNothing) {
     EXPECT_GT(before.trees, 0u);
     EXPECT_GT(before.free, 0u);
 
+    EXPECT_THAT(cdctl({"status"}).output,
+                testing::ContainsRegex("on the master's disk: results [1-9].* poses [1-9].* meshes "
+                                       "[1-9].* trees [1-9].* journal [1-9].* free [1-9]"));
+    const auto told = nlohmann::json::parse(cdctl({"status", "-o", "json"}).output)["state_bytes"];
+    for (const char* part : {"results", "poses", "meshes", "trees", "journal", "free"}) {
+        EXPECT_GT(told[part], 0) << part;
+    }
+
     const Ran asked = cdctl({"rm", id});
     EXPECT_EQ(asked.exit_code, 2);
     EXPECT_THAT(asked.errors, HasSubstr("add --yes"));
@@ -87,6 +96,44 @@ TEST_F(Upkeep, AMeshStaysAsLongAsAJobNamesIt) {
     EXPECT_EQ(cdctl({"results", std::to_string(second.value), "-o", "csv"}).exit_code, 0);
     EXPECT_EQ(cdctl({"rm", std::to_string(second.value), "--yes"}).exit_code, 0);
     EXPECT_TRUE(status().meshes.empty());
+}
+
+TEST_F(Upkeep, AMeshThatNoJobNamesIsRemovedWithItsFiles) {
+    const auto mesh = share(make_sphere(2));
+    // As long as it is connected, who has brought a mesh may submit a job that names it.
+    ASSERT_TRUE(connect()->upload(std::vector{NamedMesh{"ball", mesh}}, [](auto&&...) {}));
+    EXPECT_GT(files_in("meshes"), 0u);
+    Ran removed;
+    EXPECT_TRUE(comes_true([&] {
+        removed = cdctl({"rm", to_short_hex(mesh->hash()), "--yes"});
+        return removed.exit_code != 5;
+    }));
+    EXPECT_EQ(removed.exit_code, 0) << removed.errors;
+    EXPECT_THAT(removed.output,
+                HasSubstr("mesh " + to_short_hex(mesh->hash()) + " ball removed, "));
+    EXPECT_TRUE(status().meshes.empty());
+    EXPECT_EQ(files_in("meshes"), 0u);
+}
+
+TEST_F(Upkeep, OfSeveralJobsThoseBeforeTheFirstErrorAreRemoved) {
+    start_worker();
+    const Job job = make_job(20);
+    const std::string first = std::to_string(run(job, Query{}).job.value);
+    const std::string second = std::to_string(run(job, Query{}).job.value);
+    const std::string third = std::to_string(run(job, Query{}).job.value);
+    EXPECT_EQ(cdctl({"rm", first, "j-none", "--yes"}).exit_code, 2);
+    EXPECT_EQ(status().jobs.size(), 3u) << "each is looked up before one is removed";
+    const JobId endless = submit_endless();
+    const Ran some = cdctl({"rm", first, std::to_string(endless.value), second, "--yes"});
+    EXPECT_EQ(some.exit_code, 5);
+    EXPECT_THAT(some.output, testing::MatchesRegex("job j-[0-9a-f]+ removed, .* freed\n"));
+    EXPECT_THAT(some.errors,
+                testing::MatchesRegex("cdctl: job j-[0-9a-f]+: it is running; with --cancel it is "
+                                      "ended first\n"));
+    EXPECT_EQ(status().jobs.size(), 3u);
+    EXPECT_EQ(cdctl({"rm", second, third, "--yes"}).exit_code, 0);
+    EXPECT_EQ(status().jobs.size(), 1u);
+    ASSERT_TRUE(connection_->cancel(endless));
 }
 
 TEST_F(Upkeep, AJobThatRunsIsRemovedOnlyWhenItIsToBeCancelled) {
@@ -163,6 +210,37 @@ TEST_F(Upkeep, WorkersThatAreToldToEndAtOnceDoAndOthersGoOn) {
     })) << "another has the scenario now";
     EXPECT_EQ(status().workers_lost, 0u);
     ASSERT_TRUE(connection_->cancel(id));
+}
+
+TEST_F(Upkeep, AllWorkersAreDrained) {
+    Process& first = start_worker();
+    Process& second = start_worker();
+    ASSERT_TRUE(comes_true([&] { return status().workers.size() == 2; }));
+    const Ran told = cdctl({"drain", "--all"});
+    EXPECT_EQ(told.exit_code, 0) << told.errors;
+    EXPECT_THAT(told.output, testing::MatchesRegex("w-[0-9]+ drains\nw-[0-9]+ drains\n"));
+    EXPECT_EQ(first.wait(), 0) << first.errors();
+    EXPECT_EQ(second.wait(), 0) << second.errors();
+    EXPECT_EQ(cdctl({"drain"}).exit_code, 2) << "which, is not said";
+}
+
+TEST_F(Upkeep, AWorkerThatIsToldByItsIdToEndAtOnceLosesNothing) {
+    const Job job = make_job(4000);
+    Process& leaving = start_worker();
+    ASSERT_TRUE(comes_true([&] { return status().workers.size() == 1; }));
+    const std::string id = "w-" + std::to_string(status().workers[0].worker.value);
+    Process& staying = start_worker();
+    const JobId running = submit(job, Query{}, many_blocks());
+    ASSERT_TRUE(comes_true([&] { return status().jobs.at(0).summary.merged() > 300; }));
+    const Ran told = cdctl({"drain", id, "--now"});
+    EXPECT_EQ(told.exit_code, 0) << told.errors;
+    EXPECT_EQ(told.output, id + " ends\n");
+    EXPECT_EQ(leaving.wait(), 0) << leaving.errors();
+    const JobStatus done = finish(running, [](const JobStatus&) {});
+    EXPECT_EQ(done.state, JobState::Done) << done.failure;
+    EXPECT_EQ(done.digest, job.digest_in_one_process(Query{}));
+    EXPECT_EQ(status().workers_lost, 0u);
+    EXPECT_TRUE(staying.is_running());
 }
 
 TEST_F(Upkeep, AJobCanBeHadBackAsItWasSubmitted) {

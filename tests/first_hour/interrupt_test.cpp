@@ -66,6 +66,17 @@ TEST_F(Interrupt, EndsARunThatWaitsForPoses) {
     }
 }
 
+TEST_F(Interrupt, WorkThatTakesLongIsTold) {
+    const std::string poses = fifo("poses.csv");
+    Process run = start({"--a", ball(), "--b", ball(), "--poses", poses});
+    Process quiet({cdctl(), "run", "-q", "--a", ball(), "--b", ball(), "--poses", poses},
+                  folder_ / "quiet");
+    EXPECT_TRUE(comes_true([&] {
+        return run.errors().find("reading poses.csv...\n") != std::string::npos;
+    })) << run.errors();
+    EXPECT_EQ(quiet.errors(), "");
+}
+
 TEST_F(Interrupt, NoRunWaitsForAMesh) {
     Process run = start({"--a", fifo("mesh.obj"), "--b", ball(), "--random", "10"});
     EXPECT_EQ(run.wait(), 2);
