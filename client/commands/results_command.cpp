@@ -4,20 +4,38 @@
 #include "client/commands/remote_commands.hpp"
 #include "client/commands/run_command.hpp"
 #include "client/exit_code.hpp"
+#include "client/export/output_file.hpp"
+#include "client/export/result_sink.hpp"
 #include "client/folder/folder_exports.hpp"
+#include "client/folder/kept_summary.hpp"
 #include "client/folder/opened_run.hpp"
 #include "client/interrupt.hpp"
+#include "client/words.hpp"
 
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <utility>
 
 namespace cd {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 /// What has not been answered is no contact, and no failure of this command.
 int exit_code_of_job(const KnownJob& job) {
     return job.status.state == JobState::Done ? exit_code_of(job.status.summary, FailOn::Never)
                                               : exit_incomplete;
+}
+
+/// The summary, but where the results are printed for people.
+Status tell(const ResultsCommand& command, const RunReport& report, bool prints) {
+    return prints
+               ? Status(Done{})
+               : print_summary(report, command.output != "text", command.quiet, command.statistics);
 }
 
 int results_of_job(const ResultsCommand& command) {
@@ -43,14 +61,32 @@ int results_of_job(const ResultsCommand& command) {
     if (!coverage.empty()) {
         std::fprintf(stderr, "cdctl: %s\n", coverage.c_str());
     }
-    const bool stdout_is_used = command.output != "text";
-    const Status told = stdout_is_used || prints
-                            ? Status(Done{})
-                            : print_summary(report.value(), false, false, command.statistics);
+    const Status told = tell(command, report.value(), prints);
     return told ? exit_code_of_job(job.value().known()) : fail(told.error());
 }
 
-/// Without formats the results go to stdout.
+/// What an earlier version left of a run.
+int results_of_summary(const ResultsCommand& command, const Error& no_run) {
+    if (!command.formats.empty() || command.output == "csv") {
+        return fail(no_run);
+    }
+    const fs::path path = fs::path(command.job) / "summary.json";
+    const auto report = read_summary(path);
+    if (!report) {
+        return fail(report.error());
+    }
+    OutputFile out = OutputFile::standard_output();
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    const Status written =
+        command.output == "json"
+            ? out.write(text.str())
+            : out.write(summary_text(report.value(), {colours_wanted(stdout), false}));
+    const Status told = written ? out.commit() : written;
+    return told ? exit_code_of(report.value().summary, FailOn::Never) : fail(told.error());
+}
+
+/// Without formats the results go to stdout, and nothing is written.
 int results_of_folder(const ResultsCommand& command) {
     if (!command.out.empty()) {
         return fail({ErrorCode::BadInput,
@@ -59,33 +95,49 @@ int results_of_folder(const ResultsCommand& command) {
     }
     auto run = OpenedRun::open(command.job);
     if (!run) {
-        return fail(run.error());
+        return holds_only_a_summary(command.job) ? results_of_summary(command, run.error())
+                                                 : fail(run.error());
     }
     auto context = export_context(run.value());
     if (!context) {
         return fail(context.error());
     }
     context.value().exact_points = command.exact_points;
-    auto folder = RunFolder::open_finished(run.value().dir());
-    if (!folder) {
-        return fail(folder.error());
+    InterruptGuard::begin_to_flag(); // No half of a file is left.
+    std::optional<RunFolder> folder;
+    if (!command.formats.empty()) {
+        auto opened = RunFolder::open_finished(run.value().dir());
+        if (!opened) {
+            return fail(opened.error());
+        }
+        folder.emplace(std::move(opened.value()));
     }
     const bool prints = command.formats.empty() && command.output == "text";
-    const auto summary =
+    const auto report =
         add_exports(run.value(),
-                    folder.value(),
+                    folder ? &*folder : nullptr,
                     context.value(),
                     {command.formats, prints ? "records-text" : command.output, true});
-    if (!summary) {
-        return fail(summary.error());
+    if (!report) {
+        return fail(report.error());
     }
-    return exit_code_of(summary.value(), FailOn::Never);
+    const Summary& summary = report.value().summary;
+    if (!summary.is_complete()) {
+        std::fprintf(stderr,
+                     "cdctl: incomplete: %s of %s scenarios have a result\n",
+                     grouped(summary.merged()).c_str(),
+                     grouped(summary.total).c_str());
+    }
+    const Status told = tell(command, report.value(), prints);
+    return told ? exit_code_of(summary, FailOn::Never) : fail(told.error());
 }
 
 } // namespace
 
 int execute(const ResultsCommand& given) {
-    const InterruptGuard interrupts;
+    const bool is_of_folder = is_folder(given.job);
+    const InterruptGuard interrupts(is_of_folder ? InterruptGuard::First::EndsProcess
+                                                 : InterruptGuard::First::SetsFlag);
     ResultsCommand command = given;
     keep_each_once(command.formats);
     for (const std::string& format : command.formats) {
@@ -93,7 +145,7 @@ int execute(const ResultsCommand& given) {
             return fail(known.error());
         }
     }
-    return is_folder(command.job) ? results_of_folder(command) : results_of_job(command);
+    return is_of_folder ? results_of_folder(command) : results_of_job(command);
 }
 
 } // namespace cd

@@ -316,14 +316,14 @@ int tell_complete(const RunCommand& command, const PreparedJob& job, FolderRun& 
                      manifest.started.c_str(),
                      to_short_hex(*manifest.digest).c_str());
     }
-    const auto summary = add_exports(opened.value(),
-                                     run.folder(),
-                                     export_context(job),
-                                     {job.spec.output.formats, command.output, false});
-    if (!summary) {
-        return fail(summary.error());
+    const auto report = add_exports(opened.value(),
+                                    &run.folder(),
+                                    export_context(job),
+                                    {job.spec.output.formats, command.output, false});
+    if (!report) {
+        return fail(report.error());
     }
-    return exit_code_of(summary.value(), command.fail_on);
+    return exit_code_of(report.value().summary, command.fail_on);
 }
 
 void print_header(const PreparedJob& job, bool quiet) {

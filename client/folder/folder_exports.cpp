@@ -1,12 +1,18 @@
 #include "client/folder/folder_exports.hpp"
 
+#include "client/folder/kept_summary.hpp"
+#include "common/job/merge.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 namespace cd {
 
 namespace {
+
+constexpr std::size_t touched_parts_shown = 3;
 
 /// The map that the files show: the one that was kept, or the sum of the records' pairs.
 Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink) {
@@ -17,23 +23,15 @@ Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink)
     return std::optional(sink.map());
 }
 
-} // namespace
+/// Where the summary is gone or damaged, the records still tell what they hold.
+RunReport kept_report(const OpenedRun& run) {
+    auto report = read_summary(run.dir() / "summary.json");
+    return report ? std::move(report.value()) : RunReport();
+}
 
-Result<Summary> add_exports(const OpenedRun& run,
-                            RunFolder& folder,
-                            const ExportContext& context,
-                            ExportOptions options) {
-    const std::vector<std::string>& have = run.manifest().formats;
-    if (!options.again) {
-        std::erase_if(options.formats, [&](const std::string& format) {
-            return std::ranges::find(have, format) != have.end();
-        });
-    }
-    std::error_code error;
-    std::filesystem::remove_all(folder.out(), error);
-    const std::filesystem::path dir =
-        options.formats.empty() ? std::filesystem::path() : folder.out();
-    auto sink = ResultSink::open({dir, options.formats, options.output}, context);
+Result<RunReport>
+write_exports(const OpenedRun& run, const SinkOptions& options, const ExportContext& context) {
+    auto sink = ResultSink::open(options, context);
     if (!sink) {
         return sink.error();
     }
@@ -45,21 +43,51 @@ Result<Summary> add_exports(const OpenedRun& run,
     if (!read) {
         return read.error();
     }
-    const auto map = map_of(run, sink.value());
+    auto map = map_of(run, sink.value());
     if (!map) {
         return map.error();
     }
     if (Status finished = sink.value().finish(map.value()); !finished) {
         return finished.error();
     }
-    if (options.formats.empty()) {
-        folder.clean();
-        return merger.summary();
+    RunReport report = kept_report(run);
+    report.summary = merger.summary();
+    report.digest = merger.digest();
+    report.level = run.manifest().query.level;
+    report.limit_pairs = run.manifest().query.limit_pairs;
+    report.maps_all_pairs = run.manifest().query.maps;
+    report.map = std::move(map.value());
+    report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    report.summary_file = (run.dir() / "summary.json").string();
+    return report;
+}
+
+} // namespace
+
+Result<RunReport> add_exports(const OpenedRun& run,
+                              RunFolder* folder,
+                              const ExportContext& context,
+                              ExportOptions options) {
+    const std::vector<std::string>& have = run.manifest().formats;
+    if (!options.again) {
+        std::erase_if(options.formats, [&](const std::string& format) {
+            return std::ranges::find(have, format) != have.end();
+        });
     }
-    if (Status added = folder.add_files(options.formats); !added) {
-        return added.error();
+    if (folder == nullptr) {
+        return write_exports(run, {{}, {}, options.output}, context);
     }
-    return merger.summary();
+    std::error_code error;
+    std::filesystem::remove_all(folder->out(), error);
+    const std::filesystem::path dir =
+        options.formats.empty() ? std::filesystem::path() : folder->out();
+    auto report = write_exports(run, {dir, options.formats, options.output}, context);
+    if (!report || options.formats.empty()) {
+        folder->clean();
+        return report;
+    }
+    const Status added = folder->add_files(options.formats);
+    return added ? std::move(report) : added.error();
 }
 
 } // namespace cd

@@ -4,8 +4,8 @@
 #include "client/export/result_sink.hpp"
 #include "client/folder/opened_run.hpp"
 #include "client/folder/run_folder.hpp"
+#include "client/report.hpp"
 #include "common/core/result.hpp"
-#include "common/job/merge.hpp"
 
 #include <string>
 #include <vector>
@@ -19,11 +19,12 @@ struct ExportOptions {
 };
 
 /// Reads all records once, if anything wants them: adds the formats that the folder lacks, with
-/// their names in run.json, and writes to stdout. What the records sum up to. Errors: Io; BadInput
-/// for an unknown format.
-[[nodiscard]] Result<Summary> add_exports(const OpenedRun& run,
-                                          RunFolder& folder,
-                                          const ExportContext& context,
-                                          ExportOptions options);
+/// their names in run.json, and writes to stdout. `folder` may be null where no format is to be
+/// added. What the records sum up to; time and place are those of summary.json. Errors: Io;
+/// BadInput for an unknown format; Interrupted.
+[[nodiscard]] Result<RunReport> add_exports(const OpenedRun& run,
+                                            RunFolder* folder,
+                                            const ExportContext& context,
+                                            ExportOptions options);
 
 } // namespace cd

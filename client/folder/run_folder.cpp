@@ -29,6 +29,9 @@ constexpr std::array<const char*, 9> old_names{"summary.json",
                                                "map.csv",
                                                "map.npz"};
 
+/// What else a run writes under names of its own; they are of no use without its run.json.
+constexpr std::array<const char*, 2> kept_names{"maps", "inputs/scenarios"};
+
 Error refused(const fs::path& dir, const std::string& what) {
     return {ErrorCode::BadInput,
             dir.string() + " holds " + what + "; give another folder with --out, or --overwrite"};
@@ -147,7 +150,9 @@ RunFolder::open(const fs::path& dir, const RunManifest& manifest, FolderOptions 
     const auto unfinished = read_if_there(dir / ".part" / manifest_name);
     for (const auto* read : {&finished, &unfinished}) {
         if (!*read && !options.overwrite) {
-            return read->error();
+            const Error& error = read->error();
+            return Error{error.code,
+                         error.detail + "; give another folder with --out, or --overwrite"};
         }
     }
     const auto there = [](const Result<std::optional<RunManifest>>& read) {
@@ -264,6 +269,11 @@ Status RunFolder::commit(RunManifest manifest) {
     } else {
         for (const char* name : old_names) {
             fs::remove(dir_ / name, error);
+        }
+        for (const char* name : kept_names) {
+            if (fs::is_regular_file(dir_ / name, error)) {
+                remove_listed(dir_, name);
+            }
         }
     }
     auto files = move_files();

@@ -1,8 +1,8 @@
 // Proves, with real processes, that scenarios of a run become a job of their own that gives the
 // same records, and that what cannot become one is refused.
-#include "client/npz.hpp"
 #include "common/job/record_file.hpp"
 #include "tests/cluster/folder/folder_fixture.hpp"
+#include "tests/support/npz_arrays.hpp"
 
 #include <gmock/gmock.h>
 

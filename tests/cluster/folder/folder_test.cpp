@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <map>
 
 namespace cd::tests {
 
@@ -100,6 +101,99 @@ TEST_F(Folder, ResultsOfAnEarlierVersionAreNotMixedWithAndOpenForTheirSummary) {
     EXPECT_THAT(opened.errors, HasSubstr("only its summary.json can be opened"));
     EXPECT_EQ(run({"--out", out, "--overwrite"}).exit_code, 0);
     EXPECT_FALSE(fs::exists(folder_ / "out" / "pairs.csv"));
+}
+
+TEST_F(Folder, AFolderWhoseRunJsonCannotBeReadIsOverwrittenWhole) {
+    write_job(5, "level = \"count\"\nmaps = true");
+    write_text(folder_ / "poses.csv", "x\n0\n");
+    const std::string out = folder_ / "out";
+    ASSERT_EQ(run({"--out", out}).exit_code, 0);
+    auto other = read_json(folder_ / "out" / "run.json");
+    other["record_version"] = 1;
+    for (const std::string& damaged : {std::string("{"), other.dump()}) {
+        write_text(folder_ / "out" / "run.json", damaged);
+        write_text(folder_ / "out" / "inputs" / "scenarios", "old");
+        const Ran refused = run({"--out", out});
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_THAT(refused.errors, HasSubstr("run.json"));
+        EXPECT_THAT(refused.errors, HasSubstr("give another folder with --out, or --overwrite"));
+    }
+    write_text(folder_ / "out" / "mine.txt", "of the user");
+    write_job(5, "level = \"count\"");
+    const Ran replaced = run({"--out", out, "--overwrite"});
+    ASSERT_EQ(replaced.exit_code, 0) << replaced.errors;
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "maps"));
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "inputs" / "scenarios"));
+    EXPECT_TRUE(fs::exists(folder_ / "out" / "mine.txt"));
+}
+
+TEST_F(Folder, AMapOfAnotherRunIsNotExported) {
+    write_job(5, "level = \"count\"\nmaps = true");
+    ASSERT_EQ(run({"--out", folder_ / "maps"}).exit_code, 0);
+    write_job(5, "level = \"count\"");
+    ASSERT_EQ(run({"--out", folder_ / "out", "--formats", "json"}).exit_code, 0);
+    fs::copy_file(folder_ / "maps" / "maps", folder_ / "out" / "maps");
+    ASSERT_EQ(tests::run({cdctl(), "results", folder_ / "out", "--formats", "csv"}).exit_code, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "map.csv"));
+}
+
+TEST_F(Folder, WithoutAnOutputFolderNothingIsKept) {
+    write_job(600, "level = \"pairs\"");
+    Process process(command("run", "", {"-o", "csv"}), folder_ / "stopped");
+    ASSERT_TRUE(comes_true([&] { return process.output().size() > 10'000; })); // It is running.
+    process.signal(SIGINT);
+    EXPECT_EQ(process.wait(), 130);
+    EXPECT_THAT(process.errors(),
+                HasSubstr("interrupted; no results were kept, since there was no --out"));
+}
+
+TEST_F(Folder, FreshBeginsAnewAfterAnInterrupt) {
+    write_job(200, "level = \"pairs\"");
+    stop_early(SIGINT, "out");
+    const Ran fresh = run({"--out", folder_ / "out", "--fresh"});
+    EXPECT_EQ(fresh.exit_code, 0) << fresh.errors;
+    EXPECT_THAT(fresh.errors, Not(HasSubstr("resumed at")));
+    EXPECT_FALSE(read_json(folder_ / "out" / "summary.json").contains("resumed_at"));
+}
+
+TEST_F(Folder, ARunOfAPoseFileGoesOn) {
+    std::string rows = "x,y,yaw_deg\n";
+    for (int i = 0; i < 40'000; ++i) {
+        rows += std::to_string(i % 25 * 0.1) + "," + std::to_string(i % 7 * 0.2) + "," +
+                std::to_string(i % 360) + "\n";
+    }
+    write_text(folder_ / "poses.csv", rows);
+    write_text(job_,
+               "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n");
+    const Ran whole = run({"--out", folder_ / "whole", "--formats", "csv"});
+    stop_early(SIGKILL, "out");
+    const Ran resumed = run({"--out", folder_ / "out", "--formats", "csv"});
+    EXPECT_THAT(resumed.errors, HasSubstr("resumed at "));
+    EXPECT_EQ(digest_of(resumed), digest_of(whole));
+    const auto poses = [&](const char* name) {
+        return read_json(folder_ / name / "run.json")["poses"]["sha256"];
+    };
+    EXPECT_EQ(poses("out"), poses("whole"));
+    EXPECT_THAT(tests::run({cdctl(), "verify", folder_ / "out", "--sample", "50"}).output,
+                HasSubstr("50 the same"));
+}
+
+TEST_F(Folder, AFolderIsRunAgainWithoutWritingAnything) {
+    write_job(5, "level = \"count\"");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    const auto all_files = [&] {
+        std::map<std::string, std::string> files;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
+            if (entry.is_regular_file()) {
+                files[entry.path()] = read_text(entry.path());
+            }
+        }
+        return files;
+    };
+    const auto before = all_files();
+    const std::string line = "cd " + folder_.path().string() + " && " + cdctl() + " run out";
+    EXPECT_EQ(tests::run({"/bin/sh", "-c", line}).exit_code, 0);
+    EXPECT_EQ(all_files(), before);
 }
 
 TEST_F(Folder, AFolderRunsAgainWithoutTheFilesThatItCameFrom) {

@@ -159,6 +159,21 @@ TEST_F(JobFolder, AnInterruptedRunLeavesItsAnswersAtTheMasterAndNothingInItsFold
     EXPECT_EQ(other.exit_code, 0) << other.errors;
 }
 
+TEST_F(JobFolder, ResultsDoNotGoIntoAFolderOfAnotherRun) {
+    start_worker();
+    write_job("random = { n = 5, seed = 4 }", "level = \"count\"");
+    ASSERT_EQ(tests::run({cdctl(), "run", folder_ / "job.toml", "--out", folder_ / "x"}).exit_code,
+              0);
+    const std::string before = read_text(folder_ / "x" / "run.json");
+    write_job("random = { n = 6, seed = 3 }", "level = \"count\"");
+    ASSERT_EQ(cdctl_at_master({"run", folder_ / "job.toml"}).exit_code, 0);
+    const Ran refused = cdctl_at_master({"results", "last", "--out", folder_ / "x"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("holds another run (job, of "));
+    EXPECT_EQ(read_text(folder_ / "x" / "run.json"), before);
+    EXPECT_FALSE(fs::exists(folder_ / "x" / ".part"));
+}
+
 TEST_F(JobFolder, AKilledRunOfAMasterDoesNotKeepItsFolderFromOthers) {
     write_job("random = { n = 500, seed = 3 }", "level = \"count\"");
     Process run = start_run_into("x");
