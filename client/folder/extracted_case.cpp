@@ -50,8 +50,8 @@ Status write_text(const fs::path& path, const std::string& text) {
     return file.value().commit();
 }
 
-Status write_mesh(const fs::path& path, const Mesh& mesh) {
-    NpzWriter file(path);
+Status write_mesh(const fs::path& path, const Mesh& mesh, const StopCheck& stop) {
+    NpzWriter file(path, stop);
     const std::size_t vertices = file.add_array("vertices", NpyType::F8, 3);
     const std::size_t faces = file.add_array("faces", NpyType::U4, 3);
     for (const Vec3& vertex : mesh.vertices()) {
@@ -367,6 +367,7 @@ Status write_files(const PreparedJob& job,
                    const CaseScenarios& given,
                    const std::array<CaseBody, 2>& bodies,
                    const std::vector<ScenarioResult>& expected,
+                   const StopCheck& stop,
                    const fs::path& dir) {
     const auto columns = columns_for(given.scenarios);
     if (!columns) {
@@ -379,7 +380,7 @@ Status write_files(const PreparedJob& job,
     fs::remove(dir / ids_name, error); // Of an earlier case.
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const fs::path path = dir / (std::string(body_names[i]) + ".npz");
-        if (Status written = write_mesh(path, *bodies[i].mesh); !written) {
+        if (Status written = write_mesh(path, *bodies[i].mesh, stop); !written) {
             return written;
         }
     }
@@ -412,6 +413,7 @@ Status write_case(const PreparedJob& job,
                            scenarios,
                            {CaseBody{job.meshes[0], {}}, CaseBody{job.meshes[1], {}}},
                            scenarios.results,
+                           options.stop,
                            dir);
     }
     const auto bodies = smallest_bodies(job, scenarios.scenarios, options.stop);
@@ -422,7 +424,8 @@ Status write_case(const PreparedJob& job,
     if (!expected) {
         return expected.error();
     }
-    const Status written = write_files(job, scenarios, bodies.value(), expected.value(), dir);
+    const Status written =
+        write_files(job, scenarios, bodies.value(), expected.value(), options.stop, dir);
     return written ? write_ids(dir / ids_name, bodies.value()) : written;
 }
 

@@ -2,6 +2,8 @@
 // they are kept or not; and that a signal ends the work before and after the scenarios, too.
 #include "client/folder/folder_run.hpp"
 
+#include "client/folder/extracted_case.hpp"
+#include "client/folder/folder_exports.hpp"
 #include "client/folder/opened_run.hpp"
 #include "client/interrupt.hpp"
 #include "client/job_options.hpp"
@@ -185,6 +187,35 @@ TEST_F(FolderRunTest, ASignalEndsTheWorkBeforeAndAfterTheScenarios) {
     const InterruptGuard no_signal_yet;
     run_into("out");
     EXPECT_EQ(manifest("out").digest, manifest("whole").digest);
+}
+
+TEST_F(FolderRunTest, ASignalEndsExportsAndCases) {
+    run_into("out");
+    auto run = OpenedRun::open(folder_ / "out");
+    ASSERT_TRUE(run);
+    auto folder = RunFolder::open_finished(folder_ / "out");
+    ASSERT_TRUE(folder);
+    const auto context = export_context(run.value());
+    ASSERT_TRUE(context);
+    const PreparedJob job = prepare(300, "x");
+    CaseScenarios scenarios;
+    scenarios.scenarios = job.poses->read(0, 1).value();
+    scenarios.results = {run.value().records().find(0).value()->result};
+
+    const InterruptGuard guard;
+    ASSERT_EQ(std::raise(SIGINT), 0);
+    const auto exported =
+        add_exports(run.value(), &folder.value(), context.value(), {{"csv-pairs"}, "text", true});
+    ASSERT_FALSE(exported);
+    EXPECT_EQ(exported.error().code, ErrorCode::Interrupted);
+    EXPECT_FALSE(fs::exists(folder_ / "out" / ".part"));
+    for (const bool minimal : {false, true}) {
+        const Status written = write_case(
+            job, scenarios, {minimal, &InterruptGuard::has_come}, folder_ / "case", pool_);
+        ASSERT_FALSE(written);
+        EXPECT_EQ(written.error().code, ErrorCode::Interrupted);
+        EXPECT_FALSE(fs::exists(folder_ / "case" / "job.toml"));
+    }
 }
 
 } // namespace cd::tests

@@ -77,6 +77,33 @@ TEST_F(Interrupt, WorkThatTakesLongIsTold) {
     EXPECT_EQ(quiet.errors(), "");
 }
 
+TEST_F(Interrupt, EndsWhatOpensAFolderAgain) {
+    write_text(folder_ / "poses.csv", "x\n0\n");
+    const std::string out = folder_ / "out";
+    Process run = start({"--a",
+                         ball(),
+                         "--b",
+                         ball(),
+                         "--poses",
+                         folder_ / "poses.csv",
+                         "--no-inputs",
+                         "--out",
+                         out});
+    ASSERT_EQ(run.wait(), 0) << run.errors();
+    std::filesystem::remove(folder_ / "poses.csv");
+    const std::string poses = fifo("poses.csv");
+    const std::vector<std::vector<std::string>> commands{
+        {"run", out}, {"verify", out}, {"extract", out, "0", "--out", folder_ / "case"}};
+    for (std::vector<std::string> command : commands) {
+        SCOPED_TRACE(command.front());
+        command.insert(command.begin(), cdctl());
+        Process process(command, folder_ / "again");
+        wait_for_reader(poses);
+        expect_end(process, SIGINT);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "case"));
+}
+
 TEST_F(Interrupt, NoRunWaitsForAMesh) {
     Process run = start({"--a", fifo("mesh.obj"), "--b", ball(), "--random", "10"});
     EXPECT_EQ(run.wait(), 2);
