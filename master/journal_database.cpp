@@ -2,9 +2,11 @@
 
 #include "common/core/check.hpp"
 #include "common/core/disk_file.hpp"
+#include "master/database_copy.hpp"
 #include "master/way_out.hpp"
 
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <cctype>
 #include <cstring>
@@ -139,6 +141,7 @@ class Statement {
 struct JournalDatabase::State {
     std::filesystem::path path;
     std::optional<DiskFile> mark;
+    std::optional<DatabaseCopy> copy; ///< That is read in place of `path`.
     Database database;
     bool writing = false; ///< Something was written, and what stands here is known to be sound.
     Sha256 cluster;
@@ -186,7 +189,15 @@ Status JournalDatabase::State::connect(const Options& options, bool create) {
     std::error_code none;
     const std::uintmax_t log_bytes = std::filesystem::file_size(path.string() + "-wal", none);
     const bool is_at_rest = !options.create && (none || log_bytes == 0);
-    const std::string name = is_at_rest ? as_uri(path) + "?immutable=1" : path.string();
+    if (!options.create && !is_at_rest && ::access(path.parent_path().c_str(), W_OK) != 0) {
+        auto made = DatabaseCopy::make(path);
+        if (!made) {
+            return made.error();
+        }
+        copy.emplace(std::move(made.value()));
+    }
+    const std::string name =
+        is_at_rest ? as_uri(path) + "?immutable=1" : (copy ? copy->path() : path).string();
     const int flags = is_at_rest ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI
                                  : SQLITE_OPEN_READWRITE | (create ? SQLITE_OPEN_CREATE : 0);
     const int code = sqlite3_open_v2(name.c_str(), &opened, flags | SQLITE_OPEN_NOMUTEX, nullptr);

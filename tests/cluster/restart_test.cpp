@@ -468,6 +468,26 @@ TEST_F(Restart, ADamagedStateIsNamedNotUsedAndNotChanged) {
     EXPECT_EQ(finish(*connection, id).digest, job.digest_in_one_process(Query{}));
 }
 
+TEST_F(Restart, WhatAKilledMasterLeftIsCheckedWhereNothingCanBeWritten) {
+    const std::string state = folder_ / "state";
+    const std::string mounted =
+        "mount --bind " + state + " " + state + " && mount -o remount,ro,bind " + state + " && ";
+    if (run({"/usr/bin/env", "unshare", "-m", "sh", "-c", mounted + "true"}).exit_code != 0) {
+        GTEST_SKIP() << "no file system can be mounted here";
+    }
+    auto connection = connect();
+    (void)submit(*connection, make_job(20), Query{});
+    connection.reset();
+    master_.kill();
+    ASSERT_GT(std::filesystem::file_size(folder_ / "state/journal.db-wal"), 0u);
+    const std::string check = program("cdmaster").string() + " check --state " + state;
+    const Ran checked = run({"/usr/bin/env", "unshare", "-m", "sh", "-c", mounted + check});
+    EXPECT_EQ(checked.exit_code, 0) << checked.output << checked.errors;
+    EXPECT_NE(checked.output.find("1 jobs, 1 of them unfinished"), std::string::npos)
+        << checked.output;
+    EXPECT_NE(checked.output.find("the state is sound"), std::string::npos) << checked.output;
+}
+
 TEST_F(Restart, CdctlWaitsForAMasterThatComesBack) {
     const Job job = make_job(3000);
     auto connection = connect();

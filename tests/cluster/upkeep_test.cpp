@@ -115,6 +115,31 @@ TEST_F(Upkeep, AMeshThatNoJobNamesIsRemovedWithItsFiles) {
     EXPECT_EQ(files_in("meshes"), 0u);
 }
 
+/// Its master keeps one job that has ended.
+class OneJobKept : public Upkeep {
+  protected:
+    void prepare() override { ::setenv("CDMASTER_KEEP_JOBS", "1", 1); }
+    void TearDown() override {
+        ::unsetenv("CDMASTER_KEEP_JOBS");
+        Upkeep::TearDown();
+    }
+};
+
+TEST_F(OneJobKept, TheJobThatEndedFirstIsForgotten) {
+    start_worker();
+    const Job job = make_job(20);
+    const JobId first = run(job, Query{}).job;
+    const JobId second = run(job, Query{}).job;
+    EXPECT_TRUE(comes_true([&] { return status().jobs.size() == 1; }));
+    EXPECT_EQ(status().jobs.at(0).job, second);
+    EXPECT_EQ(cdctl({"results", std::to_string(first.value), "-o", "csv"}).exit_code, 2);
+    EXPECT_EQ(cdctl({"results", std::to_string(second.value), "-o", "csv"}).exit_code, 0);
+    const std::string files = folder_ / ("state/jobs/" + std::to_string(first.value));
+    for (const char* kind : {".results", ".poses"}) {
+        EXPECT_TRUE(comes_true([&] { return !std::filesystem::exists(files + kind); })) << kind;
+    }
+}
+
 TEST_F(Upkeep, OfSeveralJobsThoseBeforeTheFirstErrorAreRemoved) {
     start_worker();
     const Job job = make_job(20);
