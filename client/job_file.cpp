@@ -72,33 +72,29 @@ GridAxis read_axis(const TomlFields& grid, std::string_view key) {
 /// The angles of one axis become quaternions when they are read, so their number is bounded.
 constexpr std::uint64_t grid_angles_max = 1u << 20;
 
-Grid read_grid(const toml::table& table, TomlProblem& problem) {
+GridSpec read_grid(const toml::table& table, TomlProblem& problem, double length_factor) {
     const TomlFields fields(
         table, "[poses] grid", problem, {"x", "y", "z", "roll_deg", "pitch_deg", "yaw_deg"});
     constexpr std::array<std::string_view, 3> positions{"x", "y", "z"};
     constexpr std::array<std::string_view, 3> angles{"roll_deg", "pitch_deg", "yaw_deg"};
-    Grid grid;
+    GridSpec spec;
+    spec.axes.resize(positions.size() + angles.size());
     for (std::size_t i = 0; i < 3; ++i) {
-        grid.position[i] = read_axis(fields, positions[i]);
+        const GridAxis axis = read_axis(fields, positions[i]);
+        spec.axes[i] = axis;
+        spec.grid.position[i] = {axis.first * length_factor, axis.last * length_factor, axis.count};
         const GridAxis degrees = read_axis(fields, angles[i]);
+        spec.axes[i + 3] = degrees;
         if (degrees.count > grid_angles_max) {
             fields.report(angles[i], "more than " + grouped(grid_angles_max) + " angles");
             return {};
         }
-        grid.rotation[i] = rotation_axis(degrees, static_cast<int>(i));
+        spec.grid.rotation[i] = rotation_axis(degrees, static_cast<int>(i));
     }
-    if (grid.count() > limits::scenarios_max) {
+    if (spec.grid.count() > limits::scenarios_max) {
         fields.report("x", "the grid has more than " + grouped(limits::scenarios_max) + " poses");
     }
-    return grid;
-}
-
-Grid scaled(Grid grid, double length_factor) {
-    for (GridAxis& axis : grid.position) {
-        axis.first *= length_factor;
-        axis.last *= length_factor;
-    }
-    return grid;
+    return spec;
 }
 
 RandomPoses read_random(const toml::table& table, TomlProblem& problem) {
@@ -151,11 +147,13 @@ void read_poses(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         fields.report("", "exactly one of file, grid and random is needed");
         return;
     }
-    const std::string unit = fields.word("unit", unit_names()).value_or(spec.unit);
-    const double factor = unit_factor(unit, spec.unit).value_or(1);
+    const std::string unit = fields.word("unit", unit_names()).value_or("");
+    const double factor = unit_factor(unit.empty() ? spec.unit : unit, spec.unit).value_or(1);
     if (file) {
-        spec.poses = read_pose_file(fields, *file, spec.file);
-        std::get<PoseFileSpec>(spec.poses).length_factor = factor;
+        PoseFileSpec poses = read_pose_file(fields, *file, spec.file);
+        poses.length_factor = factor;
+        poses.unit = unit;
+        spec.poses = std::move(poses);
         return;
     }
     for (const std::string_view key : {"quat_order", "of", "rigid_tolerance"}) {
@@ -164,7 +162,9 @@ void read_poses(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         }
     }
     if (grid != nullptr) {
-        spec.poses = scaled(read_grid(*grid, problem), factor);
+        GridSpec poses = read_grid(*grid, problem, factor);
+        poses.unit = unit;
+        spec.poses = std::move(poses);
     } else if (fields.has("unit")) {
         fields.report("unit", "unit belongs to poses from a file or a grid");
     } else {

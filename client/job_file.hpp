@@ -24,6 +24,8 @@ struct BodySpec {
     std::string name;    ///< For people; empty: the file's name.
     std::string up = {}; ///< "y" is turned to z; "z" and empty: taken as it is.
     bool rounds_to_float = false; ///< Coordinates become floats where the file has more digits.
+    /// What the file says, where the job says none; known once it has been read.
+    std::string declared_unit = {};
 };
 
 /// Poses that stand in a file; "-" is standard input.
@@ -33,9 +35,18 @@ struct PoseFileSpec {
     bool of_both_bodies = false; ///< Otherwise the poses are B's in A's frame.
     std::optional<double> rigid_tolerance;
     double length_factor = 1; ///< From the unit of the file's translations to the job's.
+    std::string unit = {};    ///< Of the file's translations; empty: the job's.
 };
 
-using PosesSpec = std::variant<PoseFileSpec, Grid, RandomPoses>;
+/// Poses on a grid, as they are tested and as the job says them.
+struct GridSpec {
+    Grid grid;
+    /// x, y, z, then roll, pitch, yaw in degrees; empty where that is not known.
+    std::vector<GridAxis> axes = {};
+    std::string unit = {}; ///< Of the first three axes; empty: the job's.
+};
+
+using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses>;
 
 /// Part names of A and of B, each with the wildcards of a shell: their pairs are passed over.
 struct IgnoreRule {

@@ -4,6 +4,7 @@
 #include "common/job/tolerance.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace cd {
@@ -38,6 +39,7 @@ Result<PosesSpec> poses_of(const JobOptions& options) {
         const std::string& unit = options.unit.empty() ? JobSpec().unit : options.unit;
         if (!options.poses_unit.empty()) {
             file.length_factor = unit_factor(options.poses_unit, unit).value_or(1);
+            file.unit = options.poses_unit;
         }
         return PosesSpec(std::move(file));
     }
@@ -47,6 +49,9 @@ Result<PosesSpec> poses_of(const JobOptions& options) {
     RandomPoses random;
     random.count = *options.random;
     random.seed = options.seed.value_or(random.seed);
+    if (random.seed > std::numeric_limits<std::int64_t>::max()) {
+        return usage("--seed is at most 9223372036854775807, as in a job file");
+    }
     if (!options.penetration.empty()) {
         random.penetration_min = options.penetration.front();
         random.penetration_max = options.penetration.back();
@@ -101,6 +106,9 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         return allowed;
     }
     replace(spec.limit_pairs, options.limit_pairs);
+    if (spec.limit_pairs > std::numeric_limits<std::uint32_t>::max()) {
+        return usage("--limit-pairs is at most 4294967295, as in a job file");
+    }
     spec.maps = spec.maps || options.maps;
     if (Status allowed = check_maps(spec); !allowed) {
         return allowed;

@@ -22,9 +22,14 @@ std::string name_of(const BodySpec& body) {
     return body.name.empty() ? body.path.filename().string() : body.name;
 }
 
-/// The job's own unit where the body has none.
-const std::string& unit_of(const BodySpec& body, const std::string& job_unit) {
-    return body.unit.empty() ? job_unit : body.unit;
+/// The name of the unit that a file declares, or its length; empty where it declares none.
+std::string declared_unit(const DeclaredFrame& declared) {
+    for (const std::string_view name : unit_names()) {
+        if (unit_factor_of_metres(declared.metres, name) == 1.0) {
+            return std::string(name);
+        }
+    }
+    return declared.metres > 0 ? exact_text(declared.metres) + " m" : "";
 }
 
 Status import_bodies(PreparedJob& job, bool quiet) {
@@ -35,29 +40,26 @@ Status import_bodies(PreparedJob& job, bool quiet) {
         if (job.meshes[i]) {
             continue;
         }
-        const std::string& unit = unit_of(body, job.spec.unit);
         if (i == 1 && body.path == first.path && body.unit == first.unit && body.up == first.up &&
             body.rounds_to_float == first.rounds_to_float) {
             job.meshes[1] = job.meshes[0];
             job.notes[1] = job.notes[0];
+            job.spec.bodies[1].declared_unit = first.declared_unit;
             continue;
         }
-        const auto factor = unit_factor(unit, job.spec.unit);
-        if (!factor) {
-            return Error{ErrorCode::BadInput, "unit \"" + unit + "\" is not known"};
+        const auto options = import_options(job.spec, i);
+        if (!options) {
+            return options.error();
         }
-        ImportOptions options{*factor};
-        options.declared_unit_to = body.unit.empty() ? job.spec.unit : "";
-        options.is_y_up = body.up == "y";
-        options.rounds_to_float = body.rounds_to_float;
-        options.is_stopped = &InterruptGuard::has_come;
         const SlowNote note("reading " + body.path.filename().string() + "...", quiet);
-        auto imported = import_mesh(body.path, options);
+        auto imported = import_mesh(body.path, options.value());
         if (!imported) {
             return imported.error();
         }
         job.meshes[i] = imported.value().mesh;
-        job.notes[i] = import_notes(imported.value(), body.unit, options.is_y_up);
+        job.notes[i] = import_notes(imported.value(), body.unit, options.value().is_y_up);
+        job.spec.bodies[i].declared_unit =
+            body.unit.empty() ? declared_unit(imported.value().declared) : "";
         for (const std::string& warning : imported.value().warnings) {
             job.warnings.push_back("warning: " + warning);
         }
@@ -101,7 +103,7 @@ std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& ze
         return "random, seed " + std::to_string(random->seed) + ", penetration " +
                exact_text(random->penetration_min) + " to " + exact_text(random->penetration_max);
     }
-    const Grid& grid = std::get<Grid>(spec);
+    const Grid& grid = std::get<GridSpec>(spec).grid;
     constexpr std::array<const char*, 3> positions{"x", "y", "z"};
     constexpr std::array<const char*, 3> angles{"roll", "pitch", "yaw"};
     std::string text = "grid";
@@ -120,9 +122,9 @@ std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& ze
 }
 
 Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
-    if (const auto* grid = std::get_if<Grid>(&job.spec.poses)) {
-        job.grid = *grid;
-        job.poses = make_grid_source(*grid);
+    if (const auto* spec = std::get_if<GridSpec>(&job.spec.poses)) {
+        job.grid = spec->grid;
+        job.poses = make_grid_source(spec->grid);
         return Done{};
     }
     if (const auto* random = std::get_if<RandomPoses>(&job.spec.poses)) {
@@ -203,6 +205,21 @@ Result<PreparedJob> prepare_job(
     }
     describe(job);
     return job;
+}
+
+Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body) {
+    const BodySpec& given = spec.bodies[body];
+    const std::string& unit = given.unit.empty() ? spec.unit : given.unit;
+    const auto factor = unit_factor(unit, spec.unit);
+    if (!factor) {
+        return Error{ErrorCode::BadInput, "unit \"" + unit + "\" is not known"};
+    }
+    ImportOptions options{*factor};
+    options.declared_unit_to = given.unit.empty() ? spec.unit : "";
+    options.is_y_up = given.up == "y";
+    options.rounds_to_float = given.rounds_to_float;
+    options.is_stopped = &InterruptGuard::has_come;
+    return options;
 }
 
 std::string export_name(const JobSpec& spec, std::size_t body) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/export/result_writer.hpp"
+#include "client/import/imported_mesh.hpp"
 #include "client/job_file.hpp"
 #include "client/report.hpp"
 #include "client/tree_cache.hpp"
@@ -54,6 +55,9 @@ struct JobInputs {
                                               ThreadPool& pool,
                                               bool quiet = true,
                                               JobInputs given = {});
+
+/// How the file of a body is read. Errors: BadInput for a unit that is not known.
+[[nodiscard]] Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body);
 
 /// The name of a body for exports: what the job calls it, or "a" and "b".
 [[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);

@@ -159,6 +159,9 @@ void put_body(ByteWriter& out, const JobBody& body) {
     out.put_text(body.name);
     out.put_text(body.file);
     out.put_text(body.unit);
+    out.put(body.is_unit_given);
+    out.put_text(body.up);
+    out.put(body.rounds_to_float);
 }
 
 JobBody get_body(ByteReader& in) {
@@ -167,6 +170,9 @@ JobBody get_body(ByteReader& in) {
     body.name = in.get_text();
     body.file = in.get_text();
     body.unit = in.get_text();
+    body.is_unit_given = in.get<std::uint8_t>() != 0;
+    body.up = in.get_text();
+    body.rounds_to_float = in.get<std::uint8_t>() != 0;
     return body;
 }
 
@@ -184,6 +190,13 @@ void put_origin(ByteWriter& out, const PosesOrigin& origin) {
     put_optional(out, origin.rigid_tolerance);
     put_enumeration(out, origin.labels.ids);
     out.put(origin.labels.has_times);
+    out.put_text(origin.unit);
+    out.put(std::uint64_t{origin.axes.size()});
+    for (const GridAxis& axis : origin.axes) {
+        out.put(axis.first);
+        out.put(axis.last);
+        out.put(axis.count);
+    }
 }
 
 bool get_origin(ByteReader& in, PosesOrigin& origin) {
@@ -203,6 +216,18 @@ bool get_origin(ByteReader& in, PosesOrigin& origin) {
     origin.rigid_tolerance = get_optional<double>(in);
     const bool are_ids = get_enumeration(in, origin.labels.ids, IdKind::Text);
     origin.labels.has_times = in.get<std::uint8_t>() != 0;
+    origin.unit = in.get_text();
+    const auto axes = in.get<std::uint64_t>();
+    if (!may_hold(in, axes, sizeof(GridAxis))) {
+        return false;
+    }
+    for (std::uint64_t i = 0; i < axes; ++i) {
+        GridAxis axis;
+        axis.first = in.get<double>();
+        axis.last = in.get<double>();
+        axis.count = in.get<std::uint64_t>();
+        origin.axes.push_back(axis);
+    }
     return is_kind && are_ids;
 }
 
@@ -230,6 +255,11 @@ Bytes encode_job(const JobRecord& job) {
     if (submit.grid) {
         out.put(std::uint64_t{submit.grid->size()});
         put_bytes(out, *submit.grid);
+    }
+    out.put(std::uint64_t{submit.ignore.size()});
+    for (const IgnoreLine& line : submit.ignore) {
+        out.put_text(line.a);
+        out.put_text(line.b);
     }
     return out.take();
 }
@@ -259,6 +289,14 @@ Result<JobRecord> decode_job(std::span<const std::byte> bytes) {
     if (in.get<std::uint8_t>() != 0) {
         const auto grid = in.get_bytes(in.get<std::uint64_t>());
         job.submit.grid.emplace(grid.begin(), grid.end());
+    }
+    const auto lines = in.get<std::uint64_t>();
+    if (!may_hold(in, lines, 2)) {
+        return damaged_row("a job");
+    }
+    for (std::uint64_t i = 0; i < lines; ++i) {
+        std::string a = in.get_text();
+        job.submit.ignore.push_back({std::move(a), in.get_text()});
     }
     if (!in.complete()) {
         return damaged_row("a job");

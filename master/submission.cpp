@@ -50,12 +50,28 @@ Status check_text(const std::string& what, const std::string& text, std::size_t 
     return is_printable(text) ? Status(Done{}) : Status(bad(what + " is not printable"));
 }
 
+constexpr std::size_t grid_axes = 6;
+
+/// What is for people alone.
+Status check_origin(const Submit& submit) {
+    if (submit.ignore.size() > limits::ignored_ranges_max) {
+        return Error{ErrorCode::TooLarge,
+                     std::to_string(submit.ignore.size()) + " lines of ignored parts; at most " +
+                         std::to_string(limits::ignored_ranges_max) + " are taken"};
+    }
+    if (!submit.poses.axes.empty() && submit.poses.axes.size() != grid_axes) {
+        return bad("a grid has six axes, not " + std::to_string(submit.poses.axes.size()));
+    }
+    return Done{};
+}
+
 Status check_texts(const Submit& submit) {
     constexpr std::size_t text_max = limits::hello_text_bytes_max;
     for (const JobBody& body : submit.bodies) {
         for (const Status& status : {check_text("a body's name", body.name, text_max),
                                      check_text("a body's file", body.file, limits::path_bytes_max),
-                                     check_text("a body's unit", body.unit, text_max)}) {
+                                     check_text("a body's unit", body.unit, text_max),
+                                     check_text("a body's up axis", body.up, text_max)}) {
             if (!status) {
                 return status;
             }
@@ -65,9 +81,19 @@ Status check_texts(const Submit& submit) {
          {check_text("the job's name", submit.name, text_max),
           check_text("the job's unit", submit.unit, text_max),
           check_text("the file of poses", submit.poses.file, limits::path_bytes_max),
-          check_text("the order of quaternions", submit.poses.quat_order, text_max)}) {
+          check_text("the order of quaternions", submit.poses.quat_order, text_max),
+          check_text("the unit of the poses", submit.poses.unit, text_max)}) {
         if (!status) {
             return status;
+        }
+    }
+    for (const IgnoreLine& line : submit.ignore) {
+        for (const std::string* text : {&line.a, &line.b}) {
+            if (Status good =
+                    check_text("a pattern of ignored parts", *text, limits::path_bytes_max);
+                !good) {
+                return good;
+            }
         }
     }
     return Done{};
@@ -81,6 +107,9 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     }
     if (const Status texts = check_texts(submit); !texts) {
         return texts;
+    }
+    if (const Status origin = check_origin(submit); !origin) {
+        return origin;
     }
     if (submit.priority != 0) {
         return bad("the priority is " + std::to_string(submit.priority) +
@@ -138,8 +167,12 @@ std::vector<Sha256> meshes_of(const Submit& submit) {
 }
 
 std::uint64_t bulk_bytes(const Submit& submit) {
-    return (submit.grid ? submit.grid->size() : 0) +
-           submit.query.ignored.size() * sizeof(IgnoredRange);
+    std::uint64_t bytes = (submit.grid ? submit.grid->size() : 0) +
+                          submit.query.ignored.size() * sizeof(IgnoredRange);
+    for (const IgnoreLine& line : submit.ignore) {
+        bytes += line.a.size() + line.b.size();
+    }
+    return bytes;
 }
 
 std::uint64_t bulk_bytes(const PosesPart& part) {
@@ -154,6 +187,7 @@ std::uint64_t bulk_bytes(const PosesPart& part) {
 
 bool drop_bulk(Submit& submit) {
     bool is_dropped = !std::exchange(submit.query.ignored, {}).empty();
+    submit.ignore = {};
     if (submit.grid && submit.grid->size() > limits::ended_grid_bytes_max) {
         submit.grid = Bytes();
         is_dropped = true;

@@ -6,6 +6,7 @@
 #include "common/core/id.hpp"
 #include "common/job/merge.hpp"
 #include "common/job/pose_labels.hpp"
+#include "common/job/pose_source.hpp"
 #include "common/job/query.hpp"
 #include "common/job/random_poses.hpp"
 #include "common/job/statistics.hpp"
@@ -48,6 +49,10 @@ struct JobBody {
     std::string name = {}; ///< "a" and "b", unless the job says others.
     std::string file = {}; ///< For people: where the mesh was read.
     std::string unit = {}; ///< Of the file's coordinates.
+    /// The job says the unit; otherwise it is what the file declares, or else the job's own.
+    bool is_unit_given = false;
+    std::string up = {};          ///< "y" was turned to z; "z" and empty: taken as it is.
+    bool rounds_to_float = false; ///< Coordinates became floats.
 
     friend bool operator==(const JobBody&, const JobBody&) = default;
 };
@@ -63,8 +68,21 @@ struct PosesOrigin {
     bool of_both_bodies = false;
     std::optional<double> rigid_tolerance = {};
     LabelColumns labels = {}; ///< That follow with the poses.
+    /// Of the file's translations, or of the grid's positions; empty: the job's unit.
+    std::string unit = {};
+    /// Of kind Grid, as the job says them: x, y, z, then roll, pitch, yaw in degrees. Empty where
+    /// that is not known.
+    std::vector<GridAxis> axes = {};
 
     friend bool operator==(const PosesOrigin&, const PosesOrigin&) = default;
+};
+
+/// Patterns of part names of A and of B, as the job says them; their pairs are passed over.
+struct IgnoreLine {
+    std::string a;
+    std::string b;
+
+    friend bool operator==(const IgnoreLine&, const IgnoreLine&) = default;
 };
 
 /// A new job. With a grid it is complete and answered by Accepted; otherwise poses follow in
@@ -83,6 +101,7 @@ struct Submit {
     /// Seconds for which the job is kept after its end; 0, or more than the master keeps any job:
     /// as long as the master keeps jobs.
     std::uint64_t retention_seconds = 0;
+    std::vector<IgnoreLine> ignore = {}; ///< Of which `query.ignored` came; for people.
 };
 
 /// The next scenarios in order.

@@ -254,7 +254,7 @@ void serialize(Archive& archive, ClusterOptions& o) {
 
 template <class Archive>
 void serialize(Archive& archive, JobBody& b) {
-    archive(b.mesh, b.name, b.file, b.unit);
+    archive(b.mesh, b.name, b.file, b.unit, b.is_unit_given, b.up, b.rounds_to_float);
 }
 
 template <class Archive>
@@ -274,15 +274,26 @@ void serialize(Archive& archive, PoseLabels& l) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, GridAxis& a) {
+    archive(a.first, a.last, a.count);
+}
+
+template <class Archive>
 void serialize(Archive& archive, PosesOrigin& o) {
     enumeration(archive, o.kind, PosesKind::Grid, PosesKind::Random);
     archive(o.random, o.file, o.quat_order, o.of_both_bodies, o.rigid_tolerance, o.labels);
+    archive(o.unit, o.axes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, IgnoreLine& l) {
+    archive(l.a, l.b);
 }
 
 template <class Archive>
 void serialize(Archive& archive, Submit& m) {
     archive(m.name, m.unit, m.owner, m.priority, m.bodies, m.query, m.cluster, m.poses);
-    archive(m.scenarios, m.grid, m.retention_seconds);
+    archive(m.scenarios, m.grid, m.retention_seconds, m.ignore);
 }
 
 template <class Archive>

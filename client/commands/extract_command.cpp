@@ -87,9 +87,13 @@ int execute(const ExtractCommand& command) {
     }
     ThreadPool pool(command.threads);
     TreeCache cache(tree_cache_folder(command.tree_cache));
+    auto spec = run.spec();
+    if (!spec) {
+        return fail(spec.error());
+    }
     auto job = prepare_again(run.manifest(),
                              std::move(at_hand.value().inputs),
-                             spec_of(run.manifest()),
+                             std::move(spec.value()),
                              Trees::ForPosesOnly,
                              cache,
                              pool);

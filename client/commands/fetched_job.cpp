@@ -1,9 +1,9 @@
 #include "client/commands/fetched_job.hpp"
 
 #include "client/export/result_sink.hpp"
+#include "client/submission.hpp"
 #include "client/words.hpp"
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -32,42 +32,6 @@ class RemotePoses final : public PoseSource {
     JobId job_;
     std::uint64_t count_;
 };
-
-PosesSpec poses_spec_of(const PosesOrigin& origin) {
-    if (origin.random) {
-        return *origin.random;
-    }
-    return PoseFileSpec{
-        origin.file, origin.quat_order, origin.of_both_bodies, origin.rigid_tolerance};
-}
-
-JobSpec spec_of(const Submit& submit) {
-    constexpr std::array<std::string_view, 2> keys{"a", "b"};
-    JobSpec spec;
-    spec.name = submit.name;
-    spec.unit = submit.unit;
-    for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
-        const JobBody& body = submit.bodies.at(i);
-        spec.bodies[i] = {body.file, body.unit, body.name == keys[i] ? "" : body.name};
-    }
-    spec.poses = poses_spec_of(submit.poses);
-    spec.level = submit.query.level;
-    spec.tolerance = submit.query.tolerance;
-    spec.limit_pairs = submit.query.limit_pairs;
-    spec.maps = submit.query.maps;
-    return spec;
-}
-
-Result<std::unique_ptr<PoseSource>>
-poses_of(Connection& connection, JobId job, const Submit& submit) {
-    if (!submit.grid) {
-        return std::unique_ptr<PoseSource>(
-            std::make_unique<RemotePoses>(connection, job, submit.scenarios));
-    }
-    const auto grid = decode_grid(*submit.grid);
-    return grid ? Result<std::unique_ptr<PoseSource>>(make_grid_source(grid.value()))
-                : grid.error();
-}
 
 Status fetch_meshes(Connection& connection, const Submit& submit, JobInputs& inputs) {
     for (std::size_t i = 0; i < inputs.meshes.size(); ++i) {
@@ -124,23 +88,22 @@ Status FetchedJob::prepare() {
         return described.error();
     }
     const Submit& submit = described.value().submit;
-    if (submit.bodies.size() != 2) {
-        return Error{ErrorCode::BadFrame, "the job has other than two bodies"};
+    auto spec = spec_of(submit);
+    if (!spec) {
+        return spec.error();
     }
     JobInputs inputs;
     if (Status fetched = fetch_meshes(*connection_, submit, inputs); !fetched) {
         return fetched;
     }
-    auto poses = poses_of(*connection_, id, submit);
-    if (!poses) {
-        return poses.error();
+    if (!submit.grid) {
+        inputs.poses = std::make_unique<RemotePoses>(*connection_, id, submit.scenarios);
     }
-    inputs.poses = std::move(poses.value());
     inputs.ignored = submit.query.ignored;
     ThreadPool pool(1);
     TreeCache cache{std::filesystem::path()};
-    auto job =
-        prepare_job(spec_of(submit), Trees::ForPosesOnly, cache, pool, true, std::move(inputs));
+    auto job = prepare_job(
+        std::move(spec.value()), Trees::ForPosesOnly, cache, pool, true, std::move(inputs));
     if (!job) {
         return job.error();
     }

@@ -5,10 +5,10 @@
 #include "client/job_id.hpp"
 #include "client/membership.hpp"
 #include "client/slow_note.hpp"
+#include "client/submission.hpp"
 #include "client/waiting_note.hpp"
 #include "client/words.hpp"
 #include "common/core/limits_client.hpp"
-#include "common/core/printable.hpp"
 #include "common/job/packed_map.hpp"
 
 #include <algorithm>
@@ -34,46 +34,6 @@ std::string mesh_name(const ClusterStatus& status, const Sha256& mesh) {
 bool is_of_the_network(const Error& error) {
     return error.code == ErrorCode::Disconnected || error.code == ErrorCode::Timeout ||
            error.code == ErrorCode::BadFrame;
-}
-
-PosesOrigin origin_of(const PosesSpec& spec) {
-    PosesOrigin origin;
-    if (std::holds_alternative<Grid>(spec)) {
-        origin.kind = PosesKind::Grid;
-    } else if (const auto* random = std::get_if<RandomPoses>(&spec)) {
-        origin.kind = PosesKind::Random;
-        origin.random = *random;
-    } else {
-        const auto& file = std::get<PoseFileSpec>(spec);
-        origin.file = escaped(file.path.string());
-        origin.quat_order = file.quat_order;
-        origin.of_both_bodies = file.of_both_bodies;
-        origin.rigid_tolerance = file.rigid_tolerance;
-    }
-    return origin;
-}
-
-/// What the master is told of the job. Names may be those of files, so they are escaped.
-Submit submission(const PreparedJob& job) {
-    constexpr std::array<const char*, 2> names{"a", "b"};
-    Submit submit;
-    submit.name = escaped(job.spec.name);
-    submit.unit = job.spec.unit;
-    for (std::size_t body = 0; body < names.size(); ++body) {
-        const BodySpec& spec = job.spec.bodies[body];
-        submit.bodies.push_back({job.meshes[body]->hash(),
-                                 spec.name.empty() ? names[body] : escaped(spec.name),
-                                 escaped(spec.path.string()),
-                                 spec.unit.empty() ? job.spec.unit : spec.unit});
-    }
-    submit.query = job.query;
-    submit.cluster = job.spec.cluster;
-    submit.poses = origin_of(job.spec.poses);
-    submit.scenarios = job.poses->count();
-    if (job.grid) {
-        submit.grid = encode_grid(*job.grid);
-    }
-    return submit;
 }
 
 Result<std::unique_ptr<Connection>> open_again(const MasterOptions& master) {
@@ -140,7 +100,7 @@ Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
     if (!uploaded) {
         return uploaded.error();
     }
-    Submit submit = submission(job);
+    Submit submit = submission_of(job);
     if (!job.grid) {
         const SlowNote note("  sending " + counted(submit.scenarios, "pose") + "...", quiet);
         return connection.submit(std::move(submit), *job.poses);

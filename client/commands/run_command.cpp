@@ -202,11 +202,14 @@ Result<AskedJob> asked_job(const JobOptions& options) {
     if (!run) {
         return run.error();
     }
-    JobSpec spec = spec_of(run.value().manifest());
-    if (Status applied = apply(options, spec); !applied) {
+    auto spec = run.value().spec();
+    if (!spec) {
+        return spec.error();
+    }
+    if (Status applied = apply(options, spec.value()); !applied) {
         return applied.error();
     }
-    return AskedJob{std::move(spec), std::move(run.value())};
+    return AskedJob{std::move(spec.value()), std::move(run.value())};
 }
 
 Result<PreparedJob>

@@ -102,9 +102,13 @@ int execute(const VerifyCommand& command) {
     OpenedRun& run = at_hand.value().run;
     ThreadPool pool(command.threads);
     TreeCache cache(tree_cache_folder(command.tree_cache));
+    auto spec = run.spec();
+    if (!spec) {
+        return fail(spec.error());
+    }
     auto job = prepare_again(run.manifest(),
                              std::move(at_hand.value().inputs),
-                             spec_of(run.manifest()),
+                             std::move(spec.value()),
                              Trees::Always,
                              cache,
                              pool);

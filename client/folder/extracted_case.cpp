@@ -295,20 +295,22 @@ Status write_ids(const fs::path& path, const std::array<CaseBody, 2>& bodies) {
 
 std::string
 case_job_text(const PreparedJob& job, const CaseScenarios& given, const PoseColumns& columns) {
-    RunManifest manifest;
-    manifest.name = job.spec.name + " scenario " + std::to_string(given.results.front().index);
+    JobSpec spec;
+    spec.name = job.spec.name + " scenario " + std::to_string(given.results.front().index);
     if (given.results.size() > 1) {
-        manifest.name += " to " + std::to_string(given.results.back().index);
+        spec.name += " to " + std::to_string(given.results.back().index);
     }
-    manifest.unit = job.spec.unit;
-    for (const char* name : body_names) {
-        manifest.bodies.push_back({name, std::string(name) + ".npz", "", {}, {}});
+    spec.unit = job.spec.unit;
+    for (std::size_t i = 0; i < body_names.size(); ++i) {
+        spec.bodies[i].path = std::string(body_names[i]) + ".npz";
     }
-    manifest.poses.file = "poses.csv";
-    manifest.poses.of_both_bodies = columns.of_both_bodies;
-    manifest.poses.rigid_tolerance = 1; // The run has taken them as they are.
-    manifest.query = job.query;
-    return job_text(manifest);
+    constexpr double rigid_tolerance = 1; // The run has taken the poses as they are.
+    spec.poses = PoseFileSpec{"poses.csv", "", columns.of_both_bodies, rigid_tolerance};
+    spec.level = job.query.level;
+    spec.tolerance = job.query.tolerance;
+    spec.limit_pairs = job.query.limit_pairs;
+    spec.maps = job.query.maps;
+    return job_text(spec);
 }
 
 std::string expected_text(std::vector<ScenarioResult> results) {

@@ -1,7 +1,9 @@
 #include "client/folder/folder_run.hpp"
 
 #include "client/export/output_file.hpp"
+#include "client/folder/job_text.hpp"
 #include "client/interrupt.hpp"
+#include "client/submission.hpp"
 #include "client/words.hpp"
 #include "common/core/version.hpp"
 #include "common/job/poses_hash.hpp"
@@ -43,7 +45,7 @@ ManifestPoses poses_of(const PreparedJob& job) {
         poses.quat_order = file->quat_order;
         poses.of_both_bodies = file->of_both_bodies;
         poses.rigid_tolerance = file->rigid_tolerance;
-        poses.length_factor = file->length_factor;
+        poses.unit = file->unit.empty() ? job.spec.unit : file->unit;
     }
     return poses;
 }
@@ -77,13 +79,12 @@ Result<RunManifest> manifest_of(const PreparedJob& job) {
     manifest.started = utc_now();
     manifest.name = job.spec.name;
     manifest.unit = job.spec.unit;
+    JobSpec spec = job.spec;
+    make_paths_absolute(spec);
+    spec.output.dir = "."; // Where run.json stands.
+    manifest.job = job_text(spec);
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
-        const BodySpec& spec = job.spec.bodies[i];
-        ManifestBody body{export_name(job.spec, i),
-                          absolute_path(spec.path),
-                          spec.unit.empty() ? job.spec.unit : spec.unit,
-                          job.meshes[i]->hash(),
-                          {}};
+        ManifestBody body{body_of(spec, i, job.meshes[i]->hash())};
         for (const Part& part : job.meshes[i]->parts()) {
             body.parts.push_back(part.name);
         }

@@ -3,6 +3,7 @@
 #include "client/words.hpp"
 
 #include <array>
+#include <variant>
 
 namespace cd {
 
@@ -12,42 +13,107 @@ std::string line(std::string_view key, const std::string& value) {
     return std::string(key) + " = " + value + "\n";
 }
 
-std::string body_text(const ManifestBody& body, std::string_view key) {
-    std::string text = "\n[" + std::string(key) + "]\n" + line("mesh", toml_quoted(body.file));
-    text += body.unit.empty() ? "" : line("unit", toml_quoted(body.unit));
-    return text + (body.name == key ? "" : line("name", toml_quoted(body.name)));
+/// A number that is a float to TOML where it is too large for its integers.
+std::string number(double value) {
+    constexpr std::size_t integer_digits = 15;
+    const std::string text = exact_text(value);
+    const bool is_whole = text.find_first_of(".e") == std::string::npos;
+    return is_whole && text.size() > integer_digits ? text + ".0" : text;
 }
 
-std::string poses_text(const ManifestPoses& poses) {
-    std::string text = "\n[poses]\n";
-    if (poses.kind == PosesKind::Grid) {
-        return text + "# a grid of " + std::to_string(poses.count) + " poses\n";
+template <class Range, class Write>
+std::string list(const Range& range, const Write& write) {
+    std::string text;
+    for (const auto& each : range) {
+        text += (text.empty() ? "" : ", ") + write(each);
     }
-    if (poses.random) {
-        return text + "random = { n = " + std::to_string(poses.count) +
-               ", seed = " + std::to_string(poses.random->seed) + ", penetration = [" +
-               exact_text(poses.random->penetration_min) + ", " +
-               exact_text(poses.random->penetration_max) + "] }\n";
+    return "[" + text + "]";
+}
+
+std::string body_text(const BodySpec& body, std::string_view key) {
+    std::string text =
+        "\n[" + std::string(key) + "]\n" + line("mesh", toml_quoted(body.path.string()));
+    text += body.unit.empty() ? "" : line("unit", toml_quoted(body.unit));
+    text += body.name.empty() ? "" : line("name", toml_quoted(body.name));
+    text += body.up.empty() ? "" : line("up", toml_quoted(body.up));
+    return text + (body.rounds_to_float ? line("precision", toml_quoted("float")) : "");
+}
+
+std::string poses_text(const RandomPoses& random) {
+    return line("random",
+                "{ n = " + std::to_string(random.count) +
+                    ", seed = " + std::to_string(random.seed) + ", penetration = [" +
+                    number(random.penetration_min) + ", " + number(random.penetration_max) + "] }");
+}
+
+std::string poses_text(const GridSpec& grid) {
+    constexpr std::array<std::string_view, 6> keys{
+        "x", "y", "z", "roll_deg", "pitch_deg", "yaw_deg"};
+    if (grid.axes.size() != keys.size()) {
+        return "# a grid of " + std::to_string(grid.grid.count()) + " poses\n";
     }
-    text += line("file", toml_quoted(poses.file));
+    std::string axes;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const GridAxis& axis = grid.axes[i];
+        if (axis != GridAxis{}) {
+            axes += (axes.empty() ? " " : ", ") + std::string(keys[i]) + " = [" +
+                    number(axis.first) + ", " + number(axis.last) + ", " +
+                    std::to_string(axis.count) + "]";
+        }
+    }
+    return line("grid", "{" + axes + " }") +
+           (grid.unit.empty() ? "" : line("unit", toml_quoted(grid.unit)));
+}
+
+std::string poses_text(const PoseFileSpec& poses) {
+    std::string text = line("file", toml_quoted(poses.path.string()));
+    text += poses.unit.empty() ? "" : line("unit", toml_quoted(poses.unit));
     text += poses.quat_order.empty() ? "" : line("quat_order", toml_quoted(poses.quat_order));
     text += poses.of_both_bodies ? line("of", toml_quoted("both")) : "";
-    return text + (poses.rigid_tolerance
-                       ? line("rigid_tolerance", exact_text(*poses.rigid_tolerance))
-                       : "");
+    return text +
+           (poses.rigid_tolerance ? line("rigid_tolerance", number(*poses.rigid_tolerance)) : "");
 }
 
-std::string query_text(const Query& query) {
-    std::string text = "\n[query]\n" + line("level", toml_quoted(to_text(query.level)));
-    text += query.tolerance > 0 ? line("tolerance", exact_text(query.tolerance)) : "";
-    text += query.limit_pairs > 0 ? line("limit_pairs", std::to_string(query.limit_pairs)) : "";
-    text += query.maps ? line("maps", "true") : "";
-    for (const IgnoredRange& range : query.ignored) {
-        text += "# passed over: triangles " + std::to_string(range.a_begin) + " to " +
-                std::to_string(range.a_end - 1) + " of a with " + std::to_string(range.b_begin) +
-                " to " + std::to_string(range.b_end - 1) + " of b\n";
+std::string query_text(const JobSpec& spec) {
+    std::string text = "\n[query]\n" + line("level", toml_quoted(to_text(spec.level)));
+    text += spec.tolerance > 0 ? line("tolerance", number(spec.tolerance)) : "";
+    text += spec.limit_pairs > 0 ? line("limit_pairs", std::to_string(spec.limit_pairs)) : "";
+    text += spec.maps ? line("maps", "true") : "";
+    if (!spec.ignore.empty()) {
+        text += line("ignore", list(spec.ignore, [](const IgnoreRule& rule) {
+                         return "[" + toml_quoted(rule.a) + ", " + toml_quoted(rule.b) + "]";
+                     }));
     }
     return text;
+}
+
+std::string output_text(const OutputSpec& output) {
+    return "\n[output]\n" + line("dir", toml_quoted(output.dir.string())) +
+           line("formats", list(output.formats, toml_quoted));
+}
+
+std::string cluster_text(const ClusterOptions& options) {
+    const ClusterOptions usual;
+    const auto depth = [&](std::size_t body) {
+        const auto given = options.depth(body);
+        return given ? std::to_string(*given) : toml_quoted("auto");
+    };
+    std::string text;
+    if (options.strategy != usual.strategy) {
+        text += line("strategy", toml_quoted(to_text(options.strategy)));
+    }
+    if (options.depth(0) || options.depth(1)) {
+        text += line("depth", "{ a = " + depth(0) + ", b = " + depth(1) + " }");
+    }
+    text += options.q == usual.q ? "" : line("q", std::to_string(options.q));
+    text += options.v_kb == usual.v_kb ? "" : line("v_kb", std::to_string(options.v_kb));
+    text += options.claim ? line("claim", "true") : "";
+    text += options.seed == usual.seed ? "" : line("seed", std::to_string(options.seed));
+    if (options.analysis != usual.analysis) {
+        text += line("analysis", toml_quoted(to_text(options.analysis)));
+    }
+    text += options.hints ? "" : line("hints", "false");
+    return text.empty() ? text : "\n[cluster]\n" + text;
 }
 
 } // namespace
@@ -68,14 +134,12 @@ std::string toml_quoted(std::string_view text) {
     return quoted + "\"";
 }
 
-std::string job_text(const RunManifest& manifest) {
-    constexpr std::array<std::string_view, 2> keys{"a", "b"};
-    std::string text = line("name", toml_quoted(manifest.name));
-    text += line("unit", toml_quoted(manifest.unit));
-    for (std::size_t i = 0; i < keys.size() && i < manifest.bodies.size(); ++i) {
-        text += body_text(manifest.bodies[i], keys[i]);
-    }
-    return text + poses_text(manifest.poses) + query_text(manifest.query);
+std::string job_text(const JobSpec& spec) {
+    std::string text = line("name", toml_quoted(spec.name)) + line("unit", toml_quoted(spec.unit));
+    text += body_text(spec.bodies[0], "a") + body_text(spec.bodies[1], "b") + "\n[poses]\n";
+    text += std::visit([](const auto& poses) { return poses_text(poses); }, spec.poses);
+    return text + query_text(spec) + (spec.output.dir.empty() ? "" : output_text(spec.output)) +
+           cluster_text(spec.cluster);
 }
 
 } // namespace cd

@@ -4,12 +4,10 @@
 #include "client/folder/run_recorder.hpp"
 #include "client/import/mesh_import.hpp"
 #include "client/interrupt.hpp"
-#include "client/units.hpp"
 #include "client/words.hpp"
 #include "common/job/poses_hash.hpp"
 #include "common/job/scenario_file.hpp"
 
-#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -18,8 +16,6 @@ namespace cd {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::string_view, 2> body_keys{"a", "b"};
 
 Error no_run(const fs::path& dir) {
     if (const auto unfinished = read_run_json(dir / ".part" / "run.json")) {
@@ -60,36 +56,20 @@ Error changed(const std::string& file) {
                    "or run the job anew"};
 }
 
-Result<std::shared_ptr<const Mesh>> import_again(const ManifestBody& body,
-                                                 const std::string& unit) {
-    const auto factor = unit_factor(body.unit, unit);
-    if (!factor) {
-        return Error{ErrorCode::BadInput, "run.json: unit \"" + body.unit + "\" is not known"};
+/// Errors: those of `import_mesh`; BadInput where the mesh is another one.
+Result<std::shared_ptr<const Mesh>>
+import_again(const JobSpec& spec, std::size_t body, const Sha256& expected) {
+    const auto options = import_options(spec, body);
+    if (!options) {
+        return options.error();
     }
-    ImportOptions options{*factor};
-    options.is_stopped = &InterruptGuard::has_come;
-    auto imported = import_mesh(body.file, options);
+    const std::string file = spec.bodies[body].path.string();
+    auto imported = import_mesh(file, options.value());
     if (!imported) {
         return imported.error();
     }
-    if (imported.value().mesh->hash() != body.mesh) {
-        return changed(body.file);
-    }
-    return imported.value().mesh;
-}
-
-PosesSpec poses_spec_of(const ManifestPoses& poses) {
-    if (poses.grid) {
-        return *poses.grid;
-    }
-    if (poses.random) {
-        return *poses.random;
-    }
-    return PoseFileSpec{poses.file,
-                        poses.quat_order,
-                        poses.of_both_bodies,
-                        poses.rigid_tolerance,
-                        poses.length_factor};
+    return imported.value().mesh->hash() == expected ? Result(imported.value().mesh)
+                                                     : changed(file);
 }
 
 } // namespace
@@ -112,12 +92,28 @@ Result<OpenedRun> OpenedRun::open(const fs::path& dir) {
     return OpenedRun(dir, std::move(manifest.value()), std::move(records.value()));
 }
 
+Result<JobSpec> OpenedRun::spec() const {
+    auto spec = parse_job(manifest_.job, dir_ / "run.json");
+    if (!spec) {
+        return spec;
+    }
+    spec.value().output.dir.clear();
+    for (std::size_t i = 0; i < spec.value().bodies.size(); ++i) {
+        const ManifestBody& body = manifest_.bodies[i];
+        spec.value().bodies[i].declared_unit = body.is_unit_given ? "" : body.unit;
+    }
+    return spec;
+}
+
 Result<std::shared_ptr<const Mesh>> OpenedRun::mesh(std::size_t body) const {
     const ManifestBody& wanted = manifest_.bodies[body];
     const fs::path kept = mesh_path(dir_, wanted.mesh);
     std::error_code error;
-    return fs::exists(kept, error) ? read_kept_mesh(kept, wanted.mesh)
-                                   : import_again(wanted, manifest_.unit);
+    if (fs::exists(kept, error)) {
+        return read_kept_mesh(kept, wanted.mesh);
+    }
+    const auto job = spec();
+    return job ? import_again(job.value(), body, wanted.mesh) : job.error();
 }
 
 Result<std::unique_ptr<PoseSource>> OpenedRun::kept_poses() const {
@@ -154,22 +150,6 @@ bool holds_only_a_summary(const fs::path& dir) {
 bool is_folder(const std::string& argument) {
     std::error_code error;
     return fs::is_directory(argument, error);
-}
-
-JobSpec spec_of(const RunManifest& manifest) {
-    JobSpec spec;
-    spec.name = manifest.name;
-    spec.unit = manifest.unit;
-    for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
-        const ManifestBody& body = manifest.bodies[i];
-        spec.bodies[i] = {body.file, body.unit, body.name == body_keys[i] ? "" : body.name};
-    }
-    spec.poses = poses_spec_of(manifest.poses);
-    spec.level = manifest.query.level;
-    spec.tolerance = manifest.query.tolerance;
-    spec.limit_pairs = manifest.query.limit_pairs;
-    spec.maps = manifest.query.maps;
-    return spec;
 }
 
 Result<JobInputs> read_inputs(const OpenedRun& run) {

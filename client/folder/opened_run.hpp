@@ -28,6 +28,9 @@ class OpenedRun {
     [[nodiscard]] const RecordFile& records() const { return records_; }
     [[nodiscard]] RecordFile& records() { return records_; }
 
+    /// The job as its job file would give it, without an output folder. Errors: BadInput where
+    /// run.json has a job that no job file can say.
+    [[nodiscard]] Result<JobSpec> spec() const;
     /// The mesh of a body as it was tested: the one that is kept, or else that of the file which
     /// run.json names. Errors: NotFound, Io; BadInput where the file has changed since.
     [[nodiscard]] Result<std::shared_ptr<const Mesh>> mesh(std::size_t body) const;
@@ -51,15 +54,12 @@ class OpenedRun {
 /// Whether an argument that may be a job's id is a folder instead.
 [[nodiscard]] bool is_folder(const std::string& argument);
 
-/// The job of a run as its job file would give it, without an output folder.
-[[nodiscard]] JobSpec spec_of(const RunManifest& manifest);
-
 /// What the run was asked of: its meshes, the poses where they are kept, and what is ignored. Does
 /// not need the folder's files any more. Errors: those of `OpenedRun`.
 [[nodiscard]] Result<JobInputs> read_inputs(const OpenedRun& run);
 
-/// The job, ready to be run again: `spec` is `spec_of` the run's manifest, perhaps changed. Errors:
-/// those of `prepare_job`; BadInput naming a pose file that has changed; Interrupted.
+/// The job, ready to be run again: `spec` is that of the run, perhaps changed. Errors: those of
+/// `prepare_job`; BadInput naming a pose file that has changed; Interrupted.
 [[nodiscard]] Result<PreparedJob> prepare_again(const RunManifest& manifest,
                                                 JobInputs inputs,
                                                 JobSpec spec,

@@ -1,6 +1,5 @@
 #include "client/folder/run_manifest.hpp"
 
-#include "client/folder/job_text.hpp"
 #include "common/core/limits.hpp"
 
 #include <nlohmann/json.hpp>
@@ -69,7 +68,7 @@ Json poses_json(const ManifestPoses& poses) {
         json["quat_order"] = poses.quat_order;
         json["both"] = poses.of_both_bodies;
         json["rigid_tolerance"] = json_or_null(poses.rigid_tolerance);
-        json["length_factor"] = poses.length_factor;
+        json["unit"] = poses.unit;
     }
     return json;
 }
@@ -102,6 +101,9 @@ Json bodies_json(const std::vector<ManifestBody>& bodies) {
         json.push_back({{"name", body.name},
                         {"file", body.file},
                         {"unit", body.unit},
+                        {"unit_given", body.is_unit_given},
+                        {"up", body.up},
+                        {"precision", body.rounds_to_float ? "float" : "auto"},
                         {"sha256", to_hex(body.mesh)},
                         {"parts", body.parts}});
     }
@@ -161,6 +163,9 @@ std::vector<ManifestBody> read_bodies(const Json& json) {
         body.name = value_of<std::string>(each, "name");
         body.file = value_of<std::string>(each, "file");
         body.unit = value_of<std::string>(each, "unit");
+        body.is_unit_given = value_or(each, "unit_given", false);
+        body.up = value_or<std::string>(each, "up", "");
+        body.rounds_to_float = value_or<std::string>(each, "precision", "") == "float";
         const auto mesh = read_hash(each, "sha256");
         if (!mesh) {
             throw Wrong{"body \"" + body.name + "\" has no SHA-256"};
@@ -229,9 +234,7 @@ ManifestPoses read_poses(const Json& json) {
     if (json.contains("rigid_tolerance") && !json["rigid_tolerance"].is_null()) {
         poses.rigid_tolerance = number_of(json["rigid_tolerance"]);
     }
-    if (json.contains("length_factor")) {
-        poses.length_factor = number_of(json["length_factor"]);
-    }
+    poses.unit = value_or<std::string>(json, "unit", "");
     if (poses.count == 0 || poses.count > limits::scenarios_max) {
         throw Wrong{"the number of poses is out of range"};
     }
@@ -286,6 +289,7 @@ RunManifest read_manifest(const Json& json) {
                       value_or<std::string>(where, "job", "")};
     manifest.name = value_of<std::string>(json, "name");
     manifest.unit = value_of<std::string>(json, "unit");
+    manifest.job = value_or<std::string>(json, "job", "");
     manifest.bodies = read_bodies(json);
     manifest.poses = read_poses(json.at("poses"));
     manifest.query = read_query(json.at("query"));
@@ -325,7 +329,7 @@ std::string manifest_json(const RunManifest& manifest) {
                     {"where", where_json(manifest.where)},
                     {"name", manifest.name},
                     {"unit", manifest.unit},
-                    {"job", job_text(manifest)},
+                    {"job", manifest.job},
                     {"bodies", bodies_json(manifest.bodies)},
                     {"poses", poses_json(manifest.poses)},
                     {"query", query_json(manifest.query)},

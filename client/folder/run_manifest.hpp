@@ -15,12 +15,9 @@
 
 namespace cd {
 
-struct ManifestBody {
-    std::string name; ///< "a", "b", or what the job calls it.
-    std::string file; ///< Its mesh, an absolute path where it was read here.
-    std::string unit; ///< Of the file's coordinates.
-    Sha256 mesh;      ///< Of its canonical bytes, in the job's unit.
-    std::vector<std::string> parts;
+/// With an absolute path where the mesh was read here.
+struct ManifestBody : JobBody {
+    std::vector<std::string> parts = {};
 };
 
 struct ManifestPoses {
@@ -34,7 +31,7 @@ struct ManifestPoses {
     std::string quat_order;
     bool of_both_bodies = false;
     std::optional<double> rigid_tolerance;
-    double length_factor = 1;
+    std::string unit; ///< Of the file's translations.
     bool has_ids = false;
     bool has_times = false;
 };
@@ -61,6 +58,7 @@ struct RunManifest {
     ManifestPlace where;
     std::string name;
     std::string unit = "m"; ///< Of the poses and of the results.
+    std::string job;        ///< `job_text`, from which the run is run again.
     std::vector<ManifestBody> bodies;
     ManifestPoses poses;
     Query query;
@@ -73,7 +71,7 @@ struct RunManifest {
     [[nodiscard]] bool is_complete() const { return digest.has_value(); }
 };
 
-/// The document, with the job as TOML among its values.
+/// The document.
 [[nodiscard]] std::string manifest_json(const RunManifest& manifest);
 
 /// The inverse. The text may be hostile; keys that are not known are passed over. Errors: BadInput

@@ -109,7 +109,7 @@ TEST(JobFile, AGridIsTheProductOfItsAxes) {
     const auto spec =
         parse(minimal + "[poses]\ngrid = { x = [-3, 3, 200], yaw_deg = [0, 350, 36] }\n");
     ASSERT_TRUE(spec) << spec.error().detail;
-    const Grid& grid = std::get<Grid>(spec.value().poses);
+    const Grid& grid = std::get<GridSpec>(spec.value().poses).grid;
     EXPECT_EQ(grid.count(), 200u * 36u);
     EXPECT_EQ(grid.position[0].last, 3.0);
     EXPECT_EQ(grid.rotation[2].size(), 36u);
@@ -123,7 +123,10 @@ TEST(JobFile, PosesMayHaveAUnitOfTheirOwn) {
         parse("unit = \"cm\"\n" + minimal +
               "[poses]\nunit = \"m\"\ngrid = { x = [-1, 2, 4], yaw_deg = [0, 90, 2] }\n");
     ASSERT_TRUE(grid) << grid.error().detail;
-    EXPECT_EQ(std::get<Grid>(grid.value().poses).position[0], (GridAxis{-100, 200, 4}));
+    const auto& spec = std::get<GridSpec>(grid.value().poses);
+    EXPECT_EQ(spec.grid.position[0], (GridAxis{-100, 200, 4}));
+    EXPECT_EQ(spec.axes[0], (GridAxis{-1, 2, 4})) << "as the job says it";
+    EXPECT_EQ(spec.unit, "m");
     EXPECT_THAT(problem_with("[poses]\nunit = \"mm\"\nrandom = { n = 10 }\n"),
                 HasSubstr("job.toml:6: [poses]: unit belongs to poses from a file or a grid"));
 }

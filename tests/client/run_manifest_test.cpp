@@ -21,8 +21,9 @@ RunManifest example(PosesKind kind) {
     manifest.program = "cdctl 0.1.0";
     manifest.name = "a \"job\"";
     manifest.unit = "mm";
-    manifest.bodies = {{"a", "/m/car.obj", "m", sha256({}), {"wheel", "hull"}},
-                       {"post", "/m/post.stl", "mm", sha256({}), {}}};
+    manifest.job = "name = \"a job\"\n";
+    manifest.bodies = {{{sha256({}), "a", "/m/car.obj", "in", false, "y", true}, {"wheel", "hull"}},
+                       {{sha256({}), "post", "/m/post.stl", "mm", true}}};
     manifest.query.level = Level::Contacts;
     manifest.query.tolerance = 0.1;
     manifest.query.limit_pairs = 7;
@@ -44,6 +45,7 @@ RunManifest example(PosesKind kind) {
     } else {
         manifest.poses.file = "/m/poses.npy";
         manifest.poses.quat_order = "xyzw";
+        manifest.poses.unit = "cm";
         manifest.poses.rigid_tolerance = 0.001;
     }
     manifest.answered = 6;
@@ -61,6 +63,7 @@ TEST(RunManifest, GivesBackWhatWasSaid) {
         EXPECT_EQ(manifest_json(parsed.value()), manifest_json(manifest));
         EXPECT_TRUE(is_same_job(parsed.value(), manifest));
         EXPECT_EQ(parsed.value().poses.grid, manifest.poses.grid);
+        EXPECT_EQ(JobBody(parsed.value().bodies[0]), JobBody(manifest.bodies[0]));
         EXPECT_TRUE(parsed.value().is_complete());
     }
 }
@@ -131,15 +134,53 @@ TEST(RunManifest, ListedFilesStayInTheirFolder) {
     }
 }
 
-TEST(JobText, IsAJobFile) {
-    const std::string text = job_text(example(PosesKind::File));
-    EXPECT_THAT(text, HasSubstr("name = \"a \\\"job\\\"\"\nunit = \"mm\"\n"));
-    EXPECT_THAT(text, HasSubstr("[b]\nmesh = \"/m/post.stl\"\nunit = \"mm\"\nname = \"post\"\n"));
-    EXPECT_THAT(text, HasSubstr("quat_order = \"xyzw\"\nrigid_tolerance = 0.001\n"));
-    const auto spec = parse_job(text, "/m/job.toml");
-    ASSERT_TRUE(spec) << spec.error().detail;
-    EXPECT_EQ(spec.value().bodies[1].name, "post");
-    EXPECT_EQ(spec.value().limit_pairs, 7u);
+TEST(JobText, IsReadBackToTheSameJob) {
+    constexpr const char* bodies = "name = \"a \\\"job\\\"\"\nunit = \"mm\"\n\n"
+                                   "[a]\nmesh = \"/m/car.obj\"\nup = \"y\"\n\n"
+                                   "[b]\nmesh = \"/m/post.stl\"\nunit = \"in\"\nname = \"post\"\n"
+                                   "precision = \"float\"\n\n[poses]\n";
+    constexpr const char* rest =
+        "\n[query]\nlevel = \"contacts\"\ntolerance = 0.1\nlimit_pairs = 7\nmaps = true\n"
+        "ignore = [[\"wheel_*\", \"a\\\\*b\"], [\"x\", \"*\"]]\n\n[output]\ndir = \"/out\"\n"
+        "formats = [\"json\", \"npz\"]\n";
+    constexpr const char* cluster =
+        "\n[cluster]\nstrategy = \"lowest\"\nq = 7\nv_kb = 64\nclaim = true\nseed = 9\n"
+        "analysis = \"never\"\nhints = false\n";
+    for (const char* poses :
+         {"grid = { x = [-1, 2.5, 3], yaw_deg = [0, 350, 36] }\nunit = \"cm\"\n",
+          "grid = { z = [1e+30, 1e+30, 1] }\n",
+          "grid = { }\n",
+          "random = { n = 6, seed = 9223372036854775807, penetration = [0.1, 0.2] }\n",
+          "file = \"/m/p.npy\"\nunit = \"in\"\nquat_order = \"xyzw\"\nof = \"both\"\n"
+          "rigid_tolerance = 0.001\n"}) {
+        const std::string text = std::string(bodies) + poses + rest + cluster;
+        const auto spec = parse_job(text, "/m/job.toml");
+        ASSERT_TRUE(spec) << spec.error().detail;
+        EXPECT_EQ(job_text(spec.value()), text);
+    }
+}
+
+TEST(JobText, ANumberAboveTheIntegersOfTomlStaysANumber) {
+    JobSpec spec;
+    GridSpec grid;
+    grid.axes = std::vector<GridAxis>(6);
+    grid.axes[0] = {12345678901234567000.0, 12345678901234567000.0, 1};
+    spec.poses = grid;
+    spec.bodies[0].path = spec.bodies[1].path = "/m/car.obj";
+    const auto read = parse_job(job_text(spec), "/m/job.toml");
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(std::get<GridSpec>(read.value().poses).axes, grid.axes);
+}
+
+TEST(JobText, DepthsAreOfTheirBodies) {
+    JobSpec spec;
+    spec.bodies[0].path = spec.bodies[1].path = "/m/car.obj";
+    spec.cluster.set_depth(1, 4);
+    EXPECT_THAT(job_text(spec), HasSubstr("depth = { a = \"auto\", b = 4 }\n"));
+    const auto read = parse_job(job_text(spec), "/m/job.toml");
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(read.value().cluster.depth(0), std::nullopt);
+    EXPECT_EQ(read.value().cluster.depth(1), 4u);
 }
 
 } // namespace

@@ -501,8 +501,9 @@ void add_folders(Seeds& seeds) {
 
     RunManifest manifest;
     manifest.name = "car";
-    manifest.bodies = {{"a", "/m/car.obj", "m", sha256({}), {"wheel"}},
-                       {"post", "/m/post.stl", "mm", sha256({}), {}}};
+    manifest.job = job_text;
+    manifest.bodies = {{{sha256({}), "a", "/m/car.obj", "m"}, {"wheel"}},
+                       {{sha256({}), "post", "/m/post.stl", "mm", true}}};
     manifest.query.ignored = {IgnoredRange{}};
     manifest.poses.count = 4;
     manifest.poses.kind = PosesKind::Random;

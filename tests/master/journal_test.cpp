@@ -8,6 +8,7 @@
 #include "master/journal_database.hpp"
 #include "proto/codec.hpp"
 #include "tests/master/journal_writer.hpp"
+#include "tests/proto/sample_messages.hpp"
 #include "tests/support/file_size_limit.hpp"
 
 #include <gtest/gtest.h>
@@ -25,6 +26,18 @@ TEST(Journal, ANewOneIsEmptyAndHasANameOfItsOwn) {
     const Writer second(two.path());
     EXPECT_TRUE(first.recovered.jobs.empty());
     EXPECT_NE(first.recovered.cluster, second.recovered.cluster);
+}
+
+TEST(Journal, TheRecordOfAJobHasAllThatSubmitSaid) {
+    const JobRecord job{JobId{3}, some_submit(), 7};
+    const Bytes record = encode_job(job);
+    const auto read = decode_job(record);
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(read.value().began, 7u);
+    EXPECT_EQ(encode_message(read.value().submit), encode_message(job.submit));
+    for (std::size_t size = 0; size < record.size(); ++size) {
+        EXPECT_FALSE(decode_job(std::span(record).first(size))) << size;
+    }
 }
 
 TEST(Journal, WhatItSaidIsWrittenComesBack) {

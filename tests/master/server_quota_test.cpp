@@ -193,10 +193,12 @@ TEST(ServerQuota, OfAJobThatHasEndedALargeGridIsNotKept) {
     }
     Submit kept = small;
     kept.query.ignored.resize(3);
-    EXPECT_EQ(bulk_bytes(kept), small.grid->size() + 3 * sizeof(IgnoredRange));
+    kept.ignore = {{"wheel_*", "hull"}};
+    EXPECT_EQ(bulk_bytes(kept), small.grid->size() + 3 * sizeof(IgnoredRange) + 11);
     drop_bulk(kept);
     EXPECT_EQ(kept.grid, small.grid);
     EXPECT_TRUE(kept.query.ignored.empty());
+    EXPECT_TRUE(kept.ignore.empty());
 }
 
 TEST(ServerQuota, AGridOfAnySizeIsNotTaken) {

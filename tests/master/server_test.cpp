@@ -186,6 +186,8 @@ TEST(Server, WhatIsSubmittedWrongIsRefusedWithAReason) {
     expect_failure(with([](Submit& s) { s.scenarios = ~0ull; }), "number of scenarios");
     expect_failure(with([](Submit& s) { s.query.ignored = {{0, 1u << 30, 0, 1}}; }), "outside");
     expect_failure(with([](Submit& s) { s.query.tolerance = -0.5; }), "tolerance");
+    expect_failure(with([](Submit& s) { s.poses.axes.resize(5); }), "six axes");
+    expect_failure(with([](Submit& s) { s.ignore = {{"wheel", "a\nb"}}; }), "ignored parts");
     expect_failure(with([](Submit& s) {
                        s.grid = Bytes(3);
                        s.poses.kind = PosesKind::Grid;

@@ -116,7 +116,8 @@ inline Submit some_submit() {
     submit.unit = "mm";
     submit.owner = "ilan";
     submit.priority = -3;
-    submit.bodies = {{some_hash(1), "a", "sedan.obj", "in"}, {some_hash(2), "b", "van.stl", "m"}};
+    submit.bodies = {{some_hash(1), "a", "sedan.obj", "in", true, "y", true},
+                     {some_hash(2), "b", "van.stl", "m"}};
     submit.query = some_query();
     submit.cluster = {
         Strategy::Lowest, {10, std::nullopt, 5}, 21, 4097, true, 6, AnalysisMode::Never, false};
@@ -126,10 +127,13 @@ inline Submit some_submit() {
                     "wxyz",
                     true,
                     0.125,
-                    {IdKind::Text, true}};
+                    {IdKind::Text, true},
+                    "mm",
+                    {{-1, 2, 3}}};
     submit.scenarios = 1000;
     submit.grid = some_bytes(9);
     submit.retention_seconds = 86400;
+    submit.ignore = {{"wheel_*", "ground"}};
     return submit;
 }
 

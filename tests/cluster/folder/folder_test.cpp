@@ -1,6 +1,7 @@
 // Proves, with real processes, that a run into a folder can be interrupted and killed and goes on,
 // that its folder opens again without the files that it came from, and that what is there is never
 // mixed with another run.
+#include "tests/client/import/gltf_text.hpp"
 #include "tests/cluster/folder/folder_fixture.hpp"
 
 #include <gmock/gmock.h>
@@ -236,6 +237,31 @@ TEST_F(Folder, WithoutInputsTheFilesAreReadAgainAndAChangedOneIsNamed) {
     const Ran mesh = tests::run({cdctl(), "run", out});
     EXPECT_EQ(mesh.exit_code, 2);
     EXPECT_THAT(mesh.errors, HasSubstr("b.obj has changed since the run"));
+}
+
+TEST_F(Folder, WithoutInputsTheFilesAreReadInTheSameWay) {
+    const std::string poses =
+        "[poses]\nunit = \"mm\"\ngrid = { x = [-2000, 2000, 30], yaw_deg = [0, 90, 3] }\n";
+    write_text(folder_ / "a.off",
+               "OFF\n4 4 0\n0 0 0\n1.1 0 0\n0 1.3 0\n0 0 1.7\n"
+               "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+    write_text(folder_ / "job.toml",
+               "unit = \"cm\"\n[a]\nmesh = \"a.off\"\nup = \"y\"\nprecision = \"float\"\n"
+               "unit = \"in\"\n[b]\nmesh = \"b.gltf\"\n" +
+                   poses);
+    write_text(folder_ / "b.gltf", GltfText::triangle().text());
+    const std::string out = folder_ / "out";
+    const Ran first = run({"--out", out, "--no-inputs"});
+    ASSERT_EQ(first.exit_code, 0) << first.errors;
+    const auto bodies = read_json(folder_ / "out" / "run.json")["bodies"];
+    EXPECT_EQ(bodies[0]["up"], "y");
+    EXPECT_EQ(bodies[0]["precision"], "float");
+    EXPECT_EQ(bodies[0]["unit"], "in");
+    EXPECT_EQ(bodies[1]["unit"], "m") << "what glTF declares";
+    EXPECT_EQ(bodies[1]["unit_given"], false);
+    const Ran again = tests::run({cdctl(), "run", out, "--out", folder_ / "again"});
+    EXPECT_EQ(digest_of(again), digest_of(first)) << again.errors;
+    EXPECT_EQ(read_json(folder_ / "again" / "run.json")["bodies"], bodies);
 }
 
 TEST_F(Folder, ResultsMakesMoreFormatsOfAFolderWithoutRunning) {

@@ -76,7 +76,11 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
     const std::vector<std::array<std::string, 2>> jobs{
         {"random = { n = 50, seed = 3 }", "level = \"contacts\""},
         {"file = \"poses.csv\"", "level = \"pairs\"\nlimit_pairs = 3"},
-        {"grid = { x = [-2, 2, 9], yaw_deg = [0, 90, 4] }", "level = \"count\"\nmaps = true"}};
+        {"file = \"poses.csv\"\nunit = \"mm\"", "level = \"any\""},
+        {"grid = { x = [-2, 2, 9], yaw_deg = [0, 90, 4] }", "level = \"count\"\nmaps = true"},
+        {"grid = { x = [-20, 20, 9] }\nunit = \"mm\"",
+         "level = \"pairs\"\nignore = [[\"mes*\", \"mesh\"]]\n"
+         "[cluster]\nstrategy = \"random\"\nseed = 5\ndepth = { b = 2 }"}};
     for (const auto& [poses, query] : jobs) {
         SCOPED_TRACE(poses);
         write_job(poses, query);
@@ -101,8 +105,14 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
                   without_times(folder_ / "x" / "run.json"));
         const Ran here = tests::run({cdctl(), "run", folder_ / "y"});
         EXPECT_EQ(digest_of(here), digest_of(ran)) << here.errors;
-        fs::remove_all(folder_ / "x");
-        fs::remove_all(folder_ / "y");
+        const std::string without = folder_ / "z";
+        ASSERT_EQ(cdctl_at_master({"results", "last", "--out", without, "--no-inputs"}).exit_code,
+                  0);
+        const Ran of_files = tests::run({cdctl(), "run", without});
+        EXPECT_EQ(digest_of(of_files), digest_of(ran)) << of_files.errors;
+        for (const char* name : {"x", "y", "z"}) {
+            fs::remove_all(folder_ / name);
+        }
     }
 }
 
