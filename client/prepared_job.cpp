@@ -144,6 +144,7 @@ Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
     }
     job.poses = std::move(file.value().source);
     job.zeros = std::move(file.value().zeros);
+    job.labels = std::move(file.value().labels);
     for (const std::string& warning : file.value().warnings) {
         job.warnings.push_back("warning: " + warning);
     }
@@ -200,6 +201,7 @@ Result<PreparedJob> prepare_job(
     if (given.poses) {
         job.grid = given.poses->grid() ? std::optional(*given.poses->grid()) : std::nullopt;
         job.poses = std::move(given.poses);
+        job.labels = std::move(given.labels);
     } else if (Status made = make_poses(job, pool, quiet); !made) {
         return made.error();
     }

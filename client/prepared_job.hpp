@@ -8,6 +8,7 @@
 #include "client/tree_cache.hpp"
 #include "common/core/result.hpp"
 #include "common/core/thread_pool.hpp"
+#include "common/job/pose_labels.hpp"
 #include "common/job/pose_source.hpp"
 #include "common/job/query.hpp"
 #include "common/tree/obb_tree.hpp"
@@ -29,6 +30,7 @@ struct PreparedJob {
     Query query;
     std::optional<Grid> grid; ///< Poses that travel as this description.
     std::unique_ptr<PoseSource> poses;
+    PoseLabels labels;                 ///< Of all poses, in the columns that their file has.
     std::vector<std::string> zeros;    ///< Numbers that the pose file leaves out.
     std::vector<std::string> warnings; ///< One line each.
     std::string header;                ///< `header_text`.
@@ -42,6 +44,7 @@ enum class Trees : std::uint8_t { Always, ForPosesOnly };
 struct JobInputs {
     std::array<std::shared_ptr<const Mesh>, 2> meshes;  ///< Null: imported from its file.
     std::unique_ptr<PoseSource> poses;                  ///< Null: as the job says.
+    PoseLabels labels{};                                ///< Of `poses`.
     std::optional<std::vector<IgnoredRange>> ignored{}; ///< Nothing: by the job's rules.
 };
 

@@ -4,6 +4,7 @@
 #include "client/submission.hpp"
 #include "client/words.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace cd {
 namespace {
 
 constexpr std::size_t touched_parts_shown = 3;
+constexpr std::uint64_t poses_at_once = 1u << 16;
 
 /// The poses of a job, fetched in runs.
 class RemotePoses final : public PoseSource {
@@ -96,6 +98,7 @@ Status FetchedJob::prepare() {
     if (Status fetched = fetch_meshes(*connection_, submit, inputs); !fetched) {
         return fetched;
     }
+    labels_ = submit.poses.labels;
     if (!submit.grid) {
         inputs.poses = std::make_unique<RemotePoses>(*connection_, id, submit.scenarios);
     }
@@ -137,7 +140,28 @@ Result<RunReport> FetchedJob::print(const std::string& output) {
     return report;
 }
 
+Status FetchedJob::fetch_labels() {
+    if (labels_.is_empty()) {
+        return Done{};
+    }
+    const std::uint64_t count = prepared_->poses->count();
+    for (std::uint64_t first = 0; first < count; first += poses_at_once) {
+        const auto poses = connection_->fetch_poses(
+            known_.status.job, first, std::min(poses_at_once, count - first));
+        if (!poses) {
+            return poses.error();
+        }
+        prepared_->labels.append(poses.value().labels);
+    }
+    return labels_.fit(prepared_->labels, count)
+               ? Status(Done{})
+               : Error{ErrorCode::BadFrame, "the job has other ids or times than it announced"};
+}
+
 Result<RunReport> FetchedJob::write(FolderRunOptions options, const std::string& output) {
+    if (Status fetched = fetch_labels(); !fetched) {
+        return fetched.error();
+    }
     options.where.job = known_.id;
     options.folder.fresh = true; // The job may have more results by now.
     auto run = FolderRun::begin(*prepared_, std::move(options));

@@ -40,10 +40,12 @@ class FetchedJob {
     [[nodiscard]] Status prepare();
     [[nodiscard]] Result<RunReport> make_report();
     [[nodiscard]] Result<RunReport> write_into(FolderRun& run, const std::string& output);
+    [[nodiscard]] Status fetch_labels();
 
     std::unique_ptr<Connection> connection_;
     KnownJob known_;
     std::unique_ptr<PreparedJob> prepared_;
+    LabelColumns labels_;       ///< Of the poses.
     std::uint64_t fetched_ = 0; ///< Results.
 };
 

@@ -103,7 +103,7 @@ Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
     Submit submit = submission_of(job);
     if (!job.grid) {
         const SlowNote note("  sending " + counted(submit.scenarios, "pose") + "...", quiet);
-        return connection.submit(std::move(submit), *job.poses);
+        return connection.submit(std::move(submit), *job.poses, job.labels);
     }
     return connection.submit(submit);
 }

@@ -3,6 +3,7 @@
 #include "client/export/output_file.hpp"
 #include "client/folder/job_text.hpp"
 #include "client/interrupt.hpp"
+#include "client/poses/label_file.hpp"
 #include "client/submission.hpp"
 #include "client/words.hpp"
 #include "common/core/version.hpp"
@@ -34,6 +35,8 @@ std::string absolute_path(const fs::path& path) {
 ManifestPoses poses_of(const PreparedJob& job) {
     ManifestPoses poses;
     poses.count = job.poses->count();
+    poses.has_ids = job.labels.columns().ids != IdKind::None;
+    poses.has_times = job.labels.columns().has_times;
     if (job.grid) {
         poses.kind = PosesKind::Grid;
         poses.grid = job.grid;
@@ -210,6 +213,11 @@ Status FolderRun::keep_inputs() const {
             continue;
         }
         if (Status written = write_mesh(inputs / "meshes", *job_->meshes[i]); !written) {
+            return written;
+        }
+    }
+    if (!job_->labels.is_empty()) {
+        if (Status written = write_labels(inputs / "ids", job_->labels); !written) {
             return written;
         }
     }

@@ -4,6 +4,7 @@
 #include "client/folder/run_recorder.hpp"
 #include "client/import/mesh_import.hpp"
 #include "client/interrupt.hpp"
+#include "client/poses/label_file.hpp"
 #include "client/words.hpp"
 #include "common/job/poses_hash.hpp"
 #include "common/job/scenario_file.hpp"
@@ -132,6 +133,21 @@ Result<std::unique_ptr<PoseSource>> OpenedRun::kept_poses() const {
     return poses;
 }
 
+Result<PoseLabels> OpenedRun::kept_labels() const {
+    const fs::path path = dir_ / "inputs" / "ids";
+    auto labels = read_labels(path);
+    if (!labels) {
+        return labels.error().code == ErrorCode::NotFound ? PoseLabels{} : labels;
+    }
+    const ManifestPoses& poses = manifest_.poses;
+    LabelColumns columns = labels.value().columns();
+    columns.has_times = poses.has_times;
+    const bool is_whole =
+        (columns.ids != IdKind::None) == poses.has_ids && columns.fit(labels.value(), poses.count);
+    return is_whole ? std::move(labels)
+                    : Error{ErrorCode::Io, path.string() + " is damaged: ids or times are missing"};
+}
+
 Result<std::optional<ContactMap>> OpenedRun::kept_map() const {
     std::error_code error;
     if (!manifest_.query.maps || !fs::exists(dir_ / "maps", error)) {
@@ -171,6 +187,13 @@ Result<JobInputs> read_inputs(const OpenedRun& run) {
         return poses.error();
     }
     inputs.poses = std::move(poses.value());
+    if (inputs.poses) {
+        auto labels = run.kept_labels();
+        if (!labels) {
+            return labels.error();
+        }
+        inputs.labels = std::move(labels.value());
+    }
     inputs.ignored = run.manifest().query.ignored;
     return inputs;
 }

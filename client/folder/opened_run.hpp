@@ -36,6 +36,9 @@ class OpenedRun {
     [[nodiscard]] Result<std::shared_ptr<const Mesh>> mesh(std::size_t body) const;
     /// The poses that are kept; null where none are. Errors: Io.
     [[nodiscard]] Result<std::unique_ptr<PoseSource>> kept_poses() const;
+    /// How the pose file named the scenarios; empty where it did not, and where that is not kept.
+    /// Errors: Io.
+    [[nodiscard]] Result<PoseLabels> kept_labels() const;
     /// The contact map of a job with maps. Errors: Io.
     [[nodiscard]] Result<std::optional<ContactMap>> kept_map() const;
 

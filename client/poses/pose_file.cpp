@@ -144,6 +144,7 @@ Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec) {
             report.value().worst));
     }
     opened.zeros = table.value().zeros;
+    opened.labels = std::move(table.value().labels);
     table.value().length_factor = spec.length_factor;
     opened.source = make_table_source(std::move(table.value()));
     return opened;

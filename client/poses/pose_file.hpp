@@ -3,6 +3,7 @@
 
 #include "client/job_file.hpp"
 #include "common/core/result.hpp"
+#include "common/job/pose_labels.hpp"
 #include "common/job/pose_source.hpp"
 
 #include <memory>
@@ -15,6 +16,7 @@ struct OpenedPoses {
     std::unique_ptr<PoseSource> source;
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
     std::vector<std::string> zeros;    ///< Columns that the file leaves out: their numbers are 0.
+    PoseLabels labels;                 ///< Of all scenarios, in the columns that the file has.
 };
 
 /// Opens a file of poses and checks every one of them, so that a run does not end in the middle.

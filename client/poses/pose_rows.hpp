@@ -3,6 +3,7 @@
 
 #include "client/npy.hpp"
 #include "common/core/result.hpp"
+#include "common/job/pose_labels.hpp"
 #include "common/job/pose_source.hpp"
 
 #include <cstdint>
@@ -33,6 +34,7 @@ struct PoseTable {
     std::vector<std::string> zeros = {};   ///< Names of numbers that the file leaves out.
     std::vector<std::uint64_t> lines = {}; ///< Of the rows in a text file of B's poses; else empty.
     double length_factor = 1;              ///< Translations are multiplied by it.
+    PoseLabels labels = {};                ///< Of all rows, in the columns that the file has.
 };
 
 /// Where a user finds the row: "line 2" of a text file, else "row 0", or "scenario 0" where it has

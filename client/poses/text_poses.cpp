@@ -1,10 +1,12 @@
 #include "client/poses/text_poses.hpp"
 
 #include "common/core/limits.hpp"
+#include "common/core/limits_clients.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -95,7 +97,11 @@ struct Columns {
     std::vector<std::string> zeros;    ///< Names of the numbers without a column.
     std::size_t scenario = 0;
     std::size_t body = 0;
+    std::size_t id = no_column;
+    std::size_t time = no_column;
     std::size_t count = 0;
+
+    [[nodiscard]] bool has_labels() const { return id != no_column || time != no_column; }
 };
 
 constexpr std::string_view known_columns =
@@ -227,6 +233,8 @@ Result<Columns> read_header(std::string_view line, std::uint64_t number, bool of
                                                      : ColumnSet::Euler;
     columns.scenario = names.place_of("scenario");
     columns.body = names.place_of("body");
+    columns.id = names.has("id") ? names.place_of("id") : no_column;
+    columns.time = names.has("t") ? names.place_of("t") : no_column;
     Status is_good = check_angles(names, number);
     if (is_good) {
         is_good = find_numbers(names, number, columns);
@@ -268,6 +276,47 @@ Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& wo
     return numbers;
 }
 
+/// Labels row by row.
+class LabelRows {
+  public:
+    /// Errors: BadInput for an id that is too long.
+    Status add_id(std::string_view word, std::uint64_t line) {
+        if (word.size() > limits::label_bytes_max) {
+            return bad(line,
+                       "the id is longer than " + std::to_string(limits::label_bytes_max) +
+                           " bytes");
+        }
+        add_pose_id(labels_, word);
+        return Done{};
+    }
+    /// Errors: BadInput for what is no finite number.
+    Status add_time(std::string_view word, std::uint64_t line) {
+        const auto time = to_number(word);
+        if (!time || !std::isfinite(*time)) {
+            return bad(line, "t is '" + std::string(word) + "', not a number");
+        }
+        labels_.times.push_back(*time);
+        return Done{};
+    }
+    Status
+    add(const std::vector<std::string_view>& words, const Columns& columns, std::uint64_t line) {
+        if (columns.id != no_column) {
+            if (Status added = add_id(words[columns.id], line); !added) {
+                return added;
+            }
+        }
+        return columns.time == no_column ? Status(Done{}) : add_time(words[columns.time], line);
+    }
+    [[nodiscard]] PoseLabels take() { return std::move(labels_); }
+
+  private:
+    PoseLabels labels_;
+};
+
+bool is_body_a(std::string_view word) {
+    return word == "a" || word == "A" || word == "0";
+}
+
 bool is_body_b(std::string_view word) {
     return word == "b" || word == "B" || word == "1";
 }
@@ -282,7 +331,7 @@ class BothBodies {
                const std::vector<double>& numbers,
                std::uint64_t line) {
         const auto scenario = to_number(scenario_word);
-        const bool is_a = body_word == "a" || body_word == "A" || body_word == "0";
+        const bool is_a = is_body_a(body_word);
         const bool is_b = is_body_b(body_word);
         if (!scenario || *scenario < 0 || *scenario >= rows_max || (!is_a && !is_b)) {
             return bad(line,
@@ -300,6 +349,9 @@ class BothBodies {
         }
         if (seen_[place]) {
             return bad(line, "scenario " + std::string(scenario_word) + " has this body twice");
+        }
+        if (is_a) {
+            order_.push_back(place / 2);
         }
         seen_[place] = true;
         ++rows_;
@@ -319,6 +371,8 @@ class BothBodies {
         }
         return std::move(values_);
     }
+    /// The scenarios of the rows of a, in the order in which they came.
+    [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
 
   private:
     static constexpr double rows_max = 1e15;
@@ -328,6 +382,7 @@ class BothBodies {
     std::size_t rows_ = 0;
     std::vector<bool> seen_;
     std::vector<double> values_;
+    std::vector<std::size_t> order_;
 };
 
 } // namespace
@@ -339,6 +394,7 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
     std::vector<double> values;
     std::vector<std::uint64_t> lines;
     std::optional<BothBodies> both;
+    LabelRows labels;
     while (std::getline(in, line)) {
         ++number;
         if (number == 1 && line.starts_with("\xEF\xBB\xBF")) {
@@ -379,6 +435,11 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
                    !added) {
             return added.error();
         }
+        if (columns->has_labels() && (!of_both_bodies || is_body_a(words[columns->body]))) {
+            if (const Status added = labels.add(words, *columns, number); !added) {
+                return added.error();
+            }
+        }
     }
     if (!columns) {
         return Error{ErrorCode::BadInput, "there is no line that names the columns"};
@@ -397,6 +458,10 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
     table.from_angles = columns->set == ColumnSet::Euler;
     table.zeros = std::move(columns->zeros);
     table.lines = std::move(lines);
+    table.labels = labels.take();
+    if (of_both_bodies) {
+        table.labels = table.labels.moved_to(both->order());
+    }
     return table;
 }
 
@@ -405,6 +470,7 @@ Result<PoseTable> read_tum_poses(std::istream& in) {
     std::uint64_t number = 0;
     std::vector<double> values;
     std::vector<std::uint64_t> lines;
+    LabelRows labels;
     while (std::getline(in, line)) {
         ++number;
         if (is_comment(line)) {
@@ -415,6 +481,9 @@ Result<PoseTable> read_tum_poses(std::istream& in) {
             return bad(number,
                        std::to_string(words.size()) +
                            " numbers where TUM has 8: time x y z qx qy qz qw");
+        }
+        if (const Status added = labels.add_time(words[0], number); !added) {
+            return added.error();
         }
         for (std::size_t i = 1; i < words.size(); ++i) {
             const auto value = to_number(words[i]);
@@ -427,6 +496,7 @@ Result<PoseTable> read_tum_poses(std::istream& in) {
     }
     PoseTable table = make_table(std::move(values), PoseLayout::Xyzw, false);
     table.lines = std::move(lines);
+    table.labels = labels.take();
     return table;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cd {
@@ -38,8 +39,14 @@ struct PoseLabels {
     [[nodiscard]] PoseLabels slice(std::size_t first, std::size_t count) const;
     /// Those of the scenarios that follow, in the same columns.
     void append(const PoseLabels& next);
+    /// The labels of i at places[i]; `places` are the numbers below the count of labels, each once.
+    [[nodiscard]] PoseLabels moved_to(const std::vector<std::size_t>& places) const;
 
     friend bool operator==(const PoseLabels&, const PoseLabels&) = default;
 };
+
+/// Adds an id as a text file has it: ids are integers as long as each is written as `to_string`
+/// writes it; with the first other one all become texts.
+void add_pose_id(PoseLabels& labels, std::string_view id);
 
 } // namespace cd

@@ -3,6 +3,7 @@
 #include "client/poses/pose_file.hpp"
 
 #include "client/npz.hpp"
+#include "client/poses/label_file.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -79,6 +80,55 @@ TEST_F(PoseFile, CsvColumnsMayStandInAnyOrder) {
     EXPECT_EQ(scenarios[1].poses.b.translation(), Vec3(4, 5, 6));
     EXPECT_EQ(scenarios[1].index, 1u);
     EXPECT_EQ(scenarios[0].poses.a, Pose());
+}
+
+TEST_F(PoseFile, IdsAndTimesAreTakenAlong) {
+    const auto labels_of = [&](const std::string& name, const std::string& text, bool both) {
+        write_text(folder_ / name, text);
+        PoseFileSpec s = spec(name);
+        s.of_both_bodies = both;
+        auto opened = open_pose_file(s);
+        return opened ? opened.value().labels
+                      : (ADD_FAILURE() << opened.error().detail, PoseLabels());
+    };
+    EXPECT_EQ(labels_of("i.csv", "id,x,T\n7,1,0.1\n-3,2,1e3\n", false),
+              (PoseLabels{{7, -3}, {}, {0.1, 1000}}));
+    EXPECT_EQ(labels_of("t.csv", "x,id\n1,7\n2,\"a, b\"\n3,8\n", false),
+              (PoseLabels{{}, {"7", "a, b", "8"}, {}}));
+    EXPECT_EQ(labels_of("zero.csv", "x,id\n1,7\n2,007\n", false),
+              (PoseLabels{{}, {"7", "007"}, {}}))
+        << "nothing is lost of an id";
+    EXPECT_EQ(labels_of("both.csv",
+                        "scenario,body,x,id,t\n1,b,4,9,9\n0,a,1,5,0.5\n1,a,3,6,0.25\n0,b,2,9,9\n",
+                        true),
+              (PoseLabels{{5, 6}, {}, {0.5, 0.25}}))
+        << "those of body a, in the order of the scenarios";
+    EXPECT_EQ(labels_of("p.tum", "1.5 1 0 0 0 0 0 1\n2.5 1 0 0 0 0 0 1\n", false),
+              (PoseLabels{{}, {}, {1.5, 2.5}}));
+    EXPECT_TRUE(labels_of("none.csv", "x,name,time\n1,a,noon\n", false).is_empty());
+    EXPECT_THAT(error_of_text("bad.csv", "x,t\n1,noon\n"),
+                HasSubstr("line 2: t is 'noon', not a number"));
+    EXPECT_THAT(error_of_text("long.csv", "x,id\n1," + std::string(257, 'a') + "\n"),
+                HasSubstr("line 2: the id is longer than 256 bytes"));
+}
+
+TEST_F(PoseFile, AFileOfLabelsGivesThemBack) {
+    const auto path = folder_ / "ids";
+    for (const PoseLabels& labels :
+         {PoseLabels{{1, -2}, {}, {}},
+          PoseLabels{{}, {"", "a,b", "say \"x\"\nand y"}, {0.1, 2, -1e300}},
+          PoseLabels{{}, {}, {0.1}},
+          PoseLabels{{}, {"", ""}, {}}}) {
+        ASSERT_TRUE(write_labels(path, labels));
+        const auto read = read_labels(path);
+        ASSERT_TRUE(read) << read.error().detail;
+        EXPECT_EQ(read.value(), labels);
+    }
+    for (const char* text : {"", "id,t\n1\n", "t\nnoon\n", "t,id\n1,1\n", "x\n1\n"}) {
+        write_text(path, text);
+        EXPECT_FALSE(read_labels(path)) << text;
+    }
+    EXPECT_EQ(read_labels(folder_ / "missing").error().code, ErrorCode::NotFound);
 }
 
 TEST_F(PoseFile, CsvTakesMatricesAndEulerAngles) {

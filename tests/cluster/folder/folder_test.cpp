@@ -213,6 +213,8 @@ TEST_F(Folder, AFolderRunsAgainWithoutTheFilesThatItCameFrom) {
     EXPECT_EQ(again.exit_code, 0) << again.errors;
     EXPECT_EQ(digest_of(again), digest_of(first));
     EXPECT_EQ(read_text(folder_ / "again" / "records"), read_text(folder_ / "out" / "records"));
+    EXPECT_EQ(read_text(folder_ / "out" / "inputs" / "ids"), "id\np0\np1\np2\n");
+    EXPECT_EQ(read_text(folder_ / "again" / "inputs" / "ids"), "id\np0\np1\np2\n");
     const auto bodies = read_json(folder_ / "again" / "run.json")["bodies"];
     EXPECT_EQ(bodies[0]["name"], "a");
     EXPECT_EQ(bodies[1]["name"], "ball");

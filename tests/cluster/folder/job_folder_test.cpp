@@ -73,10 +73,12 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
     start_worker();
     write_text(folder_ / "poses.csv",
                "x,y,z,qx,qy,qz,qw\n3,0,0,0,0,0,1\n1,0,0,0,0,0,1\n0.5,0.2,0.1,0,0,0,1\n");
+    write_text(folder_ / "named.csv", "id,t,x\nfirst,0.1,3\n\"a, b\",0.2,1\n");
     const std::vector<std::array<std::string, 2>> jobs{
         {"random = { n = 50, seed = 3 }", "level = \"contacts\""},
         {"file = \"poses.csv\"", "level = \"pairs\"\nlimit_pairs = 3"},
         {"file = \"poses.csv\"\nunit = \"mm\"", "level = \"any\""},
+        {"file = \"named.csv\"", "level = \"count\""},
         {"grid = { x = [-2, 2, 9], yaw_deg = [0, 90, 4] }", "level = \"count\"\nmaps = true"},
         {"grid = { x = [-20, 20, 9] }\nunit = \"mm\"",
          "level = \"pairs\"\nignore = [[\"mes*\", \"mesh\"]]\n"
@@ -103,6 +105,13 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
         }
         EXPECT_EQ(without_times(folder_ / "y" / "run.json"),
                   without_times(folder_ / "x" / "run.json"));
+        if (poses.find("named.csv") != std::string::npos) {
+            EXPECT_EQ(read_text(folder_ / "y" / "inputs" / "ids"),
+                      "id,t\nfirst,0.1\n\"a, b\",0.2\n");
+            const auto told = without_times(folder_ / "y" / "run.json")["poses"];
+            EXPECT_EQ(told["ids"], true);
+            EXPECT_EQ(told["times"], true);
+        }
         const Ran here = tests::run({cdctl(), "run", folder_ / "y"});
         EXPECT_EQ(digest_of(here), digest_of(ran)) << here.errors;
         const std::string without = folder_ / "z";

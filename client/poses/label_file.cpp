@@ -1,0 +1,105 @@
+#include "client/poses/label_file.hpp"
+
+#include "client/export/csv_rows.hpp"
+#include "client/words.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+using CsvRow = std::vector<std::string>;
+
+std::string header_of(const LabelColumns& columns) {
+    return columns.ids == IdKind::None ? "t" : columns.has_times ? "id,t" : "id";
+}
+
+/// A row as `csv_field` writes its fields; nothing at the end of the file.
+bool read_row(std::istream& in, CsvRow& row) {
+    row.assign(1, "");
+    bool is_quoted = false;
+    char c = 0;
+    bool is_any = false;
+    while (in.get(c)) {
+        is_any = true;
+        if (c == '"' && is_quoted && in.peek() == '"') {
+            row.back() += static_cast<char>(in.get());
+        } else if (c == '"') {
+            is_quoted = !is_quoted;
+        } else if (c == ',' && !is_quoted) {
+            row.emplace_back();
+        } else if (c == '\n' && !is_quoted) {
+            return true;
+        } else {
+            row.back() += c;
+        }
+    }
+    return is_any;
+}
+
+bool add_time(PoseLabels& labels, const std::string& text) {
+    double time = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), time);
+    labels.times.push_back(time);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+} // namespace
+
+Status write_labels(const std::filesystem::path& path, const PoseLabels& labels) {
+    const LabelColumns columns = labels.columns();
+    auto file = RowFile::create(path, header_of(columns) + "\n");
+    if (!file) {
+        return file.error();
+    }
+    const std::size_t rows =
+        std::max({labels.integers.size(), labels.texts.size(), labels.times.size()});
+    for (std::size_t i = 0; i < rows; ++i) {
+        std::string row;
+        if (columns.ids != IdKind::None) {
+            row = columns.ids == IdKind::Integer ? std::to_string(labels.integers[i])
+                                                 : csv_field(labels.texts[i]);
+        }
+        if (columns.has_times) {
+            row += (row.empty() && columns.ids == IdKind::None ? "" : ",") +
+                   exact_text(labels.times[i]);
+        }
+        if (Status added = file.value().add(std::string_view(row), "\n"); !added) {
+            return added;
+        }
+    }
+    return file.value().commit();
+}
+
+Result<PoseLabels> read_labels(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) {
+        return Error{ErrorCode::NotFound, path.string() + ": no such file"};
+    }
+    CsvRow header;
+    CsvRow row;
+    static_cast<void>(read_row(in, header));
+    const bool has_ids = header.front() == "id";
+    const bool has_times = header.back() == "t";
+    bool is_good = header.size() == (has_ids ? 1u : 0u) + (has_times ? 1u : 0u);
+    PoseLabels labels;
+    while (is_good && read_row(in, row)) {
+        is_good = row.size() == header.size();
+        if (is_good && has_ids) {
+            add_pose_id(labels, row.front());
+        }
+        if (is_good && has_times) {
+            is_good = add_time(labels, row.back());
+        }
+    }
+    return is_good ? Result(std::move(labels))
+                   : Error{ErrorCode::Io, path.string() + " is damaged"};
+}
+
+} // namespace cd
