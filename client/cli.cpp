@@ -178,6 +178,7 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
         ->type_name("DIR");
     add_formats(*results, verbs.results.formats, verbs.results.exact_points);
     add_folder_options(*results, verbs.results.folder);
+    add_tree_cache(*results, verbs.results.tree_cache);
     add_statistics(*results, verbs.results.statistics);
     add_quiet(*results, verbs.results.quiet);
     add_output(*results, verbs.results.output, {"text", "json", "csv"});

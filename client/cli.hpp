@@ -81,6 +81,7 @@ struct ResultsCommand {
     FolderFlags folder;
     std::vector<std::string> formats; ///< Empty: not given.
     bool exact_points = false;
+    std::string tree_cache = "off"; ///< A folder, or off.
     bool quiet = false;
     bool statistics = false;
     std::string output = "text"; ///< text, json, csv: on stdout where no folder is given.

@@ -155,8 +155,9 @@ void add_tree_cache(CLI::App& verb, std::string& folder) {
     folder = default_tree_cache();
     verb.add_option("--tree-cache",
                     folder,
-                    "Folder that keeps built trees for later runs, at most " +
-                        std::to_string(limits::tree_cache_bytes_max >> 30) + " GiB; off keeps none")
+                    "Folder that keeps built trees and fetched meshes for later runs, at most " +
+                        std::to_string(limits::tree_cache_bytes_max >> 30) +
+                        " GiB of each; off keeps none")
         ->type_name("DIR|off")
         ->envname("CDCTL_TREE_CACHE")
         ->capture_default_str();

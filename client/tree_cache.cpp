@@ -4,6 +4,7 @@
 #include "common/tree/tree_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -18,11 +19,12 @@ namespace fs = std::filesystem;
 constexpr std::string_view binary_suffix = ".binary-tree";
 constexpr std::string_view wide_suffix = ".wide-tree";
 
-/// Of this cache, whole or about to be; and nothing else that may lie in the folder.
-bool is_tree_file(const fs::path& path) {
+/// Whole or about to be.
+bool ends_with(const fs::path& path, std::span<const std::string_view> suffixes) {
     std::string name = path.filename().string();
     name = name.substr(0, name.find(temporary_marker));
-    return name.ends_with(binary_suffix) || name.ends_with(wide_suffix);
+    return std::ranges::any_of(suffixes,
+                               [&](std::string_view suffix) { return name.ends_with(suffix); });
 }
 
 struct KeptFile {
@@ -32,7 +34,8 @@ struct KeptFile {
 };
 
 /// The longest unused first. Files that vanish meanwhile are passed over.
-std::vector<KeptFile> kept_files(const fs::path& folder) {
+std::vector<KeptFile> kept_files(const fs::path& folder,
+                                 std::span<const std::string_view> suffixes) {
     std::vector<KeptFile> files;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
@@ -40,7 +43,7 @@ std::vector<KeptFile> kept_files(const fs::path& folder) {
         std::error_code gone;
         const std::uint64_t bytes = entry->file_size(gone);
         const fs::file_time_type used = gone ? fs::file_time_type() : entry->last_write_time(gone);
-        if (!gone && is_tree_file(entry->path())) {
+        if (!gone && ends_with(entry->path(), suffixes)) {
             files.push_back({used, entry->path(), bytes});
         }
     }
@@ -54,6 +57,27 @@ std::vector<KeptFile> kept_files(const fs::path& folder) {
 
 fs::path tree_cache_folder(const std::string& option) {
     return option == no_tree_cache ? fs::path() : fs::path(option);
+}
+
+void keep_within(const fs::path& folder,
+                 std::span<const std::string_view> suffixes,
+                 std::uint64_t bytes_max,
+                 const fs::path& newest) {
+    std::vector<KeptFile> files = kept_files(folder, suffixes);
+    std::uint64_t bytes = 0;
+    for (const KeptFile& file : files) {
+        bytes += file.bytes;
+    }
+    // The new one comes last, whatever the clock says.
+    std::ranges::stable_partition(files, [&](const KeptFile& file) { return file.path != newest; });
+    for (const KeptFile& file : files) {
+        if (bytes <= bytes_max) {
+            break;
+        }
+        std::error_code ignored;
+        fs::remove(file.path, ignored);
+        bytes -= file.bytes;
+    }
 }
 
 std::string default_tree_cache() {
@@ -101,27 +125,9 @@ void TreeCache::keep(TreeForm form, const ObbTree& tree) {
                    : write_wide_tree_file(path, tree, key, Durability::Unsynced);
     }
     if (kept) {
-        make_room(path);
+        keep_within(folder_, std::array{binary_suffix, wide_suffix}, bytes_max_, path);
     } else {
         warnings_.push_back("warning: a tree is not kept for later runs: " + kept.error().detail);
-    }
-}
-
-void TreeCache::make_room(const fs::path& kept) {
-    std::vector<KeptFile> files = kept_files(folder_);
-    std::uint64_t bytes = 0;
-    for (const KeptFile& file : files) {
-        bytes += file.bytes;
-    }
-    // The new one comes last, whatever the clock says.
-    std::ranges::stable_partition(files, [&](const KeptFile& file) { return file.path != kept; });
-    for (const KeptFile& file : files) {
-        if (bytes <= bytes_max_) {
-            break;
-        }
-        std::error_code ignored;
-        fs::remove(file.path, ignored);
-        bytes -= file.bytes;
     }
 }
 

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,6 +24,13 @@ inline constexpr const char* no_tree_cache = "off";
 /// The option's value where it is not given: below this user's cached files (`cache_dir`), or
 /// `no_tree_cache` where the environment does not say where these are.
 [[nodiscard]] std::string default_tree_cache();
+
+/// Removes what went unused for longest of the files in a folder whose names end so, half-written
+/// ones as well, until they have at most so many bytes; `newest` goes last.
+void keep_within(const std::filesystem::path& folder,
+                 std::span<const std::string_view> suffixes,
+                 std::uint64_t bytes_max,
+                 const std::filesystem::path& newest);
 
 /// A tree as the paper has it, or as searches without a tolerance walk it.
 enum class TreeForm : std::uint8_t { Binary, Wide };
@@ -48,7 +57,6 @@ class TreeCache {
 
   private:
     [[nodiscard]] std::filesystem::path path_of(TreeForm form, const Sha256& key) const;
-    void make_room(const std::filesystem::path& kept);
 
     std::filesystem::path folder_;
     std::uint64_t bytes_max_;

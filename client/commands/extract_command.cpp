@@ -76,7 +76,8 @@ Result<CaseScenarios> read_case(OpenedRun& run, PreparedJob& job, const Range& r
 
 int execute(const ExtractCommand& command) {
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
-    auto at_hand = RunAtHand::open(command.run, command.master);
+    const std::filesystem::path tree_cache = tree_cache_folder(command.tree_cache);
+    auto at_hand = RunAtHand::open(command.run, command.master, tree_cache);
     if (!at_hand) {
         return fail(at_hand.error());
     }
@@ -86,7 +87,7 @@ int execute(const ExtractCommand& command) {
         return fail(range.error());
     }
     ThreadPool pool(command.threads);
-    TreeCache cache(tree_cache_folder(command.tree_cache));
+    TreeCache cache(tree_cache);
     auto spec = run.spec();
     if (!spec) {
         return fail(spec.error());

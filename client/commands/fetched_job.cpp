@@ -35,17 +35,34 @@ class RemotePoses final : public PoseSource {
     std::uint64_t count_;
 };
 
-Status fetch_meshes(Connection& connection, const Submit& submit, JobInputs& inputs) {
+/// Errors: those of the connection.
+Result<std::shared_ptr<const Mesh>>
+get_mesh(Connection& connection, const Sha256& mesh, const MeshCache& cache) {
+    if (auto kept = cache.find(mesh)) {
+        return kept;
+    }
+    auto fetched = connection.fetch_mesh(mesh);
+    if (!fetched) {
+        return fetched.error();
+    }
+    cache.keep(fetched.value());
+    return std::make_shared<const Mesh>(std::move(fetched.value()));
+}
+
+Status get_meshes(Connection& connection,
+                  const Submit& submit,
+                  const MeshCache& cache,
+                  JobInputs& inputs) {
     for (std::size_t i = 0; i < inputs.meshes.size(); ++i) {
         if (i == 1 && submit.bodies.at(1).mesh == submit.bodies.at(0).mesh) {
             inputs.meshes[1] = inputs.meshes[0];
             continue;
         }
-        auto mesh = connection.fetch_mesh(submit.bodies.at(i).mesh);
+        auto mesh = get_mesh(connection, submit.bodies.at(i).mesh, cache);
         if (!mesh) {
             return mesh.error();
         }
-        inputs.meshes[i] = std::make_shared<const Mesh>(std::move(mesh.value()));
+        inputs.meshes[i] = std::move(mesh.value());
     }
     return Done{};
 }
@@ -67,7 +84,9 @@ fetched_report(Connection& connection, const Query& query, const JobStatus& stat
     return report;
 }
 
-Result<FetchedJob> FetchedJob::open(const MasterOptions& master, const std::string& text) {
+Result<FetchedJob> FetchedJob::open(const MasterOptions& master,
+                                    const std::string& text,
+                                    const std::filesystem::path& tree_cache) {
     auto connection = open_master(master);
     if (!connection) {
         return connection.error();
@@ -77,13 +96,13 @@ Result<FetchedJob> FetchedJob::open(const MasterOptions& master, const std::stri
         return known.error();
     }
     FetchedJob job(std::move(connection.value()), std::move(known.value()));
-    if (Status prepared = job.prepare(); !prepared) {
+    if (Status prepared = job.prepare(MeshCache(tree_cache)); !prepared) {
         return prepared.error();
     }
     return job;
 }
 
-Status FetchedJob::prepare() {
+Status FetchedJob::prepare(const MeshCache& meshes) {
     const JobId id = known_.status.job;
     const auto described = connection_->job_description(id);
     if (!described) {
@@ -95,7 +114,7 @@ Status FetchedJob::prepare() {
         return spec.error();
     }
     JobInputs inputs;
-    if (Status fetched = fetch_meshes(*connection_, submit, inputs); !fetched) {
+    if (Status fetched = get_meshes(*connection_, submit, meshes, inputs); !fetched) {
         return fetched;
     }
     labels_ = submit.poses.labels;

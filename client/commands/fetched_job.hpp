@@ -4,10 +4,12 @@
 #include "client/cli.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/folder/folder_run.hpp"
+#include "client/mesh_cache.hpp"
 #include "client/prepared_job.hpp"
 #include "client/report.hpp"
 #include "common/core/result.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -17,10 +19,12 @@ namespace cd {
 /// What `run --master` has at hand when its job has ended, for a job that somebody submitted.
 class FetchedJob {
   public:
-    /// Fetches the description and the meshes; poses come as they are read. `text` is a job's id as
-    /// users write it. Errors: those of the connection; NotFound.
+    /// Fetches the description and the meshes that are not kept beside the trees; poses come as
+    /// they are read. `text` is a job's id as users write it, `tree_cache` as for `MeshCache`.
+    /// Errors: those of the connection; NotFound.
     [[nodiscard]] static Result<FetchedJob> open(const MasterOptions& master,
-                                                 const std::string& text);
+                                                 const std::string& text,
+                                                 const std::filesystem::path& tree_cache);
 
     [[nodiscard]] PreparedJob& prepared() { return *prepared_; }
     [[nodiscard]] const KnownJob& known() const { return known_; }
@@ -37,7 +41,7 @@ class FetchedJob {
     FetchedJob(std::unique_ptr<Connection> connection, KnownJob known)
         : connection_(std::move(connection)), known_(std::move(known)) {}
 
-    [[nodiscard]] Status prepare();
+    [[nodiscard]] Status prepare(const MeshCache& meshes);
     [[nodiscard]] Result<RunReport> make_report();
     [[nodiscard]] Result<RunReport> write_into(FolderRun& run, const std::string& output);
     [[nodiscard]] Status fetch_labels();

@@ -39,7 +39,7 @@ Status tell(const ResultsCommand& command, const RunReport& report, bool prints)
 }
 
 int results_of_job(const ResultsCommand& command) {
-    auto job = FetchedJob::open(command.master, command.job);
+    auto job = FetchedJob::open(command.master, command.job, tree_cache_folder(command.tree_cache));
     if (!job) {
         return fail(job.error());
     }

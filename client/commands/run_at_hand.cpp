@@ -14,9 +14,11 @@ namespace cd {
 
 namespace {
 
-Status
-fetch_into(const std::filesystem::path& dir, const std::string& id, const MasterOptions& master) {
-    auto job = FetchedJob::open(master, id);
+Status fetch_into(const std::filesystem::path& dir,
+                  const std::string& id,
+                  const MasterOptions& master,
+                  const std::filesystem::path& tree_cache) {
+    auto job = FetchedJob::open(master, id, tree_cache);
     if (!job) {
         return job.error();
     }
@@ -40,7 +42,9 @@ Result<RunAtHand> opened(const std::filesystem::path& dir) {
 
 } // namespace
 
-Result<RunAtHand> RunAtHand::open(const std::string& argument, const MasterOptions& master) {
+Result<RunAtHand> RunAtHand::open(const std::string& argument,
+                                  const MasterOptions& master,
+                                  const std::filesystem::path& tree_cache) {
     if (is_folder(argument)) {
         return opened(argument);
     }
@@ -49,7 +53,7 @@ Result<RunAtHand> RunAtHand::open(const std::string& argument, const MasterOptio
     if (mkdtemp(name.data()) == nullptr) {
         return Error{ErrorCode::Io, "cannot create " + name};
     }
-    const Status fetched = fetch_into(name, argument, master);
+    const Status fetched = fetch_into(name, argument, master, tree_cache);
     auto run = fetched ? opened(name) : Result<RunAtHand>(fetched.error());
     std::error_code ignored;
     std::filesystem::remove_all(name, ignored);

@@ -6,6 +6,7 @@
 #include "client/prepared_job.hpp"
 #include "common/core/result.hpp"
 
+#include <filesystem>
 #include <string>
 
 namespace cd {
@@ -17,9 +18,11 @@ struct RunAtHand {
 
     /// Opens a folder, or fetches all that there is of a job by way of a temporary one, which no
     /// signal leaves behind. Needs an `InterruptGuard`, which ends the process from then on.
-    /// Errors: those of `OpenedRun::open`, `read_inputs` and `FetchedJob`.
+    /// `tree_cache` as for `FetchedJob`. Errors: those of `OpenedRun::open`, `read_inputs` and
+    /// `FetchedJob`.
     [[nodiscard]] static Result<RunAtHand> open(const std::string& argument,
-                                                const MasterOptions& master);
+                                                const MasterOptions& master,
+                                                const std::filesystem::path& tree_cache);
 };
 
 } // namespace cd

@@ -95,13 +95,14 @@ compare_all(OpenedRun& run, PreparedJob& job, const std::vector<std::uint64_t>& 
 
 int execute(const VerifyCommand& command) {
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
-    auto at_hand = RunAtHand::open(command.run, command.master);
+    const std::filesystem::path tree_cache = tree_cache_folder(command.tree_cache);
+    auto at_hand = RunAtHand::open(command.run, command.master, tree_cache);
     if (!at_hand) {
         return fail(at_hand.error());
     }
     OpenedRun& run = at_hand.value().run;
     ThreadPool pool(command.threads);
-    TreeCache cache(tree_cache_folder(command.tree_cache));
+    TreeCache cache(tree_cache);
     auto spec = run.spec();
     if (!spec) {
         return fail(spec.error());

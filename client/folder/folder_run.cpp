@@ -1,8 +1,8 @@
 #include "client/folder/folder_run.hpp"
 
-#include "client/export/output_file.hpp"
 #include "client/folder/job_text.hpp"
 #include "client/interrupt.hpp"
+#include "client/mesh_cache.hpp"
 #include "client/poses/label_file.hpp"
 #include "client/submission.hpp"
 #include "client/words.hpp"
@@ -51,19 +51,6 @@ ManifestPoses poses_of(const PreparedJob& job) {
         poses.unit = file->unit.empty() ? job.spec.unit : file->unit;
     }
     return poses;
-}
-
-Status write_mesh(const fs::path& folder, const Mesh& mesh) {
-    auto file = OutputFile::create(folder / (to_hex(mesh.hash()) + ".mesh"));
-    if (!file) {
-        return file.error();
-    }
-    const Bytes bytes = mesh.canonical_bytes();
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (Status written = file.value().write(text); !written) {
-        return written;
-    }
-    return file.value().commit();
 }
 
 Status move_file(const fs::path& from, const fs::path& to) {
@@ -212,7 +199,9 @@ Status FolderRun::keep_inputs() const {
         if (i > 0 && job_->meshes[i]->hash() == job_->meshes[0]->hash()) {
             continue;
         }
-        if (Status written = write_mesh(inputs / "meshes", *job_->meshes[i]); !written) {
+        const Mesh& mesh = *job_->meshes[i];
+        const Status written = write_mesh_file(mesh_path(inputs / "meshes", mesh.hash()), mesh);
+        if (!written) {
             return written;
         }
     }

@@ -4,13 +4,11 @@
 #include "client/folder/run_recorder.hpp"
 #include "client/import/mesh_import.hpp"
 #include "client/interrupt.hpp"
+#include "client/mesh_cache.hpp"
 #include "client/poses/label_file.hpp"
 #include "client/words.hpp"
 #include "common/job/poses_hash.hpp"
 #include "common/job/scenario_file.hpp"
-
-#include <fstream>
-#include <sstream>
 
 namespace cd {
 
@@ -31,24 +29,6 @@ Error no_run(const fs::path& dir) {
                                "only its summary.json can be opened; run the job again"};
     }
     return {ErrorCode::NotFound, dir.string() + " holds no run: it has no run.json"};
-}
-
-fs::path mesh_path(const fs::path& dir, const Sha256& mesh) {
-    return dir / "inputs" / "meshes" / (to_hex(mesh) + ".mesh");
-}
-
-Result<std::shared_ptr<const Mesh>> read_kept_mesh(const fs::path& path, const Sha256& expected) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (!file || !(text << file.rdbuf())) {
-        return Error{ErrorCode::Io, path.string() + ": cannot be read, or is empty"};
-    }
-    const std::string bytes = text.str();
-    auto mesh = Mesh::from_canonical_bytes(std::as_bytes(std::span(bytes)));
-    if (!mesh || mesh.value().hash() != expected) {
-        return Error{ErrorCode::Io, path.string() + " is damaged: it has another SHA-256"};
-    }
-    return std::make_shared<const Mesh>(std::move(mesh.value()));
 }
 
 Error changed(const std::string& file) {
@@ -108,10 +88,9 @@ Result<JobSpec> OpenedRun::spec() const {
 
 Result<std::shared_ptr<const Mesh>> OpenedRun::mesh(std::size_t body) const {
     const ManifestBody& wanted = manifest_.bodies[body];
-    const fs::path kept = mesh_path(dir_, wanted.mesh);
-    std::error_code error;
-    if (fs::exists(kept, error)) {
-        return read_kept_mesh(kept, wanted.mesh);
+    auto kept = read_mesh_file(mesh_path(dir_ / "inputs" / "meshes", wanted.mesh), wanted.mesh);
+    if (kept || kept.error().code != ErrorCode::NotFound) {
+        return kept;
     }
     const auto job = spec();
     return job ? import_again(job.value(), body, wanted.mesh) : job.error();
