@@ -182,6 +182,11 @@ Result<RunReport> FetchedJob::write(FolderRunOptions options, const std::string&
         return fetched.error();
     }
     options.where.job = known_.id;
+    const auto cluster = connection_->status();
+    options.where.workers = cluster ? worker_count(cluster.value()) : 0;
+    const JobStatus& job = known_.status;
+    options.started = iso_time(job.began);
+    options.ended = iso_time(job.began + static_cast<std::uint64_t>(std::max(0.0, job.seconds)));
     options.folder.fresh = true; // The job may have more results by now.
     auto run = FolderRun::begin(*prepared_, std::move(options));
     if (!run) {

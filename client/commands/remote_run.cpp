@@ -136,7 +136,8 @@ int run_there(const RunCommand& command,
         return fail(done.error());
     }
     if (folder != nullptr) {
-        folder->set_job(text);
+        const auto cluster = connection->status();
+        folder->set_job(text, cluster ? worker_count(cluster.value()) : 0);
     }
     const Status told = folder != nullptr
                             ? report_into_folder(*connection, command, job, status.value(), *folder)

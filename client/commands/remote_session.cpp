@@ -78,11 +78,15 @@ Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& opt
     return opened;
 }
 
-std::string workers_text(const ClusterStatus& cluster) {
+std::uint64_t worker_count(const ClusterStatus& cluster) {
     const auto here = std::ranges::count_if(cluster.workers, [](const WorkerStatus& worker) {
         return worker.state != WorkerState::Lost;
     });
-    return counted(static_cast<std::uint64_t>(here), "worker");
+    return static_cast<std::uint64_t>(here);
+}
+
+std::string workers_text(const ClusterStatus& cluster) {
+    return counted(worker_count(cluster), "worker");
 }
 
 Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {

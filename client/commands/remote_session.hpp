@@ -9,6 +9,7 @@
 #include "common/core/result.hpp"
 #include "common/job/merge.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -21,7 +22,9 @@ namespace cd {
 /// Called before the inputs are read, which may take long.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& options);
 
-/// "12 workers"; those that are lost do not count.
+/// Those that are lost do not count.
+[[nodiscard]] std::uint64_t worker_count(const ClusterStatus& cluster);
+/// "12 workers", counted in the same way.
 [[nodiscard]] std::string workers_text(const ClusterStatus& cluster);
 
 /// Uploads what is missing, with a line on stderr for each mesh unless quiet, and submits.

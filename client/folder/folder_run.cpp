@@ -6,7 +6,9 @@
 #include "client/poses/label_file.hpp"
 #include "client/submission.hpp"
 #include "client/words.hpp"
+#include "common/core/build_info.hpp"
 #include "common/core/version.hpp"
+#include "common/core/wall_clock.hpp"
 #include "common/job/poses_hash.hpp"
 
 #include <algorithm>
@@ -66,7 +68,7 @@ Status move_file(const fs::path& from, const fs::path& to) {
 Result<RunManifest> manifest_of(const PreparedJob& job) {
     RunManifest manifest;
     manifest.program = "cdctl " + std::string(version);
-    manifest.started = utc_now();
+    manifest.commit = build_commit();
     manifest.name = job.spec.name;
     manifest.unit = job.spec.unit;
     JobSpec spec = job.spec;
@@ -131,11 +133,16 @@ Result<FolderRun> FolderRun::begin(PreparedJob& job, FolderRunOptions options) {
     }
     manifest.value().command = std::move(options.command);
     manifest.value().where = std::move(options.where);
+    manifest.value().started = options.started.empty() ? iso_time(unix_seconds()) : options.started;
+    manifest.value().ended = std::move(options.ended);
     auto folder = RunFolder::open(job.spec.output.dir, manifest.value(), options.folder);
     if (!folder) {
         return folder.error();
     }
     FolderRun run(std::move(folder.value()), std::move(manifest.value()), job);
+    if (run.folder_.unfinished()) {
+        run.manifest_.started = run.folder_.unfinished()->started;
+    }
     run.maps_from_master_ = options.maps_from_master;
     run.inputs_bytes_max_ = options.inputs_bytes_max;
     run.wants_inputs_ = options.keep_inputs;
@@ -286,7 +293,7 @@ Status FolderRun::finish(RunReport& report,
     if (Status written = write_summary(folder_.out(), context, report); !written) {
         return written;
     }
-    manifest_.ended = utc_now();
+    manifest_.ended = manifest_.ended.empty() ? iso_time(unix_seconds()) : manifest_.ended;
     manifest_.answered = records.value().count();
     manifest_.digest = report.digest;
     manifest_.map_digest =

@@ -27,6 +27,8 @@ struct FolderRunOptions {
     bool maps_from_master = false; ///< They are not summed of the results' pairs.
     ManifestPlace where;
     std::string command; ///< The command line.
+    std::string started; ///< `iso_time`; empty: now, or when the part that is gone on from began.
+    std::string ended;   ///< Empty: when it is finished.
 };
 
 /// Keeps each result as it comes, and makes all exports of the records at the end.
@@ -40,8 +42,11 @@ class FolderRun {
     [[nodiscard]] bool is_complete() const { return folder_.state() == RunFolder::State::All; }
     [[nodiscard]] RunFolder& folder() { return folder_; }
 
-    /// Names the job of a master.
-    void set_job(const std::string& id) { manifest_.where.job = id; }
+    /// Names the job of a master, and how many workers that has.
+    void set_job(const std::string& id, std::uint64_t workers) {
+        manifest_.where.job = id;
+        manifest_.where.workers = workers;
+    }
 
     /// What an earlier run has done of the first scenarios. Errors: Io; Interrupted.
     [[nodiscard]] Result<ResultMerger> done() const;

@@ -179,6 +179,7 @@ RunFolder::open(const fs::path& dir, const RunManifest& manifest, FolderOptions 
     }
     if (options.resume && is_this(there(unfinished))) {
         folder.state_ = State::Some;
+        folder.unfinished_ = there(unfinished);
         folder.recover_files();
         return taken;
     }

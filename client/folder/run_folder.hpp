@@ -51,6 +51,8 @@ class RunFolder {
     [[nodiscard]] Status add_files(std::span<const std::string> formats);
     /// Removes `.part`: nothing is to be gone on from.
     void clean();
+    /// What run.json says of the unfinished part, where that is gone on from.
+    [[nodiscard]] const std::optional<RunManifest>& unfinished() const { return unfinished_; }
     /// What the folder holds, where that is all of the job.
     [[nodiscard]] const std::optional<RunManifest>& finished() const { return before_; }
 
@@ -67,6 +69,7 @@ class RunFolder {
     DiskFile lock_;
     State state_ = State::Nothing;
     std::optional<RunManifest> before_; ///< The finished run in the folder.
+    std::optional<RunManifest> unfinished_;
 };
 
 /// The run.json of a folder. Errors: NotFound; BadInput and Io naming the file.

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 
@@ -92,7 +91,7 @@ Json where_json(const ManifestPlace& where) {
     if (where.master.empty()) {
         return {{"threads", where.threads}, {"simd", where.simd}};
     }
-    return {{"master", where.master}, {"job", where.job}};
+    return {{"master", where.master}, {"workers", where.workers}, {"job", where.job}};
 }
 
 Json bodies_json(const std::vector<ManifestBody>& bodies) {
@@ -279,6 +278,7 @@ RunManifest read_manifest(const Json& json) {
     }
     RunManifest manifest;
     manifest.program = value_or<std::string>(json, "program", "");
+    manifest.commit = value_or<std::string>(json, "commit", "");
     manifest.command = value_or<std::string>(json, "command", "");
     manifest.started = value_or<std::string>(json, "started", "");
     manifest.ended = value_or<std::string>(json, "ended", "");
@@ -286,7 +286,8 @@ RunManifest read_manifest(const Json& json) {
     manifest.where = {value_or<std::uint64_t>(where, "threads", 0),
                       value_or<std::string>(where, "simd", ""),
                       value_or<std::string>(where, "master", ""),
-                      value_or<std::string>(where, "job", "")};
+                      value_or<std::string>(where, "job", ""),
+                      value_or<std::uint64_t>(where, "workers", 0)};
     manifest.name = value_of<std::string>(json, "name");
     manifest.unit = value_of<std::string>(json, "unit");
     manifest.job = value_or<std::string>(json, "job", "");
@@ -323,6 +324,7 @@ std::string manifest_json(const RunManifest& manifest) {
     const Json json{{"format", format_version},
                     {"record_version", record_version},
                     {"program", manifest.program},
+                    {"commit", manifest.commit},
                     {"command", manifest.command},
                     {"started", manifest.started},
                     {"ended", manifest.ended},
@@ -360,10 +362,10 @@ bool is_same_job(const RunManifest& left, const RunManifest& right) {
            is_equal(left.query, right.query);
 }
 
-std::string utc_now() {
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+std::string iso_time(std::uint64_t unix_seconds) {
+    const auto time = static_cast<std::time_t>(unix_seconds);
     std::tm parts{};
-    gmtime_r(&now, &parts);
+    gmtime_r(&time, &parts);
     std::array<char, 32> text{};
     const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
     return {text.data(), size};

@@ -40,8 +40,9 @@ struct ManifestPoses {
 struct ManifestPlace {
     std::uint64_t threads = 0; ///< On this machine alone.
     std::string simd;
-    std::string master; ///< Its address; empty: it was this machine.
-    std::string job;    ///< The master's id of the job.
+    std::string master;        ///< Its address; empty: it was this machine.
+    std::string job;           ///< The master's id of the job.
+    std::uint64_t workers = 0; ///< That the master had when the results were written.
 };
 
 struct ManifestFile {
@@ -52,8 +53,9 @@ struct ManifestFile {
 /// run.json as values. Bodies are a list; those of ignored ranges are the first two.
 struct RunManifest {
     std::string program; ///< "cdctl 0.1.0"
+    std::string commit;  ///< `build_commit` of it.
     std::string command; ///< The command line.
-    std::string started; ///< UTC, ISO 8601.
+    std::string started; ///< UTC, ISO 8601; of a job on a master, when that accepted it.
     std::string ended;
     ManifestPlace where;
     std::string name;
@@ -82,7 +84,7 @@ struct RunManifest {
 /// threads do not matter.
 [[nodiscard]] bool is_same_job(const RunManifest& left, const RunManifest& right);
 
-/// The time now in UTC: "2026-03-01T12:00:00Z".
-[[nodiscard]] std::string utc_now();
+/// A time in UTC: "2026-03-01T12:00:00Z".
+[[nodiscard]] std::string iso_time(std::uint64_t unix_seconds);
 
 } // namespace cd

@@ -19,6 +19,12 @@ using testing::HasSubstr;
 RunManifest example(PosesKind kind) {
     RunManifest manifest;
     manifest.program = "cdctl 0.1.0";
+    manifest.commit = "0123abcd";
+    if (kind == PosesKind::Random) {
+        manifest.where.master = "node-1:7600";
+        manifest.where.job = "j-4f2a";
+        manifest.where.workers = 3;
+    }
     manifest.name = "a \"job\"";
     manifest.unit = "mm";
     manifest.job = "name = \"a job\"\n";
@@ -63,6 +69,7 @@ TEST(RunManifest, GivesBackWhatWasSaid) {
         EXPECT_EQ(manifest_json(parsed.value()), manifest_json(manifest));
         EXPECT_TRUE(is_same_job(parsed.value(), manifest));
         EXPECT_EQ(parsed.value().poses.grid, manifest.poses.grid);
+        EXPECT_EQ(parsed.value().where.workers, manifest.where.workers);
         EXPECT_EQ(JobBody(parsed.value().bodies[0]), JobBody(manifest.bodies[0]));
         EXPECT_TRUE(parsed.value().is_complete());
     }
@@ -132,6 +139,11 @@ TEST(RunManifest, ListedFilesStayInTheirFolder) {
     for (const char* name : {"", "/etc/passwd", "../x", "inputs/../../x", ".."}) {
         EXPECT_FALSE(is_inside(name)) << name;
     }
+}
+
+TEST(RunManifest, TimesAreInUtc) {
+    EXPECT_EQ(iso_time(0), "1970-01-01T00:00:00Z");
+    EXPECT_EQ(iso_time(1772366400), "2026-03-01T12:00:00Z");
 }
 
 TEST(JobText, IsReadBackToTheSameJob) {

@@ -1,6 +1,7 @@
 // Proves, with real processes, that a run into a folder can be interrupted and killed and goes on,
 // that its folder opens again without the files that it came from, and that what is there is never
 // mixed with another run.
+#include "common/core/build_info.hpp"
 #include "tests/client/import/gltf_text.hpp"
 #include "tests/cluster/folder/folder_fixture.hpp"
 
@@ -29,6 +30,9 @@ TEST_F(Folder, AnInterruptedRunGoesOnWithTheSameCommand) {
         ASSERT_EQ(whole.exit_code, 0) << whole.errors;
         EXPECT_THAT(stop_early(SIGINT, "out"),
                     HasSubstr("of 40 000 are kept in " + out + ", and the same command goes on"));
+        auto begun = read_json(folder_ / "out" / ".part" / "run.json");
+        begun["started"] = "2001-02-03T04:05:06Z";
+        write_text(folder_ / "out" / ".part" / "run.json", begun.dump());
         stop_early(SIGKILL, "out");
         EXPECT_FALSE(fs::exists(folder_ / "out" / "run.json"));
 
@@ -38,6 +42,8 @@ TEST_F(Folder, AnInterruptedRunGoesOnWithTheSameCommand) {
         EXPECT_EQ(digest_of(resumed), digest_of(whole));
         const auto got = read_json(folder_ / "out" / "run.json");
         const auto expected = read_json(folder_ / "whole" / "run.json");
+        EXPECT_EQ(got["started"], "2001-02-03T04:05:06Z");
+        EXPECT_EQ(got["commit"], build_commit());
         EXPECT_EQ(got["digest"], expected["digest"]);
         EXPECT_EQ(got["map_digest"], expected["map_digest"]);
         EXPECT_TRUE(got["map_digest"].is_string());

@@ -112,6 +112,12 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
             EXPECT_EQ(told["ids"], true);
             EXPECT_EQ(told["times"], true);
         }
+        const auto written = nlohmann::json::parse(read_text(folder_ / "y" / "run.json"));
+        EXPECT_EQ(written["where"]["workers"], 1);
+        const Ran told = cdctl_at_master({"get", "jobs", "-o", "json"});
+        std::string began = nlohmann::json::parse(told.output).back()["began"];
+        EXPECT_EQ(written["started"], began.replace(began.find(' '), 1, "T"));
+        EXPECT_GE(written["ended"], written["started"]);
         const Ran here = tests::run({cdctl(), "run", folder_ / "y"});
         EXPECT_EQ(digest_of(here), digest_of(ran)) << here.errors;
         const std::string without = folder_ / "z";
