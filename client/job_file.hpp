@@ -48,7 +48,8 @@ struct GridSpec {
 
 using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses>;
 
-/// Part names of A and of B, each with the wildcards of a shell: their pairs are passed over.
+/// Part names of A and of B, each with the wildcards of a shell: their pairs are passed over. The
+/// body's name and a slash may stand before the part's; a backslash takes the meaning of / * ? [.
 struct IgnoreRule {
     std::string a;
     std::string b;

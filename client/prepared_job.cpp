@@ -180,10 +180,8 @@ Result<PreparedJob> prepare_job(
     if (Status imported = import_bodies(job, quiet); !imported) {
         return imported.error();
     }
-    auto ignored =
-        given.ignored
-            ? Result(std::move(*given.ignored))
-            : resolve_ignored(job.spec.ignore, *job.meshes[0], *job.meshes[1], job.spec.file);
+    auto ignored = given.ignored ? Result(std::move(*given.ignored))
+                                 : resolve_ignored(job.spec, *job.meshes[0], *job.meshes[1]);
     if (!ignored) {
         return ignored.error();
     }

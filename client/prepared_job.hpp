@@ -67,12 +67,9 @@ struct JobInputs {
 
 [[nodiscard]] ExportContext export_context(const PreparedJob& job);
 
-/// The ranges of triangles that the rules pass over. A name that no part matches is an error that
-/// names the rule, its line, and the parts that exist.
+/// The ranges of triangles that the job's rules pass over. A name that no part matches, and another
+/// body's, is an error that names the rule, its line, and what there is.
 [[nodiscard]] Result<std::vector<IgnoredRange>>
-resolve_ignored(const std::vector<IgnoreRule>& rules,
-                const Mesh& a,
-                const Mesh& b,
-                const std::filesystem::path& job_file);
+resolve_ignored(const JobSpec& spec, const Mesh& a, const Mesh& b);
 
 } // namespace cd

@@ -307,6 +307,43 @@ TEST_F(Run, AnIgnoredNameThatMatchesNothingIsAnError) {
     EXPECT_THAT(stderr_, HasSubstr("did you mean \"wheel_left\"?"));
 }
 
+TEST_F(Run, AnIgnoredPartMayHaveItsBodyBeforeIt) {
+    const std::string job = "[a]\nmesh = \"a.obj\"\nname = \"car\"\n[b]\nmesh = \"b.obj\"\n"
+                            "[poses]\nfile = \"poses.csv\"\n[query]\nignore = [['";
+    command_.job = {};
+    command_.job.file = (dir_ / "job.toml").string();
+    command_.output = "csv";
+    for (const char* pair : {"car/wheel_*', 'b/post", "c*/wheel_*', 'post", "wheel_*', 'b/po*"}) {
+        write("job.toml", job + pair + "']]\n");
+        EXPECT_EQ(run(), exit_done) << stderr_;
+        EXPECT_THAT(stdout_, HasSubstr("\n1,car,b,separate,0,")) << pair;
+    }
+    write("job.toml", job + "a/wheel_*', 'post']]\n");
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_,
+                HasSubstr("job.toml:9: ignore: \"a/wheel_*\" is of another body than A, which is "
+                          "called \"car\""));
+}
+
+TEST_F(Run, ABackslashTakesTheMeaningOfTheNextCharacter) {
+    write("a.obj", tetrahedron("left/wheel*", 0, 1) + tetrahedron("body", 5, 5));
+    const std::string job = "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n"
+                            "[poses]\nfile = \"poses.csv\"\n[query]\nignore = [['";
+    command_.job = {};
+    command_.job.file = (dir_ / "job.toml").string();
+    command_.output = "csv";
+    for (const char* pattern : {"left\\/wheel\\*", "a/left\\/wheel*", "a/left/wheel*"}) {
+        write("job.toml", job + pattern + "', 'post']]\n");
+        EXPECT_EQ(run(), exit_done) << stderr_;
+    }
+    write("job.toml", job + "left/wheel*', 'post']]\n");
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("a / within the name of a part is written \\/"));
+    write("job.toml", job + "left\\/wheel\\?', 'post']]\n");
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("no part of A matches"));
+}
+
 TEST_F(Run, ADryRunWritesNothing) {
     command_.dry_run = true;
     command_.quiet = false;

@@ -81,7 +81,7 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
         {"file = \"named.csv\"", "level = \"count\""},
         {"grid = { x = [-2, 2, 9], yaw_deg = [0, 90, 4] }", "level = \"count\"\nmaps = true"},
         {"grid = { x = [-20, 20, 9] }\nunit = \"mm\"",
-         "level = \"pairs\"\nignore = [[\"mes*\", \"mesh\"]]\n"
+         "level = \"pairs\"\nignore = [[\"default*\", \"ball/defaultobject\"]]\n"
          "[cluster]\nstrategy = \"random\"\nseed = 5\ndepth = { b = 2 }"}};
     for (const auto& [poses, query] : jobs) {
         SCOPED_TRACE(poses);
