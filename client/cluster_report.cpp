@@ -35,11 +35,6 @@ std::string worker_state(const WorkerStatus& worker) {
     return "idle";
 }
 
-/// Empty where it is not known.
-Cell depth_cell(const std::vector<std::uint32_t>& depths, std::size_t body) {
-    return body < depths.size() ? Cell(std::uint64_t{depths[body]}) : Cell(std::string());
-}
-
 /// "2026-03-01 12:00:00Z"
 std::string utc_text(std::uint64_t unix_seconds) {
     const auto time = static_cast<std::time_t>(unix_seconds);
@@ -127,8 +122,7 @@ Table jobs_table(const ClusterStatus& status) {
                      {"recalled", "RECALLED", CellKind::Count, true},
                      {"copies", "COPIES", CellKind::Count, true},
                      {"copies_won", "COPIES WON", CellKind::Count, true},
-                     {"depth_a", "DEPTH A", CellKind::Count, true},
-                     {"depth_b", "DEPTH B", CellKind::Count, true},
+                     {"depths", "DEPTHS", CellKind::Text, true},
                      {"master_bytes", "FROM MASTER", CellKind::Size, true},
                      {"peer_bytes", "FROM PEERS", CellKind::Size, true},
                      {"cache_hits", "FOUND", CellKind::Count, true},
@@ -163,8 +157,7 @@ Table jobs_table(const ClusterStatus& status) {
                               job.recalled,
                               job.copies,
                               job.copies_won,
-                              depth_cell(job.depths, 0),
-                              depth_cell(job.depths, 1),
+                              job.depths,
                               job.traffic.blocks.master_bytes,
                               job.traffic.blocks.peer_bytes,
                               job.traffic.blocks.hits,

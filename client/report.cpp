@@ -297,11 +297,11 @@ std::string prepared_text(const RunReport& report) {
 }
 
 std::string depths_text(const RunReport& report) {
-    if (!report.depth_a || !report.depth_b) {
+    if (report.depths.size() != 2) {
         return "";
     }
-    return "  depths        A cut at " + std::to_string(*report.depth_a) + ", B at " +
-           std::to_string(*report.depth_b) + "\n";
+    return "  depths        A cut at " + std::to_string(report.depths[0]) + ", B at " +
+           std::to_string(report.depths[1]) + "\n";
 }
 
 } // namespace

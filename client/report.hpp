@@ -80,13 +80,13 @@ struct RunReport {
     std::optional<Sha256> digest;  ///< Nothing while scenarios are missing.
     double seconds = 0;
     JobStatistics statistics;
-    std::optional<SearchCost> cost;       ///< Of this machine's searches; nothing on a cluster.
-    std::optional<JobTraffic> traffic;    ///< Nothing where nothing travelled.
-    std::optional<std::uint32_t> depth_a; ///< Where trees were cut for the cluster, if they were
-    std::optional<std::uint32_t> depth_b; ///< and it is known.
-    std::string where;                    ///< "2 threads", "2 workers"; may be empty.
-    std::optional<ContactMap> map;        ///< Where one was asked for,
-    std::string map_withdrawn;            ///< or why there is none.
+    std::optional<SearchCost> cost;    ///< Of this machine's searches; nothing on a cluster.
+    std::optional<JobTraffic> traffic; ///< Nothing where nothing travelled.
+    /// By body, where its tree was cut for the cluster; empty where none was, or it is not known.
+    std::vector<std::uint32_t> depths;
+    std::string where;                            ///< "2 threads", "2 workers"; may be empty.
+    std::optional<ContactMap> map;                ///< Where one was asked for,
+    std::string map_withdrawn;                    ///< or why there is none.
     std::vector<PartTally::Touched> most_touched; ///< Of listed pairs.
     std::string hint; ///< A line about poses that bring no contact; empty where there is none.
     double prepare_seconds = 0;        ///< To read inputs and build trees; not in `seconds`.

@@ -29,6 +29,14 @@ double number_of(const Cell& cell) {
     return value == nullptr ? 0 : *value;
 }
 
+std::string list_text(const std::vector<std::uint32_t>& list) {
+    std::string text;
+    for (const std::uint32_t number : list) {
+        text += (text.empty() ? "" : " ") + std::to_string(number);
+    }
+    return text;
+}
+
 /// As a program reads it: no units, no groups.
 std::string raw_text(const Cell& cell) {
     if (const auto* text = std::get_if<std::string>(&cell)) {
@@ -36,6 +44,9 @@ std::string raw_text(const Cell& cell) {
     }
     if (const auto* count = std::get_if<std::uint64_t>(&cell)) {
         return std::to_string(*count);
+    }
+    if (const auto* list = std::get_if<std::vector<std::uint32_t>>(&cell)) {
+        return list_text(*list);
     }
     return exact_text(std::get<double>(cell));
 }

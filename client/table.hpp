@@ -25,7 +25,8 @@ struct Column {
     bool only_wide = false;
 };
 
-using Cell = std::variant<std::string, std::uint64_t, double>;
+/// A list is shown with blanks between its numbers; in JSON it is an array.
+using Cell = std::variant<std::string, std::uint64_t, double, std::vector<std::uint32_t>>;
 
 /// Each row has a cell for each column; the first column names the thing.
 struct Table {

@@ -275,10 +275,7 @@ RunReport report_of(const JobStatus& job, Level level) {
     report.seconds = job.seconds;
     report.statistics = job.statistics;
     report.traffic = job.traffic;
-    if (job.depths.size() == 2) {
-        report.depth_a = job.depths[0];
-        report.depth_b = job.depths[1];
-    }
+    report.depths = job.depths;
     return report;
 }
 

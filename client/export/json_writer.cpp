@@ -103,10 +103,6 @@ Json traffic_json(const JobTraffic& traffic) {
             {"result_bytes", traffic.result_bytes}};
 }
 
-Json depth_json(const std::optional<std::uint32_t>& depth) {
-    return depth ? Json(*depth) : Json();
-}
-
 Json body_json(const ExportBody& body) {
     const Mesh* mesh = body.mesh.get();
     if (mesh == nullptr) {
@@ -163,8 +159,7 @@ std::string summary_json(const ExportContext& context, const RunReport& report) 
     }
     json["statistics"] = statistics_json(report);
     if (report.traffic) {
-        json["depth_a"] = depth_json(report.depth_a);
-        json["depth_b"] = depth_json(report.depth_b);
+        json["depths"] = report.depths;
         json["traffic"] = traffic_json(*report.traffic);
     }
     json["digest"] = report.digest ? Json(to_hex(*report.digest)) : Json();

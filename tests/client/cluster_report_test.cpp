@@ -175,12 +175,12 @@ TEST_F(Status, OneJobIsOneObject) {
     const auto json = nlohmann::json::parse(job_json(before_.jobs[0]));
     EXPECT_EQ(json["name"], "van");
     EXPECT_EQ(json["scenarios"], 100);
-    EXPECT_EQ(json["depth_a"], "") << "not known yet";
+    EXPECT_EQ(json["depths"], nlohmann::json::array()) << "not known yet";
 }
 
 TEST_F(Status, AJobTellsWhatTravelledForIt) {
     before_.jobs[0].traffic = {{1, 2, 3, 4, 5, 6}, 7};
-    before_.jobs[0].depths = {8};
+    before_.jobs[0].depths = {8, 6};
     const auto json = nlohmann::json::parse(job_json(before_.jobs[0]));
     EXPECT_EQ(json["cache_hits"], 1);
     EXPECT_EQ(json["cache_misses"], 2);
@@ -189,7 +189,8 @@ TEST_F(Status, AJobTellsWhatTravelledForIt) {
     EXPECT_EQ(json["master_bytes"], 5);
     EXPECT_EQ(json["peer_bytes"], 6);
     EXPECT_EQ(json["result_bytes"], 7);
-    EXPECT_EQ(json["depth_a"], 8);
+    EXPECT_EQ(json["depths"], (std::vector<int>{8, 6}));
+    EXPECT_THAT(format_table(jobs_table(before_), "csv"), HasSubstr(",8 6,"));
 }
 
 } // namespace

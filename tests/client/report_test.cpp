@@ -215,8 +215,7 @@ TEST(Report, WhatTravelledIsToldWhereSomethingDid) {
     EXPECT_THAT(text, HasSubstr("  sent back     4.0 KiB of results\n"));
     EXPECT_THAT(text, Not(HasSubstr("depths")));
     report.traffic->blocks.hinted = 7;
-    report.depth_a = 6;
-    report.depth_b = 4;
+    report.depths = {6, 4};
     EXPECT_THAT(summary_text(report, with_statistics),
                 HasSubstr("(99.00 %), 7 asked for ahead, 3 evicted\n"));
     EXPECT_THAT(summary_text(report, with_statistics),

@@ -114,6 +114,8 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
         }
         const auto written = nlohmann::json::parse(read_text(folder_ / "y" / "run.json"));
         EXPECT_EQ(written["where"]["workers"], 1);
+        const auto summary = nlohmann::json::parse(read_text(folder_ / "y" / "summary.json"));
+        EXPECT_EQ(summary["depths"].size(), 2u) << "by body";
         const Ran told = cdctl_at_master({"get", "jobs", "-o", "json"});
         std::string began = nlohmann::json::parse(told.output).back()["began"];
         EXPECT_EQ(written["started"], began.replace(began.find(' '), 1, "T"));
