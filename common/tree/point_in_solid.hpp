@@ -64,7 +64,7 @@ class SolidTest {
     enum class Verdict : std::uint8_t { Even, Odd, OnSurface, Unclear };
 
     [[nodiscard]] std::uint64_t attempts_max() const;
-    [[nodiscard]] Vec3 outwards(const SolidPoint& point, const Vec3& direction) const;
+    [[nodiscard]] std::optional<Vec3> shortest_way_out(const SolidPoint& point) const;
     [[nodiscard]] Verdict
     cast_ray(SolidPoint& point, const Vec3& direction, std::span<const IdRange> passed_over);
 
