@@ -384,7 +384,8 @@ double bytes_below(const fs::path& folder) {
 
 } // namespace
 
-/// Work is compared in place of time, which a busy machine changes (bench/estimate has the time).
+/// Work is compared in place of time, which a busy machine changes (bench/estimate_bench.cpp has
+/// the time).
 TEST_F(Run, ADryRunTellsWhatTheRunTakesWithinAFactorOfTwo) {
     write_obj((dir_ / "a.obj").string(), make_torus(1.5, 0.5, 60, 30));
     write("poses.csv", poses_all_around(3000));
