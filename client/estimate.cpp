@@ -287,7 +287,8 @@ Result<double> put_bytes(const PreparedJob& job,
         times * more(bytes.value().scenarios, base.value().scenarios) +
         triangles_factor(job, samples) * more(bytes.value().maps, base.value().maps);
     estimate.bytes = base.value().scenarios + base.value().maps +
-                     (keeps_inputs ? mesh_bytes(job) : 0) + static_cast<std::uint64_t>(grown);
+                     (keeps_inputs ? bytes_beside_poses(job) : 0) +
+                     static_cast<std::uint64_t>(grown);
     // Each file is synchronised to the disk once a run, not once a scenario.
     return std::max(0.0, seconds - base_seconds) / size;
 }

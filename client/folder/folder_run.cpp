@@ -95,16 +95,16 @@ Result<RunManifest> manifest_of(const PreparedJob& job) {
     return manifest;
 }
 
-std::uint64_t mesh_bytes(const PreparedJob& job) {
+std::uint64_t bytes_beside_poses(const PreparedJob& job) {
     const auto bytes = [](const Mesh& mesh) {
         return mesh.vertices().size() * sizeof(Vec3) + mesh.triangles().size() * sizeof(Triangle);
     };
-    return bytes(*job.meshes[0]) +
+    return label_bytes(job.labels) + bytes(*job.meshes[0]) +
            (job.meshes[0]->hash() == job.meshes[1]->hash() ? 0 : bytes(*job.meshes[1]));
 }
 
 std::uint64_t input_bytes(const PreparedJob& job) {
-    return mesh_bytes(job) + (job.grid ? 0 : job.poses->count() * scenario_bytes);
+    return bytes_beside_poses(job) + (job.grid ? 0 : job.poses->count() * scenario_bytes);
 }
 
 void make_paths_absolute(JobSpec& spec) {
@@ -166,7 +166,7 @@ Status FolderRun::open_files(PreparedJob& job) {
     }
     PoseRecorderOptions options;
     options.hashes = !manifest_.poses.hash;
-    options.bytes_max = keeps_inputs_ ? inputs_bytes_max_ - mesh_bytes(job) : 0;
+    options.bytes_max = keeps_inputs_ ? inputs_bytes_max_ - bytes_beside_poses(job) : 0;
     auto poses = PoseRecorder::open(std::move(job.poses), folder_.part() / "scenarios", options);
     if (!poses) {
         return poses.error();

@@ -96,9 +96,9 @@ class FolderRun {
 /// while the run goes on. Errors: those of reading poses; Interrupted.
 [[nodiscard]] Result<RunManifest> manifest_of(const PreparedJob& job);
 
-/// What a folder's meshes take, about.
-[[nodiscard]] std::uint64_t mesh_bytes(const PreparedJob& job);
-/// Meshes and poses, which is at least what a folder's inputs take.
+/// What a folder's meshes take, and how its scenarios are called, about.
+[[nodiscard]] std::uint64_t bytes_beside_poses(const PreparedJob& job);
+/// The same with the poses, which is at least what a folder's inputs take.
 [[nodiscard]] std::uint64_t input_bytes(const PreparedJob& job);
 
 /// Whoever opens the job again may stand in another folder.

@@ -30,7 +30,7 @@ constexpr std::array<const char*, 9> old_names{"summary.json",
                                                "map.npz"};
 
 /// What else a run writes under names of its own; they are of no use without its run.json.
-constexpr std::array<const char*, 2> kept_names{"maps", "inputs/scenarios"};
+constexpr std::array<const char*, 3> kept_names{"maps", "inputs/scenarios", "inputs/ids"};
 
 Error refused(const fs::path& dir, const std::string& what) {
     return {ErrorCode::BadInput,

@@ -52,6 +52,16 @@ bool add_time(PoseLabels& labels, const std::string& text) {
 
 } // namespace
 
+std::uint64_t label_bytes(const PoseLabels& labels) {
+    constexpr std::uint64_t number_bytes = 25; // Of the longest double, and what ends it.
+    const std::uint64_t numbers = labels.integers.size() + labels.times.size();
+    std::uint64_t bytes = sizeof "id,t" + number_bytes * numbers;
+    for (const std::string& text : labels.texts) {
+        bytes += csv_field(text).size() + 1;
+    }
+    return labels.is_empty() ? 0 : bytes;
+}
+
 Status write_labels(const std::filesystem::path& path, const PoseLabels& labels) {
     const LabelColumns columns = labels.columns();
     auto file = RowFile::create(path, header_of(columns) + "\n");

@@ -4,9 +4,13 @@
 #include "common/core/result.hpp"
 #include "common/job/pose_labels.hpp"
 
+#include <cstdint>
 #include <filesystem>
 
 namespace cd {
+
+/// At least what the file takes.
+[[nodiscard]] std::uint64_t label_bytes(const PoseLabels& labels);
 
 /// Writes a CSV file with the columns `id` and `t`, as far as they are there, a row for each
 /// scenario; numbers are the shortest that read back the same. Errors: Io.

@@ -116,7 +116,7 @@ TEST_F(FolderRunTest, InputsThatAreTooLargeAreNotKeptAndThatIsTold) {
     EXPECT_THAT(summary_text(kept), Not(HasSubstr("inputs")));
     const std::uint64_t poses = fs::file_size(folder_ / "kept" / "inputs" / "scenarios");
     ASSERT_GT(poses, 25'000);
-    const std::uint64_t meshes = mesh_bytes(prepare(300, "x"));
+    const std::uint64_t meshes = bytes_beside_poses(prepare(300, "x"));
 
     for (const std::uint64_t bytes_max : {meshes - 1, meshes + 19'300, meshes + poses - 500}) {
         SCOPED_TRACE(bytes_max);

@@ -120,6 +120,7 @@ TEST_F(PoseFile, AFileOfLabelsGivesThemBack) {
           PoseLabels{{}, {}, {0.1}},
           PoseLabels{{}, {"", ""}, {}}}) {
         ASSERT_TRUE(write_labels(path, labels));
+        EXPECT_LE(std::filesystem::file_size(path), label_bytes(labels));
         const auto read = read_labels(path);
         ASSERT_TRUE(read) << read.error().detail;
         EXPECT_EQ(read.value(), labels);
