@@ -15,7 +15,7 @@ constexpr std::string_view mesh_suffix = ".mesh";
 
 } // namespace
 
-std::filesystem::path mesh_path(const std::filesystem::path& folder, const Sha256& mesh) {
+std::filesystem::path mesh_file_path(const std::filesystem::path& folder, const Sha256& mesh) {
     return folder / (to_hex(mesh) + std::string(mesh_suffix));
 }
 
@@ -52,7 +52,7 @@ std::shared_ptr<const Mesh> MeshCache::find(const Sha256& mesh) const {
     if (folder_.empty()) {
         return nullptr;
     }
-    const std::filesystem::path path = mesh_path(folder_, mesh);
+    const std::filesystem::path path = mesh_file_path(folder_, mesh);
     const auto found = read_mesh_file(path, mesh);
     if (!found) {
         return nullptr;
@@ -67,7 +67,7 @@ void MeshCache::keep(const Mesh& mesh) const {
     if (folder_.empty() || !make_directories(folder_)) {
         return;
     }
-    const std::filesystem::path path = mesh_path(folder_, mesh.hash());
+    const std::filesystem::path path = mesh_file_path(folder_, mesh.hash());
     // What power took away is fetched again; waiting for the disk costs more.
     if (write_mesh_file(path, mesh, Durability::Unsynced)) {
         keep_within(folder_, std::array{mesh_suffix}, bytes_max_, path);

@@ -13,8 +13,8 @@
 namespace cd {
 
 /// "SHA-256.mesh" in a folder.
-[[nodiscard]] std::filesystem::path mesh_path(const std::filesystem::path& folder,
-                                              const Sha256& mesh);
+[[nodiscard]] std::filesystem::path mesh_file_path(const std::filesystem::path& folder,
+                                                   const Sha256& mesh);
 
 /// Writes a mesh's canonical bytes. Errors: Io.
 [[nodiscard]] Status write_mesh_file(const std::filesystem::path& path,

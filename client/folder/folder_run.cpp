@@ -207,7 +207,8 @@ Status FolderRun::keep_inputs() const {
             continue;
         }
         const Mesh& mesh = *job_->meshes[i];
-        const Status written = write_mesh_file(mesh_path(inputs / "meshes", mesh.hash()), mesh);
+        const Status written =
+            write_mesh_file(mesh_file_path(inputs / "meshes", mesh.hash()), mesh);
         if (!written) {
             return written;
         }

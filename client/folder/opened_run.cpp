@@ -88,7 +88,8 @@ Result<JobSpec> OpenedRun::spec() const {
 
 Result<std::shared_ptr<const Mesh>> OpenedRun::mesh(std::size_t body) const {
     const ManifestBody& wanted = manifest_.bodies[body];
-    auto kept = read_mesh_file(mesh_path(dir_ / "inputs" / "meshes", wanted.mesh), wanted.mesh);
+    auto kept =
+        read_mesh_file(mesh_file_path(dir_ / "inputs" / "meshes", wanted.mesh), wanted.mesh);
     if (kept || kept.error().code != ErrorCode::NotFound) {
         return kept;
     }

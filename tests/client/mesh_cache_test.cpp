@@ -27,7 +27,7 @@ TEST(MeshCache, GivesBackWhatItKeepsAndNothingElse) {
     EXPECT_EQ(found->canonical_bytes(), mesh.canonical_bytes());
     EXPECT_EQ(cache.find(make_box({1, 1, 1}).hash()), nullptr);
 
-    const fs::path file = mesh_path(folder / "trees" / "meshes", mesh.hash());
+    const fs::path file = mesh_file_path(folder / "trees" / "meshes", mesh.hash());
     write_text(file, read_text(file) + "x");
     EXPECT_EQ(cache.find(mesh.hash()), nullptr);
     cache.keep(mesh);
