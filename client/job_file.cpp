@@ -149,6 +149,10 @@ void read_poses(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
     }
     const std::string unit = fields.word("unit", unit_names()).value_or("");
     const double factor = unit_factor(unit.empty() ? spec.unit : unit, spec.unit).value_or(1);
+    if (file && file->empty()) {
+        fields.report("file", "file is empty; give the name of a file with poses");
+        return;
+    }
     if (file) {
         PoseFileSpec poses = read_pose_file(fields, *file, spec.file);
         poses.length_factor = factor;

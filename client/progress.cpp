@@ -1,6 +1,7 @@
 #include "client/progress.hpp"
 
 #include "client/words.hpp"
+#include "common/core/printable.hpp"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -101,9 +102,10 @@ void ProgressPrinter::finish(const ProgressState& state) {
 /// back up.
 void ProgressPrinter::draw_bar(const ProgressState& state) {
     const std::size_t width = width_of(stream_);
-    std::string text = "\r" + progress_text(state, true).substr(0, width) + "\x1b[K";
+    std::string text =
+        "\r" + std::string(utf8_prefix(progress_text(state, true), width)) + "\x1b[K";
     if (!state.note.text.empty() || !note_.empty()) {
-        text += "\n" + state.note.text.substr(0, width) + "\x1b[K\x1b[A\r";
+        text += "\n" + std::string(utf8_prefix(state.note.text, width)) + "\x1b[K\x1b[A\r";
     }
     std::fputs(text.c_str(), stream_);
     std::fflush(stream_);

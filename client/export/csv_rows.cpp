@@ -1,12 +1,15 @@
 #include "client/export/csv_rows.hpp"
 
+#include "common/core/printable.hpp"
+
 #include <utility>
 
 namespace cd {
 
-std::string csv_field(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-        return std::string(text);
+std::string csv_field(std::string_view given) {
+    const std::string text = valid_utf8(given);
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+        return text;
     }
     std::string field = "\"";
     for (const char c : text) {

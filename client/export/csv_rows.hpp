@@ -16,7 +16,7 @@
 
 namespace cd {
 
-/// A field as RFC 4180 wants it.
+/// A field as RFC 4180 wants it, in UTF-8.
 [[nodiscard]] std::string csv_field(std::string_view text);
 
 /// The name of a triangle's part as a field.

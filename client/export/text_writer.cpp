@@ -1,5 +1,6 @@
 #include "client/export/result_writer.hpp"
 #include "client/words.hpp"
+#include "common/core/printable.hpp"
 
 namespace cd {
 
@@ -10,7 +11,7 @@ std::string triangle_text(const Mesh* mesh, std::uint32_t triangle) {
     const std::string number = std::to_string(triangle);
     return part == nullptr || part->name.empty()
                ? number
-               : number + " (" + part->name + " " +
+               : number + " (" + valid_utf8(part->name) + " " +
                      std::to_string(triangle - part->triangles_begin) + ")";
 }
 

@@ -21,6 +21,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -151,9 +152,8 @@ Result<ImportedMesh> import_file(const std::filesystem::path& path, const Import
     return is_gltf(source.bytes, extension) ? read_gltf(source) : import_others(path, options);
 }
 
-} // namespace
-
-Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const ImportOptions& options) {
+Result<ImportedMesh> import_checked(const std::filesystem::path& path,
+                                    const ImportOptions& options) {
     if (const Status there = check_file(path); !there) {
         return there.error();
     }
@@ -169,6 +169,16 @@ Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const Import
     }
     warn_of_coarse_floats(path, imported.value());
     return options.is_y_up ? turned_to_z_up(std::move(imported.value())) : std::move(imported);
+}
+
+} // namespace
+
+Result<ImportedMesh> import_mesh(const std::filesystem::path& path, const ImportOptions& options) {
+    try {
+        return import_checked(path, options);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::TooLarge, path.string() + ": too little memory to read it"};
+    }
 }
 
 } // namespace cd

@@ -10,7 +10,7 @@ namespace cd {
 ///
 /// Errors: BadInput, one line naming the file, and the line, byte or face (from 0): no such file,
 /// empty, no mesh, an index out of range, a coordinate that is not finite, or anything else that
-/// would lose or change geometry.
+/// would lose or change geometry. TooLarge where memory does not suffice.
 [[nodiscard]] Result<ImportedMesh> import_mesh(const std::filesystem::path& path,
                                                const ImportOptions& options);
 

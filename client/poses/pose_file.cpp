@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <optional>
 
 namespace cd {
@@ -114,10 +115,7 @@ Result<PoseTable> open_table(const PoseFileSpec& spec) {
     return bad("the ending '" + ending + "' is none of .csv, .npy, .npz, .tum, .txt");
 }
 
-} // namespace
-
-Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec) {
-    const std::string name = spec.path == "-" ? "standard input" : spec.path.string();
+Result<OpenedPoses> open_named(const PoseFileSpec& spec, const std::string& name) {
     const auto named = [&](const Error& error) {
         const bool has_name = error.detail.starts_with(name);
         return Error{ErrorCode::BadInput, has_name ? error.detail : name + ": " + error.detail};
@@ -140,14 +138,26 @@ Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec) {
             "off by {:.3g}. A matrix is taken as it is, a quaternion is scaled to length 1",
             name,
             report.value().off,
-            place_of_row(table.value(), report.value().worst_row),
+            place_of_pose(table.value(), report.value().worst_pose),
             report.value().worst));
     }
     opened.zeros = table.value().zeros;
     opened.labels = std::move(table.value().labels);
     table.value().length_factor = spec.length_factor;
+    table.value().name = name;
     opened.source = make_table_source(std::move(table.value()));
     return opened;
+}
+
+} // namespace
+
+Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec) {
+    const std::string name = spec.path == "-" ? "standard input" : spec.path.string();
+    try {
+        return open_named(spec, name);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::TooLarge, name + ": too little memory to read it"};
+    }
 }
 
 } // namespace cd

@@ -28,10 +28,10 @@ struct OpenedPoses {
 /// stays a matrix and a quaternion a quaternion; Euler angles become quaternions. Large arrays are
 /// read in runs.
 ///
-/// Errors: BadInput naming the file, the row (from 0) and the value: a number that is missing or
-/// not finite; a quaternion whose norm is off by more than 1e-3, a matrix with max|R'R - I| > 1e-5
-/// (or more than `rigid_tolerance`) or det <= 0. What is off by more than 1e-9 is a counted
-/// warning.
+/// Errors: BadInput naming the file, the line or the row (from 0) and the value: a number that is
+/// missing or not finite; a quaternion whose norm is off by more than 1e-3, a matrix with max|R'R -
+/// I| > 1e-5 (or more than `rigid_tolerance`) or det <= 0. What is off by more than 1e-9 is a
+/// counted warning. TooLarge where memory does not suffice.
 [[nodiscard]] Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec);
 
 } // namespace cd

@@ -98,10 +98,12 @@ class TableSource final : public PoseSource {
         for (std::size_t i = 0; i < rest.size(); i += size) {
             const auto off = distance_from_rigid(rest.subspan(i, size), table_.layout);
             if (!off) {
-                const std::uint64_t row = first + i / (size * (table_.of_both_bodies ? 2 : 1));
-                return Error{
-                    ErrorCode::BadInput,
-                    fmt::format("poses: {}: {}", place_of_row(table_, row), off.error().detail)};
+                const std::uint64_t pose = first * (table_.of_both_bodies ? 2 : 1) + i / size;
+                return Error{ErrorCode::BadInput,
+                             fmt::format("{}: {}: {}",
+                                         table_.name,
+                                         place_of_pose(table_, pose),
+                                         off.error().detail)};
             }
         }
         std::vector<Scenario> scenarios(count);
@@ -143,11 +145,13 @@ std::size_t numbers_of(PoseLayout layout) {
     return 7;
 }
 
-std::string place_of_row(const PoseTable& table, std::uint64_t row) {
-    if (row < table.lines.size()) {
-        return fmt::format("line {}", table.lines[row]);
+std::string place_of_pose(const PoseTable& table, std::uint64_t pose) {
+    if (pose < table.lines.size()) {
+        return fmt::format("line {}", table.lines[pose]);
     }
-    return fmt::format("{} {}", table.of_both_bodies ? "scenario" : "row", row);
+    return table.of_both_bodies
+               ? fmt::format("row {}, body {}", pose / 2, pose % 2 == 0 ? 'a' : 'b')
+               : fmt::format("row {}", pose);
 }
 
 Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> rigid_tolerance) {
@@ -163,7 +167,7 @@ Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> 
             return numbers.error();
         }
         for (std::uint64_t i = 0; i < count * poses; ++i) {
-            const std::uint64_t row = first + i / poses;
+            const std::uint64_t pose = first * poses + i;
             const auto off = distance_from_rigid(std::span(numbers.value()).subspan(i * size, size),
                                                  table.layout);
             if (off && table.from_angles) {
@@ -172,7 +176,7 @@ Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> 
             if (!off || !(off.value() <= allowed)) {
                 return Error{ErrorCode::BadInput,
                              fmt::format("{}: {}",
-                                         place_of_row(table, row),
+                                         place_of_pose(table, pose),
                                          off ? describe(table.layout, off.value(), allowed)
                                              : off.error().detail)};
             }
@@ -180,7 +184,7 @@ Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> 
                 ++report.off;
                 if (off.value() > report.worst) {
                     report.worst = off.value();
-                    report.worst_row = row;
+                    report.worst_pose = pose;
                 }
             }
         }

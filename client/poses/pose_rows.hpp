@@ -32,19 +32,20 @@ struct PoseTable {
     bool of_both_bodies = false;
     bool from_angles = false; ///< Quaternions of our own making, whose norm need not be 1.
     std::vector<std::string> zeros = {};   ///< Names of numbers that the file leaves out.
-    std::vector<std::uint64_t> lines = {}; ///< Of the rows in a text file of B's poses; else empty.
+    std::vector<std::uint64_t> lines = {}; ///< Of all poses in a text file; else empty.
     double length_factor = 1;              ///< Translations are multiplied by it.
     PoseLabels labels = {};                ///< Of all rows, in the columns that the file has.
+    std::string name = {};                 ///< Of the file.
 };
 
-/// Where a user finds the row: "line 2" of a text file, else "row 0", or "scenario 0" where it has
-/// the poses of both bodies.
-[[nodiscard]] std::string place_of_row(const PoseTable& table, std::uint64_t row);
+/// Where a user finds a pose, which are counted through the rows: "line 2" of a text file, else
+/// "row 0", or "row 0, body a" where rows have the poses of both bodies.
+[[nodiscard]] std::string place_of_pose(const PoseTable& table, std::uint64_t pose);
 
 /// What the check of all rows found.
 struct RigidityReport {
-    std::uint64_t off = 0;       ///< Poses off by more than 1e-9 and accepted.
-    std::uint64_t worst_row = 0; ///< Of these.
+    std::uint64_t off = 0;        ///< Poses off by more than 1e-9 and accepted.
+    std::uint64_t worst_pose = 0; ///< Of these.
     double worst = 0;
 };
 

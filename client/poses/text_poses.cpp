@@ -346,6 +346,7 @@ class BothBodies {
             }
             seen_.resize(place / 2 * 2 + 2, false);
             values_.resize(seen_.size() * numbers_);
+            lines_.resize(seen_.size());
         }
         if (seen_[place]) {
             return bad(line, "scenario " + std::string(scenario_word) + " has this body twice");
@@ -354,6 +355,7 @@ class BothBodies {
             order_.push_back(place / 2);
         }
         seen_[place] = true;
+        lines_[place] = line;
         ++rows_;
         std::copy(numbers.begin(),
                   numbers.end(),
@@ -373,6 +375,8 @@ class BothBodies {
     }
     /// The scenarios of the rows of a, in the order in which they came.
     [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
+    /// Of the poses that `finish` returns.
+    std::vector<std::uint64_t> take_lines() { return std::move(lines_); }
 
   private:
     static constexpr double rows_max = 1e15;
@@ -383,6 +387,7 @@ class BothBodies {
     std::vector<bool> seen_;
     std::vector<double> values_;
     std::vector<std::size_t> order_;
+    std::vector<std::uint64_t> lines_;
 };
 
 } // namespace
@@ -450,6 +455,7 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
             return ordered.error();
         }
         values = std::move(ordered.value());
+        lines = both->take_lines();
     }
     PoseTable table =
         make_table(std::move(values),

@@ -11,6 +11,7 @@ namespace {
 struct Character {
     std::size_t bytes = 1;
     bool is_printable = false;
+    bool is_valid = true;
 };
 
 /// What the text, which is not empty, begins with. Of what is no UTF-8 (RFC 3629: also longer than
@@ -22,20 +23,21 @@ Character first_of(std::string_view text) {
         return {1, first >= 0x20 && first != 0x7f};
     }
     const std::size_t bytes = first < 0xc2 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    constexpr Character stray{1, false, false};
     if (bytes == 1 || first > 0xf4 || bytes > text.size()) {
-        return {};
+        return stray;
     }
     unsigned point = first & (0xffU >> (bytes + 1));
     for (std::size_t i = 1; i < bytes; ++i) {
         if ((byte(i) & 0xc0U) != 0x80) {
-            return {};
+            return stray;
         }
         point = point << 6 | (byte(i) & 0x3fU);
     }
     const bool is_valid = bytes == 2 ||
                           (bytes == 3 && point >= 0x800 && (point < 0xd800 || point > 0xdfff)) ||
                           (bytes == 4 && point >= 0x10000 && point <= 0x10ffff);
-    return is_valid ? Character{bytes, point >= 0xa0} : Character{};
+    return is_valid ? Character{bytes, point >= 0xa0} : stray;
 }
 
 void append_escaped(std::string& out, char character) {
@@ -85,6 +87,29 @@ std::string escaped(std::string_view text) {
         text.remove_prefix(character.bytes);
     }
     return out;
+}
+
+std::string valid_utf8(std::string_view text) {
+    std::string out;
+    out.reserve(text.size());
+    while (!text.empty()) {
+        const Character character = first_of(text);
+        out += character.is_valid ? text.substr(0, character.bytes) : "\xEF\xBF\xBD";
+        text.remove_prefix(character.bytes);
+    }
+    return out;
+}
+
+std::string_view utf8_prefix(std::string_view text, std::size_t bytes_max) {
+    std::size_t bytes = 0;
+    while (bytes < text.size()) {
+        const std::size_t next = bytes + first_of(text.substr(bytes)).bytes;
+        if (next > bytes_max) {
+            break;
+        }
+        bytes = next;
+    }
+    return text.substr(0, bytes);
 }
 
 } // namespace cd

@@ -1,6 +1,7 @@
 // Texts from others, before people see them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -14,5 +15,10 @@ namespace cd {
 [[nodiscard]] bool is_good_name(std::string_view name);
 /// With what is not printable as \n, \t or \x1b in its place.
 [[nodiscard]] std::string escaped(std::string_view text);
+
+/// With U+FFFD in place of each byte that is no UTF-8.
+[[nodiscard]] std::string valid_utf8(std::string_view text);
+/// The first bytes of the text, at most so many, without a part of a character at their end.
+[[nodiscard]] std::string_view utf8_prefix(std::string_view text, std::size_t bytes_max);
 
 } // namespace cd

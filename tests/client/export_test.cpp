@@ -19,6 +19,7 @@ namespace cd::tests {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 class Export : public testing::Test {
@@ -259,6 +260,19 @@ TEST_F(Export, NothingStaysOfARunThatDidNotFinish) {
         EXPECT_FALSE(fs::is_empty(dir_));
     }
     EXPECT_TRUE(fs::is_empty(dir_));
+}
+
+TEST_F(Export, NamesThatAreNoUtf8AreShownWithTheReplacementCharacter) {
+    MeshArrays arrays;
+    arrays.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    arrays.triangles.assign(8, Triangle{0, 1, 2});
+    arrays.parts = {{"Caf\xe9", 0, 8}};
+    context_.bodies[0].mesh = share(Mesh::create(std::move(arrays)).value());
+    write({"csv", "csv-pairs", "json", "text"}, Level::Pairs);
+    for (const char* name : {"pairs.csv", "results.txt"}) {
+        EXPECT_THAT(text_of(name), HasSubstr("Caf\xEF\xBF\xBD")) << name;
+        EXPECT_THAT(text_of(name), Not(HasSubstr("\xe9"))) << name;
+    }
 }
 
 TEST_F(Export, ARunThatDidNotFinishLeavesEarlierResultsAlone) {

@@ -263,4 +263,13 @@ TEST(JobOptions, OptionsThatDoNotFitAreRefused) {
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("names the meshes"));
 }
 
+TEST(JobFile, NamesOfFilesThatAreEmptyAreNamed) {
+    EXPECT_EQ(problem_with("[poses]\nfile = \"\"\n"),
+              "folder/job.toml:6: [poses]: file is empty; give the name of a file with poses");
+    const auto mesh = parse("[a]\nmesh = \"\"\n[b]\nmesh = \"b.obj\"\n" + random_poses);
+    ASSERT_FALSE(mesh);
+    EXPECT_EQ(mesh.error().detail,
+              "folder/job.toml:2: [a]: the key \"mesh\" with the file's name is missing");
+}
+
 } // namespace cd::tests

@@ -4,6 +4,7 @@
 
 #include "client/npz.hpp"
 #include "client/poses/label_file.hpp"
+#include "tests/support/memory_bound.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -345,7 +346,40 @@ TEST_F(PoseFile, AFileThatChangesWhileItIsReadIsAnError) {
     write_npy("p.npy", {1, 7}, {0, 0, 0, 0, 0, 0, 0});
     const auto read = opened.value().source->read(0, 1);
     ASSERT_FALSE(read);
-    EXPECT_THAT(read.error().detail, HasSubstr("row 0"));
+    EXPECT_THAT(read.error().detail, testing::StartsWith(s.path.string() + ": row 0: "));
+}
+
+TEST_F(PoseFile, PosesOfBothBodiesAreFoundByTheirLines) {
+    const std::string columns = "scenario,body,x,y,z,qx,qy,qz,qw\n";
+    const std::string rows = "1,b,0,0,0,0,0,0,1\n0,b,0,0,0,0,0,0,1\n0,a,0,0,0,0,0,0,1\n";
+    write_text(folder_ / "both.csv", columns + rows + "1,a,0,0,0,0,0,0,2\n");
+    PoseFileSpec s = spec("both.csv");
+    s.of_both_bodies = true;
+    EXPECT_THAT(error_of(s), HasSubstr("both.csv: line 5: the quaternion's norm"));
+    write_text(folder_ / "both.csv", columns + rows + "1,a,0,0,0,0,0,0,1.0001\n");
+    const auto opened = open_pose_file(s);
+    ASSERT_TRUE(opened) << opened.error().detail;
+    EXPECT_THAT(opened.value().warnings,
+                testing::ElementsAre(testing::AllOf(
+                    HasSubstr("the worst is line 5, off by 0.0001"),
+                    HasSubstr("A matrix is taken as it is, a quaternion is scaled to length 1"))));
+    write_npy("both.npy", {2, 2, 7}, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1,
+                                      0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 3});
+    s = spec("both.npy");
+    s.of_both_bodies = true;
+    s.quat_order = "xyzw";
+    EXPECT_THAT(error_of(s), HasSubstr("row 1, body b: the quaternion's norm"));
+}
+
+TEST_F(PoseFile, TooLittleMemoryNamesTheFile) {
+    std::string rows = "x\n";
+    for (int i = 0; i < 1'000'000; ++i) {
+        rows += "0\n";
+    }
+    write_text(folder_ / "many.csv", rows);
+    const MemoryBound bound(32u << 20); // Half of what the numbers take.
+    EXPECT_EQ(error_of(spec("many.csv")),
+              (folder_ / "many.csv").string() + ": too little memory to read it");
 }
 
 TEST_F(PoseFile, ReadsRunsOfALargeArray) {

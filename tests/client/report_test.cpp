@@ -6,8 +6,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pty.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 
@@ -341,6 +345,28 @@ TEST(Progress, WithoutATerminalEachNoteIsPrintedOnce) {
         printer.update(state);
     });
     EXPECT_EQ(text, "j-1  no worker is here\nj-1  paused: disk full\n");
+}
+
+TEST(Progress, OnANarrowTerminalALineIsCut) {
+    int screen = -1;
+    int terminal = -1;
+    const winsize size{24, 20, 0, 0};
+    ASSERT_EQ(::openpty(&screen, &terminal, nullptr, nullptr, &size), 0);
+    std::FILE* stream = ::fdopen(terminal, "w");
+    {
+        ProgressPrinter printer(ProgressPrinter::Style::Bar, stream);
+        ProgressState state = at(1);
+        state.name = "caf\xc3\xa9-caf\xc3\xa9-caf\xc3\xa9-x"; // Its 19th byte ends no character.
+        state.note = {"no worker is here: start cdworker", true};
+        printer.update(state);
+    }
+    std::array<char, 1024> bytes{};
+    const ssize_t count = ::read(screen, bytes.data(), bytes.size());
+    std::fclose(stream);
+    ::close(screen);
+    const std::string text(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    EXPECT_THAT(text, testing::StartsWith("\rcaf\xc3\xa9-caf\xc3\xa9-caf\xc3\xa9-x\x1b[K"));
+    EXPECT_THAT(text, HasSubstr("\nno worker is here: \x1b[K"));
 }
 
 TEST(Progress, QuietIsSilent) {

@@ -2,6 +2,7 @@
 #include "client/import/obj_mesh.hpp"
 
 #include "tests/client/import/import_text.hpp"
+#include "tests/support/memory_bound.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -131,6 +132,20 @@ TEST(ObjMesh, ManyPartsOfOneNameTakeNoLonger) {
     }
     const auto imported = import_text("many.obj", text);
     EXPECT_EQ(mesh_of(imported).parts().back().name, "b#20000");
+}
+
+TEST(ObjMesh, TooLittleMemoryNamesTheFile) {
+    const TemporaryFolder folder;
+    std::string text;
+    for (int i = 0; i < 4'000'000; ++i) {
+        text += "v 0 0 0\n";
+    }
+    write_text(folder / "large.obj", text + "f 1 2 3\n");
+    const MemoryBound bound(text.size() + (32u << 20)); // The file, and a third of its vertices.
+    const auto imported = import_mesh(folder / "large.obj", {});
+    ASSERT_FALSE(imported);
+    EXPECT_EQ(imported.error().detail,
+              (folder / "large.obj").string() + ": too little memory to read it");
 }
 
 } // namespace cd::tests

@@ -74,4 +74,13 @@ TEST(Printable, IsUtf8WithoutControlCharacters) {
 }
 
 } // namespace
+TEST(Printable, WhatIsNoUtf8IsReplacedAndNoCharacterIsCut) {
+    EXPECT_EQ(valid_utf8("Caf\xc3\xa9\n"), "Caf\xc3\xa9\n");
+    EXPECT_EQ(valid_utf8("Caf\xe9 \xc3"), "Caf\xEF\xBF\xBD \xEF\xBF\xBD");
+    EXPECT_EQ(utf8_prefix("a\xc3\xa9o", 1), "a");
+    EXPECT_EQ(utf8_prefix("a\xc3\xa9o", 2), "a");
+    EXPECT_EQ(utf8_prefix("a\xc3\xa9o", 3), "a\xc3\xa9");
+    EXPECT_EQ(utf8_prefix("a\xc3\xa9o", std::string::npos), "a\xc3\xa9o");
+}
+
 } // namespace cd::tests
