@@ -1,7 +1,6 @@
 #include "client/folder/run_recorder.hpp"
 
 #include "common/core/limits.hpp"
-#include "common/core/limits_client.hpp"
 #include "common/job/packed_map.hpp"
 
 #include <algorithm>
@@ -21,13 +20,15 @@ Result<Writer> open_writer(const std::filesystem::path& path, Kind... kind) {
 
 } // namespace
 
-Result<RunRecorder> RunRecorder::open(const std::filesystem::path& folder, bool with_maps) {
+Result<RunRecorder> RunRecorder::open(const std::filesystem::path& folder,
+                                      bool with_maps,
+                                      std::chrono::milliseconds period) {
     auto records = open_writer<RecordWriter>(folder / "records");
     if (!records) {
         return records.error();
     }
     if (!with_maps) {
-        return RunRecorder(std::move(records.value()), std::nullopt);
+        return RunRecorder(std::move(records.value()), std::nullopt, period);
     }
     auto maps = open_writer<BlockFileWriter>(folder / "maps", maps_kind);
     if (!maps) {
@@ -40,7 +41,7 @@ Result<RunRecorder> RunRecorder::open(const std::filesystem::path& folder, bool 
             return cut.error();
         }
     }
-    return RunRecorder(std::move(records.value()), std::move(maps.value()));
+    return RunRecorder(std::move(records.value()), std::move(maps.value()), period);
 }
 
 Status RunRecorder::add(const DoneScenario& done) {
@@ -54,7 +55,7 @@ Status RunRecorder::add(const DoneScenario& done) {
 }
 
 Status RunRecorder::flush_if_due() {
-    const bool is_due = std::chrono::steady_clock::now() - flushed_ >= limits::record_flush_period;
+    const bool is_due = std::chrono::steady_clock::now() - flushed_ >= period_;
     return is_due ? flush() : Status(Done{});
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/done_scenario.hpp"
+#include "common/core/limits_client.hpp"
 #include "common/core/result.hpp"
 #include "common/job/block_file.hpp"
 #include "common/job/contact_map.hpp"
@@ -16,13 +17,15 @@
 namespace cd {
 
 /// Writes the files `records` and, for maps, `maps` of a folder, a block whenever
-/// one is full, and at least each `limits::record_flush_period`. A block of `maps` is the sum over
+/// one is full, and at least each period. A block of `maps` is the sum over
 /// the block of `records` with the same scenarios.
 class RunRecorder {
   public:
     /// Goes on after what the folder holds, or starts. Errors: Io.
-    [[nodiscard]] static Result<RunRecorder> open(const std::filesystem::path& folder,
-                                                  bool with_maps);
+    [[nodiscard]] static Result<RunRecorder>
+    open(const std::filesystem::path& folder,
+         bool with_maps,
+         std::chrono::milliseconds period = limits::record_flush_period);
 
     /// The next result. Errors: Io.
     [[nodiscard]] Status add(const DoneScenario& done);
@@ -37,11 +40,14 @@ class RunRecorder {
     [[nodiscard]] std::uint64_t kept() const { return records_.written(); }
 
   private:
-    RunRecorder(RecordWriter records, std::optional<BlockFileWriter> maps)
-        : records_(std::move(records)), maps_(std::move(maps)) {}
+    RunRecorder(RecordWriter records,
+                std::optional<BlockFileWriter> maps,
+                std::chrono::milliseconds period)
+        : records_(std::move(records)), maps_(std::move(maps)), period_(period) {}
 
     RecordWriter records_;
     std::optional<BlockFileWriter> maps_;
+    std::chrono::milliseconds period_;
     ContactMapSum map_; ///< Of the results that wait.
     std::uint64_t first_waiting_ = 0;
     std::uint64_t waiting_ = 0;

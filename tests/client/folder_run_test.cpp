@@ -5,6 +5,7 @@
 #include "client/folder/extracted_case.hpp"
 #include "client/folder/folder_exports.hpp"
 #include "client/folder/opened_run.hpp"
+#include "client/folder/run_recorder.hpp"
 #include "client/interrupt.hpp"
 #include "client/job_options.hpp"
 #include "client/local_run.hpp"
@@ -216,6 +217,46 @@ TEST_F(FolderRunTest, ASignalEndsExportsAndCases) {
         EXPECT_EQ(written.error().code, ErrorCode::Interrupted);
         EXPECT_FALSE(fs::exists(folder_ / "case" / "job.toml"));
     }
+}
+
+TEST_F(FolderRunTest, ResultsAreOnTheDiskWhenThePeriodIsOverOrABlockIsFull) {
+    DoneScenario done;
+    done.record = encode_result(done.result);
+    const auto add = [&](RunRecorder& recorder, std::uint64_t index) {
+        done.result.index = index;
+        done.record = encode_result(done.result);
+        EXPECT_TRUE(recorder.add(done));
+    };
+    fs::create_directories(folder_ / "short");
+    auto at_once = RunRecorder::open(folder_ / "short", false, std::chrono::milliseconds(0));
+    ASSERT_TRUE(at_once);
+    add(at_once.value(), 0);
+    EXPECT_EQ(at_once.value().kept(), 1u);
+
+    fs::create_directories(folder_ / "long");
+    auto later = RunRecorder::open(folder_ / "long", false, std::chrono::hours(1));
+    ASSERT_TRUE(later);
+    for (std::uint64_t i = 0; i < 4095; ++i) {
+        add(later.value(), i);
+    }
+    ASSERT_TRUE(later.value().flush_if_due());
+    EXPECT_EQ(later.value().kept(), 0u);
+    add(later.value(), 4095);
+    EXPECT_EQ(later.value().kept(), 4096u);
+}
+
+TEST_F(FolderRunTest, EachFormatIsTakenOnce) {
+    JobOptions options;
+    options.a = options.b = folder_ / "a.obj";
+    options.random = 1;
+    options.formats = {"csv", "npz", "csv"};
+    EXPECT_THAT(make_job_spec(options).value().output.formats, testing::ElementsAre("csv", "npz"));
+    write_text(folder_ / "job.toml",
+               "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nrandom = { n = 1 }\n"
+               "[output]\nformats = [\"csv\", \"csv\"]\n");
+    JobOptions of_file;
+    of_file.file = folder_ / "job.toml";
+    EXPECT_THAT(make_job_spec(of_file).value().output.formats, testing::ElementsAre("csv"));
 }
 
 } // namespace cd::tests
