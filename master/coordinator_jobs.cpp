@@ -137,7 +137,11 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
 }
 
 asio::awaitable<void> Coordinator::prepare_job(JobId id, DoneScenarios done) {
-    const Submit submit = jobs_.find(id)->submit;
+    const MasterJob* accepted = jobs_.find(id);
+    if (accepted == nullptr) {
+        co_return; // Removed meanwhile.
+    }
+    const Submit submit = accepted->submit;
     auto make = [&store = parts_.geometry, &submit] { return make_job_geometry(store, submit); };
     const StoreResult<JobGeometry> made = co_await run_on(parts_.blocking, make);
     MasterJob* job = jobs_.find_running(id);

@@ -77,7 +77,7 @@ struct GeometryStore::State {
     }
 
     void find_meshes();
-    void add_stored(const Sha256& mesh, std::uint64_t bytes);
+    void add_stored(const Sha256& mesh);
     void find_mesh(const Sha256& mesh);
     [[nodiscard]] Error missing(const Sha256& mesh) const;
     void remove_orphans() const;
@@ -112,15 +112,21 @@ void GeometryStore::State::find_meshes() {
             if (path.extension() != mesh_suffix || !hash) {
                 continue;
             }
-            add_stored(*hash, file.file_size());
+            add_stored(*hash);
         }
     }
 }
 
-void GeometryStore::State::add_stored(const Sha256& mesh, std::uint64_t bytes) {
-    const MeshInfo info = read_info(info_path(mesh));
+/// Unless its file is gone.
+void GeometryStore::State::add_stored(const Sha256& mesh) {
     const std::shared_ptr<Entry> entry = find_or_add(mesh);
-    const std::lock_guard making(entry->making);
+    const std::lock_guard making(entry->making); // A removal may be under way.
+    std::error_code missing;
+    const std::uintmax_t bytes = std::filesystem::file_size(mesh_path(mesh), missing);
+    if (missing) {
+        return;
+    }
+    const MeshInfo info = read_info(info_path(mesh));
     entry->stored = true;
     const std::lock_guard lock(mutex);
     statuses[mesh] = {mesh, info.name, info.triangles, bytes, 0};
@@ -128,10 +134,9 @@ void GeometryStore::State::add_stored(const Sha256& mesh, std::uint64_t bytes) {
 
 /// Takes up a mesh that somebody has put into the folder while the master runs.
 void GeometryStore::State::find_mesh(const Sha256& mesh) {
-    std::error_code missing;
-    const std::uintmax_t bytes = std::filesystem::file_size(mesh_path(mesh), missing);
-    if (!missing && !has(mesh)) {
-        add_stored(mesh, bytes);
+    std::error_code error;
+    if (!has(mesh) && std::filesystem::exists(mesh_path(mesh), error)) {
+        add_stored(mesh);
     }
 }
 
@@ -473,8 +478,12 @@ GeometryStore::cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form) {
         return tree.error();
     }
     const std::shared_ptr<Entry> entry = state_->find(mesh);
+    if (entry == nullptr) { // Removed meanwhile.
+        return state_->missing(mesh);
+    }
     const std::lock_guard making(entry->making);
-    return state_->load_cut(*entry, tree.value(), depth, form);
+    return entry->stored ? state_->load_cut(*entry, tree.value(), depth, form)
+                         : StoreResult<std::shared_ptr<const CutGeometry>>(state_->missing(mesh));
 }
 
 std::shared_ptr<const MeshHold> GeometryStore::hold(std::vector<Sha256> meshes) {
@@ -498,12 +507,14 @@ Result<std::uint64_t> GeometryStore::remove(const Sha256& mesh) {
                              " is needed by a job; remove its jobs first (`cdctl get jobs`)"};
         }
         state_->statuses.erase(mesh);
-        state_->entries.erase(mesh);
         std::erase_if(state_->recent,
                       [&](const auto& tree) { return tree->mesh().hash() == mesh; });
     }
     entry->stored = false;
-    return state_->remove_files(mesh);
+    const std::uint64_t bytes = state_->remove_files(mesh);
+    const std::lock_guard lock(state_->mutex);
+    state_->entries.erase(mesh);
+    return bytes;
 }
 
 Result<MeshBytes>

@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
 
 namespace cd::tests {
@@ -189,6 +190,26 @@ TEST_F(GeometryStoreTest, ThreadsThatWantTheSameCutGetTheSame) {
     }
     for (const auto& cut : cuts) {
         EXPECT_EQ(cut, cuts[0]);
+    }
+}
+
+TEST_F(GeometryStoreTest, AMeshThatIsRemovedWhileItIsCutIsMissingAndLeavesNothing) {
+    const Mesh mesh = make_torus(2, 0.5, 40, 20);
+    for (int round = 0; round < 50; ++round) {
+        const Sha256 hash = upload(mesh);
+        std::atomic<bool> begins = false;
+        std::thread cutting([&] {
+            begins = true;
+            const auto cut = store_->cut(hash, 4, SubtreeForm::Binary);
+            EXPECT_TRUE(cut || cut.error().code == ErrorCode::NotFound) << cut.error().detail;
+        });
+        while (!begins) {
+            std::this_thread::yield();
+        }
+        const auto freed = store_->remove(hash);
+        cutting.join();
+        EXPECT_TRUE(freed) << freed.error().detail;
+        EXPECT_EQ(files("blocks").size(), 0u);
     }
 }
 
