@@ -70,7 +70,9 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
         }
         std::visit([this](auto& content) { on(content); }, message.value());
     }
-    channel_->close();
+    if (channel_->is_open()) { // Else a last word may still be on its way.
+        channel_->close();
+    }
     heartbeat_.cancel();
     coordinator_.connection_ended(worker_, *channel_, why);
 }

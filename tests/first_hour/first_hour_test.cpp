@@ -134,9 +134,11 @@ TEST_F(FirstHour, NoMasterIsSaidBeforeInputsAreRead) {
 TEST_F(FirstHour, TheOtherPortOfAMasterIsRecognised) {
     const MortalMaster master(folder_, {"--http", "127.0.0.1:0"});
     std::smatch found;
-    const std::string log = master.log();
-    ASSERT_TRUE(std::regex_search(log, found, std::regex("http listening: host=.* port=([0-9]+)")))
-        << log;
+    std::string log;
+    ASSERT_TRUE(comes_true([&] {
+        log = master.log();
+        return std::regex_search(log, found, std::regex("http listening: host=.* port=([0-9]+)"));
+    })) << log;
     const std::string http_port = "127.0.0.1:" + found[1].str();
     const Ran http = type({"status", "--master", http_port});
     EXPECT_EQ(http.exit_code, 5);
