@@ -7,7 +7,7 @@ namespace cd {
 
 namespace {
 
-std::string in_quotes(std::string_view key) {
+std::string quoted_key(std::string_view key) {
     return "\"" + std::string(key) + "\"";
 }
 
@@ -37,7 +37,7 @@ TomlFields::TomlFields(const toml::table& table,
     }
     if (unknown != nullptr) {
         problem_.report(unknown->source(),
-                        name_ + " has no key " + in_quotes(unknown->str()) +
+                        name_ + " has no key " + quoted_key(unknown->str()) +
                             suggestion(unknown->str(), words));
     }
 }
@@ -58,7 +58,7 @@ std::optional<std::string> TomlFields::word(std::string_view key,
     auto value = text(key);
     if (value && std::find(words.begin(), words.end(), *value) == words.end()) {
         report(key,
-               std::string(key) + " " + in_quotes(*value) + " is not known" +
+               std::string(key) + " " + quoted_key(*value) + " is not known" +
                    suggestion(*value, words));
         return std::nullopt;
     }
@@ -161,7 +161,7 @@ void TomlFields::report(std::string_view key, const std::string& what) const {
 }
 
 void TomlFields::wrong_type(std::string_view key, std::string_view wanted) const {
-    report(key, in_quotes(key) + " has to be " + std::string(wanted));
+    report(key, quoted_key(key) + " has to be " + std::string(wanted));
 }
 
 } // namespace cd

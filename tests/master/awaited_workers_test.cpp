@@ -9,15 +9,15 @@ namespace {
 
 constexpr JobId job{3};
 constexpr AwaitedWorkers::Time start{std::chrono::seconds(100)};
-constexpr AwaitedWorkers::Time end{std::chrono::seconds(115)};
+constexpr AwaitedWorkers::Time latest{std::chrono::seconds(115)};
 
 TEST(AwaitedWorkers, HoldNothingBackWhereNobodyIsAwaited) {
     EXPECT_FALSE(AwaitedWorkers().holds_back(job, start));
-    EXPECT_FALSE(AwaitedWorkers({job}, {}, end).holds_back(job, start));
+    EXPECT_FALSE(AwaitedWorkers({job}, {}, latest).holds_back(job, start));
 }
 
 TEST(AwaitedWorkers, HoldTheirJobsBackUntilEachHasToldAll) {
-    AwaitedWorkers awaited({job}, {7, 8}, end);
+    AwaitedWorkers awaited({job}, {7, 8}, latest);
     EXPECT_FALSE(awaited.holds_back(JobId{4}, start)) << "a job of after the restart";
     awaited.has_told_all(7);
     awaited.has_told_all(9);
@@ -27,7 +27,7 @@ TEST(AwaitedWorkers, HoldTheirJobsBackUntilEachHasToldAll) {
 }
 
 TEST(AwaitedWorkers, HoldAJobBackWhileItsResultsAreChecked) {
-    AwaitedWorkers awaited({job}, {7}, end);
+    AwaitedWorkers awaited({job}, {7}, latest);
     awaited.check_begins(job);
     awaited.check_begins(job);
     awaited.check_begins(JobId{4});
@@ -39,10 +39,10 @@ TEST(AwaitedWorkers, HoldAJobBackWhileItsResultsAreChecked) {
 }
 
 TEST(AwaitedWorkers, HoldNothingBackForLongerThanMayBeWaited) {
-    AwaitedWorkers awaited({job}, {7}, end);
+    AwaitedWorkers awaited({job}, {7}, latest);
     awaited.check_begins(job);
-    EXPECT_TRUE(awaited.holds_back(job, end - std::chrono::nanoseconds(1)));
-    EXPECT_FALSE(awaited.holds_back(job, end));
+    EXPECT_TRUE(awaited.holds_back(job, latest - std::chrono::nanoseconds(1)));
+    EXPECT_FALSE(awaited.holds_back(job, latest));
 }
 
 } // namespace

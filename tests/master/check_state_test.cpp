@@ -19,7 +19,7 @@
 namespace cd::tests {
 namespace {
 
-JournalResult result_of(std::uint64_t scenario) {
+JournalResult failed_result(std::uint64_t scenario) {
     ScenarioResult result;
     result.index = scenario;
     result.kind = ScenarioClass::Failed;
@@ -61,7 +61,7 @@ class CheckState : public testing::Test {
             ASSERT_TRUE(spool->seal(journal->poses_path(id), Durability::Unsynced));
             journal->add(AcceptJob{job});
             AddResults add{id, ResultStore::create(journal->results_path(id), id, 5), {}, {}, {}};
-            add.results.push_back(result_of(3));
+            add.results.push_back(failed_result(3));
             add.alarms.emplace().add("somebody has to look at this");
             add.alarms->quarantine(7);
             journal->add(std::move(add));
