@@ -8,6 +8,8 @@
 #include "proto/join_token.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/comes_true.hpp"
+#include "tests/support/obj_file.hpp"
+#include "tests/support/shapes.hpp"
 
 #include <gmock/gmock.h>
 
@@ -314,14 +316,9 @@ TEST_F(SecuredCluster, AnotherRoleIsRefused) {
 
     const fs::path metrics = write_issued(authority(), CertifiedRole::Metrics);
     EXPECT_EQ(cdctl({"status"}, metrics).exit_code, 0);
-    const Ran submits = cdctl({"run",
-                               "--a",
-                               std::string(CD_MESHES) + "/sedan.obj",
-                               "--b",
-                               std::string(CD_MESHES) + "/sedan.obj",
-                               "--random",
-                               "2"},
-                              metrics);
+    const std::string box = folder_ / "box.obj";
+    write_obj(box, make_box({1, 1, 1}));
+    const Ran submits = cdctl({"run", "--a", box, "--b", box, "--random", "2"}, metrics);
     EXPECT_EQ(submits.exit_code, 5) << submits.errors;
     EXPECT_THAT(log(), HasSubstr("the certificate of a metrics does not allow 'meshes query'"));
 
