@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
-"""Proves that the check of includes can fail: a tree that breaks each rule is refused, a clean one passes.
-Usage: style_test.py"""
+"""Proves that the checks of includes and of documents can fail: a tree that breaks each rule is
+refused, a clean one passes. Usage: style_test.py"""
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-CHECK = pathlib.Path(__file__).with_name("includes.py")
-GOOD = {"common/core/a.hpp": "#pragma once\n", "proto/b.cpp": '#include "common/core/a.hpp"\n'}
-BAD = {
+GOOD_SOURCES = {"common/core/a.hpp": "#pragma once\n", "proto/b.cpp": '#include "common/core/a.hpp"\n'}
+BAD_SOURCES = {
     "a layer upwards": {"common/core/c.cpp": '#include "proto/b.hpp"\n', "proto/b.hpp": "#pragma once\n"},
     "a program in another": {"master/m.cpp": '#include "worker/w.hpp"\n', "worker/w.hpp": "#pragma once\n"},
     "a library past its door": {"master/m.cpp": "#include <assimp/scene.h>\n"},
@@ -23,16 +22,53 @@ BAD = {
 }
 
 
-def verdict(files):
+GOOD_PAGES = {
+    "README.md": "# A page\n\n[Job](docs/job-file.md#the-job)\n\n| a | cell |\n\n```toml\nname = 1\n```\n",
+    "docs/job-file.md": "# Job file\n## The job\n| `name`, `unit` | text |\n### A body\n| `unit` | text |\n",
+    "ARCHITECTURE.md": "[All](docs/job-file.md)\n",
+    "CONTRIBUTING.md": "",
+    "client/job.cpp": 'TomlFields job(table, "the job", problem, {"name", "unit"});\n'
+                      'TomlFields fields(*table, "[a]", problem, {"unit"});\n',
+}
+BAD_PAGES = {
+    "a long README": {"README.md": 91 * "line\n"},
+    "a long page": {"docs/page.md": 161 * "line\n"},
+    "a wide line": {"docs/page.md": 101 * "x"},
+    "a wide table in README": {"README.md": "| " + 50 * "xx" + " |\n"},
+    "a cell that is an essay": {"docs/page.md": "| " + 26 * "word " + "|\n"},
+    "a link to no file": {"docs/page.md": "[there](../docs/none.md)\n"},
+    "a link to no file in ARCHITECTURE": {"ARCHITECTURE.md": "[there](none.md)\n"},
+    "a link to no heading": {"README.md": "[there](docs/job-file.md#nothing)\n"},
+    "a job that is no TOML": {"docs/page.md": "```toml\nname = \n```\n"},
+    "a key that is explained nowhere": {"client/more.cpp": 'TomlFields f(table, "q", problem, {"level"});\n'},
+    "a key that is explained in one of two tables": {
+        "docs/job-file.md": "# Job file\n## The job\n| `name`, `unit` | text |\n",
+    },
+    "a key that the parser does not know": {
+        "docs/job-file.md": GOOD_PAGES["docs/job-file.md"] + "| `gone` | text |\n",
+    },
+    "no parser": {"client/job.cpp": ""},
+}
+
+
+def passes(check, files):
     with tempfile.TemporaryDirectory() as folder:
         for name, text in files.items():
             path = pathlib.Path(folder, name)
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
-        return subprocess.run([sys.executable, CHECK, folder], capture_output=True).returncode
+        command = [sys.executable, pathlib.Path(__file__).with_name(check), folder]
+        return subprocess.run(command, capture_output=True).returncode == 0
 
 
-failures = [] if verdict(GOOD) == 0 else ["a clean tree is refused"]
-failures += [f"passes: {name}" for name, files in BAD.items() if verdict({**GOOD, **files}) == 0]
-print("\n".join(failures) or f"{len(BAD)} broken rules were noticed")
+def failures_of(check, good, bad):
+    if not passes(check, good):
+        yield f"{check} refuses a clean tree"
+    for name, files in bad.items():
+        if passes(check, {**good, **files}):
+            yield f"{check} passes: {name}"
+
+
+failures = [*failures_of("includes.py", GOOD_SOURCES, BAD_SOURCES), *failures_of("documents.py", GOOD_PAGES, BAD_PAGES)]
+print("\n".join(failures) or f"{len(BAD_SOURCES) + len(BAD_PAGES)} broken rules were noticed")
 sys.exit(1 if failures else 0)
