@@ -1,5 +1,5 @@
 # Unity builds: several files are compiled as one, which spares the time that their headers take.
-# The presets `release` and `ci` build so. Those of developers do not: a changed file is compiled alone.
+# The presets `release`, `ci` and `bench` build so. Those of developers do not: a changed file is compiled alone.
 
 set(CD_UNITY_BATCH 8 CACHE STRING "So many files at most are compiled as one in a unity build")
 
