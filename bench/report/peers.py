@@ -1,39 +1,24 @@
-#!/usr/bin/env python3
-"""Turns the CSV files of peers_report into one page of Markdown tables.
-
-    page.py FOLDER          prints the page
-"""
-import math
-import os
+"""Ours and the peers: what peers_report measured, as tables and as a summary."""
 import statistics
-import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "accuracy"))
-from report import in_order, number, read, select, show, table  # noqa: E402
+from tables import (figure, figures_table, in_order, known, number, select, show, table, total,
+                    weighted)
 
+TITLE = "Ours and the peers"
+FILES = ("floor", "scenes", "engines", "poses", "threads", "builds")
+PICTURES = ("peers", "scaling")
 OURS = "cdcluster"
 FCL_FLOAT = "FCL OBB float"
 FCL_DOUBLE = "FCL OBB double"
 
 
-def cell(row, column, digits=3, unit=1.0):
-    return show(unit * float(row[column]), digits) if row[column] else ""
+def cell(row, column):
+    return show(known(row, column))
 
 
 def find(rows, scene, engine):
     """The row of an engine on a scene, if it took part."""
     return next(iter(select(rows, scene=scene, engine=engine)), None)
-
-
-def figure(what, target, value, unit, is_met):
-    """A row of the table of figures; nothing measured is nothing met."""
-    if value is None:
-        return [what, target, "", ""]
-    return [what, target, f"{show(value)} {unit}".strip(), "yes" if is_met(value) else "**no**"]
-
-
-def value_of(row, column):
-    return float(row[column]) if row and row[column] else None
 
 
 # The floor of a query of drivaer x sedan, as estimated on another machine: which kernel, so many
@@ -67,7 +52,7 @@ def figures_section(data):
     rows = []
 
     def ratio(what, scene, peer, column, least):
-        value = value_of(find(engines, scene, peer), column)
+        value = known(find(engines, scene, peer), column)
         rows.append(figure(f"{what}, {scene}, against {peer}", f">= {least}x", value, "x",
                            lambda v: v >= least))
 
@@ -79,28 +64,28 @@ def figures_section(data):
         ratio("any contact", scene, FCL_DOUBLE, "any_best_ratio", 20)
     ratio("all pairs, near miss", "drivaer near sedan", FCL_FLOAT, "ratio", 10)
     ours = find(engines, "drivaer x sedan", OURS)
-    rows.append(figure("all pairs, drivaer x sedan, mean", "<= 72 us", value_of(ours, "mean_us"),
+    rows.append(figure("all pairs, drivaer x sedan, mean", "<= 72 us", known(ours, "mean_us"),
                        "us", lambda v: v <= 72))
-    mean = value_of(ours, "mean_us")
+    mean = known(ours, "mean_us")
     rows.append(figure("the same, times the floor of this machine", f"<= {show(FLOOR_TARGET)}x",
                        mean / floors(data)[1] if mean else None, "x",
                        lambda v: v <= FLOOR_TARGET))
     rows.append(figure("drivaer x sedan, resident bytes a triangle", "<= 64",
-                       value_of(ours, "resident_bytes_triangle"), "", lambda v: v <= 64))
+                       known(ours, "resident_bytes_triangle"), "", lambda v: v <= 64))
     builds = [float(row["seconds_2"]) for row in data["builds"]]
     rows.append(figure("build of the motorbike, 2 threads, median", "<= 0.25 s",
                        statistics.median(builds) if builds else None, "s", lambda v: v <= 0.25))
     rows.append(figure("AVX2 against the widest, drivaer x sedan", "<= 1.8x",
-                       value_of(find(engines, "drivaer x sedan", "cdcluster (avx2)"), "ratio"),
+                       known(find(engines, "drivaer x sedan", "cdcluster (avx2)"), "ratio"),
                        "x", lambda v: v <= 1.8))
     threads = select(data["threads"], suite="scenes")
     for scene in ("drivaer x sedan", "truck x car"):
         ratio = thread_ratio(select(threads, scene=scene))
         rows.append(figure(f"2 threads against 1, {scene}, median of the pairs", ">= 1.9x", ratio,
                            "x", lambda v: v >= 1.9))
-    wrong = sum(number(row, "ours_wrong") for row in data["engines"])
-    rows.append(figure("disagreements in which ours is wrong", "0", wrong, "", lambda v: v == 0))
-    return "## Figures\n\n" + table(["figure", "target", "measured", "met"], rows)
+    rows.append(figure("disagreements in which ours is wrong", "0",
+                       total(data["engines"], "ours_wrong"), "", lambda v: v == 0))
+    return "## Figures\n" + figures_table(rows)
 
 
 def engine_row(row):
@@ -138,7 +123,7 @@ def disagreements_section(data):
     for engine in in_order(data["engines"], "engine"):
         mine = [r for r in select(data["engines"], engine=engine) if r["pairs_found"]]
         if mine:
-            rows.append([engine] + [show(sum(number(r, c) for r in mine)) for c in (
+            rows.append([engine] + [show(total(mine, c)) for c in (
                 "pairs_found", "missing", "extra", "judged", "ours_wrong")])
     note = ("Over all scenes in which the engine took part: pairs that ours has and it has not, "
             "pairs that only it has; the exact oracle looked at so many of both and found ours "
@@ -152,12 +137,13 @@ def work_section(data):
     for row in select(data["engines"], engine=OURS):
         scene = next(iter(select(data["scenes"], suite=row["suite"], scene=row["scene"])))
         contacts = number(scene, "pairs") / number(scene, "poses")
-        n_b, n_p, c_b, c_p = (float(row[c] or "nan") for c in (
-            "box_tests", "triangle_tests", "box_test_ns", "triangle_test_ns"))
-        cost = 1e-3 * (n_b * c_b + n_p * c_p)
+        n_b, c_b, n_p, c_p = (known(row, c) for c in (
+            "box_tests", "box_test_ns", "triangle_tests", "triangle_test_ns"))
+        is_timed = None not in (n_b, c_b, n_p, c_p)
+        cost = 1e-3 * (n_b * c_b + n_p * c_p) if is_timed else None
         rows.append([row["scene"], show(contacts), cell(row, "box_tests"),
                      cell(row, "triangle_tests"), cell(row, "box_test_ns"),
-                     cell(row, "triangle_test_ns"), "" if math.isnan(cost) else show(cost),
+                     cell(row, "triangle_test_ns"), show(cost),
                      cell(row, "mean_us"), cell(row, "resident_bytes_triangle"),
                      cell(row, "bytes_triangle")])
     note = ("Means over the poses, for all pairs. N_b C_b + N_p C_p is the paper's cost; C_b and "
@@ -228,23 +214,83 @@ def threads_section(data):
         + table(["what", "", "seconds, 1 thread", "2 threads", "ratio, median"], rows)
 
 
-def main():
-    folder = sys.argv[1]
-    names = ("machine", "floor", "scenes", "engines", "poses", "threads", "builds")
-    data = {name: read(folder, name) for name in names}
-    print("# Ours and the peers\n")
-    print("Made by `bench/peers/run`; README.md beside it says what the columns mean.\n")
-    print(table(["machine", ""], [[row["what"], row["value"]] for row in data["machine"]]))
-    print(figures_section(data))
-    print(floor_section(data))
-    print(scenes_section(data))
-    print(disagreements_section(data))
-    print(work_section(data))
-    print(scaling_section(data, "size", "Time against triangles", "triangles"))
-    print(contacts_section(data))
-    print(scaling_section(data, "depth", "Time against depth", "depth, % of B's diagonal"))
-    print(threads_section(data))
+def faults(data):
+    """What of ours is wrong, in words."""
+    ours = [row for row in data["engines"] if row["engine"].startswith(OURS)]
+    found = {"disagreements in which ours is wrong": total(data["engines"], "ours_wrong"),
+             "pairs that our SIMD targets disagree on": total(ours, "missing", "extra"),
+             "poses with a wrong answer of ours to any contact": total(ours, "any_wrong"),
+             "scenes that ours did not come through": sum(
+                 row[c] not in ("", "done") for row in ours for c in ("ending", "any_ending"))}
+    if not ours:
+        found["suites without a scene"] = 1
+    return [f"{show(count)} {what}" for what, count in found.items() if count]
 
 
-if __name__ == "__main__":
-    main()
+def times_ours(row, ours, column):
+    value, base = known(row, column), known(ours, column)
+    return "-" if value is None or not base else show(value / base)
+
+
+def scenes_summary(data):
+    """A row a scene, a column an engine: means of all pairs and of any contact."""
+    engines = select(data["engines"], suite="scenes")
+    names = [name for name in in_order(engines, "engine") if name != OURS]
+    rows = []
+    for scene in in_order(engines, "scene"):
+        ours = find(engines, scene, OURS)
+        rows.append([scene, f"{cell(ours, 'mean_us')} / {cell(ours, 'any_best_us')}"] + [
+            " / ".join(times_ours(find(engines, scene, name), ours, c)
+                       for c in ("mean_us", "any_best_us"))
+            for name in names])
+    note = ("All pairs / any contact: means over the poses, of ours in us, of the others as multiples "
+            "of ours; any contact by the best pass of each pose.")
+    return f"## Scenes\n{note}\n\n" + table(["scene", f"{OURS}, us", *names], rows)
+
+
+def engines_summary(data):
+    """A row an engine, over all scenes in which it took part: answers, build, memory."""
+    triangles = {(row["suite"], row["scene"]): total([row], "triangles_a", "triangles_b")
+                 for row in data["scenes"]}
+    rows = []
+    for engine in in_order(data["engines"], "engine"):
+        mine = select(data["engines"], engine=engine)
+        answered = [row for row in mine if row["pairs_found"]]
+        measured = [{**row, "triangles": triangles[row["suite"], row["scene"]]}
+                    for row in mine if row["build_ms"] and row["bytes_triangle"]]
+        count = total(measured, "triangles")
+        rows.append([engine, *(show(total(answered, c)) if answered else "" for c in (
+            "pairs_found", "missing", "extra", "judged", "ours_wrong")),
+            show(1e3 * total(measured, "build_ms") / count if count else None),
+            show(weighted(measured, "bytes_triangle", "triangles"))])
+    note = ("Over all scenes in which the engine took part: pairs found, pairs that only ours has, pairs "
+            "that only it has, how many of both the exact oracle looked at, and in how many ours is wrong.")
+    return f"## Who is wrong, build and memory\n{note}\n\n" + table(
+        ["engine", "pairs", "missing", "extra", "judged", "ours wrong", "build, us a triangle",
+         "memory, bytes a triangle"], rows)
+
+
+def threads_summary(data):
+    found = []
+    for rows, column in ((select(data["threads"], suite="scenes"), "scene"), (data["builds"], "mesh")):
+        for what in in_order(rows, column):
+            ratio = thread_ratio(select(rows, **{column: what}))
+            found.append(f"{what}{'' if column == 'scene' else ', build'}: {show(ratio) or 'void'}")
+    return ("Two threads against one, medians; above 2 is void, since the runs on one thread were "
+            "disturbed. " + "; ".join(found) + ".\n")
+
+
+def summary(data):
+    return [figures_section(data), scenes_summary(data), engines_summary(data), threads_summary(data)]
+
+
+def tables(data):
+    return [figures_section(data), floor_section(data), scenes_section(data),
+            disagreements_section(data), work_section(data),
+            scaling_section(data, "size", "Time against triangles", "triangles"),
+            contacts_section(data),
+            scaling_section(data, "depth", "Time against depth", "depth, % of B's diagonal"),
+            threads_section(data)]
+
+
+PAGES = {"TABLES.md": tables, "RESULTS.md": summary}

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Proves that the generator of pages refuses a run with a wrong answer of ours, and a summary that is too
+long. Usage: page_test.py"""
+import csv
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+REPORT = pathlib.Path(__file__).resolve().parents[3] / "bench/report"
+sys.path.insert(0, str(REPORT))
+sys.dont_write_bytecode = True
+
+import page  # noqa: E402
+import peers  # noqa: E402
+from tables import show  # noqa: E402
+
+COUNTS = ("separate", "touch", "coplanar", "proper", "invented", "missed_touch", "missed_coplanar",
+          "missed_proper", "wrong_class", "swap_differs", "order_differs", "unanswered")
+
+
+def answers(**changed):
+    """The exit status of a page of one engine of ours and one of others, 40 pairs each."""
+    row = {"engine": "cdcluster, certified", "suite": "corpus", "category": "random", "ending": "done",
+           **{count: 0 for count in COUNTS}, "separate": 10, "touch": 10, "coplanar": 10, "proper": 10}
+    theirs = {**row, "engine": "another", "invented": 3}
+    with tempfile.TemporaryDirectory() as folder:
+        for name, rows in (("pairs", [{**row, **changed}, theirs]),
+                           ("machine", [{"what": "commit", "value": "abc"}])):
+            with open(pathlib.Path(folder, name + ".csv"), "w", newline="", encoding="utf-8") as file:
+                writer = csv.DictWriter(file, rows[0].keys())
+                writer.writeheader()
+                writer.writerows(rows)
+        done = subprocess.run([sys.executable, "-B", REPORT / "page.py", "answers", folder],
+                              capture_output=True, check=False)
+        assert pathlib.Path(folder, "ANSWERS.md").read_text(encoding="utf-8").count("abc") == 1
+        return done.returncode
+
+
+class Page(unittest.TestCase):
+    def test_a_run_without_a_wrong_answer_of_ours_passes(self):
+        self.assertEqual(answers(), 0)
+
+    def test_a_wrong_answer_of_ours_is_refused(self):
+        for column in ("invented", "missed_touch", "wrong_class", "swap_differs", "order_differs",
+                       "unanswered"):
+            self.assertEqual(answers(**{column: 1}), 1, column)
+        self.assertEqual(answers(ending="crashed"), 1)
+
+    def test_a_run_without_ours_is_refused(self):
+        self.assertEqual(answers(engine="a third"), 1)
+
+    def test_a_summary_has_60_lines_and_cells_of_25_words(self):
+        self.assertEqual(page.broken_rules("a\n" * 60 + f"| {'b ' * 25} |"), ["61 lines, more than 60"])
+        self.assertEqual(page.broken_rules("a\n" * 59 + f"| {'b ' * 25} |"), [])
+        self.assertEqual(len(page.broken_rules(f"| a | {'b ' * 26} |")), 1)
+
+    def test_a_ratio_of_two_threads_above_2_is_void(self):
+        self.assertIsNone(peers.thread_ratio([{"ratio": "1.9"}, {"ratio": "2.1"}, {"ratio": "2.2"}]))
+        self.assertEqual(peers.thread_ratio([{"ratio": "1.9"}, {"ratio": "1.8"}, {"ratio": "2.2"}]), 1.9)
+
+    def test_numbers_are_short(self):
+        self.assertEqual([show(value) for value in (None, 0, 12.345, 1234.5, 2.0**400, -1234)],
+                         ["", "0", "12.3", "1,234", "2.6e+120", "-1,234"])
+
+
+if __name__ == "__main__":
+    unittest.main()
