@@ -3,6 +3,7 @@
 #include "common/core/limits_client.hpp"
 #include "common/core/state_folder.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <optional>
@@ -94,6 +95,11 @@ Result<LocalCluster> LocalCluster::start(const LocalClusterOptions& options,
         cluster.processes_.push_back(std::move(worker.value()));
     }
     return cluster;
+}
+
+bool LocalCluster::is_running() {
+    return std::ranges::all_of(processes_,
+                               [](ChildProcess& process) { return process.is_running(); });
 }
 
 LocalCluster::~LocalCluster() {

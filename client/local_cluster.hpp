@@ -30,6 +30,9 @@ class LocalCluster {
     /// HOST:PORT
     [[nodiscard]] const std::string& address() const { return address_; }
 
+    /// False as soon as one of its programs has ended.
+    [[nodiscard]] bool is_running();
+
     /// Workers first, then the master. The destructor does the same.
     void stop();
 

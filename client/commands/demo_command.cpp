@@ -1,11 +1,14 @@
 #include "client/commands/commands.hpp"
+#include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
 #include "client/demo_vehicles.hpp"
 #include "client/exit_code.hpp"
 #include "client/interrupt.hpp"
 #include "client/local_cluster.hpp"
+#include "common/core/limits_client.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <thread>
 
@@ -45,6 +48,35 @@ Status use_vehicles(const std::filesystem::path& cache, RunCommand& run) {
     return Done{};
 }
 
+/// Waits until all workers have joined, so that the run's first line counts them. Errors:
+/// Incomplete and Timeout naming the logs; those of `Connection`.
+Status wait_for_workers(LocalCluster& cluster,
+                        const LocalClusterOptions& options,
+                        const MasterOptions& master) {
+    auto connection = open_master(master);
+    if (!connection) {
+        return connection.error();
+    }
+    const auto deadline = std::chrono::steady_clock::now() + limits::local_start_max;
+    while (std::chrono::steady_clock::now() < deadline) {
+        const auto status = connection.value()->status();
+        if (!status) {
+            return status.error();
+        }
+        if (worker_count(status.value()) >= options.workers) {
+            return Done{};
+        }
+        if (!cluster.is_running()) {
+            return Error{ErrorCode::Incomplete,
+                         "cdworker ended at once; see " + options.logs.string()};
+        }
+        if (Status paused = connection.value()->pause(limits::process_poll_period); !paused) {
+            return paused;
+        }
+    }
+    return Error{ErrorCode::Timeout, "the workers do not join; see " + options.logs.string()};
+}
+
 } // namespace
 
 int execute(const DemoCommand& command) {
@@ -72,6 +104,9 @@ int execute(const DemoCommand& command) {
                      run.master.address.c_str(),
                      options.workers,
                      options.logs.c_str());
+    }
+    if (Status joined = wait_for_workers(cluster.value(), options, run.master); !joined) {
+        return fail(joined.error());
     }
     return run_job(run);
 }

@@ -272,6 +272,7 @@ TEST_F(FirstHour, TheDemoRunsOnAClusterOfItsOwnAndEndsIt) {
                  folder_ / "demo");
     EXPECT_EQ(demo.wait(std::chrono::seconds(60)), 0) << demo.errors();
     EXPECT_THAT(demo.errors(), HasSubstr("  cluster  cdmaster on 127.0.0.1:"));
+    EXPECT_THAT(demo.errors(), testing::ContainsRegex("\n  on 127.0.0.1:[0-9]+, 2 workers\n"));
     EXPECT_THAT(demo.output(), HasSubstr("tested 20 of 20"));
     EXPECT_TRUE(std::filesystem::exists(folder_ / "out/summary.json"));
     for (const char* log : {"master.log", "worker-1.log", "worker-2.log"}) {
