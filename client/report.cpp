@@ -172,9 +172,6 @@ std::string first_pairs_text(const RunReport& report) {
 }
 
 std::string map_text(const RunReport& report) {
-    if (!report.map_withdrawn.empty()) {
-        return "  map           withdrawn: " + report.map_withdrawn + "; run the job again\n";
-    }
     if (!report.map) {
         return {};
     }
@@ -306,6 +303,19 @@ std::string depths_text(const RunReport& report) {
 
 } // namespace
 
+std::string warnings_text(const RunReport& report) {
+    std::string text;
+    if (!report.map_withdrawn.empty()) {
+        text += "  map           withdrawn: " + report.map_withdrawn + "; run the job again\n";
+    }
+    if (report.inputs_are_too_large) {
+        text +=
+            "  inputs        not kept, since they are too large: whoever opens the folder needs "
+            "their files\n";
+    }
+    return text;
+}
+
 double hit_share(const BlockTraffic& blocks) {
     const std::uint64_t needed = blocks.hits + blocks.misses;
     return needed == 0 ? 0 : static_cast<double>(blocks.hits) / static_cast<double>(needed);
@@ -351,11 +361,7 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     if (report.digest) {
         text += "  digest        " + to_short_hex(*report.digest) + "\n";
     }
-    if (report.inputs_are_too_large) {
-        text +=
-            "  inputs        not kept, since they are too large: whoever opens the folder needs "
-            "their files\n";
-    }
+    text += warnings_text(report);
     text += report.summary_file.empty() ? "" : "  open it: " + report.summary_file + "\n";
     return text;
 }

@@ -103,6 +103,8 @@ struct SummaryStyle {
 
 /// The lines after a run, each ended.
 [[nodiscard]] std::string summary_text(const RunReport& report, const SummaryStyle& style = {});
+/// Those of the lines that a quiet run prints, too.
+[[nodiscard]] std::string warnings_text(const RunReport& report);
 
 /// Of the subtrees that scenarios needed at workers, those that were there.
 [[nodiscard]] double hit_share(const BlockTraffic& blocks);

@@ -53,8 +53,8 @@ class ResultSink {
     ContactMapTotal map_;
 };
 
-/// Prints the summary: on stdout, or on stderr where stdout carries results; `quiet` leaves it out
-/// there. Errors: those of `OutputFile`.
+/// Prints the summary: on stdout, or on stderr where stdout carries results; there `quiet` leaves
+/// only its warnings. Errors: those of `OutputFile`.
 [[nodiscard]] Status
 print_summary(const RunReport& report, bool stdout_is_used, bool quiet, bool statistics);
 

@@ -1,6 +1,7 @@
 // Proves that the lines around a run say what happened: sizes, progress, classes, coverage, digest.
 #include "client/report.hpp"
 
+#include "client/export/result_sink.hpp"
 #include "client/progress.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -130,6 +131,24 @@ TEST(Report, WhatWasNotTestedIsNotCalledDone) {
     EXPECT_THAT(text, HasSubstr("insides not looked at  in 4 scenarios: parts are ignored"));
     EXPECT_THAT(text, HasSubstr("limit_pairs was reached"));
     EXPECT_THAT(text, Not(HasSubstr("digest")));
+}
+
+TEST(Report, AQuietRunWarnsAllTheSame) {
+    RunReport report;
+    report.summary = example_summary();
+    const auto told = [&](bool quiet) {
+        testing::internal::CaptureStderr();
+        EXPECT_TRUE(print_summary(report, true, quiet, false));
+        return testing::internal::GetCapturedStderr();
+    };
+    EXPECT_EQ(told(true), "");
+    report.inputs_are_too_large = true;
+    report.map_withdrawn = "workers differ";
+    EXPECT_EQ(told(true),
+              "  map           withdrawn: workers differ; run the job again\n"
+              "  inputs        not kept, since they are too large: whoever opens the folder needs "
+              "their files\n");
+    EXPECT_THAT(told(false), HasSubstr(told(true)));
 }
 
 TEST(Report, TheSummaryTellsWhatCameBeforeAndWhereItIs) {
