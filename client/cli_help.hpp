@@ -107,6 +107,7 @@ inline constexpr const char* results_help =
     "6 failed; of pairs: 1 touch, 2 coplanar, 3 proper.\n"
     "  cut             the list of pairs ends at limit_pairs; the count is the true one\n"
     "  surfaces_only   a body is open, so that nothing is said of insides\n"
+    "  insides_skipped triangles are ignored, so that nothing is said of the rest's insides\n"
     "  distance_bound  of undecided scenarios: the bodies are at most so far apart\n"
     "npz: the pairs of scenario i are pairs[offsets[i]:offsets[i+1]], the points of pair j\n"
     "points_world[point_offsets[j]:point_offsets[j+1]], in the job's unit. docs/formats.md has "

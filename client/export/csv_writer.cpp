@@ -34,8 +34,13 @@ class ScenariosCsvWriter final : public ResultWriter {
         if (result.kind == ScenarioClass::Undecided) {
             row_.add(result.distance_bound);
         }
-        row_.add(
-            ",", yes_or_no[result.surfaces_only ? 1 : 0], ",", csv_field(result.failure), "\n");
+        row_.add(",",
+                 yes_or_no[result.surfaces_only ? 1 : 0],
+                 ",",
+                 yes_or_no[result.insides_skipped ? 1 : 0],
+                 ",",
+                 csv_field(result.failure),
+                 "\n");
         return file_.write(row_.text());
     }
 
@@ -51,7 +56,7 @@ class ScenariosCsvWriter final : public ResultWriter {
         const bool first = !has_header_;
         has_header_ = true;
         return first ? "scenario,body_a,body_b,class,count,cut,distance_bound,surfaces_only,"
-                       "failure\n"
+                       "insides_skipped,failure\n"
                      : "";
     }
     [[nodiscard]] std::string_view name_of(std::uint32_t body) const {

@@ -27,6 +27,7 @@ class NpzResults final : public ResultWriter {
         add_array(count_, "count", NpyType::U8);
         add_array(distance_bound_, "distance_bound", NpyType::F8);
         add_array(surfaces_only_, "surfaces_only", NpyType::U1);
+        add_array(insides_skipped_, "insides_skipped", NpyType::U1);
         if (level_ >= Level::Pairs) {
             add_array(offsets_, "offsets", NpyType::U8);
             add_array(pairs_, "pairs", NpyType::U4, 2);
@@ -52,6 +53,7 @@ class NpzResults final : public ResultWriter {
         count_.values.push_back(result.pair_count);
         distance_bound_.values.push_back(result.distance_bound);
         surfaces_only_.values.push_back(result.surfaces_only ? 1 : 0);
+        insides_skipped_.values.push_back(result.insides_skipped ? 1 : 0);
         if (level_ >= Level::Pairs) {
             add_pairs(result);
         }
@@ -132,6 +134,7 @@ class NpzResults final : public ResultWriter {
                          count_,
                          distance_bound_,
                          surfaces_only_,
+                         insides_skipped_,
                          offsets_,
                          pairs_,
                          pair_class_,
@@ -151,6 +154,7 @@ class NpzResults final : public ResultWriter {
     Column<std::uint64_t> count_;
     Column<double> distance_bound_;
     Column<std::uint8_t> surfaces_only_;
+    Column<std::uint8_t> insides_skipped_;
     Column<std::uint64_t> offsets_;
     Column<std::uint32_t> pairs_;
     Column<std::uint8_t> pair_class_;

@@ -68,7 +68,10 @@ class Export : public testing::Test {
 
     /// Separate; two pairs of which one has points, and a third that was cut; failed; undecided.
     static std::vector<ScenarioResult> results() {
+        ScenarioResult separate;
+        separate.insides_skipped = true;
         ScenarioResult contact;
+        contact.surfaces_only = true;
         contact.index = 1;
         contact.kind = ScenarioClass::Cross;
         contact.pair_count = 3;
@@ -85,7 +88,7 @@ class Export : public testing::Test {
         undecided.kind = ScenarioClass::Undecided;
         undecided.distance_bound = 0.125;
         undecided.point_offsets = {0};
-        return {ScenarioResult{}, contact, failed, undecided};
+        return {separate, contact, failed, undecided};
     }
 
     fs::path dir_;
@@ -98,11 +101,12 @@ class Export : public testing::Test {
 TEST_F(Export, CsvHasARowForEachScenarioAndCsvPairsForEachPairAndPoint) {
     write({"csv", "csv-pairs"}, Level::Contacts);
     EXPECT_EQ(text_of("scenarios.csv"),
-              "scenario,body_a,body_b,class,count,cut,distance_bound,surfaces_only,failure\n"
-              "0,a,b,separate,0,0,,0,\n"
-              "1,a,b,cross,3,1,,0,\n"
-              "2,a,b,failed,0,0,,0,\"too, large\"\n"
-              "3,a,b,undecided,0,0,0.125,0,\n");
+              "scenario,body_a,body_b,class,count,cut,distance_bound,surfaces_only,"
+              "insides_skipped,failure\n"
+              "0,a,b,separate,0,0,,0,1,\n"
+              "1,a,b,cross,3,1,,1,0,\n"
+              "2,a,b,failed,0,0,,0,0,\"too, large\"\n"
+              "3,a,b,undecided,0,0,0.125,0,0,\n");
     EXPECT_EQ(text_of("pairs.csv"),
               "scenario,triangle_a,triangle_b,class,part_a,part_b\n"
               "1,0,5,proper,\"left, \"\"old\"\"\",\n"
@@ -136,6 +140,10 @@ TEST_F(Export, JsonHasAnObjectOnEachLine) {
     }
     ASSERT_EQ(parsed.size(), 4u);
     EXPECT_EQ(parsed[0]["class"], "separate");
+    EXPECT_EQ(parsed[0]["surfaces_only"], false);
+    EXPECT_EQ(parsed[0]["insides_skipped"], true);
+    EXPECT_EQ(parsed[1]["surfaces_only"], true);
+    EXPECT_EQ(parsed[1]["insides_skipped"], false);
     EXPECT_EQ(parsed[1]["body_a"], "a");
     EXPECT_EQ(parsed[1]["count"], 3);
     EXPECT_EQ(parsed[1]["cut"], true);
@@ -149,8 +157,8 @@ TEST_F(Export, JsonHasAnObjectOnEachLine) {
 TEST_F(Export, TextNamesPartsAndPoints) {
     write({"text"}, Level::Contacts);
     EXPECT_EQ(text_of("results.txt"),
-              "0  separate  0 pairs\n"
-              "1  cross  3 pairs, the first 2\n"
+              "0  separate  0 pairs  insides not looked at\n"
+              "1  cross  3 pairs, the first 2  surfaces only\n"
               "    A 0 (left, \"old\" 0)  B 5  proper  10.5 1 0  10.25 0 -3\n"
               "    A 7 (right 1)  B 2  coplanar\n"
               "2  failed  too, large\n"
@@ -168,6 +176,8 @@ TEST_F(Export, NpzHoldsCompressedRows) {
     EXPECT_EQ(integers("class"), (Integers{0, 2, 6, 5}));
     EXPECT_EQ(integers("count"), (Integers{0, 3, 0, 0}));
     EXPECT_EQ(arrays.at("distance_bound").to_doubles(), (std::vector<double>{0, 0, 0, 0.125}));
+    EXPECT_EQ(integers("surfaces_only"), (Integers{0, 1, 0, 0}));
+    EXPECT_EQ(integers("insides_skipped"), (Integers{1, 0, 0, 0}));
     EXPECT_EQ(integers("offsets"), (Integers{0, 0, 2, 2, 2}));
     EXPECT_EQ(integers("pairs"), (Integers{0, 5, 7, 2}));
     EXPECT_EQ(arrays.at("pairs").shape, (std::vector<std::uint64_t>{2, 2}));
