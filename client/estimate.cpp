@@ -17,6 +17,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace cd {
@@ -67,7 +68,7 @@ std::vector<std::size_t> visiting_order(std::size_t size) {
     return order;
 }
 
-/// Runs each sample once on the pool's threads, as a run would.
+/// Runs each sample once on the pool's threads, as a run would, and at least one.
 void run_samples(const ScenarioRunner& runner,
                  ThreadPool& pool,
                  Clock::time_point end,
@@ -80,7 +81,7 @@ void run_samples(const ScenarioRunner& runner,
         for (std::size_t i = next++; i < order.size(); i = next++) {
             Sample& sample = samples[order[i]];
             const auto start = Clock::now();
-            if (start >= end || pairs >= sampled_pairs_max) {
+            if (i != 0 && (start >= end || pairs >= sampled_pairs_max)) {
                 return;
             }
             ScenarioRun run = session.run(sample.scenario);
@@ -214,16 +215,22 @@ double triangles_factor(const PreparedJob& job, const std::vector<Sample>& sampl
     return std::min(std::pow(times, std::log2(std::max(1.0, all / some))), most / all);
 }
 
-/// Errors: those of the poses.
-Result<std::vector<Sample>> read_samples(PoseSource& poses, std::uint64_t samples_max) {
+/// Ascending; as many as are read before `end`, and at least one. Errors: those of the poses.
+Result<std::vector<Sample>>
+read_samples(PoseSource& poses, std::uint64_t samples_max, Clock::time_point end) {
+    const std::vector<std::uint64_t> indices = spread(poses.count(), samples_max);
     std::vector<Sample> samples;
-    for (const std::uint64_t index : spread(poses.count(), samples_max)) {
-        auto read = poses.read(index, 1);
+    for (const std::size_t place : visiting_order(indices.size())) {
+        if (!samples.empty() && Clock::now() >= end) {
+            break;
+        }
+        auto read = poses.read(indices[place], 1);
         if (!read) {
             return read.error();
         }
         samples.push_back({std::move(read.value().front()), {}, {}, 0});
     }
+    std::ranges::sort(samples, {}, [](const Sample& sample) { return sample.scenario.index; });
     return samples;
 }
 
@@ -321,14 +328,17 @@ std::uint64_t free_bytes_near(fs::path folder) {
 Result<RunEstimate>
 estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& options) {
     const auto start = Clock::now();
-    auto read = read_samples(*job.poses, options.samples_max);
+    auto read = read_samples(*job.poses, options.samples_max, start + options.time_max / 2);
     if (!read) {
         return read.error();
     }
     std::vector<Sample>& samples = read.value();
     RunEstimate estimate;
     estimate.scenarios = job.poses->count();
-    const double read_seconds = seconds_since(start) / static_cast<double>(samples.size());
+    // Random poses are made on all threads, others are read on one.
+    const bool is_random = std::holds_alternative<RandomPoses>(job.spec.poses);
+    const auto reads = static_cast<double>(samples.size() * (is_random ? pool.size() : 1));
+    const double read_seconds = seconds_since(start) / reads;
 
     const auto end = start + options.time_max;
     const ScenarioRunner runner(*job.trees[0], *job.trees[1], job.query, options.first_stage);
@@ -339,12 +349,6 @@ estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& op
         spent += sum_of(samples);
     }
     estimate.sampled = samples.size();
-    if (samples.empty()) {
-        return Error{ErrorCode::BadInput,
-                     "a scenario takes longer than " +
-                         seconds_text(std::chrono::duration<double>(options.time_max).count()) +
-                         " s, so the run cannot be estimated"};
-    }
     double write_seconds = 0;
     if (!job.spec.output.dir.empty()) {
         const auto written = put_bytes(job, options, samples, estimate);

@@ -24,13 +24,14 @@ struct RunEstimate {
 
 struct EstimateOptions {
     std::uint64_t samples_max = 200;
-    std::chrono::milliseconds time_max{5000}; ///< For the samples.
+    std::chrono::milliseconds time_max{5000}; ///< Half of it at most to read the samples.
     PairStage first_stage = PairStage::Float;
     bool keeps_inputs = true; ///< The results folder gets the meshes and poses.
 };
 
 /// Runs samples of a job with trees on the pool's threads, and writes what a run would keep of them
-/// to a temporary folder that is removed. Errors: those of the poses and of the files.
+/// to a temporary folder that is removed. Where time is over, one sample is read and run all the
+/// same. Errors: those of the poses and of the files.
 [[nodiscard]] Result<RunEstimate>
 estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& options);
 
