@@ -298,6 +298,9 @@ void read_job(const toml::table& table, TomlProblem& problem, JobSpec& spec) {
     spec.unit = job.word("unit", unit_names()).value_or(spec.unit);
     read_body(job, "a", spec.file, problem, spec.bodies[0]);
     read_body(job, "b", spec.file, problem, spec.bodies[1]);
+    if (const std::string name = export_name(spec, 0); name == export_name(spec, 1)) {
+        job.report("b", "both bodies have the name \"" + name + "\"; exports need two names");
+    }
     read_poses(job, problem, spec);
     read_query(job, problem, spec);
     read_output(job, problem, spec);
@@ -305,6 +308,11 @@ void read_job(const toml::table& table, TomlProblem& problem, JobSpec& spec) {
 }
 
 } // namespace
+
+std::string export_name(const JobSpec& spec, std::size_t body) {
+    const std::string& name = spec.bodies[body].name;
+    return name.empty() ? std::string(1, static_cast<char>('a' + body)) : name;
+}
 
 Status check_depths(const JobSpec& spec) {
     if (spec.tolerance > 0 && (spec.cluster.depth(0) || spec.cluster.depth(1))) {

@@ -85,6 +85,9 @@ struct JobSpec {
 /// The same on text; `path` is for messages and for relative paths.
 [[nodiscard]] Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path);
 
+/// The name of a body in exports: what the job calls it, else "a" or "b".
+[[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
+
 /// A tolerance above 0 fixes the distribution depths, so none may be given beside it. Errors:
 /// BadInput.
 [[nodiscard]] Status check_depths(const JobSpec& spec);

@@ -222,11 +222,6 @@ Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body) {
     return options;
 }
 
-std::string export_name(const JobSpec& spec, std::size_t body) {
-    const std::string& name = spec.bodies[body].name;
-    return name.empty() ? std::string(1, static_cast<char>('a' + body)) : name;
-}
-
 ExportContext export_context(const PreparedJob& job) {
     ExportContext context;
     context.job = job.spec.name;

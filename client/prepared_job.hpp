@@ -62,9 +62,6 @@ struct JobInputs {
 /// How the file of a body is read. Errors: BadInput for a unit that is not known.
 [[nodiscard]] Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body);
 
-/// The name of a body for exports: what the job calls it, or "a" and "b".
-[[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
-
 [[nodiscard]] ExportContext export_context(const PreparedJob& job);
 
 /// The ranges of triangles that the job's rules pass over. A name that no part matches, and another

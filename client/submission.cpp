@@ -3,16 +3,11 @@
 #include "client/units.hpp"
 #include "common/core/printable.hpp"
 
-#include <array>
-#include <string_view>
 #include <utility>
 
 namespace cd {
 
 namespace {
-
-/// What a body is called that the job does not name.
-constexpr std::array<std::string_view, 2> body_keys{"a", "b"};
 
 PosesOrigin origin_of(const PosesSpec& spec) {
     PosesOrigin origin;
@@ -37,7 +32,7 @@ PosesOrigin origin_of(const PosesSpec& spec) {
 BodySpec spec_of(const JobBody& body, std::size_t place) {
     BodySpec spec;
     spec.path = body.file;
-    spec.name = body.name == body_keys[place] ? "" : body.name;
+    spec.name = body.name == export_name({}, place) ? "" : body.name;
     (body.is_unit_given ? spec.unit : spec.declared_unit) = body.unit;
     spec.up = body.up;
     spec.rounds_to_float = body.rounds_to_float;
@@ -68,7 +63,7 @@ JobBody body_of(const JobSpec& spec, std::size_t body, const Sha256& mesh) {
     const BodySpec& given = spec.bodies[body];
     JobBody told;
     told.mesh = mesh;
-    told.name = given.name.empty() ? body_keys[body] : given.name;
+    told.name = export_name(spec, body);
     told.file = given.path.string();
     told.is_unit_given = !given.unit.empty();
     told.unit = told.is_unit_given            ? given.unit

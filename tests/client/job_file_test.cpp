@@ -60,6 +60,21 @@ const std::string random_poses = "[poses]\nrandom = { n = 10 }\n";
 
 } // namespace
 
+TEST(JobFile, TwoBodiesOfOneNameAreRefused) {
+    const auto problem_of_names = [](const std::string& a, const std::string& b) {
+        const auto spec =
+            parse("[a]\nmesh = \"a.obj\"\n" + a + "[b]\nmesh = \"b.obj\"\n" + b + random_poses);
+        return spec ? "none" : spec.error().detail;
+    };
+    EXPECT_EQ(
+        problem_of_names("name = \"x\"\n", "name = \"x\"\n"),
+        "folder/job.toml:4: the job: both bodies have the name \"x\"; exports need two names");
+    EXPECT_EQ(
+        problem_of_names("name = \"b\"\n", ""),
+        "folder/job.toml:4: the job: both bodies have the name \"b\"; exports need two names");
+    EXPECT_EQ(problem_of_names("name = \"b\"\n", "name = \"a\"\n"), "none");
+}
+
 TEST(JobFile, EveryKeyIsRead) {
     const auto spec = parse(good);
     ASSERT_TRUE(spec) << spec.error().detail;
