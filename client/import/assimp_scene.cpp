@@ -17,6 +17,7 @@
 #include <cctype>
 #include <charconv>
 #include <exception>
+#include <optional>
 #include <span>
 
 namespace cd {
@@ -167,7 +168,9 @@ DeclaredFrame fbx_frame(const aiScene& scene) {
     return frame;
 }
 
-DeclaredFrame declared_frame(const aiScene& scene, const std::filesystem::path& path) {
+/// Nothing where the format declares a unit and this file's is not known.
+std::optional<DeclaredFrame> declared_frame(const aiScene& scene,
+                                            const std::filesystem::path& path) {
     const std::string format = format_of(scene);
     if (format == collada_format) {
         return collada_frame(read_text(path));
@@ -176,12 +179,12 @@ DeclaredFrame declared_frame(const aiScene& scene, const std::filesystem::path& 
         return fbx_frame(scene);
     }
     if (format.find("AMF") != std::string::npos) {
-        return additive_frame(read_text(path)).value_or(DeclaredFrame{});
+        return additive_frame(read_text(path));
     }
     if (format.find("3mf") != std::string::npos) {
-        return three_mf_frame(path).value_or(DeclaredFrame{});
+        return three_mf_frame(path);
     }
-    return {};
+    return DeclaredFrame{};
 }
 
 /// assimp places a mesh at its node, whatever its bones and morph targets would make of it.
@@ -286,7 +289,14 @@ Result<ImportedMesh> read_with_assimp(const std::filesystem::path& path,
         if (const Status whole = check_triangles(*scene, triangles.value(), path); !whole) {
             return whole.error();
         }
-        const DeclaredFrame declared = declared_frame(*scene, path);
+        const auto known_frame = declared_frame(*scene, path);
+        if (!known_frame && !options.declared_unit_to.empty()) {
+            return bad(path,
+                       "declares a unit that is not known here; name the unit of its coordinates "
+                       "(unit in the body's table of the job, --unit-a, --unit-b, or --unit of "
+                       "inspect)");
+        }
+        const DeclaredFrame declared = known_frame.value_or(DeclaredFrame{});
         // Of a COLLADA file the root's transform is assimp's: the unit, which is applied here.
         const Eigen::Matrix4d root = format_of(*scene) == collada_format
                                          ? Eigen::Matrix4d::Identity()

@@ -157,6 +157,22 @@ TEST(ForeignFormats, AUnitThatIsAskedForStandsInPlaceOfTheFiles) {
     EXPECT_EQ(far_corner(imported.value()), in_floats(0.004, 0.008));
 }
 
+TEST(ForeignFormats, AUnitOfTheFileThatIsNotKnownIsRefusedUnlessTheJobSaysOne) {
+    const TemporaryFolder folder;
+    write_3mf(folder / "yard.3mf", " unit=\"yard\"");
+    write_text(folder / "millimeters.amf", amf(" unit=\"millimeters\""));
+    for (const char* name : {"yard.3mf", "millimeters.amf"}) {
+        ImportOptions options;
+        options.declared_unit_to = "m";
+        const auto refused = import_mesh(folder / name, options);
+        ASSERT_FALSE(refused) << name;
+        EXPECT_THAT(refused.error().detail, HasSubstr("declares a unit that is not known")) << name;
+        const auto asked = import_mesh(folder / name, {0.5});
+        ASSERT_TRUE(asked) << asked.error().detail;
+        EXPECT_EQ(far_corner(asked.value()), Vec3(0, 2, 4)) << name;
+    }
+}
+
 TEST(ForeignFormats, TheUpAxisIsNamedAndNeverTurned) {
     for (const char* axis : {"X", "Y", "Z"}) {
         const auto imported =
