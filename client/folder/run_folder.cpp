@@ -18,19 +18,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* manifest_name = "run.json";
-/// What versions without run.json wrote.
-constexpr std::array<const char*, 9> old_names{"summary.json",
-                                               "scenarios.csv",
-                                               "pairs.csv",
-                                               "points.csv",
-                                               "results.npz",
-                                               "results.jsonl",
-                                               "results.txt",
-                                               "map.csv",
-                                               "map.npz"};
-
-/// What else a run writes under names of its own; they are of no use without its run.json.
-constexpr std::array<const char*, 3> kept_names{"maps", "inputs/scenarios", "inputs/ids"};
+/// Files that a run may write beside run.json and inputs/meshes.
+constexpr std::array<const char*, 13> result_names{"summary.json",
+                                                   "scenarios.csv",
+                                                   "pairs.csv",
+                                                   "points.csv",
+                                                   "results.npz",
+                                                   "results.jsonl",
+                                                   "results.txt",
+                                                   "map.csv",
+                                                   "map.npz",
+                                                   "records",
+                                                   "maps",
+                                                   "inputs/scenarios",
+                                                   "inputs/ids"};
 
 Error refused(const fs::path& dir, const std::string& what) {
     return {ErrorCode::BadInput,
@@ -49,10 +50,10 @@ Result<std::optional<RunManifest>> read_if_there(const fs::path& path) {
     return manifest.error();
 }
 
-bool holds_old_results(const fs::path& dir) {
-    return std::ranges::any_of(old_names, [&](const char* name) {
+bool holds_results(const fs::path& dir) {
+    return std::ranges::any_of(result_names, [&](const char* name) {
         std::error_code error;
-        return fs::exists(dir / name, error);
+        return fs::is_regular_file(dir / name, error);
     });
 }
 
@@ -73,7 +74,7 @@ Status check_no_other(const fs::path& dir,
     if (unfinished && !is_fetched && !is_same_job(*unfinished, manifest)) {
         return refused(dir, "the unfinished part of " + named(*unfinished));
     }
-    if (!finished && !unfinished && holds_old_results(dir)) {
+    if (!finished && !unfinished && holds_results(dir)) {
         return refused(dir, "results without a run.json");
     }
     return Done{};
@@ -208,8 +209,7 @@ Result<RunFolder> RunFolder::take(const fs::path& dir) {
     }
     auto lock = DiskFile::lock(dir / ".part" / "lock");
     if (!lock) {
-        return Error{ErrorCode::Io,
-                     dir.string() + " is being written by another cdctl; give another folder"};
+        return lock.error();
     }
     return RunFolder(dir, std::move(lock.value()));
 }
@@ -268,10 +268,7 @@ Status RunFolder::commit(RunManifest manifest) {
             }
         }
     } else {
-        for (const char* name : old_names) {
-            fs::remove(dir_ / name, error);
-        }
-        for (const char* name : kept_names) {
+        for (const char* name : result_names) {
             if (fs::is_regular_file(dir_ / name, error)) {
                 remove_listed(dir_, name);
             }

@@ -133,6 +133,51 @@ TEST_F(FolderRunTest, InputsThatAreTooLargeAreNotKeptAndThatIsTold) {
     }
 }
 
+TEST_F(FolderRunTest, AUsersFileUnderTheNameOfAResultIsNeverReplacedUnasked) {
+    for (const char* name :
+         {"records", "maps", "inputs/scenarios", "inputs/ids", "scenarios.csv"}) {
+        SCOPED_TRACE(name);
+        const std::string out = "of-user-" + fs::path(name).filename().string();
+        fs::create_directories((folder_ / out / name).parent_path());
+        write_text(folder_ / out / name, "of the user");
+        PreparedJob job = prepare(3, out);
+        const auto begun = FolderRun::begin(job, {});
+        ASSERT_FALSE(begun);
+        EXPECT_THAT(begun.error().detail, HasSubstr(" without a run.json"));
+        EXPECT_EQ(read_text(folder_ / out / name), "of the user");
+    }
+}
+
+TEST_F(FolderRunTest, AFolderThatCannotBeLockedIsNotSaidToBeInUse) {
+    fs::create_directories(folder_ / "out" / ".part" / "lock");
+    PreparedJob job = prepare(3, "out");
+    const auto begun = FolderRun::begin(job, {});
+    ASSERT_FALSE(begun);
+    EXPECT_THAT(begun.error().detail, HasSubstr("lock: Is a directory"));
+}
+
+TEST_F(FolderRunTest, TheRateOfAResumedRunCountsWhatWasRunThen) {
+    Result<RunReport> report{RunReport()};
+    {
+        PreparedJob job = prepare(300, "out");
+        auto begun = FolderRun::begin(job, {});
+        ASSERT_TRUE(begun);
+        report = run(job, begun.value());
+        ASSERT_TRUE(report);
+    }
+    report.value().seconds = 2;
+    report.value().resumed_at = 100;
+    const auto opened = OpenedRun::open(folder_ / "out");
+    ASSERT_TRUE(opened);
+    const auto context = export_context(opened.value());
+    ASSERT_TRUE(context);
+    ASSERT_TRUE(write_summary(folder_ / "out", context.value(), report.value()));
+    const auto again = add_exports(opened.value(), nullptr, context.value(), {});
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again.value().resumed_at, 100u);
+    EXPECT_THAT(summary_text(again.value()), HasSubstr(" 100 scenarios/s"));
+}
+
 TEST_F(FolderRunTest, WithoutInputsNoPosesAreWritten) {
     PreparedJob job = prepare(300, "out");
     FolderRunOptions options;

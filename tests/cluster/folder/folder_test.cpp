@@ -322,7 +322,7 @@ TEST_F(Folder, TwoRunsDoNotWriteOneFolder) {
     first.signal(SIGSTOP);
     const Ran second = run({"--out", folder_ / "out"});
     EXPECT_EQ(second.exit_code, 2);
-    EXPECT_THAT(second.errors, HasSubstr("is being written by another cdctl"));
+    EXPECT_THAT(second.errors, HasSubstr("out/.part is in use by another process"));
     first.signal(SIGKILL);
 }
 
