@@ -55,7 +55,8 @@ class Ac3dCounter {
                 path_.string() + ":" + std::to_string(number_) + ": " + detail};
     }
 
-    /// The next line that is not empty. One of blanks alone counts: the importer stops there.
+    /// Moves to the next line that is not empty. A line of blanks counts, since the importer stops
+    /// there.
     bool next_line() {
         while (!rest_.empty()) {
             const std::size_t length = std::min(rest_.find_first_of("\r\n"), rest_.size());
@@ -112,7 +113,7 @@ class Ac3dCounter {
         return Done{};
     }
 
-    /// Its children follow.
+    /// Reads `kids`: the object ends here, and its children follow.
     Status end_object(Words& words) {
         const auto kids = read_count(words);
         if (!kids) {
@@ -194,7 +195,7 @@ class Ac3dCounter {
         }
         const bool is_line = type == SurfaceType::ClosedLine || type == SurfaceType::OpenLine;
         triangles_ += !is_line && count.value() > 2 ? count.value() - 2 : 0;
-        type_ = SurfaceType::Polygon; // Some programs write surfaces without a line of 'SURF'.
+        type_ = SurfaceType::Polygon; // Some programs omit the line 'SURF'.
         surface_has_no_corners_ = false;
         return Done{};
     }
@@ -209,7 +210,7 @@ class Ac3dCounter {
         return Done{};
     }
 
-    /// The importer makes room for what is counted, so a file does not count more than its bytes.
+    /// Refuses a count above the file's size, since the importer allocates what a count says.
     Result<std::uint64_t> read_count(Words& words) {
         const std::string_view word = words.next();
         const auto count = to_whole(word);
@@ -223,15 +224,15 @@ class Ac3dCounter {
     std::string_view text_;
     std::string_view rest_;
     std::string_view line_;
-    std::uint64_t number_ = 0; ///< Of the line, from 1.
+    std::uint64_t number_ = 0; ///< The current line, from 1.
     std::uint64_t triangles_ = 0;
 
-    std::uint64_t vertices_ = 0; ///< Of the object.
+    std::uint64_t vertices_ = 0; ///< Vertices of the current object.
     SurfaceType type_ = SurfaceType::Polygon;
     bool surface_has_no_corners_ = false;
     bool object_is_open_ = false;
     bool object_next_ = false;
-    std::vector<std::uint64_t> kids_left_; ///< Of each object around this one, still to come.
+    std::vector<std::uint64_t> kids_left_; ///< For each enclosing object: children still to come.
 };
 
 } // namespace

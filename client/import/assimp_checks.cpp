@@ -17,7 +17,7 @@ Error bad(const std::filesystem::path& path, std::uint64_t line, const std::stri
     return {ErrorCode::BadInput, path.string() + ":" + std::to_string(line) + ": " + detail};
 }
 
-/// Text as some programs print what is no number: 1.#QNAN, -1.#IND00, 1.#INF.
+/// The first NaN or infinity of a line as some programs print it: 1.#QNAN, -1.#IND00, 1.#INF.
 std::optional<std::string_view> printed_nan(std::string_view line) {
     constexpr std::string_view begin = "1.#";
     for (std::size_t at = line.find(begin); at != line.npos; at = line.find(begin, at + 1)) {
@@ -41,7 +41,7 @@ Status check_printed_nan(const std::filesystem::path& path) {
     return Done{};
 }
 
-/// By which importers tell formats apart where a file's name does not.
+/// The first bytes of a file, which tell its format where its name does not.
 std::string first_bytes(const std::filesystem::path& path) {
     std::array<char, 64> begin{};
     std::ifstream in(path, std::ios::binary);
@@ -58,7 +58,7 @@ Status check_markup(const std::filesystem::path& path) {
 
 Status check_for_assimp(const std::filesystem::path& path, const std::string& lower_extension) {
     const std::string begin = first_bytes(path);
-    // Some importers look into any archive for files that they know.
+    // assimp opens any archive and reads whatever it finds in it.
     if (begin.starts_with("PK\x03\x04") && lower_extension != ".3mf") {
         return Error{ErrorCode::BadInput, path.string() + ": is an archive; unpack it"};
     }

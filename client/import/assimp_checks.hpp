@@ -1,4 +1,4 @@
-// Finds what assimp would take from a file without a word, and wrongly.
+// Finds content that assimp would misread without an error.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -8,11 +8,11 @@
 
 namespace cd {
 
-/// assimp reads as much of a word as looks like a number: 1 of "1.#QNAN", as some programs print
-/// what is no number.
+/// Checks a file before assimp reads it. Some programs print NaN as "1.#QNAN", of which assimp
+/// would take the 1.
 ///
-/// Errors: BadInput naming the file and the line or the node, for what check_collada names, and
-/// "1.#" with QNAN, SNAN, INF or IND in any file; for an archive, in which other files would stand.
+/// Errors: BadInput naming the file and the line or node: for whatever `check_collada` refuses; for
+/// "1.#" followed by QNAN, SNAN, INF or IND in any file; for an archive, which may hold any file.
 [[nodiscard]] Status check_for_assimp(const std::filesystem::path& path,
                                       const std::string& lower_extension);
 

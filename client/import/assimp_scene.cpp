@@ -38,7 +38,7 @@ Eigen::Matrix4d to_double(const aiMatrix4x4& m) {
     return out;
 }
 
-/// The walk over a scene, depth first, without recursion: a file decides the depth.
+/// Walks a scene depth first, without recursion, since the file decides the depth.
 class SceneReader {
   public:
     SceneReader(const aiScene& scene,
@@ -137,7 +137,7 @@ class SceneReader {
 
 constexpr std::string_view collada_format = "Collada Importer";
 
-/// As assimp's importer calls itself.
+/// The name of the assimp importer that read the scene.
 std::string format_of(const aiScene& scene) {
     aiString format;
     if (scene.mMetaData != nullptr) {
@@ -146,8 +146,8 @@ std::string format_of(const aiScene& scene) {
     return format.C_Str();
 }
 
-/// FBX: centimetres of the file's scale. Its properties are doubles, of which assimp keeps floats:
-/// the shortest decimal of the float is what the file says.
+/// The unit and up axis of an FBX file. assimp stores the file's doubles as floats; the shortest
+/// decimal of such a float is the number in the file.
 DeclaredFrame fbx_frame(const aiScene& scene) {
     float scale = 1;
     scene.mMetaData->Get("UnitScaleFactor", scale);
@@ -187,7 +187,7 @@ std::optional<DeclaredFrame> declared_frame(const aiScene& scene,
     return DeclaredFrame{};
 }
 
-/// assimp places a mesh at its node, whatever its bones and morph targets would make of it.
+/// Refuses bones and morph targets: assimp would place such a mesh without deforming it.
 Status check_rigid(const aiScene& scene, const std::filesystem::path& path) {
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
         const aiMesh& mesh = *scene.mMeshes[m];
@@ -201,17 +201,17 @@ Status check_rigid(const aiScene& scene, const std::filesystem::path& path) {
     return Done{};
 }
 
-/// What an importer has to say, on one line.
+/// An importer's message on one line.
 Error unreadable(const std::filesystem::path& path, std::string why) {
     std::replace_if(
         why.begin(), why.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
     return bad(path, "cannot be read as a mesh" + (why.empty() ? "" : ": " + why));
 }
 
-/// The triangles that the polygons of each mesh make.
+/// Counts for each mesh the triangles that its polygons make.
 ///
-/// Comes before the triangulation, which reads the vertices of whatever an index says and aborts
-/// the process over a polygon without corners. Errors: BadInput naming the face.
+/// Runs before the triangulation, which does not check indices and aborts the process on a polygon
+/// without corners. Errors: BadInput naming the face.
 Result<std::vector<std::uint64_t>> count_triangles(const aiScene& scene,
                                                    const std::filesystem::path& path) {
     std::vector<std::uint64_t> triangles(scene.mNumMeshes, 0);
@@ -238,7 +238,7 @@ Result<std::vector<std::uint64_t>> count_triangles(const aiScene& scene,
     return triangles;
 }
 
-/// A polygon that crosses itself may lose triangles on the way.
+/// Refuses a mesh that lost triangles: assimp may drop some of a polygon that crosses itself.
 Status check_triangles(const aiScene& scene,
                        std::span<const std::uint64_t> expected,
                        const std::filesystem::path& path) {
@@ -297,7 +297,8 @@ Result<ImportedMesh> read_with_assimp(const std::filesystem::path& path,
                        "inspect)");
         }
         const DeclaredFrame declared = known_frame.value_or(DeclaredFrame{});
-        // Of a COLLADA file the root's transform is assimp's: the unit, which is applied here.
+        // assimp adds a root transform for the unit of a COLLADA file; the unit is applied here
+        // instead.
         const Eigen::Matrix4d root = format_of(*scene) == collada_format
                                          ? Eigen::Matrix4d::Identity()
                                          : to_double(scene->mRootNode->mTransformation);

@@ -5,14 +5,14 @@
 
 namespace cd {
 
-/// Any format that assimp reads. Files of hostile content may crash assimp, or keep it busy for
-/// ever; `import_with_assimp` is safe from that.
+/// Reads any format that assimp reads. A hostile file may crash or hang assimp and this process;
+/// `import_with_assimp` is safe from that.
 ///
-/// Errors: BadInput naming the file, and the face as far as assimp lets it be known.
+/// Errors: BadInput naming the file, and the face where assimp tells it.
 [[nodiscard]] Result<ImportedMesh> read_with_assimp(const std::filesystem::path& path,
                                                     const ImportOptions& options);
 
-/// "5.2.4".
+/// The version of assimp, such as "5.2.4".
 [[nodiscard]] std::string assimp_version();
 
 } // namespace cd

@@ -30,7 +30,7 @@ constexpr bool memory_can_be_bounded = true;
 
 constexpr int exit_out_of_memory = 3;
 
-/// A descriptor that is closed with it.
+/// Owns a file descriptor.
 class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
@@ -66,7 +66,7 @@ void bound(decltype(RLIMIT_AS) resource, std::uint64_t value, std::uint64_t hard
 
 void take_default_signals() {
     for (int signal = 1; signal < NSIG; ++signal) {
-        ::signal(signal, SIG_DFL); // Fails for those that nobody may catch.
+        ::signal(signal, SIG_DFL); // Fails for signals that cannot be caught.
     }
     sigset_t none;
     sigemptyset(&none);
@@ -110,7 +110,7 @@ bool write_all(int descriptor, std::span<const std::byte> bytes) {
     }
 }
 
-/// Never outlives its owner, and leaves no zombie.
+/// Owns a child process: the destructor kills it and collects its status.
 class Child {
   public:
     explicit Child(pid_t id) : id_(id) {}
@@ -137,7 +137,7 @@ class Child {
     pid_t id_;
 };
 
-/// All that comes until the other end is closed. Answered, OutOfTime or Stopped.
+/// Appends to `bytes` until the other end is closed. Returns Answered, OutOfTime or Stopped.
 ChildEnd read_until_end(int descriptor,
                         std::chrono::seconds time,
                         const StopCheck& is_stopped,
@@ -172,7 +172,7 @@ ChildEnd end_of(int status) {
     }
     switch (WTERMSIG(status)) {
     case SIGXCPU:
-    case SIGKILL: // The kernel, when the first did not help.
+    case SIGKILL: // From the kernel, when SIGXCPU did not end the child.
         return ChildEnd::OutOfTime;
     case SIGINT:
     case SIGTERM:

@@ -1,4 +1,4 @@
-// Runs foreign code that may crash, hang or take all memory, in a process of its own.
+// Runs foreign code that may crash, hang or exhaust memory, in a child process.
 #pragma once
 
 #include "common/core/bytes.hpp"
@@ -12,9 +12,9 @@
 namespace cd {
 
 struct ChildLimits {
-    std::uint64_t memory_bytes = 0; ///< Beside what this process has; unbounded under sanitizers.
+    std::uint64_t memory_bytes = 0; ///< On top of this process's own; unbounded under sanitizers.
     std::chrono::seconds processor_time{0};
-    std::chrono::seconds real_time{0}; ///< For a child that waits for something.
+    std::chrono::seconds real_time{0}; ///< Bounds a child that only waits.
 };
 
 enum class ChildEnd : std::uint8_t { Answered, Crashed, OutOfMemory, OutOfTime, Stopped };
@@ -24,13 +24,12 @@ struct ChildAnswer {
     Bytes bytes; ///< What `work` returned, if it answered.
 };
 
-/// Calls `work` in a fork of this process, and returns when that has ended, whatever it did. The
-/// child reads and writes nothing of the terminal, ends with this process, and by the signals that
-/// end one; a signal to it alone, and `is_stopped`, end the call with Stopped.
+/// Calls `work` in a fork of this process and returns when the child has ended, however it ended.
+/// The child is cut off from the terminal, ends with this process, and has default signal handlers.
+/// A signal that ends the child, and `is_stopped`, end the call with Stopped.
 ///
-/// The child goes on with one thread. So `work` may take no lock that another thread of this
-/// process could hold: the C library's own (memory, streams) are free after a fork, and locks of
-/// ours have to be left alone.
+/// The child has one thread, so `work` must not take a lock that another thread may have held at
+/// the fork. The C library's own locks (memory, streams) are free after a fork.
 ///
 /// Errors: Io when the system has no room for another process.
 [[nodiscard]] Result<ChildAnswer> call_in_child(const std::function<Bytes()>& work,

@@ -20,7 +20,7 @@ namespace {
 /// An element whose text is numbers.
 struct NumberElement {
     std::string_view name;
-    std::uint64_t count; ///< Of its numbers; 0 for any.
+    std::uint64_t count; ///< How many numbers it has; 0: any.
     bool is_whole;       ///< Its numbers are indices or counts.
 };
 
@@ -36,7 +36,7 @@ constexpr std::array<NumberElement, 9> number_elements{{
     {"vcount", 0, true},
 }};
 
-/// The importer keeps indices in an int.
+/// True for an index that fits into an int, as the importer stores it.
 bool is_index(std::string_view word) {
     const auto value = to_whole(word);
     return value && *value <= std::numeric_limits<int>::max();
@@ -46,7 +46,8 @@ std::uint64_t number_of(const pugi::xml_node& element, const char* name, std::ui
     return to_whole(element.attribute(name).value()).value_or(otherwise);
 }
 
-/// Numbers of an array that an accessor reaches. Indices are ints, so nothing here overflows.
+/// How many numbers of its array an accessor reads. Its attributes fit into ints, so nothing
+/// overflows.
 std::uint64_t numbers_read(const pugi::xml_node& accessor) {
     const std::uint64_t count = number_of(accessor, "count", 0);
     const std::uint64_t stride = number_of(accessor, "stride", 1);
@@ -62,7 +63,7 @@ class ColladaCheck {
     explicit ColladaCheck(const XmlText& xml) : xml_(xml) {}
 
     Status run() {
-        // Not by recursion: the file decides the depth.
+        // Without recursion, since the file decides the depth.
         pugi::xml_node node = xml_.root();
         std::size_t depth = 1;
         while (node) {
@@ -84,7 +85,7 @@ class ColladaCheck {
     }
 
   private:
-    /// Not read, or not for meshes.
+    /// True for elements that the importer ignores, or does not use for meshes.
     static bool is_passed_over(const pugi::xml_node& node) {
         const std::string_view name = node.name();
         return name == "extra" || name == "technique";
@@ -178,7 +179,7 @@ class ColladaCheck {
         return Done{};
     }
 
-    /// The importer reads beyond the array's end.
+    /// Refuses accessors beyond the end of their array: the importer does not check that.
     [[nodiscard]] Status check_accessors() const {
         for (const pugi::xml_node& accessor : accessors_) {
             const std::string_view source = accessor.attribute("source").value();
@@ -194,7 +195,7 @@ class ColladaCheck {
     }
 
     const XmlText& xml_;
-    std::map<std::string_view, std::uint64_t> arrays_; ///< Their counts, by id.
+    std::map<std::string_view, std::uint64_t> arrays_; ///< The count of each array, by id.
     std::vector<pugi::xml_node> accessors_;
 };
 

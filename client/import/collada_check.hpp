@@ -1,4 +1,4 @@
-// Finds what an importer would misread, pass over, or fall over, in a COLLADA file.
+// Finds content of a COLLADA file that the importer would misread, ignore or crash on.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -8,17 +8,16 @@
 
 namespace cd {
 
-/// True where the importer would find a COLLADA document, whatever the file's name.
+/// True when the importer would take the text for COLLADA, whatever the file's name.
 [[nodiscard]] bool is_collada(const std::string& text);
 
-/// The importer takes half of a number like 1d5 and vertex 0 for a negative index, reads on without
-/// end where an index is none and beyond the end of an array that is too short, takes only the
-/// first piece of an element's text, goes as deep as elements are nested, and passes over an
-/// instance of what is not there, convex hulls, skins and morphs.
+/// The importer reads half of a number like 1d5, takes vertex 0 for a negative index, loops on text
+/// that is not an index, reads beyond the end of a short array, takes only the first piece of an
+/// element's text, recurses as deep as elements are nested, and ignores instances that refer to
+/// nothing, convex hulls, skins and morphs.
 ///
 /// Errors: BadInput naming the file and the line, for XML that is not well-formed, and for each of
-/// these in what shapes the mesh: coordinates, indices, transforms, the unit, counts, offsets,
-/// strides and instances.
+/// these in coordinates, indices, transforms, the unit, counts, offsets, strides and instances.
 [[nodiscard]] Status check_collada(const std::filesystem::path& path, const std::string& text);
 
 } // namespace cd

@@ -1,14 +1,14 @@
-// What a mesh file says of its unit and its axes.
+// The unit and the up axis that a mesh file declares.
 #pragma once
 
 #include <string>
 
 namespace cd {
 
-/// Empty and 0 where the file, and its format, say nothing.
+/// Members are empty or 0 where neither the file nor its format declares them.
 struct DeclaredFrame {
-    std::string unit;  ///< As the file calls it: "inch".
-    double metres = 0; ///< Of one unit.
+    std::string unit;  ///< In the words of the file: "inch".
+    double metres = 0; ///< Length of one unit.
     std::string up;    ///< "X", "Y" or "Z".
 
     friend bool operator==(const DeclaredFrame&, const DeclaredFrame&) = default;

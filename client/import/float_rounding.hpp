@@ -1,4 +1,4 @@
-// Meshes whose coordinates are rounded to floats on request.
+// Rounds the coordinates of a mesh to floats.
 #pragma once
 
 #include "client/import/imported_mesh.hpp"

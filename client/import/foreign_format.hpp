@@ -1,4 +1,4 @@
-// Files that people give for meshes and that hold none: CAD models and archives.
+// Recognises CAD models and archives, which people pass in place of meshes.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace cd {
 
-/// What a file with this ending (lower case, with its dot) or these first bytes is, and what to do
-/// with it; nothing where it may be a mesh.
+/// Describes a CAD model or an archive and says what to do with it; nothing for a file that may be
+/// a mesh. `extension` is in lower case, with its dot.
 [[nodiscard]] std::optional<std::string> foreign_format(std::string_view extension,
                                                         std::string_view first_bytes);
 

@@ -12,12 +12,12 @@
 
 namespace cd {
 
-/// Buffers in the GLB's chunk, in `data:` URIs, and in files. A file is named relative to `folder`
-/// and stands in it or below it: nothing is fetched, and no other file of the host is opened.
+/// Gives access to buffers in the GLB's chunk, in `data:` URIs and in files. Files must be in
+/// `folder` or below it: no other file of the host is opened, and nothing is fetched.
 class GltfBuffers {
   public:
     /// `chunk` has to outlive the buffers. Errors: BadInput naming the buffer, for one that is
-    /// missing, shorter than it says, or stands elsewhere.
+    /// missing, shorter than its byteLength, or outside of `folder`.
     [[nodiscard]] static Result<GltfBuffers>
     load(const std::vector<GltfBuffer>& buffers,
          const std::optional<std::span<const std::byte>>& chunk,
@@ -26,7 +26,7 @@ class GltfBuffers {
     [[nodiscard]] std::span<const std::byte> bytes(std::size_t buffer) const {
         return bytes_[buffer];
     }
-    [[nodiscard]] std::uint64_t size() const; ///< Of all together.
+    [[nodiscard]] std::uint64_t size() const; ///< Total of all buffers.
 
   private:
     [[nodiscard]] Result<std::span<const std::byte>> open_uri(const std::string& uri,

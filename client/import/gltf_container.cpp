@@ -58,7 +58,7 @@ Result<GltfContainer> open_glb(std::span<const std::byte> file) {
     }
     GltfContainer container;
     container.json = text_of(json.value().bytes);
-    // Some programs fill the chunk's end with zeros in place of blanks.
+    // Some programs pad the chunk with zeros instead of blanks.
     container.json = container.json.substr(0, container.json.find_last_not_of('\0') + 1);
     if (in.remaining() > 0) {
         const auto binary = next_chunk(in);

@@ -1,4 +1,4 @@
-// Takes a glTF file apart: JSON as it is, or a GLB with its chunks (glTF 2.0, section 4).
+// Splits a glTF file into JSON and binary chunk (glTF 2.0, section 4).
 #pragma once
 
 #include "common/core/result.hpp"
@@ -10,15 +10,15 @@
 
 namespace cd {
 
-/// Parts of the file's bytes.
+/// Refers to the bytes of the file.
 struct GltfContainer {
     std::string_view json;
-    std::optional<std::span<const std::byte>> chunk; ///< The binary one of a GLB.
+    std::optional<std::span<const std::byte>> chunk; ///< The binary chunk of a GLB.
 };
 
 [[nodiscard]] bool is_glb(std::span<const std::byte> file);
 
-/// Errors: BadInput for a GLB of another version, or whose lengths are not those of its bytes.
+/// Errors: BadInput for a GLB of another version, or with lengths that do not match its bytes.
 [[nodiscard]] Result<GltfContainer> open_gltf(std::span<const std::byte> file);
 
 } // namespace cd

@@ -37,9 +37,10 @@ Result<GltfShapes> count_shapes(GltfMode mode, std::uint64_t indices) {
 std::array<std::uint64_t, 3> corners_of(GltfMode mode, std::uint64_t triangle) {
     switch (mode) {
     case GltfMode::TriangleStrip:
-        return triangle % 2 == 0
-                   ? std::array{triangle, triangle + 1, triangle + 2}
-                   : std::array{triangle + 1, triangle, triangle + 2}; // Else it would face away.
+        return triangle % 2 == 0 ? std::array{triangle, triangle + 1, triangle + 2}
+                                 : std::array{triangle + 1,
+                                              triangle,
+                                              triangle + 2}; // Every other triangle is reversed.
     case GltfMode::TriangleFan:
         return {0, triangle + 1, triangle + 2};
     default:

@@ -175,7 +175,7 @@ class DocumentReader {
         return primitive;
     }
 
-    /// Nothing where there are no weights at all.
+    /// Whether some morph weight is not zero; nothing where there are no weights.
     static std::optional<bool> has_weights(const GltfFields& fields) {
         const auto weights = fields.numbers("weights");
         if (!weights) {
@@ -212,8 +212,8 @@ class DocumentReader {
         return numbers.has_value();
     }
 
-    /// A node's matrix has to come apart into translation, rotation and scale (section 3.5.3), so
-    /// its last row is that of the identity, up to what exporters round.
+    /// A node's matrix must decompose into translation, rotation and scale (section 3.5.3), so its
+    /// last row is 0 0 0 1, up to the rounding of exporters.
     static void check_matrix(const GltfFields& fields, const std::array<double, 16>& m) {
         constexpr double rounding = 1e-5;
         const double off =

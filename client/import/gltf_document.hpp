@@ -1,4 +1,4 @@
-// What a glTF 2.0 file says of its geometry, as plain values:
+// The geometry of a glTF 2.0 file as plain values:
 // https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
 #pragma once
 
@@ -15,7 +15,7 @@
 namespace cd {
 
 struct GltfBuffer {
-    std::optional<std::string> uri; ///< Without one it is the GLB's chunk.
+    std::optional<std::string> uri; ///< Without one the buffer is the GLB's chunk.
     std::uint64_t bytes = 0;
 };
 
@@ -37,14 +37,14 @@ enum class GltfNumber : std::uint16_t {
 
 [[nodiscard]] std::size_t size_of(GltfNumber type);
 
-/// Numbers that stand somewhere in a view.
+/// A sequence of numbers within a buffer view.
 struct GltfRun {
     std::size_t view = 0;
     std::uint64_t offset = 0;
     GltfNumber type = GltfNumber::F32;
 };
 
-/// Elements that replace those of an accessor.
+/// A sparse accessor: elements that replace those of the base accessor.
 struct GltfSparse {
     std::uint64_t count = 0;
     GltfRun indices;
@@ -61,7 +61,7 @@ struct GltfAccessor {
     std::optional<GltfSparse> sparse;
 };
 
-/// Section 3.7.2.1, with the numbers of the file.
+/// The topology of a primitive (section 3.7.2.1), with the values used in files.
 enum class GltfMode : std::uint8_t {
     Points = 0,
     Lines = 1,
@@ -81,7 +81,7 @@ struct GltfPrimitive {
 struct GltfMesh {
     std::string name;
     std::vector<GltfPrimitive> primitives;
-    bool is_morphed = false; ///< Some weight of its morph targets is not zero.
+    bool is_morphed = false; ///< At least one morph target has a weight other than zero.
 };
 
 /// Translation, rotation (x, y, z, w) and scale, applied in the order scale, rotation, translation.
@@ -91,7 +91,7 @@ struct GltfTransform {
     std::array<double, 3> scale{1, 1, 1};
 };
 
-/// Accessors of EXT_mesh_gpu_instancing: an element of each for each instance.
+/// Accessors of EXT_mesh_gpu_instancing, with one element per instance.
 struct GltfInstances {
     std::optional<std::size_t> translation;
     std::optional<std::size_t> rotation;
@@ -102,25 +102,25 @@ struct GltfNode {
     std::string name;
     std::optional<std::size_t> mesh;
     std::optional<std::size_t> skin;
-    std::optional<bool> is_morphed; ///< Where it has weights of its own.
+    std::optional<bool> is_morphed; ///< Set where the node overrides the mesh's weights.
     std::vector<std::size_t> children;
-    std::optional<std::array<double, 16>> matrix; ///< Column by column, in place of the transform.
+    std::optional<std::array<double, 16>> matrix; ///< Column-major; replaces `transform`.
     GltfTransform transform;
     std::optional<GltfInstances> instances;
 };
 
-/// Every index in it is in range, and its nodes are trees.
+/// A document whose indices are all in range and whose nodes form trees.
 struct GltfDocument {
     std::vector<GltfBuffer> buffers;
     std::vector<GltfView> views;
     std::vector<GltfAccessor> accessors;
     std::vector<GltfMesh> meshes;
     std::vector<GltfNode> nodes;
-    std::vector<std::size_t> roots; ///< Of the scene that is read.
+    std::vector<std::size_t> roots; ///< Root nodes of the scene that is read.
     std::size_t scenes = 0;
 };
 
-/// Reads the scene that the file names, else its first.
+/// Reads the file's default scene, or else its first.
 ///
 /// Errors: BadInput naming the object of the file, for a version other than 2, an extension that is
 /// required and unknown (section 3.12) or compresses geometry, an index that is out of range, a

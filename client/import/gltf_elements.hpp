@@ -1,4 +1,4 @@
-// The numbers of a glTF accessor, read where they stand.
+// Reads the numbers of a glTF accessor in place.
 #pragma once
 
 #include "client/import/gltf_buffers.hpp"
@@ -10,22 +10,22 @@
 
 namespace cd {
 
-/// An accessor whose bytes are all there. Nothing is unpacked but the places of sparse elements, so
-/// it takes little memory whatever the file counts.
+/// An accessor whose bytes are all present. Only the positions of sparse elements are unpacked, so
+/// memory does not depend on the counts in the file.
 class GltfElements {
   public:
     /// Document and buffers have to outlive it. Errors: BadInput naming the accessor, for one that
-    /// goes beyond its view or buffer, or that has neither a view nor as few elements as the
-    /// buffers have bytes.
+    /// goes beyond its view or buffer, or that has no view and more elements than the buffers have
+    /// bytes.
     [[nodiscard]] static Result<GltfElements>
     open(const GltfDocument& document, const GltfBuffers& buffers, std::size_t accessor);
 
     [[nodiscard]] std::uint64_t count() const { return count_; }
-    /// The number as it is: normalized integers as fractions.
+    /// One number of an element. Normalized integers become fractions.
     [[nodiscard]] double at(std::uint64_t element, std::size_t component) const;
 
   private:
-    /// Elements one after the other, `stride` bytes apart.
+    /// Consecutive elements, `stride` bytes apart.
     struct Run {
         const std::byte* first = nullptr;
         std::uint64_t stride = 0;
@@ -46,7 +46,8 @@ class GltfElements {
     bool is_normalized_ = false;
     Run base_;
     Run replacements_;
-    std::unordered_map<std::uint64_t, std::uint64_t> replaced_; ///< Element to replacement.
+    std::unordered_map<std::uint64_t, std::uint64_t>
+        replaced_; ///< Sparse element to its position in `replacements_`.
 };
 
 } // namespace cd

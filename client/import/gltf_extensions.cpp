@@ -8,7 +8,7 @@ namespace cd {
 
 namespace {
 
-/// Extensions that change what is seen but no triangle, and those that are applied here.
+/// Extensions that do not change triangles, and those that are supported.
 constexpr std::array<std::string_view, 35> harmless_extensions{
     "KHR_mesh_quantization",
     "EXT_mesh_gpu_instancing",

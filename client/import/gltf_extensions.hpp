@@ -1,15 +1,15 @@
-// The extensions of glTF files: which are known, and which make a file unreadable.
+// Refuses glTF files that depend on unsupported extensions.
 #pragma once
 
 #include "client/import/gltf_fields.hpp"
 
 namespace cd {
 
-/// Reports the first name in `extensionsRequired` that is not known: who does not know it must not
-/// read the file (glTF 2.0, section 3.12). `file` is the whole document.
+/// Reports the first unknown name in `extensionsRequired`: a reader that does not know a required
+/// extension must refuse the file (glTF 2.0, section 3.12). `file` is the whole document.
 void refuse_unknown_extensions(const GltfFields& file);
 
-/// Reports an object whose numbers an extension compresses.
+/// Reports an object whose geometry is compressed by an extension.
 void refuse_compression(const GltfFields& object);
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// Reads typed members of a glTF file's JSON objects and keeps the first thing that is wrong.
+// Reads typed members of a glTF file's JSON objects and keeps the first problem.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -28,13 +28,13 @@ class GltfProblem {
     std::optional<Error> error_;
 };
 
-/// One JSON object, under the name by which messages call it (empty for the whole file). A member
-/// that is missing is nothing; one of another type is reported, and nothing as well.
+/// One JSON object and its name in messages (empty for the whole file). Getters return nothing for
+/// a missing member; they report a member of the wrong type and return nothing, too.
 class GltfFields {
   public:
     using Json = nlohmann::json;
 
-    /// Reports what is no object.
+    /// Reports JSON that is not an object.
     GltfFields(const Json& json, std::string place, GltfProblem& problem);
 
     [[nodiscard]] const std::string& place() const { return place_; }
@@ -42,7 +42,7 @@ class GltfFields {
     [[nodiscard]] std::optional<std::uint64_t> whole(const char* key) const;
     /// As `whole`, reported where it is missing.
     [[nodiscard]] std::uint64_t needed_whole(const char* key) const;
-    /// The number of one of `count` things.
+    /// An index below `count`.
     [[nodiscard]] std::optional<std::size_t> index(const char* key, std::size_t count) const;
     /// As `index`, reported where it is missing.
     [[nodiscard]] std::size_t needed_index(const char* key, std::size_t count) const;
@@ -52,7 +52,7 @@ class GltfFields {
     /// As `numbers`, reported where there are not `count` of them.
     [[nodiscard]] std::optional<std::vector<double>> numbers(const char* key,
                                                              std::size_t count) const;
-    /// The numbers of some of `count` things; empty where the member is missing.
+    /// Indices below `count`; empty where the member is missing.
     [[nodiscard]] std::vector<std::size_t> indices(const char* key, std::size_t count) const;
     /// An empty list where the member is missing.
     [[nodiscard]] const Json& list(const char* key) const;

@@ -10,7 +10,7 @@ namespace cd {
 
 namespace {
 
-/// Sections 3.4 of the specification: it leaves no choice to the file.
+/// glTF fixes the unit and the up axis (section 3.4).
 const DeclaredFrame gltf_frame{"metre", 1, "Y"};
 
 Error bad(const std::string& what) {
@@ -21,7 +21,7 @@ std::string numbered(const char* kind, std::size_t number) {
     return std::string(kind) + "[" + std::to_string(number) + "]";
 }
 
-/// Which vertex a place in the list of indices means. Errors: BadInput naming the index.
+/// Maps positions in the list of indices to vertices.
 class GltfIndices {
   public:
     [[nodiscard]] static Result<GltfIndices> open(const GltfDocument& document,
@@ -52,12 +52,13 @@ class GltfIndices {
 
     [[nodiscard]] std::uint64_t count() const { return count_; }
 
+    /// Errors: BadInput naming the index.
     [[nodiscard]] Result<std::uint64_t> at(std::uint64_t place) const {
         if (!elements_) {
             return place;
         }
         const auto vertex = static_cast<std::uint64_t>(elements_->at(place, 0));
-        if (vertex == restart_) { // Section 3.7.2.1 forbids it: some programs would begin anew.
+        if (vertex == restart_) { // Section 3.7.2.1 forbids the restart value.
             return bad("index " + std::to_string(place) + " is " + std::to_string(vertex) +
                        ", which glTF does not allow: it stands for the begin of a new strip");
         }
@@ -173,7 +174,7 @@ Status GltfScene::add_node(std::size_t number, const Eigen::Matrix4d& to_world) 
     return Done{};
 }
 
-/// EXT_mesh_gpu_instancing: each instance is placed in the node's coordinates.
+/// The transforms of a node's instances (EXT_mesh_gpu_instancing), relative to the node.
 Result<std::vector<Eigen::Matrix4d>> GltfScene::instances(const GltfNode& node) const {
     if (!node.instances) {
         return std::vector<Eigen::Matrix4d>{Eigen::Matrix4d::Identity()};
@@ -268,8 +269,8 @@ Status GltfScene::add_primitive(const GltfPrimitive& primitive, const Eigen::Mat
     return Done{};
 }
 
-/// Where one node is the whole scene, its name says less than the mesh's. Names that are missing
-/// are those that assimp gives.
+/// A scene of one node is named after its mesh, which says more. Unnamed nodes and meshes are
+/// numbered as assimp does.
 std::string GltfScene::part_name(std::size_t number, std::size_t primitive) const {
     const GltfNode& node = document_.nodes[number];
     const GltfMesh& mesh = document_.meshes[*node.mesh];

@@ -1,4 +1,4 @@
-// The walk over a glTF scene that makes its mesh.
+// Walks a glTF scene and builds its mesh.
 #pragma once
 
 #include "client/import/gltf_buffers.hpp"
@@ -13,12 +13,12 @@ namespace cd {
 
 class GltfScene {
   public:
-    /// Both have to outlive it.
+    /// Document and buffers have to outlive it.
     GltfScene(const GltfDocument& document,
               const GltfBuffers& buffers,
               const ImportOptions& options);
 
-    /// Once. Errors: BadInput naming the node or primitive.
+    /// May be called once. Errors: BadInput naming the node or primitive.
     [[nodiscard]] Result<ImportedMesh> read();
 
   private:

@@ -10,7 +10,7 @@ double nearest_float(double number) {
     return static_cast<double>(static_cast<float>(number));
 }
 
-/// Divides by the squared length, which makes a quarter turn of floats exactly one.
+/// Divides by the squared length, so that a quarter turn given in floats is exact.
 Eigen::Matrix3d rotation_of(double x, double y, double z, double w) {
     const double s = 2 / (x * x + y * y + z * z + w * w);
     Eigen::Matrix3d r;
@@ -44,7 +44,7 @@ Result<Eigen::Matrix4d> to_parent(const GltfNode& node) {
     }
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
     for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 3; ++row) { // The last row is that of the identity.
+        for (int row = 0; row < 3; ++row) { // The last row stays 0 0 0 1.
             matrix(row, column) =
                 nearest_float((*node.matrix)[static_cast<std::size_t>(4 * column + row)]);
         }

@@ -1,11 +1,11 @@
-// Whether the nodes of a glTF document are trees.
+// Checks that the nodes of a glTF document form trees.
 #pragma once
 
 #include "client/import/gltf_document.hpp"
 
 namespace cd {
 
-/// A node has one parent (glTF 2.0, section 3.5.2); else a few nodes could stand for 2^1000.
+/// A node has one parent (glTF 2.0, section 3.5.2). Otherwise a few nodes could expand to 2^1000.
 ///
 /// Errors: BadInput naming the node, for one that has two parents, is a root and a child, or is
 /// nested deeper than limits.hpp allows.

@@ -1,4 +1,4 @@
-// What a reader has found, as bytes between two processes of one program.
+// The result of an import as bytes, to pass it from a child process to its parent.
 #pragma once
 
 #include "client/import/imported_mesh.hpp"
@@ -10,7 +10,7 @@ namespace cd {
 
 [[nodiscard]] Bytes to_bytes(const Result<ImportedMesh>& imported);
 
-/// The inverse. Nothing for bytes that are not whole.
+/// The inverse of `to_bytes`. Nothing for incomplete bytes.
 [[nodiscard]] std::optional<Result<ImportedMesh>>
 imported_from_bytes(std::span<const std::byte> bytes);
 

@@ -1,4 +1,4 @@
-// What a mesh file becomes.
+// The result of importing a mesh file.
 #pragma once
 
 #include "client/import/declared_frame.hpp"
@@ -17,19 +17,18 @@ namespace cd {
 
 struct ImportOptions {
     double unit_factor = 1; ///< Every coordinate is multiplied by it, in double.
-    /// The job's unit: a unit that the file declares is converted to it, in place of `unit_factor`.
-    /// Empty: what the file declares changes nothing.
+    /// The job's unit. If the file declares a unit, its coordinates are converted to this one and
+    /// `unit_factor` is not used. Empty: the declared unit is ignored.
     std::string declared_unit_to = {};
-    bool is_y_up = false;         ///< y of the file becomes z, and z becomes -y.
+    bool is_y_up = false;         ///< The file's y becomes z, and its z becomes -y.
     bool rounds_to_float = false; ///< Each coordinate becomes the nearest float.
-    StopCheck is_stopped = {};    ///< Ends the reading of formats that take a process of their own.
+    StopCheck is_stopped = {};    ///< Ends an import that runs in a child process.
 };
 
-/// What coordinates are multiplied by.
+/// The factor for all coordinates.
 [[nodiscard]] double factor_of(const ImportOptions& options, const DeclaredFrame& declared);
 
-/// A file as the reader of its format gets it. The reader looks at no other byte of the file, and
-/// names the path in its errors.
+/// The input of a format's reader, which names the path in its errors.
 struct MeshSource {
     const std::filesystem::path& path;
     std::string_view bytes; ///< All of the file.
@@ -45,26 +44,26 @@ struct MeshSource {
     }
 };
 
-/// The part of a format without groups. Not the file's name: names are hashed with the mesh, and
-/// one geometry under two file names is one mesh.
+/// The name of the only part of a format without groups. It is not the file's name, since part
+/// names are hashed with the mesh, and the same geometry under two file names is one mesh.
 inline constexpr const char* nameless_part = "mesh";
 
-/// A mesh as its file has it: nothing merged, removed or reordered but what this comment says.
+/// A mesh as in its file, except for the changes listed here.
 ///
-/// Triangles are in the order of the file's faces, or of its nodes depth first, each time that one
-/// places a mesh. Formats without groups are one part. Formats with nodes apply transforms and the
-/// unit's factor in double and round once to float. In other formats coordinates are the doubles
-/// nearest to what the file says, times the factor; in floats where these hold all of them. Equal
-/// corners share one vertex, in the order of their first use; vertices that no triangle uses are
-/// left out (not in `.npz`). Degenerate and duplicate triangles are kept.
+/// Triangles are in the order of the file's faces, or for formats with nodes in the order of the
+/// nodes, depth first. A format without groups gives one part. Formats with nodes apply transforms
+/// and the unit's factor in double and round once to float. In other formats a coordinate is the
+/// double nearest to the number in the file, times the factor; the mesh uses floats if they hold
+/// all coordinates. Equal corners share one vertex, numbered by first use, and unused vertices are
+/// dropped (except in `.npz`). Degenerate and duplicate triangles are kept.
 struct ImportedMesh {
     std::shared_ptr<const Mesh> mesh;
-    DeclaredFrame declared;            ///< Applied to the mesh is no more than its unit.
+    DeclaredFrame declared;            ///< The unit has been applied, the up axis has not.
     bool is_by_assimp = false;         ///< Coordinates are within one float step of the file's.
-    bool is_rounded = false;           ///< To floats, as asked; the file has more digits.
+    bool is_rounded = false;           ///< Rounded to floats on request; the file has more digits.
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
-    std::uint64_t points_skipped = 0;  ///< Faces of one corner,
-    std::uint64_t lines_skipped = 0;   ///< and of two.
+    std::uint64_t points_skipped = 0;  ///< Faces with one corner.
+    std::uint64_t lines_skipped = 0;   ///< Faces with two corners.
 };
 
 } // namespace cd

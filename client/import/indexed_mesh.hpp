@@ -1,4 +1,4 @@
-// Gathers faces that name the vertices of a list, as OBJ, OFF and PLY files have them.
+// Builds a mesh from a list of vertices and faces that index it, as in OBJ, OFF and PLY files.
 #pragma once
 
 #include "client/import/imported_mesh.hpp"
@@ -22,11 +22,11 @@ class IndexedMesh {
 
     void begin_part(const std::string& name) { builder_.begin_part(name); }
 
-    /// A triangle, or a polygon that is cut into triangles; one corner is a point and two are a
-    /// line, which are counted. Corners are numbers of vertices, from 0.
+    /// Adds a triangle, or a polygon that is cut into triangles. A face of one corner is counted as
+    /// a point, one of two as a line. Corners are indices of vertices, from 0.
     ///
-    /// Errors: BadInput without a place: no corners, no such vertex, a coordinate that the unit's
-    /// factor makes infinite, a polygon that cannot be cut.
+    /// Errors: BadInput (the caller adds file and line) for a face without corners, an index out of
+    /// range, a coordinate that the unit's factor makes infinite, or a polygon that cannot be cut.
     [[nodiscard]] Status add_face(std::span<const std::int64_t> corners);
 
     void skip_lines(std::uint64_t count) { lines_ += count; }
@@ -40,9 +40,9 @@ class IndexedMesh {
     [[nodiscard]] Status cut(std::span<const std::int64_t> corners);
 
     double unit_factor_;
-    std::vector<Vec3> vertices_;         ///< As the file has them.
-    std::vector<std::uint32_t> numbers_; ///< Their numbers in the mesh, once a face uses them.
-    std::vector<std::uint32_t> corners_; ///< Numbers in the mesh, of the face being added.
+    std::vector<Vec3> vertices_;         ///< In the order of the file, not scaled.
+    std::vector<std::uint32_t> numbers_; ///< Their indices in the mesh, once a face uses them.
+    std::vector<std::uint32_t> corners_; ///< Mesh indices of the face being added.
     std::vector<Vec3> polygon_;
     PolygonCutter cutter_;
     MeshBuilder builder_;

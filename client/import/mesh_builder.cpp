@@ -11,7 +11,7 @@ namespace cd {
 namespace {
 
 constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t slots_min = 1024; // A power of two, as all their numbers.
+constexpr std::size_t slots_min = 1024; // A power of two, like every larger table.
 
 std::size_t hash_of(const Vec3& position) {
     return static_cast<std::size_t>(checksum(std::as_bytes(std::span(position.data(), 3))));
@@ -54,7 +54,7 @@ std::uint32_t MeshBuilder::vertex(const Vec3& position) {
     if (2 * arrays_.vertices.size() >= slots_.size()) {
         grow();
     }
-    const Vec3 place = position.array() + 0.0; // Adding zero makes one zero of both.
+    const Vec3 place = position.array() + 0.0; // Turns -0 into 0.
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = hash_of(place) & mask;
     while (slots_[slot] != empty && arrays_.vertices[slots_[slot]] != place) {

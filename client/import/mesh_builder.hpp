@@ -17,19 +17,19 @@ namespace cd {
 /// result does not depend on the hash table.
 class MeshBuilder {
   public:
-    /// A part with that name, or that name with "#2", "#3" ... where it was taken. A part that got
-    /// no triangle disappears.
+    /// Begins a part. A name that is taken gets "#2", "#3" and so on. A part without triangles is
+    /// dropped.
     void begin_part(const std::string& name);
     void add(const Corners& corners);
-    /// Of vertices that `vertex` gave.
+    /// Adds a triangle of vertices returned by `vertex`.
     void add(const Triangle& triangle) { arrays_.triangles.push_back(triangle); }
-    /// The number of the vertex at this position, a new one if there was none.
+    /// The index of the vertex at this position, which is added if it is new.
     [[nodiscard]] std::uint32_t vertex(const Vec3& position);
     [[nodiscard]] std::uint64_t triangle_count() const { return arrays_.triangles.size(); }
 
     /// Errors: those of `Mesh::create`.
     [[nodiscard]] Result<Mesh> finish(Precision precision);
-    /// In floats where they hold every coordinate, else in doubles.
+    /// Uses floats if they hold every coordinate, else doubles.
     [[nodiscard]] Result<Mesh> finish();
 
   private:
@@ -38,15 +38,14 @@ class MeshBuilder {
     void grow();
 
     MeshArrays arrays_;
-    std::vector<std::uint32_t>
-        slots_; ///< A hash table: numbers of vertices, `empty` in free slots.
+    std::vector<std::uint32_t> slots_; ///< A hash table of vertex indices; free slots hold `empty`.
     std::unordered_set<std::string> names_;
     std::unordered_map<std::string, std::uint64_t>
-        repetitions_; ///< Last number after a name's '#'.
+        repetitions_; ///< For a name: the last number used after '#'.
 };
 
-/// The mesh that a reader has gathered, in the precision that its coordinates need.
-/// Errors: BadInput naming the file.
+/// Completes a reader's mesh in the precision that its coordinates need. Errors: BadInput naming
+/// the file.
 [[nodiscard]] Result<ImportedMesh> finish_import(const MeshSource& source, MeshBuilder& builder);
 
 } // namespace cd

@@ -45,8 +45,8 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
-/// Floats far from the origin are coarse: a warning where their step there is visible at the
-/// body's own size.
+/// Warns about a body so far from the origin that the step between floats there is visible at its
+/// size.
 void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& imported) {
     if (imported.mesh->precision() != Precision::Float) {
         return;
@@ -67,7 +67,7 @@ void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& impo
     }
 }
 
-/// The readers that take a file's bytes, by its ending.
+/// The native reader for an extension, or null.
 Reader reader_of(const std::string& extension) {
     constexpr std::array<std::pair<std::string_view, Reader>, 4> readers{
         {{".stl", import_stl}, {".obj", import_obj}, {".ply", import_ply}, {".off", import_off}}};
@@ -77,7 +77,7 @@ Reader reader_of(const std::string& extension) {
     return found == readers.end() ? nullptr : found->second;
 }
 
-/// Formats without a reader of our own.
+/// Reads a format without a native reader.
 Result<ImportedMesh> import_others(const std::filesystem::path& path,
                                    const ImportOptions& options) {
     const std::string extension = lower_extension(path);
@@ -101,7 +101,7 @@ Result<ImportedMesh> import_others(const std::filesystem::path& path,
     return imported;
 }
 
-/// That there is a file which holds something.
+/// Checks that the path names a file that is not empty.
 Status check_file(const std::filesystem::path& path) {
     if (path.empty()) {
         return Error{ErrorCode::BadInput, "a mesh file without a name; name the file to be read"};

@@ -5,12 +5,12 @@
 
 namespace cd {
 
-/// STL, OBJ, PLY, OFF, glTF and `.npz` by readers of our own, told apart by the file's ending in
-/// upper or lower case; other formats by assimp.
+/// Reads STL, OBJ, PLY, OFF, glTF and `.npz` with native readers, chosen by the file's extension in
+/// upper or lower case, and other formats with assimp.
 ///
-/// Errors: BadInput, one line naming the file, and the line, byte or face (from 0): no such file,
-/// empty, no mesh, an index out of range, a coordinate that is not finite, or anything else that
-/// would lose or change geometry. TooLarge where memory does not suffice.
+/// Errors: BadInput, one line naming the file and the line, byte or face (from 0), for a missing or
+/// empty file, a file without a mesh, an index out of range, a coordinate that is not finite, and
+/// anything else that would lose or change geometry. TooLarge when memory does not suffice.
 [[nodiscard]] Result<ImportedMesh> import_mesh(const std::filesystem::path& path,
                                                const ImportOptions& options);
 

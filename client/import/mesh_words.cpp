@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-/// What a decimal number rounds to that is too large for a double, or too small: infinity or 0.
+/// The value of a decimal number that is out of the range of doubles: infinity or 0.
 double beyond_doubles(std::string_view word) {
     const bool is_negative = word.starts_with('-');
     word.remove_prefix(is_negative ? 1 : 0);
@@ -27,7 +27,7 @@ double beyond_doubles(std::string_view word) {
         exponent = exponent_text.starts_with('-') ? std::numeric_limits<std::int64_t>::min() / 2
                                                   : std::numeric_limits<std::int64_t>::max() / 2;
     }
-    // Where the first digit stands that is not 0, to the left of the point or to its right.
+    // The position of the first digit other than 0, before or after the point.
     const std::size_t nonzero = digits.find_first_of("123456789");
     const auto point = static_cast<std::int64_t>(std::min(digits.size(), digits.find('.')));
     const bool is_large =

@@ -9,32 +9,32 @@
 
 namespace cd {
 
-/// The words of a text in turn, separated by blanks and line ends.
+/// Splits a text into words at blanks and line ends.
 class Words {
   public:
     explicit Words(std::string_view text) : rest_(text) {}
 
-    /// A part of the text; empty at its end.
+    /// The next word; empty at the end of the text.
     [[nodiscard]] std::string_view next();
 
   private:
     std::string_view rest_;
 };
 
-/// Without the mark of UTF-8 that some programs write at the beginning.
+/// The text without a UTF-8 byte order mark.
 [[nodiscard]] std::string_view without_utf8_mark(std::string_view text);
 
-/// All bytes of a file but that mark; empty if unreadable.
+/// The content of a file without a byte order mark; empty if unreadable.
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
 
-/// The word in single quotes, for a message: cut where it is long, without control characters.
+/// The word in single quotes for a message, shortened, and without control characters.
 [[nodiscard]] std::string in_quotes(std::string_view word);
 
-/// The double nearest to a decimal number that is the whole word, with '.' before its fraction; may
-/// be infinite or NaN.
+/// The double nearest to a decimal number with a '.'; nothing if the word is not a number. The
+/// result may be infinite or NaN.
 [[nodiscard]] std::optional<double> to_number(std::string_view word);
 
-/// A number of digits alone that is the whole word.
+/// An unsigned integer; nothing if the word holds anything but digits.
 [[nodiscard]] std::optional<std::uint64_t> to_whole(std::string_view word);
 
 } // namespace cd

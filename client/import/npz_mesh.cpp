@@ -17,7 +17,8 @@ bool is_triples(const NpyHeader& header) {
     return header.shape.size() == 2 && header.shape[1] == 3;
 }
 
-/// Calls `take` with the array's elements in C order, piece by piece where the file has them so.
+/// Calls `take` with the array's elements in C order: in pieces, or as a whole for an array in
+/// Fortran order.
 template <class Take>
 Status each_piece(const NpzFile& file, const std::string& name, NpzArray& array, Take take) {
     if (array.header().is_fortran) {

@@ -92,7 +92,7 @@ class ObjReader {
         return Done{};
     }
 
-    /// Three coordinates; then a weight, which is 1, or a colour.
+    /// Reads three coordinates, which a weight of 1 or a colour may follow.
     Status read_vertex() {
         std::array<double, 6> numbers{};
         std::size_t count = 0;
@@ -118,13 +118,13 @@ class ObjReader {
         return Done{};
     }
 
-    /// The next word of a statement; empty at its end, where a comment may begin.
+    /// The next word of a statement; empty at its end or at a comment.
     std::string_view next_value() {
         const std::string_view word = text_.word_in_line();
         return word.starts_with('#') && pass_comment(word) ? std::string_view() : word;
     }
 
-    /// A face, a line or points.
+    /// Reads a face (f), a line (l) or points (p).
     Status read_element(char kind) {
         corners_.clear();
         for (auto word = next_value(); !word.empty(); word = next_value()) {
@@ -149,8 +149,8 @@ class ObjReader {
         return added ? Done{} : Status(refusal("the face " + added.error().detail));
     }
 
-    /// The number of a vertex, from 0: the first number of "3", "3/1", "3//1" and "3/1/1", which
-    /// counts from 1, or from the last vertex back if it is negative.
+    /// The index of a vertex, from 0. The word is "3", "3/1", "3//1" or "3/1/1"; its first number
+    /// counts from 1, or backwards from the last vertex if it is negative.
     std::optional<std::int64_t> to_corner(std::string_view word) const {
         std::int64_t number = 0;
         const char* const end = word.data() + word.size();
@@ -205,7 +205,7 @@ class ObjReader {
     const MeshSource& source_;
     TextReader text_;
     IndexedMesh mesh_;
-    std::vector<std::int64_t> corners_; ///< Of the element being read.
+    std::vector<std::int64_t> corners_; ///< Corners of the current element.
     std::string_view free_text_;        ///< The last comment or name.
     std::string group_;
     std::optional<std::string> material_;

@@ -43,7 +43,7 @@ class OffReader {
   private:
     Error refusal(const std::string& detail) const { return source_.refusal(text_.line(), detail); }
 
-    /// The next word that is in no comment, on this line or a later one.
+    /// The next word outside of comments, on this line or a later one.
     std::string_view first_word() {
         std::string_view word = text_.word();
         while (word.starts_with('#')) {
@@ -144,10 +144,10 @@ class OffReader {
     const MeshSource& source_;
     TextReader text_;
     IndexedMesh mesh_;
-    std::uint64_t vertices_ = 0;        ///< That the file counts,
-    std::uint64_t faces_ = 0;           ///< and of faces.
-    bool has_more_numbers_ = false;     ///< A vertex's line, after its position.
-    std::vector<std::int64_t> corners_; ///< Of the face being read.
+    std::uint64_t vertices_ = 0;        ///< Number in the header.
+    std::uint64_t faces_ = 0;           ///< Number in the header.
+    bool has_more_numbers_ = false;     ///< More numbers may follow a vertex's position.
+    std::vector<std::int64_t> corners_; ///< Corners of the current face.
 };
 
 } // namespace

@@ -41,8 +41,8 @@ std::optional<PlyFormat> to_format(std::string_view word) {
     return word == "binary_big_endian" ? std::optional(PlyFormat::BigEndian) : std::nullopt;
 }
 
-/// All lines of a header end as the first one does, so that the data may begin with any byte: "\r"
-/// where no "\n" follows it, else "\n", whether or not "\r" stands before it.
+/// The line end of the header: "\r" if no "\n" follows the first one, else "\n". All lines of a
+/// header end like the first, so the data may begin with any byte.
 char line_end_of(std::string_view bytes) {
     const std::size_t end = bytes.find_first_of("\r\n");
     const bool is_return = end != bytes.npos && bytes[end] == '\r';

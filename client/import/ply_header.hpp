@@ -1,4 +1,4 @@
-// The header of a PLY file: what its data are.
+// Reads the header of a PLY file.
 #pragma once
 
 #include "client/import/imported_mesh.hpp"
@@ -22,12 +22,12 @@ enum class PlyFormat : std::uint8_t { Text, LittleEndian, BigEndian };
 struct PlyProperty {
     std::string name;
     PlyType type = PlyType::Int8;
-    std::optional<PlyType> count_type; ///< Of a list.
+    std::optional<PlyType> count_type; ///< Set for a list: the type of its length.
 };
 
 struct PlyElement {
     std::string name;
-    std::uint64_t count = 0; ///< As the header says; the data may hold fewer.
+    std::uint64_t count = 0; ///< As in the header; the data may hold fewer.
     std::vector<PlyProperty> properties;
 };
 
@@ -38,8 +38,8 @@ struct PlyHeader {
     std::uint64_t data_line = 1; ///< The number of its line.
 };
 
-/// Errors: BadInput naming the file and the line: not a PLY file, a line that is none of a header,
-/// no `end_header`.
+/// Errors: BadInput naming the file and the line, for a file that is not PLY, an invalid line, and
+/// a header without `end_header`.
 [[nodiscard]] Result<PlyHeader> read_ply_header(const MeshSource& source);
 
 } // namespace cd

@@ -49,7 +49,7 @@ bool has_faces(const PlyElement& element) {
     return element.name == "face" || element.name == "tristrips";
 }
 
-/// That the header describes a mesh, and only one.
+/// Checks that the header describes exactly one mesh.
 Status check_header(const PlyHeader& header, const MeshSource& source) {
     const auto& elements = header.elements;
     for (const char* name : {"vertex", "face", "tristrips"}) {
@@ -207,7 +207,7 @@ class PlyReader {
     }
 
     Status add_strip() {
-        std::size_t begin = 0; // Of the strip after the last -1.
+        std::size_t begin = 0; // Start of the current strip.
         for (std::size_t i = 0; i < corners_.size(); ++i) {
             if (corners_[i] == -1) {
                 begin = i + 1;
@@ -228,8 +228,8 @@ class PlyReader {
     const PlyHeader& header_;
     Values values_;
     IndexedMesh mesh_;
-    std::vector<std::int64_t> corners_; ///< Of the face or strip being read.
-    std::uint64_t number_ = 0;          ///< Of the element being read.
+    std::vector<std::int64_t> corners_; ///< Corners of the current face or strip.
+    std::uint64_t number_ = 0;          ///< Index of the current element.
 };
 
 } // namespace

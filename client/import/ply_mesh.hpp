@@ -5,10 +5,10 @@
 
 namespace cd {
 
-/// In text (the double nearest to each decimal, whatever type the header names) or binary in either
-/// byte order. One element `vertex` with x, y and z, then `face`, or `tristrips` as range scans
-/// have them: each list is a strip of triangles that turn to alternate sides, and -1 begins
-/// another. Other elements and properties are not read.
+/// Reads text or binary PLY in either byte order. A number in text becomes the nearest double,
+/// whatever type the header gives. The file has one element `vertex` with x, y and z, followed by
+/// `face`, or by `tristrips`, in which -1 separates strips. Other elements and properties are
+/// ignored.
 ///
 /// Errors: BadInput naming the file, the line (text) or byte (binary), and the vertex or face.
 [[nodiscard]] Result<ImportedMesh> import_ply(const MeshSource& source);

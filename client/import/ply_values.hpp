@@ -1,4 +1,4 @@
-// The numbers in the data of a PLY file, as text or binary.
+// Reads the numbers in the data of a PLY file, in text or binary form.
 #pragma once
 
 #include "client/import/ply_header.hpp"
@@ -11,7 +11,7 @@
 
 namespace cd {
 
-/// Each element has a line of its own; blank lines are none.
+/// Reads text data: one element a line; blank lines are skipped.
 class PlyText {
   public:
     PlyText(const MeshSource& source, const PlyHeader& header);
@@ -21,17 +21,18 @@ class PlyText {
     /// False where the element has more numbers than its properties.
     [[nodiscard]] bool end_element();
 
-    /// The next number of the element; nothing where none is, or one that is not whole.
+    /// The next number of the element; nothing if it is missing or invalid.
     [[nodiscard]] std::optional<double> number(PlyType type);
     [[nodiscard]] std::optional<std::int64_t> integer(PlyType type);
     [[nodiscard]] bool skip(PlyType type);
 
-    /// Names the line and says what stands in place of the last number asked for.
+    /// Says what was found in place of the last number, and on which line.
     [[nodiscard]] Error no_number(const std::string& element) const;
     /// BadInput naming the file and the place.
     [[nodiscard]] Error refusal(const std::string& detail) const;
 
-    /// True when the elements may be there, by the bytes left: each number takes two, with a blank.
+    /// True when the remaining bytes may hold the elements: a number takes two or more, with a
+    /// blank.
     [[nodiscard]] bool has_room_for(const PlyElement& element) const;
     [[nodiscard]] bool is_at_end();
 
@@ -41,6 +42,7 @@ class PlyText {
     std::string_view word_;
 };
 
+/// Reads binary data.
 class PlyBinary {
   public:
     PlyBinary(const MeshSource& source, const PlyHeader& header);
@@ -56,7 +58,7 @@ class PlyBinary {
     [[nodiscard]] Error refusal(const std::string& detail) const;
 
     [[nodiscard]] bool has_room_for(const PlyElement& element) const;
-    /// Zeros and blanks may follow the data.
+    /// Trailing zeros and blanks are ignored.
     [[nodiscard]] bool is_at_end() const;
 
   private:

@@ -16,8 +16,8 @@ namespace {
 
 using Point = PlanePoint;
 
-/// The polygon's normal, of twice its area (Newell's), and the sums of the sizes of what adds up to
-/// it, which tell its plane also where its area is none.
+/// Newell's normal of a polygon, of twice its area, and the sum of the absolute values of its
+/// terms, which gives a plane even for an area of zero.
 struct Normal {
     Vec3 sum = Vec3::Zero();
     Vec3 sizes = Vec3::Zero();
@@ -34,8 +34,8 @@ Normal normal_of(std::span<const Vec3> corners) {
     return normal;
 }
 
-/// True when the angles between the diagonal and the sides at this corner are together more than
-/// 180 degrees, which of a plane quadrilateral at most one corner has: cos a + cos b < 0.
+/// True when the two angles between the diagonal and the sides at this corner sum to more than 180
+/// degrees: cos a + cos b < 0. At most one corner of a plane quadrilateral is concave.
 bool is_concave(std::span<const Vec3> quad, std::uint32_t corner) {
     const Vec3 right = quad[(corner + 1) % 4] - quad[corner];
     const Vec3 diagonal = quad[(corner + 2) % 4] - quad[corner];
@@ -57,7 +57,7 @@ std::span<const Triangle> PolygonCutter::cut(std::span<const Vec3> corners) {
     return triangles_;
 }
 
-/// Keeps the order of the axes, or turns it round, so that the polygon turns to the left.
+/// Projects the corners so that the polygon turns left, exchanging the two axes if needed.
 void PolygonCutter::project(std::span<const Vec3> corners) {
     const Normal normal = normal_of(corners);
     Eigen::Index axis = 0;
@@ -77,7 +77,7 @@ int PolygonCutter::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
     return orientation(points_[a], points_[b], points_[c]);
 }
 
-/// Both triangles of the fan around a corner, if both are turned rightly.
+/// Makes the two triangles of the fan around a corner, unless one has the wrong orientation.
 void PolygonCutter::try_quad(std::uint32_t start) {
     const std::uint32_t right = (start + 1) % 4;
     const std::uint32_t opposite = (start + 2) % 4;
@@ -114,7 +114,7 @@ void PolygonCutter::cut_ears() {
     const std::uint64_t tests_max = limits::polygon_tests_per_corner_max * size;
     std::uint32_t left = size;
     std::uint32_t tried = 0;
-    bool takes_straight = false; // Only where no other ear is left.
+    bool takes_straight = false; // A fallback when no other ear is left.
     std::uint32_t corner = 0;
     while (left > 3 && tests_ <= tests_max) {
         const bool is_straight =
@@ -177,7 +177,7 @@ void PolygonCutter::unlink(std::uint32_t corner) {
     classify(after);
 }
 
-/// The last three corners, in ascending order, if they are turned rightly.
+/// Adds the last three corners in ascending order, unless their orientation is wrong.
 void PolygonCutter::add_last(std::uint32_t corner) {
     Triangle last{corner, next_[corner], previous_[corner]};
     std::rotate(last.begin(), std::min_element(last.begin(), last.end()), last.end());

@@ -10,20 +10,19 @@
 
 namespace cd {
 
-/// Cuts one polygon after the other, and keeps its memory between them.
+/// Cuts polygons one after another and reuses its memory.
 ///
-/// The polygon is judged in its projection along the axis that is nearest to its normal (Newell's),
-/// by exact orientations: every triangle has the polygon's own orientation or no area. Such
-/// triangles cover what the outline winds around, each place once if the outline does not cross
-/// itself. Corners on a straight line give triangles without area, so that a polygon of n corners
-/// always becomes n - 2 triangles.
+/// The polygon is projected along the axis nearest to its Newell normal, and orientations in the
+/// projection are exact: every triangle has the polygon's orientation or no area. The triangles
+/// cover the inside of the outline, each point once if the outline does not cross itself. Collinear
+/// corners give triangles without area, so a polygon of n corners always gives n - 2 triangles.
 ///
-/// A quadrilateral is cut from its concave corner, or else its first. Longer polygons lose one ear
-/// after the other, beginning at the first corner; a convex one becomes a fan around its last.
+/// A quadrilateral is cut from its concave corner, or else its first. Longer polygons are cut by
+/// ear clipping from the first corner on; a convex polygon becomes a fan around its last corner.
 class PolygonCutter {
   public:
-    /// Positions in `corners` (four or more, finite), three a triangle. Valid until the next call.
-    /// Empty when the outline crosses itself, or is too tangled to be cut in bounded time.
+    /// Triangles as indices into `corners`, which has four or more finite points. Valid until the
+    /// next call. Empty when the outline crosses itself or cannot be cut in bounded time.
     [[nodiscard]] std::span<const Triangle> cut(std::span<const Vec3> corners);
 
   private:
@@ -45,7 +44,7 @@ class PolygonCutter {
     std::vector<std::uint32_t> previous_;
     std::vector<std::uint8_t> is_convex_;
     std::vector<Triangle> triangles_;
-    std::uint64_t tests_ = 0; ///< Corners held against ears, of the polygon being cut.
+    std::uint64_t tests_ = 0; ///< Corners tested against ears of the current polygon.
 };
 
 } // namespace cd

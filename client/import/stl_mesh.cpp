@@ -118,7 +118,7 @@ class TextStl {
   private:
     Error refusal(const std::string& detail) const { return source_.refusal(text_.line(), detail); }
 
-    /// Up to "endsolid", after "solid".
+    /// Reads a solid after its "solid" up to its "endsolid".
     Status read_solid() {
         const std::uint64_t begin = text_.line();
         bool has_facet = read_name();
@@ -143,7 +143,7 @@ class TextStl {
         }
     }
 
-    /// Passes what stands between two solids, from this word to the end of its line.
+    /// Skips a line between two solids, of which `word` has been read.
     Status skip_line(std::string_view word) {
         for (; !word.empty(); word = text_.word_in_line()) {
             if (equals_lower(word, "facet") || equals_lower(word, "vertex")) {
@@ -153,7 +153,7 @@ class TextStl {
         return Done{};
     }
 
-    /// Begins the part. True when the solid's first facet has begun on its line, too.
+    /// Reads the solid's name and begins a part. True when the first facet begins on the same line.
     bool read_name() {
         const std::string_view line = TextReader(text_).rest_of_line();
         TextReader words = text_;
@@ -174,7 +174,7 @@ class TextStl {
         builder_.begin_part(name.empty() ? nameless_part : std::string(name));
     }
 
-    /// After "facet".
+    /// Reads a facet after its "facet".
     Status read_facet() {
         auto word = text_.word();
         for (int i = 0; i < normal_words && !equals_lower(word, "outer"); ++i) {

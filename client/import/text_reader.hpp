@@ -1,4 +1,4 @@
-// Words of a text, each with the number of its line.
+// Splits a text into words and counts lines.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace cd {
 /// Lines end with "\n", "\r\n" or "\r". Words are separated by blanks and line ends.
 class TextReader {
   public:
-    /// Whether a backslash at the end of a line joins the next one, as a blank would.
+    /// Whether a backslash at the end of a line continues it on the next line.
     enum class Backslash { IsText, JoinsLines };
 
     explicit TextReader(std::string_view text,
@@ -20,15 +20,15 @@ class TextReader {
     [[nodiscard]] std::string_view word_in_line();
     /// The next word of this line or a later one; empty at the end of the text.
     [[nodiscard]] std::string_view word();
-    /// What this line still holds, without blanks around it. A backslash joins nothing here.
+    /// The rest of this line without surrounding blanks. A backslash does not continue it.
     std::string_view rest_of_line();
 
-    /// Moves behind the end of this line. False at the end of the text.
+    /// Moves to the start of the next line. False at the end of the text.
     bool next_line();
 
-    /// The number of the line that is being read, from 1.
+    /// The number of the current line, from 1.
     [[nodiscard]] std::uint64_t line() const { return line_; }
-    /// What has not been read yet.
+    /// The text that has not been read yet.
     [[nodiscard]] std::string_view rest() const { return {at_, end_}; }
 
   private:

@@ -8,7 +8,7 @@ Result<ImportedMesh> turned_to_z_up(ImportedMesh imported) {
                       imported.mesh->parts(),
                       imported.mesh->precision()};
     for (Vec3& vertex : arrays.vertices) {
-        vertex = Vec3(vertex.x(), 0.0 - vertex.z(), vertex.y()); // There is one zero.
+        vertex = Vec3(vertex.x(), 0.0 - vertex.z(), vertex.y()); // Avoids -0.
     }
     auto mesh = Mesh::create(std::move(arrays));
     if (!mesh) {

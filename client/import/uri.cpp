@@ -51,7 +51,7 @@ std::optional<Bytes> decode_base64(std::string_view text) {
     return count == 6 ? std::nullopt : std::optional(std::move(bytes));
 }
 
-/// With %20 and the like replaced by their characters.
+/// Replaces escapes such as %20 by their characters.
 std::string without_escapes(std::string_view text) {
     std::string out;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -66,7 +66,7 @@ std::string without_escapes(std::string_view text) {
     return out;
 }
 
-/// A letter, then letters, digits, '+', '-' and '.', before a colon.
+/// True when letters, digits, '+', '-' and '.' precede a colon.
 bool has_scheme(std::string_view uri) {
     const std::string_view scheme = uri.substr(0, uri.find(':'));
     return scheme.size() < uri.size() && !scheme.empty() &&

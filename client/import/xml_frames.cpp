@@ -20,7 +20,7 @@ struct NamedUnit {
     double metres;
 };
 
-/// ISO/ASTM 52915 (AMF) and the 3MF core specification.
+/// Units of AMF (ISO/ASTM 52915) and of the 3MF core specification.
 constexpr std::array<NamedUnit, 7> additive_units{{{"micron", 1e-6},
                                                    {"millimeter", 1e-3},
                                                    {"centimeter", 1e-2},
@@ -29,14 +29,14 @@ constexpr std::array<NamedUnit, 7> additive_units{{{"micron", 1e-6},
                                                    {"feet", 0.3048},
                                                    {"meter", 1}}};
 
-/// As much of the document as is well-formed.
+/// Parses the document up to its first error.
 pugi::xml_document parse(std::string_view text) {
     pugi::xml_document document;
     static_cast<void>(document.load_buffer(text.data(), text.size()));
     return document;
 }
 
-/// Far more than what stands before an archive's model; empty where there is nothing.
+/// The first 64 KiB of an entry, which hold the root element of a model; empty on error.
 std::string beginning_of(const ZipFile& archive, const std::string& name) {
     auto entry = archive.entry(name);
     std::string text(1u << 16, '\0');

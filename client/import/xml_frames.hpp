@@ -9,15 +9,16 @@
 
 namespace cd {
 
-/// Of a COLLADA document: metres and Y where it says nothing, as COLLADA 1.4.1 has it. The text may
+/// The frame of a COLLADA document; by default metres and Y up, as in COLLADA 1.4.1. The text may
 /// be damaged.
 [[nodiscard]] DeclaredFrame collada_frame(std::string_view text);
 
-/// Of an AMF document, or a 3MF's model: millimetres where it says nothing, as both standards have
-/// it. Nothing where the unit is not known. The text may end anywhere behind its first element.
+/// The frame of an AMF document or of a 3MF model; by default millimetres, as in both standards.
+/// Nothing for an unknown unit. The text may end anywhere after its first element.
 [[nodiscard]] std::optional<DeclaredFrame> additive_frame(std::string_view text);
 
-/// Of a 3MF archive. Nothing where it is damaged, or has no model.
+/// The frame of a 3MF archive. Nothing for an unknown unit, and for an archive that is damaged or
+/// has no model.
 [[nodiscard]] std::optional<DeclaredFrame> three_mf_frame(const std::filesystem::path& path);
 
 } // namespace cd

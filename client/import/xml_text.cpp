@@ -9,7 +9,7 @@ XmlText::XmlText(const std::filesystem::path& path, std::string_view text)
 
 Result<XmlText> XmlText::parse(const std::filesystem::path& path, std::string_view text) {
     XmlText xml(path, text);
-    // Without entities and conversions the characters of values stand as far apart as in the file.
+    // Without entities and conversions, offsets in values equal offsets in the file.
     const pugi::xml_parse_result parsed = xml.document_->load_buffer(
         text.data(), text.size(), pugi::parse_cdata, pugi::encoding_utf8);
     if (!parsed) {

@@ -1,4 +1,4 @@
-// An XML file in memory whose places have lines. The door to pugixml.
+// An XML document whose errors name lines. The only user of pugixml's parser for checks.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -14,8 +14,8 @@ namespace cd {
 
 class XmlText {
   public:
-    /// `path` and `text` have to outlive it. Text is taken as it stands, entities unread. Errors:
-    /// BadInput naming the line where it is not well-formed.
+    /// `path` and `text` have to outlive it. Entities are not expanded. Errors: BadInput naming the
+    /// line where the text is not well-formed.
     [[nodiscard]] static Result<XmlText> parse(const std::filesystem::path& path,
                                                std::string_view text);
 
@@ -24,7 +24,7 @@ class XmlText {
 
     /// BadInput: "PATH:LINE: DETAIL", with the line of the node.
     [[nodiscard]] Error refusal(const pugi::xml_node& node, const std::string& detail) const;
-    /// The same for a part of the node's value.
+    /// BadInput with the line of `part`, a part of the node's value.
     [[nodiscard]] Error
     refusal(const pugi::xml_node& node, std::string_view part, const std::string& detail) const;
 
