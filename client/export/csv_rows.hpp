@@ -1,4 +1,4 @@
-// What files of comma-separated values have in common.
+// Shared parts of the writers of CSV files.
 #pragma once
 
 #include "client/export/output_file.hpp"
@@ -16,7 +16,7 @@
 
 namespace cd {
 
-/// A field as RFC 4180 wants it, in UTF-8.
+/// Quotes a field as in RFC 4180 and replaces invalid UTF-8.
 [[nodiscard]] std::string csv_field(std::string_view text);
 
 /// The name of a triangle's part as a field.

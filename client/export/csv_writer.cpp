@@ -64,7 +64,7 @@ class ScenariosCsvWriter final : public ResultWriter {
     }
 
     OutputFile file_;
-    std::vector<std::string> names_; ///< As fields.
+    std::vector<std::string> names_; ///< Names of the bodies as CSV fields.
     TextBuffer row_;
     bool has_header_ = false;
 };

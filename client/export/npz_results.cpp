@@ -7,7 +7,7 @@ namespace cd {
 
 namespace {
 
-/// Numbers of one array that wait until a scenario is complete.
+/// Numbers of one array, buffered until a scenario is complete.
 template <class T>
 struct Column {
     std::size_t array = 0;

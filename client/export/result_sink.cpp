@@ -6,7 +6,7 @@ namespace cd {
 
 namespace {
 
-/// A sum of so many bytes is added to the total.
+/// The size at which a partial sum is added to the total.
 constexpr std::uint64_t waiting_bytes_max = 1u << 20;
 
 std::unique_ptr<ResultWriter> stdout_writer(const std::string& output,
@@ -74,9 +74,8 @@ Status ResultSink::finish(const std::optional<ContactMap>& map) {
 Status print_summary(const RunReport& report, bool stdout_is_used, bool quiet, bool statistics) {
     if (stdout_is_used) {
 <<<<<<< Updated upstream
-        const std::string text =
-            quiet ? warnings_text(report)
-                  : summary_text(report, {colours_wanted(stderr), statistics});
+        const std::string text = quiet ? warnings_text(report)
+                                       : summary_text(report, {colours_wanted(stderr), statistics});
 =======
         const std::string text = quiet ? warnings_text(report)
                                        : summary_text(report, {colours_wanted(stderr), statistics});

@@ -1,4 +1,4 @@
-// Where results go, one after another: files of each format, stdout, and sums over all of them.
+// Distributes results to the files of each format, to stdout and to sums over all results.
 #pragma once
 
 #include "client/export/result_writer.hpp"
@@ -16,26 +16,26 @@
 
 namespace cd {
 
-/// What a sink writes.
+/// The outputs of a sink.
 struct SinkOptions {
-    std::filesystem::path dir; ///< For the files; empty: none.
+    std::filesystem::path dir; ///< Folder of the files; empty: no files.
     std::vector<std::string> formats;
-    std::string output = "text"; ///< On stdout: json, csv, records-text; text leaves it alone.
+    std::string output = "text"; ///< On stdout: json, csv or records-text; text: nothing.
 };
 
 class ResultSink {
   public:
-    /// The meshes of the context's bodies have to be there. Errors: those of `ResultFiles::open`.
+    /// The context's bodies must have meshes. Errors: those of `ResultFiles::open`.
     [[nodiscard]] static Result<ResultSink> open(const SinkOptions& options,
                                                  const ExportContext& context);
 
-    /// The next result, in the submitted order. `found` are all its pairs where the job is for
-    /// maps; otherwise the map is the sum of the listed pairs. Errors: Io; Interrupted.
+    /// Adds the next result in submitted order. `found` has all its pairs for a job with maps;
+    /// otherwise the map is the sum over the listed pairs. Errors: Io; Interrupted.
     [[nodiscard]] Status add(const ScenarioResult& result, std::span<const ContactPair> found = {});
-    /// Completes the files, those of `map` included.
+    /// Completes all files, and writes those of `map`.
     [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
 
-    /// The sum over all results so far; empty below level pairs unless `found` was given.
+    /// The contact map of all results so far; empty below level pairs unless `found` was given.
     [[nodiscard]] ContactMap map();
     /// For `RunReport::most_touched`.
     [[nodiscard]] const PartTally& tally() const { return tally_; }
@@ -53,8 +53,8 @@ class ResultSink {
     ContactMapTotal map_;
 };
 
-/// Prints the summary: on stdout, or on stderr where stdout carries results; there `quiet` leaves
-/// only its warnings. Errors: those of `OutputFile`.
+/// Prints the summary to stdout, or to stderr if stdout carries results; `quiet` suppresses the
+/// latter. Errors: those of `OutputFile`.
 [[nodiscard]] Status
 print_summary(const RunReport& report, bool stdout_is_used, bool quiet, bool statistics);
 

@@ -18,7 +18,7 @@
 
 namespace cd {
 
-/// A body as exports name it.
+/// A body in exports.
 struct ExportBody {
     std::string name; ///< "a", "b", or what the job calls it.
     std::string file; ///< Its mesh, for people.
@@ -27,14 +27,14 @@ struct ExportBody {
     bool is_rounded = false; ///< Its coordinates were rounded to floats, as the job asked.
 };
 
-/// What the writers say about the job beside its results.
+/// Facts about the job that exports contain beside its results.
 struct ExportContext {
     std::string job;
     std::string unit;
     Level level = Level::Pairs;
-    std::vector<ExportBody> bodies;  ///< Results name them by their places in it.
+    std::vector<ExportBody> bodies;  ///< Results refer to them by index.
     std::optional<double> tolerance; ///< Where it is known.
-    bool exact_points = false;       ///< NPZ: points with all their bits, relative to origins.
+    bool exact_points = false;       ///< NPZ: also points at full precision, relative to origins.
     StopCheck stop;                  ///< Ends the writing with Interrupted.
 
     /// The name of a body; empty where there is none of this number.
@@ -70,12 +70,12 @@ class ResultWriter {
 /// From level pairs on pairs.csv, and at level contacts points.csv; nothing below.
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_pairs_csv_writer(const ExportContext& context, const std::filesystem::path& dir);
-/// results.npz. docs/formats.md tells each array.
+/// results.npz; docs/formats.md describes its arrays.
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_npz_writer(const ExportContext& context, const std::filesystem::path& dir);
 
-/// The exports of a job: a folder with the files of each format, and those of its map where there
-/// is one (`map_files.hpp`).
+/// Writes the exports of a job into a folder: the files of each format, and those of its map
+/// (`map_files.hpp`).
 class ResultFiles {
   public:
     /// Makes the folder. Errors: Io; BadInput for an unknown format.
@@ -84,7 +84,7 @@ class ResultFiles {
                                                   const ExportContext& context);
 
     [[nodiscard]] Status add(const ScenarioResult& result);
-    /// Completes all files. Without it none of them is left in the folder.
+    /// Completes all files. Without this call no file is left in the folder.
     [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
 
   private:
@@ -100,7 +100,7 @@ class ResultFiles {
 /// The report and the inputs as one JSON document.
 [[nodiscard]] std::string summary_json(const ExportContext& context, const RunReport& report);
 
-/// Writes it as summary.json. Errors: Io naming the file.
+/// Writes `summary_json` to summary.json. Errors: Io naming the file.
 [[nodiscard]] Status write_summary(const std::filesystem::path& dir,
                                    const ExportContext& context,
                                    const RunReport& report);

@@ -1,4 +1,4 @@
-// A few scenarios of a run as a job of their own, to hand on or to look into.
+// Writes a few scenarios of a run as a separate job, to pass on or to examine.
 #pragma once
 
 #include "client/prepared_job.hpp"
@@ -13,27 +13,29 @@
 
 namespace cd {
 
-/// Scenarios with the answers that a run gave them.
+/// Scenarios and the results that a run gave them.
 struct CaseScenarios {
     std::vector<Scenario> scenarios;
-    std::vector<ScenarioResult> results; ///< As many.
+    std::vector<ScenarioResult> results; ///< One for each scenario.
 };
 
 struct CaseOptions {
-    bool minimal = false; ///< Only the triangles that may matter.
+    bool minimal = false; ///< Keep only triangles that can be in contact.
     StopCheck stop;       ///< Ends it with Interrupted.
 };
 
-/// Writes a.npz, b.npz, poses.csv, job.toml and expected.json into a folder, which is made if
-/// missing. `cdctl run` of job.toml gives the digest in expected.json, and the given results but
-/// for their indices, which count from 0 there.
+/// Writes a.npz, b.npz, poses.csv, job.toml and expected.json into a folder, which is created if
+/// missing. `cdctl run` of job.toml gives the digest in expected.json and the given results, with
+/// indices counted from 0. An earlier case in the folder is replaced.
 ///
-/// `minimal` keeps the triangles whose boxes meet the other body's box at one of the poses, and
-/// writes ids.csv, which leads back to their numbers; the scenarios are run here to know what is
-/// expected. An earlier case in the folder is replaced. Errors: Io; BadInput for what such files
-/// cannot say (ignored triangles, poses of several forms), for a scenario that failed, for a folder
-/// with a job.toml of another kind, and for `minimal` under a tolerance, without any such triangle,
-/// or where these give another answer than the run's; Interrupted.
+/// `minimal` keeps the triangles whose boxes overlap the other body's box at one of the poses, runs
+/// the scenarios here for the expected results, and writes ids.csv, which maps triangles to their
+/// numbers in the run.
+///
+/// Errors: Io; Interrupted; BadInput for a job that such files cannot express (ignored triangles,
+/// poses in several forms), for a failed scenario, for a folder whose job.toml is not of a case,
+/// and for `minimal` under a tolerance, without any such triangle, or with results other than the
+/// run's.
 [[nodiscard]] Status write_case(const PreparedJob& job,
                                 const CaseScenarios& scenarios,
                                 const CaseOptions& options,

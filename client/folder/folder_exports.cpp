@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t touched_parts_shown = 3;
 
-/// The map that the files show: the one that was kept, or the sum of the records' pairs.
+/// The map to export: the one that was kept, or the sum over the pairs of the records.
 Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink) {
     const Query& query = run.manifest().query;
     if (query.maps || query.level < Level::Pairs) {
@@ -23,7 +23,7 @@ Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink)
     return std::optional(sink.map());
 }
 
-/// Where the summary is gone or damaged, the records still tell what they hold.
+/// The report in summary.json; empty if that is missing or damaged, since the records suffice.
 RunReport kept_report(const OpenedRun& run) {
     auto report = read_summary(run.dir() / "summary.json");
     return report ? std::move(report.value()) : RunReport();

@@ -1,4 +1,4 @@
-// Exports of a run that is whole in its folder, made later and without running anything.
+// Adds exports to the folder of a finished run without running anything.
 #pragma once
 
 #include "client/export/result_sink.hpp"
@@ -13,15 +13,15 @@
 namespace cd {
 
 struct ExportOptions {
-    std::vector<std::string> formats; ///< For the folder.
-    std::string output = "text";      ///< For stdout, as `SinkOptions` has it.
-    bool again = false;               ///< Also the formats that the folder has already.
+    std::vector<std::string> formats; ///< Formats to write into the folder.
+    std::string output = "text";      ///< For stdout, as in `SinkOptions`.
+    bool again = false;               ///< Also rewrite formats that the folder already has.
 };
 
-/// Reads all records once, if anything wants them: adds the formats that the folder lacks, with
-/// their names in run.json, and writes to stdout. `folder` may be null where no format is to be
-/// added. What the records sum up to; time and place are those of summary.json. Errors: Io;
-/// BadInput for an unknown format; Interrupted.
+/// Reads all records once, writes the missing formats into the folder, lists them in run.json, and
+/// writes `output` to stdout. `folder` may be null if no format is to be added. Returns a report of
+/// the records, with time and place from summary.json. Errors: Io; BadInput for an unknown format;
+/// Interrupted.
 [[nodiscard]] Result<RunReport> add_exports(const OpenedRun& run,
                                             RunFolder* folder,
                                             const ExportContext& context,

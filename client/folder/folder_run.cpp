@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t touched_parts_shown = 3;
-/// Of a pose as a quaternion with a translation; both bodies move at most.
+/// A lower bound for a scenario: one pose as a quaternion with a translation.
 constexpr std::uint64_t scenario_bytes = 64;
 
 std::string absolute_path(const fs::path& path) {
@@ -73,7 +73,7 @@ Result<RunManifest> manifest_of(const PreparedJob& job) {
     manifest.unit = job.spec.unit;
     JobSpec spec = job.spec;
     make_paths_absolute(spec);
-    spec.output.dir = "."; // Where run.json stands.
+    spec.output.dir = "."; // The folder of run.json.
     manifest.job = job_text(spec);
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
         ManifestBody body{body_of(spec, i, job.meshes[i]->hash())};
@@ -187,7 +187,7 @@ Result<ResultMerger> FolderRun::done() const {
             return interrupted();
         }
         const auto added = merger.add(record.result, sha256(record.bytes));
-        // A local run writes its results in order.
+        // A local run writes its results in order; others cannot be resumed.
         return added == ResultMerger::Outcome::Added &&
                        merger.summary().merged() == record.result.index + 1
                    ? Status(Done{})

@@ -1,4 +1,4 @@
-// A run into a results folder, from the decision where to begin to the files that stay.
+// A run into a results folder, from where it begins or resumes to its final files.
 #pragma once
 
 #include "client/export/result_sink.hpp"
@@ -22,52 +22,51 @@ namespace cd {
 
 struct FolderRunOptions {
     FolderOptions folder;
-    bool keep_inputs = true;                                       ///< Where they take at most
-    std::uint64_t inputs_bytes_max = limits::run_inputs_bytes_max; ///< so many bytes.
-    bool maps_from_master = false; ///< They are not summed of the results' pairs.
+    bool keep_inputs = true; ///< Copy meshes and poses, if these have at most `inputs_bytes_max`.
+    std::uint64_t inputs_bytes_max = limits::run_inputs_bytes_max;
+    bool maps_from_master = false; ///< The master sums maps; they are not summed here.
     ManifestPlace where;
     std::string command; ///< The command line.
-    std::string started; ///< `iso_time`; empty: now, or when the part that is gone on from began.
-    std::string ended;   ///< Empty: when it is finished.
+    std::string started; ///< `iso_time`; empty: now, or the start of the run that is resumed.
+    std::string ended;   ///< `iso_time`; empty: the time of `finish`.
 };
 
-/// Keeps each result as it comes, and makes all exports of the records at the end.
+/// Writes each result to the folder as it arrives, and all exports at the end.
 class FolderRun {
   public:
-    /// Takes the job's output folder. From here on `job.poses` are kept as they are read. Errors:
-    /// those of `RunFolder::open` and of reading poses; Interrupted.
+    /// Opens the job's output folder, and wraps `job.poses` so that poses are recorded as they are
+    /// read. Errors: those of `RunFolder::open` and of reading poses; Interrupted.
     [[nodiscard]] static Result<FolderRun> begin(PreparedJob& job, FolderRunOptions options);
 
-    /// The folder holds all of this job already; then nothing may be called but `folder`.
+    /// True when the folder already holds all of this job; then only `folder` may be called.
     [[nodiscard]] bool is_complete() const { return folder_.state() == RunFolder::State::All; }
     [[nodiscard]] RunFolder& folder() { return folder_; }
 
-    /// Names the job of a master, and how many workers that has.
+    /// Sets the master's id of the job and its number of workers.
     void set_job(const std::string& id, std::uint64_t workers) {
         manifest_.where.job = id;
         manifest_.where.workers = workers;
     }
 
-    /// What an earlier run has done of the first scenarios. Errors: Io; Interrupted.
+    /// The results of the first scenarios that an interrupted run left. Errors: Io; Interrupted.
     [[nodiscard]] Result<ResultMerger> done() const;
 
-    /// The next result. Errors: Io.
+    /// Adds the next result. Errors: Io.
     [[nodiscard]] Status add(const DoneScenario& done) { return recorder_->add(done); }
-    /// Keeps what has come where it is time. Errors: Io.
+    /// Writes buffered results to the disk if they are due. Errors: Io.
     [[nodiscard]] Status keep_if_due() { return recorder_->flush_if_due(); }
-    /// Keeps what has come. Errors: Io.
+    /// Writes buffered results to the disk. Errors: Io.
     [[nodiscard]] Status keep() { return recorder_->flush(); }
-    /// Scenarios that a run after this one would not do again.
+    /// The number of scenarios whose results are on the disk.
     [[nodiscard]] std::uint64_t kept() const { return recorder_->kept(); }
 
-    /// Writes the exports, `output` on stdout, the summary and run.json, and completes the report
-    /// with what only the records tell. `fetched_map` is the map that a master summed. Errors: Io;
+    /// Writes exports, `output` to stdout, the summary and run.json, and completes the report from
+    /// the records. `fetched_map` is the map that a master summed. Errors: Io;
     /// those of reading poses; Interrupted.
     [[nodiscard]] Status finish(RunReport& report,
                                 const std::string& output,
                                 const std::optional<ContactMap>& fetched_map);
-    /// For a run that no later one goes on from: leaves nothing of it where `finish` did not
-    /// succeed.
+    /// Removes the unfinished files of a run that cannot be resumed, unless `finish` succeeded.
     void drop_unfinished();
 
   private:
@@ -84,7 +83,7 @@ class FolderRun {
     RunManifest manifest_;
     const PreparedJob* job_;
     bool wants_inputs_ = true;
-    bool keeps_inputs_ = true; ///< As far as is known.
+    bool keeps_inputs_ = true; ///< Becomes false when inputs turn out to be too large.
     std::uint64_t inputs_bytes_max_ = 0;
     bool maps_from_master_ = false;
     bool is_finished_ = false;
@@ -92,16 +91,16 @@ class FolderRun {
     std::optional<RunRecorder> recorder_;
 };
 
-/// What run.json says of a prepared job; the hash of random poses is left out, since they are made
-/// while the run goes on. Errors: those of reading poses; Interrupted.
+/// The manifest of a prepared job. It has no hash of random poses, which are generated during the
+/// run. Errors: those of reading poses; Interrupted.
 [[nodiscard]] Result<RunManifest> manifest_of(const PreparedJob& job);
 
-/// What a folder's meshes take, and how its scenarios are called, about.
+/// The approximate size of a folder's meshes and scenario labels.
 [[nodiscard]] std::uint64_t bytes_beside_poses(const PreparedJob& job);
-/// The same with the poses, which is at least what a folder's inputs take.
+/// A lower bound for the size of a folder's inputs: `bytes_beside_poses` and the poses.
 [[nodiscard]] std::uint64_t input_bytes(const PreparedJob& job);
 
-/// Whoever opens the job again may stand in another folder.
+/// Makes the paths of a job absolute, so that it can be opened from another folder.
 void make_paths_absolute(JobSpec& spec);
 
 /// The command line of this process.

@@ -1,4 +1,4 @@
-// Jobs as text: what a job file would say.
+// Writes jobs as job files.
 #pragma once
 
 #include "client/job_file.hpp"
@@ -8,11 +8,12 @@
 
 namespace cd {
 
-/// The job as a job file, which `parse_job` reads back to the same job; what has its default is
-/// left out. A grid whose axes are not known becomes a comment, and then it is no job file.
+/// The text of a job file that `parse_job` reads back to the same job, without values that have
+/// their default. A grid whose axes are unknown becomes a comment, so the text is then no valid
+/// job.
 [[nodiscard]] std::string job_text(const JobSpec& spec);
 
-/// The text in quotes, as TOML wants it.
+/// A TOML string with this content.
 [[nodiscard]] std::string toml_quoted(std::string_view text);
 
 } // namespace cd

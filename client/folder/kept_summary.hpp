@@ -1,4 +1,4 @@
-// A results folder's summary.json, read again.
+// Reads the summary.json of a results folder.
 #pragma once
 
 #include "client/report.hpp"
@@ -8,9 +8,8 @@
 
 namespace cd {
 
-/// What summary.json says of a run, as far as a person is told: classes, time, where it ran, most
-/// touched parts, digest. Keys that are missing count as 0 or none. Errors: Io, BadInput naming the
-/// file.
+/// The classes, time, place, most touched parts and digest in summary.json. Missing keys count as 0
+/// or none. Errors: Io, BadInput naming the file.
 [[nodiscard]] Result<RunReport> read_summary(const std::filesystem::path& path);
 
 } // namespace cd

@@ -37,7 +37,7 @@ Error changed(const std::string& file) {
                    "or run the job anew"};
 }
 
-/// Errors: those of `import_mesh`; BadInput where the mesh is another one.
+/// Imports the mesh of a body. Errors: those of `import_mesh`; BadInput if the mesh has changed.
 Result<std::shared_ptr<const Mesh>>
 import_again(const JobSpec& spec, std::size_t body, const Sha256& expected) {
     const auto options = import_options(spec, body);

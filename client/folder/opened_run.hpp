@@ -1,4 +1,4 @@
-// A results folder that is read again.
+// Opens results folders for reading.
 #pragma once
 
 #include "client/folder/run_manifest.hpp"
@@ -16,11 +16,11 @@
 
 namespace cd {
 
-/// A run that is whole in its folder: what it was asked, and its records.
+/// A finished run in a results folder: its manifest and its records.
 class OpenedRun {
   public:
-    /// Errors: NotFound where there is no run; BadInput and Io naming the file, also for a folder
-    /// of an earlier version, and for a run that has not ended.
+    /// Errors: NotFound for a folder without a run; BadInput and Io naming the file, also for a
+    /// folder of an earlier version and for an unfinished run.
     [[nodiscard]] static Result<OpenedRun> open(const std::filesystem::path& dir);
 
     [[nodiscard]] const std::filesystem::path& dir() const { return dir_; }
@@ -28,16 +28,15 @@ class OpenedRun {
     [[nodiscard]] const RecordFile& records() const { return records_; }
     [[nodiscard]] RecordFile& records() { return records_; }
 
-    /// The job as its job file would give it, without an output folder. Errors: BadInput where
-    /// run.json has a job that no job file can say.
+    /// The job as if read from its job file, without an output folder. Errors: BadInput if run.json
+    /// has a job that no job file can express.
     [[nodiscard]] Result<JobSpec> spec() const;
-    /// The mesh of a body as it was tested: the one that is kept, or else that of the file which
-    /// run.json names. Errors: NotFound, Io; BadInput where the file has changed since.
+    /// The mesh of a body as it was tested: the copy in the folder, or else the file that run.json
+    /// names. Errors: NotFound, Io; BadInput if that file has changed since.
     [[nodiscard]] Result<std::shared_ptr<const Mesh>> mesh(std::size_t body) const;
-    /// The poses that are kept; null where none are. Errors: Io.
+    /// The poses in the folder; null if there are none. Errors: Io.
     [[nodiscard]] Result<std::unique_ptr<PoseSource>> kept_poses() const;
-    /// How the pose file named the scenarios; empty where it did not, and where that is not kept.
-    /// Errors: Io.
+    /// The scenario labels in the folder; empty if there are none. Errors: Io.
     [[nodiscard]] Result<PoseLabels> kept_labels() const;
     /// The contact map of a job with maps. Errors: Io.
     [[nodiscard]] Result<std::optional<ContactMap>> kept_map() const;
@@ -51,17 +50,17 @@ class OpenedRun {
     RecordFile records_;
 };
 
-/// Whether a folder was written by an earlier version, without run.json and records.
+/// True for a folder of an earlier version, which has no run.json and no records.
 [[nodiscard]] bool holds_only_a_summary(const std::filesystem::path& dir);
 
-/// Whether an argument that may be a job's id is a folder instead.
+/// True if an argument is a folder; otherwise it is the id of a job.
 [[nodiscard]] bool is_folder(const std::string& argument);
 
-/// What the run was asked of: its meshes, the poses where they are kept, and what is ignored. Does
-/// not need the folder's files any more. Errors: those of `OpenedRun`.
+/// The inputs of a run: meshes, poses if the folder has them, and ignored triangles. The result
+/// does not depend on the folder's files. Errors: those of `OpenedRun`.
 [[nodiscard]] Result<JobInputs> read_inputs(const OpenedRun& run);
 
-/// The job, ready to be run again: `spec` is that of the run, perhaps changed. Errors: those of
+/// Prepares a job to be run again. `spec` is the run's, possibly modified. Errors: those of
 /// `prepare_job`; BadInput naming a pose file that has changed; Interrupted.
 [[nodiscard]] Result<PreparedJob> prepare_again(const RunManifest& manifest,
                                                 JobInputs inputs,
@@ -71,7 +70,7 @@ class OpenedRun {
                                                 ThreadPool& pool,
                                                 bool quiet = true);
 
-/// What exports of the run say beside its results. Errors: those of `OpenedRun::mesh`.
+/// The context for exports of the run. Errors: those of `OpenedRun::mesh`.
 [[nodiscard]] Result<ExportContext> export_context(const OpenedRun& run);
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// Poses that are kept while a run reads them.
+// Writes poses to a file while a run reads them.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -19,15 +19,15 @@
 namespace cd {
 
 struct PoseRecorderOptions {
-    bool hashes = false;         ///< The hash of all poses is wanted.
-    std::uint64_t bytes_max = 0; ///< Of the file; where it would be larger, none is kept.
+    bool hashes = false;         ///< Compute the hash of all poses.
+    std::uint64_t bytes_max = 0; ///< Size limit of the file; a larger file is removed.
 };
 
-/// Reads from another source, and writes each scenario that goes on from those written before into
-/// a file.
+/// Reads from another source, and appends each scenario to a file when it is first reached in
+/// order.
 class PoseRecorder final : public PoseSource {
   public:
-    /// Goes on with the file, where there is one and it is to be kept. Errors: Io.
+    /// Appends to `file` if it exists. Errors: Io.
     [[nodiscard]] static Result<std::unique_ptr<PoseRecorder>>
     open(std::unique_ptr<PoseSource> source,
          const std::filesystem::path& file,
@@ -35,14 +35,14 @@ class PoseRecorder final : public PoseSource {
 
     [[nodiscard]] std::uint64_t count() const override { return source_->count(); }
     [[nodiscard]] const Grid* grid() const override { return source_->grid(); }
-    /// Errors: also Io of the file.
+    /// Errors: those of the source; Io of the file.
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
                                                      std::uint64_t count) override;
 
-    /// Reads and writes what nobody has read, and completes the file. The hash, if it is wanted.
-    /// Errors: those of `read`; Interrupted.
+    /// Reads and writes the scenarios that nobody has read, and completes the file. Returns the
+    /// hash if it was requested. Errors: those of `read`; Interrupted.
     [[nodiscard]] Result<std::optional<Sha256>> finish(const StopCheck& stop = {});
-    /// Whether there is a file; there is none as soon as it is too large.
+    /// True while there is a file; it is removed when it becomes too large.
     [[nodiscard]] bool keeps() const { return writer_.has_value(); }
 
   private:
@@ -65,7 +65,7 @@ class PoseRecorder final : public PoseSource {
     std::mutex mutex_;
     std::optional<ScenarioWriter> writer_;
     std::optional<PosesHash> hash_;
-    std::uint64_t next_ = 0; ///< The scenario that is written and hashed next.
+    std::uint64_t next_ = 0; ///< The next scenario to write and hash.
 };
 
 } // namespace cd

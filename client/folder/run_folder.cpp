@@ -38,7 +38,7 @@ Error refused(const fs::path& dir, const std::string& what) {
             dir.string() + " holds " + what + "; give another folder with --out, or --overwrite"};
 }
 
-/// Nothing where there is no such file.
+/// Reads a run.json; nothing if it does not exist.
 Result<std::optional<RunManifest>> read_if_there(const fs::path& path) {
     auto manifest = read_run_json(path);
     if (manifest) {
@@ -61,7 +61,7 @@ std::string named(const RunManifest& manifest) {
     return "another run (" + manifest.name + ", of " + manifest.started + ")";
 }
 
-/// What stands against a run of this job in the folder.
+/// Refuses a folder with results that are not of this job.
 Status check_no_other(const fs::path& dir,
                       const RunManifest& manifest,
                       const std::optional<RunManifest>& finished,
@@ -69,7 +69,7 @@ Status check_no_other(const fs::path& dir,
     if (finished && !is_same_job(*finished, manifest)) {
         return refused(dir, named(*finished));
     }
-    // Of a master's job all that there is can be fetched again.
+    // An unfinished fetch of a master's job can be repeated, so it does not block.
     const bool is_fetched = unfinished && !unfinished->where.master.empty();
     if (unfinished && !is_fetched && !is_same_job(*unfinished, manifest)) {
         return refused(dir, "the unfinished part of " + named(*unfinished));
@@ -95,7 +95,7 @@ Error failure(const fs::path& path, const std::error_code& error) {
     return {ErrorCode::Io, path.string() + ": " + error.message()};
 }
 
-/// Removes a file, and the folders that it leaves empty.
+/// Removes a file and the folders that become empty.
 void remove_listed(const fs::path& dir, const std::string& name) {
     std::error_code error;
     fs::remove(dir / name, error);
@@ -225,7 +225,7 @@ Status RunFolder::begin(const RunManifest& manifest) {
     return write_text(part_ / manifest_name, manifest_json(manifest));
 }
 
-/// Where a run was killed while it moved its files, some have another place already.
+/// Moves files back into `.part` that a run killed during `commit` had already moved.
 void RunFolder::recover_files() {
     constexpr std::array<std::array<const char*, 2>, 3> moved{
         {{"records", "records"}, {"maps", "maps"}, {"scenarios", "inputs/scenarios"}}};

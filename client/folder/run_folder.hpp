@@ -1,4 +1,4 @@
-// A results folder while a run writes it.
+// A results folder that a run writes.
 #pragma once
 
 #include "client/folder/run_manifest.hpp"
@@ -14,46 +14,44 @@
 namespace cd {
 
 struct FolderOptions {
-    bool overwrite = false; ///< Another run in the folder is replaced.
-    bool fresh = false;     ///< What is there of the same job is not gone on from.
-    bool resume = true;     ///< The unfinished part of the same job is gone on from.
+    bool overwrite = false; ///< Replace another run in the folder.
+    bool fresh = false;     ///< Ignore earlier results of the same job.
+    bool resume = true;     ///< Resume an unfinished run of the same job.
 };
 
-/// A folder that one run writes and no other. All is written below `.part` and gets its place when
-/// it is whole, so that an earlier run stays as it is until then.
+/// A folder that one run at a time may write. Files are written below `.part` and moved into place
+/// when the run is complete, so an earlier run stays intact until then.
 class RunFolder {
   public:
-    /// What of the job the folder holds already.
+    /// How much of the job the folder already holds.
     enum class State : std::uint8_t { Nothing, Some, All };
 
-    /// Takes a folder that holds a run, to add files to it. Errors: those of `read_run_json`; Io.
+    /// Locks a folder with a finished run, to add files. Errors: those of `read_run_json`; Io.
     [[nodiscard]] static Result<RunFolder> open_finished(const std::filesystem::path& dir);
 
-    /// Takes the folder, which is made if missing, for the job of the manifest. Errors: Refused as
-    /// BadInput where it holds another run (without `overwrite`); Io, also when another process
-    /// writes it.
+    /// Locks the folder for the job of the manifest, and creates it if missing. Errors: BadInput if
+    /// it holds another run and `overwrite` is not set; Io, also if another process writes it.
     [[nodiscard]] static Result<RunFolder>
     open(const std::filesystem::path& dir, const RunManifest& manifest, FolderOptions options);
 
     [[nodiscard]] State state() const { return state_; }
-    /// Where the run's unfinished files are.
+    /// The folder of the run's unfinished files.
     [[nodiscard]] const std::filesystem::path& part() const { return part_; }
-    /// Below it stands what `commit` moves into the folder.
+    /// The folder whose files `commit` moves into place.
     [[nodiscard]] std::filesystem::path out() const { return part_ / "out"; }
     [[nodiscard]] const std::filesystem::path& dir() const { return dir_; }
 
-    /// Moves all files below `out`, then `records`, into the folder, removes those that the run
-    /// before lists and this one does not have, and writes run.json, with the list of files added.
-    /// Errors: Io.
+    /// Moves all files below `out` and `records` into the folder, removes files that only the
+    /// previous run lists, and writes run.json with the list of files. Errors: Io.
     [[nodiscard]] Status commit(RunManifest manifest);
-    /// Moves all files below `out` into the folder and adds them to its run.json, where the folder
-    /// holds all of the job. Errors: Io.
+    /// Moves all files below `out` into a folder with a finished run and lists them in its
+    /// run.json. Errors: Io.
     [[nodiscard]] Status add_files(std::span<const std::string> formats);
-    /// Removes `.part`: nothing is to be gone on from.
+    /// Removes `.part`, so that nothing can be resumed.
     void clean();
-    /// What run.json says of the unfinished part, where that is gone on from.
+    /// The manifest of the unfinished run that is resumed.
     [[nodiscard]] const std::optional<RunManifest>& unfinished() const { return unfinished_; }
-    /// What the folder holds, where that is all of the job.
+    /// The manifest of the finished run in the folder.
     [[nodiscard]] const std::optional<RunManifest>& finished() const { return before_; }
 
   private:
@@ -72,10 +70,10 @@ class RunFolder {
     std::optional<RunManifest> unfinished_;
 };
 
-/// The run.json of a folder. Errors: NotFound; BadInput and Io naming the file.
+/// Reads a run.json. Errors: NotFound; BadInput and Io naming the file.
 [[nodiscard]] Result<RunManifest> read_run_json(const std::filesystem::path& path);
 
-/// Whether the name of a listed file stays within its folder.
+/// True if the relative name of a listed file does not leave the folder.
 [[nodiscard]] bool is_inside(std::string_view name);
 
 } // namespace cd

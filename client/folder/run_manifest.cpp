@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t format_version = 1;
-/// That of the canonical record (result.hpp).
+/// The version of the canonical record (result.hpp).
 constexpr std::uint64_t record_version = 2;
 constexpr std::array<std::string_view, 3> kind_names{"grid", "file", "random"};
 
@@ -191,7 +191,7 @@ Grid read_grid(const Json& json) {
                 {number_of(q.at(0)), number_of(q.at(1)), number_of(q.at(2)), number_of(q.at(3))});
         }
     }
-    // What comes over the wire is checked in the same way.
+    // The decoder checks a grid.
     if (const auto checked = decode_grid(encode_grid(grid)); !checked) {
         throw Wrong{checked.error().detail};
     }
@@ -341,7 +341,7 @@ std::string manifest_json(const RunManifest& manifest) {
                     {"map_digest", hash_json(manifest.map_digest)},
                     {"formats", manifest.formats},
                     {"files", files_json(manifest.files)}};
-    // A name may hold bytes that are no UTF-8.
+    // A name may contain bytes that are not UTF-8.
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

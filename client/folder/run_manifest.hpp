@@ -1,4 +1,4 @@
-// What a results folder says of its run: run.json.
+// The manifest of a run: run.json in its results folder.
 #pragma once
 
 #include "common/core/hash.hpp"
@@ -15,7 +15,7 @@
 
 namespace cd {
 
-/// With an absolute path where the mesh was read here.
+/// A body of the run. `file` is absolute if the mesh was read here.
 struct ManifestBody : JobBody {
     std::vector<std::string> parts = {};
 };
@@ -23,44 +23,44 @@ struct ManifestBody : JobBody {
 struct ManifestPoses {
     PosesKind kind = PosesKind::File;
     std::uint64_t count = 0;
-    /// `hash_of` (poses_hash.hpp); not known while poses are still being made.
+    /// `hash_of` (poses_hash.hpp); nothing while random poses are being generated.
     std::optional<Sha256> hash;
-    std::optional<Grid> grid;          ///< Of kind Grid.
-    std::optional<RandomPoses> random; ///< Of kind Random.
-    std::string file;                  ///< Of kind File: as for `PoseFileSpec`.
+    std::optional<Grid> grid;          ///< Kind Grid.
+    std::optional<RandomPoses> random; ///< Kind Random.
+    std::string file;                  ///< Kind File; this and the next four as in `PoseFileSpec`.
     std::string quat_order;
     bool of_both_bodies = false;
     std::optional<double> rigid_tolerance;
-    std::string unit; ///< Of the file's translations.
+    std::string unit; ///< Unit of translations in the file.
     bool has_ids = false;
     bool has_times = false;
 };
 
 /// Where a run took place.
 struct ManifestPlace {
-    std::uint64_t threads = 0; ///< On this machine alone.
+    std::uint64_t threads = 0; ///< For a run on this machine.
     std::string simd;
-    std::string master;        ///< Its address; empty: it was this machine.
+    std::string master;        ///< Address; empty for a run on this machine.
     std::string job;           ///< The master's id of the job.
-    std::uint64_t workers = 0; ///< That the master had when the results were written.
+    std::uint64_t workers = 0; ///< Workers of the master when the results were written.
 };
 
 struct ManifestFile {
-    std::string name; ///< In the folder, with "/" between the parts of a path.
+    std::string name; ///< Path within the folder, with "/" as separator.
     std::uint64_t bytes = 0;
 };
 
-/// run.json as values. Bodies are a list; those of ignored ranges are the first two.
+/// The content of run.json.
 struct RunManifest {
     std::string program; ///< "cdctl 0.1.0"
-    std::string commit;  ///< `build_commit` of it.
+    std::string commit;  ///< `build_commit` of the program.
     std::string command; ///< The command line.
-    std::string started; ///< UTC, ISO 8601; of a job on a master, when that accepted it.
+    std::string started; ///< UTC, ISO 8601; for a master's job the time it was accepted.
     std::string ended;
     ManifestPlace where;
     std::string name;
-    std::string unit = "m"; ///< Of the poses and of the results.
-    std::string job;        ///< `job_text`, from which the run is run again.
+    std::string unit = "m"; ///< Unit of poses and results.
+    std::string job;        ///< `job_text`, from which the job can be run again.
     std::vector<ManifestBody> bodies;
     ManifestPoses poses;
     Query query;
@@ -73,14 +73,14 @@ struct RunManifest {
     [[nodiscard]] bool is_complete() const { return digest.has_value(); }
 };
 
-/// The document.
+/// The manifest as a JSON document.
 [[nodiscard]] std::string manifest_json(const RunManifest& manifest);
 
-/// The inverse. The text may be hostile; keys that are not known are passed over. Errors: BadInput
-/// saying what is wrong, also for the format of a later version.
+/// The inverse of `manifest_json`. The text may be hostile; unknown keys are ignored. Errors:
+/// BadInput with the reason, also for the format of a later version.
 [[nodiscard]] Result<RunManifest> parse_manifest(std::string_view text);
 
-/// Whether two runs have to give the same records: equal meshes, poses and query. Names, files and
+/// True if two runs must give the same records: equal meshes, poses and query. Names, files and
 /// threads do not matter.
 [[nodiscard]] bool is_same_job(const RunManifest& left, const RunManifest& right);
 

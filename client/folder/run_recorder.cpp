@@ -34,7 +34,7 @@ Result<RunRecorder> RunRecorder::open(const std::filesystem::path& folder,
     if (!maps) {
         return maps.error();
     }
-    // A block of maps is written before its records, so that there may be one more of them.
+    // A block of maps is written before its records, so a killed run may leave one block too many.
     const std::uint64_t both = std::min(records.value().written(), maps.value().written().count());
     for (const Status& cut : {records.value().cut_before(both), maps.value().cut_before(both)}) {
         if (!cut) {

@@ -1,4 +1,4 @@
-// Results on their way to the disk while a run goes on.
+// Writes results to the disk during a run.
 #pragma once
 
 #include "client/done_scenario.hpp"
@@ -16,27 +16,27 @@
 
 namespace cd {
 
-/// Writes the files `records` and, for maps, `maps` of a folder, a block whenever
-/// one is full, and at least each period. A block of `maps` is the sum over
-/// the block of `records` with the same scenarios.
+/// Writes the files `records` and, for a job with maps, `maps`: a block when it is full, and at
+/// least once a period. A block of `maps` is the sum over the block of `records` with the same
+/// scenarios.
 class RunRecorder {
   public:
-    /// Goes on after what the folder holds, or starts. Errors: Io.
+    /// Appends to the files in the folder, or creates them. Errors: Io.
     [[nodiscard]] static Result<RunRecorder>
     open(const std::filesystem::path& folder,
          bool with_maps,
          std::chrono::milliseconds period = limits::record_flush_period);
 
-    /// The next result. Errors: Io.
+    /// Adds the next result. Errors: Io.
     [[nodiscard]] Status add(const DoneScenario& done);
-    /// Writes what waits where the period is over. Errors: Io.
+    /// Writes buffered results if the period is over. Errors: Io.
     [[nodiscard]] Status flush_if_due();
-    /// Writes what waits. Errors: Io.
+    /// Writes buffered results. Errors: Io.
     [[nodiscard]] Status flush();
     /// Completes the files. Errors: Io.
     [[nodiscard]] Status finish();
 
-    /// Scenarios that are on the disk.
+    /// The number of scenarios on the disk.
     [[nodiscard]] std::uint64_t kept() const { return records_.written(); }
 
   private:
@@ -48,17 +48,17 @@ class RunRecorder {
     RecordWriter records_;
     std::optional<BlockFileWriter> maps_;
     std::chrono::milliseconds period_;
-    ContactMapSum map_; ///< Of the results that wait.
+    ContactMapSum map_; ///< The sum over buffered results.
     std::uint64_t first_waiting_ = 0;
     std::uint64_t waiting_ = 0;
     std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 
-/// Writes a map that is known as a whole. Errors: Io.
+/// Writes a complete map. Errors: Io.
 [[nodiscard]] Status
 write_maps(const std::filesystem::path& path, const ContactMap& map, std::uint64_t scenarios);
 
-/// The sum of a finished or unfinished file of maps. Errors: Io naming the file.
+/// The sum of all blocks in a finished or unfinished file of maps. Errors: Io naming the file.
 [[nodiscard]] Result<ContactMap> read_maps(const std::filesystem::path& path);
 
 } // namespace cd

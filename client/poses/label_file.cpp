@@ -20,7 +20,7 @@ std::string header_of(const LabelColumns& columns) {
     return columns.ids == IdKind::None ? "t" : columns.has_times ? "id,t" : "id";
 }
 
-/// A row as `csv_field` writes its fields; nothing at the end of the file.
+/// Reads a row whose fields `csv_field` wrote. False at the end of the file.
 bool read_row(std::istream& in, CsvRow& row) {
     row.assign(1, "");
     bool is_quoted = false;
@@ -53,7 +53,7 @@ bool add_time(PoseLabels& labels, const std::string& text) {
 } // namespace
 
 std::uint64_t label_bytes(const PoseLabels& labels) {
-    constexpr std::uint64_t number_bytes = 25; // Of the longest double, and what ends it.
+    constexpr std::uint64_t number_bytes = 25; // The longest double and its separator.
     const std::uint64_t numbers = labels.integers.size() + labels.times.size();
     std::uint64_t bytes = sizeof "id,t" + number_bytes * numbers;
     for (const std::string& text : labels.texts) {

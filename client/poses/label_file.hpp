@@ -1,4 +1,4 @@
-// The file inputs/ids of a results folder: how the pose file named its scenarios.
+// The file inputs/ids of a results folder: ids and times of scenarios.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -9,15 +9,15 @@
 
 namespace cd {
 
-/// At least what the file takes.
+/// An upper bound for the size of the file.
 [[nodiscard]] std::uint64_t label_bytes(const PoseLabels& labels);
 
-/// Writes a CSV file with the columns `id` and `t`, as far as they are there, a row for each
-/// scenario; numbers are the shortest that read back the same. Errors: Io.
+/// Writes a CSV file with those of the columns `id` and `t` that exist, one row per scenario.
+/// Numbers are the shortest that read back to the same value. Errors: Io.
 [[nodiscard]] Status write_labels(const std::filesystem::path& path, const PoseLabels& labels);
 
-/// The inverse, but for ids that are texts and are all written as integers: they become integers.
-/// Errors: NotFound; Io naming the file, also for one that is damaged.
+/// The inverse of `write_labels`, except that text ids become integers if all look like integers.
+/// Errors: NotFound; Io naming the file, also if it is damaged.
 [[nodiscard]] Result<PoseLabels> read_labels(const std::filesystem::path& path);
 
 } // namespace cd

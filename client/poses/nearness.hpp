@@ -1,4 +1,4 @@
-// How near the poses of a job bring its bodies: the hint for poses in another unit.
+// A hint for poses in a wrong unit: how near the poses bring the bodies.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -11,13 +11,13 @@
 
 namespace cd {
 
-/// The least distance of the bodies' boxes over all poses; nothing as soon as one pose lets the
-/// boxes meet, or where poses cannot be read, or it is stopped.
+/// The minimum distance of the bodies' boxes over all poses. Nothing if the boxes meet at one pose,
+/// if poses cannot be read, or if it is stopped.
 [[nodiscard]] std::optional<double>
 least_distance(const Mesh& a, const Mesh& b, PoseSource& poses, const StopCheck& stop = {});
 
-/// A line for the summary of a job whose boxes never meet: how near B comes, and where that is many
-/// lengths of the bodies, whether the poses are in millimetres. Empty where boxes meet.
+/// A line for the summary of a job whose boxes never meet: how near B comes and, if that is many
+/// lengths of the bodies, the question whether the poses are in millimetres. Empty if boxes meet.
 /// Errors: Interrupted.
 [[nodiscard]] Result<std::string> nearness_hint(const Mesh& a,
                                                 const Mesh& b,

@@ -15,8 +15,8 @@ namespace cd {
 struct OpenedPoses {
     std::unique_ptr<PoseSource> source;
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
-    std::vector<std::string> zeros;    ///< Columns that the file leaves out: their numbers are 0.
-    PoseLabels labels;                 ///< Of all scenarios, in the columns that the file has.
+    std::vector<std::string> zeros;    ///< Columns missing in the file, which count as 0.
+    PoseLabels labels;                 ///< Ids and times of all scenarios, if the file has them.
 };
 
 /// Opens a file of poses and checks every one of them, so that a run does not end in the middle.

@@ -118,7 +118,7 @@ class TableSource final : public PoseSource {
     }
 
   private:
-    /// Takes its numbers off the front.
+    /// Makes a pose of the first numbers and removes these.
     [[nodiscard]] Pose next_pose(std::span<const double>& numbers) const {
         const std::size_t size = numbers_of(table_.layout);
         const auto pose = to_pose(numbers.first(size), table_.layout, table_.length_factor);

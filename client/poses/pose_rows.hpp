@@ -31,21 +31,21 @@ struct PoseTable {
     PoseLayout layout = PoseLayout::Matrix44;
     bool of_both_bodies = false;
     bool from_angles = false; ///< Quaternions of our own making, whose norm need not be 1.
-    std::vector<std::string> zeros = {};   ///< Names of numbers that the file leaves out.
-    std::vector<std::uint64_t> lines = {}; ///< Of all poses in a text file; else empty.
+    std::vector<std::string> zeros = {};   ///< Columns missing in the file, which count as 0.
+    std::vector<std::uint64_t> lines = {}; ///< Line of each pose in a text file; else empty.
     double length_factor = 1;              ///< Translations are multiplied by it.
-    PoseLabels labels = {};                ///< Of all rows, in the columns that the file has.
-    std::string name = {};                 ///< Of the file.
+    PoseLabels labels = {};                ///< Ids and times of all rows, if the file has them.
+    std::string name = {};                 ///< Name of the file.
 };
 
-/// Where a user finds a pose, which are counted through the rows: "line 2" of a text file, else
-/// "row 0", or "row 0, body a" where rows have the poses of both bodies.
+/// The location of a pose in its file: "line 2" in a text file, else "row 0", or "row 0, body a" if
+/// rows have poses of both bodies. Poses are numbered across rows.
 [[nodiscard]] std::string place_of_pose(const PoseTable& table, std::uint64_t pose);
 
-/// What the check of all rows found.
+/// The result of checking all rows.
 struct RigidityReport {
     std::uint64_t off = 0;        ///< Poses off by more than 1e-9 and accepted.
-    std::uint64_t worst_pose = 0; ///< Of these.
+    std::uint64_t worst_pose = 0; ///< The worst of them.
     double worst = 0;
 };
 

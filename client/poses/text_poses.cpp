@@ -82,10 +82,10 @@ PoseTable make_table(std::vector<double> numbers, PoseLayout layout, bool of_bot
 
 enum class ColumnSet { Quaternion, Matrix, Euler };
 
-/// A column that the file does not have; its number is 0.
+/// The position of a missing column, whose numbers are 0.
 constexpr std::size_t no_column = static_cast<std::size_t>(-1);
 
-/// Where one number of a pose stands, and what it is multiplied by.
+/// The column of one number of a pose, and a factor for it.
 struct NumberColumn {
     std::size_t place = no_column;
     double factor = 1;
@@ -93,8 +93,9 @@ struct NumberColumn {
 
 struct Columns {
     ColumnSet set = ColumnSet::Quaternion;
-    std::vector<NumberColumn> numbers; ///< In the order of the layout; angles become degrees.
-    std::vector<std::string> zeros;    ///< Names of the numbers without a column.
+    std::vector<NumberColumn>
+        numbers; ///< In the order of the layout; factors turn angles into degrees.
+    std::vector<std::string> zeros; ///< Names of missing columns.
     std::size_t scenario = 0;
     std::size_t body = 0;
     std::size_t id = no_column;
@@ -132,7 +133,7 @@ class HeaderNames {
     }
 
     [[nodiscard]] const std::vector<std::string>& all() const { return names_; }
-    /// The number of columns where there is none of this name.
+    /// The position of a column; the number of columns if there is no such name.
     [[nodiscard]] std::size_t place_of(std::string_view name) const {
         return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) -
                                         names_.begin());
@@ -143,7 +144,7 @@ class HeaderNames {
     std::vector<std::string> names_;
 };
 
-/// Errors: BadInput for an angle without its unit, or given in both.
+/// Errors: BadInput for an angle without a unit, or in both units.
 Status check_angles(const HeaderNames& names, std::uint64_t line) {
     for (const std::string_view angle : angle_names) {
         const std::string name(angle);
@@ -159,7 +160,7 @@ Status check_angles(const HeaderNames& names, std::uint64_t line) {
     return Done{};
 }
 
-/// The column of one number, whatever unit its name ends with.
+/// The column of one number, under its name with or without a unit.
 NumberColumn find_column(const HeaderNames& names, const std::string& name, ColumnSet set) {
     if (names.has(name)) {
         return {names.place_of(name)};
@@ -173,7 +174,8 @@ NumberColumn find_column(const HeaderNames& names, const std::string& name, Colu
     return {};
 }
 
-/// Finds the columns of the poses' numbers. Errors: BadInput for one that may not be missing.
+/// Finds the columns of all numbers of a pose. Errors: BadInput for a missing column that is
+/// required.
 Status find_numbers(const HeaderNames& names, std::uint64_t line, Columns& columns) {
     for (const std::string_view wanted : names_of(columns.set)) {
         const std::string name(wanted);
@@ -192,7 +194,7 @@ Status find_numbers(const HeaderNames& names, std::uint64_t line, Columns& colum
     return Done{};
 }
 
-/// Errors: BadInput for a column that is not known, or is there twice.
+/// Errors: BadInput for an unknown or a repeated column.
 Status check_others(const HeaderNames& names, std::uint64_t line, const Columns& columns) {
     constexpr std::array<std::string_view, 6> others{"id", "t", "time", "name", "scenario", "body"};
     for (std::size_t i = 0; i < names.all().size(); ++i) {
@@ -211,7 +213,8 @@ Status check_others(const HeaderNames& names, std::uint64_t line, const Columns&
     return Done{};
 }
 
-/// Errors: BadInput where the columns of both bodies' poses are missing, or there without need.
+/// Errors: BadInput if `scenario` or `body` is missing for poses of both bodies, or `scenario` is
+/// given for poses of one.
 Status check_bodies(const HeaderNames& names, std::uint64_t line, bool of_both_bodies) {
     if (of_both_bodies && (!names.has("scenario") || !names.has("body"))) {
         return bad(line, "poses of both bodies need the columns 'scenario' and 'body'");
@@ -276,7 +279,7 @@ Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& wo
     return numbers;
 }
 
-/// Labels row by row.
+/// Collects labels row by row.
 class LabelRows {
   public:
     /// Errors: BadInput for an id that is too long.
@@ -289,7 +292,7 @@ class LabelRows {
         add_pose_id(labels_, word);
         return Done{};
     }
-    /// Errors: BadInput for what is no finite number.
+    /// Errors: BadInput for anything but a finite number.
     Status add_time(std::string_view word, std::uint64_t line) {
         const auto time = to_number(word);
         if (!time || !std::isfinite(*time)) {
@@ -373,9 +376,9 @@ class BothBodies {
         }
         return std::move(values_);
     }
-    /// The scenarios of the rows of a, in the order in which they came.
+    /// The scenarios of the rows of a, in the order of the file.
     [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
-    /// Of the poses that `finish` returns.
+    /// The line of each pose that `finish` returns.
     std::vector<std::uint64_t> take_lines() { return std::move(lines_); }
 
   private:
