@@ -73,13 +73,8 @@ Status ResultSink::finish(const std::optional<ContactMap>& map) {
 
 Status print_summary(const RunReport& report, bool stdout_is_used, bool quiet, bool statistics) {
     if (stdout_is_used) {
-<<<<<<< Updated upstream
         const std::string text = quiet ? warnings_text(report)
                                        : summary_text(report, {colours_wanted(stderr), statistics});
-=======
-        const std::string text = quiet ? warnings_text(report)
-                                       : summary_text(report, {colours_wanted(stderr), statistics});
->>>>>>> Stashed changes
         std::fputs(text.c_str(), stderr);
         return Done{};
     }
