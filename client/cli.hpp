@@ -23,7 +23,7 @@ struct MasterOptions {
 /// What decides exit code 1.
 enum class FailOn : std::uint8_t { Never, Touch, Cross };
 
-/// How a results folder is treated.
+/// Options for results folders.
 struct FolderFlags {
     bool overwrite = false;
     bool fresh = false;
@@ -40,7 +40,7 @@ struct RunCommand {
     std::string tree_cache = "off";       ///< A folder, or off.
     FailOn fail_on = FailOn::Never;
     bool dry_run = false;
-    bool yes = false; ///< Also results of more than that.
+    bool yes = false; ///< Write results above `results_bytes_max`.
     std::uint64_t results_bytes_max = limits::folder_bytes_unasked_max;
     bool quiet = false;
     bool statistics = false;
@@ -129,7 +129,7 @@ struct CancelCommand {
 struct RemoveCommand {
     std::vector<std::string> what; ///< Jobs, or meshes by their hashes.
     bool yes = false;
-    bool cancel = false; ///< End a job first that runs.
+    bool cancel = false; ///< Cancel a running job first.
     MasterOptions master;
 };
 

@@ -1,4 +1,4 @@
-// Wrong usage of cdctl, told with the word that was probably meant.
+// Messages for wrong usage of cdctl, with the word that was probably meant.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@ class App;
 
 namespace cd {
 
-/// What `cdctl` alone prints: ten lines of things to type.
+/// The output of `cdctl` without arguments: ten lines of examples.
 [[nodiscard]] std::string first_steps();
 
-/// One line without its end for the first verb or option that `app` does not have, with the nearest
-/// one that it has; nothing where all are known. `arguments` are as typed, without the program.
+/// A line without newline about the first unknown verb or option in `arguments` (without the
+/// program), with the most similar known one; nothing if all are known.
 [[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app,
                                                       const std::vector<std::string>& arguments);
 

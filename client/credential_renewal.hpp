@@ -1,4 +1,4 @@
-// Keeps a user's credential good while a verb waits for long.
+// Renews a user's credential while a verb waits for long.
 #pragma once
 
 #include "client/cli.hpp"
@@ -13,8 +13,8 @@
 
 namespace cd {
 
-/// Renews the credential for a master, and its file, each time it has lived half of its time, on a
-/// thread of its own. Does nothing without a credential.
+/// Renews the credential for a master, and its file, after each half of its lifetime, on its own
+/// thread. Does nothing without a credential.
 class CredentialRenewal {
   public:
     CredentialRenewal(MasterOptions options, Endpoint master);
@@ -22,7 +22,7 @@ class CredentialRenewal {
     CredentialRenewal& operator=(const CredentialRenewal&) = delete;
     ~CredentialRenewal();
 
-    /// How often it has been renewed.
+    /// The number of renewals so far.
     [[nodiscard]] std::uint64_t count() const { return count_; }
 
   private:

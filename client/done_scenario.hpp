@@ -1,4 +1,4 @@
-// What a thread has found out about one scenario.
+// One finished scenario of a local run.
 #pragma once
 
 #include "common/core/bytes.hpp"
@@ -10,12 +10,12 @@
 
 namespace cd {
 
-/// A result as it comes from a thread, which has encoded and digested it.
+/// A result with its record and digest, as a thread of the pool returns it.
 struct DoneScenario {
     ScenarioResult result;
-    Bytes record;    ///< Canonical.
-    Sha256 digest{}; ///< Of the record.
-    /// All pairs in contact, where the query is for maps.
+    Bytes record;    ///< The canonical record.
+    Sha256 digest{}; ///< SHA-256 of the record.
+    /// All pairs in contact if the query asks for maps; else empty.
     std::vector<ContactPair> found;
 };
 

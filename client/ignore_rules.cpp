@@ -13,13 +13,13 @@ namespace {
 
 using Ranges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// A pattern as the job has it: "part" or "body/part".
+/// A pattern in a job: "part" or "body/part".
 struct PartPattern {
     std::optional<std::string> body;
     std::string part;
 };
 
-/// Splits at the first slash that no backslash stands before.
+/// Splits at the first slash that is not escaped.
 PartPattern split(const std::string& pattern) {
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         if (pattern[i] == '\\') {
@@ -35,7 +35,7 @@ bool matches(const std::string& pattern, const std::string& name) {
     return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
-/// A body, and how messages call it.
+/// A body and its name in messages.
 struct IgnoredBody {
     char letter = 'A';
     const std::string& name;
@@ -89,7 +89,7 @@ Error no_match(const IgnoreRule& rule,
                 (names.empty() ? "; it has no named parts" : suggestion(pattern, names))};
 }
 
-/// Errors: BadInput for another body's name, and where no part matches.
+/// Errors: BadInput for the name of another body, and for a pattern that matches no part.
 Result<Ranges> ranges_of(const IgnoreRule& rule,
                          const std::string& text,
                          const IgnoredBody& body,

@@ -1,4 +1,4 @@
-// What `cdctl inspect MESH` says of a mesh.
+// The report of `cdctl inspect MESH`.
 #pragma once
 
 #include "client/import/mesh_import.hpp"
@@ -21,8 +21,8 @@ struct MeshReport {
     std::vector<Part> parts;
     std::uint64_t points_skipped = 0;
     std::uint64_t lines_skipped = 0;
-    DeclaredFrame declared;         ///< What the file says of its unit and its axes.
-    std::vector<std::string> notes; ///< How it was taken.
+    DeclaredFrame declared;         ///< Unit and up axis declared in the file.
+    std::vector<std::string> notes; ///< How the file was interpreted.
     std::vector<std::string> warnings;
     Sha256 hash;
 };

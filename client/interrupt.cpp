@@ -16,7 +16,7 @@ void remember(int signal) {
     received = signal;
 }
 
-/// Calls nothing that a signal may not interrupt.
+/// Calls async-signal-safe functions only.
 void end_process(int signal) {
     constexpr std::string_view line = "\ncdctl: interrupted\n";
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());

@@ -9,9 +9,9 @@ namespace cd {
 /// once. One at a time.
 class InterruptGuard {
   public:
-    /// `EndsProcess`: until `begin_to_flag` also the first signal ends the process at once, with a
-    /// line on stderr and exit code 128 + signal. For work that nothing would be lost of, and that
-    /// may block: reading inputs, building trees.
+    /// What the first signal does. `EndsProcess`: until `begin_to_flag` it ends the process at
+    /// once, with a line on stderr and exit code 128 + signal. This suits work that may block and
+    /// whose loss does not matter: reading inputs, building trees.
     enum class First { SetsFlag, EndsProcess };
 
     explicit InterruptGuard(First first = First::SetsFlag);
@@ -21,12 +21,12 @@ class InterruptGuard {
 
     /// From now on the first signal only sets the flag.
     static void begin_to_flag();
-    /// From now on the first signal ends the process, as with `EndsProcess`; one that has come ends
-    /// it now.
+    /// From now on the first signal ends the process, as with `EndsProcess`. A signal that has
+    /// already come ends it immediately.
     static void begin_to_end();
     /// The signal that came, or 0.
     [[nodiscard]] static int signal();
-    /// For a `StopCheck`.
+    /// True after a signal; usable as a `StopCheck`.
     [[nodiscard]] static bool has_come() { return signal() != 0; }
 
   private:

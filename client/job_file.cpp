@@ -23,7 +23,7 @@ constexpr std::string_view depth_auto = "auto";
 constexpr std::array<std::string_view, 2> up_axes{"y", "z"};
 constexpr std::array<std::string_view, 2> quat_orders{"xyzw", "wxyz"};
 constexpr std::array<std::string_view, 2> pose_owners{"b", "both"};
-/// "auto": floats where they hold every coordinate, else doubles.
+/// "auto": floats if they hold every coordinate, else doubles.
 constexpr std::array<std::string_view, 2> precision_names{"auto", "float"};
 
 std::filesystem::path beside(const std::filesystem::path& job, const std::string& path) {

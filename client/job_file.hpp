@@ -20,11 +20,11 @@ namespace cd {
 
 struct BodySpec {
     std::filesystem::path path;
-    std::string unit;    ///< Of the file's coordinates; empty: what the file says, else the job's.
-    std::string name;    ///< For people; empty: the file's name.
-    std::string up = {}; ///< "y" is turned to z; "z" and empty: taken as it is.
-    bool rounds_to_float = false; ///< Coordinates become floats where the file has more digits.
-    /// What the file says, where the job says none; known once it has been read.
+    std::string unit;             ///< Unit of coordinates; empty: the file's own, else the job's.
+    std::string name;             ///< For people; empty: the file's name.
+    std::string up = {};          ///< "y": turned to z up; "z" or empty: not turned.
+    bool rounds_to_float = false; ///< Round coordinates to floats.
+    /// The unit declared in the file if the job gives none; set when the file is read.
     std::string declared_unit = {};
 };
 
@@ -35,21 +35,21 @@ struct PoseFileSpec {
     bool of_both_bodies = false; ///< Otherwise the poses are B's in A's frame.
     std::optional<double> rigid_tolerance;
     double length_factor = 1; ///< From the unit of the file's translations to the job's.
-    std::string unit = {};    ///< Of the file's translations; empty: the job's.
+    std::string unit = {};    ///< Unit of translations; empty: the job's.
 };
 
-/// Poses on a grid, as they are tested and as the job says them.
+/// Poses on a grid, both as tested and as written in the job.
 struct GridSpec {
     Grid grid;
-    /// x, y, z, then roll, pitch, yaw in degrees; empty where that is not known.
+    /// Axes x, y, z, then roll, pitch, yaw in degrees; empty if unknown.
     std::vector<GridAxis> axes = {};
-    std::string unit = {}; ///< Of the first three axes; empty: the job's.
+    std::string unit = {}; ///< Unit of the first three axes; empty: the job's.
 };
 
 using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses>;
 
-/// Part names of A and of B, each with the wildcards of a shell: their pairs are passed over. The
-/// body's name and a slash may stand before the part's; a backslash takes the meaning of / * ? [.
+/// Patterns of part names of A and of B, whose pairs are ignored. Patterns use shell wildcards; the
+/// body's name and a slash may precede the part's name, and a backslash escapes / * ? and [.
 struct IgnoreRule {
     std::string a;
     std::string b;
@@ -59,7 +59,7 @@ struct IgnoreRule {
 struct OutputSpec {
     std::filesystem::path dir;                      ///< Empty: results are not kept.
     std::vector<std::string> formats{"csv", "npz"}; ///< Each once.
-    bool exact_points = false; ///< NPZ: points with all their bits beside those in the world.
+    bool exact_points = false;                      ///< NPZ: also points at full precision.
 };
 
 struct JobSpec {
@@ -92,16 +92,16 @@ struct JobSpec {
 /// BadInput.
 [[nodiscard]] Status check_depths(const JobSpec& spec);
 
-/// What the strategy would not look at may not be given. Errors: BadInput.
+/// Refuses options that the strategy would ignore. Errors: BadInput.
 [[nodiscard]] Status check_matching(const ClusterOptions& options);
 
-/// Of a distribution depth: a number, or "auto", which is nothing. Errors: BadInput.
+/// Parses a distribution depth: a number, or "auto" (nothing). Errors: BadInput.
 [[nodiscard]] Result<std::optional<std::uint32_t>> parse_depth(std::string_view text);
 
-/// Maps go with every level but any. Errors: BadInput.
+/// Refuses maps at level any. Errors: BadInput.
 [[nodiscard]] Status check_maps(const JobSpec& spec);
 
-/// Leaves out each format that stands there already.
+/// Removes repeated formats.
 void keep_each_once(std::vector<std::string>& formats);
 
 /// Errors: BadInput naming the formats that exist.

@@ -23,7 +23,8 @@ namespace cd {
 
 [[nodiscard]] std::vector<JobId> ids_of(std::span<const JobStatus> jobs);
 
-/// The job that is meant, also by `last`: the newest of this owner's. Errors: those of the above.
+/// Finds a job by its id, or by `last`: the newest job of this owner. Errors: those of `find_job`
+/// above.
 [[nodiscard]] Result<JobId>
 find_job(std::string_view text, std::span<const JobStatus> jobs, std::string_view owner);
 

@@ -11,7 +11,7 @@
 
 namespace cd {
 
-/// What the options said; what is empty was not given.
+/// The values of options; empty if an option was not given.
 struct JobOptions {
     std::string file;
 
@@ -22,7 +22,7 @@ struct JobOptions {
     std::string unit_a;
     std::string unit_b;
     std::string poses;
-    std::string poses_unit; ///< Of their translations; empty: the job's.
+    std::string poses_unit; ///< Unit of translations; empty: the job's.
     std::string quat_order;
     bool poses_of_both = false;
     std::optional<double> rigid_tolerance;
@@ -49,11 +49,11 @@ struct JobOptions {
     bool claim = false;
 };
 
-/// That no option names meshes, poses or how they are read, where `options.file` does. Errors:
-/// BadInput naming the file.
+/// Refuses options about meshes and poses, which `options.file` already names. Errors: BadInput
+/// naming the file.
 [[nodiscard]] Status check_no_inputs(const JobOptions& options);
 
-/// Changes what the options say over a job file. Errors: BadInput naming the option.
+/// Applies the options that override a job file. Errors: BadInput naming the option.
 [[nodiscard]] Status apply(const JobOptions& options, JobSpec& spec);
 
 /// Errors: those of `read_job_file`; BadInput naming the option.

@@ -23,8 +23,7 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Hands the next scenarios to the run while it wants them, for no longer than until progress is
-/// due.
+/// Feeds scenarios to the run while it wants them, at most until progress is due.
 Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
     const auto end = Clock::now() + limits::progress_period;
     while (fed < poses.count() && Clock::now() < end) {

@@ -17,7 +17,7 @@
 
 namespace cd {
 
-/// What a run reports to while it goes, all on the calling thread.
+/// Callbacks of a run, all on the calling thread.
 struct RunObserver {
     /// Each result, in the submitted order. An error ends the run with it.
     std::function<Status(const DoneScenario&)> result;
@@ -31,7 +31,7 @@ struct RunOutcome {
     Summary summary;
     std::optional<Sha256> digest;
     double seconds = 0;       ///< Without import and building of trees.
-    JobStatistics statistics; ///< Of what was run, without what was done before.
+    JobStatistics statistics; ///< Of scenarios run now, without earlier ones.
     /// What this job's searches cost, measured after the run under some of its poses, for no more
     /// than a small share of the run's time. Nothing under a tolerance, or where no triangle was
     /// tested.
@@ -40,7 +40,7 @@ struct RunOutcome {
 
 struct LocalRunOptions {
     PairStage first_stage = PairStage::Float;
-    /// The results of the first scenarios, where an earlier run has them; they are not run again.
+    /// Results of the first scenarios from an earlier run, which are not run again.
     std::optional<ResultMerger> done;
 };
 

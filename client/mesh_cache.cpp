@@ -57,7 +57,7 @@ std::shared_ptr<const Mesh> MeshCache::find(const Sha256& mesh) const {
     if (!found) {
         return nullptr;
     }
-    // The time of the last use. A folder that cannot be written to keeps its order.
+    // Marks the file as used now. In a read-only folder the order stays as it is.
     std::error_code ignored;
     std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), ignored);
     return found.value();
@@ -68,7 +68,7 @@ void MeshCache::keep(const Mesh& mesh) const {
         return;
     }
     const std::filesystem::path path = mesh_file_path(folder_, mesh.hash());
-    // What power took away is fetched again; waiting for the disk costs more.
+    // Not synced: a mesh lost in a power failure is fetched again, and syncing costs more.
     if (write_mesh_file(path, mesh, Durability::Unsynced)) {
         keep_within(folder_, std::array{mesh_suffix}, bytes_max_, path);
     }

@@ -1,4 +1,4 @@
-// Canonical meshes as files, and a folder that keeps those that a master gave between runs.
+// Mesh files in canonical form, and a cache of meshes fetched from a master.
 #pragma once
 
 #include "common/core/disk_file.hpp"
@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// "SHA-256.mesh" in a folder.
+/// The path "SHA-256.mesh" in a folder.
 [[nodiscard]] std::filesystem::path mesh_file_path(const std::filesystem::path& folder,
                                                    const Sha256& mesh);
 
@@ -21,22 +21,22 @@ namespace cd {
                                      const Mesh& mesh,
                                      Durability durability = Durability::Synced);
 
-/// Errors: NotFound; Io naming the file, also where it does not have this hash.
+/// Reads a mesh file. Errors: NotFound; Io naming the file, also if its hash is not `expected`.
 [[nodiscard]] Result<std::shared_ptr<const Mesh>> read_mesh_file(const std::filesystem::path& path,
                                                                  const Sha256& expected);
 
-/// The folder `meshes` within that of the trees. Several processes may share it. Nothing that is
-/// wrong with it is an error: what cannot be used counts as missing, what cannot be kept is not.
+/// The folder `meshes` in the tree cache, which several processes may share. Problems are never
+/// errors: an unusable file counts as missing, and a mesh that cannot be written is not kept.
 class MeshCache {
   public:
-    /// An empty path: nothing is kept or found.
+    /// With an empty path nothing is kept or found.
     explicit MeshCache(const std::filesystem::path& tree_cache,
                        std::uint64_t bytes_max = limits::tree_cache_bytes_max)
         : folder_(tree_cache.empty() ? tree_cache : tree_cache / "meshes"), bytes_max_(bytes_max) {}
 
     /// The mesh, checked against its hash; or null.
     [[nodiscard]] std::shared_ptr<const Mesh> find(const Sha256& mesh) const;
-    /// Keeps it. What went unused for longest goes, until the meshes are within the bound.
+    /// Keeps a mesh, and removes the least recently used ones until the cache is within its bound.
     void keep(const Mesh& mesh) const;
 
   private:

@@ -25,7 +25,7 @@ struct NpyHeader {
     NpyType type = NpyType::F8;
     bool is_fortran = false; ///< The first index runs fastest.
     std::vector<std::uint64_t> shape;
-    std::size_t data_offset = 0; ///< Of the first element, from the start of the file.
+    std::size_t data_offset = 0; ///< Offset of the first element in the file.
 
     /// Elements; saturates.
     [[nodiscard]] std::uint64_t count() const;
@@ -54,7 +54,7 @@ struct NpyArray {
     [[nodiscard]] Result<std::vector<std::int64_t>> to_integers() const;
 };
 
-/// Of the data behind a header, whose size has been checked.
+/// Makes an array of a header and its data, whose size has been checked.
 [[nodiscard]] NpyArray make_npy_array(const NpyHeader& header, Bytes data);
 
 /// Errors: as the header's; BadInput when there are fewer or more elements than it says.

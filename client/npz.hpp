@@ -19,7 +19,7 @@ namespace cd {
 /// to a file beside the target, which appears whole at `finish` or not at all.
 class NpzWriter {
   public:
-    /// `stop` ends `finish`, which packs all arrays.
+    /// `stop` interrupts `finish`, which compresses all arrays.
     explicit NpzWriter(std::filesystem::path path, StopCheck stop = {});
     NpzWriter(const NpzWriter&) = delete;
     NpzWriter& operator=(const NpzWriter&) = delete;
@@ -30,7 +30,7 @@ class NpzWriter {
     /// of the file system are reported by the first `append`.
     std::size_t add_array(const std::string& name, NpyType type, std::uint64_t columns = 0);
 
-    /// Errors: Io naming the file, as soon as the operating system takes no more.
+    /// Appends elements. Errors: Io naming the file, as soon as a write fails.
     template <class T>
     [[nodiscard]] Status append(std::size_t array, std::span<const T> values) {
         static_assert(std::is_arithmetic_v<T>);

@@ -19,31 +19,31 @@ class NpzArray {
     NpzArray(NpyHeader header, ZipEntry entry, Bytes begun, std::string place);
 
     [[nodiscard]] const NpyHeader& header() const { return header_; }
-    /// The next elements, in the file's order; whole rows of three where there are such. Empty at
-    /// the end. Errors: BadInput naming file and array.
+    /// The next elements, in the file's order, and a multiple of three of them in an array with
+    /// rows of three. Empty at the end. Errors: BadInput naming file and array.
     [[nodiscard]] Result<NpyArray> next();
 
   private:
     NpyHeader header_;
     ZipEntry entry_;
-    Bytes begun_; ///< Unpacked with the header.
+    Bytes begun_; ///< Data that was unpacked together with the header.
     std::uint64_t bytes_left_;
-    std::string place_; ///< For errors.
+    std::string place_; ///< File and array, for errors.
 };
 
-/// The arrays of an archive. The bytes may be hostile: an array is unpacked when it is asked for,
-/// as far as its header says, and at most `limits::npz_array_bytes_max`.
+/// The arrays of an archive. The file may be hostile: an array is unpacked on request, up to the
+/// size in its header and at most `limits::npz_array_bytes_max`.
 class NpzFile {
   public:
     /// Errors: NotFound; BadInput, naming the file.
     [[nodiscard]] static Result<NpzFile> open(const std::filesystem::path& path);
 
-    /// Without ".npy".
+    /// The names of all arrays, without ".npy".
     [[nodiscard]] std::vector<std::string> names() const;
-    /// Has to go before the file does. Errors: BadInput naming the file and the array, for one that
-    /// is missing, damaged, or of a type that is not known.
+    /// Opens an array, which must not outlive the file. Errors: BadInput naming the file and the
+    /// array, if it is missing, damaged, or of an unknown type.
     [[nodiscard]] Result<NpzArray> array(const std::string& name) const;
-    /// A whole array in memory, in C order. Errors: as of `array`.
+    /// A whole array in memory, in C order. Errors: those of `array`.
     [[nodiscard]] Result<NpyArray> read(const std::string& name) const;
 
   private:

@@ -22,7 +22,7 @@ std::string name_of(const BodySpec& body) {
     return body.name.empty() ? body.path.filename().string() : body.name;
 }
 
-/// The name of the unit that a file declares, or its length; empty where it declares none.
+/// The name of a declared unit, or its length in metres; empty if the file declares none.
 std::string declared_unit(const DeclaredFrame& declared) {
     for (const std::string_view name : unit_names()) {
         if (unit_factor_of_metres(declared.metres, name) == 1.0) {

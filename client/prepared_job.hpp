@@ -23,15 +23,16 @@ namespace cd {
 
 struct PreparedJob {
     JobSpec spec;
-    std::array<std::string, 2> names;                  ///< Of the bodies, for people.
+    std::array<std::string, 2> names;                  ///< Names of the bodies for people.
     std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< The same object where both are one file.
-    std::array<std::vector<std::string>, 2> notes;     ///< How the files were taken, for people.
+    std::array<std::vector<std::string>, 2>
+        notes; ///< How the mesh files were interpreted, for people.
     std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Where they were needed.
     Query query;
     std::optional<Grid> grid; ///< Poses that travel as this description.
     std::unique_ptr<PoseSource> poses;
-    PoseLabels labels;                 ///< Of all poses, in the columns that their file has.
-    std::vector<std::string> zeros;    ///< Numbers that the pose file leaves out.
+    PoseLabels labels;                 ///< Ids and times of all poses, if their file has them.
+    std::vector<std::string> zeros;    ///< Columns missing in the pose file, which count as 0.
     std::vector<std::string> warnings; ///< One line each.
     std::string header;                ///< `header_text`.
 };
@@ -40,12 +41,12 @@ struct PreparedJob {
 /// here, from trees.
 enum class Trees : std::uint8_t { Always, ForPosesOnly };
 
-/// Inputs that are at hand already, in place of the files that a job names.
+/// Inputs that are already loaded and replace the files that the job names.
 struct JobInputs {
-    std::array<std::shared_ptr<const Mesh>, 2> meshes;  ///< Null: imported from its file.
-    std::unique_ptr<PoseSource> poses;                  ///< Null: as the job says.
-    PoseLabels labels{};                                ///< Of `poses`.
-    std::optional<std::vector<IgnoredRange>> ignored{}; ///< Nothing: by the job's rules.
+    std::array<std::shared_ptr<const Mesh>, 2> meshes;  ///< Null: import the file.
+    std::unique_ptr<PoseSource> poses;                  ///< Null: open or generate as the job says.
+    PoseLabels labels{};                                ///< Labels of `poses`.
+    std::optional<std::vector<IgnoredRange>> ignored{}; ///< Nothing: resolve the job's rules.
 };
 
 /// Imports the meshes, resolves what is ignored, opens or makes the poses, gets the trees, each in
@@ -59,13 +60,13 @@ struct JobInputs {
                                               bool quiet = true,
                                               JobInputs given = {});
 
-/// How the file of a body is read. Errors: BadInput for a unit that is not known.
+/// The import options for a body's file. Errors: BadInput for an unknown unit.
 [[nodiscard]] Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body);
 
 [[nodiscard]] ExportContext export_context(const PreparedJob& job);
 
-/// The ranges of triangles that the job's rules pass over. A name that no part matches, and another
-/// body's, is an error that names the rule, its line, and what there is.
+/// The ranges of triangles that the job's rules ignore. Errors: BadInput with the rule, its line
+/// and the existing names, for a pattern that matches no part or names another body.
 [[nodiscard]] Result<std::vector<IgnoredRange>>
 resolve_ignored(const JobSpec& spec, const Mesh& a, const Mesh& b);
 

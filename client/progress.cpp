@@ -17,7 +17,7 @@ namespace {
 constexpr double bar_period = 0.1;
 constexpr double line_period = 10;
 
-/// Bytes of text that a line of the stream takes; a stream that is no terminal takes any.
+/// How many columns a line of the stream may have; unbounded unless it is a terminal.
 std::size_t width_of(std::FILE* stream) {
     winsize size{};
     const bool is_known = ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
@@ -98,8 +98,7 @@ void ProgressPrinter::finish(const ProgressState& state) {
     }
 }
 
-/// To the start of the line, the text, and away with what stood there before; the note below, and
-/// back up.
+/// Rewrites the line, clears its rest, writes the note on the next line and moves back up.
 void ProgressPrinter::draw_bar(const ProgressState& state) {
     const std::size_t width = width_of(stream_);
     std::string text =

@@ -11,21 +11,21 @@
 
 namespace cd {
 
-/// How far a run is.
+/// The progress of a run.
 struct ProgressState {
-    std::string name; ///< Of the job.
+    std::string name; ///< Name of the job.
     Summary summary;
-    double seconds = 0;        ///< Since it began.
-    WaitingNote note = {};     ///< What it waits for.
-    std::uint64_t resumed = 0; ///< Scenarios that were done before it began.
+    double seconds = 0;        ///< Time since the run began.
+    WaitingNote note = {};     ///< Why the job is waiting.
+    std::uint64_t resumed = 0; ///< Scenarios that an earlier run had done.
 };
 
-/// One line without its end; with a bar for a terminal.
+/// One line without a newline, with or without a bar.
 [[nodiscard]] std::string progress_text(const ProgressState& state, bool with_bar);
 
-/// Writes progress to stderr: on a terminal a bar that is redrawn, with the note below it,
-/// otherwise a line each 10 s and each new note; or new notes alone. Lines on a terminal are cut at
-/// its width.
+/// Writes progress to stderr: on a terminal a bar that is redrawn with the note below it, otherwise
+/// a line every 10 s and each new note. Style `Notes` prints new notes only. Lines are cut at the
+/// width of the terminal.
 class ProgressPrinter {
   public:
     enum class Style : std::uint8_t { Silent, Notes, Lines, Bar };
@@ -40,7 +40,7 @@ class ProgressPrinter {
     /// Ends the line of a bar.
     ~ProgressPrinter();
 
-    /// Prints where it is due, judged by `state.seconds`, and where the note is another one.
+    /// Prints if `state.seconds` says that it is due, or if the note has changed.
     void update(const ProgressState& state);
     /// Prints the last state and ends the line of a bar.
     void finish(const ProgressState& state);
@@ -53,7 +53,7 @@ class ProgressPrinter {
     std::FILE* stream_;
     double next_seconds_ = 0;
     bool line_is_open_ = false;
-    std::string note_; ///< As it was printed last.
+    std::string note_; ///< The note printed last.
 };
 
 } // namespace cd

@@ -164,7 +164,7 @@ std::string coloured(const std::string& text, const char* colour, bool colours) 
     return colours ? colour + text + "\x1b[0m" : text;
 }
 
-/// What a sum over listed pairs leaves out; empty: nothing.
+/// The suffix for a sum over listed pairs only; empty if all pairs are listed.
 std::string first_pairs_text(const RunReport& report) {
     return report.limit_pairs == 0
                ? ""
@@ -181,7 +181,7 @@ std::string map_text(const RunReport& report) {
            "; digest " + to_short_hex(digest_of(*report.map)) + "\n";
 }
 
-/// A share would be too low where some pairs are not listed.
+/// Gives counts instead of shares if some pairs are not listed, since shares would be too low.
 std::string most_touched_text(const RunReport& report) {
     std::string text;
     for (const PartTally::Touched& part : report.most_touched) {
@@ -286,7 +286,7 @@ std::string seconds_text(double seconds) {
     return fixed_text(seconds, seconds < 10 ? 2 : 1);
 }
 
-/// What came before the run and is not in its time, where it is worth a word.
+/// The time before the run, which `seconds` does not include; empty if it is short.
 std::string prepared_text(const RunReport& report) {
     return report.prepare_seconds < 0.05
                ? ""

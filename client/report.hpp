@@ -1,4 +1,4 @@
-// What a run tells a person: the lines before it, and the summary.
+// The text of a run for people: the header and the summary.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -27,8 +27,8 @@ struct BodyLine {
     std::uint64_t triangles = 0;
     Vec3 size = Vec3::Zero();
     std::uint64_t parts = 0;
-    std::optional<bool> closed;          ///< Where it is known.
-    std::vector<std::string> notes = {}; ///< Below its line: how its file was taken.
+    std::optional<bool> closed;          ///< Nothing if unknown.
+    std::vector<std::string> notes = {}; ///< Printed below: how the file was interpreted.
 };
 
 [[nodiscard]] BodyLine
@@ -47,7 +47,7 @@ describe_body(const std::string& name, const std::string& unit, const Mesh& mesh
 /// In how many scenarios each part was touched. Fed with results of level pairs and above.
 class PartTally {
   public:
-    /// `meshes` of the bodies, by the numbers that results give them; none may be null.
+    /// `meshes` of all bodies, in the order of their indices in results; none may be null.
     explicit PartTally(const std::vector<std::shared_ptr<const Mesh>>& meshes);
 
     void add(const ScenarioResult& result);
@@ -56,7 +56,7 @@ class PartTally {
         std::string part;
         std::uint64_t scenarios = 0;
     };
-    /// The most touched first; parts never touched are left out, and bodies of one part.
+    /// The most touched parts first, without parts never touched and bodies with a single part.
     [[nodiscard]] std::vector<Touched> most_touched(std::size_t count) const;
 
   private:
@@ -75,30 +75,30 @@ class PartTally {
 struct RunReport {
     Summary summary;
     Level level = Level::Pairs;
-    std::uint64_t limit_pairs = 0; ///< Pairs that a result lists at most; 0: all.
-    bool maps_all_pairs = false;   ///< Also those that are not listed are in the map.
+    std::uint64_t limit_pairs = 0; ///< Maximum number of pairs in a result; 0: all.
+    bool maps_all_pairs = false;   ///< The map also counts pairs that are not listed.
     std::optional<Sha256> digest;  ///< Nothing while scenarios are missing.
     double seconds = 0;
     JobStatistics statistics;
-    std::optional<SearchCost> cost;    ///< Of this machine's searches; nothing on a cluster.
+    std::optional<SearchCost> cost;    ///< Cost of searches here; nothing on a cluster.
     std::optional<JobTraffic> traffic; ///< Nothing where nothing travelled.
-    /// By body, where its tree was cut for the cluster; empty where none was, or it is not known.
+    /// The distribution depth of each body's tree; empty if none was cut, or it is unknown.
     std::vector<std::uint32_t> depths;
     std::string where;                            ///< "2 threads", "2 workers"; may be empty.
     std::optional<ContactMap> map;                ///< Where one was asked for,
     std::string map_withdrawn;                    ///< or why there is none.
-    std::vector<PartTally::Touched> most_touched; ///< Of listed pairs.
-    std::string hint; ///< A line about poses that bring no contact; empty where there is none.
-    double prepare_seconds = 0;        ///< To read inputs and build trees; not in `seconds`.
-    std::uint64_t resumed_at = 0;      ///< Scenarios that an earlier run had done.
-    std::string summary_file;          ///< Where it is kept; empty: nowhere.
-    bool inputs_are_too_large = false; ///< So that the results folder does not keep them.
+    std::vector<PartTally::Touched> most_touched; ///< Counts listed pairs only.
+    std::string hint;                  ///< A line about poses without contact; may be empty.
+    double prepare_seconds = 0;        ///< Time to read and build; not in `seconds`.
+    std::uint64_t resumed_at = 0;      ///< Scenarios done by an earlier run.
+    std::string summary_file;          ///< Path of summary.json; may be empty.
+    bool inputs_are_too_large = false; ///< The results folder has no copy of them.
 };
 
-/// How the lines after a run look.
+/// Options of the summary.
 struct SummaryStyle {
     bool colours = false;    ///< For a terminal that takes them.
-    bool statistics = false; ///< What the searches cost, and what travelled.
+    bool statistics = false; ///< Include search cost and network traffic.
 };
 
 /// The lines after a run, each ended.
@@ -106,7 +106,7 @@ struct SummaryStyle {
 /// Those of the lines that a quiet run prints, too.
 [[nodiscard]] std::string warnings_text(const RunReport& report);
 
-/// Of the subtrees that scenarios needed at workers, those that were there.
+/// The share of subtrees needed by scenarios that were in the workers' caches.
 [[nodiscard]] double hit_share(const BlockTraffic& blocks);
 
 /// True when what goes to the stream may be coloured: a terminal, and NO_COLOR is not set.

@@ -7,7 +7,7 @@ namespace cd {
 
 Result<std::vector<ScenarioResult>>
 unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count) {
-    // (The decoder has seen to it that what is held ascends within [first, next).)
+    // The decoder has checked that `held` ascends within [first, next).
     if (part.first != first || part.next <= first || part.next - first > count) {
         return Error{ErrorCode::BadFrame, "the master sent other results than were asked for"};
     }

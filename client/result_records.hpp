@@ -10,9 +10,8 @@
 
 namespace cd {
 
-/// The results of scenarios [first, part.next), in order; the part is of one scenario or more, and
-/// of at most `count`. The bytes may be hostile. Errors: BadFrame when the part holds anything else
-/// than it should; TooLarge.
+/// The results of scenarios [first, part.next) in order; the part must cover 1 to `count`
+/// scenarios. The bytes may be hostile. Errors: BadFrame for a part with anything else; TooLarge.
 [[nodiscard]] Result<std::vector<ScenarioResult>>
 unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count);
 

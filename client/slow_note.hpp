@@ -1,4 +1,4 @@
-// A line for people about work that turns out to be slow.
+// A message to the user when a step takes long.
 #pragma once
 
 #include <condition_variable>
@@ -8,10 +8,10 @@
 
 namespace cd {
 
-/// Prints `text` as a line on stderr once half a second has passed and this still lives.
+/// Prints `text` as a line on stderr if it lives longer than half a second.
 class SlowNote {
   public:
-    /// `quiet`: never prints.
+    /// With `quiet` it never prints.
     SlowNote(std::string text, bool quiet);
     SlowNote(const SlowNote&) = delete;
     SlowNote& operator=(const SlowNote&) = delete;
@@ -24,7 +24,7 @@ class SlowNote {
     std::mutex mutex_;
     std::condition_variable ended_;
     bool is_over_ = false;
-    std::thread thread_; ///< None where it is quiet.
+    std::thread thread_; ///< Not started with `quiet`.
 };
 
 } // namespace cd

@@ -3,8 +3,8 @@
 
 namespace cd {
 
-/// Flushes stdout. Returns `code`, or where a verb that succeeded could not write all, a line on
-/// stderr and `exit_incomplete`.
+/// Flushes stdout and returns `code`. If a verb succeeded but not all of its output could be
+/// written, prints a line on stderr and returns `exit_incomplete`.
 [[nodiscard]] int finish_standard_output(int code);
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// A job as a master is told of it, and back.
+// Converts jobs to submissions for a master and back.
 #pragma once
 
 #include "client/prepared_job.hpp"
@@ -8,14 +8,14 @@
 
 namespace cd {
 
-/// A body as it was tested, with its unit as far as it is known.
+/// The description of a body for a master or a manifest, with its unit if that is known.
 [[nodiscard]] JobBody body_of(const JobSpec& spec, std::size_t body, const Sha256& mesh);
 
-/// What the master is told of the job. Names may be those of files, so they are escaped.
+/// The submission of a job. Names are escaped, since they may be file names.
 [[nodiscard]] Submit submission_of(const PreparedJob& job);
 
-/// The job as it was said, but for its output and the names that were escaped. Errors: BadFrame for
-/// a job of other than two bodies, and for a grid that is none.
+/// The job of a submission, without its output; names stay escaped. Errors: BadFrame unless the job
+/// has two bodies, and for an invalid grid.
 [[nodiscard]] Result<JobSpec> spec_of(const Submit& submit);
 
 } // namespace cd

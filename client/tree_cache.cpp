@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view binary_suffix = ".binary-tree";
 constexpr std::string_view wide_suffix = ".wide-tree";
 
-/// Whole or about to be.
+/// True for a file name with one of the suffixes, also while the file is being written.
 bool ends_with(const fs::path& path, std::span<const std::string_view> suffixes) {
     std::string name = path.filename().string();
     name = name.substr(0, name.find(temporary_marker));

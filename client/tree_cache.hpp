@@ -25,8 +25,8 @@ inline constexpr const char* no_tree_cache = "off";
 /// `no_tree_cache` where the environment does not say where these are.
 [[nodiscard]] std::string default_tree_cache();
 
-/// Removes what went unused for longest of the files in a folder whose names end so, half-written
-/// ones as well, until they have at most so many bytes; `newest` goes last.
+/// Removes the least recently used files in a folder whose names have one of the suffixes, partly
+/// written ones included, until the rest has at most `bytes_max` bytes. `newest` is removed last.
 void keep_within(const std::filesystem::path& folder,
                  std::span<const std::string_view> suffixes,
                  std::uint64_t bytes_max,

@@ -1,4 +1,4 @@
-// Why a job on a master does not go on, in a line for people.
+// A line for people that says why a job on a master makes no progress.
 #pragma once
 
 #include "proto/client_messages.hpp"
@@ -8,12 +8,12 @@
 namespace cd {
 
 struct WaitingNote {
-    std::string text;          ///< Empty: it needs nothing.
-    bool stands_still = false; ///< Nothing is done of the job until that changes.
+    std::string text;          ///< Empty if the job is not waiting.
+    bool stands_still = false; ///< No scenario is run until that changes.
 };
 
-/// The first that applies: the job is paused; no worker is here; workers are silent or lost.
-/// `master` is the address that the user gave.
+/// The first reason that applies: the job is paused; no worker is connected; workers are silent or
+/// lost. `master` is the address that the user gave.
 [[nodiscard]] WaitingNote
 waiting_note(const JobStatus& job, const ClusterStatus& cluster, const std::string& master);
 

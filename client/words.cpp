@@ -11,8 +11,8 @@ namespace cd {
 
 namespace {
 
-/// Levenshtein's distance where exchanging two neighbours is one edit, too (optimal string
-/// alignment), a row at a time.
+/// The optimal string alignment distance, computed row by row: Levenshtein's distance in which
+/// swapping two neighbours is one edit.
 std::size_t edits_between(std::string_view from, std::string_view to) {
     std::vector<std::size_t> row(to.size() + 1);
     for (std::size_t j = 0; j < row.size(); ++j) {

@@ -33,7 +33,7 @@ Result<std::size_t> ZipEntry::read(std::span<std::byte> into) {
         count += static_cast<std::uint64_t>(got);
     }
     done_ += count;
-    // The checksum is compared where the reading finds the end.
+    // libzip verifies the checksum when a read reaches the end.
     std::byte beyond{};
     if (done_ == size_ && zip_fread(file_.get(), &beyond, 1) != 0) {
         return damaged();
@@ -65,7 +65,7 @@ Result<ZipEntry> ZipFile::entry(const std::string& name) const {
     if (zip_stat(archive_.get(), name.c_str(), 0, &status) != 0) {
         return Error{ErrorCode::NotFound, "is not in the archive"};
     }
-    // Deflate makes at most 1,032 bytes of one, so a claim beyond that is none to make room for.
+    // Deflate expands at most 1,032 times, so a larger size is false and must not be allocated.
     constexpr std::uint64_t inflation_max = 1032;
     const bool is_known =
         status.comp_method == ZIP_CM_STORE || status.comp_method == ZIP_CM_DEFLATE;

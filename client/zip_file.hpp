@@ -16,13 +16,14 @@ struct zip_file;
 
 namespace cd {
 
-/// The unpacked bytes of one file of an archive, in turn.
+/// Reads one file of an archive sequentially, unpacked.
 class ZipEntry {
   public:
-    /// What the archive says that it unpacks to: no more than its packed bytes can make.
+    /// The unpacked size in the archive's directory; `ZipFile::entry` has checked that the packed
+    /// bytes can expand to it.
     [[nodiscard]] std::uint64_t size() const { return size_; }
-    /// As many bytes as fit or are left. Errors: BadInput where the entry is damaged or longer or
-    /// shorter than it says, at its end at the latest.
+    /// Fills `into` with the next bytes and returns how many there were. Errors: BadInput if the
+    /// entry is damaged or not of its size, reported at its end at the latest.
     [[nodiscard]] Result<std::size_t> read(std::span<std::byte> into);
 
   private:
@@ -38,12 +39,13 @@ class ZipEntry {
 
 class ZipFile {
   public:
-    /// Errors: NotFound; BadInput for what is no archive. Neither names the file.
+    /// Errors: NotFound; BadInput for a file that is not an archive. Neither names the file.
     [[nodiscard]] static Result<ZipFile> open(const std::filesystem::path& path);
 
-    /// In the archive's order.
+    /// The names of all files, in the order of the archive.
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
-    /// Has to go before the archive does. Errors: NotFound; BadInput where it is damaged.
+    /// Opens a file, which must not outlive the archive. Errors: NotFound; BadInput if it is
+    /// damaged.
     [[nodiscard]] Result<ZipEntry> entry(const std::string& name) const;
 
   private:

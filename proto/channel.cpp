@@ -42,7 +42,7 @@ std::size_t bytes_on_the_wire(std::size_t payload) {
 }
 
 asio::ip::tcp::endpoint remote_end(const asio::ip::tcp::socket& socket) {
-    error_code ignored; // Of a socket that is not connected any more: 0.0.0.0:0.
+    error_code ignored; // Gives 0.0.0.0:0 for a disconnected socket.
     return socket.remote_endpoint(ignored);
 }
 
@@ -176,7 +176,7 @@ void Channel::State::read_part(asio::mutable_buffer rest, void (State::*next)())
 
 void Channel::State::header_came() {
     if (came < header_bytes.size()) {
-        // Such an answer may be shorter than a header.
+        // The answer of a foreign protocol may be shorter than a header.
         if (auto foreign = foreign_answer(std::span(header_bytes).first(came))) {
             return fail(std::move(*foreign));
         }
@@ -226,7 +226,7 @@ void Channel::State::payload_came() {
     deliver(*added.value());
 }
 
-/// Where all have certificates, nobody's messages take much memory before one was shown.
+/// With TLS, a peer must show a certificate before its messages may take much memory.
 bool Channel::State::may_be_large() const {
     return !stream->is_secured() || stream->peer_identity();
 }
@@ -266,7 +266,7 @@ void Channel::State::deliver(const MessageAssembler::Whole& whole_message) {
     received.cancel();
 }
 
-/// Who has greeted is told why it is not listened to any more.
+/// Tells a peer that has greeted why the connection ends.
 void Channel::State::refuse(Error error) {
     if (assembler.sender() == Party::Stranger) {
         return fail(std::move(error));

@@ -1,4 +1,4 @@
-// What clients ask the master, each answered by the message named: geometry and jobs.
+// Messages between clients and the master about geometry and jobs.
 #pragma once
 
 #include "common/core/bytes.hpp"
@@ -45,39 +45,39 @@ struct MeshStored {
 
 /// A body of a job.
 struct JobBody {
-    Sha256 mesh = {};      ///< Of its canonical bytes, in the job's unit.
-    std::string name = {}; ///< "a" and "b", unless the job says others.
-    std::string file = {}; ///< For people: where the mesh was read.
-    std::string unit = {}; ///< Of the file's coordinates.
-    /// The job says the unit; otherwise it is what the file declares, or else the job's own.
+    Sha256 mesh = {};      ///< Hash of the canonical bytes, in the job's unit.
+    std::string name = {}; ///< "a" or "b" unless the job gives a name.
+    std::string file = {}; ///< Path of the mesh file, for people.
+    std::string unit = {}; ///< Unit of the file's coordinates.
+    /// The job gives `unit`; otherwise it is declared in the file, or is the job's own.
     bool is_unit_given = false;
-    std::string up = {};          ///< "y" was turned to z; "z" and empty: taken as it is.
-    bool rounds_to_float = false; ///< Coordinates became floats.
+    std::string up = {};          ///< "y": turned to z up; "z" or empty: not turned.
+    bool rounds_to_float = false; ///< Coordinates were rounded to floats.
 
     friend bool operator==(const JobBody&, const JobBody&) = default;
 };
 
 enum class PosesKind : std::uint8_t { Grid = 0, File = 1, Random = 2 };
 
-/// Where a job's poses came from, for whoever opens the job again.
+/// The origin of a job's poses, used when the job is opened again.
 struct PosesOrigin {
     PosesKind kind = PosesKind::File;
-    std::optional<RandomPoses> random = {}; ///< Of kind Random.
-    std::string file = {};                  ///< Of kind File; "-" is standard input.
+    std::optional<RandomPoses> random = {}; ///< Kind Random.
+    std::string file = {};                  ///< Kind File; "-" is standard input.
     std::string quat_order = {};            ///< "xyzw", "wxyz", or empty.
     bool of_both_bodies = false;
     std::optional<double> rigid_tolerance = {};
-    LabelColumns labels = {}; ///< That follow with the poses.
-    /// Of the file's translations, or of the grid's positions; empty: the job's unit.
+    LabelColumns labels = {}; ///< Labels sent with the poses.
+    /// Unit of the file's translations or of the grid's positions; empty: the job's unit.
     std::string unit = {};
-    /// Of kind Grid, as the job says them: x, y, z, then roll, pitch, yaw in degrees. Empty where
-    /// that is not known.
+    /// Kind Grid: the axes x, y, z, then roll, pitch, yaw in degrees, as in the job. Empty if
+    /// unknown.
     std::vector<GridAxis> axes = {};
 
     friend bool operator==(const PosesOrigin&, const PosesOrigin&) = default;
 };
 
-/// Patterns of part names of A and of B, as the job says them; their pairs are passed over.
+/// Patterns of part names of A and of B in the words of the job; their pairs are ignored.
 struct IgnoreLine {
     std::string a;
     std::string b;
@@ -89,25 +89,25 @@ struct IgnoreLine {
 /// PosesPart, and PosesEnd is answered by Accepted.
 struct Submit {
     std::string name;
-    std::string unit;            ///< Of poses, tolerance and results.
+    std::string unit;            ///< Unit of poses, tolerance and results.
     std::string owner;           ///< Set by the master.
-    std::int32_t priority = 0;   ///< 0: no other one is taken yet.
+    std::int32_t priority = 0;   ///< Must be 0 in this version.
     std::vector<JobBody> bodies; ///< Two; their meshes must be stored.
     Query query;
     ClusterOptions cluster;
     PosesOrigin poses;
     std::uint64_t scenarios = 0;
-    std::optional<Bytes> grid; ///< `encode_grid`; of poses of kind Grid, and of no others.
-    /// Seconds for which the job is kept after its end; 0, or more than the master keeps any job:
-    /// as long as the master keeps jobs.
+    std::optional<Bytes> grid; ///< `encode_grid`; only for poses of kind Grid.
+    /// How long the job is kept after its end, in seconds. 0, or more than the master's own bound:
+    /// as long as the master keeps any job.
     std::uint64_t retention_seconds = 0;
-    std::vector<IgnoreLine> ignore = {}; ///< Of which `query.ignored` came; for people.
+    std::vector<IgnoreLine> ignore = {}; ///< The source of `query.ignored`, for people.
 };
 
 /// The next scenarios in order.
 struct PosesPart {
     Bytes scenarios;        ///< `pack_scenarios`.
-    PoseLabels labels = {}; ///< Of these scenarios, in the columns that were announced.
+    PoseLabels labels = {}; ///< Labels of these scenarios, in the announced columns.
 };
 struct PosesEnd {};
 
@@ -120,20 +120,20 @@ struct JobQuery {
     JobId job;
 };
 
-/// What `Submit` said, and what the master added.
+/// The `Submit` of a job and the fields that the master added.
 struct JobDescription {
     JobId job;
     std::uint64_t began = 0; ///< When it was accepted, in seconds since 1970.
     Submit submit;
 };
 
-/// Answered by MeshBytes. Errors: NotFound; BadInput for an offset behind the end.
+/// Answered by MeshBytes. Errors: NotFound; BadInput for an offset beyond the end.
 struct MeshQuery {
     Sha256 mesh;
     std::uint64_t offset = 0;
 };
 
-/// A run of a mesh's canonical bytes, as many as the message takes.
+/// Part of a mesh's canonical bytes, as many as fit into a message.
 struct MeshBytes {
     Sha256 mesh;
     std::uint64_t bytes_total = 0;
@@ -148,9 +148,8 @@ struct PosesQuery {
     std::uint64_t count = 0;
 };
 
-/// Poses of scenarios [first, first + count), in submitted order; at least one and at most as many
-/// as were asked for. Poses on a grid are told by the job's description, and are answered all the
-/// same.
+/// Poses of scenarios [first, first + count) in submitted order: at least one, at most as many as
+/// requested. Also answers for a job with a grid.
 struct JobPoses {
     JobId job;
     std::uint64_t first = 0;
@@ -180,7 +179,7 @@ struct JobStatus {
     double seconds = 0;           ///< Since it was accepted; of a finished job, how long it took.
     double scenarios_per_second = 0;
     std::string failure;
-    std::vector<Sha256> bodies;           ///< Their meshes.
+    std::vector<Sha256> bodies;           ///< Meshes of the bodies.
     std::uint64_t answered_by_master = 0; ///< No pair of distribution roots: no worker was asked.
     JobStatistics statistics; ///< Of the scenarios whose results came, also those that came twice.
     double compute_seconds = 0;
@@ -192,7 +191,7 @@ struct JobStatus {
     std::uint64_t copies = 0;     ///< Sent to a second worker, beside the first,
     std::uint64_t copies_won = 0; ///< and answered by that one first.
     JobTraffic traffic;
-    /// By body, where its tree is cut; empty until its geometry has been prepared.
+    /// The distribution depth of each body's tree; empty until the geometry is prepared.
     std::vector<std::uint32_t> depths;
     std::string owner;
     std::uint64_t began = 0; ///< When it was accepted, in seconds since 1970.
@@ -248,14 +247,14 @@ struct MeshStatus {
     double build_seconds = 0; ///< 0 when its tree was found on disk.
 };
 
-/// Bytes on the disk in the state directory.
+/// Bytes that the state directory takes on the disk.
 struct StateSizes {
     std::uint64_t results = 0;
-    std::uint64_t poses = 0; ///< With their labels.
+    std::uint64_t poses = 0; ///< Including labels.
     std::uint64_t meshes = 0;
-    std::uint64_t trees = 0;   ///< With the blocks that were cut of them.
-    std::uint64_t journal = 0; ///< The index of all that.
-    std::uint64_t free = 0;    ///< On the file system, for the master.
+    std::uint64_t trees = 0;   ///< Including blocks.
+    std::uint64_t journal = 0; ///< The database of the journal.
+    std::uint64_t free = 0;    ///< Free bytes of the file system.
 
     friend bool operator==(const StateSizes&, const StateSizes&) = default;
 };
@@ -282,7 +281,7 @@ struct ResultsQuery {
     std::uint64_t count = 0;
 };
 
-/// Scenarios one after the other.
+/// Consecutive scenarios.
 struct ScenarioInterval {
     std::uint64_t first = 0;
     std::uint64_t count = 0;
@@ -290,14 +289,14 @@ struct ScenarioInterval {
     friend bool operator==(const ScenarioInterval&, const ScenarioInterval&) = default;
 };
 
-/// The records, as in `Results`, of all scenarios of [first, next) that have a result. `next` lies
-/// before the end of what was asked for where the message would grow too large.
+/// The records, as in `Results`, of all scenarios in [first, next) that have a result. `next` is
+/// less than the end of the request if the message would become too large.
 struct ResultsPart {
     JobId job;
     std::uint64_t first = 0;
     std::uint64_t next = 0;
-    std::vector<ScenarioInterval> held; ///< Ascending: whose records these are.
-    std::uint32_t count = 0;            ///< Of records.
+    std::vector<ScenarioInterval> held; ///< The scenarios of the records, ascending.
+    std::uint32_t count = 0;            ///< Number of records.
     Bytes records;
 };
 
@@ -320,32 +319,33 @@ struct Cancel {
     std::optional<std::uint64_t> scenario = {};
 };
 
-/// Forgets a job and frees what no other job uses. Answered by Removed when that is on the disk.
-/// Errors: NotFound; Refused for a job that runs, unless `cancel` is set.
+/// Removes a job and everything that no other job uses. Answered by Removed when this is on the
+/// disk. Errors: NotFound; Refused for a running job unless `cancel` is set.
 struct Remove {
     JobId job;
-    bool cancel = false; ///< End it first where it runs.
+    bool cancel = false; ///< Cancel the job first if it is running.
 };
 
-/// Forgets a mesh, its tree and its blocks. Answered by Removed. Errors: NotFound; Refused while a
-/// job names it.
+/// Removes a mesh, its tree and its blocks. Answered by Removed. Errors: NotFound; Refused while a
+/// job uses it.
 struct RemoveMesh {
     Sha256 mesh;
 };
 
 struct Removed {
-    std::uint64_t bytes = 0; ///< That were freed on the disk.
+    std::uint64_t bytes = 0; ///< Bytes freed on the disk.
 };
 
-/// The workers take nothing more, and leave when they have handed over what they have. Answered by
-/// Draining. Errors: NotFound naming a worker that is not here; then nothing is done.
+/// Drains workers: they accept no more work and leave when they have returned their results.
+/// Answered by Draining. Errors: NotFound naming a worker that is not connected; then nothing is
+/// done.
 struct DrainWorkers {
     std::vector<WorkerId> workers; ///< Empty: all.
-    /// They end at once, and their work goes to others without counting as lost.
+    /// They exit at once, and their work is reassigned without counting as lost.
     bool now = false;
 };
 
-/// The workers that were told, ascending.
+/// The workers that now drain, ascending.
 struct Draining {
     std::vector<WorkerId> workers;
 };

@@ -52,7 +52,7 @@ struct ClusterOptions {
     /// Workers hear what they will need next. Looked at by `earliest-finish` alone.
     bool hints = true;
 
-    /// The distribution depth given for a body; where none is, the body's tree tells it.
+    /// The distribution depth given for a body; nothing if it follows from the body's tree.
     [[nodiscard]] std::optional<std::uint32_t> depth(std::size_t body) const {
         return body < depths.size() ? depths[body] : std::nullopt;
     }

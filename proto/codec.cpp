@@ -40,7 +40,7 @@ Problem problem_of(const AddJob& add) {
     return add.query.tolerance < 0 ? "a negative tolerance" : nullptr;
 }
 
-/// Records of ascending runs within [first, next), as many as there are.
+/// The runs in `held` ascend within [first, next) and have as many scenarios as there are records.
 Problem problem_of(const ResultsPart& part) {
     std::uint64_t end = part.first;
     std::uint64_t count = 0;
@@ -158,7 +158,7 @@ Problem problem_of_part(const Part& part) {
     }
     return nullptr;
 }
-/// Who decodes them takes them for labels of so many scenarios.
+/// Receivers size their buffers by `count`.
 Problem problem_of(const JobPoses& poses) {
     return poses.count > limits::poses_answer_scenarios ? "more scenarios than are sent at once"
                                                         : nullptr;

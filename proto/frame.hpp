@@ -34,12 +34,11 @@ struct FrameHeader {
 [[nodiscard]] Result<FrameHeader>
 decode_header(std::span<const std::byte, frame_header_bytes> bytes);
 
-/// To whoever speaks without TLS to one who does.
+/// The message to a peer that connects without TLS where TLS is required.
 inline constexpr std::string_view speaks_tls_text =
     "the master speaks TLS: cdctl join gets a credential, cdworker takes a --token";
 
-/// Who answers in place of one who speaks this protocol, as far as the first bytes tell: a web
-/// server, or one who speaks TLS.
+/// An error if the first bytes come from a web server or a TLS endpoint instead of this protocol.
 [[nodiscard]] std::optional<Error> foreign_answer(std::span<const std::byte> first_bytes);
 
 /// Puts messages together from frames; a pure state machine, no I/O. Holds at most what

@@ -22,7 +22,7 @@ enum class Role : std::uint8_t {
     Joiner = 4, ///< Wants a certificate, and nothing else.
 };
 
-/// First message of whoever connects. Of another version nothing but the number is read.
+/// The first message on a connection. If the version differs, nothing else of it is read.
 struct Hello {
     std::uint16_t version = protocol_version;
     Role role = Role::Client;
@@ -36,7 +36,7 @@ struct Hello {
     // Of a worker that would go on with a session whose connection broke: what its Welcome said.
     std::uint64_t session = 0; ///< The WorkerId; 0: it has none to go on with.
     std::uint64_t epoch = 0;
-    std::string user = {}; ///< Of a client: user@host, which owns its jobs where there is no TLS.
+    std::string user = {}; ///< Client: user@host, the owner of its jobs without TLS.
 };
 
 /// A secret of the master and one worker, by which the worker knows the master's tickets.
@@ -53,7 +53,7 @@ struct Welcome {
     bool is_resumed = false; ///< The worker's session goes on: what both hold of it still counts.
     std::uint32_t heartbeat_ms = 0;  ///< The period of heartbeats, which a worker keeps to, too;
     std::uint32_t lost_after_ms = 0; ///< after so long a silence its work goes to others.
-    std::string owner = {};          ///< Of a client: whose its jobs are.
+    std::string owner = {};          ///< Client: the owner of its jobs.
 };
 
 /// The other side cannot or will not. To a client it answers the request before it.

@@ -57,7 +57,7 @@ struct Subtrees {
 /// From now on tasks of this job may come. Its trees have been added.
 struct AddJob {
     JobId job;
-    std::vector<TreeId> trees; ///< By body.
+    std::vector<TreeId> trees; ///< The tree of each body.
     Query query;
     std::optional<Bytes> grid; ///< `encode_grid`, of a job whose poses it tells.
 };

@@ -53,8 +53,8 @@ class ResultSink {
     ContactMapTotal map_;
 };
 
-/// Prints the summary to stdout, or to stderr if stdout carries results; `quiet` suppresses the
-/// latter. Errors: those of `OutputFile`.
+/// Prints the summary to stdout, or to stderr if stdout carries results; with `quiet` only its
+/// warnings go to stderr. Errors: those of `OutputFile`.
 [[nodiscard]] Status
 print_summary(const RunReport& report, bool stdout_is_used, bool quiet, bool statistics);
 
