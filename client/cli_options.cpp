@@ -130,7 +130,7 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->type_name("N")
         ->group(cluster);
     verb.add_option("--v-kb", job.v_kb, "or at so many kB (4096)")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(1u, limits::v_kb_max))
         ->type_name("N")
         ->group(cluster);
     verb.add_flag(

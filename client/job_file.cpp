@@ -278,8 +278,7 @@ void read_cluster(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
     options.q =
         static_cast<std::uint32_t>(fields.integer("q", 1, limits::q_max).value_or(options.q));
     options.v_kb = static_cast<std::uint32_t>(
-        fields.integer("v_kb", 1, std::numeric_limits<std::uint32_t>::max())
-            .value_or(options.v_kb));
+        fields.integer("v_kb", 1, limits::v_kb_max).value_or(options.v_kb));
     options.claim = fields.boolean("claim").value_or(options.claim);
     options.hints = fields.boolean("hints").value_or(options.hints);
     if (const auto analysis = fields.word("analysis", analysis_mode_names())) {

@@ -3,9 +3,14 @@
 #include "client/job_file.hpp"
 
 #include "client/job_options.hpp"
+#include "common/core/limits.hpp"
+#include "tests/support/process.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
 
 namespace cd::tests {
 
@@ -276,6 +281,34 @@ TEST(JobOptions, OptionsThatDoNotFitAreRefused) {
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("csv-pairs and npz"));
     options.file = "job.toml";
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("names the meshes"));
+}
+
+TEST(JobFile, ABufferThatTheMasterRefusesIsRefusedHere) {
+    const std::string cluster = random_poses + "[cluster]\nv_kb = ";
+    EXPECT_EQ(problem_with(cluster + std::to_string(limits::v_kb_max)), "none");
+    EXPECT_THAT(problem_with(cluster + std::to_string(limits::v_kb_max + 1)),
+                HasSubstr(":8: [cluster]: v_kb = 16385 is not between 1 and 16384"));
+}
+
+TEST(JobFile, TheJobsOfTheDocumentsAreRead) {
+    int jobs = 0;
+    for (const char* page : {"README.md", "docs/job-file.md"}) {
+        std::istringstream lines(read_text(std::filesystem::path(CD_SOURCE_DIR) / page));
+        std::string line;
+        while (std::getline(lines, line)) {
+            if (line != "```toml") {
+                continue;
+            }
+            std::string text;
+            while (std::getline(lines, line) && line != "```") {
+                text += line + "\n";
+            }
+            const auto job = parse(text);
+            EXPECT_TRUE(job) << page << ": " << job.error().detail;
+            ++jobs;
+        }
+    }
+    EXPECT_EQ(jobs, 2);
 }
 
 TEST(JobFile, NamesOfFilesThatAreEmptyAreNamed) {
