@@ -21,7 +21,6 @@ Result<std::vector<KeptRecord>> records_in(std::span<const std::byte> bytes,
                                            const BlockPlace& block) {
     std::vector<KeptRecord> records;
     ByteReader in(bytes);
-    std::uint64_t index_min = block.first;
     while (in.remaining() != 0) {
         const auto record = in.get_bytes(in.get<std::uint32_t>());
         if (in.failed()) {
@@ -32,10 +31,9 @@ Result<std::vector<KeptRecord>> records_in(std::span<const std::byte> bytes,
             return result.error();
         }
         const std::uint64_t index = result.value().index;
-        if (index < index_min || (records.empty() && index != block.first)) {
+        if (records.empty() ? index != block.first : index <= records.back().result.index) {
             return Error{ErrorCode::Io, "records are out of their order"};
         }
-        index_min = index + 1;
         records.push_back({Bytes(record.begin(), record.end()), std::move(result.value())});
     }
     if (records.size() != block.count) {
@@ -69,7 +67,15 @@ Result<std::vector<KeptRecord>> RecordFile::read(std::size_t block) const {
         return damaged(bytes.error());
     }
     auto records = records_in(bytes.value(), file_.blocks()[block]);
-    return records ? std::move(records) : damaged(records.error());
+    if (!records) {
+        return damaged(records.error());
+    }
+    // Blocks may have gaps, so that their counts do not tell where they end.
+    if (block + 1 < blocks() &&
+        records.value().back().result.index >= file_.blocks()[block + 1].first) {
+        return damaged({ErrorCode::Io, "the scenarios of two blocks overlap"});
+    }
+    return records;
 }
 
 Result<const KeptRecord*> RecordFile::find(std::uint64_t scenario) {

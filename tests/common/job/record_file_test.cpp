@@ -193,6 +193,25 @@ TEST_F(RecordFiles, DamageIsAnErrorOrEndsTheFile) {
     }
 }
 
+TEST_F(RecordFiles, BlocksWhoseScenariosOverlapAreDamage) {
+    {
+        auto writer = RecordWriter::create(path_);
+        ASSERT_TRUE(writer);
+        for (const std::uint64_t scenario : {0, 10}) {
+            writer.value().add(scenario, encode_result(result_of(scenario)));
+        }
+        ASSERT_TRUE(writer.value().flush());
+        writer.value().add(5, encode_result(result_of(5)));
+        ASSERT_TRUE(writer.value().finish());
+    }
+    auto file = RecordFile::open(path_);
+    ASSERT_TRUE(file) << file.error().detail;
+    const Status read = file.value().for_each([](const KeptRecord&) -> Status { return Done{}; });
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().detail, HasSubstr(path_.string() + " is damaged"));
+    EXPECT_FALSE(file.value().find(0));
+}
+
 TEST_F(RecordFiles, AFileOfAnotherKindIsNamed) {
     write_text(path_, "scenario,class,count\n0,separate,0\n");
     for (const auto& file : {RecordFile::open(path_), RecordFile::open_unfinished(path_)}) {
