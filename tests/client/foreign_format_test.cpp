@@ -16,7 +16,7 @@ TEST(ForeignFormat, CadModelsAndArchivesAreNamed) {
     EXPECT_THAT(foreign_format(".gz", ""), Optional(HasSubstr("archive (gzip); unpack it")));
 }
 
-TEST(ForeignFormat, MeshesAreNot) {
+TEST(ForeignFormat, MeshesAreNotNamedAsForeign) {
     for (const char* extension :
          {".obj", ".stl", ".ply", ".off", ".glb", ".gltf", ".dae", ".3mf", ".ac", ".npz", ""}) {
         EXPECT_EQ(foreign_format(extension, "solid x"), std::nullopt) << extension;

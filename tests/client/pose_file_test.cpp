@@ -201,7 +201,7 @@ TEST_F(PoseFile, NpzHoldsAnArrayCalledPoses) {
     EXPECT_EQ(read_all(spec("p.npz")).size(), 1u);
 }
 
-TEST_F(PoseFile, ATextArrayBesideThePosesIsNoMatter) {
+TEST_F(PoseFile, ATextArrayBesideThePosesIsIgnored) {
     const std::string labels = "\x93NUMPY\x01\x00 is of a type that is not read";
     NpzWriter writer(folder_ / "p.npz");
     ASSERT_TRUE(writer.append(writer.add_array("poses", NpyType::F8, 12),

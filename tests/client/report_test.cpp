@@ -163,7 +163,7 @@ TEST(Report, TheSummaryTellsWhatCameBeforeAndWhereItIs) {
     EXPECT_THAT(text, testing::EndsWith("  open it: out/summary.json\n"));
 }
 
-TEST(Report, OfCutListsNoShareIsGiven) {
+TEST(Report, CutListsGiveNoShareOfTriangles) {
     RunReport report;
     report.summary = example_summary();
     report.limit_pairs = 3;

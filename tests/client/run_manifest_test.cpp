@@ -184,7 +184,7 @@ TEST(JobText, ANumberAboveTheIntegersOfTomlStaysANumber) {
     EXPECT_EQ(std::get<GridSpec>(read.value().poses).axes, grid.axes);
 }
 
-TEST(JobText, DepthsAreOfTheirBodies) {
+TEST(JobText, DepthsKeepTheirBodies) {
     JobSpec spec;
     spec.bodies[0].path = spec.bodies[1].path = "/m/car.obj";
     spec.cluster.set_depth(1, 4);

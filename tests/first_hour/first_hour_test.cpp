@@ -205,7 +205,6 @@ TEST_F(FirstHour, ARunWithoutWorkersSaysSoAndGoesOnWhenOneComes) {
 
 TEST_F(FirstHour, AJobWithoutWorkersSaysSoToWhoFollowsIt) {
     const MortalMaster master(folder_);
-    const std::vector<std::string> there{"--master", master.address()};
     const Ran submitted = type({"submit", "--master", master.address()}, bodies("poses.csv"));
     EXPECT_EQ(submitted.exit_code, 0) << submitted.errors;
     std::vector<std::vector<std::string>> commands;

@@ -104,7 +104,7 @@ TEST_F(Interrupt, EndsWhatOpensAFolderAgain) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "case"));
 }
 
-TEST_F(Interrupt, NoRunWaitsForAMesh) {
+TEST_F(Interrupt, AFifoAsMeshIsRefused) {
     Process run = start({"--a", fifo("mesh.obj"), "--b", ball(), "--random", "10"});
     EXPECT_EQ(run.wait(), 2);
     EXPECT_THAT(run.errors(), HasSubstr("mesh.obj is no regular file"));

@@ -92,7 +92,7 @@ TEST(Journal, WithoutItsDirectoryItWaitsAndGoesOnWhenThatIsBack) {
     EXPECT_EQ(again.recovered.jobs.at(0).done.size(), 20u);
 }
 
-TEST(Journal, ResultsOfAnEndedJobThatAreGoneKeepNobodyFromTheRest) {
+TEST(Journal, MissingResultsOfAnEndedJobDoNotKeepTheMasterFromStarting) {
     const TemporaryFolder folder;
     std::filesystem::path results;
     {

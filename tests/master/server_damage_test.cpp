@@ -94,7 +94,7 @@ TEST(ServerDamage, AJobThatWaitsForItsPosesMayBeCancelledAndTheMasterEnded) {
     EXPECT_TRUE(master.context.stopped());
 }
 
-TEST(ServerDamage, NobodyWaitsForBlocksThatAreDamaged) {
+TEST(ServerDamage, DamagedBlocksDoNotPauseAJob) {
     DamagedMaster master(AnalysisMode::Never);
     master.run_until([&] { return master.coordinator.analysis_input(master.job).has_value(); });
     std::vector<Damage> damages;

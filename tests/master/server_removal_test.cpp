@@ -119,7 +119,7 @@ TEST(Removal, JobsThatHaveEndedHoldNoFilesOpen) {
     EXPECT_EQ(open_job_files(folder.path()), 0u) << "read, and closed again";
 }
 
-TEST(Removal, AMeshIsTold) {
+TEST(Removal, AMeshIsSentFromAnyOffset) {
     Master master;
     do_a_job(master);
     const Bytes bytes = reference().a.canonical_bytes();

@@ -393,7 +393,7 @@ asio::awaitable<void> refuse(std::shared_ptr<Channel> channel) {
     EXPECT_FALSE(channel->is_open());
 }
 
-TEST(Greeting, OfAnotherVersionBothSidesKnowWhy) {
+TEST(Greeting, AnotherVersionIsRefusedAndBothSidesSayWhy) {
     run_conversation([]() -> asio::awaitable<void> {
         Ends ends = co_await connect_ends();
         const auto executor = co_await asio::this_coro::executor;

@@ -380,7 +380,7 @@ TEST(Codec, AWeightIsAboveZeroAndBounded) {
     }
 }
 
-TEST(Codec, OfAHelloOfAnotherVersionOnlyTheNumberIsRead) {
+TEST(Codec, AHelloOfAnotherVersionIsReadForItsNumberOnly) {
     for (const int step : {-1, 0, 1}) {
         const int other = protocol_version + step;
         Hello hello;

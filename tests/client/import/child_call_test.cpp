@@ -44,7 +44,7 @@ TEST(ChildCall, AnswersWithAllBytes) {
     EXPECT_EQ(end_of([] { return Bytes(); }), ChildEnd::Answered);
 }
 
-TEST(ChildCall, ACrashIsOfTheChildAlone) {
+TEST(ChildCall, ACrashEndsOnlyTheChild) {
     EXPECT_EQ(end_of([]() -> Bytes { std::abort(); }), ChildEnd::Crashed);
     EXPECT_EQ(end_of([]() -> Bytes {
                   std::signal(SIGSEGV, SIG_DFL);

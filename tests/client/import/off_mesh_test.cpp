@@ -22,7 +22,7 @@ std::size_t triangles_of(const std::string& text) {
 
 } // namespace
 
-TEST(OffMesh, CommentsColoursAndPolygons) {
+TEST(OffMesh, CommentsAndColoursArePassedAndPolygonsCut) {
     EXPECT_EQ(triangles_of("# made\nOFF # plain\n4 2 0 # counts\n\n" + vertices +
                            "# faces\n4 0 1 2 3 255 0 0\n3 0 1 2 # end\n# over\n"),
               3u);

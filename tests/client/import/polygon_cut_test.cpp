@@ -88,7 +88,7 @@ TEST(PolygonCut, StarsOfManyCornersAreCovered) {
     }
 }
 
-TEST(PolygonCut, ThePlaneDoesNotMatter) {
+TEST(PolygonCut, PolygonsInAnyPlaneAreCut) {
     std::mt19937_64 random(1);
     const std::vector<Vec3> flat = star(random);
     const std::vector<Triangle> expected = cut(flat);

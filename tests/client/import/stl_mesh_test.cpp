@@ -99,7 +99,7 @@ TEST(StlMesh, TextThatIsNoFacetIsRefusedByLine) {
     EXPECT_THAT(error_of("normal.stl", solid("facet\n" + facet())), HasSubstr("outer loop"));
 }
 
-TEST(StlMesh, NumbersThatAreNoneOrNotFiniteAreRefusedByLine) {
+TEST(StlMesh, InvalidAndInfiniteNumbersAreRefusedByLine) {
     for (const std::string number : {"0x10", "1d5", "1,5", "1.#QNAN", "", "+-1", "e5", "1e"}) {
         EXPECT_THAT(error_of("half.stl", solid(facet("0 1 " + number))), HasSubstr("half.stl:"))
             << number;
@@ -119,7 +119,7 @@ TEST(StlMesh, BinaryMayBeginWithSolid) {
     EXPECT_TRUE(imported.value().warnings.empty());
 }
 
-TEST(StlMesh, BinaryWithBytesBehindItsFacets) {
+TEST(StlMesh, BinaryMayHaveBytesBehindItsFacets) {
     for (const std::string& after : {std::string("end"), std::string(512, '\0')}) {
         for (const std::string header : {"made", "solid made"}) {
             const auto imported = import_text("after.stl", binary(2, 2, header) + after);
@@ -132,7 +132,7 @@ TEST(StlMesh, BinaryWithBytesBehindItsFacets) {
     EXPECT_THAT(error_of("more.stl", binary(2, 3)), HasSubstr("50 bytes after the 2 facets"));
 }
 
-TEST(StlMesh, BinaryThatIsCutOrDamaged) {
+TEST(StlMesh, BinaryThatIsCutOrDamagedIsRefused) {
     EXPECT_THAT(error_of("cut.stl", binary(4'000'000'000, 2)),
                 HasSubstr("counts 4000000000 facets and holds 2"));
     EXPECT_THAT(error_of("nan.stl", binary(1, 1, "made", std::numeric_limits<float>::infinity())),

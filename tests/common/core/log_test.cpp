@@ -73,8 +73,7 @@ TEST(Printable, IsUtf8WithoutControlCharacters) {
     EXPECT_EQ(escaped("back\\slash"), "back\\slash");
 }
 
-} // namespace
-TEST(Printable, WhatIsNoUtf8IsReplacedAndNoCharacterIsCut) {
+TEST(Printable, InvalidUtf8IsReplacedAndNoCharacterIsCut) {
     EXPECT_EQ(valid_utf8("Caf\xc3\xa9\n"), "Caf\xc3\xa9\n");
     EXPECT_EQ(valid_utf8("Caf\xe9 \xc3"), "Caf\xEF\xBF\xBD \xEF\xBF\xBD");
     EXPECT_EQ(utf8_prefix("a\xc3\xa9o", 1), "a");
@@ -83,4 +82,5 @@ TEST(Printable, WhatIsNoUtf8IsReplacedAndNoCharacterIsCut) {
     EXPECT_EQ(utf8_prefix("a\xc3\xa9o", std::string::npos), "a\xc3\xa9o");
 }
 
+} // namespace
 } // namespace cd::tests

@@ -79,7 +79,7 @@ TEST(ScenarioFile, AFileThatWasCutHasItsWholeBlocksAndGoesOn) {
     EXPECT_EQ(open_scenario_file(path).value()->read(0, 100).value(), scenarios);
 }
 
-TEST(PosesHash, IsOfTheNumbersAlone) {
+TEST(PosesHash, DependsOnTheNumbersAlone) {
     const auto scenarios = make_scenarios(50);
     PosesHash in_pieces;
     in_pieces.add(std::span(scenarios).first(17));
@@ -96,7 +96,7 @@ TEST(PosesHash, IsOfTheNumbersAlone) {
     EXPECT_NE(hash(changed), minus_zero) << "another form is another pose";
 }
 
-TEST(PosesHash, IsOverFormsAndDoubles) {
+TEST(PosesHash, IsTheHashOfFormsAndDoubles) {
     Scenario scenario;
     scenario.index = 77;
     scenario.poses.b = Pose::from_quaternion({1, 2, 3, 4}, Vec3(5, -0.0, 7));
@@ -109,7 +109,7 @@ TEST(PosesHash, IsOverFormsAndDoubles) {
     EXPECT_EQ(hash({&scenario, 1}), sha256(expected.bytes()));
 }
 
-TEST(PosesHash, OfAGridIsThatOfItsDescription) {
+TEST(PosesHash, IsTheHashOfAGridsDescription) {
     Grid grid;
     grid.position[0] = {0, 1, 5};
     auto source = make_grid_source(grid);

@@ -143,7 +143,7 @@ TEST(Settle, WhatIsIgnoredMakesNoClaim) {
     EXPECT_EQ(class_of(box, box, crossing, query), some);
 }
 
-TEST(Settle, AnIgnoredPartSaysNothingOfTheRest) {
+TEST(Settle, InsideIsToldOfPartsThatAreNotIgnored) {
     // A car of a body and a wheel over ground that the wheel is ignored with.
     const ObbTree ground = make_tree(make_box(Vec3(20, 20, 4)));
     const ObbTree car = make_tree(join({translated(make_box(Vec3(4, 2, 1)), Vec3(0, 0, 2)),
@@ -226,7 +226,7 @@ std::vector<ExactTriangle> exact_triangles(const Mesh& mesh, const std::vector<E
     return triangles;
 }
 
-TEST(Settle, IgnoredPairsLeaveWhatTheOracleSays) {
+TEST(Settle, WithIgnoredPairsInsideIsWhatTheOracleSays) {
     int inside = 0;
     int separate = 0;
     int skipped = 0;
@@ -274,7 +274,7 @@ TEST(Settle, IgnoredPairsLeaveWhatTheOracleSays) {
     EXPECT_GT(skipped, 20);
 }
 
-TEST(Settle, OfTooManyIgnoredPairsNothingIsSaid) {
+TEST(Settle, WithTooManyIgnoredPairsInsidesAreSkipped) {
     const ObbTree box = make_tree(make_box(Vec3(2, 2, 2)));
     const ObbTree small = make_tree(make_box(Vec3(1, 1, 1)));
     Query query = query_of(Level::Count);

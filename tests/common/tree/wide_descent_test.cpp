@@ -326,7 +326,7 @@ TEST(WideDescent, HowManyAreWantedAtOnceChangesNothing) {
     });
 }
 
-TEST(WideDescent, WhoAimsAtTheFirstFindsAllWhoGoesOn) {
+TEST(WideDescent, EveryAimFindsAllCandidatesInTheEnd) {
     const ObbTree sphere = build(make_sphere(4));
     const WideView view = sphere.view().wide;
     std::mt19937_64 random(5);
@@ -342,7 +342,7 @@ TEST(WideDescent, WhoAimsAtTheFirstFindsAllWhoGoesOn) {
     }
 }
 
-TEST(WideDescent, WhatASearchForAnyExpectsChangesNoAnswer) {
+TEST(WideDescent, AnExpectedContactChangesNoAnswer) {
     const ObbTree sphere = build(make_sphere(4));
     std::mt19937_64 random(6);
     ContactSearch any(PosePair{}, {});
