@@ -49,7 +49,7 @@ class DiskFile {
     /// Locks `path` (made if missing) against other processes while this lives. Errors: Io, also
     /// when another process holds it.
     [[nodiscard]] static Result<DiskFile> lock(const std::filesystem::path& path);
-    /// The same without writing anything. Errors: NotFound; Io.
+    /// Locks `path` without creating it. Errors: NotFound; Io, also when another process holds it.
     [[nodiscard]] static Result<DiskFile> lock_existing(const std::filesystem::path& path);
 
     DiskFile(DiskFile&& other) noexcept;
@@ -60,7 +60,7 @@ class DiskFile {
     /// Exactly `size` bytes, or an error. Allocates only what the file really holds.
     [[nodiscard]] Result<Bytes> read_at(std::uint64_t offset, std::uint64_t size) const;
     [[nodiscard]] Result<std::uint64_t> size() const;
-    /// The file's name still leads to it: it was neither removed nor replaced.
+    /// Whether `path()` still names this file: it was neither removed nor replaced.
     [[nodiscard]] bool has_its_name() const;
 
     /// Cuts the file off, or fills it with zeros, so that it has this size.

@@ -15,27 +15,31 @@ inline constexpr std::size_t run_taken_at_once_max = 256;
 inline constexpr std::size_t run_batch_scenarios_max = 64;
 inline constexpr std::uint64_t run_batch_bytes_max = 1u << 20;
 inline constexpr std::chrono::milliseconds progress_period{100};
-inline constexpr std::chrono::milliseconds slow_note_after{500}; ///< Before work is told as slow.
-/// Poses that are read before results are looked at again.
+/// Preparing for longer prints a line that names the work.
+inline constexpr std::chrono::milliseconds slow_note_after{500};
+/// A local run adds at most so many poses before it takes results again.
 inline constexpr std::uint64_t run_poses_at_once_max = 128;
-/// Poses that are computed ahead of the run: so many by one thread at a time, and windows of these.
+/// A local run computes random poses ahead, in windows of so many scenarios.
 inline constexpr std::uint64_t computed_window_scenarios = 16;
-inline constexpr std::uint64_t computed_windows_max = 128;
+inline constexpr std::uint64_t computed_windows_max = 128; ///< Windows that wait or are kept.
 
-/// Corners that are held against ears before a polygon counts as too tangled to be cut.
+/// A polygon that needs more tests of corners against ears, for each of its corners, is refused.
 inline constexpr std::uint64_t polygon_tests_per_corner_max = 1u << 14;
-// A results folder. Work that a killed run may lose; what is kept of a job beside its results.
+
+// A results folder.
+/// A killed run loses at most the results of this period.
 inline constexpr std::chrono::seconds record_flush_period{5};
+/// A folder keeps a job's meshes and poses only up to this size.
 inline constexpr std::uint64_t run_inputs_bytes_max = 1ull << 30;
-/// More is written on a user's word only.
+/// A run that would write more needs --yes.
 inline constexpr std::uint64_t folder_bytes_unasked_max = 1'000'000'000;
 
 // Talking to a master.
 inline constexpr std::size_t mesh_piece_bytes = 1u << 20;             ///< Of one message.
 inline constexpr std::size_t client_write_queue_bytes_max = 4u << 20; ///< Then it waits.
-/// How often a watch looks at the cluster, where its job stands still and where it goes on.
+/// How often `watch` asks for the cluster's status while its job makes no progress.
 inline constexpr std::chrono::seconds watch_look_period{1};
-inline constexpr std::chrono::seconds watch_look_period_going_on{10};
+inline constexpr std::chrono::seconds watch_look_period_going_on{10}; ///< While it makes some.
 /// How often a call that waits looks whether it has been stopped.
 inline constexpr std::chrono::milliseconds stop_check_period{100};
 /// After a stop, how long a call may take to end by itself.

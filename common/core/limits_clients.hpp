@@ -10,7 +10,7 @@ namespace cd::limits {
 /// In one message: identities take a few bytes on the wire, and hundreds in memory.
 inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16;
 inline constexpr std::uint64_t poses_answer_scenarios = 1u << 12; ///< In one answer to a client.
-inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20;      ///< The same, of a mesh.
+inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20;      ///< Of a mesh, in one answer.
 inline constexpr std::size_t label_bytes_max = 256;               ///< Of a scenario's id.
 inline constexpr std::size_t path_bytes_max = 4096;               ///< Of a file's name, for people.
 inline constexpr std::size_t grid_bytes_max = 8u << 20;        ///< In memory and the journal, each.

@@ -5,9 +5,10 @@
 
 namespace cd::limits {
 
-/// With more ignored pairs of parts nothing is said of insides.
+/// With more ignored ranges a scenario's class does not tell `inside`.
 inline constexpr std::size_t inside_ignored_max = 4096;
-/// Nor with more kinds of triangles in one body, by what of the other body is ignored.
+/// The class does not tell `inside` either when the triangles of one body differ in more ways by
+/// the ranges of the other body that are ignored with them.
 inline constexpr std::size_t inside_kinds_max = 256;
 
 } // namespace cd::limits

@@ -9,7 +9,7 @@ namespace cd::limits {
 
 inline constexpr std::chrono::seconds drain_timeout{25}; ///< Below the grace of what stops it.
 inline constexpr std::chrono::hours drain_timeout_max{24 * 7};
-/// How long TLS may refuse a worker that was welcome before.
+/// A worker that was accepted before tries again for so long when TLS refuses its certificate.
 inline constexpr std::chrono::hours refusal_borne_max{1};
 /// A connection that lasted so many times the silence that was borne was a good one.
 inline constexpr int short_connection_silences = 4;

@@ -16,9 +16,9 @@ namespace cd {
 /// With what is not printable as \n, \t or \x1b in its place.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// With U+FFFD in place of each byte that is no UTF-8.
+/// The text with U+FFFD in place of each byte that is not valid UTF-8.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
-/// The first bytes of the text, at most so many, without a part of a character at their end.
+/// The longest prefix of at most `bytes_max` bytes that ends at the end of a character.
 [[nodiscard]] std::string_view utf8_prefix(std::string_view text, std::size_t bytes_max);
 
 } // namespace cd

@@ -10,7 +10,7 @@ namespace cd {
 /// Asked now and then, on the thread that works; cheap. Once it is true, it stays so. Empty: never.
 using StopCheck = std::function<bool()>;
 
-/// What work that was stopped ends with.
+/// The error with which stopped work ends.
 [[nodiscard]] inline Error interrupted() {
     return {ErrorCode::Interrupted, "interrupted"};
 }

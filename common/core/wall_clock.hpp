@@ -1,4 +1,4 @@
-// The time of day, for people and for what outlives a process. No decision about work hangs on it.
+// The time of day, for people and for what outlives a process. Decisions about work do not use it.
 #pragma once
 
 #include <chrono>

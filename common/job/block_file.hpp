@@ -14,12 +14,12 @@
 
 namespace cd {
 
-/// Where a block stands, and which of the job's scenarios it is about.
+/// Where a block is in its file, and which of the job's scenarios it holds.
 struct BlockPlace {
-    std::uint64_t offset = 0; ///< Of its first byte in the file.
+    std::uint64_t offset = 0; ///< Place of its first byte in the file.
     std::uint64_t first = 0;  ///< Index of its first scenario.
-    std::uint64_t count = 0;  ///< Scenarios in it, at least 1.
-    std::uint64_t bytes = 0;  ///< Of its content.
+    std::uint64_t count = 0;  ///< Scenarios in it, at least 1; there may be gaps between them.
+    std::uint64_t bytes = 0;  ///< Size of its content.
 };
 
 /// Reads a block file. Little-endian:
@@ -44,7 +44,7 @@ class BlockFile {
     [[nodiscard]] const std::vector<BlockPlace>& blocks() const { return blocks_; }
     /// Scenarios in all blocks.
     [[nodiscard]] std::uint64_t count() const { return count_; }
-    /// Of the last block, in bytes.
+    /// Where the last block ends in the file, in bytes.
     [[nodiscard]] std::uint64_t end() const;
     /// The block that may hold a scenario; nothing where none can.
     [[nodiscard]] std::optional<std::size_t> block_of(std::uint64_t scenario) const;
@@ -83,7 +83,7 @@ class BlockFileWriter {
     /// Writes a block of scenarios that come after all before. Errors: Io.
     [[nodiscard]] Status
     add(std::uint64_t first, std::uint64_t count, std::span<const std::byte> content);
-    /// Cuts off the blocks with scenarios from `scenario` on. Errors: Io.
+    /// Cuts off the blocks that reach `scenario`, in a file without gaps. Errors: Io.
     [[nodiscard]] Status cut_before(std::uint64_t scenario);
     /// Writes the table. Nothing may be added afterwards. Errors: Io.
     [[nodiscard]] Status finish();

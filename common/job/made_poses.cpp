@@ -14,7 +14,7 @@ namespace cd {
 
 namespace {
 
-/// A run of neighbouring scenarios. Filled by one thread; read when it is whole.
+/// Neighbouring scenarios. One thread fills a window; it is read only when `is_whole`.
 struct Window {
     std::vector<Scenario> scenarios;
     bool is_whole = false;
@@ -22,10 +22,7 @@ struct Window {
 
 class ComputedSource final : public PoseSource {
   public:
-    ComputedSource(std::uint64_t count,
-                   ScenarioMaker maker,
-                   unsigned threads,
-                   std::function<bool()> stopped)
+    ComputedSource(std::uint64_t count, ScenarioMaker maker, unsigned threads, StopCheck stopped)
         : count_(count), maker_(std::move(maker)), stopped_(std::move(stopped)), pool_(threads) {}
     ~ComputedSource() override { is_ending_ = true; }
 
@@ -97,7 +94,7 @@ class ComputedSource final : public PoseSource {
         while (!window_came_.wait_for(
             lock, limits::stop_check_period, [&] { return window->is_whole; })) {
             if (stopped_()) {
-                return Error{ErrorCode::Interrupted, "interrupted while poses were made"};
+                return interrupted();
             }
         }
         return window;
@@ -105,7 +102,7 @@ class ComputedSource final : public PoseSource {
 
     std::uint64_t count_;
     ScenarioMaker maker_;
-    std::function<bool()> stopped_;
+    StopCheck stopped_;
     std::atomic<bool> is_ending_ = false;
     std::mutex mutex_;
     std::condition_variable window_came_;
@@ -118,7 +115,7 @@ class ComputedSource final : public PoseSource {
 std::unique_ptr<PoseSource> make_computed_source(std::uint64_t count,
                                                  ScenarioMaker maker,
                                                  unsigned threads,
-                                                 std::function<bool()> stopped) {
+                                                 StopCheck stopped) {
     return std::make_unique<ComputedSource>(count, std::move(maker), threads, std::move(stopped));
 }
 

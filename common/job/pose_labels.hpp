@@ -1,4 +1,4 @@
-// How a pose file names its scenarios, and at which times they are.
+// The ids and times that a pose file gives its scenarios.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,16 @@ namespace cd {
 
 struct PoseLabels;
 
-/// What the ids of a pose file are.
+/// The type of a pose file's ids.
 enum class IdKind : std::uint8_t { None = 0, Integer = 1, Text = 2 };
 
-/// Which columns labels have.
+/// The columns that labels have.
 struct LabelColumns {
     IdKind ids = IdKind::None;
     bool has_times = false;
 
     [[nodiscard]] bool is_empty() const { return ids == IdKind::None && !has_times; }
-    /// Whether these are labels of so many scenarios, in these columns.
+    /// Whether the labels have these columns, each with an entry for every scenario.
     [[nodiscard]] bool fit(const PoseLabels& labels, std::size_t scenarios) const;
 
     friend bool operator==(const LabelColumns&, const LabelColumns&) = default;
@@ -35,18 +35,18 @@ struct PoseLabels {
 
     [[nodiscard]] LabelColumns columns() const;
     [[nodiscard]] bool is_empty() const { return columns().is_empty(); }
-    /// Those of `count` scenarios from `first` on, which are there.
+    /// The labels of scenarios [first, first + count), which must exist.
     [[nodiscard]] PoseLabels slice(std::size_t first, std::size_t count) const;
-    /// Those of the scenarios that follow, in the same columns.
+    /// Adds the labels of the scenarios that follow; the columns must be equal.
     void append(const PoseLabels& next);
-    /// The labels of i at places[i]; `places` are the numbers below the count of labels, each once.
+    /// Moves the label of i to places[i]. `places` is a permutation of the labels' numbers.
     [[nodiscard]] PoseLabels moved_to(const std::vector<std::size_t>& places) const;
 
     friend bool operator==(const PoseLabels&, const PoseLabels&) = default;
 };
 
-/// Adds an id as a text file has it: ids are integers as long as each is written as `to_string`
-/// writes it; with the first other one all become texts.
+/// Adds an id of a text file. Ids are integers as long as each is spelled as `to_string` spells it;
+/// the first other id turns all of them into texts.
 void add_pose_id(PoseLabels& labels, std::string_view id);
 
 } // namespace cd

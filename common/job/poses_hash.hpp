@@ -1,4 +1,4 @@
-// The name of a job's poses: a hash of the numbers that they consist of, however they are packed.
+// A hash that names a job's poses. It depends on their numbers alone, not on how they are packed.
 #pragma once
 
 #include "common/core/hash.hpp"

@@ -17,7 +17,7 @@
 
 namespace cd {
 
-/// A record as it stands in the file, and what it says.
+/// A record's bytes in the file, and the result that they encode.
 struct KeptRecord {
     Bytes bytes;
     ScenarioResult result;
@@ -48,7 +48,7 @@ class RecordFile {
 
     BlockFile file_;
     std::optional<std::size_t> kept_block_;
-    std::vector<KeptRecord> kept_; ///< Of this block.
+    std::vector<KeptRecord> kept_; ///< The records of `kept_block_`.
 };
 
 /// Writes a record file in blocks that are whole as soon as they are written.
@@ -60,11 +60,11 @@ class RecordWriter {
 
     /// Adds the canonical record of a scenario after all before. It waits until `flush`.
     void add(std::uint64_t scenario, std::span<const std::byte> record);
-    /// Whether as much waits as fits into a block: then `flush` comes next.
+    /// Whether a block's worth waits; `add` may not be called before `flush` then.
     [[nodiscard]] bool is_full() const;
     /// Writes what has been added, as a block of its own. Errors: Io.
     [[nodiscard]] Status flush();
-    /// Keeps only the scenarios of whole blocks that end before `scenario`. Errors: Io.
+    /// Cuts off the blocks that reach `scenario`, in a file without gaps. Errors: Io.
     [[nodiscard]] Status cut_before(std::uint64_t scenario);
     /// Writes what has been added and the table. Errors: Io.
     [[nodiscard]] Status finish();
@@ -78,7 +78,7 @@ class RecordWriter {
     BlockFileWriter file_;
     ByteWriter waiting_; ///< Each record behind its length.
     std::uint64_t first_ = 0;
-    std::uint64_t count_ = 0; ///< Of those that wait.
+    std::uint64_t count_ = 0; ///< Number of records that wait.
 };
 
 } // namespace cd

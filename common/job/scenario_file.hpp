@@ -28,7 +28,7 @@ class ScenarioWriter {
 
     /// Scenarios written so far, from the first on.
     [[nodiscard]] std::uint64_t written() const { return file_.written().count(); }
-    /// What they take in the file.
+    /// Bytes that the file has so far.
     [[nodiscard]] std::uint64_t bytes() const { return file_.written().end(); }
 
   private:

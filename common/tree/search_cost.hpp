@@ -26,7 +26,7 @@ struct SearchCost {
 };
 
 struct SearchCostOptions {
-    bool for_any = false; ///< Searches for a first contact, as level any does, instead of for all.
+    bool for_any = false; ///< Search for a first contact, as level any does, not for all.
     PairStage first_stage = PairStage::Float;
     /// After that no pose is begun but the first.
     std::chrono::steady_clock::duration time_max = std::chrono::milliseconds(50);
