@@ -25,7 +25,7 @@ struct NamedMesh {
     std::shared_ptr<const Mesh> mesh;
 };
 
-/// Scenarios one after the other, and how their pose file names them.
+/// Consecutive scenarios and their labels.
 struct FetchedPoses {
     std::vector<Scenario> scenarios;
     PoseLabels labels;
@@ -58,8 +58,8 @@ class Connection {
 
     /// A job that is whole in its description (`submit.grid` is set).
     [[nodiscard]] Result<JobId> submit(const Submit& submit);
-    /// A job whose poses follow, and how their file names them: all of `poses`, or none. Sets
-    /// `submit.scenarios` and `submit.poses.labels`; reads the poses in runs. Errors: also those of
+    /// Submits a job and its poses, read in runs, with labels for all of them or none. Sets
+    /// `submit.scenarios` and `submit.poses.labels`. Errors: also those of
     /// `poses`.
     [[nodiscard]] Result<JobId>
     submit(Submit submit, PoseSource& poses, const PoseLabels& labels = {});
@@ -91,17 +91,18 @@ class Connection {
     [[nodiscard]] Result<FetchedPoses>
     fetch_poses(JobId job, std::uint64_t first, std::uint64_t count);
 
-    /// Whose the jobs are that are submitted here, as the master says.
+    /// The owner of jobs submitted on this connection, as told by the master.
     [[nodiscard]] const std::string& owner() const;
     [[nodiscard]] Result<ClusterStatus> status();
     /// Ends the job; of one that has ended, nothing. The status after it.
     [[nodiscard]] Result<JobStatus> cancel(JobId job);
-    /// Removes a job, and what no other needs of its meshes. Errors: NotFound; Refused to who does
-    /// not own it, or while it runs, unless `cancel`.
+    /// Removes a job, and its meshes if no other job uses them. Errors: NotFound; Refused unless
+    /// the user owns it, or while it runs and `cancel` is not set.
     [[nodiscard]] Result<Removed> remove_job(JobId job, bool cancel);
-    /// Errors: NotFound; Refused to who is no admin, or while a job names it.
+    /// Removes a mesh. Errors: NotFound; Refused unless the user is an admin, or while a job uses
+    /// it.
     [[nodiscard]] Result<Removed> remove_mesh(const Sha256& mesh);
-    /// Sends workers away. Errors: NotFound; Refused to who is no admin.
+    /// Drains workers. Errors: NotFound; Refused unless the user is an admin.
     [[nodiscard]] Result<Draining> drain(const DrainWorkers& wish);
     /// One scenario fails, and the job goes on. Errors: NotFound; Refused when it has a result.
     [[nodiscard]] Result<JobStatus> cancel_scenario(JobId job, std::uint64_t scenario);

@@ -1,4 +1,4 @@
-// What a run would take, from scenarios that are spread evenly over its job.
+// Estimates time and size of a run from scenarios sampled evenly over its job.
 #pragma once
 
 #include "client/prepared_job.hpp"
@@ -12,14 +12,14 @@
 namespace cd {
 
 struct RunEstimate {
-    std::uint64_t scenarios = 0; ///< Of the job,
-    std::uint64_t sampled = 0;   ///< and of these, how many were run.
+    std::uint64_t scenarios = 0; ///< Scenarios of the job.
+    std::uint64_t sampled = 0;   ///< Scenarios that were run for the estimate.
     double seconds = 0;          ///< On this machine's threads, without reading and building.
     double seconds_low = 0;      ///< Two standard errors of the mean below and above.
     double seconds_high = 0;
     double box_tests = 0;
     double triangle_tests = 0;
-    std::uint64_t bytes = 0; ///< Of the results folder; 0 without one.
+    std::uint64_t bytes = 0; ///< Size of the results folder; 0 without one.
 };
 
 struct EstimateOptions {

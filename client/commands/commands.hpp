@@ -13,14 +13,14 @@ namespace cd {
 [[nodiscard]] int execute(const ExtractCommand& command);
 [[nodiscard]] int execute(const VersionCommand& command);
 
-/// The exit code of a run that has ended: 3 where a scenario has no answer, then what `fail_on`
-/// asks about, otherwise 0. `inside` counts as `cross` does: solids share space.
+/// The exit code of a finished run: 3 if a scenario has no result, 1 if `fail_on` applies, else 0.
+/// `inside` counts like `cross`, since the solids share space.
 [[nodiscard]] int exit_code_of(const Summary& summary, FailOn fail_on);
 
-/// Errors: BadInput for a question that level `any` cannot answer.
+/// Refuses a `fail_on` that level `any` cannot answer. Errors: BadInput.
 [[nodiscard]] Status check_fail_on(FailOn fail_on, Level level);
 
-/// Prints the error as one line on stderr; its exit code.
+/// Prints an error as one line on stderr and returns its exit code.
 [[nodiscard]] int fail(const Error& error);
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// A job of a master, fetched back with its meshes and poses.
+// A job fetched from a master with its meshes and poses.
 #pragma once
 
 #include "client/cli.hpp"
@@ -16,11 +16,11 @@
 
 namespace cd {
 
-/// What `run --master` has at hand when its job has ended, for a job that somebody submitted.
+/// Gives a submitted job the state that `run --master` has when its job ends.
 class FetchedJob {
   public:
-    /// Fetches the description and the meshes that are not kept beside the trees; poses come as
-    /// they are read. `text` is a job's id as users write it, `tree_cache` as for `MeshCache`.
+    /// Fetches the description, and the meshes that are not in the cache; poses are fetched as they
+    /// are read. `text` is a job's id as users write it, `tree_cache` as for `MeshCache`.
     /// Errors: those of the connection; NotFound.
     [[nodiscard]] static Result<FetchedJob> open(const MasterOptions& master,
                                                  const std::string& text,
@@ -28,13 +28,13 @@ class FetchedJob {
 
     [[nodiscard]] PreparedJob& prepared() { return *prepared_; }
     [[nodiscard]] const KnownJob& known() const { return known_; }
-    /// How much of the job has an answer; empty where all has.
+    /// How many scenarios have a result; empty if all have.
     [[nodiscard]] std::string coverage() const { return coverage_text(known_.status, fetched_); }
 
     /// Writes the results to stdout. Errors: those of the connection and of writing.
     [[nodiscard]] Result<RunReport> print(const std::string& output);
-    /// Writes them into the folder that the prepared job names. Errors: those of `FolderRun` and of
-    /// the connection.
+    /// Writes the results into the output folder of the prepared job. Errors: those of `FolderRun`
+    /// and of the connection.
     [[nodiscard]] Result<RunReport> write(FolderRunOptions options, const std::string& output);
 
   private:
@@ -49,11 +49,11 @@ class FetchedJob {
     std::unique_ptr<Connection> connection_;
     KnownJob known_;
     std::unique_ptr<PreparedJob> prepared_;
-    LabelColumns labels_;       ///< Of the poses.
-    std::uint64_t fetched_ = 0; ///< Results.
+    LabelColumns labels_;       ///< Labels that the job has.
+    std::uint64_t fetched_ = 0; ///< Results fetched so far.
 };
 
-/// What a report says of a job on a master, with the map where that summed one.
+/// The report of a job on a master, with its map if the master summed one.
 [[nodiscard]] Result<RunReport>
 fetched_report(Connection& connection, const Query& query, const JobStatus& status);
 

@@ -1,4 +1,4 @@
-// What the verbs that speak with a master have in common.
+// Shared parts of the verbs that connect to a master.
 #pragma once
 
 #include "client/cli.hpp"
@@ -16,15 +16,15 @@
 
 namespace cd {
 
-/// A connection that heeds the InterruptGuard.
+/// Connects to a master; the connection stops at a signal (`InterruptGuard`).
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options);
-/// The same for a job that could also run on this machine, which an error of the network says.
-/// Called before the inputs are read, which may take long.
+/// Connects for a job that could also run here; an error of the network says so. Called before the
+/// inputs are read, which may take long.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& options);
 
-/// Those that are lost do not count.
+/// The number of workers that are not lost.
 [[nodiscard]] std::uint64_t worker_count(const ClusterStatus& cluster);
-/// "12 workers", counted in the same way.
+/// `worker_count` as text: "12 workers".
 [[nodiscard]] std::string workers_text(const ClusterStatus& cluster);
 
 /// Uploads what is missing, with a line on stderr for each mesh unless quiet, and submits.
@@ -61,11 +61,11 @@ struct KnownJob {
 /// Nothing of a job that is done; otherwise why there are no results of it: Incomplete.
 [[nodiscard]] Status check_done(const JobStatus& job, const std::string& id);
 
-/// How much of a job has an answer, unless all has: "incomplete: 12 of 90 scenarios ...". Empty for
-/// a job that is done.
+/// How many scenarios of a job have a result: "incomplete: 12 of 90 scenarios ...". Empty for a job
+/// that is done.
 [[nodiscard]] std::string coverage_text(const JobStatus& job, std::uint64_t answered);
 
-/// What a report says of a job that has ended. `level` is that of its results where it is known.
+/// The report of a job that has ended. `level` is the level of its results, if known.
 [[nodiscard]] RunReport report_of(const JobStatus& job, Level level);
 
 } // namespace cd

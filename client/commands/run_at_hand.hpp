@@ -11,13 +11,13 @@
 
 namespace cd {
 
-/// An opened run and its inputs. There is no folder behind a job's.
+/// An opened run and its inputs. The folder of a job's run no longer exists.
 struct RunAtHand {
     OpenedRun run;
     JobInputs inputs;
 
-    /// Opens a folder, or fetches all that there is of a job by way of a temporary one, which no
-    /// signal leaves behind. Needs an `InterruptGuard`, which ends the process from then on.
+    /// Opens a folder, or fetches a job into a temporary folder, which is removed even after a
+    /// signal. Needs an `InterruptGuard`; from then on a signal ends the process.
     /// `tree_cache` as for `FetchedJob`. Errors: those of `OpenedRun::open`, `read_inputs` and
     /// `FetchedJob`.
     [[nodiscard]] static Result<RunAtHand> open(const std::string& argument,

@@ -15,18 +15,17 @@ namespace cd {
 /// Header and warnings on stderr; warnings also when quiet.
 void print_header(const PreparedJob& job, bool quiet);
 
-/// Fills `report.hint`. Reads the poses again where all scenarios are separate. Errors:
-/// Interrupted.
+/// Fills `report.hint`; reads all poses again if every scenario is separate. Errors: Interrupted.
 [[nodiscard]] Status add_hint(const PreparedJob& job, RunReport& report);
 
-/// How a run here treats its output folder.
+/// The folder options of a local run.
 [[nodiscard]] FolderRunOptions folder_options(const FolderFlags& flags);
-/// How the results of a master's job are written.
+/// The folder options for the results of a master's job.
 [[nodiscard]] FolderRunOptions folder_options(const FolderFlags& flags,
                                               const MasterOptions& master);
 
-/// Says that the folder of a run holds all of its job, adds the formats that it lacks, and writes
-/// `command.output` to stdout. The exit code.
+/// Reports that the folder already holds the run, adds missing formats, and writes `command.output`
+/// to stdout. Returns the exit code.
 [[nodiscard]] int tell_complete(const RunCommand& command, const PreparedJob& job, FolderRun& run);
 
 } // namespace cd
