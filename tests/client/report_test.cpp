@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <pty.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -379,13 +380,21 @@ TEST(Progress, OnANarrowTerminalALineIsCut) {
         state.note = {"no worker is here: start cdworker", true};
         printer.update(state);
     }
-    std::array<char, 1024> bytes{};
-    const ssize_t count = ::read(screen, bytes.data(), bytes.size());
+    std::string text; // A terminal hands over what was written to it in as many parts as it likes.
+    const std::string note = "\nno worker is here: \x1b[K";
+    pollfd ready{screen, POLLIN, 0};
+    while (text.find(note) == std::string::npos && ::poll(&ready, 1, 10'000) == 1) {
+        std::array<char, 1024> bytes{};
+        const ssize_t count = ::read(screen, bytes.data(), bytes.size());
+        if (count <= 0) {
+            break;
+        }
+        text.append(bytes.data(), static_cast<std::size_t>(count));
+    }
     std::fclose(stream);
     ::close(screen);
-    const std::string text(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     EXPECT_THAT(text, testing::StartsWith("\rcaf\xc3\xa9-caf\xc3\xa9-caf\xc3\xa9-x\x1b[K"));
-    EXPECT_THAT(text, HasSubstr("\nno worker is here: \x1b[K"));
+    EXPECT_THAT(text, HasSubstr(note));
 }
 
 TEST(Progress, QuietIsSilent) {
