@@ -27,8 +27,8 @@ Rank rank_of(CertifiedRole role) {
     return Rank::None;
 }
 
-// What looks at the cluster, and what lets others in or sends them away. All else is work with
-// jobs.
+// Status queries need the role metrics; tokens, removal of meshes and draining need admin; all
+// other messages need submitter.
 Rank rank_needed(const StatusQuery& /*message*/) {
     return Rank::Metrics;
 }

@@ -23,11 +23,11 @@ class Access {
 
     /// Null without TLS.
     [[nodiscard]] MasterIdentity* identity() const { return identity_; }
-    /// Nobody, where no certificate was shown.
+    /// Empty when the peer showed no certificate.
     [[nodiscard]] const std::optional<Identity>& holder() const { return holder_; }
 
-    /// Whose the jobs are that come from here: the certificate's holder, or without TLS whom the
-    /// client names.
+    /// The owner of the jobs that are submitted here: the certificate's holder or, without TLS, the
+    /// user that the client names.
     [[nodiscard]] const std::string& owner() const { return holder_ ? holder_->name : user_; }
     void set_user(std::string user) { user_ = std::move(user); }
     /// Whether a job of this owner may be ended or removed from here: by its owner, by an admin,

@@ -1,4 +1,4 @@
-// What somebody has to look at, and who is trusted no more: what outlives the master of it.
+// Alarms and quarantined workers, as the journal keeps them over restarts of the master.
 #pragma once
 
 #include "common/core/bytes.hpp"
@@ -13,11 +13,11 @@
 namespace cd {
 
 struct AlarmRecord {
-    std::uint64_t count = 0;                ///< Of all alarms that there ever were.
-    std::vector<std::string> last;          ///< Of them, oldest first.
-    std::vector<WorkerProcess> quarantined; ///< A result of theirs was wrong. Oldest first.
+    std::uint64_t count = 0;                ///< Of all alarms so far.
+    std::vector<std::string> last;          ///< The last alarms, oldest first.
+    std::vector<WorkerProcess> quarantined; ///< Gave a wrong result. Oldest first.
 
-    /// The oldest of too many is forgotten.
+    /// Forgets the oldest alarm when there are too many.
     void add(const std::string& text);
     void quarantine(WorkerProcess process);
 
@@ -25,7 +25,7 @@ struct AlarmRecord {
 };
 
 [[nodiscard]] Bytes encode_alarms(const AlarmRecord& alarms);
-/// Errors: BadFrame for bytes that are none, which only damage can make of them.
+/// Errors: BadFrame for damaged bytes.
 [[nodiscard]] Result<AlarmRecord> decode_alarms(std::span<const std::byte> bytes);
 
 } // namespace cd

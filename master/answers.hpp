@@ -5,8 +5,8 @@
 
 namespace cd {
 
-/// What is sent for it: the same, where it fits a message. Of a status as many meshes as fit; in
-/// place of anything else, a Failure that says so.
+/// The answer if it fits a message. Otherwise a status with as many meshes as fit, or a Failure
+/// that says that the answer is too large.
 [[nodiscard]] Message fitting(Message answer);
 
 } // namespace cd

@@ -16,44 +16,45 @@
 
 namespace cd {
 
-/// The director's decisions on the workers' channels. Runs on the executor's thread. Of a worker
-/// that is not here, and of a tree that nobody uses any more, it hears nothing.
+/// Carries out the director's decisions on the workers' channels. Runs on the executor's thread.
+/// Ignores events of unknown workers and of trees that are no longer used.
 class BlockDelivery {
   public:
     BlockDelivery(asio::any_io_executor executor, const TreeRegistry& trees);
     BlockDelivery(const BlockDelivery&) = delete;
     BlockDelivery& operator=(const BlockDelivery&) = delete;
-    /// The master ends: what is under way is not watched any more.
+    /// Stops all transfers and timers: the master ends.
     void close();
 
-    /// `port`: where it serves others; 0: nowhere. One that a probe does not reach is nobody's
-    /// source.
+    /// `port` is where the worker serves others, or 0 if it does not. A worker that a probe does
+    /// not reach is never a source.
     void worker_joined(WorkerId worker,
                        std::shared_ptr<Channel> channel,
                        const PeerKey& key,
                        std::uint16_t port);
     void worker_left(WorkerId worker);
-    /// The connection broke: nothing more goes there, and nobody is sent there.
+    /// The connection broke: the worker gets no blocks and is no source until it returns.
     void worker_detached(WorkerId worker);
-    /// It has a connection again. What it holds it says, and what it still wants.
+    /// The worker has a connection again, and then tells which blocks it holds and wants.
     void worker_returned(WorkerId worker, std::shared_ptr<Channel> channel);
 
-    /// Errors: BadFrame for a root that the tree does not have.
-    /// Blocks of the tree may be sent to the worker.
+    /// Whether blocks of the tree may be sent to the worker.
     [[nodiscard]] bool knows(WorkerId worker, TreeId tree) const;
+    /// Errors of `wanted` and `held`: BadFrame for a root that the tree does not have.
     [[nodiscard]] Status wanted(WorkerId worker, const WantSubtrees& want);
     [[nodiscard]] Status held(WorkerId worker, const Held& held);
     void evicted(WorkerId worker, const Evicted& evicted);
     void failed(WorkerId worker, const FetchFailed& failed);
     void tree_removed(TreeId tree);
 
-    /// By the master itself.
+    /// Blocks sent by the master itself.
     struct Sent {
         std::uint64_t blocks = 0;
         std::uint64_t bytes = 0; ///< Compressed.
     };
     [[nodiscard]] Sent sent_to(WorkerId worker) const;
-    /// What a worker that has a connection, and serves others, holds as it has said.
+    /// The blocks that the worker reported to hold; none without a connection, or if it serves no
+    /// others.
     [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
         return director_.held_by(worker);
     }
@@ -66,8 +67,8 @@ class BlockDelivery {
         PeerKey key;
         std::string host;
         std::uint16_t port = 0;
-        std::uint64_t ticket_last = 0; ///< For fetches from it.
-        std::deque<BlockKey> queue;    ///< What the master has yet to send.
+        std::uint64_t ticket_last = 0; ///< Number of the last ticket for fetches from it.
+        std::deque<BlockKey> queue;    ///< Blocks that the master has yet to send.
         bool sending = false;
         Sent sent;
     };

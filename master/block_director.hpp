@@ -47,17 +47,18 @@ using BlockActions = std::vector<BlockAction>;
 
 /// A block goes out from the master once; from then on workers that have it hand it on, each to at
 /// most `limits::peer_uploads_max` others at a time, so that a block that all want spreads like a
-/// tree and costs the master a bounded number of uploads. Who wants a block that nobody can give
-/// now, but somebody is about to hold, waits; after `limits::peer_wait_max` the master gives it.
+/// tree and costs the master a bounded number of uploads. A worker that wants a block which nobody
+/// can give now, but some worker is about to hold, waits; after `limits::peer_wait_max` the master
+/// gives the block.
 ///
 /// A worker holds a block when it says so, never before. A source that the master or two workers
-/// cannot reach, or that gives a damaged block, is not named again. What a worker wants a second
-/// time while it was to come from peers, the master gives.
+/// cannot reach, or that gives a damaged block, is not named again. A block that a worker wants a
+/// second time, although peers were to give it, comes from the master.
 class BlockDirector {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// `serves`: others can ask it for blocks.
+    /// `serves`: other workers can ask it for blocks.
     void worker_joined(WorkerId worker, bool serves);
     BlockActions worker_left(WorkerId worker, Time now);
 
@@ -77,16 +78,16 @@ class BlockDirector {
     BlockActions not_reached(WorkerId source, Time now);
     BlockActions tree_removed(TreeId tree, Time now);
 
-    /// To be called every `limits::peer_check_period` or so while something is `open`.
+    /// Call this about every `limits::peer_check_period` while anything is `open`.
     BlockActions time_is(Time now);
 
     /// Blocks wanted and not yet held.
     [[nodiscard]] std::size_t open() const;
-    /// What a worker that is here, and serves others, holds as it has said.
+    /// The blocks that a worker, which is here and serves others, reported to hold.
     [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
         return peers_.at(worker).holds;
     }
-    /// The worker is not named as a source any more.
+    /// Whether the worker is no longer named as a source.
     [[nodiscard]] bool is_avoided(WorkerId worker) const;
 
     /// Aborts when an invariant is broken; for tests, after each event.
@@ -94,7 +95,7 @@ class BlockDirector {
 
   private:
     using FetchId = std::uint64_t;     ///< 0: the master sends it.
-    using PlaceInLine = std::uint64_t; ///< Of a worker, while it waits for anything.
+    using PlaceInLine = std::uint64_t; ///< A waiting worker's position in the queue.
 
     struct Peer {
         bool serves = false;
@@ -102,15 +103,15 @@ class BlockDirector {
         std::set<WorkerId> cannot_reach_it;
         std::size_t uploads = 0; ///< Fetches for which it is the first source.
         std::set<BlockKey> holds;
-        std::set<BlockKey> could_give;      ///< Of these the ones that somebody waits for.
-        std::map<BlockKey, Time> waits_for; ///< With the time from which on it waits.
+        std::set<BlockKey> could_give;      ///< Held blocks that some worker waits for.
+        std::map<BlockKey, Time> waits_for; ///< With the time at which the wait began.
         PlaceInLine place = 0;
         std::map<BlockKey, FetchId> comes;
     };
     struct Fetch {
         WorkerId to;
         WorkerId source; ///< The first one, whose place is taken; 0 when it has none any more.
-        std::vector<WorkerId> named; ///< All that the worker was told of.
+        std::vector<WorkerId> named; ///< All sources that the worker was told.
         std::size_t left = 0;
         Time deadline;
     };
@@ -119,7 +120,7 @@ class BlockDirector {
         std::set<WorkerId> on_the_way_to;
         std::map<PlaceInLine, WorkerId> awaited_by;
     };
-    /// What happened in one event, settled at its end.
+    /// The consequences of one event, settled at its end.
     struct Event {
         Time now;
         std::set<WorkerId> have_places; ///< Sources that may have something to give now.
@@ -128,7 +129,7 @@ class BlockDirector {
     };
 
     [[nodiscard]] bool can_serve(WorkerId source, WorkerId worker) const;
-    /// Others hold it, or are about to, and could give it later.
+    /// Other workers hold the block, or are about to, and could give it later.
     [[nodiscard]] bool is_worth_waiting(const Block& block, WorkerId worker) const;
     /// The source with a free place that has been given the least; 0: none.
     [[nodiscard]] WorkerId
@@ -172,7 +173,7 @@ class BlockDirector {
     PlaceInLine place_last_ = 0;
     std::size_t servers_ = 0; ///< Workers that serve others.
     // So that an event costs what it touches, and not what all workers hold or wait for:
-    std::map<PlaceInLine, WorkerId> line_; ///< Who waits for something, in the order of coming.
+    std::map<PlaceInLine, WorkerId> line_; ///< Waiting workers, in the order in which they came.
     std::set<WorkerId> free_;              ///< Sources with a free place.
 };
 

@@ -97,13 +97,13 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     std::unique_ptr<MeshUpload> upload_;
     /// A submitted job whose poses are coming.
     Submit submit_;
-    /// The meshes that it asked for last, and those of the submission: it counts on them.
+    /// Keep the meshes of the last MeshesQuery and of the submission from being removed.
     std::shared_ptr<const MeshHold> meshes_asked_for_;
     std::shared_ptr<const MeshHold> meshes_submitted_;
     std::shared_ptr<JobSpool> spool_;
     std::uint64_t queued_ = 0;                         ///< Bytes of it, in the quota.
     std::chrono::steady_clock::time_point progressed_; ///< The mesh or the poses.
-    /// Its poses are passed over, up to their end: it was refused, and the client has been told.
+    /// The submission was refused and the client knows it: the rest of its poses is ignored.
     bool refused_ = false;
     std::size_t watches_ = 0;
     JobQueries queries_;

@@ -1,4 +1,4 @@
-// What cdmaster is told: by its command line, CDMASTER_* in the environment, and a TOML file.
+// The options of cdmaster: from its command line, CDMASTER_* in the environment, and a TOML file.
 #pragma once
 
 #include "common/core/limits.hpp"

@@ -1,4 +1,4 @@
-// A database of SQLite with its log, copied from where nothing can be written.
+// A temporary copy of an SQLite database that lies in a read-only folder.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -8,7 +8,8 @@
 
 namespace cd {
 
-/// SQLite reads a log only where it may write beside it. The copy is gone with the object.
+/// A copy of a database and its log, to be read: SQLite reads a log only in a folder where it may
+/// write. The destructor deletes the copy.
 class DatabaseCopy {
   public:
     /// Copies the file and its "-wal" into a temporary folder. Errors: Io.

@@ -56,12 +56,12 @@ struct AskBack {
     friend bool operator==(const AskBack&, const AskBack&) = default;
 };
 
-/// So much of the task was given back. What of the places is not answered is to be given out again.
+/// A worker has given back part of a task. Unanswered places are to be queued again.
 struct GivenBack {
     TaskId task;
     JobId job;
-    std::uint64_t scenarios = 0; ///< Of a batch.
-    PlaceRange places;           ///< Of a range.
+    std::uint64_t scenarios = 0; ///< For batches.
+    PlaceRange places;           ///< For ranges.
 
     friend bool operator==(const GivenBack&, const GivenBack&) = default;
 };
@@ -76,11 +76,11 @@ struct CallOff {
     friend bool operator==(const CallOff&, const CallOff&) = default;
 };
 
-/// Whose loss the end of a task is; nothing: what of it is not answered was handed back.
+/// The process with which a task was lost; empty if its unanswered rest was handed back.
 using LostWith = std::optional<WorkerProcess>;
 
-/// The task of a range is over. What of it is not answered is to be done again; analysed, where it
-/// was lost.
+/// The task of a range has ended. Its unanswered places are to be done again, and analysed first if
+/// they were lost.
 struct RangeEnded {
     TaskId task;
     JobId job;
@@ -100,8 +100,8 @@ struct SendHint {
     friend bool operator==(const SendHint&, const SendHint&) = default;
 };
 
-/// Scenarios of a batch that were lost with a worker; another one is to have them. Told before any
-/// of them is sent again.
+/// Scenarios of a batch that were lost with a worker and go to another one. Comes before any of
+/// them is sent again.
 struct ScenariosLost {
     JobId job;
     std::vector<std::uint64_t> scenarios;
@@ -134,24 +134,24 @@ struct AnalysedScenario {
     std::uint64_t index = 0;
     std::vector<RootIndex> roots_a; ///< Ascending.
     std::vector<RootIndex> roots_b;
-    std::uint64_t bytes = 0; ///< What it adds to a batch on the wire.
-    /// Predicted, of one thread; only how scenarios compare matters. 0: not known.
+    std::uint64_t bytes = 0; ///< Added to a batch on the wire.
+    /// Predicted time on one thread; only ratios between scenarios matter. 0 if not known.
     std::uint64_t predicted_ns = 0;
-    /// It was in ranges that were lost with their workers, or in any tasks before the master began.
+    /// Earlier losses: with ranges, or before the master was restarted.
     Losses losses = {};
 };
 
-/// What a worker's threads did for scenarios of a task that it has answered.
+/// The work of a worker's threads on answered scenarios of a task.
 struct MeasuredWork {
     TaskId task;
-    std::uint64_t predicted_ns = 0; ///< The sum of their predictions,
-    double seconds = 0;             ///< and what they took, summed over the threads.
+    std::uint64_t predicted_ns = 0; ///< Sum of the scenarios' predictions.
+    double seconds = 0;             ///< Measured, summed over the threads.
 };
 
 struct DispatcherOptions {
-    bool helps_at_end = true; ///< Else nothing is recalled or copied, for comparison.
-    /// With more workers, what changes for one of them has others looked at only now and then:
-    /// after so many seconds for each worker beyond these.
+    bool helps_at_end = true; ///< False: nothing is recalled or copied.
+    /// With more workers than `workers_few`, the others are re-examined after a change only every
+    /// `look_seconds_each` seconds for each worker beyond them.
     std::size_t workers_few = limits::workers_few;
     double look_seconds_each = limits::look_seconds_each;
 };
@@ -171,21 +171,22 @@ class Dispatcher {
     Actions worker_joined(WorkerId worker, const WorkerFacts& facts);
     /// Its buffer and its tasks go back to the waiting scenarios, first in line.
     Actions worker_lost(WorkerId worker);
-    /// It gets nothing more; what it has, it finishes.
+    /// The worker gets nothing more and finishes what it has.
     Actions worker_draining(WorkerId worker);
-    /// It may be lost: its buffer goes back, and it gets nothing until it is heard again. What was
-    /// sent stays with it.
+    /// The worker may be lost: its buffer is returned, and it gets nothing until it is heard again.
+    /// Sent work stays with it.
     Actions worker_silent(WorkerId worker);
     Actions worker_heard(WorkerId worker);
 
     Actions job_opened(JobId job, const ClusterOptions& options, DispatchTree a, DispatchTree b);
     Actions scenario_analysed(JobId job, AnalysedScenario scenario);
-    /// Nothing more comes at once: workers that would run dry get what is in their buffers.
+    /// No more scenarios come for now: workers that would run dry get the scenarios in their
+    /// buffers.
     Actions input_paused();
     /// These places of the job may go out without an analysis, to whoever runs dry first; after
     /// them come `after` more scenarios of the job.
     Actions places_given(JobId job, const PlaceRange& places, std::uint64_t after);
-    /// Those given and not sent, back again.
+    /// Returns the places that were given and not sent.
     [[nodiscard]] std::vector<PlaceRange> take_places(JobId job);
     /// Forgets the job's scenarios, wherever they are. Late results of it are ignored.
     Actions job_closed(JobId job);
@@ -204,15 +205,15 @@ class Dispatcher {
     /// This was given back of the task, in answer to AskBack or as the worker stands: it waits
     /// again, and is not lost. What was given back before, or is not in the task: nothing.
     Actions task_recalled(WorkerId worker, const Recalled& recalled);
-    /// It asks for these: from now on it holds them, as far as is known.
+    /// The worker asks for these blocks; from now on it counts as holding them.
     void roots_wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
     Actions roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
 
-    // ---- What matching by time learns from. Without these events it goes by what it assumes ----
-    /// The time is `seconds` from now on, from whatever beginning; never less than before.
+    // ---- Measurements for matching by time, which else uses its defaults ----
+    /// Sets the time, in seconds since any fixed point; it never decreases.
     void time_is(double seconds);
     void work_measured(WorkerId worker, const MeasuredWork& work);
-    /// So many bytes of blocks reached the worker in that time.
+    /// `bytes` of blocks reached the worker in `seconds`.
     void transfer_measured(WorkerId worker, std::uint64_t bytes, double seconds);
     /// The worker has these blocks.
     void roots_arrived(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
@@ -234,7 +235,7 @@ class Dispatcher {
     /// tasks, scenarios).
     [[nodiscard]] WorkerStatus worker_status(WorkerId worker) const;
     [[nodiscard]] std::vector<WorkerId> workers() const;
-    /// At the worker, which is here.
+    /// The tasks at the worker, which is here.
     [[nodiscard]] std::vector<TaskId> tasks_of(WorkerId worker) const;
     /// Scenarios of the task that would have to be answered before it ends: 0 of a worker that
     /// drains, or is not here.

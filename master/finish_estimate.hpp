@@ -6,26 +6,26 @@
 
 namespace cd {
 
-/// Of the worker, as far as it is known.
+/// What is known of the worker.
 struct WorkerPowers {
     double speed = 1;            ///< Predicted seconds that one thread does in a second.
-    double bytes_per_second = 1; ///< Of blocks on their way to it.
+    double bytes_per_second = 1; ///< Transfer rate of blocks to the worker.
     double threads = 1;
-    double backlog_ns = 0;        ///< Predicted: what it has been given and has not answered.
-    double transfers_seconds = 0; ///< Until all blocks under way will be there.
-    std::uint64_t room_bytes = ~std::uint64_t{0}; ///< Of its cache, still free.
+    double backlog_ns = 0;                        ///< Predicted time of its unanswered work.
+    double transfers_seconds = 0;                 ///< Until all blocks under way will be there.
+    std::uint64_t room_bytes = ~std::uint64_t{0}; ///< Free in its cache.
 };
 
-/// What the scenario asks of that worker.
+/// What the scenario needs of that worker.
 struct ScenarioNeeds {
-    std::uint64_t cost_ns = 0; ///< Predicted, of one thread of speed 1.
+    std::uint64_t cost_ns = 0; ///< Predicted for one thread of speed 1.
     std::uint64_t missing_bytes = 0;
     std::uint64_t missing_blocks = 0;
-    std::uint64_t coming_bytes = 0; ///< Of blocks that it needs and that are under way.
+    std::uint64_t coming_bytes = 0; ///< Needed blocks that are under way.
     double bytes_of_memory = 0; ///< That travel for one in the cache; 0: they take no room there.
 };
 
-/// Each in seconds, and each thing counted once.
+/// The terms of the estimate in seconds; nothing is counted twice.
 struct FinishTerms {
     double backlog = 0;  ///< Its other work, over all its threads.
     double coming = 0;   ///< The rest of the blocks under way.

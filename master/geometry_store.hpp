@@ -1,4 +1,4 @@
-// Keeps meshes, their trees and their encoded subtrees on disk, each made once, ever.
+// Keeps meshes, their trees and their encoded subtrees on disk. Each is made only once.
 #pragma once
 
 #include "common/core/hash.hpp"
@@ -21,20 +21,20 @@
 
 namespace cd {
 
-/// What the store has, or why it has it not.
+/// A value of the store, or why there is none.
 template <class T>
 class [[nodiscard]] StoreResult : public Result<T> {
   public:
     using Result<T>::Result;
     StoreResult(Result<T> result) : Result<T>(std::move(result)) {}
-    /// For want of a place on the disk.
+    /// An error of the disk.
     [[nodiscard]] static StoreResult unwritten(Error why) {
         StoreResult result(std::move(why));
         result.is_unwritten_ = true;
         return result;
     }
 
-    /// It could be made, and not be written: with room on the disk it may be tried again.
+    /// The value was made and could not be written; it may be tried again when the disk has room.
     [[nodiscard]] bool is_unwritten() const { return is_unwritten_; }
 
   private:
@@ -48,9 +48,8 @@ class [[nodiscard]] StoreResult : public Result<T> {
 /// wait for one making of it. They must not be called from a function that runs on that pool. All
 /// others return within a file operation.
 ///
-/// What is damaged on disk is never deleted. A damaged tree or blocks file is reported in the log,
-/// set aside under a new name and made anew; a damaged mesh cannot be, and is an error naming the
-/// file.
+/// Damaged files are never deleted. A damaged tree or blocks file is logged, renamed and made anew.
+/// A mesh cannot be made anew, so a damaged one is an error that names the file.
 class GeometryStore {
   public:
     /// Makes the directories where they are missing, and locks them against another process.
@@ -64,7 +63,7 @@ class GeometryStore {
     ~GeometryStore();
 
     [[nodiscard]] bool has(const Sha256& mesh) const;
-    /// Those of `meshes` that are not here, in the order given, each once.
+    /// The meshes of `meshes` that are not stored, in the order given, each once.
     [[nodiscard]] std::vector<Sha256> missing(std::span<const Sha256> meshes) const;
 
     /// `name` is for people and is kept with the mesh. Errors: TooLarge over
@@ -93,9 +92,9 @@ class GeometryStore {
     [[nodiscard]] Result<MeshBytes>
     read(const Sha256& mesh, std::uint64_t offset, std::uint64_t bytes_max) const;
 
-    /// Keeps these meshes, here or not, from being removed as long as it lives.
+    /// Returns a hold that keeps these meshes, stored or not, from being removed while it exists.
     [[nodiscard]] std::shared_ptr<const MeshHold> hold(std::vector<Sha256> meshes);
-    /// Deletes the mesh, its tree and its blocks. The bytes that were freed. Errors: NotFound;
+    /// Deletes the mesh, its tree and its blocks. Returns the freed bytes. Errors: NotFound;
     /// Refused while it is held; Io.
     [[nodiscard]] Result<std::uint64_t> remove(const Sha256& mesh);
 

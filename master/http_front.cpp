@@ -12,7 +12,7 @@ namespace cd {
 
 namespace {
 
-/// Why the master, or one of its jobs, waits; empty: nothing does.
+/// Why the master or one of its jobs is paused; empty if none is.
 std::string what_waits(Coordinator& coordinator) {
     if (!coordinator.paused().empty()) {
         return "paused: " + coordinator.paused();

@@ -49,7 +49,8 @@ constexpr const char* way_out =
     "; nothing was changed: restore it from a copy, or move the folder away, run `cdmaster init`, "
     "and have everybody join again";
 
-/// The certificate is missing. NotFound only where no other file of an identity is there.
+/// The error for a missing certificate: NotFound if the folder has no other file of an identity,
+/// else BadInput.
 Error no_authority(const std::filesystem::path& folder) {
     std::error_code error;
     const std::filesystem::directory_iterator files(folder, error);

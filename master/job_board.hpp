@@ -52,54 +52,55 @@ struct MasterJob {
           started(now),
           merger(submit.scenarios),
           results(std::move(store)) {}
-    /// One that an earlier life of the master has left.
+    /// A job from before a restart of the master.
     MasterJob(RecoveredJob recovered, Clock::time_point now);
 
     JobId id;
-    Submit submit;           ///< Once it has ended, without its bulk (`drop_bulk`).
+    Submit submit;           ///< Without its bulk once it has ended (`drop_bulk`).
     std::uint64_t began = 0; ///< In seconds since 1970.
     Clock::time_point started;
-    double seconds_before = 0;              ///< In earlier lives of the master.
-    JobState state = JobState::Running;     ///< As clients are told.
-    std::shared_ptr<const MeshHold> meshes; ///< Its own, as long as it is known.
+    double seconds_before = 0;              ///< Before the last restart of the master.
+    JobState state = JobState::Running;     ///< As shown to clients.
+    std::shared_ptr<const MeshHold> meshes; ///< Keeps them from being removed.
     ResultMerger merger;
     std::shared_ptr<ResultStore> results;
-    std::uint64_t changes = 0; ///< Grows with whatever a status shows, but time.
+    std::uint64_t changes = 0; ///< Grows when the status changes, except for its times.
 
-    std::shared_ptr<PoseSource> poses; ///< Only while it runs: all of them.
-    std::string paused;                ///< What it waits for, of the disk; empty: nothing.
+    std::shared_ptr<PoseSource> poses; ///< Set only while the job runs.
+    std::string paused;                ///< The error of the disk that it waits for; or empty.
 
     // Only while it runs, and only after its geometry is there.
     std::shared_ptr<const JobMaterial> material;
     TreeId tree_a;
     TreeId tree_b;
     std::unique_ptr<Submitter> submitter;
-    std::optional<AnalysisInput> analysis_input; ///< The submitter's.
+    std::optional<AnalysisInput> analysis_input; ///< Shared with the submitter.
     std::unordered_map<std::uint64_t, std::shared_ptr<const Analysis>> open;
     std::shared_ptr<OrderedPoses> order;
-    std::vector<LostPlaces> losses_before; ///< In an earlier life of the master, until `todo` is.
+    std::vector<LostPlaces> losses_before; ///< From before a restart, until `todo` is set.
     PlaceQueue todo;
-    /// By first place: what the dispatcher was given and has not sent.
+    /// Places that the dispatcher has been given and has not sent, by their first place.
     std::map<std::uint64_t, GivenPlaces> given;
     std::uint64_t places_loading = 0; ///< Taken from `todo` to be given.
-    LearnedRate analysis_seconds;     ///< Of a scenario,
-    LearnedRate matching_seconds;     ///< and what handing it out took after that,
-    LearnedRate work_seconds;         ///< and a worker's.
-    /// Whose result of a scenario was merged, up to the last that came; 0 is the master, or nobody
-    /// knows any more. Of a job that has ended, those of its first scenarios.
+    LearnedRate analysis_seconds;     ///< Analysing one scenario.
+    LearnedRate matching_seconds;     ///< Matching and sending one analysed scenario.
+    LearnedRate work_seconds;         ///< A worker's time for one scenario.
+    /// The worker whose result was merged, by scenario; 0 for the master or an unknown one. A job
+    /// that has ended keeps at most `limits::authors_kept_max`.
     std::vector<std::uint32_t> authors;
     /// All authors of its results, kept when it has ended.
     std::set<WorkerProcess> contributors;
-    /// Merged results of a worker that was found to be wrong: they are done again, and compared.
+    /// Scenarios with a merged result of a worker that was wrong elsewhere: they are repeated and
+    /// compared.
     std::set<std::uint64_t> doubted;
-    /// Of those that were in doubt: they were lost with too many workers, and fail.
+    /// Scenarios in doubt that were lost with too many workers, and fail.
     std::set<std::uint64_t> given_up;
-    std::vector<std::uint64_t> cancelled; ///< Scenarios, one by one.
+    std::vector<std::uint64_t> cancelled; ///< Scenarios that were cancelled singly.
     std::uint64_t disputes = 0;           ///< Results that are to be judged.
-    /// Of these, those from an earlier life, until the geometry to judge them is there.
+    /// Disputes from before a restart, until the geometry to judge them is there.
     std::vector<Dispute> disputes_left;
 
-    // Once it has ended. Clients are told when that is in the journal.
+    // Set when the job has ended. Clients see it once the journal has it.
     std::optional<JobEnd> end;
     Clock::time_point ended;
     bool has_dropped_bulk = false;  ///< Its scenarios cannot be run any more.
@@ -110,15 +111,15 @@ struct MasterJob {
     double compute_seconds = 0;
     JobTraffic traffic;
     HelpAtEnd help;
-    std::vector<std::uint32_t> depths; ///< By body, where its tree is cut, once it is.
-    JobMap map;                        ///< Where the query is for maps.
+    std::vector<std::uint32_t> depths; ///< Of each body's cut; empty before that.
+    JobMap map;                        ///< Used if the query asks for maps.
 
     [[nodiscard]] bool is_running() const { return !end; }
     /// The scenario has no result, or one that is in doubt.
     [[nodiscard]] bool lacks(std::uint64_t scenario) const {
         return !merger.has(scenario) || doubted.contains(scenario);
     }
-    /// What is first of something in `given`; it is no longer there.
+    /// Takes the first part of an entry out of `given`.
     [[nodiscard]] GivenPlaces take_given(const PlaceRange& places);
     /// For the journal.
     [[nodiscard]] JobProgress progress(Clock::time_point now) const;
@@ -127,8 +128,8 @@ struct MasterJob {
 
 [[nodiscard]] Error no_job();
 
-/// Jobs by id. Those that have ended are kept with their results as `retention` says, or fewer with
-/// many results.
+/// Jobs by id. Keeps those that have ended, with their results, as `retention` says, or fewer of
+/// them if they have many results.
 class JobBoard {
   public:
     explicit JobBoard(std::uint64_t results_kept = limits::results_ended_kept_max,
@@ -156,7 +157,8 @@ class JobBoard {
     /// that ended first.
     [[nodiscard]] std::vector<JobId> announce(MasterJob& job);
 
-    /// Forgets jobs that are kept no longer. `now` is in seconds since 1970. Their ids.
+    /// Forgets the jobs whose retention is over and returns their ids. `now` is in seconds since
+    /// 1970.
     [[nodiscard]] std::vector<JobId> drop_expired(std::uint64_t now);
     /// Forgets a job that has ended.
     void drop(JobId job);

@@ -1,4 +1,4 @@
-// What clients ask of jobs and meshes in order to open a job again.
+// Answers the queries with which a client opens a job again: description, meshes, poses.
 #pragma once
 
 #include "common/core/result.hpp"

@@ -1,4 +1,4 @@
-// Removes jobs and meshes at a client's wish, and frees what nothing else needs.
+// Removes jobs and meshes at a client's request, with all files that nothing else needs.
 #pragma once
 
 #include "common/core/result.hpp"

@@ -1,4 +1,4 @@
-// How long jobs are kept that have ended.
+// How long the master keeps jobs that have ended.
 #pragma once
 
 #include "common/core/limits.hpp"
@@ -12,13 +12,14 @@
 
 namespace cd {
 
-/// What --keep-jobs says: so many jobs that have ended, or those that ended within a time.
+/// The option --keep-jobs: the last `count` jobs that have ended, or those that ended within `age`.
 struct JobRetention {
     std::size_t count = limits::jobs_ended_kept_max;
     std::optional<std::chrono::seconds> age = {};
 
-    /// Whether a job is kept no longer that ended `ended` seconds after 1970 and asked to be kept
-    /// for `wished` seconds, 0 being no wish. A wish makes the time shorter, never longer.
+    /// Whether the retention of a job is over at `now`. The job ended at `ended` and asked to be
+    /// kept for `wished` seconds, or 0 for no wish; a wish only shortens the time. `ended` and
+    /// `now` are in seconds since 1970.
     [[nodiscard]] bool is_over(std::uint64_t ended, std::uint64_t wished, std::uint64_t now) const;
 };
 

@@ -1,4 +1,4 @@
-// What a client sends of a job beside its description, on disk: poses, and how they are named.
+// A job's poses and their labels on disk, while a client uploads them.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -23,7 +23,8 @@ class JobSpool {
 
     /// The next scenarios. Errors: those of the two spools.
     [[nodiscard]] Status append(const PosesPart& part);
-    /// All have come: the files get the names by which the journal finds them. Errors: Io.
+    /// Finishes the files after the last part and gives them the names that the journal looks for.
+    /// Errors: Io.
     [[nodiscard]] Status seal(const Journal& journal, JobId job, Durability durability);
 
     [[nodiscard]] const std::shared_ptr<PoseSpool>& poses() const { return poses_; }

@@ -114,7 +114,7 @@ class Journal {
     void start(JournalEvents events);
     /// Never blocks for the disk. The position of the entry, from 1. Any thread.
     std::uint64_t add(JournalEntry entry);
-    /// Of records that are not committed. Any thread.
+    /// Bytes of the records that are not committed yet. Any thread.
     [[nodiscard]] std::uint64_t queued_bytes() const;
 
     /// A job as it was accepted. Blocks for the disk. Any thread. Errors: NotFound; Io.
@@ -123,7 +123,7 @@ class Journal {
     [[nodiscard]] std::filesystem::path results_path(JobId job) const;
     [[nodiscard]] std::filesystem::path poses_path(JobId job) const;
     [[nodiscard]] std::filesystem::path labels_path(JobId job) const;
-    /// All of these, of which some need not be there.
+    /// The three paths above. A job need not have all these files.
     [[nodiscard]] std::vector<std::filesystem::path> files_of(JobId job) const {
         return {results_path(job), poses_path(job), labels_path(job)};
     }

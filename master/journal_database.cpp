@@ -18,7 +18,7 @@ namespace cd {
 namespace {
 
 constexpr int application_id = 0x43'44'4a'31; // "CDJ1"
-/// Of the tables and of what their rows hold; no other is read.
+/// The version of the tables and of the encoding of their rows; no other is read.
 constexpr int schema_version = 5;
 constexpr std::uint64_t mark_magic = 0x31'4b'52'4d'44'43'00'00; // "\0\0CDMRK1"
 constexpr std::uint64_t mark_bytes = 3 * sizeof(std::uint64_t);
@@ -68,7 +68,7 @@ sqlite3_int64 to_column(std::uint64_t value) {
     return static_cast<sqlite3_int64>(value);
 }
 
-/// RFC 3986.
+/// The path as a file URI (RFC 3986).
 std::string as_uri(const std::filesystem::path& path) {
     constexpr std::string_view digits = "0123456789ABCDEF";
     constexpr std::string_view plain = "/._-";
@@ -141,7 +141,7 @@ class Statement {
 struct JournalDatabase::State {
     std::filesystem::path path;
     std::optional<DiskFile> mark;
-    std::optional<DatabaseCopy> copy; ///< That is read in place of `path`.
+    std::optional<DatabaseCopy> copy; ///< Read instead of `path`, if set.
     Database database;
     bool writing = false; ///< Something was written, and what stands here is known to be sound.
     Sha256 cluster;
@@ -184,8 +184,8 @@ struct JournalDatabase::State {
 
 Status JournalDatabase::State::connect(const Options& options, bool create) {
     sqlite3* opened = nullptr;
-    // One that is only looked at may stand where nothing can be written; then SQLite has to be told
-    // that it needs no log beside it.
+    // `cdmaster check` may run where nothing can be written. SQLite then needs to know that the
+    // database has no log (immutable).
     std::error_code none;
     const std::uintmax_t log_bytes = std::filesystem::file_size(path.string() + "-wal", none);
     const bool is_at_rest = !options.create && (none || log_bytes == 0);

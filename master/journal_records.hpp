@@ -22,7 +22,7 @@ struct JobRecord {
     std::uint64_t began = 0; ///< When it was accepted, in seconds since 1970.
 };
 
-/// Of scenarios at a job's end (ARCHITECTURE.md, how a job ends).
+/// Scenarios that were recalled or copied at a job's end (ARCHITECTURE.md, how a job ends).
 struct HelpAtEnd {
     std::uint64_t recalled = 0;   ///< Given back by workers that had not begun them.
     std::uint64_t copies = 0;     ///< Sent to a second worker, beside the first,

@@ -19,14 +19,14 @@ inline constexpr std::string_view mesh_suffix = ".mesh";
 [[nodiscard]] std::filesystem::path mesh_path(const std::filesystem::path& state,
                                               const Sha256& hash);
 
-/// What is shown of a mesh without opening it.
+/// The description of a mesh, which is shown without opening the mesh.
 struct MeshInfo {
     std::string name;
     std::uint64_t triangles = 0;
 };
 
 [[nodiscard]] Status write_info(const std::filesystem::path& path, const MeshInfo& info);
-/// Only people miss it: what cannot be read is logged and left empty.
+/// A description that cannot be read is logged and left empty: only people use it.
 [[nodiscard]] MeshInfo read_info(const std::filesystem::path& path);
 
 /// The mesh of this hash. Errors: NotFound; Io naming the file when it is damaged or cannot be

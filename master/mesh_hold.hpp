@@ -1,4 +1,4 @@
-// Who needs a mesh, so that it is not removed meanwhile.
+// Reference counts of meshes, so that a mesh in use is not removed.
 #pragma once
 
 #include "common/core/hash.hpp"
@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// Counts who needs which mesh. Any thread.
+/// Counts the holds of each mesh. Any thread.
 class MeshUses {
   public:
     void add(std::span<const Sha256> meshes);

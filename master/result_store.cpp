@@ -71,7 +71,8 @@ struct ResultStore::State {
 
     [[nodiscard]] RecordPlace find(std::uint64_t scenario) const;
     void set(std::uint64_t scenario, const RecordPlace& place);
-    /// To read. Errors: Io, when it is of another kind or job, or shorter than what is committed.
+    /// Opens the file for reading. Errors: Io, when it is of another kind or job, or shorter than
+    /// what is committed.
     [[nodiscard]] Result<DiskFile> open() const;
     [[nodiscard]] Result<Bytes>
     read(const DiskFile& from, std::uint64_t scenario, const RecordPlace& place) const;

@@ -43,7 +43,8 @@ class ResultStore {
     /// there. Errors: Io, naming the file, when it is of another kind or job, or shorter.
     [[nodiscard]] static Result<std::unique_ptr<ResultStore>>
     open(const std::filesystem::path& path, JobId job, std::uint64_t scenarios, std::uint64_t end);
-    /// The same of a job that has ended: the file is not looked at before it is read.
+    /// The store of a job that has ended. It opens the file when results are read, so that a
+    /// damaged or missing file makes only these reads fail.
     [[nodiscard]] static std::unique_ptr<ResultStore> open_to_read(
         const std::filesystem::path& path, JobId job, std::uint64_t scenarios, std::uint64_t end);
     ResultStore(const ResultStore&) = delete;
@@ -68,7 +69,7 @@ class ResultStore {
     [[nodiscard]] Status write(std::span<const StoredRecord> records);
     /// Brings what was written to the disk. Errors: Io.
     [[nodiscard]] Status sync() const;
-    /// Nothing is written for now: the file does not stay open. Reading opens it each time.
+    /// Closes the file until the next write. Reads open it each time.
     void close();
     /// What was written last can be read from now on. Of several records of a scenario the last one
     /// counts.

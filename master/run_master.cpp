@@ -49,7 +49,7 @@ void allow_many_files() {
     }
 }
 
-/// Jobs that ended long ago are forgotten.
+/// Forgets jobs whose retention is over, each `limits::retention_check_period`.
 asio::awaitable<void>
 keep_jobs(Coordinator& coordinator, asio::steady_timer& pause, const bool& stopping) {
     while (!stopping) {
@@ -60,7 +60,7 @@ keep_jobs(Coordinator& coordinator, asio::steady_timer& pause, const bool& stopp
     }
 }
 
-/// The master's own certificate ends, too.
+/// Renews the master's own certificate before it expires.
 asio::awaitable<void>
 keep_valid(MasterIdentity& identity, asio::steady_timer& pause, const bool& stopping) {
     while (!stopping) {

@@ -8,7 +8,7 @@ namespace cd {
 
 namespace {
 
-/// Of the files in the folder whose names end so.
+/// The bytes of the files in `folder` whose names end in `ending`.
 std::uint64_t bytes_in(const std::filesystem::path& folder, std::string_view ending = {}) {
     std::uint64_t bytes = 0;
     std::error_code error;

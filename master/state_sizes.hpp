@@ -1,4 +1,4 @@
-// How much of the disk the master's state takes.
+// How much disk space the master's state takes.
 #pragma once
 
 #include "proto/client_messages.hpp"
@@ -7,8 +7,8 @@
 
 namespace cd {
 
-/// Adds up the files of a state directory. Blocks for the disk. What cannot be read counts nothing:
-/// files may go meanwhile.
+/// Adds up the files of a state directory. Blocks for the disk. A file that cannot be read counts
+/// as empty, since it may have been deleted meanwhile.
 [[nodiscard]] StateSizes measure_state(const std::filesystem::path& state);
 
 } // namespace cd

@@ -15,15 +15,15 @@ namespace cd {
 
 [[nodiscard]] std::vector<Sha256> meshes_of(const Submit& submit);
 
-/// What it takes beside its name: of a grid, and of parts that are ignored.
+/// The bytes of the fields that can be large: the grid and the ignored parts.
 [[nodiscard]] std::uint64_t bulk_bytes(const Submit& submit);
 
-/// What a part of its poses takes.
+/// The bytes of a part of a job's poses and their labels.
 [[nodiscard]] std::uint64_t bulk_bytes(const PosesPart& part);
 
-/// Of a job that has ended: what nothing needs any more goes, and a large grid, which only explains
-/// scenarios. Of that one empty bytes are left. True: something went without which they cannot be
-/// run.
+/// Frees the memory that a job needs no more when it has ended: its ignored parts, and a grid over
+/// `limits::ended_grid_bytes_max`, of which empty bytes are left. Returns whether the job's
+/// scenarios can be run no more without what was freed.
 bool drop_bulk(Submit& submit);
 
 } // namespace cd

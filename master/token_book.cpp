@@ -25,7 +25,7 @@ std::int64_t to_seconds(WallTime time) {
     return std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count();
 }
 
-/// The last line: what the lines before it hash to.
+/// The last line: the hash of all lines before it.
 std::string sum_line(std::string_view lines) {
     return std::string(sum_word) + to_hex(sha256(std::as_bytes(std::span(lines)))) + '\n';
 }

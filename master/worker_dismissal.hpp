@@ -1,4 +1,4 @@
-// Sends workers away at an admin's wish.
+// Drains or terminates workers at an admin's request.
 #pragma once
 
 #include "common/core/result.hpp"

@@ -1,4 +1,4 @@
-// What a worker shows to its master and to other workers, kept valid.
+// Keeps the certificate valid that a worker shows to its master and to other workers.
 #pragma once
 
 #include "proto/channel.hpp"
@@ -9,10 +9,10 @@
 
 namespace cd {
 
-/// One file, which other workers on this host may share. One thread.
+/// Owns one credential file, which other workers on this host may share. One thread.
 class CredentialKeeper {
   public:
-    /// Without a file, there is nothing to show, and nothing to keep. Errors: those of
+    /// Works without a certificate if there is no file. Errors: those of
     /// `read_credential` but NotFound.
     [[nodiscard]] static Result<std::unique_ptr<CredentialKeeper>>
     open(const asio::any_io_executor& executor, std::filesystem::path path, Endpoint master);

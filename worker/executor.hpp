@@ -1,4 +1,4 @@
-// Work on the threads, and its way back to the thread that owns the state.
+// Runs work on the threads and brings its results back to the thread that owns the state.
 #pragma once
 
 #include "common/core/thread_pool.hpp"
@@ -14,7 +14,7 @@
 
 namespace cd {
 
-/// Destroyed before the executor's context; until then what was submitted runs.
+/// Destroyed before the executor's context; submitted work runs until then.
 class Executor {
   public:
     using Continuation = std::function<void()>;
@@ -22,8 +22,8 @@ class Executor {
     /// 0 threads: one for each core that this process may use. Continuations run on `home`.
     Executor(asio::any_io_executor home, unsigned threads);
 
-    /// Runs `job` on a thread, and what it returns at home. Neither may throw. What ends at about
-    /// the same time comes home together.
+    /// Runs `job` on a thread, and the continuation that it returns at home. Neither may throw.
+    /// Continuations of jobs that end at about the same time come home together.
     void submit(std::function<Continuation()> job);
 
     [[nodiscard]] const asio::any_io_executor& home() const { return home_; }
@@ -38,18 +38,18 @@ class Executor {
     ThreadPool pool_; ///< Last: its threads use the members above.
 };
 
-/// A scenario with all that it takes to run it, whatever becomes of the cache meanwhile.
+/// A scenario with everything that its run needs, so that the cache may change meanwhile.
 struct ReadyScenario {
     Scenario scenario;
     std::shared_ptr<const Query> query;
     std::vector<RootPair> pairs;
-    std::vector<RootIndex> roots_a; ///< The distinct ones, ascending,
+    std::vector<RootIndex> roots_a; ///< Distinct, ascending.
     std::vector<RootIndex> roots_b;
-    std::vector<std::shared_ptr<const Subtree>> subtrees_a; ///< and the subtree of each.
+    std::vector<std::shared_ptr<const Subtree>> subtrees_a; ///< Of each of `roots_a`.
     std::vector<std::shared_ptr<const Subtree>> subtrees_b;
 };
 
-/// Nothing when it was told to stop: there is no answer.
+/// Empty if the run was told to stop.
 [[nodiscard]] std::optional<FinishedScenarios> execute(const ReadyScenario& ready,
                                                        const StopCheck& stop);
 

@@ -1,4 +1,4 @@
-// Which scenarios wait for which subtrees, and which may run: a state machine without I/O.
+// Decides which scenarios wait for which subtrees and which may run: a state machine without I/O.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -12,21 +12,21 @@
 
 namespace cd {
 
-/// Takes scenarios in, says which subtrees to ask for and which scenarios are ready.
+/// Queues scenarios, and tells which subtrees to ask for and which scenarios are ready.
 ///
-/// A scenario is admitted in the order of coming, as soon as what all admitted ones need fits the
-/// cache's limit, and always when it is the only one. From then until `finished` its subtrees are
-/// pinned, so what has come for it stays. Admitted scenarios do not wait for each other. A missing
-/// subtree is asked for once, however many wait for it.
+/// Scenarios are admitted in the order in which they came: each as soon as the subtrees of all
+/// admitted ones fit the cache's limit, and always if it is the only one. From then until
+/// `finished` its subtrees are pinned, so that they stay once they have come. Admitted scenarios do
+/// not wait for each other. A missing subtree is asked for once, however many wait for it.
 class Fetcher {
   public:
     using Token = std::uint64_t; ///< Names a scenario.
 
-    /// What a scenario met when it was admitted.
+    /// The state of the cache when a scenario was admitted.
     struct Admission {
         Token token = 0;
-        std::uint64_t found = 0;       ///< Of its subtrees, in the cache.
-        std::vector<SubtreeKey> asked; ///< It is the first to lack them.
+        std::uint64_t found = 0;       ///< Subtrees in the cache.
+        std::vector<SubtreeKey> asked; ///< Subtrees that it is the first to ask for.
     };
     struct Hinted {
         JobId job;
@@ -34,8 +34,8 @@ class Fetcher {
     };
     struct Step {
         std::vector<SubtreeKey> want; ///< Ascending.
-        std::vector<Hinted> hinted;   ///< Of these, before a scenario needs them.
-        std::vector<Token> ready;     ///< In the order in which they became so.
+        std::vector<Hinted> hinted;   ///< The part of `want` that only hints ask for.
+        std::vector<Token> ready;     ///< In the order in which they became ready.
         std::vector<Admission> admitted;
     };
 
@@ -43,21 +43,21 @@ class Fetcher {
 
     /// `roots` are distinct and exist in the cache's trees. The token is new.
     void add(Token token, std::vector<SubtreeKey> roots);
-    /// Scenarios to come will need it. It is asked for when no scenario here waits for anything
-    /// and little is under way, if nothing has to leave the cache for it; else it is forgotten, as
-    /// the oldest is when there are too many. The root exists in the cache's trees.
+    /// Future scenarios will need the subtree. Asks for it when no scenario waits and little is
+    /// under way, if nothing has to leave the cache for it; else forgets the hint, as it does the
+    /// oldest of too many. The root exists in the cache's trees.
     void hint(const Hinted& hinted);
-    /// Ranges of a tree need its top, which stays once it has come. True: it is asked for now.
+    /// Ranges of a tree need its top, which stays once it has come. True if it is asked for now.
     bool want_top(TreeId tree);
     /// The cache holds this block now, or has refused it as unneeded.
     void arrived(const SubtreeKey& key);
-    /// The scenario needs its subtrees no longer: it has run, or is given up at whatever stage.
+    /// The scenario needs its subtrees no longer: it has run, or was given up at any stage.
     void finished(Token token);
 
     /// Asked for and not here, ascending.
     [[nodiscard]] std::vector<SubtreeKey> awaited() const;
 
-    /// What is to be done since the last call.
+    /// Returns what has become due since the last call.
     [[nodiscard]] Step advance();
 
     /// Call before the cache removes the tree: subtrees of it no longer come.
@@ -72,7 +72,7 @@ class Fetcher {
         bool is_admitted = false;
     };
     struct Request {
-        std::set<Token> waiting; ///< Possibly none.
+        std::set<Token> waiting; ///< May be empty.
         std::uint64_t bytes = 0; ///< Expected.
     };
     struct Use {
@@ -83,7 +83,7 @@ class Fetcher {
     [[nodiscard]] bool fits(const Need& need) const;
     void admit(Token token, Need& need, Step& step);
     void ask_for_hinted(Step& step);
-    /// False: it has been asked for before.
+    /// False if it has been asked for before.
     [[nodiscard]] bool ask_once(const SubtreeKey& key);
     void drop_request(std::map<SubtreeKey, Request>::iterator request);
 

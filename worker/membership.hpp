@@ -1,4 +1,4 @@
-// A worker's bond with its cluster over all of its connections.
+// A worker's membership in its cluster, over all of its connections.
 #pragma once
 
 #include "worker/session.hpp"
@@ -17,8 +17,8 @@ struct Served {
     std::string reason; ///< Of a session that was lost.
 };
 
-/// Holds the session that may go on over the next connection, and what outlives even that: results
-/// that are not acknowledged, and subtrees. All members run on the executor's home.
+/// Owns the session, which may be resumed over the next connection, and what outlives a session:
+/// results that are not acknowledged, and subtrees. All members run on the executor's home.
 class Membership {
   public:
     Membership(Executor& executor, std::uint64_t cache_bytes, const UnkeptBounds& bounds = {});
@@ -35,7 +35,7 @@ class Membership {
     /// handed back, too. At its end all is dropped and `out_of_time` called. False when there is
     /// nothing to wait for: no connection, and nothing in hand.
     [[nodiscard]] bool drain(std::chrono::milliseconds timeout, std::function<void()> out_of_time);
-    /// There is something that the master has not got yet.
+    /// Whether the master still lacks some results.
     [[nodiscard]] bool has_work() const;
     /// Drops the session, which has a share in the peers' server.
     void end();
@@ -48,7 +48,7 @@ class Membership {
     [[nodiscard]] std::chrono::milliseconds patience() const;
     /// The one that goes on or may go on over the next connection. Null: none.
     [[nodiscard]] Session* session() const { return session_.get(); }
-    /// In all sessions, whatever became of them.
+    /// Over all sessions.
     [[nodiscard]] std::uint64_t scenarios_computed() const { return keep_->computed->load(); }
     [[nodiscard]] const UnkeptResults& unkept() const { return keep_->results; }
 
@@ -66,7 +66,7 @@ class Membership {
     std::uint64_t epoch_ = 0;
     SessionTimes times_;
     std::chrono::milliseconds silence_borne_{0};
-    bool is_connected_ = false; ///< And welcome.
+    bool is_connected_ = false; ///< And has been welcomed.
     bool is_draining_ = false;
     asio::steady_timer drain_timer_;
 };

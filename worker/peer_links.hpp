@@ -14,14 +14,14 @@ namespace cd {
 /// Keeps connections for the next fetch, at most `limits::peer_channels_kept_max`. One thread.
 class PeerLinks {
   public:
-    /// `name`: this worker's, for the others' logs.
+    /// `name` is this worker's name, for the logs of other workers.
     explicit PeerLinks(std::string name,
                        std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>())
         : name_(std::move(name)), tls_(std::move(tls)) {}
 
-    /// Calls `on_block` for each block of the answer, as they come, none twice, with roots and
-    /// hashes that were asked for; that their bytes have their hashes is not checked. Given means
-    /// that all came.
+    /// Calls `on_block` once for each block of the answer, as they come. Roots and hashes are those
+    /// that were asked for; the bytes are not checked against the hashes. Given means that all
+    /// came.
     using OnBlock = std::function<void(SubtreeBlock)>;
     [[nodiscard]] asio::awaitable<PeerOutcome>
     fetch(const PeerSource& source, const FetchFromPeers& directions, const OnBlock& on_block);
@@ -30,7 +30,7 @@ class PeerLinks {
     using Address = std::pair<std::string, std::uint16_t>;
     struct Answer {
         PeerOutcome outcome = PeerOutcome::Unreachable;
-        std::size_t blocks = 0; ///< That came.
+        std::size_t blocks = 0; ///< Received so far.
     };
 
     [[nodiscard]] asio::awaitable<Answer> ask(std::shared_ptr<Channel> channel,

@@ -1,4 +1,4 @@
-// Gives blocks that this worker holds to other workers, as far as the master lets them have them.
+// Gives this worker's blocks to other workers, as far as the master permits.
 #pragma once
 
 #include "proto/listener.hpp"
@@ -14,7 +14,7 @@
 
 namespace cd {
 
-/// Serves at most `limits::peer_uploads_max` fetches at a time; to others it says that it is busy.
+/// Serves at most `limits::peer_uploads_max` fetches at a time and answers further ones with Busy.
 /// All members run on the executor's thread.
 class PeerServer : public std::enable_shared_from_this<PeerServer> {
   public:
@@ -29,12 +29,12 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
 
-    /// From now on these blocks, for tickets of this key; instead of those before.
+    /// Serves these blocks from now on, for tickets of this key, in place of earlier ones.
     void serve(const PeerKey& key, Blocks blocks);
-    /// No blocks any more.
+    /// Serves no blocks any more.
     void stop_serving();
 
-    /// Compressed, of all blocks given.
+    /// The compressed bytes of all blocks given.
     [[nodiscard]] std::uint64_t uploaded_bytes() const { return uploaded_bytes_; }
 
   private:
@@ -57,9 +57,9 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
     std::shared_ptr<const TlsSlot> tls_;
     std::optional<TicketCheck> tickets_;
     Blocks blocks_;
-    Seats greetings_{limits::peer_connections_max}; ///< Of those that have not greeted yet.
+    Seats greetings_{limits::peer_connections_max}; ///< Connections that have not greeted yet.
     Refusals refusals_;
-    Seats places_{limits::peer_connections_max}; ///< Of those that have.
+    Seats places_{limits::peer_connections_max}; ///< Connections that have greeted.
     std::size_t uploads_ = 0;
     std::uint64_t uploaded_bytes_ = 0;
 };

@@ -14,7 +14,7 @@ class Backoff {
   public:
     explicit Backoff(std::uint64_t seed) : random_(seed) {}
 
-    /// Between half the present pause and all of it.
+    /// A random time between half the present pause and all of it.
     [[nodiscard]] std::chrono::milliseconds next();
     void reset();
 
@@ -23,7 +23,7 @@ class Backoff {
     unsigned attempts_ = 0;
 };
 
-/// Runs until the worker has drained or cannot work. Returns the exit code that --help tells.
+/// Runs until the worker has drained or cannot work. Returns an exit code as listed in --help.
 [[nodiscard]] int run_worker(const WorkerConfig& config);
 
 /// `cdworker join`: gets a credential with the token of the configuration. Returns the exit code.

@@ -1,4 +1,4 @@
-// Which scenario a thread is busy with, and since when.
+// Tells which scenario a thread is running, and since when.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// One thread tells, any other may ask.
+/// One thread sets it, any thread may read it.
 class ScenarioClock {
   public:
     using Time = std::chrono::steady_clock;
@@ -26,7 +26,7 @@ class ScenarioClock {
 
     [[nodiscard]] JobId job() const { return job_; }
     [[nodiscard]] std::uint64_t scenario() const { return scenario_.load(); }
-    /// Nothing when none runs.
+    /// Empty if none runs.
     [[nodiscard]] std::optional<Time::time_point> since() const {
         const Time::rep since = since_.load();
         return since == none ? std::nullopt

@@ -197,7 +197,7 @@ Status Session::handle(ResultsKept& kept) {
     return Done{};
 }
 
-/// The master's answer to the worker's own Drain, or its wish that the worker leaves.
+/// Either the answer to this worker's own Drain, or the master's request to leave.
 Status Session::handle(Drain& /*drain*/) {
     log_debug("draining: nothing more comes from the master");
     draining_ = true;

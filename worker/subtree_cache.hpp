@@ -17,12 +17,12 @@ namespace cd {
 
 struct SubtreeKey {
     TreeId tree;
-    RootIndex root = 0; ///< Where it says so, `top_root` as well.
+    RootIndex root = 0; ///< Where documented, also `top_root`.
 
     friend auto operator<=>(const SubtreeKey&, const SubtreeKey&) = default;
 };
 
-/// What a block decodes to.
+/// The decoded content of a block.
 using OpenedBlock = std::variant<std::shared_ptr<const Subtree>, std::shared_ptr<const TreeTop>>;
 
 /// Decompresses a block, checks its hash and decodes it. Independent of any cache, for any thread.
@@ -45,7 +45,7 @@ class SubtreeCache {
     /// The names of parked trees of which blocks are here, ascending.
     [[nodiscard]] std::vector<Sha256> parked() const;
     void drop_parked();
-    /// Those that are not parked, ascending.
+    /// The trees that are not parked, ascending.
     [[nodiscard]] std::vector<TreeId> trees() const;
     /// The blocks that are here, ascending: roots, and `top_root`.
     [[nodiscard]] std::vector<RootIndex> held(TreeId tree) const;
@@ -53,7 +53,7 @@ class SubtreeCache {
     void remove_tree(TreeId tree);
     /// Null for an unknown tree.
     [[nodiscard]] const PartialObbTree* find(TreeId tree) const;
-    /// Of the subtrees of a tree that is known.
+    /// The form of the subtrees of a known tree.
     [[nodiscard]] SubtreeForm form_of(TreeId tree) const { return trees_.at(tree).named.form; }
 
     /// Fills a slot, or sets the top. What is there already, or of an unknown tree, is ignored.
@@ -79,15 +79,15 @@ class SubtreeCache {
     void pin(const SubtreeKey& key);
     void unpin(const SubtreeKey& key);
 
-    /// As if this were the limit, for once. How many subtrees left.
+    /// Evicts as if this were the limit. Returns how many subtrees left.
     std::size_t let_go(std::uint64_t bytes);
-    /// What left since the last call, in order. Slots of removed trees are not among them.
+    /// The subtrees evicted since the last call, in order, except those of removed trees.
     [[nodiscard]] std::vector<SubtreeKey> take_evicted();
 
     /// What the subtree, or the top, will take in memory, roughly; known before it is here.
     [[nodiscard]] std::uint64_t bytes_expected(const SubtreeKey& key) const;
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-    /// Of all time.
+    /// Counts since the start.
     [[nodiscard]] std::uint64_t evictions() const { return evictions_; }
     [[nodiscard]] std::uint64_t bytes_max() const { return bytes_max_; }
 
@@ -95,7 +95,7 @@ class SubtreeCache {
     struct Slot {
         std::shared_ptr<const SubtreeBlock> block;
         bool is_pinned = false;
-        bool is_idle = false; ///< Stands in `idle_`.
+        bool is_idle = false; ///< Is in `idle_`.
         std::list<SubtreeKey>::iterator place;
     };
     struct Tree {

@@ -18,8 +18,8 @@
 
 namespace cd {
 
-/// Of a Batch the colliding roots of each scenario are known; those of a ScenarioRange are found by
-/// walks over parts of it.
+/// A Batch names the colliding roots of each scenario; for a ScenarioRange, walks over parts of it
+/// find them.
 class Task {
   public:
     /// Errors: BadFrame when the batch names a root that its tree does not have, or its poses are
@@ -35,52 +35,52 @@ class Task {
     [[nodiscard]] const WorkerJob& job() const { return *job_; }
     [[nodiscard]] std::size_t scenario_count() const { return scenarios_.size(); }
 
-    // ---- Of scenarios whose roots are known ----------------------------------------------------
+    // ---- Scenarios whose roots are known ----------------------------------------------------
     /// The distinct subtrees that a scenario needs, ascending.
     [[nodiscard]] std::vector<SubtreeKey> roots_of(std::size_t scenario) const;
     /// The cache holds all of `roots_of(scenario)`.
     [[nodiscard]] ReadyScenario ready(std::size_t scenario, const SubtreeCache& cache) const;
 
-    // ---- Of scenarios whose roots are not known ------------------------------------------------
-    /// Some are neither walked nor in a walk.
+    // ---- Scenarios whose roots are not known ------------------------------------------------
+    /// Whether some scenarios are neither walked nor in a walk.
     [[nodiscard]] bool has_unwalked() const { return walked_ < unwalked_end_; }
     /// The next of them, of which there are: as many as take about `limits::walk_seconds`, and
     /// leave something for each of the worker's threads.
     [[nodiscard]] Walk next_walk(SubtreeCache& cache, unsigned threads);
     /// The scenario waits for subtrees now.
     void keep_roots(Walked::Waiting waiting);
-    /// Those that are in no walk end without a result.
+    /// Ends all scenarios that are in no walk, without a result.
     void drop_unwalked() { keep_places(0); }
-    /// The same of all but the first so many of the range.
+    /// Ends those of them that are not among the first `count` of the range.
     void keep_places(std::size_t count);
 
-    // ---- What was given back -----------------------------------------------------------------
+    // ---- Scenarios given back -----------------------------------------------------------------
     [[nodiscard]] std::uint64_t index_of(std::size_t scenario) const {
         return scenarios_.at(scenario).index;
     }
-    /// It has ended without a result, since the master wants it back.
+    /// The scenario has ended without a result, because the master wants it back.
     void give_back(std::uint64_t index) { given_back_.insert(index); }
-    /// All of it so far.
+    /// Everything given back so far.
     [[nodiscard]] Recalled given_back() const;
-    /// Scenarios that are not to be answered here.
+    /// Scenarios that this worker need not answer.
     [[nodiscard]] const std::shared_ptr<DroppedScenarios>& answered_elsewhere() const {
         return answered_elsewhere_;
     }
 
     void add(const FinishedScenarios& finished);
-    /// Nobody waits for it any more. Threads that run its scenarios look at the flag.
+    /// Abandons the task. Threads that run its scenarios check the flag.
     void abandon() { abandoned_->store(true); }
     [[nodiscard]] std::shared_ptr<const std::atomic<bool>> abandoned() const { return abandoned_; }
 
-    /// So many scenarios of it end without a result.
+    /// Ends that many scenarios without a result.
     void drop(std::size_t scenarios = 1) { unanswered_ -= scenarios; }
 
     [[nodiscard]] std::uint64_t unanswered() const { return unanswered_; }
-    /// Uncompressed, of results not yet taken.
+    /// Uncompressed bytes of the results not yet taken.
     [[nodiscard]] std::size_t result_bytes() const {
         return results_.records.size() + map_.bytes();
     }
-    /// Nothing when there are no new results.
+    /// Empty if there are no new results.
     [[nodiscard]] std::optional<Results> take_results();
 
   private:
@@ -93,17 +93,17 @@ class Task {
     std::uint64_t unanswered_ = 0;
     std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false);
     std::shared_ptr<DroppedScenarios> answered_elsewhere_ = std::make_shared<DroppedScenarios>();
-    std::set<std::uint64_t> given_back_; ///< Indices, of a batch.
-    FinishedScenarios results_;          ///< Not yet taken; without the map,
-    ContactMapSum map_;                  ///< which is here.
+    std::set<std::uint64_t> given_back_; ///< Indices; for batches.
+    FinishedScenarios results_;          ///< Not yet taken; without the map.
+    ContactMapSum map_;                  ///< The map of `results_`.
 
-    std::vector<std::uint32_t> pair_offsets_; ///< Of a batch.
+    std::vector<std::uint32_t> pair_offsets_; ///< For batches.
     std::vector<RootPair> pairs_;
 
-    std::unordered_map<std::size_t, std::vector<RootPair>> found_pairs_; ///< By walks.
-    std::size_t walked_ = 0;                                             ///< Or in a walk.
+    std::unordered_map<std::size_t, std::vector<RootPair>> found_pairs_; ///< Found by walks.
+    std::size_t walked_ = 0; ///< Including those in a walk.
     std::size_t unwalked_end_ = 0;
-    double scenario_seconds_ = 0; ///< Of those that came back last, each.
+    double scenario_seconds_ = 0; ///< For one scenario, of the last that returned.
 };
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// What a worker's geometry cost its network, and for which job: counts, and nothing else.
+// Counts the network traffic of a worker's geometry by job.
 #pragma once
 
 #include "proto/traffic.hpp"
@@ -10,24 +10,24 @@
 
 namespace cd {
 
-/// A block counts for the job that asked for it last, however often it comes.
+/// A block counts for the job that asked for it last, even if it comes several times.
 class TrafficBook {
   public:
     void job_added(JobId job) { jobs_.try_emplace(job); }
     void job_removed(JobId job);
     void tree_removed(TreeId tree);
 
-    /// Scenarios of the job found so many of the subtrees that they needed.
+    /// Scenarios of the job found that many of the subtrees that they needed.
     void found(JobId job, std::uint64_t subtrees);
-    /// A scenario of the job lacks it; nobody else has asked for it.
+    /// A scenario of the job is the first to ask for the subtree.
     void missed(JobId job, const SubtreeKey& key);
-    /// It is asked for before a scenario needs it.
+    /// A hint asks for the subtree before a scenario needs it.
     void hinted(JobId job, const SubtreeKey& key);
     void evicted(JobId job);
     void came_from_master(const SubtreeKey& key, std::uint64_t bytes);
     void came_from_peer(const SubtreeKey& key, std::uint64_t bytes);
 
-    /// Of all jobs, since the beginning.
+    /// Counts of all jobs since the start.
     [[nodiscard]] const BlockTraffic& total() const { return total_; }
     /// Of the job, since the call before.
     [[nodiscard]] BlockTraffic take(JobId job);
