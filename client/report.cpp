@@ -107,53 +107,6 @@ std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b) {
     return std::nullopt;
 }
 
-PartTally::PartTally(const std::vector<std::shared_ptr<const Mesh>>& meshes) {
-    for (const auto& mesh : meshes) {
-        const std::size_t parts = mesh->parts().size();
-        bodies_.push_back(
-            {mesh->parts(), std::vector<std::uint64_t>(parts), std::vector<std::uint64_t>(parts)});
-    }
-}
-
-void PartTally::note(Body& body, std::uint32_t triangle, std::uint64_t stamp) {
-    const auto after = std::upper_bound(
-        body.parts.begin(), body.parts.end(), triangle, [](std::uint32_t id, const Part& part) {
-            return id < part.triangles_end;
-        });
-    if (after == body.parts.end() || triangle < after->triangles_begin) {
-        return;
-    }
-    const auto place = static_cast<std::size_t>(after - body.parts.begin());
-    if (body.last_seen[place] != stamp) {
-        body.last_seen[place] = stamp;
-        ++body.scenarios[place];
-    }
-}
-
-void PartTally::add(const ScenarioResult& result) {
-    ++stamp_;
-    for (const ContactPair& pair : result.pairs) {
-        note(bodies_[result.body_a], pair.a, stamp_);
-        note(bodies_[result.body_b], pair.b, stamp_);
-    }
-}
-
-std::vector<PartTally::Touched> PartTally::most_touched(std::size_t count) const {
-    std::vector<Touched> touched;
-    for (const Body& body : bodies_) {
-        for (std::size_t i = 0; i < body.parts.size(); ++i) {
-            if (body.scenarios[i] != 0 && body.parts.size() > 1) {
-                touched.push_back({body.parts[i].name, body.scenarios[i]});
-            }
-        }
-    }
-    std::stable_sort(touched.begin(), touched.end(), [](const Touched& left, const Touched& right) {
-        return left.scenarios > right.scenarios;
-    });
-    touched.resize(std::min(touched.size(), count));
-    return touched;
-}
-
 namespace {
 
 constexpr const char* green = "\x1b[32m";

@@ -1,6 +1,7 @@
 // The text of a run for people: the header and the summary.
 #pragma once
 
+#include "client/export/part_tally.hpp"
 #include "common/geometry/mesh.hpp"
 #include "common/geometry/topology.hpp"
 #include "common/job/contact_map.hpp"
@@ -13,7 +14,6 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,33 +43,6 @@ describe_body(const std::string& name, const std::string& unit, const Mesh& mesh
 /// A warning where the bodies' sizes differ by 25.4 or 1000 within 2 %: then one is likely to be in
 /// another unit. Sizes are the diagonals of the boxes.
 [[nodiscard]] std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b);
-
-/// In how many scenarios each part was touched. Fed with results of level pairs and above.
-class PartTally {
-  public:
-    /// `meshes` of all bodies, in the order of their indices in results; none may be null.
-    explicit PartTally(const std::vector<std::shared_ptr<const Mesh>>& meshes);
-
-    void add(const ScenarioResult& result);
-
-    struct Touched {
-        std::string part;
-        std::uint64_t scenarios = 0;
-    };
-    /// The most touched parts first, without parts never touched and bodies with a single part.
-    [[nodiscard]] std::vector<Touched> most_touched(std::size_t count) const;
-
-  private:
-    struct Body {
-        std::vector<Part> parts;
-        std::vector<std::uint64_t> scenarios; ///< A part's count.
-        std::vector<std::uint64_t> last_seen; ///< 1 + the last scenario that touched it.
-    };
-    static void note(Body& body, std::uint32_t triangle, std::uint64_t stamp);
-
-    std::vector<Body> bodies_;
-    std::uint64_t stamp_ = 0;
-};
 
 /// How a run went, for the lines after it.
 struct RunReport {

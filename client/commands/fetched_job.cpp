@@ -12,7 +12,6 @@ namespace cd {
 
 namespace {
 
-constexpr std::size_t touched_parts_shown = 3;
 constexpr std::uint64_t poses_at_once = 1u << 16;
 
 /// The poses of a job, fetched in runs.
@@ -154,7 +153,7 @@ Result<RunReport> FetchedJob::print(const std::string& output) {
     }
     auto report = make_report();
     if (report) {
-        report.value().most_touched = sink.value().tally().most_touched(touched_parts_shown);
+        report.value().most_touched = sink.value().tally().most_touched();
     }
     return report;
 }

@@ -21,8 +21,6 @@ namespace cd {
 
 namespace {
 
-constexpr std::size_t touched_parts_shown = 3;
-
 /// Who interrupts `run` does not want its job to go on. What was answered stays at the master.
 int fail_and_cancel(Connection& connection, JobId job, const Error& error) {
     if (error.code == ErrorCode::Interrupted && connection.cancel(job)) {
@@ -61,7 +59,7 @@ Status report_without_folder(Connection& connection,
     if (!told) {
         return told.error();
     }
-    told.value().most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    told.value().most_touched = sink.value().tally().most_touched();
     if (Status hinted = add_hint(job, told.value()); !hinted) {
         return hinted;
     }

@@ -27,8 +27,6 @@ namespace cd {
 
 namespace {
 
-constexpr std::size_t touched_parts_shown = 3;
-
 /// A prepared job with all that a run of it here needs.
 struct LocalJob {
     const RunCommand& command;
@@ -103,7 +101,7 @@ int run_without_folder(const LocalJob& local) {
         return fail_without_folder(outcome.error());
     }
     RunReport report = report_of(local, outcome.value());
-    report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    report.most_touched = sink.value().tally().most_touched();
     if (Status told = add_hint(local.job, report); !told) {
         return fail_without_folder(told.error());
     }

@@ -21,9 +21,9 @@ class ScenariosCsvWriter final : public ResultWriter {
         row_.add(header_once(),
                  result.index,
                  ",",
-                 name_of(result.body_a),
+                 std::string_view(names_[result.body_a]),
                  ",",
-                 name_of(result.body_b),
+                 std::string_view(names_[result.body_b]),
                  ",",
                  to_text(result.kind),
                  ",");
@@ -58,9 +58,6 @@ class ScenariosCsvWriter final : public ResultWriter {
         return first ? "scenario,body_a,body_b,class,count,cut,distance_bound,surfaces_only,"
                        "insides_skipped,failure\n"
                      : "";
-    }
-    [[nodiscard]] std::string_view name_of(std::uint32_t body) const {
-        return body < names_.size() ? std::string_view(names_[body]) : std::string_view();
     }
 
     OutputFile file_;
@@ -108,9 +105,9 @@ class PairsCsvWriter final : public ResultWriter {
         Status status = pairs_->add(key_.text(),
                                     pair_class_name(pair.kind),
                                     ",",
-                                    part_of(result.body_a, pair.a),
+                                    parts_[result.body_a].of(pair.a),
                                     ",",
-                                    part_of(result.body_b, pair.b),
+                                    parts_[result.body_b].of(pair.b),
                                     "\n");
         for_each_point(result, place, [&](const Vec3& point) {
             if (status && points_) {
@@ -118,10 +115,6 @@ class PairsCsvWriter final : public ResultWriter {
             }
         });
         return status;
-    }
-
-    [[nodiscard]] std::string_view part_of(std::uint32_t body, std::uint32_t triangle) {
-        return body < parts_.size() ? parts_[body].of(triangle) : std::string_view();
     }
 
     std::vector<PartFields> parts_; ///< Of each body.

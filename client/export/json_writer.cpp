@@ -30,8 +30,8 @@ class JsonWriter final : public ResultWriter {
 
     Status add(const ScenarioResult& result) override {
         Json line{{"index", result.index},
-                  {"body_a", context_.body_name(result.body_a)},
-                  {"body_b", context_.body_name(result.body_b)},
+                  {"body_a", context_.bodies[result.body_a].name},
+                  {"body_b", context_.bodies[result.body_b].name},
                   {"class", to_text(result.kind)}};
         if (result.level != Level::Any) {
             line["count"] = result.pair_count;
@@ -104,19 +104,16 @@ Json traffic_json(const JobTraffic& traffic) {
 }
 
 Json body_json(const ExportBody& body) {
-    const Mesh* mesh = body.mesh.get();
-    if (mesh == nullptr) {
-        return {{"name", body.name}, {"file", body.file}};
-    }
-    const Vec3 size = bounding_box(mesh->vertices()).size();
+    const Mesh& mesh = *body.mesh;
+    const Vec3 size = bounding_box(mesh.vertices()).size();
     return {{"name", body.name},
             {"file", body.file},
-            {"triangles", mesh->triangles().size()},
-            {"parts", mesh->parts().size()},
-            {"precision", mesh->precision() == Precision::Float ? "float" : "double"},
+            {"triangles", mesh.triangles().size()},
+            {"parts", mesh.parts().size()},
+            {"precision", mesh.precision() == Precision::Float ? "float" : "double"},
             {"rounded", body.is_rounded},
             {"size", {size.x(), size.y(), size.z()}},
-            {"sha256", to_hex(mesh->hash())}};
+            {"sha256", to_hex(mesh.hash())}};
 }
 
 } // namespace

@@ -16,12 +16,8 @@ namespace cd {
 /// share theirs.
 class PartFinder {
   public:
-    /// Without a mesh there are no parts.
-    explicit PartFinder(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
-        if (mesh_) {
-            parts_ = mesh_->parts();
-        }
-    }
+    explicit PartFinder(std::shared_ptr<const Mesh> mesh)
+        : mesh_(std::move(mesh)), parts_(mesh_->parts()) {}
 
     [[nodiscard]] std::span<const Part> parts() const { return parts_; }
 

@@ -1,6 +1,8 @@
 #include "client/export/result_sink.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <string>
 
 namespace cd {
 
@@ -28,7 +30,7 @@ Result<ResultSink> ResultSink::open(const SinkOptions& options, const ExportCont
     for (const ExportBody& body : context.bodies) {
         meshes.push_back(body.mesh);
     }
-    ResultSink sink(PartTally(meshes), context.stop);
+    ResultSink sink(meshes, context.stop);
     if (!options.dir.empty()) {
         auto files = ResultFiles::open(options.dir, options.formats, context);
         if (!files) {
@@ -43,6 +45,12 @@ Result<ResultSink> ResultSink::open(const SinkOptions& options, const ExportCont
 Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair> found) {
     if (stop_ && stop_()) {
         return interrupted();
+    }
+    const std::uint32_t body = std::max(result.body_a, result.body_b);
+    if (body >= body_count_) {
+        return Error{ErrorCode::BadInput,
+                     "the result of scenario " + std::to_string(result.index) + " is of body " +
+                         std::to_string(body) + ", and the job has " + std::to_string(body_count_)};
     }
     tally_.add(result);
     waiting_.add(found.empty() ? std::span<const ContactPair>(result.pairs) : found);

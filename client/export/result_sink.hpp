@@ -6,6 +6,7 @@
 #include "common/core/result.hpp"
 #include "common/job/contact_map.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -30,7 +31,8 @@ class ResultSink {
                                                  const ExportContext& context);
 
     /// Adds the next result in submitted order. `found` has all its pairs for a job with maps;
-    /// otherwise the map is the sum over the listed pairs. Errors: Io; Interrupted.
+    /// otherwise the map is the sum over the listed pairs. Errors: Io; Interrupted;
+    /// BadInput for a body that the job does not have.
     [[nodiscard]] Status add(const ScenarioResult& result, std::span<const ContactPair> found = {});
     /// Completes all files, and writes those of `map`.
     [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
@@ -42,11 +44,12 @@ class ResultSink {
     [[nodiscard]] bool uses_stdout() const { return stdout_writer_ != nullptr; }
 
   private:
-    ResultSink(PartTally tally, StopCheck stop)
-        : tally_(std::move(tally)), stop_(std::move(stop)) {}
+    ResultSink(const std::vector<std::shared_ptr<const Mesh>>& meshes, StopCheck stop)
+        : body_count_(meshes.size()), tally_(meshes), stop_(std::move(stop)) {}
 
     std::optional<ResultFiles> files_;
     std::unique_ptr<ResultWriter> stdout_writer_;
+    std::size_t body_count_;
     PartTally tally_;
     StopCheck stop_;
     ContactMapSum waiting_; ///< Not in `map_` yet.

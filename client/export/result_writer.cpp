@@ -51,18 +51,6 @@ std::string_view pair_class_name(PairClass kind) {
     return "unknown";
 }
 
-const Part* part_of(const Mesh* mesh, std::uint32_t triangle) {
-    if (mesh == nullptr) {
-        return nullptr;
-    }
-    const auto& parts = mesh->parts();
-    const auto after = std::upper_bound(
-        parts.begin(), parts.end(), triangle, [](std::uint32_t id, const Part& part) {
-            return id < part.triangles_end;
-        });
-    return after == parts.end() || triangle < after->triangles_begin ? nullptr : &*after;
-}
-
 Result<ResultFiles> ResultFiles::open(const std::filesystem::path& dir,
                                       const std::vector<std::string>& formats,
                                       const ExportContext& context) {

@@ -22,7 +22,6 @@ namespace cd {
 struct ExportBody {
     std::string name; ///< "a", "b", or what the job calls it.
     std::string file; ///< Its mesh, for people.
-    /// Null where results are fetched without the meshes: parts are then not named.
     std::shared_ptr<const Mesh> mesh;
     bool is_rounded = false; ///< Its coordinates were rounded to floats, as the job asked.
 };
@@ -36,11 +35,6 @@ struct ExportContext {
     std::optional<double> tolerance; ///< Where it is known.
     bool exact_points = false;       ///< NPZ: also points at full precision, relative to origins.
     StopCheck stop;                  ///< Ends the writing with Interrupted.
-
-    /// The name of a body; empty where there is none of this number.
-    [[nodiscard]] std::string_view body_name(std::uint32_t body) const {
-        return body < bodies.size() ? std::string_view(bodies[body].name) : std::string_view();
-    }
 };
 
 /// A seam: one implementation for each format. Holds no more than a bounded buffer of results.
@@ -107,9 +101,6 @@ class ResultFiles {
 
 /// touch, coplanar or proper.
 [[nodiscard]] std::string_view pair_class_name(PairClass kind);
-
-/// The part that holds a triangle of the mesh; nothing where there is none, or no mesh.
-[[nodiscard]] const Part* part_of(const Mesh* mesh, std::uint32_t triangle);
 
 /// Calls `function(point)` with each shared point of a result's pair, in the world.
 template <class Function>

@@ -1,3 +1,4 @@
+#include "client/export/part_finder.hpp"
 #include "client/export/result_writer.hpp"
 #include "client/words.hpp"
 #include "common/core/printable.hpp"
@@ -6,19 +7,24 @@ namespace cd {
 
 namespace {
 
-std::string triangle_text(const Mesh* mesh, std::uint32_t triangle) {
-    const Part* part = part_of(mesh, triangle);
+std::string triangle_text(PartFinder& parts, std::uint32_t triangle) {
     const std::string number = std::to_string(triangle);
-    return part == nullptr || part->name.empty()
-               ? number
-               : number + " (" + valid_utf8(part->name) + " " +
-                     std::to_string(triangle - part->triangles_begin) + ")";
+    const auto place = parts.find(triangle);
+    if (!place || parts.parts()[*place].name.empty()) {
+        return number;
+    }
+    const Part& part = parts.parts()[*place];
+    return number + " (" + valid_utf8(part.name) + " " +
+           std::to_string(triangle - part.triangles_begin) + ")";
 }
 
 class TextWriter final : public ResultWriter {
   public:
-    TextWriter(const ExportContext& context, OutputFile file)
-        : context_(context), file_(std::move(file)) {}
+    TextWriter(const ExportContext& context, OutputFile file) : file_(std::move(file)) {
+        for (const ExportBody& body : context.bodies) {
+            parts_.emplace_back(body.mesh);
+        }
+    }
 
     Status add(const ScenarioResult& result) override {
         std::string text = std::to_string(result.index) + "  " + std::string(to_text(result.kind));
@@ -42,10 +48,10 @@ class TextWriter final : public ResultWriter {
     Status finish() override { return file_.commit(); }
 
   private:
-    [[nodiscard]] std::string pair_text(const ScenarioResult& result, std::size_t place) const {
+    [[nodiscard]] std::string pair_text(const ScenarioResult& result, std::size_t place) {
         const ContactPair& pair = result.pairs[place];
-        std::string text = "    A " + triangle_text(mesh_of(result.body_a), pair.a) + "  B " +
-                           triangle_text(mesh_of(result.body_b), pair.b) + "  " +
+        std::string text = "    A " + triangle_text(parts_[result.body_a], pair.a) + "  B " +
+                           triangle_text(parts_[result.body_b], pair.b) + "  " +
                            std::string(pair_class_name(pair.kind));
         for_each_point(result, place, [&](const Vec3& point) {
             text += "  " + exact_text(point.x()) + " " + exact_text(point.y()) + " " +
@@ -54,11 +60,7 @@ class TextWriter final : public ResultWriter {
         return text + "\n";
     }
 
-    [[nodiscard]] const Mesh* mesh_of(std::uint32_t body) const {
-        return body < context_.bodies.size() ? context_.bodies[body].mesh.get() : nullptr;
-    }
-
-    ExportContext context_;
+    std::vector<PartFinder> parts_; ///< Parts of each body.
     OutputFile file_;
 };
 

@@ -12,8 +12,6 @@ namespace cd {
 
 namespace {
 
-constexpr std::size_t touched_parts_shown = 3;
-
 /// The map to export: the one that was kept, or the sum over the pairs of the records.
 Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink) {
     const Query& query = run.manifest().query;
@@ -57,7 +55,7 @@ write_exports(const OpenedRun& run, const SinkOptions& options, const ExportCont
     report.limit_pairs = run.manifest().query.limit_pairs;
     report.maps_all_pairs = run.manifest().query.maps;
     report.map = std::move(map.value());
-    report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    report.most_touched = sink.value().tally().most_touched();
     report.summary_file = (run.dir() / "summary.json").string();
     return report;
 }

@@ -24,7 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t touched_parts_shown = 3;
 /// A lower bound for a scenario: one pose as a quaternion with a translation.
 constexpr std::uint64_t scenario_bytes = 64;
 
@@ -286,7 +285,7 @@ Status FolderRun::finish(RunReport& report,
     if (Status finished = sink.value().finish(report.map); !finished) {
         return finished;
     }
-    report.most_touched = sink.value().tally().most_touched(touched_parts_shown);
+    report.most_touched = sink.value().tally().most_touched();
     if (Status kept = finish_inputs(); !kept) {
         return kept;
     }

@@ -1,5 +1,6 @@
 // Proves that what is written is what was found, in every format, and that files appear whole or
 // not at all.
+#include "client/export/result_sink.hpp"
 #include "client/export/result_writer.hpp"
 #include "client/npz.hpp"
 #include "tests/support/file_size_limit.hpp"
@@ -252,14 +253,15 @@ TEST_F(Export, TheSummaryGivesThePapersCost) {
     EXPECT_EQ(statistics["cost_seconds"], 5 * 0.2 + 6 * 0.5);
 }
 
-TEST_F(Export, WithoutTheMeshesPartsAreNotNamed) {
-    for (ExportBody& body : context_.bodies) {
-        body.mesh = nullptr;
-    }
-    write({"csv-pairs", "text"}, Level::Pairs);
-    EXPECT_THAT(text_of("pairs.csv"), HasSubstr("1,0,5,proper,,\n"));
-    EXPECT_THAT(text_of("results.txt"), HasSubstr("    A 0  B 5  proper"));
-    EXPECT_EQ(nlohmann::json::parse(text_of("summary.json"))["bodies"][0]["file"], "a.obj");
+TEST_F(Export, AResultOfABodyThatTheJobDoesNotHaveIsRefused) {
+    auto sink = ResultSink::open({dir_, {"csv", "csv-pairs", "text", "json"}, "text"}, context_);
+    ASSERT_TRUE(sink) << sink.error().detail;
+    ScenarioResult result = results()[1];
+    EXPECT_TRUE(sink.value().add(result));
+    result.body_b = 7;
+    const Status refused = sink.value().add(result);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().detail, "the result of scenario 1 is of body 7, and the job has 2");
 }
 
 TEST_F(Export, NothingStaysOfARunThatDidNotFinish) {
