@@ -428,11 +428,11 @@ def beyond_summary(rows):
             cells.append("".join(f"{show(number(r, 'seconds'))} / {show(number(r, 'sent_mb'))}"
                                  f"{'' if r['fits'] == 'yes' else ' *'}" for r in found))
         lines.append(cells)
-    note = ("Seconds / MB from the master, by hosts and Gb/s: hosts of one core, every second one with a tenth "
+    note = ("Seconds / MB from the master: hosts of one core, every second one with a tenth "
             "of the speed; a fleet of 100 million triangles against a car. The last three ways are counted, not "
             "simulated, each in its own favour; a star: a host needs more than its cache of 2 GB.")
     return f"## Beyond the paper's cluster\n{note}\n\n" + table(
-        ["way", *(f"{show(float(hosts))} hosts, {show(float(gigabits))}" for hosts, gigabits in clusters)],
+        ["way", *(f"{show(float(hosts))} hosts, {show(float(gigabits))} Gb/s" for hosts, gigabits in clusters)],
         lines)
 
 
