@@ -1,11 +1,11 @@
 #include "client/poses/text_poses.hpp"
 
+#include "client/import/mesh_words.hpp"
 #include "common/core/limits.hpp"
 #include "common/core/limits_clients.hpp"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -59,16 +59,6 @@ split(std::string_view line, std::string_view separators, bool joins) {
 bool is_comment(std::string_view line) {
     const std::string_view text = trimmed(line);
     return text.empty() || text.front() == '#';
-}
-
-std::optional<double> to_number(std::string_view word) {
-    if (word.starts_with('+')) {
-        word.remove_prefix(1);
-    }
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return error == std::errc{} && end == word.data() + word.size() ? std::optional(value)
-                                                                    : std::nullopt;
 }
 
 PoseTable make_table(std::vector<double> numbers, PoseLayout layout, bool of_both_bodies) {
@@ -264,7 +254,7 @@ Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& wo
         }
         const std::string_view word = words[column.place];
         const auto number = to_number(word);
-        if (!number) {
+        if (!number || !std::isfinite(*number)) {
             return bad(line,
                        std::string(names_of(columns.set)[i]) + " is '" + std::string(word) +
                            "', not a number");
@@ -334,9 +324,11 @@ class BothBodies {
                const std::vector<double>& numbers,
                std::uint64_t line) {
         const auto scenario = to_number(scenario_word);
+        const bool is_count = scenario && 0 <= *scenario && *scenario < rows_max &&
+                              std::floor(*scenario) == *scenario;
         const bool is_a = is_body_a(body_word);
         const bool is_b = is_body_b(body_word);
-        if (!scenario || *scenario < 0 || *scenario >= rows_max || (!is_a && !is_b)) {
+        if (!is_count || (!is_a && !is_b)) {
             return bad(line,
                        "scenario '" + std::string(scenario_word) + "', body '" +
                            std::string(body_word) + "': a count from 0, and a or b are expected");

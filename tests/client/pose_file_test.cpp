@@ -349,6 +349,23 @@ TEST_F(PoseFile, AFileThatChangesWhileItIsReadIsAnError) {
     EXPECT_THAT(read.error().detail, testing::StartsWith(s.path.string() + ": row 0: "));
 }
 
+TEST_F(PoseFile, AScenarioOfBothBodiesIsAWholeNumber) {
+    for (const char* scenario : {"0.5", "nan", "-1", "inf", ""}) {
+        write_text(folder_ / "both.csv",
+                   "scenario,body,x\n" + std::string(scenario) + ",a,0\n0,b,0\n");
+        PoseFileSpec s = spec("both.csv");
+        s.of_both_bodies = true;
+        EXPECT_THAT(error_of(s),
+                    HasSubstr("line 2: scenario '" + std::string(scenario) +
+                              "', body 'a': a count from 0, and a or b are expected"));
+    }
+}
+
+TEST_F(PoseFile, ANumberBelowAllDoublesIsZero) {
+    write_text(folder_ / "tiny.csv", "x,y\n1e-400,+2\n");
+    EXPECT_EQ(error_of(spec("tiny.csv")), "was taken");
+}
+
 TEST_F(PoseFile, PosesOfBothBodiesAreFoundByTheirLines) {
     const std::string columns = "scenario,body,x,y,z,qx,qy,qz,qw\n";
     const std::string rows = "1,b,0,0,0,0,0,0,1\n0,b,0,0,0,0,0,0,1\n0,a,0,0,0,0,0,0,1\n";
