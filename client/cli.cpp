@@ -87,8 +87,9 @@ void add_local_verbs(CLI::App& app, Verbs& verbs) {
     add_tree_cache(*run, verbs.run.tree_cache);
     add_fail_on(*run, verbs.run.fail_on);
     run->add_flag(
-        "--dry-run", verbs.run.dry_run, "Check all inputs, tell time and size, then stop");
-    run->add_flag("--yes", verbs.run.yes, "Also write more than 1 GB, or half of the free disk");
+        "--dry-run", verbs.run.dry_run, "Check all inputs, estimate time and size, then stop");
+    run->add_flag(
+        "--yes", verbs.run.yes, "Write results even if they exceed 1 GB or half of the free disk");
     add_quiet(*run, verbs.run.quiet);
     add_output(*run, verbs.run.output, {"text", "json", "csv"});
 
@@ -162,8 +163,8 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
     verbs.wait.only_wait = true;
     add_watch("watch", "Follows a job to its end.\nExamples:\n  cdctl watch j-5692", verbs.watch);
     add_watch("wait",
-              "Waits for a job's end; of progress it tells only what the job waits "
-              "for.\nExamples:\n  cdctl wait j-5692 --fail-on cross",
+              "Waits for a job's end. Prints no progress, only why the job is "
+              "waiting.\nExamples:\n  cdctl wait j-5692 --fail-on cross",
               verbs.wait);
 
     CLI::App* results = add_verb(app, verbs, "results", results_help, verbs.results);
@@ -255,42 +256,42 @@ void add_cluster_verbs(CLI::App& app, Verbs& verbs) {
 }
 
 void add_upkeep_verbs(CLI::App& app, Verbs& verbs) {
-    CLI::App* remove = add_verb(app,
-                                verbs,
-                                "rm",
-                                "Removes jobs with their results and poses, and meshes; with a job "
-                                "go the meshes and\ntrees that no other job needs.\n"
-                                "Examples:\n"
-                                "  cdctl rm j-5692 j-a01c --yes\n"
-                                "  cdctl rm j-5692 --cancel --yes      also while it runs\n"
-                                "  cdctl rm 3f9c27a1 --yes             a mesh, for admins",
-                                verbs.remove);
+    CLI::App* remove = add_verb(
+        app,
+        verbs,
+        "rm",
+        "Removes jobs, with results, poses and meshes that no other job uses, or single meshes.\n"
+        "Examples:\n"
+        "  cdctl rm j-5692 j-a01c --yes\n"
+        "  cdctl rm j-5692 --cancel --yes      also while it runs\n"
+        "  cdctl rm 3f9c27a1 --yes             a mesh, for admins",
+        verbs.remove);
     remove
         ->add_option("what",
                      verbs.remove.what,
                      "A job's id, its beginning, or last; or a mesh, by the beginning of its hash")
         ->required()
         ->type_name("JOB|MESH...");
-    remove->add_flag("--yes", verbs.remove.yes, "Remove; without it nothing is done");
-    remove->add_flag("--cancel", verbs.remove.cancel, "End a job first that runs");
+    remove->add_flag("--yes", verbs.remove.yes, "Confirm; without it nothing is removed");
+    remove->add_flag("--cancel", verbs.remove.cancel, "Cancel a running job first");
     add_master_options(*remove, verbs.remove.master, true);
 
     CLI::App* drain =
         add_verb(app,
                  verbs,
                  "drain",
-                 "Sends workers away: they finish what runs, hand back the rest, and "
-                 "end with exit code 0.\n"
+                 "Drains workers: each finishes its running scenarios, returns the "
+                 "rest, and exits with code 0.\n"
                  "Examples:\n"
                  "  cdctl drain w-3\n"
                  "  cdctl drain --all\n"
-                 "  cdctl drain w-3 --now               what runs goes to others, too",
+                 "  cdctl drain w-3 --now               does not wait for running scenarios",
                  verbs.drain);
     CLI::Option* workers =
         drain->add_option("worker", verbs.drain.workers, "A worker's id, or its name")
             ->type_name("WORKER...");
-    drain->add_flag("--all", verbs.drain.all, "All workers that are here")->excludes(workers);
-    drain->add_flag("--now", verbs.drain.now, "At once, without finishing anything");
+    drain->add_flag("--all", verbs.drain.all, "All connected workers")->excludes(workers);
+    drain->add_flag("--now", verbs.drain.now, "Exit at once, without finishing running scenarios");
     add_master_options(*drain, verbs.drain.master, true);
 }
 
@@ -367,11 +368,11 @@ void add_check_verbs(CLI::App& app, Verbs& verbs) {
         ->required()
         ->type_name("FOLDER|JOB");
     add_master_options(*verify, verbs.verify.master, true);
-    verify->add_option("--sample", verbs.verify.sample, "How many scenarios, drawn by the seed")
+    verify->add_option("--sample", verbs.verify.sample, "Number of scenarios, chosen by the seed")
         ->check(CLI::PositiveNumber)
         ->type_name("N")
         ->capture_default_str();
-    verify->add_option("--seed", verbs.verify.seed, "Which ones")
+    verify->add_option("--seed", verbs.verify.seed, "Selects the scenarios")
         ->type_name("N")
         ->capture_default_str();
     verify->add_option("--threads", verbs.verify.threads, "Threads here; 0 is one for each core")
@@ -402,7 +403,7 @@ void add_check_verbs(CLI::App& app, Verbs& verbs) {
                      "A results folder; or a job's id, its beginning, or last: your newest")
         ->required()
         ->type_name("FOLDER|JOB");
-    extract->add_option("scenarios", verbs.extract.scenarios, "N, or N-M with both")
+    extract->add_option("scenarios", verbs.extract.scenarios, "N, or N-M (inclusive)")
         ->required()
         ->type_name("N[-M]");
     add_master_options(*extract, verbs.extract.master, true);
@@ -414,8 +415,8 @@ void add_check_verbs(CLI::App& app, Verbs& verbs) {
         ->capture_default_str();
     extract->add_flag("--minimal",
                       verbs.extract.minimal,
-                      "Only triangles whose boxes meet the other body's there; ids.csv leads back "
-                      "to their numbers");
+                      "Only triangles whose boxes meet the other body's; ids.csv has their "
+                      "numbers in the run");
     extract->add_option("--threads", verbs.extract.threads, "Threads here; 0 is one for each core")
         ->check(CLI::Range(0u, 4096u))
         ->type_name("N");

@@ -3,7 +3,7 @@
 
 namespace cd {
 
-/// Of cdctl itself.
+/// Help text of `cdctl`.
 inline constexpr const char* main_help =
     "Finds every contact of two triangle meshes for many poses, here or on a cluster.\n"
     "Examples:\n"
@@ -25,7 +25,7 @@ inline constexpr const char* main_help =
     "Data goes to stdout, progress to stderr. NO_COLOR is honoured. `cdctl VERB --help` tells "
     "more.";
 
-/// Of `cdctl run`.
+/// Help text of `cdctl run`.
 inline constexpr const char* run_help =
     "Runs a job and reports: on this machine alone, or with --master on the cluster.\n"
     "Examples:\n"
@@ -36,16 +36,17 @@ inline constexpr const char* run_help =
     "  cdctl run --a car.obj --b tram.obj --random 3744 --seed 1 --penetration 0.005 0.05\n"
     "  cdctl run --a a.stl --b b.stl --poses - -o csv < poses.csv > scenarios.csv\n"
     "  cdctl run job.toml --level count --fail-on cross || echo 'it clashes'\n"
-    "  cdctl run job.toml --dry-run                        checks the inputs, tells time and size\n"
-    "  cdctl run job.toml --tolerance 0.05                 near misses, too; not for speed\n"
-    "  cdctl run out                                       a results folder, once more\n"
+    "  cdctl run job.toml --dry-run                        checks inputs, estimates time and size\n"
+    "  cdctl run job.toml --tolerance 0.05                 also finds near misses; slower\n"
+    "  cdctl run out                                       runs a results folder again\n"
     "\n"
     "A job.toml has the keys name, unit, and the tables\n"
     "  [a] [b]    mesh = \"car.obj\", unit = \"mm\" (m, cm, mm, km, in, ft), name\n"
-    "             precision = \"float\" rounds coordinates; else doubles where floats lose "
-    "digits;\n"
-    "             up = \"y\" turns y up to z up; else the file's axes are taken as they are;\n"
-    "             without a unit the one that the file declares counts (COLLADA, FBX, 3MF, ...)\n"
+    "             precision = \"float\" rounds coordinates (default: double if float loses "
+    "digits);\n"
+    "             up = \"y\" turns y up to z up (default: the file's axes are not turned);\n"
+    "             the default unit is the one that the file declares (COLLADA, FBX, 3MF, ...),\n"
+    "             or else the job's\n"
     "  [poses]    file = \"poses.npy\" | grid = { x = [-3, 3, 200], yaw_deg = [0, 350, 36] }\n"
     "             | random = { n = 1000, seed = 1, penetration = [0.005, 0.05] };\n"
     "             unit = \"mm\" (of their lengths), quat_order = \"xyzw\", of = \"both\",\n"
@@ -75,15 +76,17 @@ inline constexpr const char* run_help =
     "             hints = false: with earliest-finish, workers do not hear ahead what they will "
     "need\n"
     "\n"
-    "A tolerance above 0 stops at boxes whose diameters sum to no more. No contact is missed:\n"
-    "separate stays proven, and the rest is undecided, with a length that the bodies are at most\n"
-    "apart. It is good for finding near misses, not for speed: at level any it took 16 to 123 us\n"
-    "a query where exact took 9.8 us (bench/accuracy/RESULTS.md). It fixes the distribution "
-    "depths.\n"
-    "With --fail-on an undecided scenario makes the exit code 3 where no contact was proven.\n"
+    "A tolerance above 0 does not descend below boxes whose diameters sum to at most that length.\n"
+    "No contact is missed: `separate` is still proven, and all else is `undecided`, with an upper\n"
+    "bound for the distance of the bodies. Use it to find near misses, not for speed: at level "
+    "any\n"
+    "it took 16 to 123 us a query where exact took 9.8 us (bench/accuracy/RESULTS.md). It fixes "
+    "the\n"
+    "distribution depths. With --fail-on, undecided scenarios give exit code 3 if no contact was\n"
+    "proven.\n"
     "\n"
-    "A run into a folder that is interrupted, or killed, goes on with the next equal command. The\n"
-    "folder then has summary.json, run.json, records (all results), the formats, and inputs/.\n"
+    "If a run into a folder is interrupted or killed, the same command resumes it. A finished\n"
+    "folder has summary.json, run.json, records (all results), the formats, and inputs/.\n"
     "\n"
     "--stats (and statistics in summary.json) counts box pairs, N_b, and candidates, N_p: "
     "pairs\n"
@@ -93,22 +96,22 @@ inline constexpr const char* run_help =
     "job:\n"
     "geometry, by who gave it; how often a worker's cache held what a scenario needed; results.";
 
-/// Of `cdctl results`.
+/// Help text of `cdctl results`.
 inline constexpr const char* results_help =
-    "Writes the results of a run: of a folder in more formats, or of a job on a master.\n"
+    "Exports the results of a folder in more formats, or fetches those of a job on a master.\n"
     "Examples:\n"
-    "  cdctl results out --formats npz,csv-pairs           more formats of a folder, nothing is "
-    "run\n"
+    "  cdctl results out --formats npz,csv-pairs           more formats; runs nothing\n"
     "  cdctl results out -o csv > scenarios.csv\n"
     "  cdctl results j-5692 --out out --formats csv,npz\n"
     "\n"
-    "Scenarios and triangles count from 0; a triangle's number is its place in its mesh, in the\n"
-    "order of the file. Classes: 0 separate, 1 touch, 2 cross, 3 inside, 4 contact, 5 undecided,\n"
-    "6 failed; of pairs: 1 touch, 2 coplanar, 3 proper.\n"
-    "  cut             the list of pairs ends at limit_pairs; the count is the true one\n"
-    "  surfaces_only   a body is open, so that nothing is said of insides\n"
+    "Scenarios and triangles are numbered from 0; triangles are in the order of the mesh file.\n"
+    "Classes: 0 separate, 1 touch, 2 cross, 3 inside, 4 contact, 5 undecided, 6 failed. Classes "
+    "of\n"
+    "pairs: 1 touch, 2 coplanar, 3 proper.\n"
+    "  cut             the list of pairs ends at limit_pairs; the count is still exact\n"
+    "  surfaces_only   a body is open, so containment was not tested\n"
     "  insides_skipped triangles are ignored, so that nothing is said of the rest's insides\n"
-    "  distance_bound  of undecided scenarios: the bodies are at most so far apart\n"
+    "  distance_bound  undecided scenarios: the bodies are at most this far apart\n"
     "npz: the pairs of scenario i are pairs[offsets[i]:offsets[i+1]], the points of pair j\n"
     "points_world[point_offsets[j]:point_offsets[j+1]], in the job's unit. docs/formats.md has "
     "all.";

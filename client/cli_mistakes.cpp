@@ -67,7 +67,7 @@ std::string first_steps() {
            "  cdctl inspect car.obj                size, parts, closed or not\n"
            "  cdctl run --a car.obj --b post.stl --random 1000\n"
            "  cdctl run --a car.obj --b post.stl --poses poses.csv --out out\n"
-           "  cdctl run job.toml --dry-run         checks the inputs, tells time and size\n"
+           "  cdctl run job.toml --dry-run         checks inputs, estimates time and size\n"
            "  cdctl run job.toml --master HOST:7600\n"
            "  cdctl submit job.toml                then watch, wait, results\n"
            "  cdctl status                         the cluster and its jobs\n"

@@ -55,13 +55,13 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->group(inputs);
     verb.add_option("--precision",
                     job.precision,
-                    "Of both meshes: auto (doubles where floats lose digits), float (rounded)")
+                    "For both meshes: auto (double if float loses digits) or float (rounded)")
         ->check(CLI::IsMember(std::vector<std::string>{"auto", "float"}))
         ->type_name("PRECISION");
     verb.add_option("--poses", job.poses, "Poses of B in A's frame: .npy, .csv, TUM; - is stdin")
         ->type_name("FILE")
         ->group(inputs);
-    verb.add_option("--poses-unit", job.poses_unit, "Unit of the poses' lengths, where it differs")
+    verb.add_option("--poses-unit", job.poses_unit, "Unit of the poses' lengths, if not the job's")
         ->check(CLI::IsMember(units()))
         ->type_name("UNIT")
         ->group(inputs);
@@ -93,14 +93,15 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->group(query);
     verb.add_option("--tolerance",
                     job.tolerance,
-                    "Near misses: boxes this small stay undecided; slower than 0, exact")
+                    "Find near misses: boxes this small stay undecided; 0 is exact and faster")
         ->check(CLI::NonNegativeNumber)
         ->type_name("LENGTH")
         ->group(query);
     verb.add_option("--limit-pairs", job.limit_pairs, "Keep so many pairs a scenario; 0 keeps all")
         ->type_name("N")
         ->group(query);
-    verb.add_flag("--maps", job.maps, "From level count on: how often each triangle was in contact")
+    verb.add_flag(
+            "--maps", job.maps, "Count the contacts of each triangle; needs level count or above")
         ->group(query);
     verb.add_option("--out", job.out, "Folder for the results")
         ->type_name("DIR")
@@ -166,32 +167,31 @@ void add_tree_cache(CLI::App& verb, std::string& folder) {
 void add_formats(CLI::App& verb, std::vector<std::string>& formats, bool& exact_points) {
     verb.add_option("--formats",
                     formats,
-                    "csv, csv-pairs, npz, json, text (default csv,npz); csv has a row a scenario, "
-                    "csv-pairs one a pair")
+                    "csv, csv-pairs, npz, json, text (default csv,npz); csv has one row per "
+                    "scenario, csv-pairs one per pair")
         ->delimiter(',')
         ->type_name("LIST")
         ->group(results_group);
     verb.add_flag("--exact-points",
                   exact_points,
-                  "In npz also points relative to origins, with all their bits")
+                  "In npz also points at full precision, relative to point_origins")
         ->group(results_group);
 }
 
 void add_folder_options(CLI::App& verb, FolderFlags& flags) {
     verb.add_flag("--overwrite", flags.overwrite, "Replace another run in the folder")
         ->group(results_group);
-    verb.add_flag("--fresh", flags.fresh, "Run again what the folder already holds of this job")
+    verb.add_flag("--fresh", flags.fresh, "Run everything again, also what the folder already has")
         ->group(results_group);
     verb.add_flag("--no-inputs",
                   flags.no_inputs,
-                  "Keep no meshes and poses there; the folder is opened again with their files")
+                  "Keep no copies of meshes and poses; reopening needs their files")
         ->group(results_group);
 }
 
 void add_statistics(CLI::App& verb, bool& statistics) {
-    verb.add_flag("--stats",
-                  statistics,
-                  "Say what the searches cost and what travelled; summary.json always does")
+    verb.add_flag(
+            "--stats", statistics, "Print search cost and network traffic (always in summary.json)")
         ->group(results_group);
 }
 
