@@ -263,7 +263,7 @@ std::string warnings_text(const RunReport& report) {
     }
     if (report.inputs_are_too_large) {
         text +=
-            "  inputs        not kept, since they are too large: whoever opens the folder needs "
+            "  inputs        not kept, since they are too large: opening the folder again needs "
             "their files\n";
     }
     return text;
@@ -287,10 +287,10 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     text += classes_text(summary, report.level, style.colours);
     if (summary.surfaces_only != 0) {
         text += "  surfaces only  in " + counted(summary.surfaces_only, "scenario") +
-                ": a body is open, so nothing is said of insides\n";
+                ": a body is open, so containment was not tested\n";
     }
     if (summary.insides_skipped != 0) {
-        text += "  insides not looked at  in " + counted(summary.insides_skipped, "scenario") +
+        text += "  containment not tested  in " + counted(summary.insides_skipped, "scenario") +
                 ": parts are ignored, and the rest of a body is not closed\n";
     }
     if (summary.cut != 0) {

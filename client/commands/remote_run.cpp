@@ -26,7 +26,7 @@ int fail_and_cancel(Connection& connection, JobId job, const Error& error) {
     if (error.code == ErrorCode::Interrupted && connection.cancel(job)) {
         const std::string id = job_id_text(job);
         std::fprintf(stderr,
-                     "cdctl: job %s is cancelled; `cdctl results %s` gives what was answered\n",
+                     "cdctl: job %s is cancelled; `cdctl results %s` gives the results so far\n",
                      id.c_str(),
                      id.c_str());
     }
@@ -35,8 +35,10 @@ int fail_and_cancel(Connection& connection, JobId job, const Error& error) {
 
 /// The job is done, and its results have not come.
 int fail_to_fetch(const std::string& job, const Error& error) {
-    std::fprintf(
-        stderr, "cdctl: job %s is done; `cdctl results %s` gives it\n", job.c_str(), job.c_str());
+    std::fprintf(stderr,
+                 "cdctl: job %s is done; `cdctl results %s` fetches its results\n",
+                 job.c_str(),
+                 job.c_str());
     return fail(error);
 }
 

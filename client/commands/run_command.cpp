@@ -122,9 +122,9 @@ int fail_and_keep(const LocalJob& local, FolderRun& run, const Error& error) {
     if (!kept) {
         return fail(kept.error());
     }
-    const std::string what =
-        "; " + grouped(run.kept()) + " of " + grouped(local.job.poses->count()) + " are kept in " +
-        run.folder().dir().string() + ", and the same command goes on from there";
+    const std::string what = "; " + grouped(run.kept()) + " of " +
+                             grouped(local.job.poses->count()) + " are kept in " +
+                             run.folder().dir().string() + "; the same command resumes the run";
     return fail({error.code, error.detail + what});
 }
 
@@ -312,7 +312,7 @@ int tell_complete(const RunCommand& command, const PreparedJob& job, FolderRun& 
     }
     if (!command.quiet) {
         std::fprintf(stderr,
-                     "%s holds this run already, of %s: digest %s; --fresh runs it again\n",
+                     "%s already holds this run (of %s): digest %s; --fresh runs it again\n",
                      run.folder().dir().string().c_str(),
                      manifest.started.c_str(),
                      to_short_hex(*manifest.digest).c_str());

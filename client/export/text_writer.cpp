@@ -37,7 +37,7 @@ class TextWriter final : public ResultWriter {
                      ? "  at most " + exact_text(result.distance_bound) + " apart"
                      : "") +
                 (result.surfaces_only ? "  surfaces only" : "") +
-                (result.insides_skipped ? "  insides not looked at" : "") +
+                (result.insides_skipped ? "  containment not tested" : "") +
                 (result.failure.empty() ? "" : "  " + result.failure) + "\n";
         for (std::size_t i = 0; i < result.pairs.size(); ++i) {
             text += pair_text(result, i);

@@ -192,7 +192,7 @@ Result<ResultMerger> FolderRun::done() const {
                    ? Status(Done{})
                    : Status(Error{ErrorCode::Io,
                                   (folder_.part() / "records").string() +
-                                      " is of another kind of run; add --fresh"});
+                                      " cannot be resumed; add --fresh"});
     });
     return read ? Result<ResultMerger>(std::move(merger)) : read.error();
 }

@@ -21,7 +21,7 @@ Error no_run(const fs::path& dir) {
         return {ErrorCode::BadInput,
                 dir.string() + " holds an unfinished run of " +
                     counted(unfinished.value().poses.count, "scenario") +
-                    "; the command that began it goes on with it: " + unfinished.value().command};
+                    "; resume it with: " + unfinished.value().command};
     }
     if (holds_only_a_summary(dir)) {
         return {ErrorCode::BadInput,
@@ -33,8 +33,7 @@ Error no_run(const fs::path& dir) {
 
 Error changed(const std::string& file) {
     return {ErrorCode::BadInput,
-            file + " has changed since the run: it is not what was tested; put the old file back, "
-                   "or run the job anew"};
+            file + " has changed since the run; restore the old file, or run the job again"};
 }
 
 /// Imports the mesh of a body. Errors: those of `import_mesh`; BadInput if the mesh has changed.

@@ -193,9 +193,10 @@ Status check_rigid(const aiScene& scene, const std::filesystem::path& path) {
         const aiMesh& mesh = *scene.mMeshes[m];
         if (mesh.mNumBones > 0 || mesh.mNumAnimMeshes > 0) {
             return bad(path,
-                       "mesh '" + std::string(mesh.mName.C_Str()) + "' is bent by " +
+                       "mesh '" + std::string(mesh.mName.C_Str()) + "' is deformed by " +
                            (mesh.mNumBones > 0 ? "a skin" : "morph targets") +
-                           ", and only rigid meshes are read; apply them where the file was made");
+                           ", and only rigid meshes are read; apply them in the program that wrote "
+                           "the file");
         }
     }
     return Done{};
@@ -252,7 +253,7 @@ Status check_triangles(const aiScene& scene,
             return bad(path,
                        "mesh '" + std::string(mesh.mName.C_Str()) +
                            "' has polygons that cannot be cut into triangles; triangulate it "
-                           "where it was made");
+                           "before exporting");
         }
     }
     return Done{};

@@ -79,9 +79,9 @@ class InstanceCheck {
         }
         if (name == "instance_controller") {
             return xml_.refusal(node,
-                                "a mesh that a skin or a morph bends ('" + url +
-                                    "'), and only rigid meshes are read; apply it where the file "
-                                    "was made");
+                                "a mesh deformed by a skin or a morph ('" + url +
+                                    "'), and only rigid meshes are read; apply it in the program "
+                                    "that wrote the file");
         }
         if (name == "instance_node") {
             return nodes_.contains(id) ? Status(Done{}) : missing();

@@ -65,7 +65,7 @@ void refuse_unknown_extensions(const GltfFields& file) {
             file.report(compressed_by(name));
         } else if (std::ranges::find(harmless_extensions, name) == harmless_extensions.end()) {
             file.report("requires the extension " + name +
-                        ", which is not known here; write the file without it");
+                        ", which is not supported; export the file without it");
         }
     }
 }

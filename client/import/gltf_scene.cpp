@@ -137,13 +137,15 @@ Result<ImportedMesh> GltfScene::read() {
 Status GltfScene::check_rigid(std::size_t number) const {
     const GltfNode& node = document_.nodes[number];
     if (node.skin) {
-        return bad("its mesh is bent by skin " + std::to_string(*node.skin) +
-                   ", and only rigid meshes are read; apply the skin where the file was made "
-                   "(in Blender, apply the armature modifier)");
+        return bad(
+            "its mesh is deformed by skin " + std::to_string(*node.skin) +
+            ", and only rigid meshes are read; apply the skin in the program that wrote the file "
+            "(in Blender, apply the armature modifier)");
     }
     if (node.is_morphed.value_or(document_.meshes[*node.mesh].is_morphed)) {
-        return bad("its mesh is bent by morph targets, and only rigid meshes are read; apply them "
-                   "where the file was made, or set their weights to zero");
+        return bad(
+            "its mesh is deformed by morph targets, and only rigid meshes are read; apply them "
+            "in the program that wrote the file, or set their weights to zero");
     }
     return Done{};
 }

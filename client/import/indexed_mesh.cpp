@@ -66,7 +66,7 @@ Status IndexedMesh::cut(std::span<const std::int64_t> corners) {
     if (triangles.empty()) {
         return bad("is a polygon of " + std::to_string(corners.size()) +
                    " corners that cannot be cut into triangles, since its outline crosses itself; "
-                   "triangulate it where it was made");
+                   "triangulate it before exporting");
     }
     for (const Triangle& triangle : triangles) {
         builder_.add(Triangle{corners_[triangle[0]], corners_[triangle[1]], corners_[triangle[2]]});

@@ -61,8 +61,8 @@ void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& impo
     const double step = std::ldexp(1.0, std::ilogb(corner) - 23);
     if (step > 1e-6 * box.diagonal()) {
         imported.warnings.push_back(
-            path.string() + ": floats are coarse here: their step at the box's far corner is " +
-            exact_text(step) + ", the diagonal " + exact_text(box.diagonal()) +
+            path.string() + ": floats are coarse here: at the far corner of the box they are " +
+            exact_text(step) + " apart, and the diagonal is " + exact_text(box.diagonal()) +
             "; move the model to its origin, or use .npz, which keeps doubles (float64)");
     }
 }

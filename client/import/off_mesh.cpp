@@ -35,7 +35,7 @@ class OffReader {
             }
         }
         if (!first_word().empty()) {
-            return refusal("goes on after the " + std::to_string(faces_) + " faces that it counts");
+            return refusal("has data after the " + std::to_string(faces_) + " faces of its header");
         }
         return mesh_.finish(source_);
     }

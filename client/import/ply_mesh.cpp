@@ -94,7 +94,7 @@ class PlyReader {
             }
         }
         if (!values_.is_at_end()) {
-            return values_.refusal("goes on after the elements that its header counts");
+            return values_.refusal("has data after the elements of its header");
         }
         return mesh_.finish(source_);
     }

@@ -158,7 +158,7 @@ TEST_F(Export, JsonHasAnObjectOnEachLine) {
 TEST_F(Export, TextNamesPartsAndPoints) {
     write({"text"}, Level::Contacts);
     EXPECT_EQ(text_of("results.txt"),
-              "0  separate  0 pairs  insides not looked at\n"
+              "0  separate  0 pairs  containment not tested\n"
               "1  cross  3 pairs, the first 2  surfaces only\n"
               "    A 0 (left, \"old\" 0)  B 5  proper  10.5 1 0  10.25 0 -3\n"
               "    A 7 (right 1)  B 2  coplanar\n"

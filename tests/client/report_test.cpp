@@ -129,7 +129,7 @@ TEST(Report, WhatWasNotTestedIsNotCalledDone) {
     EXPECT_THAT(text, HasSubstr("ended after"));
     EXPECT_THAT(text, HasSubstr("tested 99 990 of 100 000"));
     EXPECT_THAT(text, HasSubstr("surfaces only  in 3 scenarios"));
-    EXPECT_THAT(text, HasSubstr("insides not looked at  in 4 scenarios: parts are ignored"));
+    EXPECT_THAT(text, HasSubstr("containment not tested  in 4 scenarios: parts are ignored"));
     EXPECT_THAT(text, HasSubstr("limit_pairs was reached"));
     EXPECT_THAT(text, Not(HasSubstr("digest")));
 }
@@ -147,7 +147,7 @@ TEST(Report, AQuietRunWarnsAllTheSame) {
     report.map_withdrawn = "workers differ";
     EXPECT_EQ(told(true),
               "  map           withdrawn: workers differ; run the job again\n"
-              "  inputs        not kept, since they are too large: whoever opens the folder needs "
+              "  inputs        not kept, since they are too large: opening the folder again needs "
               "their files\n");
     EXPECT_THAT(told(false), HasSubstr(told(true)));
 }

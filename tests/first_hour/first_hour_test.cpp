@@ -312,8 +312,8 @@ TEST_F(FirstHour, AfterControlCTheSameCommandGoesOn) {
     run.signal(SIGINT);
     EXPECT_EQ(run.wait(), 130) << run.errors();
     EXPECT_THAT(run.errors(),
-                testing::ContainsRegex("cdctl: interrupted; [0-9 ]+ of 20 000 are kept in .*/out, "
-                                       "and the same command goes on from there\n$"));
+                testing::ContainsRegex("cdctl: interrupted; [0-9 ]+ of 20 000 are kept in .*/out; "
+                                       "the same command resumes the run\n$"));
     words.front() = "cdctl";
     print(words, run.errors(), 130);
     words.erase(words.begin());

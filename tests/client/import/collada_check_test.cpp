@@ -199,7 +199,7 @@ TEST(ColladaCheck, InstancesOfWhatIsNotThereAreNamedByLine) {
     EXPECT_THAT(error_of("c.dae", with("<instance_geometry url=\"other.dae#g\"/>")),
                 HasSubstr("c.dae:16: instance_geometry names 'other.dae#g'"));
     EXPECT_THAT(error_of("d.dae", with("<instance_controller url=\"#skin\"/>")),
-                HasSubstr("d.dae:16: a mesh that a skin or a morph bends"));
+                HasSubstr("d.dae:16: a mesh deformed by a skin or a morph"));
 }
 
 TEST(ColladaCheck, AConvexHullIsNoMesh) {

@@ -207,7 +207,7 @@ TEST(ForeignFormats, ASkinIsRefused) {
     };
     EXPECT_EQ(mesh_of(import_text("plain.x", direct_x(""))).triangles().size(), 1u);
     EXPECT_THAT(error_of("skin.x", direct_x(skin)),
-                HasSubstr("is bent by a skin, and only rigid meshes are read"));
+                HasSubstr("is deformed by a skin, and only rigid meshes are read"));
 }
 
 TEST(ForeignFormats, NotesSayWhatWasTaken) {

@@ -267,13 +267,13 @@ TEST(GltfImport, SkinsAndWeightsThatBendTheMeshAreRefused) {
     skin.json["nodes"].push_back({{"name", "joint"}});
     skin.json["skins"].push_back({{"joints", {1}}}); // inverseBindMatrices are optional.
     skin.json["nodes"][0]["skin"] = 0;
-    EXPECT_THAT(refused(skin), HasSubstr("node 0: its mesh is bent by skin 0"));
+    EXPECT_THAT(refused(skin), HasSubstr("node 0: its mesh is deformed by skin 0"));
 
     GltfText morph = GltfText::triangle();
     morph.primitive()["targets"] = {{{"POSITION", 0}}};
     EXPECT_TRUE(taken(morph));
     morph.json["meshes"][0]["weights"] = {0.5};
-    EXPECT_THAT(refused(morph), HasSubstr("node 0: its mesh is bent by morph targets"));
+    EXPECT_THAT(refused(morph), HasSubstr("node 0: its mesh is deformed by morph targets"));
     morph.json["nodes"][0]["weights"] = {0};
     EXPECT_TRUE(taken(morph));
 }

@@ -29,7 +29,7 @@ TEST(MeshDamage, OffWithFewerOrMoreFacesThanItCounts) {
     EXPECT_THAT(error_of("fewer.off", "OFF\n4 3 0\n" + off_vertices + "3 0 1 2\n"),
                 HasSubstr("face 1 of 3"));
     EXPECT_THAT(error_of("more.off", "OFF\n4 1 0\n" + off_vertices + "3 0 1 2\n3 0 1 3\n"),
-                HasSubstr("goes on"));
+                HasSubstr("has data after"));
 }
 
 TEST(MeshDamage, OffWithOtherThanThreeNumbersALine) {

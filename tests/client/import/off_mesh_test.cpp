@@ -64,7 +64,7 @@ TEST(OffMesh, CountsAreNotBelieved) {
     EXPECT_THAT(error_of("c.off", "OFF\n4 1 0\n" + vertices + "4000000000 0 1 2\n"),
                 HasSubstr("c.off:7: face 0 of 1 is missing or damaged"));
     EXPECT_THAT(error_of("m.off", "OFF\n4 1 0\n" + vertices + "3 0 1 2\n3 0 1 2\n"),
-                HasSubstr("m.off:8: goes on"));
+                HasSubstr("m.off:8: has data after"));
 }
 
 TEST(OffMesh, PointsAndLinesAreCounted) {

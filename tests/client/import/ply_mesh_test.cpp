@@ -193,7 +193,7 @@ TEST(PlyMesh, DataThatDoNotFitTheHeaderAreRefusedByPlace) {
                 HasSubstr("more numbers"));
     EXPECT_THAT(error_of("a.ply", text(described, vertices + "-3 0 1 2\n")), HasSubstr("face 0"));
     EXPECT_THAT(error_of("a.ply", text(described, vertices + "3 0 1 2\n3 0 1 2\n")),
-                HasSubstr("a.ply:16: goes on"));
+                HasSubstr("a.ply:16: has data after"));
     EXPECT_THAT(error_of("a.ply", text(described, "0 0 nan\n" + vertices + "3 0 1 2\n")),
                 HasSubstr("a.ply:11: vertex 0 has a coordinate that is not finite"));
     EXPECT_THAT(error_of("a.ply", text(described, "0 0 0x1\n" + vertices + "3 0 1 2\n")),
@@ -202,7 +202,7 @@ TEST(PlyMesh, DataThatDoNotFitTheHeaderAreRefusedByPlace) {
         square(false).put<std::uint8_t>({3}).put<std::int32_t>({0, 1, 2}).file(described);
     EXPECT_TRUE(import_text("a.ply", whole));
     EXPECT_TRUE(import_text("a.ply", whole + std::string(100, '\0') + "\n"));
-    EXPECT_THAT(error_of("a.ply", whole + "x"), HasSubstr("goes on"));
+    EXPECT_THAT(error_of("a.ply", whole + "x"), HasSubstr("has data after"));
     EXPECT_THAT(error_of("a.ply", whole.substr(0, whole.size() - 1)), HasSubstr("cut short"));
     const std::string far =
         square(false).put<std::uint8_t>({3}).put<std::int32_t>({0, 1, -1}).file(described);

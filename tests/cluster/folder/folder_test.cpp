@@ -28,8 +28,9 @@ TEST_F(Folder, AnInterruptedRunGoesOnWithTheSameCommand) {
         const std::string out = folder_ / "out";
         const Ran whole = run({"--out", folder_ / "whole", "--overwrite"});
         ASSERT_EQ(whole.exit_code, 0) << whole.errors;
-        EXPECT_THAT(stop_early(SIGINT, "out"),
-                    HasSubstr("of 40 000 are kept in " + out + ", and the same command goes on"));
+        EXPECT_THAT(
+            stop_early(SIGINT, "out"),
+            HasSubstr("of 40 000 are kept in " + out + "; the same command resumes the run"));
         auto begun = read_json(folder_ / "out" / ".part" / "run.json");
         begun["started"] = "2001-02-03T04:05:06Z";
         write_text(folder_ / "out" / ".part" / "run.json", begun.dump());
@@ -62,7 +63,7 @@ TEST_F(Folder, ACompleteRunIsToldAndNotRunAgain) {
     const auto records = fs::last_write_time(folder_ / "out" / "records");
     const Ran second = run({"--out", out, "--formats", "csv,npz,npz"});
     EXPECT_EQ(second.exit_code, 0);
-    EXPECT_THAT(second.errors, HasSubstr("holds this run already"));
+    EXPECT_THAT(second.errors, HasSubstr("already holds this run"));
     EXPECT_THAT(second.errors, HasSubstr("digest " + digest_of(first)));
     EXPECT_TRUE(fs::exists(folder_ / "out" / "results.npz")) << "a missing format is added";
     EXPECT_EQ(fs::last_write_time(folder_ / "out" / "records"), records);

@@ -175,7 +175,7 @@ TEST_F(JobFolder, AnInterruptedRunLeavesItsAnswersAtTheMasterAndNothingInItsFold
     const std::string id = id_of_last_job();
     EXPECT_THAT(run.errors(),
                 HasSubstr("cdctl: job " + id + " is cancelled; `cdctl results " + id +
-                          "` gives what was answered\n"));
+                          "` gives the results so far\n"));
     EXPECT_FALSE(fs::exists(folder_ / "x" / ".part"));
 
     const Ran results = cdctl_at_master({"results", id, "--out", folder_ / "y"});
