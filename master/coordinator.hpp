@@ -310,10 +310,11 @@ class Coordinator {
     [[nodiscard]] WorkerStatus worker_status(WorkerId worker, const WorkerLink& link) const;
 
     // Jobs.
-    using DoneScenarios = std::shared_ptr<const std::vector<bool>>;
-    /// `done`: as `AnalysisInput` has it.
-    asio::awaitable<void> prepare_job(JobId job, DoneScenarios done);
-    void start_job(MasterJob& job, const JobGeometry& made, DoneScenarios done);
+    asio::awaitable<void> prepare_job(JobId job);
+    void start_job(MasterJob& job, const JobGeometry& made);
+    /// Makes the job's submitter. It passes over the scenarios that have a result by now: after a
+    /// restart also those that workers have brought back.
+    void begin_analysis(MasterJob& job);
     void block_came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
     /// The only place where results enter a job, and the journal. `worker`: who computed them; 0 is
     /// the master.

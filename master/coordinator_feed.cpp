@@ -13,10 +13,10 @@ void Coordinator::feed() {
     std::uint64_t under_way = 0;
     for (const JobId id : jobs_.running()) {
         MasterJob& job = *jobs_.find(id);
-        if (job.submitter == nullptr) {
+        if (job.order == nullptr) {
             continue;
         }
-        under_way += job.submitter->under_way();
+        under_way += job.analyses_under_way();
         const bool is_held_back =
             awaited_.holds_back(id, Clock::now()) && !mutated(Mutation::NobodyAwaited);
         if (!retries_.contains(id) && !is_held_back) {
@@ -43,6 +43,9 @@ void Coordinator::feed() {
         for (MasterJob* job : jobs) {
             if (job->todo.empty() || !has_room_for_analysis(under_way)) {
                 continue;
+            }
+            if (job->submitter == nullptr) {
+                begin_analysis(*job);
             }
             const auto piece = job->todo.take(limits::analysis_block_scenarios);
             job->submitter->start(piece.places, piece.losses);

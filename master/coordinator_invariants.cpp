@@ -56,7 +56,7 @@ void Coordinator::check_job(const MasterJob& job) const {
     for (const auto& [index, analysis] : job.open) {
         CD_CHECK(job.lacks(index));
     }
-    if (job.submitter->under_way() != 0 || job.places_loading != 0) {
+    if (job.analyses_under_way() != 0 || job.places_loading != 0) {
         return;
     }
     // None is lost: each is merged, at the dispatcher, or still to be handed out.

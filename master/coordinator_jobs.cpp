@@ -15,14 +15,16 @@ namespace cd {
 
 namespace {
 
-/// Up to the last of them.
-std::shared_ptr<const std::vector<bool>> done_scenarios(const std::vector<std::uint64_t>& done) {
-    auto bits = std::make_shared<std::vector<bool>>();
-    for (const std::uint64_t scenario : done) {
-        bits->resize(std::max<std::size_t>(bits->size(), scenario + 1));
-        (*bits)[scenario] = true;
+/// The scenarios that have a result, by index. Null: none has.
+std::shared_ptr<const std::vector<bool>> done_scenarios(const ResultMerger& merger) {
+    if (merger.summary().merged() == 0) {
+        return nullptr;
     }
-    return bits;
+    auto done = std::make_shared<std::vector<bool>>(merger.summary().total);
+    for (std::uint64_t scenario = 0; scenario < done->size(); ++scenario) {
+        (*done)[scenario] = merger.has(scenario);
+    }
+    return done;
 }
 
 } // namespace
@@ -56,7 +58,7 @@ Status Coordinator::restore(Recovered recovered) {
                  job.submit.name,
                  done.size(),
                  job.submit.scenarios);
-        spawn(parts_.executor, "prepare job", prepare_job(job.id, done_scenarios(done)));
+        spawn(parts_.executor, "prepare job", prepare_job(job.id));
     }
     await_workers();
     parts_.journal.start(journal_events());
@@ -132,11 +134,11 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
              submit.name,
              submit.scenarios,
              to_text(submit.cluster.strategy));
-    spawn(parts_.executor, "prepare job", prepare_job(id, nullptr));
+    spawn(parts_.executor, "prepare job", prepare_job(id));
     co_return id;
 }
 
-asio::awaitable<void> Coordinator::prepare_job(JobId id, DoneScenarios done) {
+asio::awaitable<void> Coordinator::prepare_job(JobId id) {
     const MasterJob* accepted = jobs_.find(id);
     if (accepted == nullptr) {
         co_return; // Removed meanwhile.
@@ -150,22 +152,19 @@ asio::awaitable<void> Coordinator::prepare_job(JobId id, DoneScenarios done) {
     }
     if (made) {
         job_paused(*job, "");
-        start_job(*job, made.value(), std::move(done));
+        start_job(*job, made.value());
         co_return;
     }
     const Error& why = made.error();
     const bool may_be_mended = made.is_unwritten() || why.code == ErrorCode::NotFound;
-    wait_for_disk(*job,
-                  may_be_mended ? Error{ErrorCode::Io, why.detail} : why,
-                  [this, id, done = std::move(done)] {
-                      spawn(parts_.executor, "prepare job", prepare_job(id, done));
-                  });
+    wait_for_disk(*job, may_be_mended ? Error{ErrorCode::Io, why.detail} : why, [this, id] {
+        spawn(parts_.executor, "prepare job", prepare_job(id));
+    });
 }
 
-void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenarios done) {
+void Coordinator::start_job(MasterJob& job, const JobGeometry& made) {
     const Submit& submit = job.submit;
     AnalysisInput input = make_analysis_input(made, submit.query, job.poses);
-    input.done = std::move(done);
     job.material = std::make_shared<const JobMaterial>(
         JobMaterial{made.tree_a, made.tree_b, submit.query, input.settler});
     job.tree_a = trees_.acquire(submit.bodies[0].mesh, made.cut_a);
@@ -176,6 +175,23 @@ void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenari
             add_held_trees(link);
         }
     }
+    job.analysis_input = input;
+    job.order = std::make_shared<OrderedPoses>(std::move(input.poses));
+    job.todo = PlaceQueue(job.order->count(), std::exchange(job.losses_before, {}));
+    act(dispatcher().job_opened(job.id,
+                                submit.cluster,
+                                dispatch_tree(job.tree_a, *made.cut_a),
+                                dispatch_tree(job.tree_b, *made.cut_b)));
+    look_at_late_results(job.id);
+    take_up_doubts(job);
+    end_if_complete(job); // A job without scenarios, or without any that were left.
+    feed();
+}
+
+void Coordinator::begin_analysis(MasterJob& job) {
+    AnalysisInput input = *job.analysis_input;
+    input.poses = job.order;
+    input.done = done_scenarios(job.merger);
     // On a thread of the pool; the records are made there, too.
     auto deliver = [this, executor = parts_.executor, id = job.id](AnalysedBlock came) {
         auto finished = std::make_shared<std::vector<TakenResult>>();
@@ -189,20 +205,8 @@ void Coordinator::start_job(MasterJob& job, const JobGeometry& made, DoneScenari
             block_came(id, std::move(*block), std::move(*finished));
         });
     };
-    job.analysis_input = input;
-    job.order = std::make_shared<OrderedPoses>(std::move(input.poses));
-    job.todo = PlaceQueue(job.order->count(), std::exchange(job.losses_before, {}));
-    input.poses = job.order;
     job.submitter =
         std::make_unique<Submitter>(parts_.compute, std::move(input), std::move(deliver));
-    act(dispatcher().job_opened(job.id,
-                                submit.cluster,
-                                dispatch_tree(job.tree_a, *made.cut_a),
-                                dispatch_tree(job.tree_b, *made.cut_b)));
-    look_at_late_results(job.id);
-    take_up_doubts(job);
-    end_if_complete(job); // A job without scenarios, or without any that were left.
-    feed();
 }
 
 void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenResult> finished) {
@@ -243,7 +247,8 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
         const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
         job->matching_seconds.add(seconds, static_cast<double>(handed_out));
     }
-    job->answered_by_master += finished.size();
+    job->answered_by_master += static_cast<std::uint64_t>(std::ranges::count_if(
+        finished, [&](const TakenResult& one) { return !job->merger.has(one.result.index); }));
     merge(*job, {std::move(finished), {}}, WorkerId{});
     end_if_complete(*job);
     feed();

@@ -73,8 +73,8 @@ struct MasterJob {
     std::shared_ptr<const JobMaterial> material;
     TreeId tree_a;
     TreeId tree_b;
-    std::unique_ptr<Submitter> submitter;
-    std::optional<AnalysisInput> analysis_input; ///< Shared with the submitter.
+    std::unique_ptr<Submitter> submitter; ///< Made when the first analysis begins.
+    std::optional<AnalysisInput> analysis_input;
     std::unordered_map<std::uint64_t, std::shared_ptr<const Analysis>> open;
     std::shared_ptr<OrderedPoses> order;
     std::vector<LostPlaces> losses_before; ///< From before a restart, until `todo` is set.
@@ -118,6 +118,10 @@ struct MasterJob {
     /// The scenario has no result, or one that is in doubt.
     [[nodiscard]] bool lacks(std::uint64_t scenario) const {
         return !merger.has(scenario) || doubted.contains(scenario);
+    }
+    /// Blocks that the submitter has started and not yet delivered.
+    [[nodiscard]] std::uint64_t analyses_under_way() const {
+        return submitter == nullptr ? 0 : submitter->under_way();
     }
     /// Takes the first part of an entry out of `given`.
     [[nodiscard]] GivenPlaces take_given(const PlaceRange& places);

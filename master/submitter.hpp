@@ -31,8 +31,8 @@ struct AnalysisInput {
     Query query;
     std::shared_ptr<const Settler> settler; ///< Of these trees.
     std::shared_ptr<PoseSource> poses;      ///< Its `read` must bear several threads at once.
-    /// By index, up to the last: scenarios that have results since an earlier life of the master;
-    /// they are passed over, unless they are started as in doubt. Null: none.
+    /// By index: scenarios that have results before the analysis begins; they are passed over,
+    /// unless they are started as in doubt. Null: none.
     std::shared_ptr<const std::vector<bool>> done;
 };
 

@@ -88,6 +88,7 @@ class FakeWorker {
             results.sequence = results.sequence == 0 ? ++numbered_ : results.sequence;
             channel_->send(results);
         }
+        channel_->send(Standing{}); // That was all of an earlier session.
         for (;;) {
             Result<Message> message = co_await channel_->receive(patience);
             if (!message) {

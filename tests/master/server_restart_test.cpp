@@ -5,6 +5,7 @@
 #include "master/mesh_file.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
+#include "tests/master/journal_writer.hpp"
 #include "tests/master/master_stage.hpp"
 
 #include <latch>
@@ -188,6 +189,57 @@ TEST(ServerRestart, QuarantineAlarmsAndDoubtsAreAsTheyWere) {
         expect_in_quarantine(master, liars_process);
         expect_right_end(master, after.jobs.at(0).job);
     }
+}
+
+/// In the next life of the master its analysis begins with all scenarios of the job. Until then a
+/// worker has answered some, and another was lost with all the others.
+JobId job_to_be_analysed(const std::filesystem::path& state) {
+    JobId job;
+    {
+        Master master(no_return, state);
+        job = submit_to(master, AnalysisMode::Never);
+        const FakeWorker worker(master, {.instance = good_process, .batches_max = 1});
+        master.run_until([&] { return worker.kept == 1; });
+    }
+    Writer writer(state);
+    const RecoveredJob& known = writer.recovered.jobs.at(0);
+    AddResults add{job, known.results, {}, known.progress, {}};
+    add.losses = {{{0, reference().scenarios.size()}, liars_process}};
+    writer.wait_for(writer.journal->add(std::move(add)));
+    return job;
+}
+
+TEST(ServerRestart, WhatAWorkerBringsBackIsNotAnalysed) {
+    const TemporaryFolder state;
+    const JobId job = job_to_be_analysed(state.path());
+    Master master({}, state.path());
+    master.run_until([&] { return master.coordinator.analysis_input(job).has_value(); });
+    const AnalysisInput input = master.coordinator.analysis_input(job).value();
+    const auto results = master.coordinator.results_of(job);
+    std::optional<Analysis> separate; // The only scenario that the worker does not bring.
+    std::vector<Results> brought;
+    for (const Scenario& scenario : reference().scenarios) {
+        Analysis analysis = analyse(input, scenario);
+        if (results->has(scenario.index)) {
+            continue;
+        }
+        if (!separate && analysis.finished) {
+            separate = std::move(analysis);
+        } else {
+            brought.push_back(right_results(job, scenario.index));
+        }
+    }
+    ASSERT_TRUE(separate);
+    ASSERT_GT(brought.size(), reference().scenarios.size() / 3) << "then this shows little";
+    const auto status = [&] { return master.coordinator.job_status(job).value(); };
+    const JobStatus before = status();
+    ASSERT_EQ(before.answered_by_master, 0u);
+
+    const FakeWorker worker(master, {.instance = good_process, .comes_with = brought});
+    expect_right_end(master, job);
+    EXPECT_EQ(status().answered_by_master, 1u);
+    EXPECT_EQ(status().statistics.search.box_tests - before.statistics.search.box_tests,
+              separate->cost.search.box_tests);
 }
 
 TEST(ServerRestart, WhatAnotherWorkerHasVouchedForIsNotDoubtedAgain) {
