@@ -84,7 +84,7 @@ Result<TakenResult> take_record(const JobMaterial& material,
                          " is undecided, and no tolerance was asked for"};
     }
     JobStatistics cost = found->cost;
-    cost.inside += settle_with_cost(*material.settler, scenario, result);
+    cost.inside += material.settler->settle(scenario, result);
     return take_result(std::move(result), cost);
 }
 

@@ -29,7 +29,7 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     analysis.cost.search.box_tests = roots.value().box_tests;
     if (roots.value().pairs.empty()) {
         analysis.finished = run_on_subtrees({}, scenario, input.query).result;
-        analysis.cost.inside = settle_with_cost(*input.settler, scenario, *analysis.finished);
+        analysis.cost.inside = input.settler->settle(scenario, *analysis.finished);
     } else {
         analysis.pairs = std::move(roots.value().pairs);
         analysis.roots_a = roots_of_a(analysis.pairs);

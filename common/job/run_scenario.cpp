@@ -254,7 +254,8 @@ ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& 
     ScenarioRun run = cut_a_ ? run_on_cuts(scenario, kept)
                              : run_on_subtrees(kept, {&whole, 1}, scenario, query_, options_);
     if (!run.is_stopped) {
-        run.inside = settle_with_cost(settler_, scenario, run.result, {run.found, options_.stop});
+        const RelativePose* const b_to_a = cut_a_ ? nullptr : &kept.search->b_to_a();
+        run.inside = settler_.settle(scenario, run.result, {run.found, options_.stop, b_to_a});
     }
     // What a stopped settling says is no answer.
     return is_stopped() ? stopped_run(scenario, query_) : run;

@@ -1,5 +1,6 @@
 #include "common/job/settle.hpp"
 
+#include "common/tree/box_test.hpp"
 #include "common/tree/containment.hpp"
 #include "common/tree/penetration.hpp"
 #include "common/tree/traverse.hpp"
@@ -78,40 +79,45 @@ bool Settler::is_work(const ScenarioResult& result) const {
     return may_change && are_closed_;
 }
 
-SettleStatistics Settler::settle(const Scenario& scenario,
+bool Settler::may_boxes_overlap(const PosePair& poses, const RelativePose* b_to_a) const {
+    const BoxTest boxes(b_to_a != nullptr ? *b_to_a : relative_pose(poses));
+    return boxes.may_overlap(a_.nodes()[0], b_.nodes()[0]);
+}
+
+SettleStatistics Settler::settle_closed(const Scenario& scenario,
+                                        ScenarioResult& result,
+                                        const SettleOptions& options) const {
+    SettleStatistics work;
+    if (result.kind == ScenarioClass::Touch) {
+        if (is_cross(scenario.poses, result, options, work)) {
+            result.kind = ScenarioClass::Cross;
+        }
+    } else if (is_inside(scenario.poses, work)) {
+        result.kind = ScenarioClass::Inside;
+    }
+    return work;
+}
+
+InsideStatistics Settler::settle(const Scenario& scenario,
                                  ScenarioResult& result,
                                  const SettleOptions& options) const {
-    SettleStatistics statistics;
+    using Clock = std::chrono::steady_clock;
     if (result.kind == ScenarioClass::Failed) {
-        return statistics;
+        return {};
     }
     result.surfaces_only = !are_closed_;
     result.insides_skipped =
         are_closed_ && !ignored_.empty() && !(probes().of_a.are_all && probes().of_b.are_all);
     if (!is_work(result)) {
-        return statistics;
+        return {};
     }
-    if (result.kind == ScenarioClass::Touch) {
-        if (is_cross(scenario.poses, result, options, statistics)) {
-            result.kind = ScenarioClass::Cross;
-        }
-    } else if (is_inside(scenario.poses, statistics)) {
-        result.kind = ScenarioClass::Inside;
+    // A body that lies in the other is in its box.
+    if (result.kind == ScenarioClass::Separate &&
+        !may_boxes_overlap(scenario.poses, options.b_to_a)) {
+        return {1, 0, {}};
     }
-    return statistics;
-}
-
-InsideStatistics settle_with_cost(const Settler& settler,
-                                  const Scenario& scenario,
-                                  ScenarioResult& result,
-                                  const SettleOptions& options) {
-    using Clock = std::chrono::steady_clock;
-    const bool is_work = settler.is_work(result);
-    const Clock::time_point start = is_work ? Clock::now() : Clock::time_point();
-    const SettleStatistics work = settler.settle(scenario, result, options);
-    if (!is_work) {
-        return {0, 0, work};
-    }
+    const Clock::time_point start = Clock::now();
+    const SettleStatistics work = settle_closed(scenario, result, options);
     return {1, std::chrono::duration<double>(Clock::now() - start).count(), work};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/stop_check.hpp"
+#include "common/geometry/pose.hpp"
 #include "common/job/result.hpp"
 #include "common/job/scenario.hpp"
 #include "common/job/statistics.hpp"
@@ -20,6 +21,8 @@ struct SettleOptions {
     /// All pairs of a result that does not hold them, sorted; or none.
     std::span<const ContactPair> touches = {};
     StopCheck stop = {}; ///< Once it says so, the class is of no use.
+    /// The scenario's `relative_pose` if it is at hand, else null.
+    const RelativePose* b_to_a = nullptr;
 };
 
 /// What only the whole bodies can tell (NUMERICS, section 1), for results of `run_on_subtrees`
@@ -45,12 +48,13 @@ class Settler {
     Settler(const ObbTree& a, const ObbTree& b, std::vector<IgnoredRange> ignored);
 
     /// Called once by whoever merges; returns what it took. For any number of threads at once.
-    SettleStatistics settle(const Scenario& scenario,
+    /// While the bodies' boxes are apart that is one test of two boxes, of which no time is told:
+    /// reading the clock would take as long.
+    InsideStatistics settle(const Scenario& scenario,
                             ScenarioResult& result,
                             const SettleOptions& options = {}) const;
 
-    /// True when `settle` may have more to do than set flags: it then deserves a thread. (It is
-    /// cheap while the bodies' boxes are apart.)
+    /// True when `settle` may have more to do than set flags: it then deserves a thread.
     [[nodiscard]] bool is_work(const ScenarioResult& result) const;
 
   private:
@@ -59,6 +63,11 @@ class Settler {
         InsideProbes of_b;
     };
     [[nodiscard]] const Probes& probes() const;
+    /// False only if neither body can lie in the other.
+    [[nodiscard]] bool may_boxes_overlap(const PosePair& poses, const RelativePose* b_to_a) const;
+    [[nodiscard]] SettleStatistics settle_closed(const Scenario& scenario,
+                                                 ScenarioResult& result,
+                                                 const SettleOptions& options) const;
     [[nodiscard]] bool is_inside(const PosePair& poses, SettleStatistics& statistics) const;
     [[nodiscard]] bool is_cross(const PosePair& poses,
                                 const ScenarioResult& result,
@@ -72,11 +81,5 @@ class Settler {
     mutable std::once_flag once_;
     mutable Probes probes_; ///< Made when first needed.
 };
-
-/// What `settler` finds, and its cost.
-[[nodiscard]] InsideStatistics settle_with_cost(const Settler& settler,
-                                                const Scenario& scenario,
-                                                ScenarioResult& result,
-                                                const SettleOptions& options = {});
 
 } // namespace cd

@@ -12,8 +12,8 @@ namespace cd {
 /// pair, apart from all else.
 struct InsideStatistics {
     std::uint64_t scenarios = 0; ///< In which it was looked at.
-    double seconds = 0;          ///< Of one thread, by the clock on the wall.
-    SettleStatistics work;       ///< What was looked at; stays on the machine that settled.
+    double seconds = 0;    ///< Of one thread, by the clock on the wall; see `Settler::settle`.
+    SettleStatistics work; ///< What was looked at; stays on the machine that settled.
 
     InsideStatistics& operator+=(const InsideStatistics& other);
 };

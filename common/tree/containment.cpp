@@ -1,6 +1,5 @@
 #include "common/tree/containment.hpp"
 
-#include "common/tree/box_test.hpp"
 #include "common/tree/posed_point.hpp"
 
 #include <algorithm>
@@ -43,9 +42,6 @@ bool contains_component(const ObbTree& outer,
                         const InsideProbes& probes,
                         SettleStatistics& statistics) {
     const RelativePose inner_to_outer = relative_pose({outer_pose, inner_pose});
-    if (!BoxTest(inner_to_outer).may_overlap(outer.nodes()[0], inner.nodes()[0])) {
-        return false;
-    }
     LateFrame frame(outer_pose, inner_pose);
     if (!frame.has_inverse()) {
         return false; // Nothing is strictly inside a body without volume.

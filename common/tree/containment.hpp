@@ -11,7 +11,7 @@ namespace cd {
 /// True when some of the probes, which are of `inner`, lies strictly in the solid that what they
 /// meet of `outer` bounds, by the parity of a ray's crossings. Meant for bodies of which nothing
 /// that meets touches. `outer` must be closed. Exact under the poses as given; never wrong through
-/// rounding. Costs nothing while the bodies' boxes are apart; adds what it costs else.
+/// rounding. Adds what it costs; who knows that the bodies' boxes are apart need not ask.
 [[nodiscard]] bool contains_component(const ObbTree& outer,
                                       const Pose& outer_pose,
                                       const ObbTree& inner,

@@ -70,6 +70,9 @@ class ContactSearch {
     /// True when the search was told to stop: what was found by then is not the answer.
     [[nodiscard]] bool is_stopped() const { return is_stopped_; }
 
+    /// B's coordinates in A's, under the poses at hand.
+    [[nodiscard]] const RelativePose& b_to_a() const { return relative_; }
+
     /// How many pairs `collect` has found, and whether any of them is proper.
     [[nodiscard]] std::uint64_t pair_count() const { return pair_count_; }
     [[nodiscard]] bool has_proper() const { return has_proper_; }
