@@ -20,8 +20,7 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     Analysis analysis;
     analysis.scenario = scenario;
     // The two roots of the tops are the bodies' own boxes, so this is the broad phase as well.
-    Result<CollidingRoots> roots =
-        counted_colliding_roots(*input.top_a, *input.top_b, scenario.poses);
+    Result<CollidingRoots> roots = colliding_roots(*input.top_a, *input.top_b, scenario.poses);
     if (!roots) {
         analysis.finished = failed_result(scenario, input.query, roots.error());
         return analysis;

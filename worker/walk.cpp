@@ -42,7 +42,7 @@ class Walker {
     /// False when it was told to stop.
     bool run(std::size_t place, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
-            counted_colliding_roots(walk_.a->top(), walk_.b->top(), scenario.poses);
+            colliding_roots(walk_.a->top(), walk_.b->top(), scenario.poses);
         FinishedScenarios& finished = walked_.finished;
         if (!roots) {
             finished.add(encode_result(failed_result(scenario, walk_.job->query, roots.error())));

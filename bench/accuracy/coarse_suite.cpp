@@ -55,16 +55,15 @@ ask_with_tolerance(const ObbTree& a, const ObbTree& b, const PosePair& poses, do
 
 /// The boxes alone, down to a depth.
 CoarseAnswer ask_cut(const TreeTop& a, const TreeTop& b, const PosePair& poses) {
-    const auto pairs = colliding_roots(a, b, poses);
-    CD_CHECK(pairs.has_value());
+    const std::vector<RootPair> pairs = colliding_roots(a, b, poses).value().pairs;
     const BoxTest boxes(relative_pose(poses));
     CoarseAnswer answer{CoarseAnswer::Kind::Undecided, std::numeric_limits<double>::infinity()};
-    for (const RootPair& pair : pairs.value()) {
+    for (const RootPair& pair : pairs) {
         const ObbNode& node_a = a.nodes[a.root_nodes[pair.a]];
         const ObbNode& node_b = b.nodes[b.root_nodes[pair.b]];
         answer.distance = std::min(answer.distance, boxes.distance_max(node_a, boxes.pose(node_b)));
     }
-    return pairs.value().empty() ? CoarseAnswer{} : answer;
+    return pairs.empty() ? CoarseAnswer{} : answer;
 }
 
 void judge(const CoarseAnswer& answer, bool touches, double distance, Totals& totals) {

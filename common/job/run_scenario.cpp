@@ -232,8 +232,7 @@ std::shared_ptr<const ScenarioRunner::CutTree> ScenarioRunner::cut(const ObbTree
 }
 
 ScenarioRun ScenarioRunner::run_on_cuts(const Scenario& scenario, KeptSearch& kept) const {
-    const Result<CollidingRoots> roots =
-        counted_colliding_roots(cut_a_->top, cut_b_->top, scenario.poses);
+    const Result<CollidingRoots> roots = colliding_roots(cut_a_->top, cut_b_->top, scenario.poses);
     if (!roots) {
         ScenarioRun failed;
         failed.result = failed_result(scenario, query_, roots.error());

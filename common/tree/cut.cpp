@@ -159,8 +159,7 @@ TreeTop make_tree_top(std::vector<ObbNode> nodes) {
     return top;
 }
 
-Result<CollidingRoots>
-counted_colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses) {
+Result<CollidingRoots> colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses) {
     TopDescent descent(a, b, poses);
     Result<std::vector<RootPair>> pairs = descent.leaf_pairs();
     if (!pairs) {
@@ -171,23 +170,6 @@ counted_colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& pose
     }
     std::sort(pairs.value().begin(), pairs.value().end());
     return CollidingRoots{std::move(pairs.value()), descent.box_tests()};
-}
-
-Result<std::vector<RootPair>>
-colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses) {
-    Result<CollidingRoots> roots = counted_colliding_roots(a, b, poses);
-    if (!roots) {
-        return roots.error();
-    }
-    return std::move(roots.value().pairs);
-}
-
-RootIndicator RootIndicator::of(const TreeTop& top, std::span<const RootIndex> roots) {
-    RootIndicator indicator(top.root_count());
-    for (const RootIndex root : roots) {
-        indicator.set(root, top.triangles_under(root));
-    }
-    return indicator;
 }
 
 std::vector<RootIndex> roots_of_a(std::span<const RootPair> pairs) {

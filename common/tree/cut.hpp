@@ -57,40 +57,16 @@ struct TreeTop {
 /// Finds the roots. The nodes are a tree in preorder whose triangle ranges are consecutive from 0.
 [[nodiscard]] TreeTop make_tree_top(std::vector<ObbNode> nodes);
 
+struct CollidingRoots {
+    std::vector<RootPair> pairs;
+    std::uint64_t box_tests = 0; ///< Pairs of boxes that were tested.
+};
+
 /// Descends both tops together. Each contact of the scenario lies under exactly one returned pair,
 /// so the pairs' contacts together are the answer, without duplicates; no pair means no contact.
 /// Sorted, and a function of the arguments alone. Errors: TooLarge over `limits::root_pairs_max`.
-[[nodiscard]] Result<std::vector<RootPair>>
-colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses);
-
-/// The same, and how many pairs of boxes were tested for it.
-struct CollidingRoots {
-    std::vector<RootPair> pairs;
-    std::uint64_t box_tests = 0;
-};
 [[nodiscard]] Result<CollidingRoots>
-counted_colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses);
-
-/// The paper's "OBB tree distributed nodes indicator" of one scenario or one worker: for each
-/// distribution root of one tree 0, or the number of triangles under it.
-class RootIndicator {
-  public:
-    explicit RootIndicator(std::uint32_t root_count) : triangles_(root_count, 0) {}
-
-    /// The roots that take part in a scenario, each with its triangles (Table 1).
-    [[nodiscard]] static RootIndicator of(const TreeTop& top, std::span<const RootIndex> roots);
-
-    void set(RootIndex root, std::uint32_t triangles) { triangles_[root] = triangles; }
-    void clear(RootIndex root) { triangles_[root] = 0; }
-    [[nodiscard]] std::uint32_t at(RootIndex root) const { return triangles_[root]; }
-    [[nodiscard]] std::uint32_t size() const {
-        return static_cast<std::uint32_t>(triangles_.size());
-    }
-    [[nodiscard]] std::span<const std::uint32_t> values() const { return triangles_; }
-
-  private:
-    std::vector<std::uint32_t> triangles_;
-};
+colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses);
 
 /// The distinct roots of one side of a list of pairs, ascending.
 [[nodiscard]] std::vector<RootIndex> roots_of_a(std::span<const RootPair> pairs);

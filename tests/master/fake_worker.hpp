@@ -206,9 +206,10 @@ class FakeWorker {
         }
         Batch batch{range.task, range.job, pack_scenarios(scenarios), {0}, {}};
         for (const Scenario& scenario : scenarios) {
-            const auto pairs = colliding_roots(
+            const auto roots = colliding_roots(
                 *trees_.at(job.trees[0]).top, *trees_.at(job.trees[1]).top, scenario.poses);
-            batch.pairs.insert(batch.pairs.end(), pairs.value().begin(), pairs.value().end());
+            const std::vector<RootPair>& pairs = roots.value().pairs;
+            batch.pairs.insert(batch.pairs.end(), pairs.begin(), pairs.end());
             batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
         }
         return batch;

@@ -106,12 +106,8 @@ class Twins {
         }
         SlowWorker& worker = workers_.at(*chosen);
         ++worker.buffered;
-        for (const RootIndex root : touched.a) {
-            worker.held_a.set(root, triangles_a_[root]);
-        }
-        for (const RootIndex root : touched.b) {
-            worker.held_b.set(root, triangles_b_[root]);
-        }
+        worker.held_a.insert(touched.a.begin(), touched.a.end());
+        worker.held_b.insert(touched.b.begin(), touched.b.end());
         buffers_[*chosen].push_back(index);
     }
 
@@ -123,10 +119,7 @@ class Twins {
 
     void join() {
         const WorkerId worker{++worker_last_};
-        workers_.emplace(
-            worker,
-            SlowWorker{RootIndicator(static_cast<std::uint32_t>(triangles_a_.size())),
-                       RootIndicator(static_cast<std::uint32_t>(triangles_b_.size()))});
+        workers_[worker];
         buffers_[worker];
         keep(dispatcher_.worker_joined(worker, {"w", 1}));
         allocate_waiting();
@@ -150,7 +143,7 @@ class Twins {
         const bool is_a = random_() % 2 == 0;
         const auto roots = some_roots(is_a ? triangles_a_.size() : triangles_b_.size());
         for (const RootIndex root : roots) {
-            (is_a ? place->second.held_a : place->second.held_b).clear(root);
+            (is_a ? place->second.held_a : place->second.held_b).erase(root);
         }
         keep(dispatcher_.roots_evicted(place->first, is_a ? tree_a : tree_b, roots));
     }

@@ -1,5 +1,6 @@
-// The matchmaker as the paper words it, the slow twin of ours: each worker has an indicator of each
-// tree (6.4.5), and a score is a sum over the roots of a scenario, worker by worker (6.5).
+// The paper's matchmaker, as a slow twin of ours: each worker has the set of the roots that it
+// holds of each tree (6.4.5), and a score is a sum over the roots of a scenario, worker by worker
+// (6.5).
 #pragma once
 
 #include "common/core/id.hpp"
@@ -10,13 +11,14 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <set>
 #include <span>
 
 namespace cd::tests {
 
 struct SlowWorker {
-    RootIndicator held_a;
-    RootIndicator held_b;
+    std::set<RootIndex> held_a;
+    std::set<RootIndex> held_b;
     std::uint64_t buffered = 0;
 };
 
@@ -32,10 +34,10 @@ class SlowMatchmaker {
                                              std::span<const std::uint32_t> triangles_b) {
         std::uint64_t sum = 0;
         for (const RootIndex root : roots_a) {
-            sum += worker.held_a.at(root) != 0 ? triangles_a[root] : 0;
+            sum += worker.held_a.contains(root) ? triangles_a[root] : 0;
         }
         for (const RootIndex root : roots_b) {
-            sum += worker.held_b.at(root) != 0 ? triangles_b[root] : 0;
+            sum += worker.held_b.contains(root) ? triangles_b[root] : 0;
         }
         return sum;
     }

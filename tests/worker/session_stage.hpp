@@ -52,7 +52,8 @@ inline Batch make_batch(TaskId task, std::span<const Scenario> scenarios) {
     batch.scenarios = pack_scenarios(scenarios);
     batch.pair_offsets = {0};
     for (const Scenario& scenario : scenarios) {
-        const auto pairs = colliding_roots(bodies().a.top, bodies().b.top, scenario.poses).value();
+        const auto pairs =
+            colliding_roots(bodies().a.top, bodies().b.top, scenario.poses).value().pairs;
         batch.pairs.insert(batch.pairs.end(), pairs.begin(), pairs.end());
         batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
     }

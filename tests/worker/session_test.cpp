@@ -160,7 +160,7 @@ asio::awaitable<void> begin_what_takes_long(FakeMaster& master, const CutBody& d
     batch.job = JobId{2};
     std::vector<Scenario> scenario(1);
     batch.scenarios = pack_scenarios(scenario);
-    batch.pairs = colliding_roots(dense.top, dense.top, scenario.front().poses).value();
+    batch.pairs = colliding_roots(dense.top, dense.top, scenario.front().poses).value().pairs;
     batch.pair_offsets = {0, static_cast<std::uint32_t>(batch.pairs.size())};
     master.channel->send(batch);
     const std::function<bool()> runs = [&] { return master.last_longest.has_value(); };

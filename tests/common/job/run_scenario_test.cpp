@@ -51,7 +51,7 @@ ScenarioResult run_in_parts(const ObbTree& a,
     const auto depth_a = static_cast<std::uint32_t>(random() % 12);
     const auto depth_b = static_cast<std::uint32_t>(random() % 12);
     auto pairs =
-        colliding_roots(cut_tree(a, depth_a), cut_tree(b, depth_b), scenario.poses).value();
+        colliding_roots(cut_tree(a, depth_a), cut_tree(b, depth_b), scenario.poses).value().pairs;
     std::reverse(pairs.begin(), pairs.end());
     const bool is_wide = suits_wide_tree(a.view()) && suits_wide_tree(b.view()) && random() % 4 > 0;
     const SubtreeForm form = is_wide ? SubtreeForm::Wide : SubtreeForm::Binary;

@@ -195,7 +195,8 @@ TEST(Tolerance, PartsGiveTheRecordOfTheWholeInAnyOrder) {
             auto roots = colliding_roots(cut_tree(a, tolerance_depth(a)),
                                          cut_tree(b, tolerance_depth(b)),
                                          scenario.poses)
-                             .value();
+                             .value()
+                             .pairs;
             std::shuffle(roots.begin(), roots.end(), random);
             std::vector<SubtreePair> pairs;
             for (const RootPair& pair : roots) {
