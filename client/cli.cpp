@@ -200,14 +200,15 @@ void add_job_verbs(CLI::App& app, Verbs& verbs) {
         ->type_name("JOB");
     add_master_options(*cancel, verbs.cancel.master, true);
 
-    CLI::App* explain = add_verb(app,
-                                 verbs,
-                                 "explain",
-                                 "Shows how each worker scores for a scenario of a running job.\n"
-                                 "Examples:\n"
-                                 "  cdctl explain j-5692 17\n"
-                                 "  cdctl explain j-5692 17 -o json",
-                                 verbs.explain);
+    CLI::App* explain = add_verb(
+        app,
+        verbs,
+        "explain",
+        "Shows who answered a scenario and, while its job runs, how each worker\nscores for it.\n"
+        "Examples:\n"
+        "  cdctl explain j-5692 17\n"
+        "  cdctl explain j-5692 17 -o json",
+        verbs.explain);
     explain
         ->add_option(
             "job", verbs.explain.job, "A job's id, its beginning, or last: your newest job")

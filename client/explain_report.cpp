@@ -101,10 +101,12 @@ bool is_by_time(const Explained& explained) {
 std::string explained_text(const Explained& explained, const std::string& job) {
     std::string text = "scenario " + std::to_string(explained.scenario) + " of " + job + ", " +
                        std::string(to_text(explained.strategy)) + "\n";
-    text += "  touches     " + std::to_string(explained.roots_a) + " roots of A, " +
-            std::to_string(explained.roots_b) + " of B\n";
+    const bool is_scored = !explained.why.empty(); // Else the job has ended.
+    text += !is_scored ? ""
+                       : "  touches     " + std::to_string(explained.roots_a) + " roots of A, " +
+                             std::to_string(explained.roots_b) + " of B\n";
     text += "  is          " + explained.where + "\n";
-    text += "  now chosen  " + explained.why + "\n";
+    text += !is_scored ? "" : "  now chosen  " + explained.why + "\n";
     text += explained.note.empty() ? "" : "  note        " + explained.note + "\n";
     if (!explained.workers.empty()) {
         text += table_text(is_by_time(explained) ? table_by_time(explained)
@@ -123,8 +125,10 @@ std::string explained_json(const Explained& explained, const std::string& job) {
     document["where"] = explained.where;
     document["why"] = explained.why;
     document["note"] = explained.note;
-    document["roots_a"] = explained.roots_a;
-    document["roots_b"] = explained.roots_b;
+    if (!explained.why.empty()) { // Else the job has ended.
+        document["roots_a"] = explained.roots_a;
+        document["roots_b"] = explained.roots_b;
+    }
     document["workers"] = nlohmann::ordered_json::array();
     for (const WorkerScore& score : explained.workers) {
         document["workers"].push_back(score_json(score, is_by_time(explained)));

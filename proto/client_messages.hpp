@@ -350,8 +350,8 @@ struct Draining {
     std::vector<WorkerId> workers;
 };
 
-/// Answered by Explained. Errors: NotFound, also of meshes or poses that are gone; Refused for a
-/// job whose geometry is being prepared.
+/// Answered by Explained. Errors: NotFound; Refused for a job whose geometry is being prepared; Io
+/// when the poses cannot be read.
 struct Explain {
     JobId job;
     std::uint64_t scenario = 0;
@@ -376,7 +376,8 @@ struct WorkerScore {
     double work = 0;     ///< The scenario itself.
 };
 
-/// Scores as they are now, not as they were when the scenario was given out.
+/// Scores are those of now, not those of when the scenario was given out. For a job that has ended
+/// `why`, the roots and the workers are empty.
 struct Explained {
     JobId job;
     std::uint64_t scenario = 0;

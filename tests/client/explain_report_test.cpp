@@ -81,6 +81,22 @@ TEST(ExplainReport, WithoutWorkersThereIsNoTable) {
     EXPECT_TRUE(nlohmann::json::parse(explained_json(explained, "j-1"))["workers"].empty());
 }
 
+TEST(ExplainReport, OfAJobThatHasEndedThereAreNoScores) {
+    Explained explained;
+    explained.job = JobId{1};
+    explained.scenario = 17;
+    explained.where = "answered by node-4 (w-4)";
+    explained.note = "the job has ended, so no worker is scored";
+    EXPECT_EQ(explained_text(explained, "j-1"),
+              "scenario 17 of j-1, best-match\n"
+              "  is          answered by node-4 (w-4)\n"
+              "  note        the job has ended, so no worker is scored\n");
+    const auto json = nlohmann::json::parse(explained_json(explained, "j-1"));
+    EXPECT_EQ(json["where"], explained.where);
+    EXPECT_FALSE(json.contains("roots_a"));
+    EXPECT_TRUE(json["workers"].empty());
+}
+
 TEST(ExplainReport, JsonGivesEachNumberAsItIs) {
     Explained explained = make_explained(Strategy::BestMatchLoad);
     explained.note = "as things stand";
