@@ -5,6 +5,7 @@
 #include "master/identity.hpp"
 #include "master/journal_database.hpp"
 #include "master/journal_groups.hpp"
+#include "master/label_spool.hpp"
 #include "master/mesh_file.hpp"
 #include "master/pose_spool.hpp"
 
@@ -71,10 +72,14 @@ class Check {
         for (const RecoveredJob& job : examined.jobs) {
             results += job.results == nullptr ? 0 : job.results->count();
             running += job.end ? 0 : 1;
-            // Of a job that has ended they only explain; without them that is all that is missing.
+            // A job that has ended needs no poses: only queries for them fail without.
             const auto poses = folder / (std::to_string(job.record.id.value) + ".poses");
             if (!job.end || std::filesystem::exists(poses)) {
                 check_poses(job.record, poses);
+            }
+            const auto labels = folder / (std::to_string(job.record.id.value) + ".labels");
+            if (!job.end || std::filesystem::exists(labels)) {
+                check_labels(job.record.submit, labels);
             }
             if (!job.end) {
                 check_bodies(job.record);
@@ -100,7 +105,15 @@ class Check {
         note(spool ? spool.value()->verify() : Status(spool.error()));
     }
 
-    /// Without them an unfinished job waits.
+    void check_labels(const Submit& submit, const std::filesystem::path& path) {
+        if (submit.poses.labels.is_empty()) {
+            return;
+        }
+        const auto spool = LabelSpool::open(path, submit.poses.labels, submit.scenarios);
+        note(spool ? spool.value()->verify() : Status(spool.error()));
+    }
+
+    /// An unfinished job waits until its meshes are there.
     void check_bodies(const JobRecord& job) {
         std::set<Sha256> meshes;
         for (const JobBody& body : job.submit.bodies) {
@@ -115,7 +128,7 @@ class Check {
         }
     }
 
-    /// In the order of their names.
+    /// The files of a folder whose names end in `suffix`, sorted by name.
     [[nodiscard]] std::vector<std::filesystem::path> files_of(const char* folder,
                                                               std::string_view suffix) const {
         std::vector<std::filesystem::path> paths;

@@ -29,7 +29,7 @@ Bytes encode(const PoseLabels& labels) {
     return out.take();
 }
 
-/// False for bytes that are none of so many scenarios.
+/// False if the bytes are not the labels of `scenarios` scenarios in these columns.
 bool decode(std::span<const std::byte> bytes,
             LabelColumns columns,
             std::size_t scenarios,
@@ -57,10 +57,10 @@ struct LabelSpool::State {
     DiskFile file;
     LabelColumns columns;
     std::uint64_t announced = 0;         ///< Scenarios.
-    std::uint64_t count = 0;             ///< Of these, whose labels came.
-    std::vector<std::uint64_t> run_ends; ///< In bytes, of each run on disk,
-    std::vector<std::uint64_t> run_sums; ///< and its checksum.
-    PoseLabels last;                     ///< Of fewer scenarios than a run, not on disk.
+    std::uint64_t count = 0;             ///< Scenarios whose labels have come.
+    std::vector<std::uint64_t> run_ends; ///< Offset of the end of each run on disk.
+    std::vector<std::uint64_t> run_sums; ///< Checksum of each run on disk.
+    PoseLabels last;                     ///< Labels of the unfinished run, not on disk yet.
     std::size_t last_count = 0;
 
     [[nodiscard]] std::uint64_t runs_in_all() const {
@@ -85,8 +85,8 @@ Status LabelSpool::State::write_last() {
     return Done{};
 }
 
-/// The runs' ends and checksums; then the kind of file, its columns, its scenarios and runs, and
-/// the checksum of all that.
+/// Writes the runs' ends and checksums, then the magic number, the columns, the numbers of
+/// scenarios and runs, and the checksum of all these.
 Status LabelSpool::State::write_index() {
     ByteWriter out;
     out.put_array(std::span<const std::uint64_t>(run_ends));
@@ -221,6 +221,15 @@ Status LabelSpool::seal(const std::filesystem::path& path, Durability durability
         return status;
     }
     return state.file.commit_as(path, durability);
+}
+
+Status LabelSpool::verify() const {
+    for (std::uint64_t run = 0; run < state_->run_ends.size(); ++run) {
+        if (const auto labels = state_->read_run(run); !labels) {
+            return labels.error();
+        }
+    }
+    return Done{};
 }
 
 Result<PoseLabels> LabelSpool::read(std::uint64_t first, std::uint64_t count) const {

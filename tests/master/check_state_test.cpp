@@ -5,6 +5,7 @@
 #include "master/geometry_store.hpp"
 #include "master/identity.hpp"
 #include "master/journal.hpp"
+#include "master/label_spool.hpp"
 #include "master/pose_spool.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
@@ -59,6 +60,15 @@ class CheckState : public testing::Test {
             }
             ASSERT_TRUE(spool->append(pack_scenarios(scenarios)));
             ASSERT_TRUE(spool->seal(journal->poses_path(id), Durability::Unsynced));
+            if (id == JobId{1}) {
+                job.submit.poses.labels = {IdKind::Integer, false};
+                const auto labels = std::move(
+                    LabelSpool::create(folder_ / "jobs", job.submit.poses.labels, 5).value());
+                PoseLabels ids;
+                ids.integers = {1, 2, 3, 5, 8};
+                ASSERT_TRUE(labels->append(ids, 5));
+                ASSERT_TRUE(labels->seal(journal->labels_path(id), Durability::Unsynced));
+            }
             journal->add(AcceptJob{job});
             AddResults add{id, ResultStore::create(journal->results_path(id), id, 5), {}, {}, {}};
             add.results.push_back(failed_result(3));
@@ -141,6 +151,18 @@ TEST_F(CheckState, AMissingMeshOfAnUnfinishedJobIsNamed) {
     EXPECT_THAT(text_of(report), testing::HasSubstr(to_hex(mesh_.hash()) + ".mesh is missing"));
     EXPECT_THAT(text_of(report), testing::HasSubstr("job 1"));
     EXPECT_THAT(text_of(report), testing::Not(testing::HasSubstr("job 2"))) << "it has ended";
+}
+
+TEST_F(CheckState, DamagedOrMissingLabelsAreNamed) {
+    const auto labels = folder_ / "jobs/1.labels";
+    flip(labels, 3);
+    const StateReport damaged = check_state(folder_.path());
+    EXPECT_FALSE(damaged.is_sound);
+    EXPECT_THAT(text_of(damaged), testing::HasSubstr(labels.string() + " is damaged"));
+    std::filesystem::remove(labels);
+    const StateReport missing = check_state(folder_.path());
+    EXPECT_FALSE(missing.is_sound);
+    EXPECT_THAT(text_of(missing), testing::HasSubstr(labels.string()));
 }
 
 TEST_F(CheckState, ADamagedBlockIsNamed) {
