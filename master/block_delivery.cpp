@@ -85,7 +85,7 @@ BlockDelivery::probe(WorkerId worker, Endpoint endpoint, std::weak_ptr<Channel> 
     if (reached || closed_ || link == links_.end() || link->second.channel != channel.lock()) {
         co_return;
     }
-    log_warning("worker serves no others: worker={} port={} reason=\"{}\"",
+    log_warning("worker cannot serve other workers: worker={} port={} reason=\"{}\"",
                 worker.value,
                 endpoint.port,
                 reached.error().detail);
@@ -124,7 +124,7 @@ void BlockDelivery::failed(WorkerId worker, const FetchFailed& failed) {
     if (!knows(worker, failed.tree)) {
         return;
     }
-    log_info("peer gave no blocks: worker={} source={} tree={} roots={} outcome={}",
+    log_info("fetch from a peer failed: worker={} source={} tree={} roots={} outcome={}",
              worker.value,
              failed.source.value,
              failed.tree.value,
@@ -134,7 +134,7 @@ void BlockDelivery::failed(WorkerId worker, const FetchFailed& failed) {
     act(director_.peer_failed(
         worker, failed.source, failed.tree, failed.roots, failed.outcome, now()));
     if (!was_avoided && director_.is_avoided(failed.source)) {
-        log_warning("worker serves no others any more: worker={} outcome={}",
+        log_warning("worker no longer serves other workers: worker={} outcome={}",
                     failed.source.value,
                     to_text(failed.outcome));
     }

@@ -16,7 +16,7 @@ namespace cd {
 
 namespace {
 
-/// What the disk does not take; where that is, concerns the master's log alone.
+/// The refusal of data that the disk did not take. The path is written to the master's log only.
 Error without_room(const Error& why, const std::string& what, std::uint64_t bytes) {
     if (why.code != ErrorCode::Io) {
         return why;
@@ -224,8 +224,8 @@ asio::awaitable<void> ClientSession::on(Submit message) {
         begun = co_await begin_poses(std::move(message));
     }
     if (!begun) {
-        drop_poses();
         refuse(without_room(begun.error(), "the job's poses", queued_));
+        drop_poses();
         refused_ = poses_follow;
     }
 }

@@ -118,7 +118,7 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
         ->capture_default_str();
     option(app.add_option("--keep-jobs",
                           texts.keep_jobs,
-                          "Jobs that have ended are kept: so many (1000), or for so long (30d)"),
+                          "How many ended jobs are kept (1000), or for how long (30d)"),
            "N|DURATION")
         ->capture_default_str();
     const CLI::Range times(
@@ -137,8 +137,8 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
         ->capture_default_str();
     option(app.add_option("--return-within",
                           texts.return_within_seconds,
-                          "So long the work of a worker waits for it when its connection broke, "
-                          "or the master was started again"),
+                          "How long a worker's work is kept for it after its connection broke or "
+                          "the master was restarted"),
            "SECONDS")
         ->check(times)
         ->capture_default_str();

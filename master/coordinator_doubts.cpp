@@ -178,7 +178,8 @@ void Coordinator::doubt(MasterJob& job, const std::vector<std::uint64_t>& scenar
     if (doubted.empty()) {
         return;
     }
-    log_warning("results are done again: job={} scenarios={}", job.id.value, doubted.size());
+    log_warning(
+        "results in doubt are recomputed: job={} scenarios={}", job.id.value, doubted.size());
     withdraw_map(job, "a worker that has contributed to it was wrong elsewhere");
     ++job.changes;
     if (job.order != nullptr) { // Else it is done when the geometry is there.

@@ -339,7 +339,7 @@ asio::awaitable<Status> Coordinator::forget_job(JobId id) {
     boost::system::error_code woken;
     co_await forgotten->async_wait(asio::redirect_error(asio::use_awaitable, woken));
     if (!woken) {
-        co_return Error{ErrorCode::Io, "the removal does not get to the disk"};
+        co_return Error{ErrorCode::Io, "the removal was not written to the disk in time"};
     }
     co_return Done{};
 }

@@ -15,7 +15,7 @@ void Coordinator::job_paused(MasterJob& job, const std::string& why) {
     if (why.empty()) {
         log_info("job goes on: job={}", job.id.value);
     } else if (job.paused.empty()) {
-        log_error("the disk fails, the job waits: job={} error=\"{}\"", job.id.value, why);
+        log_error("job paused, the disk fails: job={} error=\"{}\"", job.id.value, why);
     }
     job.paused = why;
     ++job.changes;

@@ -184,7 +184,7 @@ bool Coordinator::merge_one(MasterJob& job,
         open_dispute(job, {job.id, index, worker, taken.digest}, add);
         return false;
     case ResultMerger::Outcome::Foreign:
-        log_error("result of no scenario: job={} scenario={} worker={}",
+        log_error("result for an unknown scenario: job={} scenario={} worker={}",
                   job.id.value,
                   index,
                   worker.value);

@@ -86,7 +86,7 @@ void Coordinator::add_held_trees(WorkerLink& link) {
 void Coordinator::task_ended(WorkerId worker, TaskId id) {
     const auto task = tasks_.find(id);
     if (task == tasks_.end() || task->second.worker != worker) {
-        log_warning("end of no task: worker={} task={}", worker.value, id.value);
+        log_warning("end of an unknown task: worker={} task={}", worker.value, id.value);
         return;
     }
     task->second.ended = true;

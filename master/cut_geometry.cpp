@@ -20,7 +20,7 @@ struct CutGeometry::State {
     BlocksFile blocks;
     std::uint64_t compressed_bytes = 0;
     std::uint64_t bytes = 0;
-    mutable std::atomic<bool> is_set_aside = false; ///< The file.
+    mutable std::atomic<bool> is_set_aside = false; ///< The blocks file was moved as damaged.
 };
 
 namespace {
@@ -117,7 +117,7 @@ Bytes CutGeometry::compressed_block(RootIndex root) const {
     if (!state_->is_set_aside.exchange(true)) {
         const Status moved = set_aside(state_->blocks.file.path(), read.error().detail);
         if (!moved) {
-            log_error("damaged file stays: error=\"{}\"", moved.error().detail);
+            log_error("damaged file not moved away: error=\"{}\"", moved.error().detail);
         }
     }
     return make_block(*state_->tree, state_->depth, state_->form, root);

@@ -98,7 +98,7 @@ struct GeometryStore::State {
              SubtreeForm form);
 };
 
-/// Meshes of earlier runs, and what a run that was killed left half-written.
+/// Lists the meshes of earlier runs and deletes half-written files.
 void GeometryStore::State::find_meshes() {
     for (const char* folder : {"meshes", "trees", "blocks"}) {
         for (const auto& file : std::filesystem::directory_iterator(directory / folder)) {
@@ -117,7 +117,7 @@ void GeometryStore::State::find_meshes() {
     }
 }
 
-/// Unless its file is gone.
+/// Lists the mesh as stored, unless its file is gone.
 void GeometryStore::State::add_stored(const Sha256& mesh) {
     const std::shared_ptr<Entry> entry = find_or_add(mesh);
     const std::lock_guard making(entry->making); // A removal may be under way.
@@ -132,7 +132,7 @@ void GeometryStore::State::add_stored(const Sha256& mesh) {
     statuses[mesh] = {mesh, info.name, info.triangles, bytes, 0};
 }
 
-/// Takes up a mesh that somebody has put into the folder while the master runs.
+/// Lists a mesh that somebody put into the folder while the master runs.
 void GeometryStore::State::find_mesh(const Sha256& mesh) {
     std::error_code error;
     if (!has(mesh) && std::filesystem::exists(mesh_path(mesh), error)) {
@@ -151,8 +151,8 @@ bool GeometryStore::State::has(const Sha256& mesh) const {
     return statuses.contains(mesh);
 }
 
-/// What a removal that was interrupted has left of meshes that are gone. Files of other names are
-/// none of this store's making, or were set aside.
+/// Deletes the files that an interrupted removal left of meshes that are gone. Files with other
+/// names stay: the store did not make them, or it has set them aside.
 void GeometryStore::State::remove_orphans() const {
     for (const char* folder : {"meshes", "trees", "blocks"}) {
         for (const auto& file : std::filesystem::directory_iterator(directory / folder)) {
@@ -169,7 +169,7 @@ void GeometryStore::State::remove_orphans() const {
     }
 }
 
-/// The mesh itself first: what is left without it is an orphan.
+/// Deletes the mesh itself first: a crash then leaves only orphans, which the next start deletes.
 std::uint64_t GeometryStore::State::remove_files(const Sha256& mesh) const {
     std::vector<std::filesystem::path> files{mesh_path(mesh), info_path(mesh), tree_path(mesh)};
     std::error_code error;
@@ -226,8 +226,8 @@ void GeometryStore::State::keep(const std::shared_ptr<const ObbTree>& tree) {
     }
 }
 
-/// A file that is there and cannot be opened, for want of descriptors, say, is not damaged.
-/// Errors: Io.
+/// Checks that a file can be opened if it exists. One that cannot, for example because descriptors
+/// have run out, is not damaged. Errors: Io.
 Status check_opens(const std::filesystem::path& path) {
     const Result<DiskFile> file = DiskFile::open(path);
     return file || file.error().code == ErrorCode::NotFound ? Status(Done{}) : file.error();
@@ -321,7 +321,7 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::load_tree(Entry& en
             status = write(*tree.value());
         }
         if (!status) {
-            log_warning("tree not kept: mesh={} error=\"{}\"",
+            log_warning("tree not written: mesh={} error=\"{}\"",
                         to_short_hex(mesh_hash),
                         status.error().detail);
         }

@@ -205,7 +205,7 @@ std::vector<JobId> JobBoard::announce(MasterJob& job) {
             break;
         }
         if (id != job.id) {
-            log_info("results dropped: job={} reason=\"newer jobs\"", id.value);
+            log_info("job forgotten: job={} reason=\"newer jobs\"", id.value);
             dropped.push_back(id);
             jobs_.erase(id);
             results -= count;
@@ -220,7 +220,7 @@ std::vector<JobId> JobBoard::drop_expired(std::uint64_t now) {
     for (const auto& [id, job] : jobs_) {
         if (job.state != JobState::Running &&
             retention_.is_over(job.end->ended, job.submit.retention_seconds, now)) {
-            log_info("results dropped: job={} reason=\"their time is over\"", id.value);
+            log_info("job forgotten: job={} reason=\"its retention is over\"", id.value);
             dropped.push_back(id);
         }
     }

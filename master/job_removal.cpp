@@ -36,7 +36,7 @@ asio::awaitable<Result<JobStatus>> JobRemoval::ended(Remove wish) {
     }
     status = co_await coordinator_.cancel_job(wish.job);
     if (status && status.value().state == JobState::Running) {
-        co_return Error{ErrorCode::Io, "the end of the job does not get to the disk"};
+        co_return Error{ErrorCode::Io, "the end of the job was not written to the disk in time"};
     }
     co_return status;
 }

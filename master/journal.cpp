@@ -33,7 +33,7 @@ bool is_urgent(const JournalEntry& entry) {
 struct Journal::State {
     JournalOptions options;
     std::mutex database_use;
-    std::unique_ptr<JournalDatabase> database; ///< Of one thread at a time, by `database_use`.
+    std::unique_ptr<JournalDatabase> database; ///< Guarded by `database_use`.
     Recovered recovered;
     JournalEvents events;
 
@@ -77,7 +77,7 @@ bool Journal::State::write_until_done(const std::vector<JournalEntry>& group) {
         }
         if (told != status.error().detail) {
             told = status.error().detail;
-            log_error("journal cannot write, jobs wait: error=\"{}\"", told);
+            log_error("journal cannot write, jobs paused: error=\"{}\"", told);
             events.paused(told);
         }
         std::unique_lock lock(mutex);

@@ -25,7 +25,7 @@ Status write_info(const std::filesystem::path& path, const MeshInfo& info) {
 MeshInfo read_info(const std::filesystem::path& path) {
     const Result<Bytes> content = read_checked(path, info_kind);
     if (!content) {
-        log_warning("no description of a mesh: why={}", content.error().detail);
+        log_warning("mesh description not read: error=\"{}\"", content.error().detail);
         return {};
     }
     ByteReader in(content.value());

@@ -189,7 +189,7 @@ void Server::save_jobs() {
         std::filesystem::rename(unfinished, jobs_path(), error);
     }
     if (!file || error) {
-        log_warning("clients of jobs not written: path={}", jobs_path().string());
+        log_warning("owners of jobs not written: path={}", jobs_path().string());
     }
 }
 

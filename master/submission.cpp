@@ -52,7 +52,7 @@ Status check_text(const std::string& what, const std::string& text, std::size_t 
 
 constexpr std::size_t grid_axes = 6;
 
-/// What is for people alone.
+/// Checks the fields that only people read.
 Status check_origin(const Submit& submit) {
     if (submit.ignore.size() > limits::ignored_ranges_max) {
         return Error{ErrorCode::TooLarge,
@@ -116,7 +116,7 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
                    "; this master takes 0 alone");
     }
     if (submit.grid.has_value() != (submit.poses.kind == PosesKind::Grid)) {
-        return bad("poses of kind grid, and no others, are told by a grid");
+        return bad("a job has a grid if its poses are of kind grid, and only then");
     }
     if (submit.grid && submit.grid->size() > limits::grid_bytes_max) {
         return Error{ErrorCode::TooLarge,

@@ -40,8 +40,10 @@ constexpr const char* help =
     "--drain-timeout what still runs is handed back, too. A second one ends at once.\n"
     "\n"
     "Exit codes: 0 ended as asked; 2 wrong usage; 4 no master within --connect-for; 5 refused, by\n"
-    "the master, or for want of a credential (one that was welcome before tries again for an hour\n"
-    "when TLS does not take its certificate: a clock may be wrong); 130 ended at once by a second\n"
+    "the master, or without a credential (a worker that was accepted before tries again for an "
+    "hour\n"
+    "while TLS refuses its certificate, since a clock may be wrong); 130 ended at once by a "
+    "second\n"
     "signal.";
 
 constexpr const char* environment_prefix = "CDWORKER_";

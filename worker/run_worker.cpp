@@ -56,7 +56,7 @@ class Daemon {
                     co_return end(*code);
                 }
             } else if (channel.error().code == ErrorCode::Refused) {
-                if (!bear_refusal(channel.error().detail)) {
+                if (!tries_again_after_refusal(channel.error().detail)) {
                     co_return end(exit_refused);
                 }
             } else {
@@ -92,7 +92,7 @@ class Daemon {
         const Result<Served> served =
             co_await membership_.serve(channel, std::move(hello), std::move(peers));
         if (!served) {
-            co_return bear_not_welcome(served.error(), had_answer(*channel));
+            co_return exit_code_of_failed_greeting(served.error(), had_answer(*channel));
         }
         was_welcome_ = true;
         refused_since_.reset();
@@ -106,36 +106,37 @@ class Daemon {
         co_return std::nullopt;
     }
 
-    /// The master has said something over it, and not only TLS.
+    /// Whether the master sent a message, so that its refusal is not one of TLS.
     static bool had_answer(const Channel& channel) { return channel.traffic().bytes_received != 0; }
 
-    /// An exit code when that is for good: the master says no, or has not taken the certificate for
-    /// long.
-    std::optional<int> bear_not_welcome(const Error& error, bool is_said) {
+    /// None if the worker tries again. It ends if the master itself refused it, or if TLS has
+    /// refused its certificate for too long.
+    std::optional<int> exit_code_of_failed_greeting(const Error& error, bool is_by_master) {
         log_error("not welcome: error=\"{}\"", error.detail);
-        const bool is_borne =
-            error.code != ErrorCode::Refused || (!is_said && bear_refusal(error.detail));
-        return is_borne ? std::nullopt : std::optional<int>(exit_refused);
+        const bool tries_again = error.code != ErrorCode::Refused ||
+                                 (!is_by_master && tries_again_after_refusal(error.detail));
+        return tries_again ? std::nullopt : std::optional<int>(exit_refused);
     }
 
-    /// TLS does not take this worker, or its master. To one that was welcome before that may come
-    /// of a clock that is wrong for a while, or of a bit that flipped on the way.
-    bool bear_refusal(const std::string& why) {
+    /// Whether to try again after TLS has refused this worker or its master. A worker that the
+    /// master accepted before tries again for a while: a clock may be wrong, or a bit may have
+    /// flipped on the way.
+    bool tries_again_after_refusal(const std::string& why) {
         const auto now = std::chrono::steady_clock::now();
         if (!refused_since_) {
             refused_since_ = now;
         }
-        const auto left = limits::refusal_borne_max - (now - *refused_since_);
-        const bool is_borne = was_welcome_ && left > std::chrono::seconds(0);
-        if (is_borne) {
-            log_error("refused, tries again for {} s: {}; are the clocks of both hosts right, "
+        const auto left = limits::refusal_retry_max - (now - *refused_since_);
+        const bool tries_again = was_welcome_ && left > std::chrono::seconds(0);
+        if (tries_again) {
+            log_error("refused, retrying for {} s: {}; are the clocks of both hosts right, "
                       "and the certificates valid?",
                       std::chrono::ceil<std::chrono::seconds>(left).count(),
                       why);
         } else {
             log_error("refused: {}", why);
         }
-        return is_borne;
+        return tries_again;
     }
 
     /// On the address by which the master sees this worker. Without it all works, too.
@@ -150,7 +151,7 @@ class Daemon {
         if (server) {
             peer_server_ = std::move(server.value());
         } else {
-            log_warning("other workers get nothing here: error=\"{}\"", server.error().detail);
+            log_warning("no geometry for other workers: error=\"{}\"", server.error().detail);
         }
     }
 
