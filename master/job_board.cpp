@@ -8,7 +8,6 @@
 #include "master/submission.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace cd {
@@ -28,10 +27,7 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       ended(now),
       answered_by_master(recovered.progress.answered_by_master),
       statistics(recovered.progress.statistics),
-      // One that an earlier version let a worker spoil would spoil every status.
-      compute_seconds(std::isfinite(recovered.progress.compute_seconds)
-                          ? recovered.progress.compute_seconds
-                          : 0),
+      compute_seconds(recovered.progress.compute_seconds),
       traffic(recovered.progress.traffic),
       help(recovered.progress.help),
       depths(std::move(recovered.progress.depths)),

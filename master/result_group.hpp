@@ -58,11 +58,10 @@ struct ResultGroup {
     std::vector<LostPlaces> losses; ///< In their order. Some have a result by now.
 };
 
-/// Each process stands once in a group (8 bytes), a run of rows takes 2 bytes or a few more. The
-/// runs make up all rows.
+/// Writes each process once (8 bytes); a run of rows takes 2 bytes or a few more. The runs cover
+/// all rows.
 [[nodiscard]] Bytes encode_group(const ResultGroup& group);
-/// Also of groups from before losses were kept, or authors: 0 is the author of their rows. Errors:
-/// BadFrame for bytes that are none, which only damage can make of them.
+/// Errors: BadFrame for damaged bytes.
 [[nodiscard]] Result<ResultGroup> decode_group(std::span<const std::byte> bytes);
 
 } // namespace cd
