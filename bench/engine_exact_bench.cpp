@@ -9,9 +9,9 @@
 // on, from Lattice, from DoubleDouble, from WideInteger and from Arbitrary, with the tests made
 // before; the pairs that each stage settled when all may, and the sums of the classes, which must
 // be one in all columns. All times are the medians of the rounds.
-#include "bench/accuracy/sources.hpp"
+#include "bench/accuracy/suites/sources.hpp"
 #include "bench/accuracy/timing.hpp"
-#include "common/geometry/triangle_pair.hpp"
+#include "common/pair/triangle_pair.hpp"
 #include "tests/corpus/pairs.hpp"
 #include "tests/corpus/scenes.hpp"
 

@@ -12,11 +12,11 @@
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
 #include "common/geometry/aabb.hpp"
-#include "common/geometry/float_triangle_pair.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/geometry/triangle_blocks.hpp"
+#include "common/pair/stages/float/float_triangle_pair.hpp"
 #include "common/tree/box_test.hpp"
-#include "common/tree/candidates_at_once.hpp"
+#include "common/tree/wide/candidates_at_once.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -15,9 +15,9 @@
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
 #include "common/geometry/simd_target.hpp"
-#include "common/tree/candidates_at_once.hpp"
-#include "common/tree/traverse.hpp"
-#include "common/tree/wide_descent.hpp"
+#include "common/search/traverse.hpp"
+#include "common/tree/wide/candidates_at_once.hpp"
+#include "common/tree/wide/wide_descent.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -5,10 +5,10 @@
 //
 // A row a level: seconds of the estimate, its range, seconds of the run, and their ratio, which is
 // to lie between a half and two. On a machine that does nothing else: both are times on the wall.
-#include "client/estimate.hpp"
+#include "client/commands/estimate.hpp"
 
 #include "bench/posed_trees.hpp"
-#include "client/local_run.hpp"
+#include "client/local/local_run.hpp"
 
 #include <cstdio>
 #include <memory>

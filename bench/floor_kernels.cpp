@@ -211,9 +211,9 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-#include "common/geometry/float_triangle_pair.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/geometry/triangle_blocks.hpp"
+#include "common/pair/stages/float/float_triangle_pair.hpp"
 
 #include <algorithm>
 #include <array>

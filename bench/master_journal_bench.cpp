@@ -3,8 +3,8 @@
 // journal_results: the whole way of results through `Journal`, added one by one as fast as it
 // takes them, by size of record, synced and not. journal_commit: one result at a time, each waited
 // for. The directory is below TMPDIR; its file system and disk are what is measured.
-#include "common/core/hash.hpp"
-#include "master/journal.hpp"
+#include "common/core/files/hash.hpp"
+#include "master/journal/journal.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -6,7 +6,7 @@
 // median and the 99th percentile in microseconds of both, and a checksum over which worker got
 // which scenario, which tells a faster wrong answer.
 #include "bench/timed_work.hpp"
-#include "master/dispatcher.hpp"
+#include "master/dispatch/dispatcher.hpp"
 
 #include <benchmark/benchmark.h>
 

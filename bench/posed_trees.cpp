@@ -1,9 +1,9 @@
 #include "bench/posed_trees.hpp"
 
 #include "client/import/mesh_import.hpp"
-#include "common/core/thread_pool.hpp"
-#include "common/job/pose_source.hpp"
-#include "common/tree/build.hpp"
+#include "common/core/host/thread_pool.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "common/tree/build/build.hpp"
 
 #include <cstdio>
 #include <fstream>

@@ -6,10 +6,10 @@
 //
 // A Markdown row a set: pairs, nanoseconds a pair by both paths with the origin (the least of the
 // rounds), how many took the fast path, and whether all points came out as the same bits.
-#include "common/geometry/shared_points.hpp"
+#include "common/pair/points/shared_points.hpp"
 
-#include "common/tree/build.hpp"
-#include "common/tree/traverse.hpp"
+#include "common/search/traverse.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/corpus/pairs.hpp"
 #include "tests/corpus/scenes.hpp"
 

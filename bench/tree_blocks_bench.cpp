@@ -11,13 +11,13 @@
 #include "bench/timed_work.hpp"
 #include "client/import/mesh_import.hpp"
 #include "common/core/check.hpp"
-#include "common/core/compress.hpp"
-#include "common/core/hash.hpp"
-#include "common/core/limits.hpp"
+#include "common/core/files/compress.hpp"
+#include "common/core/files/hash.hpp"
+#include "common/core/limits/limits.hpp"
 #include "common/core/varint.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 #include "common/tree/cut.hpp"
-#include "common/tree/subtree_block.hpp"
+#include "common/tree/wire/subtree_block.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -23,14 +23,14 @@
 // one. All of the binary tree that the paper searches; the last row searches the wide tree, whose
 // box tests are other ones, so that only its own C_b and C_p tell what it costs.
 #include "client/import/mesh_import.hpp"
-#include "client/tree_cache.hpp"
-#include "common/core/thread_pool.hpp"
-#include "common/job/merge.hpp"
-#include "common/job/pose_source.hpp"
+#include "client/trees/tree_cache.hpp"
+#include "common/core/host/thread_pool.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "common/job/result/merge.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/search/traverse.hpp"
+#include "common/tree/build/build.hpp"
 #include "common/tree/cut.hpp"
-#include "common/tree/traverse.hpp"
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>

@@ -1,10 +1,10 @@
 // cdctl: everything that a user does.
-#include "client/cli.hpp"
+#include "client/base/heap.hpp"
+#include "client/base/standard_output.hpp"
+#include "client/cli/cli.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_commands.hpp"
-#include "client/heap.hpp"
-#include "client/standard_output.hpp"
-#include "common/core/log.hpp"
+#include "common/core/host/log.hpp"
 
 #include <cstdio>
 #include <exception>

@@ -69,15 +69,11 @@ macro(cd_messaging_folder)
     add_compile_options($<$<CONFIG:Release>:-O2>)
 endmacro()
 
-# cd_add_library(NAME [PUBLIC libs...] [PRIVATE libs...] [SUBFOLDERS folders...]):
-# all .cpp files of the calling folder, and of these below it, but main.cpp.
+# cd_add_library(NAME [PUBLIC libs...] [PRIVATE libs...]): all .cpp files of the calling folder and of
+# the folders below it, except main.cpp.
 function(cd_add_library name)
-    cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE;SUBFOLDERS" ${ARGN})
-    set(patterns "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
-    foreach(folder IN LISTS arg_SUBFOLDERS)
-        list(APPEND patterns "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp")
-    endforeach()
-    file(GLOB sources CONFIGURE_DEPENDS ${patterns})
+    cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
     list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC cd_flags ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})

@@ -1,13 +1,13 @@
 #include "master/check_state.hpp"
 
-#include "common/core/disk_file.hpp"
-#include "master/blocks_file.hpp"
-#include "master/identity.hpp"
-#include "master/journal_database.hpp"
-#include "master/journal_groups.hpp"
-#include "master/label_spool.hpp"
-#include "master/mesh_file.hpp"
-#include "master/pose_spool.hpp"
+#include "common/core/files/disk_file.hpp"
+#include "master/geometry/blocks_file.hpp"
+#include "master/geometry/mesh_file.hpp"
+#include "master/identity/identity.hpp"
+#include "master/jobs/label_spool.hpp"
+#include "master/jobs/pose_spool.hpp"
+#include "master/journal/journal_database.hpp"
+#include "master/journal/journal_groups.hpp"
 
 #include <algorithm>
 #include <set>

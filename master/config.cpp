@@ -1,9 +1,9 @@
 #include "master/config.hpp"
 
 #include "common/core/build_info.hpp"
-#include "common/core/daemon_options.hpp"
 #include "common/core/duration.hpp"
-#include "common/core/state_folder.hpp"
+#include "common/core/files/state_folder.hpp"
+#include "common/core/host/daemon_options.hpp"
 #include "common/geometry/simd_target.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,10 +1,10 @@
 // The options of cdmaster: from its command line, CDMASTER_* in the environment, and a TOML file.
 #pragma once
 
-#include "common/core/limits.hpp"
-#include "master/job_retention.hpp"
-#include "master/worker_watch.hpp"
-#include "proto/channel.hpp"
+#include "common/core/limits/limits.hpp"
+#include "master/jobs/job_retention.hpp"
+#include "master/workers/worker_watch.hpp"
+#include "proto/channel/channel.hpp"
 
 #include <chrono>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // cdmaster: takes jobs from clients and has them done by workers.
-#include "common/core/log.hpp"
+#include "common/core/host/log.hpp"
 #include "master/check_state.hpp"
 #include "master/config.hpp"
 #include "master/run_master.hpp"

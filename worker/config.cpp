@@ -1,11 +1,11 @@
 #include "worker/config.hpp"
 
 #include "common/core/build_info.hpp"
-#include "common/core/daemon_options.hpp"
-#include "common/core/limits.hpp"
-#include "common/core/memory_limit.hpp"
+#include "common/core/files/state_folder.hpp"
+#include "common/core/host/daemon_options.hpp"
+#include "common/core/host/memory_limit.hpp"
+#include "common/core/limits/limits.hpp"
 #include "common/core/printable.hpp"
-#include "common/core/state_folder.hpp"
 #include "common/geometry/simd_target.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,10 +1,10 @@
 // The options of cdworker: from its command line, CDWORKER_* in the environment, and a TOML file.
 #pragma once
 
-#include "common/core/limits_worker.hpp"
+#include "common/core/limits/limits_worker.hpp"
 #include "common/core/result.hpp"
-#include "proto/channel.hpp"
-#include "proto/join_token.hpp"
+#include "proto/access/join_token.hpp"
+#include "proto/channel/channel.hpp"
 
 #include <chrono>
 #include <cstdint>

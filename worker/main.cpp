@@ -1,5 +1,5 @@
 // cdworker: does the collision tests that a master gives it.
-#include "common/core/log.hpp"
+#include "common/core/host/log.hpp"
 #include "worker/config.hpp"
 #include "worker/run_worker.hpp"
 

@@ -1,15 +1,15 @@
 #include "worker/run_worker.hpp"
 
-#include "common/core/limits.hpp"
-#include "common/core/limits_worker.hpp"
-#include "common/core/log.hpp"
+#include "common/core/host/log.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/core/limits/limits_worker.hpp"
 #include "common/core/version.hpp"
 #include "common/geometry/simd_target.hpp"
-#include "proto/credential_file.hpp"
-#include "proto/join.hpp"
-#include "proto/signals.hpp"
-#include "worker/credential_keeper.hpp"
-#include "worker/membership.hpp"
+#include "proto/access/credential_file.hpp"
+#include "proto/access/join.hpp"
+#include "proto/channel/signals.hpp"
+#include "worker/membership/credential_keeper.hpp"
+#include "worker/membership/membership.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include "bench/accuracy/distance.hpp"
 
-#include "bench/peers/engine.hpp"
+#include "bench/peers/engines/engine.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #include "bench/accuracy/engines.hpp"
 
 #include "bench/accuracy/ours.hpp"
-#include "bench/peers/peers.hpp"
+#include "bench/peers/engines/peers.hpp"
 
 #include <utility>
 

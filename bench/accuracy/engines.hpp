@@ -1,7 +1,7 @@
 // Every engine of this build.
 #pragma once
 
-#include "bench/peers/engine.hpp"
+#include "bench/peers/engines/engine.hpp"
 
 #include <string>
 #include <vector>

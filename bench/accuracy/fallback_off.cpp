@@ -1,10 +1,10 @@
 // Takes the place of TrianglePairTest in query_cost_float_only: triangle_pair.cpp without any stage
 // after the floats, so that what they leave open is answered at once, and wrongly. The linker finds
 // this before it looks in the library, and no switch for it stands in the product.
-#include "common/geometry/float_triangle_pair.hpp"
-#include "common/geometry/shared_points.hpp"
 #include "common/geometry/triangle_blocks.hpp"
-#include "common/geometry/triangle_pair.hpp"
+#include "common/pair/points/shared_points.hpp"
+#include "common/pair/stages/float/float_triangle_pair.hpp"
+#include "common/pair/triangle_pair.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,13 +1,13 @@
 // Speed against error: our settings and other engines on hard pairs, whole meshes and vehicles,
 // each answer held against an exact oracle. See README.md.
-#include "bench/accuracy/coarse_suite.hpp"
 #include "bench/accuracy/engines.hpp"
 #include "bench/accuracy/machine.hpp"
-#include "bench/accuracy/pair_suite.hpp"
-#include "bench/accuracy/point_suite.hpp"
-#include "bench/accuracy/scene_suite.hpp"
-#include "bench/accuracy/sources.hpp"
-#include "bench/accuracy/stage_suite.hpp"
+#include "bench/accuracy/suites/coarse_suite.hpp"
+#include "bench/accuracy/suites/pair_suite.hpp"
+#include "bench/accuracy/suites/point_suite.hpp"
+#include "bench/accuracy/suites/scene_suite.hpp"
+#include "bench/accuracy/suites/sources.hpp"
+#include "bench/accuracy/suites/stage_suite.hpp"
 #include "tests/corpus/pairs.hpp"
 
 #include <CLI/CLI.hpp>

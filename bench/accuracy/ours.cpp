@@ -1,13 +1,13 @@
 #include "bench/accuracy/ours.hpp"
 
-#include "bench/accuracy/pair_batch.hpp"
+#include "bench/accuracy/suites/pair_batch.hpp"
 #include "common/core/check.hpp"
-#include "common/core/thread_pool.hpp"
-#include "common/geometry/double_triangle_pair.hpp"
-#include "common/geometry/float_triangle_pair.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/pair/stages/double/double_triangle_pair.hpp"
+#include "common/pair/stages/float/float_triangle_pair.hpp"
+#include "common/tree/build/build.hpp"
 
 #include <algorithm>
 #include <optional>

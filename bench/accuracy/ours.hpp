@@ -1,7 +1,7 @@
 // Our settings, as engines beside the others.
 #pragma once
 
-#include "bench/peers/engine.hpp"
+#include "bench/peers/engines/engine.hpp"
 
 #include <vector>
 

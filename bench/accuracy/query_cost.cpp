@@ -5,13 +5,13 @@
 //   query_cost --load FILE [--models FOLDER] [--couple 0] --level pairs [--repeat 5]
 //
 // Prints the best seconds of `repeat` runs over all poses, and the number of contacts.
-#include "bench/accuracy/sources.hpp"
+#include "bench/accuracy/suites/sources.hpp"
 #include "bench/accuracy/timing.hpp"
 #include "common/core/check.hpp"
-#include "common/core/limits.hpp"
-#include "common/core/thread_pool.hpp"
+#include "common/core/host/thread_pool.hpp"
+#include "common/core/limits/limits.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 
 #include <CLI/CLI.hpp>
 

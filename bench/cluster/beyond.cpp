@@ -2,10 +2,10 @@
 //
 //   beyond TRACE --out FOLDER [--depth 8] [--quick] [--many]
 #include "bench/accuracy/csv.hpp"
-#include "bench/cluster/baselines.hpp"
-#include "bench/cluster/fleet.hpp"
-#include "bench/cluster/large_cluster.hpp"
-#include "bench/cluster/strategies.hpp"
+#include "bench/cluster/model/baselines.hpp"
+#include "bench/cluster/model/fleet.hpp"
+#include "bench/cluster/model/large_cluster.hpp"
+#include "bench/cluster/model/strategies.hpp"
 
 #include <CLI/CLI.hpp>
 

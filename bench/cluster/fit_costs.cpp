@@ -1,8 +1,8 @@
-// Fits the two constants of the master's model of costs (master/cost_model.cpp) to traces.
+// Fits the two constants of the master's model of costs (master/dispatch/cost_model.cpp) to traces.
 //
 //   fit_costs TRACE...
-#include "bench/cluster/trace.hpp"
-#include "master/cost_model.hpp"
+#include "bench/cluster/trace/trace.hpp"
+#include "master/dispatch/cost_model.hpp"
 
 #include <Eigen/Dense>
 

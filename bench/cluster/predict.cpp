@@ -2,7 +2,7 @@
 // of one thread; for a comparison with the same job there. See `prediction`.
 //
 //   predict TRACE --cores N --workers N --strategy NAME --depth D
-#include "bench/cluster/experiments.hpp"
+#include "bench/cluster/model/experiments.hpp"
 
 #include <CLI/CLI.hpp>
 

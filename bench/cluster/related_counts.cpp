@@ -5,9 +5,9 @@
 #include "bench/accuracy/csv.hpp"
 #include "client/import/mesh_import.hpp"
 #include "common/geometry/aabb.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/job/poses/pose_source.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -4,15 +4,15 @@
 // first: the master has to come to the same. See README.md.
 //
 //   replay_workers JOB --master 127.0.0.1:7600 [--workers 64] [--no-waits]
-#include "client/job_file.hpp"
-#include "client/prepared_job.hpp"
-#include "common/core/hash.hpp"
-#include "common/core/limits.hpp"
-#include "common/job/merge.hpp"
-#include "common/job/packed_records.hpp"
+#include "client/job/prepared_job.hpp"
+#include "client/spec/job_file.hpp"
+#include "common/core/files/hash.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/job/result/merge.hpp"
+#include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
-#include "proto/channel.hpp"
+#include "proto/channel/channel.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -2,7 +2,7 @@
 //
 //   simulate HEAVY_TRACE CARS_TRACE --out FOLDER [--only paper|measured|end] [--quick]
 #include "bench/accuracy/machine.hpp"
-#include "bench/cluster/experiments.hpp"
+#include "bench/cluster/model/experiments.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -6,10 +6,10 @@
 // Prints a CSV row a scenario (pairs of ours and of FCL, FCL's missed and invented ones, times) and
 // a summary. Exit code 1 if ours is ever the wrong one.
 #include "client/import/mesh_import.hpp"
-#include "common/core/thread_pool.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/core/host/thread_pool.hpp"
+#include "common/job/poses/pose_source.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fcl/geometry/bvh/BVH_model.h>

@@ -1,11 +1,11 @@
 #include "bench/peers/ours.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/thread_pool.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
-#include "common/tree/build.hpp"
-#include "common/tree/search_cost.hpp"
-#include "common/tree/traverse.hpp"
+#include "common/search/search_cost.hpp"
+#include "common/search/traverse.hpp"
+#include "common/tree/build/build.hpp"
 
 #include <string>
 #include <utility>

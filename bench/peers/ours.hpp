@@ -1,7 +1,7 @@
 // Our engine beside the peers. Everything that the comparison knows of it stands in ours.cpp.
 #pragma once
 
-#include "bench/peers/engine.hpp"
+#include "bench/peers/engines/engine.hpp"
 
 #include <memory>
 #include <vector>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bench/accuracy/isolate.hpp"
-#include "bench/accuracy/scene.hpp"
-#include "bench/peers/engine.hpp"
+#include "bench/accuracy/suites/scene.hpp"
+#include "bench/peers/engines/engine.hpp"
 
 #include <chrono>
 #include <cstdint>

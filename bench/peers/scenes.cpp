@@ -1,12 +1,12 @@
 #include "bench/peers/scenes.hpp"
 
-#include "bench/accuracy/sources.hpp"
+#include "bench/accuracy/suites/sources.hpp"
 #include "bench/scenarios/sheet.hpp"
 #include "bench/scenarios/vehicle.hpp"
-#include "common/core/thread_pool.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/geometry/aabb.hpp"
-#include "common/job/pose_source.hpp"
-#include "common/tree/build.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // measured on.
 #pragma once
 
-#include "bench/accuracy/scene.hpp"
+#include "bench/accuracy/suites/scene.hpp"
 
 #include <cstdint>
 #include <filesystem>

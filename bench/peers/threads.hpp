@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/accuracy/csv.hpp"
-#include "bench/accuracy/scene.hpp"
+#include "bench/accuracy/suites/scene.hpp"
 
 #include <chrono>
 #include <cstddef>

@@ -350,7 +350,7 @@ def prediction_section(rows):
 def costs_model_section(text):
     if not text:
         return ""
-    return ("## The master's model of costs\n\n`master/cost_model.cpp` against these traces: by depth, the "
+    return ("## The master's model of costs\n\n`master/dispatch/cost_model.cpp` against these traces: by depth, the "
             "sum predicted by the sum measured, and the standard deviation of the logarithm of a "
             f"scenario's ratio:\n\n```\n{text}```\n")
 

@@ -4,7 +4,7 @@
 //
 // Without a file it prints only the number of triangles and the mesh's hash.
 #include "bench/scenarios/vehicle.hpp"
-#include "common/core/bytes.hpp"
+#include "common/core/files/bytes.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>

@@ -1,8 +1,8 @@
 // The verbs of cdctl that need no connection of their own. Each returns the exit code.
 #pragma once
 
-#include "client/cli.hpp"
-#include "client/report.hpp"
+#include "client/cli/cli.hpp"
+#include "client/report/report.hpp"
 
 namespace cd {
 

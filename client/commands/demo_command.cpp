@@ -1,11 +1,11 @@
+#include "client/base/exit_code.hpp"
+#include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
-#include "client/demo_vehicles.hpp"
-#include "client/exit_code.hpp"
-#include "client/interrupt.hpp"
-#include "client/local_cluster.hpp"
-#include "common/core/limits_client.hpp"
+#include "client/local/local_cluster.hpp"
+#include "client/trees/demo_vehicles.hpp"
+#include "common/core/limits/limits_client.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,11 +1,11 @@
 // The verb `extract`: scenarios of a run as a job of their own.
+#include "client/base/exit_code.hpp"
+#include "client/base/interrupt.hpp"
+#include "client/base/words.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/run_at_hand.hpp"
-#include "client/exit_code.hpp"
 #include "client/folder/extracted_case.hpp"
 #include "client/folder/opened_run.hpp"
-#include "client/interrupt.hpp"
-#include "client/words.hpp"
 
 #include <charconv>
 #include <cstdio>

@@ -1,8 +1,8 @@
 #include "client/commands/fetched_job.hpp"
 
+#include "client/base/words.hpp"
 #include "client/export/result_sink.hpp"
-#include "client/submission.hpp"
-#include "client/words.hpp"
+#include "client/job/submission.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,12 +1,12 @@
 // A job fetched from a master with its meshes and poses.
 #pragma once
 
-#include "client/cli.hpp"
+#include "client/cli/cli.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/folder/folder_run.hpp"
-#include "client/mesh_cache.hpp"
-#include "client/prepared_job.hpp"
-#include "client/report.hpp"
+#include "client/job/prepared_job.hpp"
+#include "client/remote/mesh_cache.hpp"
+#include "client/report/report.hpp"
 #include "common/core/result.hpp"
 
 #include <filesystem>

@@ -1,10 +1,10 @@
 // The verbs that get credentials, for oneself and for others.
+#include "client/base/exit_code.hpp"
+#include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_commands.hpp"
 #include "client/commands/remote_session.hpp"
-#include "client/exit_code.hpp"
-#include "client/interrupt.hpp"
-#include "client/membership.hpp"
+#include "client/remote/membership.hpp"
 #include "common/core/duration.hpp"
 
 #include <unistd.h>

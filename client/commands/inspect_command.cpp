@@ -1,10 +1,10 @@
+#include "client/base/exit_code.hpp"
+#include "client/base/interrupt.hpp"
+#include "client/base/units.hpp"
 #include "client/commands/commands.hpp"
-#include "client/exit_code.hpp"
 #include "client/import/import_notes.hpp"
-#include "client/inspect.hpp"
-#include "client/interrupt.hpp"
-#include "client/report.hpp"
-#include "client/units.hpp"
+#include "client/report/inspect.hpp"
+#include "client/report/report.hpp"
 
 #include <cstdio>
 #include <string>

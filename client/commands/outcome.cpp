@@ -1,6 +1,6 @@
+#include "client/base/exit_code.hpp"
+#include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
-#include "client/exit_code.hpp"
-#include "client/interrupt.hpp"
 #include "common/core/build_info.hpp"
 #include "common/geometry/simd_target.hpp"
 

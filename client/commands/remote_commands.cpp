@@ -1,12 +1,12 @@
 // The verbs that look at a master and at its jobs.
 #include "client/commands/remote_commands.hpp"
 
-#include "client/cluster_report.hpp"
+#include "client/base/exit_code.hpp"
+#include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_session.hpp"
-#include "client/exit_code.hpp"
-#include "client/explain_report.hpp"
-#include "client/interrupt.hpp"
+#include "client/report/cluster_report.hpp"
+#include "client/report/explain_report.hpp"
 
 #include <cstdio>
 

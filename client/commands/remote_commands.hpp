@@ -1,9 +1,9 @@
 // The verbs of cdctl that speak with a master. Each returns the exit code.
 #pragma once
 
-#include "client/cli.hpp"
-#include "client/connection.hpp"
-#include "client/prepared_job.hpp"
+#include "client/cli/cli.hpp"
+#include "client/job/prepared_job.hpp"
+#include "client/remote/connection.hpp"
 
 #include <memory>
 

@@ -1,15 +1,15 @@
 // run --master and submit: a prepared job on its way to a master, and its results back.
+#include "client/base/exit_code.hpp"
+#include "client/base/interrupt.hpp"
+#include "client/base/job_id.hpp"
+#include "client/base/words.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/remote_commands.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
-#include "client/exit_code.hpp"
 #include "client/export/result_sink.hpp"
 #include "client/folder/folder_run.hpp"
-#include "client/interrupt.hpp"
-#include "client/job_id.hpp"
-#include "client/words.hpp"
 
 #include <nlohmann/json.hpp>
 

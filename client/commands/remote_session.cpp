@@ -1,15 +1,15 @@
 #include "client/commands/remote_session.hpp"
 
-#include "client/credential_renewal.hpp"
-#include "client/interrupt.hpp"
-#include "client/job_id.hpp"
-#include "client/membership.hpp"
-#include "client/slow_note.hpp"
-#include "client/submission.hpp"
-#include "client/waiting_note.hpp"
-#include "client/words.hpp"
-#include "common/core/limits_client.hpp"
-#include "common/job/packed_map.hpp"
+#include "client/base/interrupt.hpp"
+#include "client/base/job_id.hpp"
+#include "client/base/slow_note.hpp"
+#include "client/base/words.hpp"
+#include "client/job/submission.hpp"
+#include "client/remote/credential_renewal.hpp"
+#include "client/remote/membership.hpp"
+#include "client/report/waiting_note.hpp"
+#include "common/core/limits/limits_client.hpp"
+#include "common/job/result/packed_map.hpp"
 
 #include <algorithm>
 #include <chrono>

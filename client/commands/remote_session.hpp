@@ -1,13 +1,13 @@
 // Shared parts of the verbs that connect to a master.
 #pragma once
 
-#include "client/cli.hpp"
-#include "client/connection.hpp"
-#include "client/prepared_job.hpp"
-#include "client/progress.hpp"
-#include "client/report.hpp"
+#include "client/cli/cli.hpp"
+#include "client/job/prepared_job.hpp"
+#include "client/remote/connection.hpp"
+#include "client/report/progress.hpp"
+#include "client/report/report.hpp"
 #include "common/core/result.hpp"
-#include "common/job/merge.hpp"
+#include "common/job/result/merge.hpp"
 
 #include <cstdint>
 #include <functional>

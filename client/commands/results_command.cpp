@@ -1,16 +1,16 @@
 // The verb `results`: of a folder, or of a job on a master.
+#include "client/base/exit_code.hpp"
+#include "client/base/interrupt.hpp"
+#include "client/base/words.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/remote_commands.hpp"
 #include "client/commands/run_command.hpp"
-#include "client/exit_code.hpp"
-#include "client/export/output_file.hpp"
 #include "client/export/result_sink.hpp"
 #include "client/folder/folder_exports.hpp"
 #include "client/folder/kept_summary.hpp"
 #include "client/folder/opened_run.hpp"
-#include "client/interrupt.hpp"
-#include "client/words.hpp"
+#include "client/formats/output_file.hpp"
 
 #include <cstdio>
 #include <filesystem>

@@ -1,8 +1,8 @@
 #include "client/commands/run_at_hand.hpp"
 
+#include "client/base/interrupt.hpp"
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/run_command.hpp"
-#include "client/interrupt.hpp"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,9 +1,9 @@
 // The run that an argument names: a results folder, or a job of a master.
 #pragma once
 
-#include "client/cli.hpp"
+#include "client/cli/cli.hpp"
 #include "client/folder/opened_run.hpp"
-#include "client/prepared_job.hpp"
+#include "client/job/prepared_job.hpp"
 #include "common/core/result.hpp"
 
 #include <filesystem>

@@ -1,9 +1,9 @@
 // The verb `run`, in parts that other verbs use.
 #pragma once
 
-#include "client/cli.hpp"
+#include "client/cli/cli.hpp"
 #include "client/folder/folder_run.hpp"
-#include "client/prepared_job.hpp"
+#include "client/job/prepared_job.hpp"
 
 #include <string>
 

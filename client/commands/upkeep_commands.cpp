@@ -1,12 +1,12 @@
 // The verbs that keep a cluster in order: removing jobs and meshes, sending workers away.
-#include "client/cluster_report.hpp"
+#include "client/base/exit_code.hpp"
+#include "client/base/interrupt.hpp"
+#include "client/base/job_id.hpp"
+#include "client/base/table.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_commands.hpp"
 #include "client/commands/remote_session.hpp"
-#include "client/exit_code.hpp"
-#include "client/interrupt.hpp"
-#include "client/job_id.hpp"
-#include "client/table.hpp"
+#include "client/report/cluster_report.hpp"
 
 #include <cstdio>
 #include <string>

@@ -1,10 +1,10 @@
 // The verb `verify`: runs a sample of a run's scenarios again here.
+#include "client/base/exit_code.hpp"
+#include "client/base/interrupt.hpp"
+#include "client/base/words.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/run_at_hand.hpp"
-#include "client/exit_code.hpp"
 #include "client/folder/opened_run.hpp"
-#include "client/interrupt.hpp"
-#include "client/words.hpp"
 #include "common/job/run_scenario.hpp"
 
 #include <algorithm>

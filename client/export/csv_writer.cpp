@@ -1,5 +1,5 @@
-#include "client/export/csv_rows.hpp"
 #include "client/export/result_writer.hpp"
+#include "client/formats/csv_rows.hpp"
 
 #include <optional>
 

@@ -1,5 +1,5 @@
+#include "client/base/words.hpp"
 #include "client/export/result_writer.hpp"
-#include "client/words.hpp"
 #include "common/geometry/aabb.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "client/export/map_files.hpp"
 
-#include "client/export/csv_rows.hpp"
-#include "client/npz.hpp"
+#include "client/formats/csv_rows.hpp"
+#include "client/formats/npz.hpp"
 
 #include <algorithm>
 #include <array>

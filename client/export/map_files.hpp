@@ -2,7 +2,7 @@
 #pragma once
 
 #include "client/export/result_writer.hpp"
-#include "common/job/contact_map.hpp"
+#include "common/job/result/contact_map.hpp"
 
 #include <filesystem>
 #include <string>

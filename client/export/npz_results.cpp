@@ -1,5 +1,5 @@
 #include "client/export/result_writer.hpp"
-#include "client/npz.hpp"
+#include "client/formats/npz.hpp"
 
 #include <vector>
 

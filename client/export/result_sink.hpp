@@ -2,9 +2,9 @@
 #pragma once
 
 #include "client/export/result_writer.hpp"
-#include "client/report.hpp"
+#include "client/report/report.hpp"
 #include "common/core/result.hpp"
-#include "common/job/contact_map.hpp"
+#include "common/job/result/contact_map.hpp"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "client/export/result_writer.hpp"
 
 #include "client/export/map_files.hpp"
-#include "client/job_file.hpp"
+#include "client/spec/job_file.hpp"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // Results on their way into files: one writer a format, fed in the submitted order.
 #pragma once
 
-#include "client/export/output_file.hpp"
-#include "client/report.hpp"
+#include "client/formats/output_file.hpp"
+#include "client/report/report.hpp"
+#include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
-#include "common/core/stop_check.hpp"
 #include "common/geometry/mesh.hpp"
-#include "common/job/result.hpp"
+#include "common/job/result/result.hpp"
 
 #include <cstdint>
 #include <filesystem>

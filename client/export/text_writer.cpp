@@ -1,6 +1,6 @@
-#include "client/export/part_finder.hpp"
+#include "client/base/words.hpp"
 #include "client/export/result_writer.hpp"
-#include "client/words.hpp"
+#include "client/formats/part_finder.hpp"
 #include "common/core/printable.hpp"
 
 namespace cd {

@@ -1,14 +1,14 @@
 #include "client/folder/extracted_case.hpp"
 
-#include "client/export/csv_rows.hpp"
+#include "client/base/words.hpp"
 #include "client/folder/job_text.hpp"
-#include "client/npz.hpp"
-#include "client/words.hpp"
-#include "common/core/disk_file.hpp"
+#include "client/formats/csv_rows.hpp"
+#include "client/formats/npz.hpp"
+#include "common/core/files/disk_file.hpp"
 #include "common/geometry/aabb.hpp"
-#include "common/job/merge.hpp"
+#include "common/job/result/merge.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
 // Writes a few scenarios of a run as a separate job, to pass on or to examine.
 #pragma once
 
-#include "client/prepared_job.hpp"
+#include "client/job/prepared_job.hpp"
+#include "common/core/host/stop_check.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/core/result.hpp"
-#include "common/core/stop_check.hpp"
-#include "common/core/thread_pool.hpp"
 #include "common/job/scenario.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "client/folder/folder_exports.hpp"
 
 #include "client/folder/kept_summary.hpp"
-#include "common/job/merge.hpp"
+#include "common/job/result/merge.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include "client/export/result_sink.hpp"
 #include "client/folder/opened_run.hpp"
 #include "client/folder/run_folder.hpp"
-#include "client/report.hpp"
+#include "client/report/report.hpp"
 #include "common/core/result.hpp"
 
 #include <string>

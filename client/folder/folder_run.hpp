@@ -6,11 +6,11 @@
 #include "client/folder/run_folder.hpp"
 #include "client/folder/run_manifest.hpp"
 #include "client/folder/run_recorder.hpp"
-#include "client/prepared_job.hpp"
-#include "client/report.hpp"
-#include "common/core/limits_client.hpp"
+#include "client/job/prepared_job.hpp"
+#include "client/report/report.hpp"
+#include "common/core/limits/limits_client.hpp"
 #include "common/core/result.hpp"
-#include "common/job/merge.hpp"
+#include "common/job/result/merge.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 // Writes jobs as job files.
 #pragma once
 
-#include "client/job_file.hpp"
+#include "client/spec/job_file.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // Reads the summary.json of a results folder.
 #pragma once
 
-#include "client/report.hpp"
+#include "client/report/report.hpp"
 #include "common/core/result.hpp"
 
 #include <filesystem>

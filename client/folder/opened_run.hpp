@@ -2,11 +2,11 @@
 #pragma once
 
 #include "client/folder/run_manifest.hpp"
-#include "client/job_file.hpp"
-#include "client/prepared_job.hpp"
+#include "client/job/prepared_job.hpp"
+#include "client/spec/job_file.hpp"
 #include "common/core/result.hpp"
-#include "common/job/contact_map.hpp"
-#include "common/job/record_file.hpp"
+#include "common/job/result/contact_map.hpp"
+#include "common/job/result/record_file.hpp"
 
 #include <filesystem>
 #include <memory>

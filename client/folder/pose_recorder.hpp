@@ -1,10 +1,10 @@
 // Writes poses to a file while a run reads them.
 #pragma once
 
+#include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
-#include "common/core/stop_check.hpp"
-#include "common/job/pose_source.hpp"
-#include "common/job/poses_hash.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "common/job/poses/poses_hash.hpp"
 #include "common/job/scenario_file.hpp"
 
 #include <cstdint>

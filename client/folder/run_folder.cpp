@@ -1,8 +1,8 @@
 #include "client/folder/run_folder.hpp"
 
-#include "client/export/output_file.hpp"
-#include "client/words.hpp"
-#include "common/job/record_file.hpp"
+#include "client/base/words.hpp"
+#include "client/formats/output_file.hpp"
+#include "common/job/result/record_file.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "client/folder/run_manifest.hpp"
-#include "common/core/disk_file.hpp"
+#include "common/core/files/disk_file.hpp"
 #include "common/core/result.hpp"
 
 #include <filesystem>

@@ -1,11 +1,11 @@
 // The manifest of a run: run.json in its results folder.
 #pragma once
 
-#include "common/core/hash.hpp"
+#include "common/core/files/hash.hpp"
 #include "common/core/result.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/job/poses/pose_source.hpp"
 #include "common/job/query.hpp"
-#include "proto/client_messages.hpp"
+#include "proto/messages/client_messages.hpp"
 
 #include <cstdint>
 #include <optional>

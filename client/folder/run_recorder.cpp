@@ -1,7 +1,7 @@
 #include "client/folder/run_recorder.hpp"
 
-#include "common/core/limits.hpp"
-#include "common/job/packed_map.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/job/result/packed_map.hpp"
 
 #include <algorithm>
 

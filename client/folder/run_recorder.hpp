@@ -1,12 +1,12 @@
 // Writes results to the disk during a run.
 #pragma once
 
-#include "client/done_scenario.hpp"
-#include "common/core/limits_client.hpp"
+#include "client/local/done_scenario.hpp"
+#include "common/core/limits/limits_client.hpp"
 #include "common/core/result.hpp"
 #include "common/job/block_file.hpp"
-#include "common/job/contact_map.hpp"
-#include "common/job/record_file.hpp"
+#include "common/job/result/contact_map.hpp"
+#include "common/job/result/record_file.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "client/import/imported_mesh.hpp"
-#include "common/core/bytes.hpp"
+#include "common/core/files/bytes.hpp"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #include "client/import/imported_mesh.hpp"
 
-#include "client/units.hpp"
+#include "client/base/units.hpp"
 
 namespace cd {
 

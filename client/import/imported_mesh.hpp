@@ -2,8 +2,8 @@
 #pragma once
 
 #include "client/import/declared_frame.hpp"
+#include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
-#include "common/core/stop_check.hpp"
 #include "common/geometry/mesh.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "client/import/mesh_builder.hpp"
 
-#include "common/core/hash.hpp"
+#include "common/core/files/hash.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "client/import/polygon_cut.hpp"
 
-#include "common/core/limits_client.hpp"
-#include "common/geometry/orientation.hpp"
+#include "common/core/limits/limits_client.hpp"
+#include "common/pair/numbers/orientation.hpp"
 
 #include <Eigen/Geometry>
 

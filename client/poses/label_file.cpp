@@ -1,7 +1,7 @@
 #include "client/poses/label_file.hpp"
 
-#include "client/export/csv_rows.hpp"
-#include "client/words.hpp"
+#include "client/base/words.hpp"
+#include "client/formats/csv_rows.hpp"
 
 #include <algorithm>
 #include <charconv>

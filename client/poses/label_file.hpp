@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
-#include "common/job/pose_labels.hpp"
+#include "common/job/poses/pose_labels.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "client/poses/nearness.hpp"
 
-#include "client/words.hpp"
+#include "client/base/words.hpp"
 #include "common/geometry/aabb.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // A hint for poses in a wrong unit: how near the poses bring the bodies.
 #pragma once
 
+#include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
-#include "common/core/stop_check.hpp"
 #include "common/geometry/mesh.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/job/poses/pose_source.hpp"
 
 #include <optional>
 #include <string>

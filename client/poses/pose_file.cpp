@@ -1,6 +1,6 @@
 #include "client/poses/pose_file.hpp"
 
-#include "client/npz_file.hpp"
+#include "client/formats/npz_file.hpp"
 #include "client/poses/pose_rows.hpp"
 #include "client/poses/text_poses.hpp"
 

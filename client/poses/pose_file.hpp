@@ -1,10 +1,10 @@
 // Poses from files: CSV with named columns, NumPy arrays, TUM trajectories, standard input.
 #pragma once
 
-#include "client/job_file.hpp"
+#include "client/spec/job_file.hpp"
 #include "common/core/result.hpp"
-#include "common/job/pose_labels.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/job/poses/pose_labels.hpp"
+#include "common/job/poses/pose_source.hpp"
 
 #include <memory>
 #include <string>

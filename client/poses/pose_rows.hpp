@@ -1,10 +1,10 @@
 // Rows of numbers as poses: layouts, and the check that they are rigid.
 #pragma once
 
-#include "client/npy.hpp"
+#include "client/formats/npy.hpp"
 #include "common/core/result.hpp"
-#include "common/job/pose_labels.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/job/poses/pose_labels.hpp"
+#include "common/job/poses/pose_source.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -1,8 +1,8 @@
 #include "client/poses/text_poses.hpp"
 
-#include "client/import/mesh_words.hpp"
-#include "common/core/limits.hpp"
-#include "common/core/limits_clients.hpp"
+#include "client/import/text/mesh_words.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/core/limits/limits_clients.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "common/core/check.hpp"
 
-#include "common/core/log.hpp"
+#include "common/core/host/log.hpp"
 
 #include <cstdlib>
 

@@ -1,7 +1,7 @@
 // Unsigned numbers that cost as many bytes as they need: seven bits a byte, lowest first.
 #pragma once
 
-#include "common/core/bytes.hpp"
+#include "common/core/files/bytes.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,8 +1,8 @@
 // A triangle mesh that has been checked once and never changes.
 #pragma once
 
-#include "common/core/bytes.hpp"
-#include "common/core/hash.hpp"
+#include "common/core/files/bytes.hpp"
+#include "common/core/files/hash.hpp"
 #include "common/core/result.hpp"
 #include "common/geometry/types.hpp"
 

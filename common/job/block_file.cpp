@@ -1,7 +1,7 @@
 #include "common/job/block_file.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/hash.hpp"
+#include "common/core/files/hash.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,8 +1,8 @@
 // A file of checked blocks that grows at its end, and whose whole blocks survive a crash.
 #pragma once
 
-#include "common/core/bytes.hpp"
-#include "common/core/disk_file.hpp"
+#include "common/core/files/bytes.hpp"
+#include "common/core/files/disk_file.hpp"
 #include "common/core/result.hpp"
 
 #include <cstdint>

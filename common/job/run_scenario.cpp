@@ -1,7 +1,7 @@
 #include "common/job/run_scenario.hpp"
 
-#include "common/core/limits.hpp"
-#include "common/job/pose_order.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/job/poses/pose_order.hpp"
 #include "common/job/settle.hpp"
 #include "common/job/tolerance.hpp"
 

@@ -1,16 +1,16 @@
 // One scenario, from poses to result. The worker, the one-process run and the tests all call this.
 #pragma once
 
-#include "common/core/stop_check.hpp"
+#include "common/core/host/stop_check.hpp"
 #include "common/job/query.hpp"
-#include "common/job/result.hpp"
+#include "common/job/result/result.hpp"
 #include "common/job/scenario.hpp"
 #include "common/job/settle.hpp"
 #include "common/job/statistics.hpp"
+#include "common/search/traverse.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
-#include "common/tree/subtree_block.hpp"
-#include "common/tree/traverse.hpp"
+#include "common/tree/wire/subtree_block.hpp"
 
 #include <functional>
 #include <memory>

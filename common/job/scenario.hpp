@@ -1,7 +1,7 @@
 // One pose of two bodies to be tested, and the blocks in which poses travel.
 #pragma once
 
-#include "common/core/bytes.hpp"
+#include "common/core/files/bytes.hpp"
 #include "common/core/result.hpp"
 #include "common/geometry/pose.hpp"
 

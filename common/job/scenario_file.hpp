@@ -3,7 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "common/job/block_file.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/job/poses/pose_source.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "common/job/settle.hpp"
 
+#include "common/search/traverse.hpp"
+#include "common/solid/containment.hpp"
+#include "common/solid/penetration.hpp"
 #include "common/tree/box_test.hpp"
-#include "common/tree/containment.hpp"
-#include "common/tree/penetration.hpp"
-#include "common/tree/traverse.hpp"
 
 #include <chrono>
 #include <utility>

@@ -1,13 +1,13 @@
 // The class of a scenario, as far as only the whole bodies can tell it.
 #pragma once
 
-#include "common/core/stop_check.hpp"
+#include "common/core/host/stop_check.hpp"
 #include "common/geometry/pose.hpp"
-#include "common/job/result.hpp"
+#include "common/job/result/result.hpp"
 #include "common/job/scenario.hpp"
 #include "common/job/statistics.hpp"
-#include "common/tree/contact_pair.hpp"
-#include "common/tree/inside_probes.hpp"
+#include "common/search/contact_pair.hpp"
+#include "common/solid/inside_probes.hpp"
 #include "common/tree/obb_tree.hpp"
 
 #include <mutex>

@@ -1,8 +1,8 @@
 // What the answers of a job cost. Never part of a result or of the digest.
 #pragma once
 
+#include "common/solid/settle_statistics.hpp"
 #include "common/tree/query_statistics.hpp"
-#include "common/tree/settle_statistics.hpp"
 
 #include <cstdint>
 

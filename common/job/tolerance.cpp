@@ -1,6 +1,6 @@
 #include "common/job/tolerance.hpp"
 
-#include "common/core/limits.hpp"
+#include "common/core/limits/limits.hpp"
 
 #include <cmath>
 #include <string>

@@ -39,7 +39,7 @@
 // can overflow only if it really is beyond 2^1000, and finite half sizes are below 2^128.
 #include "common/tree/box_test.hpp"
 
-#include "common/tree/build_fit.hpp"
+#include "common/tree/build/build_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

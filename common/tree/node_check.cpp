@@ -1,6 +1,6 @@
 #include "common/tree/node_check.hpp"
 
-#include "common/tree/build_fit.hpp"
+#include "common/tree/build/build_fit.hpp"
 
 #include <cmath>
 #include <limits>

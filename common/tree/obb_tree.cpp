@@ -1,7 +1,7 @@
 #include "common/tree/obb_tree.hpp"
 
 #include "common/core/check.hpp"
-#include "common/tree/wide_tree.hpp"
+#include "common/tree/wide/wide_tree.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,10 @@
 // The OBB tree of a mesh (paper, sections 6.1 and 6.2), laid out flat.
 #pragma once
 
-#include "common/core/thread_pool.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/geometry/mesh.hpp"
 #include "common/geometry/topology.hpp"
-#include "common/tree/wide_node.hpp"
+#include "common/tree/wide/wide_node.hpp"
 
 #include <array>
 #include <cstdint>

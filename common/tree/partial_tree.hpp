@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/tree/cut.hpp"
-#include "common/tree/subtree_block.hpp"
+#include "common/tree/wire/subtree_block.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 // How many tests a search for contacts took.
 #pragma once
 
-#include "common/geometry/triangle_pair.hpp"
+#include "common/pair/triangle_pair.hpp"
 
 #include <cstdint>
 

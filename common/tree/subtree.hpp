@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/tree/obb_tree.hpp"
-#include "common/tree/wide_tree.hpp"
+#include "common/tree/wide/wide_tree.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,9 +1,9 @@
 #include "common/tree/tree_file.hpp"
 
-#include "common/core/section_file.hpp"
+#include "common/core/files/section_file.hpp"
 #include "common/tree/node_check.hpp"
-#include "common/tree/wide_check.hpp"
-#include "common/tree/wide_tree.hpp"
+#include "common/tree/wide/wide_check.hpp"
+#include "common/tree/wide/wide_tree.hpp"
 
 #include <array>
 #include <utility>

@@ -1,9 +1,9 @@
 // Trees on disk, one file for each form, mapped and used in place.
 #pragma once
 
-#include "common/core/disk_file.hpp"
+#include "common/core/files/disk_file.hpp"
 #include "common/core/result.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 #include "common/tree/obb_tree.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // A master on loopback that answers as a test tells it to.
 #pragma once
 
-#include "proto/channel.hpp"
+#include "proto/channel/channel.hpp"
 
 #include <functional>
 #include <mutex>

@@ -1,6 +1,6 @@
 // Proves what README promises of cdctl as a user runs it: the same digest with and without a
 // cluster on real models, the exit codes, and errors of one line that name the way out.
-#include "client/npz.hpp"
+#include "client/formats/npz.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/npz_arrays.hpp"

@@ -1,12 +1,12 @@
 // A cluster of real processes on loopback, on a port that the system chose, and a job to give it.
 #pragma once
 
-#include "client/connection.hpp"
-#include "client/local_cluster.hpp"
-#include "common/core/thread_pool.hpp"
-#include "common/job/contact_map.hpp"
+#include "client/local/local_cluster.hpp"
+#include "client/remote/connection.hpp"
+#include "common/core/host/thread_pool.hpp"
+#include "common/job/result/contact_map.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -1,7 +1,7 @@
 // Proves the promise of one answer everywhere: with real processes over TCP the digest is that of
 // one process, for any number of workers, strategy, distribution depth and buffer size, and when
 // workers join late or are killed.
-#include "common/job/packed_map.hpp"
+#include "common/job/result/packed_map.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 
 #include <algorithm>

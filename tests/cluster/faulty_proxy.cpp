@@ -1,6 +1,6 @@
 #include "tests/cluster/faulty_proxy.hpp"
 
-#include "proto/channel.hpp"
+#include "proto/channel/channel.hpp"
 
 #include <fcntl.h>
 

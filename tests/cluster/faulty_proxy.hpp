@@ -2,7 +2,7 @@
 // trickles and stalls.
 #pragma once
 
-#include "proto/asio.hpp"
+#include "proto/channel/asio.hpp"
 
 #include <atomic>
 #include <chrono>

@@ -1,6 +1,6 @@
 // Proves, with real processes, that a use of a token counts in the master's next life, too, and
 // that no conversation of the life before lets anyone in.
-#include "proto/credential_file.hpp"
+#include "proto/access/credential_file.hpp"
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"
 

@@ -1,11 +1,11 @@
 // Proves, with real processes, that a cluster with an identity does its work under TLS, geometry
 // between workers included, with the same answer; and that who has no right to it is refused with a
 // log line on the master and exit code 5.
-#include "client/job_id.hpp"
-#include "client/membership.hpp"
-#include "proto/asio_tls.hpp"
-#include "proto/credential_file.hpp"
-#include "proto/join_token.hpp"
+#include "client/base/job_id.hpp"
+#include "client/remote/membership.hpp"
+#include "proto/access/credential_file.hpp"
+#include "proto/access/join_token.hpp"
+#include "proto/channel/asio_tls.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/comes_true.hpp"
 #include "tests/support/obj_file.hpp"

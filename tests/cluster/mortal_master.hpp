@@ -1,7 +1,7 @@
 // A master of a process of its own that is killed and started again, and what tests do with it.
 #pragma once
 
-#include "proto/credential_file.hpp"
+#include "proto/access/credential_file.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 
 #include <chrono>

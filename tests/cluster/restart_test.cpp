@@ -1,7 +1,7 @@
 // Proves that a master killed at any moment loses nothing: started again on the same state it goes
 // on, workers come back by themselves with what they hold and what was not acknowledged, nothing
 // that is done is done again, and the digest is that of one process.
-#include "client/job_id.hpp"
+#include "client/base/job_id.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"

@@ -2,10 +2,10 @@
 // and corners, the unit of length by powers of two, the axes of the world, the instructions of the
 // processor, the stage at which decisions begin, and whether trees are wide or binary. Not one bit
 // differs, on every hard scene.
-#include "common/core/thread_pool.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/corpus/categories.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -2,7 +2,7 @@
 // seeds, by each way to ask, whatever the instructions of the processor, the first stage and the
 // order of bodies and corners.
 #include "common/geometry/simd_target.hpp"
-#include "common/geometry/triangle_pair.hpp"
+#include "common/pair/triangle_pair.hpp"
 #include "tests/corpus/categories.hpp"
 #include "tests/support/oracle.hpp"
 

@@ -1,8 +1,8 @@
 // Proves that the class of each hard scene is the one of the definition, also where two solids
 // penetrate each other and no two triangles cross.
-#include "common/core/thread_pool.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/corpus/categories.hpp"
 #include "tests/support/scene_oracle.hpp"
 

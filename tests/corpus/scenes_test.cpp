@@ -3,10 +3,10 @@
 // of each on every SIMD target: none is lost in their boxes, and none is invented.
 #include "tests/corpus/scenes.hpp"
 
-#include "common/core/thread_pool.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
-#include "common/tree/build.hpp"
-#include "common/tree/traverse.hpp"
+#include "common/search/traverse.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/corpus/categories.hpp"
 #include "tests/corpus/fingerprint.hpp"
 #include "tests/support/scene_oracle.hpp"

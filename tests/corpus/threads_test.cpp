@@ -1,8 +1,8 @@
 // Situations that users of other projects reported as wrong, rebuilt with numbers of our own. Each
 // test has the name of the thread.
-#include "common/core/thread_pool.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/corpus/solids.hpp"
 #include "tests/support/oracle.hpp"
 #include "tests/support/scene_oracle.hpp"

@@ -1,7 +1,7 @@
 // Files in memory, which know what of them would be there after a loss of power.
 #pragma once
 
-#include "common/core/bytes.hpp"
+#include "common/core/files/bytes.hpp"
 
 #include <cstdint>
 #include <map>

@@ -1,8 +1,8 @@
 #include "tests/faults/jobs.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/job/poses/pose_source.hpp"
 #include "common/job/run_scenario.hpp"
 #include "tests/faults/world.hpp"
 #include "tests/support/process.hpp"

@@ -1,11 +1,11 @@
 // The jobs that simulations submit, and the truth about them.
 #pragma once
 
-#include "common/core/hash.hpp"
+#include "common/core/files/hash.hpp"
 #include "common/job/scenario.hpp"
-#include "common/tree/contact_pair.hpp"
-#include "master/geometry_store.hpp"
-#include "proto/client_messages.hpp"
+#include "common/search/contact_pair.hpp"
+#include "master/geometry/geometry_store.hpp"
+#include "proto/messages/client_messages.hpp"
 
 #include <span>
 #include <string>

@@ -1,8 +1,8 @@
 #include "tests/faults/lies.hpp"
 
-#include "common/core/limits.hpp"
-#include "common/job/packed_records.hpp"
-#include "common/job/result.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/job/result/packed_records.hpp"
+#include "common/job/result/result.hpp"
 
 #include <optional>
 

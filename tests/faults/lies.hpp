@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
-#include "proto/work_messages.hpp"
+#include "proto/messages/work_messages.hpp"
 
 #include <cstdint>
 #include <set>

@@ -1,9 +1,9 @@
 #include "tests/faults/link_end.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits.hpp"
-#include "master/mutation.hpp"
-#include "proto/codec.hpp"
+#include "common/core/limits/limits.hpp"
+#include "master/base/mutation.hpp"
+#include "proto/codec/codec.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 // One end of a simulated connection, and what happens to messages on their way to the other.
 #pragma once
 
-#include "proto/channel.hpp"
+#include "proto/channel/channel.hpp"
 #include "tests/faults/world.hpp"
 
 #include <cstddef>

@@ -4,7 +4,8 @@
 //   faults_test --seed 1234 --log            one seed, with all that happens in it
 //   faults_test --seed 0 --count 100000      many
 //   faults_test --seed 3 --workers 1000      with so many workers at first
-//   faults_test --seed 0 --count 50 --fault 3  with a mutation (master/mutation.hpp), by number
+//   faults_test --seed 0 --count 50 --fault 3  with a mutation (master/base/mutation.hpp), by
+//   number
 #include "tests/faults/simulation.hpp"
 
 #include <gtest/gtest.h>

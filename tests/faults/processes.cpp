@@ -1,7 +1,7 @@
 #include "tests/faults/processes.hpp"
 
-#include "common/core/limits.hpp"
-#include "proto/codec.hpp"
+#include "common/core/limits/limits.hpp"
+#include "proto/codec/codec.hpp"
 
 namespace cd::tests {
 

@@ -2,13 +2,13 @@
 // put them together, and clients.
 #pragma once
 
-#include "master/coordinator.hpp"
-#include "master/server.hpp"
+#include "master/coordinator/coordinator.hpp"
+#include "master/net/server.hpp"
 #include "tests/faults/jobs.hpp"
 #include "tests/faults/world.hpp"
-#include "worker/executor.hpp"
-#include "worker/membership.hpp"
-#include "worker/peer_server.hpp"
+#include "worker/execution/executor.hpp"
+#include "worker/membership/membership.hpp"
+#include "worker/peers/peer_server.hpp"
 
 #include <memory>
 #include <optional>

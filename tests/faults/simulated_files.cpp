@@ -1,6 +1,6 @@
 // Instead of the disk: files in memory.
 #include "common/core/check.hpp"
-#include "common/core/disk_file.hpp"
+#include "common/core/files/disk_file.hpp"
 #include "tests/faults/world.hpp"
 
 #include <algorithm>

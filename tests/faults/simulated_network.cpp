@@ -1,8 +1,8 @@
 // Instead of connections: messages that take their time, and have accidents on the way.
 #include "common/core/check.hpp"
-#include "master/mutation.hpp"
-#include "proto/channel.hpp"
-#include "proto/listener.hpp"
+#include "master/base/mutation.hpp"
+#include "proto/channel/channel.hpp"
+#include "proto/channel/listener.hpp"
 #include "tests/faults/link_end.hpp"
 #include "tests/faults/world.hpp"
 

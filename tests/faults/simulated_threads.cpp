@@ -1,7 +1,7 @@
 // Instead of threads: what is posted runs when the simulated time has come. A broken invariant is a
 // problem of the simulation.
 #include "common/core/check.hpp"
-#include "common/core/thread_pool.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "tests/faults/world.hpp"
 
 #include <algorithm>

@@ -19,7 +19,7 @@
 // in it what is planned or on its way.
 #pragma once
 
-#include "master/mutation.hpp"
+#include "master/base/mutation.hpp"
 #include "tests/faults/processes.hpp"
 #include "tests/faults/world.hpp"
 

@@ -1,13 +1,13 @@
 #include "tests/faults/watcher.hpp"
 
-#include "common/core/limits.hpp"
-#include "common/job/packed_map.hpp"
-#include "common/job/packed_records.hpp"
-#include "common/job/pose_source.hpp"
-#include "common/job/result.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "common/job/result/packed_map.hpp"
+#include "common/job/result/packed_records.hpp"
+#include "common/job/result/result.hpp"
 #include "common/job/scenario.hpp"
-#include "master/journal_records.hpp"
-#include "master/worker_watch.hpp"
+#include "master/journal/journal_records.hpp"
+#include "master/workers/worker_watch.hpp"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // What the outside knows of the master's promises, and whether they are kept.
 #pragma once
 
-#include "common/core/hash.hpp"
+#include "common/core/files/hash.hpp"
 #include "common/core/id.hpp"
-#include "common/job/contact_map.hpp"
-#include "master/journal_database.hpp"
-#include "master/result_group.hpp"
-#include "proto/message.hpp"
+#include "common/job/result/contact_map.hpp"
+#include "master/journal/journal_database.hpp"
+#include "master/journal/result_group.hpp"
+#include "proto/codec/message.hpp"
 #include "tests/faults/jobs.hpp"
 #include "tests/faults/lies.hpp"
 

@@ -1,6 +1,6 @@
 // What follows when workers are now and then wrong. Two results of a scenario that differ find one
 // of them out; from then on, in all lives of the master, nothing of it counts.
-#include "master/journal_records.hpp"
+#include "master/journal/journal_records.hpp"
 #include "tests/faults/watcher.hpp"
 
 namespace cd::tests {

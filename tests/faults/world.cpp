@@ -1,6 +1,6 @@
 #include "tests/faults/world.hpp"
 
-#include "common/core/log.hpp"
+#include "common/core/host/log.hpp"
 
 #include <algorithm>
 

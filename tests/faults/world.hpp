@@ -3,9 +3,9 @@
 // time by the simulated_*.cpp beside this; everything else is the code that is shipped.
 #pragma once
 
-#include "proto/asio.hpp"
-#include "proto/channel.hpp"
-#include "proto/message.hpp"
+#include "proto/channel/asio.hpp"
+#include "proto/channel/channel.hpp"
+#include "proto/codec/message.hpp"
 #include "tests/faults/files.hpp"
 #include "tests/faults/troubles.hpp"
 #include "tests/faults/watcher.hpp"

@@ -2,7 +2,7 @@
 // run with nobody there is answered by one line that names the way out. With CD_TRANSCRIPT set it
 // prints all that was typed and answered (tests/first_hour/run).
 #include "client/commands/commands.hpp"
-#include "proto/certificate.hpp"
+#include "proto/identity/certificate.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"

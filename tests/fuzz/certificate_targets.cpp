@@ -1,6 +1,6 @@
 #include "common/core/printable.hpp"
-#include "proto/certificate.hpp"
-#include "proto/openssl.hpp"
+#include "proto/identity/certificate.hpp"
+#include "proto/identity/openssl.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
 

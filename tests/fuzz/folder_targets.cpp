@@ -1,6 +1,6 @@
 #include "client/folder/run_manifest.hpp"
-#include "common/core/hash.hpp"
-#include "common/job/record_file.hpp"
+#include "common/core/files/hash.hpp"
+#include "common/job/result/record_file.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"

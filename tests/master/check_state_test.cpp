@@ -2,11 +2,11 @@
 // nothing, and says of a sound one that it is.
 #include "master/check_state.hpp"
 
-#include "master/geometry_store.hpp"
-#include "master/identity.hpp"
-#include "master/journal.hpp"
-#include "master/label_spool.hpp"
-#include "master/pose_spool.hpp"
+#include "master/geometry/geometry_store.hpp"
+#include "master/identity/identity.hpp"
+#include "master/jobs/label_spool.hpp"
+#include "master/jobs/pose_spool.hpp"
+#include "master/journal/journal.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -1,10 +1,10 @@
 // A client that submits, watches and fetches, and what is right of its job.
 #pragma once
 
-#include "common/job/packed_records.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/master/master_stage.hpp"
 #include "tests/support/shapes.hpp"
 

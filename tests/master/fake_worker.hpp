@@ -1,13 +1,13 @@
 // A worker in its simplest form, with habits that none should have.
 #pragma once
 
-#include "common/core/compress.hpp"
-#include "common/core/limits.hpp"
-#include "common/job/packed_records.hpp"
-#include "common/job/pose_source.hpp"
+#include "common/core/files/compress.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/partial_tree.hpp"
-#include "common/tree/top_block.hpp"
+#include "common/tree/wire/top_block.hpp"
 #include "tests/master/master_stage.hpp"
 
 #include <gtest/gtest.h>

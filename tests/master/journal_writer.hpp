@@ -1,7 +1,7 @@
 // A journal at work, and entries for it.
 #pragma once
 
-#include "master/journal.hpp"
+#include "master/journal/journal.hpp"
 #include "tests/proto/sample_messages.hpp"
 #include "tests/support/process.hpp"
 

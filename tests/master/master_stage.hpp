@@ -1,10 +1,10 @@
 // A whole master in the test's process, for those of `fake_worker.hpp` and `fake_client.hpp`.
 #pragma once
 
-#include "common/core/disk_file.hpp"
-#include "master/coordinator.hpp"
-#include "master/identity.hpp"
-#include "master/server.hpp"
+#include "common/core/files/disk_file.hpp"
+#include "master/coordinator/coordinator.hpp"
+#include "master/identity/identity.hpp"
+#include "master/net/server.hpp"
 #include "tests/support/process.hpp"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 
 #include "common/core/id.hpp"
 #include "common/tree/cut.hpp"
-#include "proto/cluster_options.hpp"
+#include "proto/messages/cluster_options.hpp"
 
 #include <cstdint>
 #include <map>

@@ -4,11 +4,11 @@
 // A line has the pair's name, a hash of its bits, what floats prove of it, its class, and a hash of
 // the points that it shares. Standard error gets the target and the counts.
 #include "common/core/check.hpp"
-#include "common/core/hash.hpp"
-#include "common/geometry/float_triangle_pair.hpp"
+#include "common/core/files/hash.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/geometry/triangle_blocks.hpp"
-#include "common/geometry/triangle_pair.hpp"
+#include "common/pair/stages/float/float_triangle_pair.hpp"
+#include "common/pair/triangle_pair.hpp"
 #include "tests/corpus/fingerprint.hpp"
 #include "tests/corpus/pairs.hpp"
 #include "tests/support/shapes.hpp"

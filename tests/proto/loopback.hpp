@@ -1,7 +1,7 @@
 // Two ends of a connection on this machine, for tests of what talks over it.
 #pragma once
 
-#include "proto/channel.hpp"
+#include "proto/channel/channel.hpp"
 
 #include <gtest/gtest.h>
 

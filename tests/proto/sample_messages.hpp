@@ -1,7 +1,7 @@
 // One message of each type with every member set, so that a forgotten or swapped one shows.
 #pragma once
 
-#include "proto/message.hpp"
+#include "proto/codec/message.hpp"
 
 #include <vector>
 

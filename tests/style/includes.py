@@ -6,55 +6,120 @@ import pathlib
 import re
 import sys
 
-# A folder may include its own files and those of the folders named here.
+# A room is one of these folders with all below it that is no room of its own. It may include its own
+# files and those of the rooms named here; everything outside common/ may also include all of common/.
 LAYERS = {
     "common/core": [],
     "common/geometry": ["common/core"],
-    "common/tree": ["common/core", "common/geometry"],
-    "common/job": ["common/core", "common/geometry", "common/tree"],
-    "proto": ["common"],
-    "master": ["common", "proto"],
-    "worker": ["common", "proto"],
-    "client": ["common", "proto"],
+    "common/pair": ["common/core", "common/geometry"],
+    "common/tree": ["common/core", "common/geometry", "common/pair"],
+    "common/search": ["common/core", "common/geometry", "common/pair", "common/tree"],
+    "common/solid": ["common/core", "common/geometry", "common/pair", "common/search", "common/tree"],
+    "common/job": ["common/core", "common/geometry", "common/pair", "common/search", "common/solid", "common/tree"],
+    "proto/identity": [],
+    "proto/messages": ["proto/identity"],
+    "proto/codec": ["proto/identity", "proto/messages"],
+    "proto/channel": ["proto/codec", "proto/identity", "proto/messages"],
+    "proto/access": ["proto/channel", "proto/codec", "proto/identity", "proto/messages"],
 }
+# The rooms of a program, lowest first: each may include those before it, and of proto/ what is named.
+ORDERED = {
+    "master": {
+        "base": ["channel"],
+        "identity": ["access", "channel", "codec", "identity", "messages"],
+        "geometry": ["messages"],
+        "blocks": ["access", "channel", "messages"],
+        "journal": ["messages"],
+        "workers": ["messages"],
+        "dispatch": ["messages"],
+        "jobs": ["messages"],
+        "results": ["messages"],
+        "coordinator": ["channel", "messages"],
+        "net": ["access", "channel", "codec", "messages"],
+        "": ["channel"],
+    },
+    "worker": {
+        "cache": ["messages"],
+        "peers": ["access", "channel"],
+        "execution": ["channel", "messages"],
+        "session": ["channel", "codec", "messages"],
+        "membership": ["access", "channel"],
+        "": ["access", "channel"],
+    },
+    "client": {
+        "base": ["messages"],
+        "formats": [],
+        "import": [],
+        "spec": ["messages"],
+        "trees": [],
+        "poses": [],
+        "report": ["messages"],
+        "export": [],
+        "job": ["messages"],
+        "cli": [],
+        "local": [],
+        "remote": ["access", "channel", "messages"],
+        "folder": ["messages"],
+        "commands": ["messages"],
+        "": [],
+    },
+}
+# Rooms that see less than the order allows.
+NARROW = {"master/dispatch": ["master/base", "proto/messages"]}
+for _program, _rooms in ORDERED.items():
+    _before = []
+    for _room, _proto in _rooms.items():
+        _name = f"{_program}/{_room}".rstrip("/")
+        LAYERS[_name] = NARROW.get(_name, [*_before, *(f"proto/{each}" for each in _proto)])
+        _before.append(_name)
+
+
+def room_of(path):
+    """The longest room that the path is in; None outside all rooms."""
+    folder = path
+    while "/" in folder:
+        folder = folder.rsplit("/", 1)[0]
+        if folder in LAYERS:
+            return folder
+    return None
+
 
 # A library may be included only from these files (prefixes of paths).
 DOORS = {
-    r"Eigen/": ["common/geometry", "common/tree", "common/job", "client"],
-    r"openssl/": ["common/core/hash.cpp", "proto/openssl.hpp", "proto/certificate.cpp", "proto/tls.cpp", "proto/stream.cpp"],
-    r"sqlite3\.h": ["master/journal_database.cpp"],
-    r"xxhash\.h": ["common/core/hash.cpp"],
-    r"zstd\.h": ["common/core/compress.cpp"],
-    r"spdlog/": ["common/core/log.cpp"],
-    r"fmt/": ["common/core/log.hpp", "client"],
-    r"boost/asio": ["proto/asio.hpp", "proto/asio_tls.hpp"],
-    r"boost/multiprecision": ["common/geometry", "common/tree"],
-    r"boost/": ["proto", "common/geometry", "common/tree"],
+    r"Eigen/": ["common/geometry", "common/pair", "common/tree", "common/search", "common/solid", "common/job", "client"],
+    r"openssl/": ["common/core/files/hash.cpp", "proto/identity/openssl.hpp", "proto/identity/certificate.cpp", "proto/channel/tls.cpp", "proto/channel/stream.cpp"],
+    r"sqlite3\.h": ["master/journal/journal_database.cpp"],
+    r"xxhash\.h": ["common/core/files/hash.cpp"],
+    r"zstd\.h": ["common/core/files/compress.cpp"],
+    r"spdlog/": ["common/core/host/log.cpp"],
+    r"fmt/": ["common/core/host/log.hpp", "client"],
+    r"boost/asio": ["proto/channel/asio.hpp", "proto/channel/asio_tls.hpp"],
+    r"boost/multiprecision": ["common/pair/numbers", "common/tree/build/triangle_cells"],
+    r"boost/": ["proto", "common/pair/numbers"],
     r"cereal/": ["proto"],
-    r"assimp/": ["client/import/assimp"],
-    r"zip\.h": ["client/npz.cpp", "client/zip_file"],
-    r"pugixml": ["client/import/xml"],
+    r"assimp/": ["client/import/foreign/assimp"],
+    r"zip\.h": ["client/formats/npz.cpp", "client/formats/zip_file"],
+    r"pugixml": ["client/import/foreign/xml"],
     r"zlib\.h": ["client"],
-    r"CLI/": ["common/core/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],
-    r"toml\+\+/": ["common/core/daemon_options.cpp", "client"],
+    r"CLI/": ["common/core/host/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],
+    r"toml\+\+/": ["common/core/host/daemon_options.cpp", "client"],
     r"nlohmann/": ["client"],
-    r"hwy/": ["common/geometry", "common/tree"],
+    r"hwy/": ["common/geometry", "common/pair", "common/tree", "common/search/contact_pair"],
     r"fcl/": [],
 }
 # So many .cpp files of the programs and of proto/ may see these, through any number of headers. Each
 # costs its compiler time in every file; values that programs need have headers of their own.
-SLOW_HEADERS = {"common/tree/wide_kernel.hpp": 21, "common/geometry/dyadic.hpp": 0}
+SLOW_HEADERS = {"common/tree/wide/wide_kernel.hpp": 21, "common/pair/numbers/dyadic.hpp": 0}
 PROGRAMS = ("proto/", "master/", "worker/", "client/")
 ANYWHERE = ("tests/", "bench/")  # May include everything of ours and any library.
 SOURCES = {".cpp", ".hpp", ".h"}
 
 
 def may_include_ours(path, included):
-    own = path.rsplit("/", 1)[0] + "/"
-    for layer, allowed in LAYERS.items():
-        if path.startswith(layer + "/"):
-            return included.startswith((layer + "/", *(a + "/" for a in allowed)))
-    return included.startswith(own)
+    room, target = room_of(path), room_of(included)
+    if room is None or target is None:
+        return path.rsplit("/", 1)[0] == included.rsplit("/", 1)[0]
+    return target == room or target in LAYERS[room] or target.startswith("common/") and not room.startswith("common/")
 
 
 def problems_of(root, path):

@@ -6,17 +6,32 @@ import subprocess
 import sys
 import tempfile
 
-GOOD_SOURCES = {"common/core/a.hpp": "#pragma once\n", "proto/b.cpp": '#include "common/core/a.hpp"\n'}
+GOOD_SOURCES = {"common/core/a.hpp": "#pragma once\n", "proto/channel/b.cpp": '#include "common/core/a.hpp"\n'}
 BAD_SOURCES = {
-    "a layer upwards": {"common/core/c.cpp": '#include "proto/b.hpp"\n', "proto/b.hpp": "#pragma once\n"},
-    "a program in another": {"master/m.cpp": '#include "worker/w.hpp"\n', "worker/w.hpp": "#pragma once\n"},
+    "a layer upwards": {"common/core/c.cpp": '#include "proto/codec/b.hpp"\n', "proto/codec/b.hpp": "#pragma once\n"},
+    "a program in another": {
+        "master/net/m.cpp": '#include "worker/cache/w.hpp"\n',
+        "worker/cache/w.hpp": "#pragma once\n",
+    },
+    "a room upwards": {
+        "master/journal/j.cpp": '#include "master/results/r.hpp"\n',
+        "master/results/r.hpp": "#pragma once\n",
+    },
+    "geometry in dispatch": {
+        "master/dispatch/d.cpp": '#include "master/geometry/g.hpp"\n',
+        "master/geometry/g.hpp": "#pragma once\n",
+    },
+    "a channel in the client's formats": {
+        "client/formats/f.cpp": '#include "proto/channel/c.hpp"\n',
+        "proto/channel/c.hpp": "#pragma once\n",
+    },
     "a library past its door": {"master/m.cpp": "#include <assimp/scene.h>\n"},
     "Asio past its door": {"worker/w.cpp": "#include <boost/asio/read.hpp>\n"},
     "a file that is not there": {"master/m.cpp": '#include "common/core/none.hpp"\n'},
     "a slow header in a program": {
         "client/c.cpp": '#include "common/tree/t.hpp"\n',
-        "common/tree/t.hpp": '#pragma once\n#include "common/geometry/dyadic.hpp"\n',
-        "common/geometry/dyadic.hpp": "#pragma once\n",
+        "common/tree/t.hpp": '#pragma once\n#include "common/pair/numbers/dyadic.hpp"\n',
+        "common/pair/numbers/dyadic.hpp": "#pragma once\n",
     },
     "no pragma once": {"common/core/d.hpp": "int x();\n"},
 }

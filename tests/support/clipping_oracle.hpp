@@ -1,7 +1,7 @@
 // The oracle's slow twin: clipping of polygons in canonical rationals.
 #pragma once
 
-#include "common/geometry/triangle_pair.hpp"
+#include "common/pair/triangle_pair.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

@@ -1,7 +1,7 @@
 // What is logged while a test looks.
 #pragma once
 
-#include "common/core/log.hpp"
+#include "common/core/host/log.hpp"
 
 #include <memory>
 #include <string>

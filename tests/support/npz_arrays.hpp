@@ -1,7 +1,7 @@
 // All arrays of an .npz at once, for tests.
 #pragma once
 
-#include "client/npz_file.hpp"
+#include "client/formats/npz_file.hpp"
 
 #include <map>
 #include <string>

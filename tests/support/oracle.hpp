@@ -1,7 +1,7 @@
 // The truth about a pair of triangles, in whole numbers and by another way than the engine's.
 #pragma once
 
-#include "common/geometry/triangle_pair.hpp"
+#include "common/pair/triangle_pair.hpp"
 #include "tests/support/exact_world.hpp"
 
 namespace cd::tests {

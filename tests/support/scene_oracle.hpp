@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/geometry/mesh.hpp"
-#include "common/job/result.hpp"
-#include "common/tree/traverse.hpp"
+#include "common/job/result/result.hpp"
+#include "common/search/traverse.hpp"
 #include "tests/support/exact_world.hpp"
 
 #include <vector>

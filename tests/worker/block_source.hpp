@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/worker/cut_body.hpp"
-#include "worker/peer_server.hpp"
+#include "worker/peers/peer_server.hpp"
 
 #include <map>
 #include <memory>

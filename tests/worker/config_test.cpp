@@ -2,7 +2,7 @@
 // file, and says in one line, with exit code 2, what is wrong with them.
 #include "worker/config.hpp"
 
-#include "common/core/memory_limit.hpp"
+#include "common/core/host/memory_limit.hpp"
 #include "worker/run_worker.hpp"
 
 #include <gmock/gmock.h>

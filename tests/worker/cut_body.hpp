@@ -1,13 +1,13 @@
 // A mesh as a master holds it: built, cut, and the top and each root's subtree encoded.
 #pragma once
 
-#include "common/core/compress.hpp"
-#include "common/core/hash.hpp"
-#include "common/tree/build.hpp"
+#include "common/core/files/compress.hpp"
+#include "common/core/files/hash.hpp"
+#include "common/tree/build/build.hpp"
 #include "common/tree/cut.hpp"
-#include "common/tree/subtree_block.hpp"
-#include "common/tree/top_block.hpp"
-#include "proto/work_messages.hpp"
+#include "common/tree/wire/subtree_block.hpp"
+#include "common/tree/wire/top_block.hpp"
+#include "proto/messages/work_messages.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <memory>

@@ -2,12 +2,12 @@
 // says to the same scenarios.
 #pragma once
 
-#include "common/core/limits.hpp"
-#include "common/job/packed_records.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/job/result/packed_records.hpp"
 #include "tests/proto/loopback.hpp"
 #include "tests/proto/sample_messages.hpp"
 #include "tests/worker/cut_body.hpp"
-#include "worker/session.hpp"
+#include "worker/session/session.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Proves the simulated cluster's bookkeeping without a clock: under every strategy each scenario is
 // answered once, a worker gets each block that its scenarios touch once, from the master or from
 // who has it, and the bytes are those of these blocks.
-#include "bench/cluster/master_model.hpp"
-#include "bench/cluster/strategies.hpp"
-#include "bench/cluster/worker_model.hpp"
+#include "bench/cluster/model/master_model.hpp"
+#include "bench/cluster/model/strategies.hpp"
+#include "bench/cluster/model/worker_model.hpp"
 #include "tests/bench/cluster/synthetic.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Small jobs with made-up costs, for the bookkeeping of simulated clusters.
 #pragma once
 
-#include "bench/cluster/workload.hpp"
+#include "bench/cluster/model/workload.hpp"
 
 #include <random>
 #include <utility>

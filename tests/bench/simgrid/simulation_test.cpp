@@ -1,8 +1,8 @@
 // Proves that a job simulated under SimGrid is answered whole, takes at least the time that its
 // bounds say, and comes out the same each time.
-#include "bench/cluster/simulation.hpp"
+#include "bench/cluster/model/simulation.hpp"
 
-#include "bench/cluster/strategies.hpp"
+#include "bench/cluster/model/strategies.hpp"
 #include "tests/bench/cluster/synthetic.hpp"
 
 #include <gtest/gtest.h>

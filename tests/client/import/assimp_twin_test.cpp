@@ -1,6 +1,6 @@
 // Proves that the readers of our own take from real models what assimp takes: the same parts, and
 // the same triangles in the same order, up to assimp's rounding of decimals.
-#include "client/import/assimp_import.hpp"
+#include "client/import/foreign/assimp_import.hpp"
 #include "client/import/mesh_import.hpp"
 #include "tests/support/obj_file.hpp"
 #include "tests/support/process.hpp"

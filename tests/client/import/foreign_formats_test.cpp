@@ -1,8 +1,8 @@
 // Proves of formats that assimp reads: a crash is one line, units of the file are applied once and
 // axes never, and what is not rigid is refused.
-#include "client/import/assimp_import.hpp"
+#include "client/import/foreign/assimp_import.hpp"
+#include "client/import/foreign/xml_frames.hpp"
 #include "client/import/import_notes.hpp"
-#include "client/import/xml_frames.hpp"
 #include "tests/client/import/import_text.hpp"
 
 #include <zip.h>

@@ -1,7 +1,7 @@
 // Makes small glTF files for tests.
 #pragma once
 
-#include "common/core/bytes.hpp"
+#include "common/core/files/bytes.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
 // Proves that a whole run ends with a defined answer, and without memory beyond bounds, on meshes
 // of degenerate, denormal, huge and mixed coordinates, under poses as far as doubles reach; and
 // with one line that names the place on coordinates and poses that are not finite.
+#include "client/base/exit_code.hpp"
 #include "client/commands/commands.hpp"
-#include "client/exit_code.hpp"
-#include "client/npz.hpp"
+#include "client/formats/npz.hpp"
 #include "tests/support/process.hpp"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // Proves that damage in text files is refused with one line, and that what only looks like damage
 // is read.
 #include "client/import/mesh_import.hpp"
-#include "client/inspect.hpp"
+#include "client/report/inspect.hpp"
 #include "tests/client/import/import_text.hpp"
 #include "tests/support/process.hpp"
 

@@ -3,8 +3,8 @@
 // triangles.
 #include "client/import/mesh_import.hpp"
 
-#include "client/inspect.hpp"
-#include "client/npz.hpp"
+#include "client/formats/npz.hpp"
+#include "client/report/inspect.hpp"
 #include "tests/client/import/import_text.hpp"
 #include "tests/support/memory_bound.hpp"
 #include "tests/support/process.hpp"

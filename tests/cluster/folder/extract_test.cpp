@@ -1,6 +1,6 @@
 // Proves, with real processes, that scenarios of a run become a job of their own that gives the
 // same records, and that what cannot become one is refused.
-#include "common/job/record_file.hpp"
+#include "common/job/result/record_file.hpp"
 #include "tests/cluster/folder/folder_fixture.hpp"
 #include "tests/support/npz_arrays.hpp"
 

@@ -4,8 +4,8 @@
 #include "common/job/run_scenario.hpp"
 
 #include "common/job/settle.hpp"
-#include "common/tree/brute_force.hpp"
-#include "common/tree/build.hpp"
+#include "common/search/brute_force.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // hash of poses depends on their numbers alone.
 #include "common/job/scenario_file.hpp"
 
-#include "common/job/poses_hash.hpp"
+#include "common/job/poses/poses_hash.hpp"
 #include "tests/support/process.hpp"
 
 #include <gtest/gtest.h>

@@ -4,9 +4,9 @@
 
 #include "common/job/settle.hpp"
 
-#include "common/core/limits_insides.hpp"
+#include "common/core/limits/limits_insides.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/support/exact_solid.hpp"
 #include "tests/support/lattice_solids.hpp"
 #include "tests/support/shapes.hpp"

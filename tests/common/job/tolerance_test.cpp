@@ -6,7 +6,7 @@
 
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/support/exact_distance.hpp"
 #include "tests/support/shapes.hpp"
 

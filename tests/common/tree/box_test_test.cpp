@@ -3,8 +3,8 @@
 
 #include "common/tree/box_test.hpp"
 
-#include "common/core/thread_pool.hpp"
-#include "common/tree/build.hpp"
+#include "common/core/host/thread_pool.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/common/tree/exact_box.hpp"
 #include "tests/support/shapes.hpp"
 

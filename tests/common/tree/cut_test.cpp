@@ -4,9 +4,9 @@
 
 #include "common/tree/cut.hpp"
 
-#include "common/tree/build.hpp"
-#include "common/tree/subtree_block.hpp"
-#include "common/tree/traverse.hpp"
+#include "common/search/traverse.hpp"
+#include "common/tree/build/build.hpp"
+#include "common/tree/wire/subtree_block.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "common/tree/partial_tree.hpp"
 
-#include "common/tree/build.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -4,9 +4,9 @@
 
 #include "common/tree/tree_file.hpp"
 
-#include "common/core/section_file.hpp"
-#include "common/tree/build.hpp"
-#include "common/tree/traverse.hpp"
+#include "common/core/files/section_file.hpp"
+#include "common/search/traverse.hpp"
+#include "common/tree/build/build.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -1,0 +1,43 @@
+// Two bodies under a list of poses, with every contact that there is, found without the engine.
+#pragma once
+
+#include "bench/peers/engines/engine.hpp"
+#include "common/tree/obb_tree.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cd::bench {
+
+struct Scene {
+    std::string suite; ///< "scenes", "motion" or "vehicles".
+    std::string name;
+    std::shared_ptr<const Mesh> a;
+    std::shared_ptr<const Mesh> b;
+    std::vector<PosePair> poses;
+};
+
+/// A pair in contact with its true class.
+struct TruePair {
+    IdPair ids;
+    PairClass kind = PairClass::Touch;
+};
+
+/// All contacts of one pose, sorted by their triangles.
+using TrueContacts = std::vector<TruePair>;
+
+/// The contacts of each pose of a scene: the triangles' boxes in the world, widened by more than
+/// rounding can do, leave the pairs that the oracle decides. By `threads` threads, which have ended
+/// on return.
+[[nodiscard]] std::vector<TrueContacts> true_contacts(const Scene& scene, unsigned threads);
+
+/// Separate for a pair that is not in contact.
+[[nodiscard]] PairClass true_class(const TrueContacts& contacts, const IdPair& ids);
+
+/// The pairs that our boxes leave for the triangle test: what a narrow phase is given. By places in
+/// the trees.
+[[nodiscard]] std::vector<Candidate>
+candidates_of(const ObbTree& a, const ObbTree& b, const PosePair& poses);
+
+} // namespace cd::bench

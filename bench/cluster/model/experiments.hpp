@@ -1,0 +1,124 @@
+// The paper's experiments (section 7), each a series of simulations that varies one thing.
+#pragma once
+
+#include "bench/accuracy/csv.hpp"
+#include "bench/cluster/model/simulation.hpp"
+#include "bench/cluster/model/strategies.hpp"
+#include "bench/cluster/model/workload.hpp"
+#include "bench/cluster/trace/trace.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace cd::bench {
+
+/// Where a job runs, and what its steps cost.
+struct Setting {
+    std::string name;
+    Costs costs = Costs::Paper;
+    SimulationOptions options; ///< Strategy, q, seed and cores are an experiment's.
+    bool may_claim = true;     ///< False: no strategy claims.
+    std::uint64_t seeds_max = 3;
+};
+
+/// No constant is fitted: the paper's master and clients (one analysis at a time, results with the
+/// end of a task) on SimGrid's network alone.
+[[nodiscard]] Setting paper_setting();
+/// The same with a pipe.
+[[nodiscard]] Setting fitted_setting(double pipe_bytes_per_second);
+/// Costs as measured, the product's ways: one worker for each computer, two tasks at a worker,
+/// analysis on the other cores of the master's computer, its limits. One seed: its jobs are so much
+/// longer than what they begin with that another order changes nothing.
+[[nodiscard]] Setting measured_setting();
+
+struct Scene {
+    const Trace* trace = nullptr;
+    const PaperTable* table = nullptr;
+    std::uint32_t paper_depth = 12; ///< At which the paper cut the fixed body.
+    std::uint32_t depth = 12;       ///< At which the experiments do that do not vary it.
+};
+
+/// One point of an experiment.
+struct Point {
+    std::string experiment;  ///< scenarios, depth, q, cores, paper depth, fit.
+    double x = 0;            ///< What it varies.
+    std::uint64_t count = 0; ///< Of scenarios; 0: all.
+    std::uint32_t depth = 0;
+    std::uint32_t q = 20;
+    std::uint32_t fast_cores = 20;
+    std::uint32_t slow_cores = 8;
+};
+
+struct ExperimentOptions {
+    std::filesystem::path out;
+    std::uint64_t seeds = 3;
+    bool quick = false;              ///< Only the ends and the middle of each series, one seed.
+    std::chrono::seconds limit{600}; ///< For one simulation.
+};
+
+/// Runs points and writes a row for each into runs.csv. A simulation that does not end is a line on
+/// stderr and an absent row.
+class Experiments {
+  public:
+    explicit Experiments(const ExperimentOptions& options);
+
+    void run(const Setting& setting, const Scene& scene, const Point& point);
+
+    /// Speed-up against the number of scenarios (Figure 10): the rows of the paper's table.
+    void vary_scenarios(const Setting& setting, const Scene& scene);
+    /// Against jobs of so many times the trace's scenarios.
+    void vary_rounds(const Setting& setting,
+                     const Scene& scene,
+                     const std::vector<std::uint64_t>& rounds);
+    /// All scenarios at the paper's depth, if that was recorded.
+    void at_paper_depth(const Setting& setting, const Scene& scene);
+    /// Against the depth of A's cut (Figure 11). Returns the depth at which best-match is fastest.
+    std::uint32_t vary_depth(const Setting& setting, const Scene& scene, std::uint64_t count = 0);
+    /// Against q (Figure 12).
+    void vary_q(const Setting& setting, const Scene& scene, std::uint64_t count = 0);
+    /// Against the cluster (Figure 13, Table 4).
+    void vary_cores(const Setting& setting, const Scene& scene, std::uint64_t count = 0);
+
+    /// What hints, and recalls and copies at the end, give to jobs matched by time: on slow cores
+    /// as in the table, on some of a tenth of the speed, and on links of a tenth of the rate; at
+    /// the scene's depth. Rows of additions.csv.
+    void compare_additions(const std::vector<Setting>& settings, const Scene& scene);
+
+    /// The rate of the pipe at which lowest takes so many seconds for all scenarios, mean of the
+    /// seeds. Nothing where no rate does.
+    std::optional<double> fit_pipe(const Scene& scene, double seconds);
+
+  private:
+    std::optional<Outcome> simulate_one(const Setting& setting,
+                                        const Scene& scene,
+                                        const Workload& workload,
+                                        const ComparedStrategy& strategy,
+                                        const Point& point,
+                                        std::uint64_t seed);
+    /// What the dispatcher's decisions take for a scenario, once they have been made.
+    double dispatch_seconds(const Scene& scene,
+                            const Workload& workload,
+                            const Point& point,
+                            const SimulationOptions& uncharged);
+    [[nodiscard]] double mean_lowest(const Setting& setting, const Scene& scene);
+    [[nodiscard]] std::uint64_t seeds(const Setting& setting) const {
+        return options_.quick ? 1 : std::min(options_.seeds, setting.seeds_max);
+    }
+    template <class T>
+    [[nodiscard]] std::vector<T> series(std::vector<T> all) const;
+
+    ExperimentOptions options_;
+    CsvFile csv_;
+    /// By scene, strategy, whether there are peers, and depth.
+    std::map<std::tuple<std::string, Strategy, bool, std::uint32_t>, double> dispatch_seconds_;
+    double best_match_seconds_ = 0; ///< Of the point run last, mean of the seeds.
+};
+
+} // namespace cd::bench

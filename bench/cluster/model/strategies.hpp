@@ -1,0 +1,35 @@
+// The strategies that the experiments compare: one line each.
+#pragma once
+
+#include "proto/messages/cluster_options.hpp"
+
+#include <array>
+#include <string>
+
+namespace cd::bench {
+
+struct ComparedStrategy {
+    Strategy strategy;
+    /// As the paper has it: a worker gets nothing while it has a task. Ours keep a second task
+    /// waiting at the worker.
+    bool claims;
+    /// Chooses among what waits: then as much waits as in the product, whatever the setting.
+    bool sees_queue;
+    bool peers = false; ///< Workers give each other blocks.
+
+    [[nodiscard]] std::string name() const {
+        return std::string(to_text(strategy)) + (peers ? "+peers" : "");
+    }
+};
+
+inline constexpr std::array compared_strategies{
+    ComparedStrategy{Strategy::BestMatch, true, false},
+    ComparedStrategy{Strategy::BestMatchLoad, true, false},
+    ComparedStrategy{Strategy::Random, true, false},
+    ComparedStrategy{Strategy::Lowest, true, false},
+    ComparedStrategy{Strategy::BestMatchPull, true, true},
+    ComparedStrategy{Strategy::EarliestFinish, false, true},
+    ComparedStrategy{Strategy::EarliestFinish, false, true, true},
+};
+
+} // namespace cd::bench

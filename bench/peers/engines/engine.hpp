@@ -1,0 +1,182 @@
+// One face for every engine that is compared: pairs of triangles, and pairs of whole meshes.
+#pragma once
+
+#include "common/geometry/mesh.hpp"
+#include "common/geometry/pose.hpp"
+#include "common/geometry/triangle_blocks.hpp"
+#include "common/job/query.hpp"
+#include "common/pair/triangle_pair.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cd::bench {
+
+/// Candidates by their places in the leaves of wide trees.
+struct BlockCandidates {
+    TriangleBlocks a;
+    TriangleBlocks b;
+    std::span<const Candidate> candidates;
+};
+
+/// Candidates under one pair of poses. A view: whoever made it keeps the triangles.
+struct PairGroup {
+    PosePair poses;
+    TriangleSpan a;
+    TriangleSpan b;
+    std::span<const Candidate> candidates;
+    /// The same, in the same order, as a search of our trees has them; empty where none does.
+    BlockCandidates in_blocks{};
+};
+
+/// Points of what a pair shares: `origin` plus each of `points`, in the world.
+struct SharedPoints {
+    Vec3 origin = Vec3::Zero();
+    std::vector<Vec3> points;
+};
+
+/// Decides pairs of triangles, in two steps so that only the second is timed.
+class PairEngine {
+  public:
+    PairEngine() = default;
+    PairEngine(const PairEngine&) = delete;
+    PairEngine& operator=(const PairEngine&) = delete;
+    virtual ~PairEngine() = default;
+
+    /// Sets up what does not depend on the triangles' arithmetic. The groups outlive the decision.
+    virtual void prepare(std::span<const PairGroup> groups) = 0;
+
+    /// An answer for each candidate of the prepared groups, in their order: a PairClass if
+    /// `tells_class`, else 0 for apart and 1 for in contact.
+    virtual void decide(std::span<std::uint8_t> answers) = 0;
+
+    [[nodiscard]] virtual bool tells_class() const { return false; }
+    [[nodiscard]] virtual bool gives_points() const { return false; }
+    /// Of one candidate of a group; empty where the engine sees no contact.
+    [[nodiscard]] virtual SharedPoints shared_points(const PairGroup&, const Candidate&) {
+        return {};
+    }
+};
+
+using IdPair = std::pair<std::uint32_t, std::uint32_t>;
+
+struct MeshAnswer {
+    bool touches = false;
+    std::uint64_t pair_count = 0;
+    std::vector<IdPair> pairs;      ///< At level pairs and above; in any order, perhaps repeated.
+    std::uint64_t record_bytes = 0; ///< What is sent back; 0 where the engine sends nothing.
+    std::uint64_t read_bytes = 0;   ///< Boxes and triangles read; 0 where the engine does not say.
+    std::uint64_t box_tests = 0;    ///< The paper's N_b,
+    std::uint64_t triangle_tests = 0; ///< and its N_p; 0 where the engine does not say.
+};
+
+/// What one test of boxes and one of triangles take: the paper's C_b and C_p; 0 where the engine
+/// does not say.
+struct TestCosts {
+    double box_ns = 0;
+    double triangle_ns = 0;
+};
+
+/// Decides whole meshes.
+class MeshEngine {
+  public:
+    MeshEngine() = default;
+    MeshEngine(const MeshEngine&) = delete;
+    MeshEngine& operator=(const MeshEngine&) = delete;
+    virtual ~MeshEngine() = default;
+
+    /// Builds whatever is built once for two bodies.
+    virtual void load(const std::shared_ptr<const Mesh>& a,
+                      const std::shared_ptr<const Mesh>& b) = 0;
+    [[nodiscard]] virtual MeshAnswer ask(const PosePair& poses, Level level) = 0;
+
+    /// Everything loaded that a query may read; 0 where the engine does not say.
+    [[nodiscard]] virtual std::uint64_t resident_bytes() const { return 0; }
+    /// Of the search for all pairs, under the poses.
+    [[nodiscard]] virtual TestCosts test_costs(std::span<const PosePair>) const { return {}; }
+    /// An engine for one more thread, on what this one has loaded; null where there is none.
+    [[nodiscard]] virtual std::unique_ptr<MeshEngine> for_another_thread() const { return nullptr; }
+};
+
+/// An engine under one setting. What it cannot do is empty.
+struct Engine {
+    std::string name;
+    bool is_ours = false;
+    std::function<std::unique_ptr<PairEngine>()> make_pairs;
+    std::function<std::unique_ptr<MeshEngine>()> make_meshes;
+    std::vector<Level> levels; ///< That `make_meshes` answers.
+};
+
+/// A triangle of a body put into the world in doubles, as every other engine is given it.
+struct WorldFrame {
+    Mat3 rotation;
+    Vec3 translation;
+
+    explicit WorldFrame(const Pose& pose)
+        : rotation(pose.rotation()), translation(pose.translation()) {}
+
+    [[nodiscard]] Corners operator()(const Corners& t) const {
+        return {Vec3(rotation * t[0] + translation),
+                Vec3(rotation * t[1] + translation),
+                Vec3(rotation * t[2] + translation)};
+    }
+};
+
+/// A test of two triangles of the world as an engine. `Test` answers `bool touches(a, b)`, and may
+/// tell `std::vector<Vec3> points(a, b)`.
+template <class Test>
+class WorldPairEngine final : public PairEngine {
+  public:
+    template <class... Arguments>
+    explicit WorldPairEngine(Arguments... arguments) : test_(arguments...) {}
+
+    void prepare(std::span<const PairGroup> groups) override {
+        groups_ = groups;
+        frames_.clear();
+        for (const PairGroup& group : groups) {
+            frames_.emplace_back(WorldFrame(group.poses.a), WorldFrame(group.poses.b));
+        }
+    }
+
+    void decide(std::span<std::uint8_t> answers) override {
+        std::size_t next = 0;
+        for (std::size_t g = 0; g < groups_.size(); ++g) {
+            const PairGroup& group = groups_[g];
+            const auto& [to_world_a, to_world_b] = frames_[g];
+            for (const Candidate& c : group.candidates) {
+                answers[next++] = test_.touches(to_world_a(group.a.corners(c.a)),
+                                                to_world_b(group.b.corners(c.b)))
+                                      ? 1
+                                      : 0;
+            }
+        }
+    }
+
+    [[nodiscard]] bool gives_points() const override {
+        return requires(Test test, Corners t) {
+            test.points(t, t);
+        };
+    }
+
+    [[nodiscard]] SharedPoints shared_points(const PairGroup& group, const Candidate& c) override {
+        if constexpr (requires(Test test, Corners t) { test.points(t, t); }) {
+            return {Vec3::Zero(),
+                    test_.points(WorldFrame(group.poses.a)(group.a.corners(c.a)),
+                                 WorldFrame(group.poses.b)(group.b.corners(c.b)))};
+        } else {
+            return {};
+        }
+    }
+
+  private:
+    Test test_;
+    std::span<const PairGroup> groups_;
+    std::vector<std::pair<WorldFrame, WorldFrame>> frames_;
+};
+
+} // namespace cd::bench

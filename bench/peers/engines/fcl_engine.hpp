@@ -1,0 +1,130 @@
+// FCL for one type of numbers: its test of two triangles, and its meshes under its trees of boxes.
+#pragma once
+
+#include "bench/peers/engines/engine.hpp"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/detail/traversal/collision/intersect.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace cd::bench {
+
+template <class Number>
+struct FclPairTest {
+    using Vector = fcl::Vector3<Number>;
+
+    static bool touches(const Corners& a, const Corners& b) {
+        const auto v = [](const Vec3& p) { return Vector(p.cast<Number>()); };
+        return fcl::detail::Intersect<Number>::intersect_Triangle(
+            v(a[0]), v(a[1]), v(a[2]), v(b[0]), v(b[1]), v(b[2]));
+    }
+
+    static std::vector<Vec3> points(const Corners& a, const Corners& b) {
+        const auto v = [](const Vec3& p) { return Vector(p.cast<Number>()); };
+        // More than its clipping of a triangle by a triangle can give.
+        std::array<Vector, 16> found;
+        unsigned count = 0;
+        Number depth = 0;
+        Vector normal = Vector::Zero();
+        if (!fcl::detail::Intersect<Number>::intersect_Triangle(v(a[0]),
+                                                                v(a[1]),
+                                                                v(a[2]),
+                                                                v(b[0]),
+                                                                v(b[1]),
+                                                                v(b[2]),
+                                                                found.data(),
+                                                                &count,
+                                                                &depth,
+                                                                &normal)) {
+            return {};
+        }
+        std::vector<Vec3> points;
+        for (unsigned i = 0; i < count; ++i) {
+            points.push_back(found[i].template cast<double>());
+        }
+        return points;
+    }
+};
+
+template <class Box>
+class FclMeshEngine final : public MeshEngine {
+    using Number = typename Box::S;
+    using Model = fcl::BVHModel<Box>;
+    using Vector = fcl::Vector3<Number>;
+
+  public:
+    void load(const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b) override {
+        a_ = make_model(*a);
+        b_ = make_model(*b);
+    }
+
+    MeshAnswer ask(const PosePair& poses, Level level) override {
+        fcl::CollisionRequest<Number> request;
+        request.num_max_contacts = level == Level::Any ? 1 : ~std::size_t{0};
+        request.enable_contact = level == Level::Contacts;
+        fcl::CollisionResult<Number> result;
+        fcl::collide(a_.get(), transform(poses.a), b_.get(), transform(poses.b), request, result);
+        MeshAnswer answer;
+        answer.touches = result.isCollision();
+        answer.pair_count = result.numContacts();
+        if (level >= Level::Pairs) {
+            for (std::size_t i = 0; i < result.numContacts(); ++i) {
+                const auto& contact = result.getContact(i);
+                answer.pairs.emplace_back(static_cast<std::uint32_t>(contact.b1),
+                                          static_cast<std::uint32_t>(contact.b2));
+            }
+        }
+        return answer;
+    }
+
+  private:
+    static std::shared_ptr<Model> make_model(const Mesh& mesh) {
+        std::vector<Vector> vertices;
+        for (const Vec3& v : mesh.vertices()) {
+            vertices.push_back(v.cast<Number>());
+        }
+        std::vector<fcl::Triangle> triangles;
+        for (const Triangle& t : mesh.triangles()) {
+            triangles.emplace_back(t[0], t[1], t[2]);
+        }
+        auto model = std::make_shared<Model>();
+        model->beginModel();
+        model->addSubModel(vertices, triangles);
+        model->endModel();
+        return model;
+    }
+
+    static fcl::Transform3<Number> transform(const Pose& pose) {
+        fcl::Transform3<Number> to = fcl::Transform3<Number>::Identity();
+        to.linear() = pose.rotation().template cast<Number>();
+        to.translation() = pose.translation().template cast<Number>();
+        return to;
+    }
+
+    std::shared_ptr<Model> a_;
+    std::shared_ptr<Model> b_;
+};
+
+/// Meshes under trees of `Box`.
+template <class Box>
+Engine fcl_mesh_engine(const char* name) {
+    Engine engine;
+    engine.name = name;
+    engine.make_meshes = [] { return std::make_unique<FclMeshEngine<Box>>(); };
+    engine.levels = {Level::Any, Level::Count, Level::Pairs, Level::Contacts};
+    return engine;
+}
+
+/// Pairs of triangles, and meshes under trees of OBBs.
+template <class Number>
+Engine fcl_engine(const char* name) {
+    Engine engine = fcl_mesh_engine<fcl::OBB<Number>>(name);
+    engine.make_pairs = [] { return std::make_unique<WorldPairEngine<FclPairTest<Number>>>(); };
+    return engine;
+}
+
+} // namespace cd::bench

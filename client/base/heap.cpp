@@ -1,0 +1,17 @@
+#include "client/base/heap.hpp"
+
+#include <malloc.h>
+
+namespace cd {
+
+void keep_heap_small() {
+    // By default these limits grow with the largest array that was ever freed.
+    ::mallopt(M_MMAP_THRESHOLD, 4 << 20);
+    ::mallopt(M_TRIM_THRESHOLD, 8 << 20);
+}
+
+void return_free_memory() {
+    ::malloc_trim(0);
+}
+
+} // namespace cd

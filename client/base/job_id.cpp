@@ -1,0 +1,113 @@
+#include "client/base/job_id.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+constexpr std::size_t digits_min = 4;
+constexpr std::string_view prefix = "j-";
+
+/// All sixteen digits. The finalizer of SplitMix64 (Steele, Lea, Flood, 2014) is one to one.
+std::string digits_of(JobId job) {
+    std::uint64_t mixed = job.value;
+    mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9;
+    mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111eb;
+    mixed ^= mixed >> 31;
+    constexpr std::string_view hex = "0123456789abcdef";
+    std::string digits;
+    for (int shift = 60; shift >= 0; shift -= 4) {
+        digits += hex[(mixed >> shift) & 0xf];
+    }
+    return digits;
+}
+
+std::size_t common_length(std::string_view left, std::string_view right) {
+    const auto [end, other] = std::mismatch(left.begin(), left.end(), right.begin(), right.end());
+    return static_cast<std::size_t>(end - left.begin());
+}
+
+std::optional<JobId> plain_number(std::string_view text) {
+    JobId job;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), job.value);
+    if (error != std::errc() || end != text.data() + text.size()) {
+        return std::nullopt;
+    }
+    return job;
+}
+
+Error ambiguous(std::string_view text, std::span<const JobId> found, std::span<const JobId> jobs) {
+    std::string names;
+    for (const JobId job : found.first(std::min<std::size_t>(found.size(), 5))) {
+        names += (names.empty() ? "" : ", ") + job_id_text(job, jobs);
+    }
+    return {ErrorCode::BadInput,
+            "more than one job begins with '" + std::string(text) + "': " + names};
+}
+
+} // namespace
+
+std::string job_id_text(JobId job, std::span<const JobId> others) {
+    const std::string digits = digits_of(job);
+    std::size_t needed = digits_min;
+    for (const JobId other : others) {
+        if (other != job) {
+            needed = std::max(needed, common_length(digits, digits_of(other)) + 1);
+        }
+    }
+    return std::string(prefix) + digits.substr(0, needed);
+}
+
+Result<JobId> find_job(std::string_view text, std::span<const JobId> jobs) {
+    const bool has_prefix = text.starts_with(prefix);
+    const auto number = has_prefix ? std::nullopt : plain_number(text);
+    if (number && std::find(jobs.begin(), jobs.end(), *number) != jobs.end()) {
+        return *number;
+    }
+    const std::string_view digits = has_prefix ? text.substr(prefix.size()) : text;
+    std::vector<JobId> found;
+    for (const JobId job : jobs) {
+        if (!digits.empty() && digits_of(job).starts_with(digits)) {
+            found.push_back(job);
+        }
+    }
+    if (found.size() > 1) {
+        return ambiguous(text, found, jobs);
+    }
+    if (found.empty()) {
+        return Error{ErrorCode::NotFound,
+                     "the master has no job '" + std::string(text) + "'; see `cdctl get jobs`"};
+    }
+    return found.front();
+}
+
+std::vector<JobId> ids_of(std::span<const JobStatus> jobs) {
+    std::vector<JobId> ids;
+    for (const JobStatus& job : jobs) {
+        ids.push_back(job.job);
+    }
+    return ids;
+}
+
+Result<JobId>
+find_job(std::string_view text, std::span<const JobStatus> jobs, std::string_view owner) {
+    if (text != "last") {
+        return find_job(text, ids_of(jobs));
+    }
+    std::optional<JobId> last;
+    for (const JobStatus& job : jobs) {
+        if (job.owner == owner && (!last || *last < job.job)) {
+            last = job.job;
+        }
+    }
+    if (!last) {
+        return Error{ErrorCode::NotFound, "the master has no job of '" + std::string(owner) + "'"};
+    }
+    return *last;
+}
+
+} // namespace cd

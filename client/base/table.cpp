@@ -1,0 +1,193 @@
+#include "client/base/table.hpp"
+
+#include "client/base/words.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace cd {
+
+namespace {
+
+std::string bytes_text(double bytes) {
+    constexpr std::array<const char*, 5> units{"B", "KiB", "MiB", "GiB", "TiB"};
+    std::size_t unit = 0;
+    while (bytes >= 1000 && unit + 1 < units.size()) {
+        bytes /= 1024;
+        ++unit;
+    }
+    return fixed_text(bytes, unit == 0 ? 0 : 1) + " " + units[unit];
+}
+
+double number_of(const Cell& cell) {
+    if (const auto* count = std::get_if<std::uint64_t>(&cell)) {
+        return static_cast<double>(*count);
+    }
+    const auto* value = std::get_if<double>(&cell);
+    return value == nullptr ? 0 : *value;
+}
+
+std::string list_text(const std::vector<std::uint32_t>& list) {
+    std::string text;
+    for (const std::uint32_t number : list) {
+        text += (text.empty() ? "" : " ") + std::to_string(number);
+    }
+    return text;
+}
+
+/// As a program reads it: no units, no groups.
+std::string raw_text(const Cell& cell) {
+    if (const auto* text = std::get_if<std::string>(&cell)) {
+        return *text;
+    }
+    if (const auto* count = std::get_if<std::uint64_t>(&cell)) {
+        return std::to_string(*count);
+    }
+    if (const auto* list = std::get_if<std::vector<std::uint32_t>>(&cell)) {
+        return list_text(*list);
+    }
+    return exact_text(std::get<double>(cell));
+}
+
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+        return text;
+    }
+    std::string out = "\"";
+    for (const char character : text) {
+        out += character == '"' ? "\"\"" : std::string(1, character);
+    }
+    return out + "\"";
+}
+
+/// What a terminal shows of UTF-8: one place for each code point.
+std::size_t width_of(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+    }));
+}
+
+/// Nothing of a name may steer a terminal.
+std::string printable(std::string text) {
+    std::replace_if(
+        text.begin(),
+        text.end(),
+        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
+        '?');
+    return text;
+}
+
+std::string padded(const std::string& text, std::size_t width, bool to_the_left) {
+    const std::string space(width - std::min(width, width_of(text)), ' ');
+    return to_the_left ? text + space : space + text;
+}
+
+std::string without_end_spaces(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line;
+}
+
+} // namespace
+
+std::string cell_text(const Cell& cell, CellKind kind) {
+    if (const auto* text = std::get_if<std::string>(&cell)) {
+        return printable(*text);
+    }
+    switch (kind) {
+    case CellKind::Text:
+        return raw_text(cell);
+    case CellKind::Count:
+        return grouped(static_cast<std::uint64_t>(number_of(cell)));
+    case CellKind::Size:
+        return bytes_text(number_of(cell));
+    case CellKind::Seconds:
+        return fixed_text(number_of(cell), number_of(cell) < 100 ? 2 : 0) + " s";
+    case CellKind::Rate:
+        return rate_text(number_of(cell)) + "/s";
+    case CellKind::Share:
+        return fixed_text(100 * number_of(cell), 0) + " %";
+    }
+    return raw_text(cell);
+}
+
+std::string table_text(const Table& table, bool wide, const std::string& indent) {
+    std::vector<std::string> lines(table.rows.size() + 1, indent);
+    bool first = true;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        const Column& column = table.columns[c];
+        if (column.only_wide && !wide) {
+            continue;
+        }
+        std::vector<std::string> cells{column.title};
+        for (const auto& row : table.rows) {
+            cells.push_back(cell_text(row[c], column.kind));
+        }
+        std::size_t width = 0;
+        for (const std::string& cell : cells) {
+            width = std::max(width, width_of(cell));
+        }
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            lines[i] +=
+                (first ? "" : "  ") + padded(cells[i], width, column.kind == CellKind::Text);
+        }
+        first = false;
+    }
+    std::string text;
+    for (const std::string& line : lines) {
+        text += without_end_spaces(line) + "\n";
+    }
+    return text;
+}
+
+std::string table_csv(const Table& table) {
+    std::string text;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        text += (c == 0 ? "" : ",") + quoted(table.columns[c].key);
+    }
+    text += "\n";
+    for (const auto& row : table.rows) {
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            text += (c == 0 ? "" : ",") + quoted(raw_text(row[c]));
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string table_json(const Table& table) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const auto& row : table.rows) {
+        nlohmann::ordered_json object;
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            std::visit([&](const auto& value) { object[table.columns[c].key] = value; }, row[c]);
+        }
+        list.push_back(std::move(object));
+    }
+    // Names come from other people's files: what is no UTF-8 is replaced.
+    return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string table_names(const Table& table) {
+    std::string text;
+    for (const auto& row : table.rows) {
+        text += raw_text(row.front()) + "\n";
+    }
+    return text;
+}
+
+std::string format_table(const Table& table, const std::string& form) {
+    if (form == "json") {
+        return table_json(table);
+    }
+    if (form == "csv") {
+        return table_csv(table);
+    }
+    if (form == "name") {
+        return table_names(table);
+    }
+    return table_text(table, form == "wide");
+}
+
+} // namespace cd

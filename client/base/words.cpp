@@ -1,0 +1,104 @@
+#include "client/base/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+/// The optimal string alignment distance, computed row by row: Levenshtein's distance in which
+/// swapping two neighbours is one edit.
+std::size_t edits_between(std::string_view from, std::string_view to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    for (std::size_t j = 0; j < row.size(); ++j) {
+        row[j] = j;
+    }
+    std::vector<std::size_t> above = row;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const std::vector<std::size_t> above_that = std::exchange(above, row);
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < to.size(); ++j) {
+            const std::size_t replaced = above[j] + (from[i] == to[j] ? 0 : 1);
+            row[j + 1] = std::min({replaced, above[j + 1] + 1, row[j] + 1});
+            if (i > 0 && j > 0 && from[i] == to[j - 1] && from[i - 1] == to[j]) {
+                row[j + 1] = std::min(row[j + 1], above_that[j - 1] + 1);
+            }
+        }
+    }
+    return row.back();
+}
+
+/// Text from a file is foreign: no more of it than this is compared.
+constexpr std::size_t word_length_max = 64;
+
+} // namespace
+
+std::optional<std::string_view> nearest_word(std::string_view word,
+                                             std::span<const std::string_view> known) {
+    if (word.size() > word_length_max) {
+        return std::nullopt;
+    }
+    std::optional<std::string_view> nearest;
+    std::size_t edits_min = std::max<std::size_t>(1, word.size() / 2) + 1;
+    for (const std::string_view candidate : known) {
+        const std::size_t edits = edits_between(word, candidate);
+        if (edits < edits_min) {
+            edits_min = edits;
+            nearest = candidate;
+        }
+    }
+    return nearest;
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
+    if (const auto nearest = nearest_word(word, known)) {
+        return "; did you mean \"" + std::string(*nearest) + "\"?";
+    }
+    std::string text = "; known are ";
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        text += (i == 0 ? "" : ", ");
+        text += known[i];
+    }
+    return text;
+}
+
+std::string grouped(std::uint64_t number) {
+    std::string text = std::to_string(number);
+    for (std::size_t end = text.size(); end > 3; end -= 3) {
+        text.insert(end - 3, 1, ' ');
+    }
+    return text;
+}
+
+std::string exact_text(double value) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+std::string fixed_text(double value, int digits) {
+    std::array<char, 512> buffer{};
+    const int size = std::snprintf(buffer.data(), buffer.size(), "%.*f", digits, value);
+    return {buffer.data(), static_cast<std::size_t>(size)};
+}
+
+std::string rate_text(double per_second) {
+    if (per_second >= 999'500) {
+        return fixed_text(per_second / 1e6, 1) + " M";
+    }
+    if (per_second >= 9'999.5) {
+        return fixed_text(per_second / 1e3, 1) + " k";
+    }
+    return fixed_text(per_second, per_second < 10 ? 1 : 0);
+}
+
+std::string counted(std::uint64_t number, std::string_view noun) {
+    return grouped(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
+}
+
+} // namespace cd

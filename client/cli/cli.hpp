@@ -1,0 +1,206 @@
+// The command line of cdctl: verbs and their options, as plain values.
+#pragma once
+
+#include "client/spec/job_options.hpp"
+#include "common/core/limits/limits_client.hpp"
+#include "common/pair/triangle_pair.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace cd {
+
+/// Where the master is, for the verbs that need one.
+struct MasterOptions {
+    std::string address; ///< HOST:PORT
+    bool insecure = false;
+    std::string credential; ///< A file, or "none"; empty: that which `join` got, if any.
+};
+
+/// What decides exit code 1.
+enum class FailOn : std::uint8_t { Never, Touch, Cross };
+
+/// Options for results folders.
+struct FolderFlags {
+    bool overwrite = false;
+    bool fresh = false;
+    bool no_inputs = false;
+};
+
+struct RunCommand {
+    JobOptions job; ///< `job.file` may be a results folder.
+    FolderFlags folder;
+    MasterOptions master; ///< No address: on this machine alone.
+    unsigned threads = 0; ///< 0: one for each core.
+    std::string simd;     ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
+    std::optional<PairStage> first_stage; ///< On this machine alone.
+    std::string tree_cache = "off";       ///< A folder, or off.
+    FailOn fail_on = FailOn::Never;
+    bool dry_run = false;
+    bool yes = false; ///< Write results above `results_bytes_max`.
+    std::uint64_t results_bytes_max = limits::folder_bytes_unasked_max;
+    bool quiet = false;
+    bool statistics = false;
+    std::string output = "text"; ///< text, json or csv, on stdout.
+};
+
+struct DemoCommand {
+    std::uint64_t scenarios = 1000;
+    std::string a; ///< Both or neither.
+    std::string b;
+    std::string out;
+    bool quiet = false;
+};
+
+struct SubmitCommand {
+    JobOptions job;
+    MasterOptions master;
+    unsigned threads = 0;
+    std::string tree_cache = "off"; ///< A folder, or off.
+    bool quiet = false;
+    std::string output = "text"; ///< text, json, name
+};
+
+struct WatchCommand {
+    std::string job;
+    MasterOptions master;
+    bool quiet = false;
+    bool only_wait = false; ///< The verb `wait`: notes, but no progress.
+    bool statistics = false;
+    FailOn fail_on = FailOn::Never;
+    std::string output = "text"; ///< text, json
+};
+
+struct ResultsCommand {
+    std::string job; ///< Or a results folder.
+    MasterOptions master;
+    std::string out;
+    FolderFlags folder;
+    std::vector<std::string> formats; ///< Empty: not given.
+    bool exact_points = false;
+    std::string tree_cache = "off"; ///< A folder, or off.
+    bool quiet = false;
+    bool statistics = false;
+    std::string output = "text"; ///< text, json, csv: on stdout where no folder is given.
+};
+
+struct VerifyCommand {
+    std::string run; ///< A results folder, or a job's id.
+    MasterOptions master;
+    std::uint64_t sample = 1000;
+    std::uint64_t seed = 1;
+    unsigned threads = 0;
+    std::string tree_cache = "off"; ///< A folder, or off.
+    bool quiet = false;
+};
+
+struct ExtractCommand {
+    std::string run; ///< A results folder, or a job's id.
+    MasterOptions master;
+    std::string scenarios; ///< N or N-M
+    std::string out;
+    std::string as = "case";
+    bool minimal = false;
+    unsigned threads = 0;
+    std::string tree_cache = "off"; ///< A folder, or off.
+};
+
+struct GetCommand {
+    std::string what; ///< jobs, workers or meshes
+    MasterOptions master;
+    std::string output = "text"; ///< text, wide, json, csv, name
+};
+
+struct StatusCommand {
+    MasterOptions master;
+    std::string output = "text"; ///< text, json
+};
+
+struct CancelCommand {
+    std::string job;
+    std::optional<std::uint64_t> scenario; ///< Nothing: the whole job.
+    MasterOptions master;
+};
+
+/// `rm`
+struct RemoveCommand {
+    std::vector<std::string> what; ///< Jobs, or meshes by their hashes.
+    bool yes = false;
+    bool cancel = false; ///< Cancel a running job first.
+    MasterOptions master;
+};
+
+struct DrainCommand {
+    std::vector<std::string> workers;
+    bool all = false;
+    bool now = false;
+    MasterOptions master;
+};
+
+struct ExplainCommand {
+    std::string job;
+    std::uint64_t scenario = 0;
+    MasterOptions master;
+    std::string output = "text"; ///< text, json
+};
+
+/// Gets a credential.
+struct JoinCommand {
+    MasterOptions master;
+    std::string token;
+    std::string token_file; ///< Or its first line.
+    std::string name;       ///< For people; empty: user and host.
+};
+
+/// `token create`
+struct TokenCommand {
+    MasterOptions master;
+    std::string role = "worker";
+    std::string ttl = "1h";
+    std::uint32_t uses = 1;
+};
+
+struct InspectCommand {
+    std::vector<std::string> meshes;
+    std::string unit;
+    std::string job_unit;
+    std::string output = "text"; ///< text, json
+};
+
+struct VersionCommand {
+    std::string output = "text"; ///< text, json
+};
+
+using Command = std::variant<RunCommand,
+                             DemoCommand,
+                             SubmitCommand,
+                             WatchCommand,
+                             ResultsCommand,
+                             VerifyCommand,
+                             ExtractCommand,
+                             GetCommand,
+                             StatusCommand,
+                             CancelCommand,
+                             RemoveCommand,
+                             DrainCommand,
+                             ExplainCommand,
+                             JoinCommand,
+                             TokenCommand,
+                             InspectCommand,
+                             VersionCommand>;
+
+/// A command to run; or none, with what to print instead (help on stdout, a usage error on stderr)
+/// and the exit code.
+struct CommandLine {
+    std::optional<Command> command;
+    std::string text;
+    int exit_code = 0;
+};
+
+/// `arguments` without the program's name.
+[[nodiscard]] CommandLine parse_command_line(std::vector<std::string> arguments);
+
+} // namespace cd

@@ -1,0 +1,411 @@
+#include "client/commands/estimate.hpp"
+
+#include "client/base/words.hpp"
+#include "client/export/result_sink.hpp"
+#include "client/folder/folder_run.hpp"
+#include "client/folder/run_recorder.hpp"
+#include "client/local/done_scenario.hpp"
+#include "common/core/limits/limits_client.hpp"
+#include "common/job/run_scenario.hpp"
+#include "common/job/scenario_file.hpp"
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Samples that take microseconds are run again until so much time has passed: then they are warm.
+constexpr double warm_seconds = 0.02;
+constexpr int passes_max = 8;
+/// Results of samples are kept until they are written, so their pairs are bounded.
+constexpr std::uint64_t sampled_pairs_max = 4'000'000;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Evenly spread over [0, count), ascending, each once.
+std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t samples) {
+    const std::uint64_t size = std::min(count, samples);
+    std::vector<std::uint64_t> indices(size);
+    for (std::uint64_t i = 0; i < size; ++i) {
+        const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(size);
+        indices[i] =
+            std::min(count - 1, static_cast<std::uint64_t>(place * static_cast<double>(count)));
+    }
+    return indices;
+}
+
+struct Sample {
+    Scenario scenario;
+    std::optional<DoneScenario> done; ///< Nothing where time was over before.
+    QueryStatistics work;
+    double seconds = 0; ///< Of one thread.
+};
+
+/// With a stride, so that the samples that were run when time is over are spread over the job.
+std::vector<std::size_t> visiting_order(std::size_t size) {
+    constexpr std::size_t stride = 16;
+    std::vector<std::size_t> order;
+    for (std::size_t first = 0; first < stride; ++first) {
+        for (std::size_t i = first; i < size; i += stride) {
+            order.push_back(i);
+        }
+    }
+    return order;
+}
+
+/// Runs each sample once on the pool's threads, as a run would, and at least one.
+void run_samples(const ScenarioRunner& runner,
+                 ThreadPool& pool,
+                 Clock::time_point end,
+                 std::vector<Sample>& samples) {
+    const std::vector<std::size_t> order = visiting_order(samples.size());
+    std::atomic<std::size_t> next = 0;
+    std::atomic<std::uint64_t> pairs = 0;
+    parallel_for(pool, pool.size(), [&](std::size_t) {
+        ScenarioSession session(runner);
+        for (std::size_t i = next++; i < order.size(); i = next++) {
+            Sample& sample = samples[order[i]];
+            const auto start = Clock::now();
+            if (i != 0 && (start >= end || pairs >= sampled_pairs_max)) {
+                return;
+            }
+            ScenarioRun run = session.run(sample.scenario);
+            DoneScenario done{std::move(run.result), {}, {}, std::move(run.found)};
+            done.record = encode_result(done.result);
+            done.digest = sha256(done.record);
+            sample.seconds = seconds_since(start);
+            sample.work = run.statistics;
+            pairs += done.result.pairs.size();
+            if (!run.is_stopped) {
+                sample.done = std::move(done);
+            }
+        }
+    });
+}
+
+double sum_of(const std::vector<Sample>& samples) {
+    return std::accumulate(samples.begin(),
+                           samples.end(),
+                           0.0,
+                           [](double sum, const Sample& sample) { return sum + sample.seconds; });
+}
+
+/// What samples leave in a results folder.
+struct FolderBytes {
+    std::uint64_t scenarios = 0; ///< Of files that have something of each scenario,
+    std::uint64_t maps = 0;      ///< and of those that have something of each triangle in contact.
+};
+
+/// A folder that is gone with the object.
+class TemporaryFiles {
+  public:
+    TemporaryFiles()
+        : folder_(fs::temp_directory_path() / ("cdctl-estimate-" + std::to_string(::getpid()))) {}
+    TemporaryFiles(const TemporaryFiles&) = delete;
+    TemporaryFiles& operator=(const TemporaryFiles&) = delete;
+    ~TemporaryFiles() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+
+    /// Writes what a run keeps of these results, the job's formats and the kept poses among it.
+    Result<FolderBytes>
+    write(const PreparedJob& job, bool keeps_inputs, const std::vector<Sample>& samples) {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+        if (Status written = write_results(job, samples); !written) {
+            return written.error();
+        }
+        if (keeps_inputs && !job.grid) {
+            if (Status written = write_poses(samples); !written) {
+                return written.error();
+            }
+        }
+        FolderBytes bytes;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
+            const bool is_map = entry.path().filename().string().starts_with("map");
+            (is_map ? bytes.maps : bytes.scenarios) += entry.file_size();
+        }
+        return bytes;
+    }
+
+  private:
+    Status write_results(const PreparedJob& job, const std::vector<Sample>& samples) {
+        auto sink =
+            ResultSink::open({folder_, job.spec.output.formats, "text"}, export_context(job));
+        if (!sink) {
+            return sink.error();
+        }
+        auto recorder = RunRecorder::open(folder_, job.query.maps);
+        if (!recorder) {
+            return recorder.error();
+        }
+        for (const Sample& sample : samples) {
+            const DoneScenario& done = *sample.done;
+            for (const Status& added :
+                 {sink.value().add(done.result, done.found), recorder.value().add(done)}) {
+                if (!added) {
+                    return added;
+                }
+            }
+        }
+        if (Status finished = recorder.value().finish(); !finished) {
+            return finished;
+        }
+        const bool has_map = job.query.maps || job.query.level >= Level::Pairs;
+        return sink.value().finish(has_map ? std::optional(sink.value().map()) : std::nullopt);
+    }
+
+    Status write_poses(const std::vector<Sample>& samples) {
+        std::vector<Scenario> scenarios;
+        for (const Sample& sample : samples) {
+            scenarios.push_back(sample.scenario);
+            scenarios.back().index = scenarios.size() - 1;
+        }
+        auto writer = ScenarioWriter::create(folder_ / "scenarios");
+        if (!writer) {
+            return writer.error();
+        }
+        const Status added = writer.value().add(scenarios);
+        return added ? writer.value().finish() : added;
+    }
+
+    fs::path folder_;
+};
+
+/// Triangles of both bodies that are in contact in some of each `step`-th sample.
+double triangles_touched(const std::vector<Sample>& samples, std::size_t step) {
+    ContactMapSum sum;
+    for (std::size_t i = 0; i < samples.size(); i += step) {
+        const DoneScenario& done = *samples[i].done;
+        sum.add(done.found.empty() ? done.result.pairs : done.found);
+    }
+    const ContactMap map = sum.take();
+    return static_cast<double>(map.bodies[0].size() + map.bodies[1].size());
+}
+
+/// How many times more triangles are in contact in all scenarios than in the samples. The number
+/// grows as a power of the scenarios, by what it does from half of the samples to all, up to that
+/// of all triangles.
+double triangles_factor(const PreparedJob& job, const std::vector<Sample>& samples) {
+    const double all = triangles_touched(samples, 1);
+    const double some = triangles_touched(samples, 2);
+    if (all == 0 || some == 0) {
+        return 1;
+    }
+    const auto most =
+        static_cast<double>(job.meshes[0]->triangles().size() + job.meshes[1]->triangles().size());
+    const double times =
+        static_cast<double>(job.poses->count()) / static_cast<double>(samples.size());
+    return std::min(std::pow(times, std::log2(std::max(1.0, all / some))), most / all);
+}
+
+/// Ascending; as many as are read before `end`, and at least one. Errors: those of the poses.
+Result<std::vector<Sample>>
+read_samples(PoseSource& poses, std::uint64_t samples_max, Clock::time_point end) {
+    const std::vector<std::uint64_t> indices = spread(poses.count(), samples_max);
+    std::vector<Sample> samples;
+    for (const std::size_t place : visiting_order(indices.size())) {
+        if (!samples.empty() && Clock::now() >= end) {
+            break;
+        }
+        auto read = poses.read(indices[place], 1);
+        if (!read) {
+            return read.error();
+        }
+        samples.push_back({std::move(read.value().front()), {}, {}, 0});
+    }
+    std::ranges::sort(samples, {}, [](const Sample& sample) { return sample.scenario.index; });
+    return samples;
+}
+
+/// The seconds that samples of these times stand for, and their range. Samples are for all threads,
+/// what is done besides is for one.
+void put_times(const std::vector<Sample>& samples,
+               double more_per_scenario,
+               unsigned threads,
+               RunEstimate& estimate) {
+    const auto count = static_cast<double>(samples.size());
+    const double mean = sum_of(samples) / count;
+    double squares = 0;
+    for (const Sample& sample : samples) {
+        squares += (sample.seconds - mean) * (sample.seconds - mean);
+    }
+    const double error = samples.size() < 2 ? mean : std::sqrt(squares / (count - 1) / count);
+    const auto seconds = [&](double per_sample) {
+        return static_cast<double>(estimate.scenarios) * (per_sample / threads + more_per_scenario);
+    };
+    estimate.seconds = seconds(mean);
+    estimate.seconds_low = seconds(std::max(0.0, mean - 2 * error));
+    estimate.seconds_high = seconds(mean + 2 * error);
+}
+
+/// Box and triangle tests of the whole job.
+void put_work(const std::vector<Sample>& samples, RunEstimate& estimate) {
+    const auto count = static_cast<double>(samples.size());
+    const double times = static_cast<double>(estimate.scenarios) / count;
+    for (const Sample& sample : samples) {
+        estimate.box_tests += times * static_cast<double>(sample.work.box_tests);
+        estimate.triangle_tests += times * static_cast<double>(sample.work.triangle_tests);
+    }
+}
+
+/// The bytes of the job's results folder. Returns the seconds that writing a scenario takes.
+Result<double> put_bytes(const PreparedJob& job,
+                         const EstimateOptions& options,
+                         const std::vector<Sample>& samples,
+                         RunEstimate& estimate) {
+    const bool keeps_inputs =
+        options.keeps_inputs && input_bytes(job) <= limits::run_inputs_bytes_max;
+    TemporaryFiles files;
+    const auto base_start = Clock::now();
+    const auto base = files.write(job, keeps_inputs, {});
+    const double base_seconds = seconds_since(base_start);
+    if (!base) {
+        return base.error();
+    }
+    const auto start = Clock::now();
+    const auto bytes = files.write(job, keeps_inputs, samples);
+    const double seconds = seconds_since(start);
+    if (!bytes) {
+        return bytes.error();
+    }
+    const auto size = static_cast<double>(samples.size());
+    const auto more = [](std::uint64_t with, std::uint64_t without) {
+        return static_cast<double>(with - std::min(with, without));
+    };
+    const double times = static_cast<double>(estimate.scenarios) / size;
+    const double grown =
+        times * more(bytes.value().scenarios, base.value().scenarios) +
+        triangles_factor(job, samples) * more(bytes.value().maps, base.value().maps);
+    estimate.bytes = base.value().scenarios + base.value().maps +
+                     (keeps_inputs ? bytes_beside_poses(job) : 0) +
+                     static_cast<std::uint64_t>(grown);
+    // Each file is synchronised to the disk once a run, not once a scenario.
+    return std::max(0.0, seconds - base_seconds) / size;
+}
+
+std::string size_text(std::uint64_t bytes) {
+    const auto size = static_cast<double>(bytes);
+    if (bytes < 50'000'000) {
+        return fixed_text(size / 1e6, 1) + " MB";
+    }
+    return fixed_text(size / 1e9, size < 10e9 ? 1 : 0) + " GB";
+}
+
+/// Without a unit.
+std::string seconds_text(double seconds) {
+    return fixed_text(seconds, seconds < 1 ? 2 : seconds < 10 ? 1 : 0);
+}
+
+std::uint64_t free_bytes_near(fs::path folder) {
+    std::error_code error;
+    folder = fs::absolute(folder, error);
+    while (!fs::exists(folder, error) && folder.has_relative_path()) {
+        folder = folder.parent_path();
+    }
+    const fs::space_info space = fs::space(folder, error);
+    return error ? UINT64_MAX : space.available;
+}
+
+} // namespace
+
+Result<RunEstimate>
+estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& options) {
+    const auto start = Clock::now();
+    auto read = read_samples(*job.poses, options.samples_max, start + options.time_max / 2);
+    if (!read) {
+        return read.error();
+    }
+    std::vector<Sample>& samples = read.value();
+    RunEstimate estimate;
+    estimate.scenarios = job.poses->count();
+    // Random poses are made on all threads, others are read on one.
+    const bool is_random = std::holds_alternative<RandomPoses>(job.spec.poses);
+    const auto reads = static_cast<double>(samples.size() * (is_random ? pool.size() : 1));
+    const double read_seconds = seconds_since(start) / reads;
+
+    const auto end = start + options.time_max;
+    const ScenarioRunner runner(*job.trees[0], *job.trees[1], job.query, options.first_stage);
+    double spent = 0;
+    for (int pass = 0; pass < passes_max && spent < warm_seconds; ++pass) {
+        run_samples(runner, pool, pass == 0 ? end : Clock::time_point::max(), samples);
+        std::erase_if(samples, [](const Sample& sample) { return !sample.done; });
+        spent += sum_of(samples);
+    }
+    estimate.sampled = samples.size();
+    double write_seconds = 0;
+    if (!job.spec.output.dir.empty()) {
+        const auto written = put_bytes(job, options, samples, estimate);
+        if (!written) {
+            return written.error();
+        }
+        write_seconds = written.value();
+    }
+    put_work(samples, estimate);
+    put_times(samples, read_seconds + write_seconds, pool.size(), estimate);
+    return estimate;
+}
+
+std::string estimate_text(const RunEstimate& estimate) {
+    const auto rate = [&](double seconds) {
+        return static_cast<double>(estimate.scenarios) / std::max(seconds, 1e-9);
+    };
+    const bool is_narrow = estimate.seconds_high < 1.5 * std::max(estimate.seconds_low, 1e-9);
+    const std::string time =
+        is_narrow
+            ? seconds_text(estimate.seconds) + " s here (" + rate_text(rate(estimate.seconds))
+            : seconds_text(estimate.seconds_low) + " to " + seconds_text(estimate.seconds_high) +
+                  " s here (" + rate_text(rate(estimate.seconds));
+    return "about " + time + "/s)" + (estimate.bytes == 0 ? "" : ", " + size_text(estimate.bytes));
+}
+
+std::string estimate_json(const RunEstimate& estimate, const Status& room) {
+    const nlohmann::ordered_json json{
+        {"scenarios", estimate.scenarios},
+        {"sampled", estimate.sampled},
+        {"seconds",
+         {{"low", estimate.seconds_low},
+          {"expected", estimate.seconds},
+          {"high", estimate.seconds_high}}},
+        {"scenarios_per_second",
+         static_cast<double>(estimate.scenarios) / std::max(estimate.seconds, 1e-9)},
+        {"box_tests", std::round(estimate.box_tests)},
+        {"triangle_tests", std::round(estimate.triangle_tests)},
+        {"bytes", estimate.bytes},
+        {"refused", room ? nlohmann::ordered_json() : nlohmann::ordered_json(room.error().detail)}};
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+Status check_room(const RunEstimate& estimate, const OutputSpec& output, std::uint64_t bytes_max) {
+    const std::uint64_t free = free_bytes_near(output.dir);
+    if (estimate.bytes <= std::min(bytes_max, free / 2)) {
+        return Done{};
+    }
+    std::string formats;
+    for (const std::string& format : output.formats) {
+        formats += (formats.empty() ? "" : ",") + format;
+    }
+    return Error{ErrorCode::BadInput,
+                 output.dir.string() + ": the run would take " + estimate_text(estimate) + " as " +
+                     formats + ", and " + size_text(free) +
+                     " are free; choose other --formats, a lower --level or --limit-pairs, or say "
+                     "--yes"};
+}
+
+} // namespace cd

@@ -1,0 +1,55 @@
+#include "client/formats/csv_rows.hpp"
+
+#include "common/core/printable.hpp"
+
+#include <utility>
+
+namespace cd {
+
+std::string csv_field(std::string_view given) {
+    const std::string text = valid_utf8(given);
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+        return text;
+    }
+    std::string field = "\"";
+    for (const char c : text) {
+        field += (c == '"') ? "\"\"" : std::string(1, c);
+    }
+    return field + "\"";
+}
+
+PartFields::PartFields(const std::shared_ptr<const Mesh>& mesh) : parts_(mesh) {
+    for (const Part& part : parts_.parts()) {
+        fields_.push_back(csv_field(part.name));
+    }
+}
+
+std::string_view PartFields::of(std::uint32_t triangle) {
+    const auto place = parts_.find(triangle);
+    return place ? std::string_view(fields_[*place]) : std::string_view();
+}
+
+Result<RowFile> RowFile::create(const std::filesystem::path& path, std::string_view header) {
+    auto created = OutputFile::create(path);
+    if (!created) {
+        return created.error();
+    }
+    RowFile file(std::move(created.value()));
+    if (Status added = file.add(header); !added) {
+        return added.error();
+    }
+    return file;
+}
+
+Status RowFile::commit() {
+    Status written = write();
+    return written ? file_.commit() : written;
+}
+
+Status RowFile::write() {
+    Status written = file_.write(rows_.text());
+    rows_.clear();
+    return written;
+}
+
+} // namespace cd

@@ -1,0 +1,58 @@
+// Shared parts of the writers of CSV files.
+#pragma once
+
+#include "client/formats/output_file.hpp"
+#include "client/formats/part_finder.hpp"
+#include "client/formats/text_buffer.hpp"
+#include "common/core/result.hpp"
+#include "common/geometry/mesh.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cd {
+
+/// Quotes a field as in RFC 4180 and replaces invalid UTF-8.
+[[nodiscard]] std::string csv_field(std::string_view text);
+
+/// The name of a triangle's part as a field.
+class PartFields {
+  public:
+    explicit PartFields(const std::shared_ptr<const Mesh>& mesh);
+
+    [[nodiscard]] std::string_view of(std::uint32_t triangle);
+
+  private:
+    PartFinder parts_;
+    std::vector<std::string> fields_;
+};
+
+/// A file that is written in large pieces.
+class RowFile {
+  public:
+    explicit RowFile(OutputFile file) : file_(std::move(file)) {}
+    /// With a first row. Errors: Io naming the file.
+    [[nodiscard]] static Result<RowFile> create(const std::filesystem::path& path,
+                                                std::string_view header);
+
+    template <class... Pieces>
+    [[nodiscard]] Status add(const Pieces&... pieces) {
+        rows_.add(pieces...);
+        return rows_.text().size() < bytes_at_once ? Status(Done{}) : write();
+    }
+    [[nodiscard]] Status commit();
+
+  private:
+    static constexpr std::size_t bytes_at_once = 1u << 18;
+
+    [[nodiscard]] Status write();
+
+    OutputFile file_;
+    TextBuffer rows_;
+};
+
+} // namespace cd

@@ -1,0 +1,375 @@
+#include "client/formats/npy.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <optional>
+
+namespace cd {
+
+namespace {
+
+constexpr std::string_view magic = "\x93NUMPY";
+constexpr std::size_t header_text_max = npy_header_bytes_max - 16;
+
+Error bad(std::string detail) {
+    return {ErrorCode::BadInput, std::move(detail)};
+}
+
+struct TypeName {
+    std::string_view text;
+    NpyType type;
+    std::size_t size;
+};
+
+constexpr std::array<TypeName, 10> types{{{"<f8", NpyType::F8, 8},
+                                          {"<f4", NpyType::F4, 4},
+                                          {"<i8", NpyType::I8, 8},
+                                          {"<i4", NpyType::I4, 4},
+                                          {"<i2", NpyType::I2, 2},
+                                          {"|i1", NpyType::I1, 1},
+                                          {"<u8", NpyType::U8, 8},
+                                          {"<u4", NpyType::U4, 4},
+                                          {"<u2", NpyType::U2, 2},
+                                          {"|u1", NpyType::U1, 1}}};
+
+const TypeName& name_of(NpyType type) {
+    return *std::find_if(
+        types.begin(), types.end(), [&](const TypeName& name) { return name.type == type; });
+}
+
+/// What stands behind 'key': in the header's dictionary, up to the next comma outside parentheses.
+std::optional<std::string_view> value_of(std::string_view dictionary, std::string_view key) {
+    const std::string quoted = "'" + std::string(key) + "':";
+    const std::size_t place = dictionary.find(quoted);
+    if (place == std::string_view::npos) {
+        return std::nullopt;
+    }
+    std::string_view rest = dictionary.substr(place + quoted.size());
+    int depth = 0;
+    std::size_t end = 0;
+    for (; end < rest.size(); ++end) {
+        const char c = rest[end];
+        if (depth == 0 && (c == ',' || c == '}')) {
+            break;
+        }
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    }
+    rest = rest.substr(0, end);
+    const std::size_t first = rest.find_first_not_of(' ');
+    const std::size_t last = rest.find_last_not_of(' ');
+    return first == std::string_view::npos ? std::string_view{}
+                                           : rest.substr(first, last - first + 1);
+}
+
+/// "(3,)", "()" or "(2, 4, 4)".
+std::optional<std::vector<std::uint64_t>> parse_shape(std::string_view text) {
+    if (text.size() < 2 || text.front() != '(' || text.back() != ')') {
+        return std::nullopt;
+    }
+    text = text.substr(1, text.size() - 2);
+    std::vector<std::uint64_t> shape;
+    while (!text.empty()) {
+        const std::size_t skip = text.find_first_not_of(" ,");
+        if (skip == std::string_view::npos) {
+            break;
+        }
+        text.remove_prefix(skip);
+        std::uint64_t size = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+        if (error != std::errc{} || shape.size() == 8) {
+            return std::nullopt;
+        }
+        shape.push_back(size);
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    }
+    return shape;
+}
+
+Result<NpyHeader> parse_dictionary(std::string_view dictionary) {
+    const auto description = value_of(dictionary, "descr");
+    const auto order = value_of(dictionary, "fortran_order");
+    const auto shape_text = value_of(dictionary, "shape");
+    if (!description || !order || !shape_text) {
+        return bad("a NumPy header without descr, fortran_order and shape");
+    }
+    NpyHeader header;
+    const auto type = std::find_if(types.begin(), types.end(), [&](const TypeName& name) {
+        return *description == "'" + std::string(name.text) + "'";
+    });
+    if (type == types.end()) {
+        return bad("a NumPy array of type " + std::string(description->substr(0, 40)) +
+                   "; convert it to float64 or int64");
+    }
+    header.type = type->type;
+    header.is_fortran = *order == "True";
+    const auto shape = parse_shape(*shape_text);
+    if (!shape || (!header.is_fortran && *order != "False")) {
+        return bad("a NumPy header with a damaged shape");
+    }
+    header.shape = *shape;
+    return header;
+}
+
+template <class To, class From>
+void append_as(std::span<const std::byte> data, std::vector<To>& out) {
+    for (std::size_t i = 0; i + sizeof(From) <= data.size(); i += sizeof(From)) {
+        From value{};
+        std::memcpy(&value, data.data() + i, sizeof value);
+        out.push_back(static_cast<To>(value));
+    }
+}
+
+template <class To>
+std::vector<To> converted(NpyType type, std::span<const std::byte> data) {
+    std::vector<To> out;
+    out.reserve(data.size() / size_of(type));
+    switch (type) {
+    case NpyType::F8:
+        append_as<To, double>(data, out);
+        break;
+    case NpyType::F4:
+        append_as<To, float>(data, out);
+        break;
+    case NpyType::I8:
+        append_as<To, std::int64_t>(data, out);
+        break;
+    case NpyType::I4:
+        append_as<To, std::int32_t>(data, out);
+        break;
+    case NpyType::I2:
+        append_as<To, std::int16_t>(data, out);
+        break;
+    case NpyType::I1:
+        append_as<To, std::int8_t>(data, out);
+        break;
+    case NpyType::U8:
+        append_as<To, std::uint64_t>(data, out);
+        break;
+    case NpyType::U4:
+        append_as<To, std::uint32_t>(data, out);
+        break;
+    case NpyType::U2:
+        append_as<To, std::uint16_t>(data, out);
+        break;
+    case NpyType::U1:
+        append_as<To, std::uint8_t>(data, out);
+        break;
+    }
+    return out;
+}
+
+/// Elements in the order of the last index fastest, from the order of the first.
+Bytes to_c_order(std::span<const std::byte> data,
+                 std::span<const std::uint64_t> shape,
+                 std::size_t item) {
+    Bytes out(data.size());
+    const std::size_t count = data.size() / item;
+    std::vector<std::uint64_t> index(shape.size(), 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::uint64_t source = 0;
+        for (std::size_t k = shape.size(); k-- > 0;) {
+            source = source * shape[k] + index[k];
+        }
+        std::memcpy(out.data() + i * item, data.data() + source * item, item);
+        for (std::size_t k = shape.size(); k-- > 0 && ++index[k] == shape[k];) {
+            index[k] = 0;
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+std::size_t size_of(NpyType type) {
+    return name_of(type).size;
+}
+
+std::string_view to_text(NpyType type) {
+    return name_of(type).text;
+}
+
+std::uint64_t NpyHeader::count() const {
+    std::uint64_t product = 1;
+    for (const std::uint64_t size : shape) {
+        if (size != 0 && product > ~std::uint64_t{0} / size) {
+            return ~std::uint64_t{0};
+        }
+        product *= size;
+    }
+    return product;
+}
+
+Result<NpyHeader> parse_npy_header(std::span<const std::byte> file) {
+    ByteReader in(file);
+    const auto start = in.get_array<char>(magic.size());
+    if (in.failed() || std::string_view(start.data(), start.size()) != magic) {
+        return bad("not a NumPy array file");
+    }
+    const auto major = in.get<std::uint8_t>();
+    static_cast<void>(in.get<std::uint8_t>());
+    const std::uint32_t size = major == 1 ? in.get<std::uint16_t>() : in.get<std::uint32_t>();
+    if (in.failed() || major < 1 || major > 3 || size > header_text_max) {
+        return bad("a NumPy array file of an unknown version");
+    }
+    const auto text = in.get_array<char>(size);
+    if (in.failed()) {
+        return bad("a NumPy array file that is cut short in its header");
+    }
+    auto header = parse_dictionary({text.data(), text.size()});
+    if (header) {
+        header.value().data_offset = file.size() - in.remaining();
+    }
+    return header;
+}
+
+Bytes make_npy_header(NpyType type, std::span<const std::uint64_t> shape) {
+    std::string text =
+        "{'descr': '" + std::string(to_text(type)) + "', 'fortran_order': False, 'shape': (";
+    for (const std::uint64_t size : shape) {
+        text += std::to_string(size) + ", ";
+    }
+    text.resize(text.size() - (shape.size() > 1 ? 2 : shape.empty() ? 0 : 1));
+    text += "), }";
+    const std::size_t before_text = magic.size() + 4;
+    text.resize(npy_header_bytes - before_text - 1, ' ');
+    text += '\n';
+    ByteWriter out;
+    out.put_array(std::span<const char>(magic.data(), magic.size()));
+    out.put(std::uint8_t{1});
+    out.put(std::uint8_t{0});
+    out.put(static_cast<std::uint16_t>(text.size()));
+    out.put_array(std::span<const char>(text.data(), text.size()));
+    return out.take();
+}
+
+std::vector<double> NpyArray::to_doubles() const {
+    return converted<double>(type, data);
+}
+
+Result<std::vector<std::int64_t>> NpyArray::to_integers() const {
+    if (type == NpyType::F8 || type == NpyType::F4) {
+        return bad("an array of " + std::string(to_text(type)) + " where integers are needed");
+    }
+    std::vector<std::int64_t> values = converted<std::int64_t>(type, data);
+    if (type == NpyType::U8 &&
+        std::any_of(values.begin(), values.end(), [](std::int64_t v) { return v < 0; })) {
+        return bad("an integer beyond 2^63");
+    }
+    return values;
+}
+
+NpyArray make_npy_array(const NpyHeader& header, Bytes data) {
+    if (header.is_fortran) {
+        data = to_c_order(data, header.shape, size_of(header.type));
+    }
+    return {header.shape, header.type, std::move(data)};
+}
+
+Result<NpyArray> parse_npy(std::span<const std::byte> file) {
+    const auto header = parse_npy_header(file);
+    if (!header) {
+        return header.error();
+    }
+    const NpyHeader& h = header.value();
+    const auto data = file.subspan(h.data_offset);
+    if (h.count() > data.size() || h.count() * size_of(h.type) != data.size()) {
+        return bad("a NumPy array whose data does not have the size that its header says");
+    }
+    return make_npy_array(h, Bytes(data.begin(), data.end()));
+}
+
+struct NpyRows::State {
+    std::vector<std::uint64_t> shape;
+    NpyType type = NpyType::F8;
+    std::ifstream file;
+    std::size_t data_offset = 0;
+    std::optional<Bytes> data; ///< Instead of the file.
+    std::string name;
+};
+
+NpyRows::NpyRows(std::unique_ptr<State> state) : state_(std::move(state)) {}
+NpyRows::~NpyRows() = default;
+
+Result<std::unique_ptr<NpyRows>> NpyRows::open(const std::filesystem::path& path) {
+    auto state = std::make_unique<State>();
+    state->name = path.string();
+    state->file.open(path, std::ios::binary);
+    if (!state->file) {
+        return Error{ErrorCode::NotFound, state->name + ": cannot be opened"};
+    }
+    state->file.seekg(0, std::ios::end);
+    const auto file_size = static_cast<std::uint64_t>(state->file.tellg());
+    Bytes start(std::min<std::uint64_t>(file_size, npy_header_bytes_max));
+    state->file.seekg(0);
+    state->file.read(reinterpret_cast<char*>(start.data()),
+                     static_cast<std::streamsize>(start.size()));
+    const auto header = parse_npy_header(start);
+    if (!header) {
+        return bad(state->name + ": " + header.error().detail);
+    }
+    const NpyHeader& h = header.value();
+    const std::uint64_t data_bytes = file_size - h.data_offset;
+    if (h.shape.empty() || h.count() > data_bytes || h.count() * size_of(h.type) != data_bytes) {
+        return bad(state->name + ": the array's data does not have the size that its header says");
+    }
+    state->shape = h.shape;
+    state->type = h.type;
+    state->data_offset = h.data_offset;
+    if (h.is_fortran) {
+        Bytes data(data_bytes);
+        state->file.clear();
+        state->file.seekg(static_cast<std::streamoff>(h.data_offset));
+        state->file.read(reinterpret_cast<char*>(data.data()),
+                         static_cast<std::streamsize>(data.size()));
+        if (!state->file) {
+            return Error{ErrorCode::Io, state->name + ": cannot be read"};
+        }
+        state->data = to_c_order(data, h.shape, size_of(h.type));
+    }
+    return std::unique_ptr<NpyRows>(new NpyRows(std::move(state)));
+}
+
+std::unique_ptr<NpyRows> NpyRows::of(NpyArray array) {
+    auto state = std::make_unique<State>();
+    state->shape = array.shape.empty() ? std::vector<std::uint64_t>{1} : array.shape;
+    state->type = array.type;
+    state->data = std::move(array.data);
+    return std::unique_ptr<NpyRows>(new NpyRows(std::move(state)));
+}
+
+const std::vector<std::uint64_t>& NpyRows::shape() const {
+    return state_->shape;
+}
+
+std::uint64_t NpyRows::row_count() const {
+    return state_->shape.front();
+}
+
+std::uint64_t NpyRows::row_size() const {
+    std::uint64_t size = 1;
+    for (std::size_t i = 1; i < state_->shape.size(); ++i) {
+        size *= state_->shape[i];
+    }
+    return size;
+}
+
+Result<std::vector<double>> NpyRows::read(std::uint64_t first, std::uint64_t count) {
+    const std::uint64_t row_bytes = row_size() * size_of(state_->type);
+    if (state_->data) {
+        return converted<double>(
+            state_->type, std::span(*state_->data).subspan(first * row_bytes, count * row_bytes));
+    }
+    Bytes data(count * row_bytes);
+    state_->file.clear();
+    state_->file.seekg(static_cast<std::streamoff>(state_->data_offset + first * row_bytes));
+    state_->file.read(reinterpret_cast<char*>(data.data()),
+                      static_cast<std::streamsize>(data.size()));
+    if (!state_->file) {
+        return Error{ErrorCode::Io, state_->name + ": cannot be read to its end"};
+    }
+    return converted<double>(state_->type, data);
+}
+
+} // namespace cd

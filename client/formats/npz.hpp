@@ -1,0 +1,51 @@
+// Writes NumPy's .npz: a zip of .npy files.
+#pragma once
+
+#include "client/formats/npy.hpp"
+#include "common/core/host/stop_check.hpp"
+#include "common/core/result.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace cd {
+
+/// Writes an archive whose arrays grow in pieces, without holding them in memory: each is spooled
+/// to a file beside the target, which appears whole at `finish` or not at all.
+class NpzWriter {
+  public:
+    /// `stop` interrupts `finish`, which compresses all arrays.
+    explicit NpzWriter(std::filesystem::path path, StopCheck stop = {});
+    NpzWriter(const NpzWriter&) = delete;
+    NpzWriter& operator=(const NpzWriter&) = delete;
+    /// Removes what was spooled.
+    ~NpzWriter();
+
+    /// A new array of one dimension, or of rows of `columns` elements. Returns its number. Errors
+    /// of the file system are reported by the first `append`.
+    std::size_t add_array(const std::string& name, NpyType type, std::uint64_t columns = 0);
+
+    /// Appends elements. Errors: Io naming the file, as soon as a write fails.
+    template <class T>
+    [[nodiscard]] Status append(std::size_t array, std::span<const T> values) {
+        static_assert(std::is_arithmetic_v<T>);
+        return append_bytes(array, std::as_bytes(values), sizeof(T));
+    }
+
+    /// Errors: Io naming the file; Interrupted.
+    [[nodiscard]] Status finish();
+
+  private:
+    struct State;
+    [[nodiscard]] Status
+    append_bytes(std::size_t array, std::span<const std::byte> bytes, std::size_t item);
+
+    std::unique_ptr<State> state_;
+};
+
+} // namespace cd

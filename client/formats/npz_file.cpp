@@ -1,0 +1,106 @@
+#include "client/formats/npz_file.hpp"
+
+#include "common/core/limits/limits.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace cd {
+
+namespace {
+
+constexpr std::string_view ending = ".npy";
+
+Error bad(const std::string& detail) {
+    return {ErrorCode::BadInput, detail};
+}
+
+} // namespace
+
+NpzArray::NpzArray(NpyHeader header, ZipEntry entry, Bytes begun, std::string place)
+    : header_(std::move(header)),
+      entry_(std::move(entry)),
+      begun_(std::move(begun)),
+      bytes_left_(header_.count() * size_of(header_.type)),
+      place_(std::move(place)) {}
+
+Result<NpyArray> NpzArray::next() {
+    constexpr std::uint64_t piece_bytes_max = 24u << 15; // Rows of three, whatever the type.
+    NpyArray piece{{}, header_.type, Bytes(std::min(bytes_left_, piece_bytes_max))};
+    const std::size_t there = std::min(begun_.size(), piece.data.size());
+    std::copy_n(begun_.begin(), there, piece.data.begin());
+    begun_.erase(begun_.begin(), begun_.begin() + static_cast<std::ptrdiff_t>(there));
+    const auto got = entry_.read(std::span(piece.data).subspan(there));
+    if (!got || got.value() + there != piece.data.size()) {
+        return bad(place_ + "is damaged");
+    }
+    bytes_left_ -= piece.data.size();
+    piece.shape = {piece.data.size() / size_of(header_.type)};
+    return piece;
+}
+
+Result<NpzFile> NpzFile::open(const std::filesystem::path& path) {
+    auto zip = ZipFile::open(path);
+    if (!zip) {
+        return Error{zip.error().code, path.string() + ": " + zip.error().detail};
+    }
+    return NpzFile(path, std::move(zip.value()));
+}
+
+std::vector<std::string> NpzFile::names() const {
+    std::vector<std::string> names = zip_.names();
+    for (std::string& name : names) {
+        name.resize(name.size() - (name.ends_with(ending) ? ending.size() : 0));
+    }
+    return names;
+}
+
+Result<NpzArray> NpzFile::array(const std::string& name) const {
+    const std::string place = path_.string() + ": array '" + name + "' ";
+    const bool has_ending =
+        std::ranges::find(zip_.names(), name + std::string(ending)) != zip_.names().end();
+    auto entry = zip_.entry(has_ending ? name + std::string(ending) : name);
+    if (!entry) {
+        return bad(place + entry.error().detail);
+    }
+    const std::uint64_t size = entry.value().size();
+    if (size > limits::npz_array_bytes_max) {
+        return bad(place + "is too large");
+    }
+    Bytes begun(std::min<std::uint64_t>(size, npy_header_bytes_max));
+    if (const auto read = entry.value().read(begun); !read) {
+        return bad(place + read.error().detail);
+    }
+    auto header = parse_npy_header(begun);
+    if (!header) {
+        return bad(place + "is " + header.error().detail);
+    }
+    const NpyHeader& h = header.value();
+    const std::uint64_t data_bytes = size - h.data_offset;
+    if (h.count() > data_bytes || h.count() * size_of(h.type) != data_bytes) {
+        return bad(place + "has data of another size than its header says");
+    }
+    begun.erase(begun.begin(), begun.begin() + static_cast<std::ptrdiff_t>(h.data_offset));
+    return NpzArray(h, std::move(entry.value()), std::move(begun), place);
+}
+
+Result<NpyArray> NpzFile::read(const std::string& name) const {
+    auto found = array(name);
+    if (!found) {
+        return found.error();
+    }
+    Bytes data;
+    data.reserve(found.value().header().count() * size_of(found.value().header().type));
+    for (;;) {
+        auto piece = found.value().next();
+        if (!piece) {
+            return piece.error();
+        }
+        if (piece.value().data.empty()) {
+            return make_npy_array(found.value().header(), std::move(data));
+        }
+        data.insert(data.end(), piece.value().data.begin(), piece.value().data.end());
+    }
+}
+
+} // namespace cd

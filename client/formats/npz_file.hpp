@@ -1,0 +1,57 @@
+// Reads NumPy's .npz: a zip of .npy files.
+#pragma once
+
+#include "client/formats/npy.hpp"
+#include "client/formats/zip_file.hpp"
+#include "common/core/result.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cd {
+
+/// One array of an archive, unpacked in pieces.
+class NpzArray {
+  public:
+    NpzArray(NpyHeader header, ZipEntry entry, Bytes begun, std::string place);
+
+    [[nodiscard]] const NpyHeader& header() const { return header_; }
+    /// The next elements, in the file's order, and a multiple of three of them in an array with
+    /// rows of three. Empty at the end. Errors: BadInput naming file and array.
+    [[nodiscard]] Result<NpyArray> next();
+
+  private:
+    NpyHeader header_;
+    ZipEntry entry_;
+    Bytes begun_; ///< Data that was unpacked together with the header.
+    std::uint64_t bytes_left_;
+    std::string place_; ///< File and array, for errors.
+};
+
+/// The arrays of an archive. The file may be hostile: an array is unpacked on request, up to the
+/// size in its header and at most `limits::npz_array_bytes_max`.
+class NpzFile {
+  public:
+    /// Errors: NotFound; BadInput, naming the file.
+    [[nodiscard]] static Result<NpzFile> open(const std::filesystem::path& path);
+
+    /// The names of all arrays, without ".npy".
+    [[nodiscard]] std::vector<std::string> names() const;
+    /// Opens an array, which must not outlive the file. Errors: BadInput naming the file and the
+    /// array, if it is missing, damaged, or of an unknown type.
+    [[nodiscard]] Result<NpzArray> array(const std::string& name) const;
+    /// A whole array in memory, in C order. Errors: those of `array`.
+    [[nodiscard]] Result<NpyArray> read(const std::string& name) const;
+
+  private:
+    NpzFile(std::filesystem::path path, ZipFile zip)
+        : path_(std::move(path)), zip_(std::move(zip)) {}
+
+    std::filesystem::path path_;
+    ZipFile zip_;
+};
+
+} // namespace cd

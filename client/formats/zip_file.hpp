@@ -1,0 +1,60 @@
+// Reads zip archives. The only reader of libzip.
+#pragma once
+
+#include "common/core/files/bytes.hpp"
+#include "common/core/result.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+struct zip;
+struct zip_file;
+
+namespace cd {
+
+/// Reads one file of an archive sequentially, unpacked.
+class ZipEntry {
+  public:
+    /// The unpacked size in the archive's directory; `ZipFile::entry` has checked that the packed
+    /// bytes can expand to it.
+    [[nodiscard]] std::uint64_t size() const { return size_; }
+    /// Fills `into` with the next bytes and returns how many there were. Errors: BadInput if the
+    /// entry is damaged or not of its size, reported at its end at the latest.
+    [[nodiscard]] Result<std::size_t> read(std::span<std::byte> into);
+
+  private:
+    friend class ZipFile;
+    struct Close {
+        void operator()(zip_file* file) const;
+    };
+
+    std::unique_ptr<zip_file, Close> file_;
+    std::uint64_t size_ = 0;
+    std::uint64_t done_ = 0;
+};
+
+class ZipFile {
+  public:
+    /// Errors: NotFound; BadInput for a file that is not an archive. Neither names the file.
+    [[nodiscard]] static Result<ZipFile> open(const std::filesystem::path& path);
+
+    /// The names of all files, in the order of the archive.
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+    /// Opens a file, which must not outlive the archive. Errors: NotFound; BadInput if it is
+    /// damaged.
+    [[nodiscard]] Result<ZipEntry> entry(const std::string& name) const;
+
+  private:
+    struct Close {
+        void operator()(zip* archive) const;
+    };
+
+    std::unique_ptr<zip, Close> archive_;
+    std::vector<std::string> names_;
+};
+
+} // namespace cd

@@ -1,0 +1,39 @@
+// Runs foreign code that may crash, hang or exhaust memory, in a child process.
+#pragma once
+
+#include "common/core/files/bytes.hpp"
+#include "common/core/host/stop_check.hpp"
+#include "common/core/result.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+
+namespace cd {
+
+struct ChildLimits {
+    std::uint64_t memory_bytes = 0; ///< On top of this process's own; unbounded under sanitizers.
+    std::chrono::seconds processor_time{0};
+    std::chrono::seconds real_time{0}; ///< Bounds a child that only waits.
+};
+
+enum class ChildEnd : std::uint8_t { Answered, Crashed, OutOfMemory, OutOfTime, Stopped };
+
+struct ChildAnswer {
+    ChildEnd end = ChildEnd::Crashed;
+    Bytes bytes; ///< What `work` returned, if it answered.
+};
+
+/// Calls `work` in a fork of this process and returns when the child has ended, however it ended.
+/// The child is cut off from the terminal, ends with this process, and has default signal handlers.
+/// A signal that ends the child, and `is_stopped`, end the call with Stopped.
+///
+/// The child has one thread, so `work` must not take a lock that another thread may have held at
+/// the fork. The C library's own locks (memory, streams) are free after a fork.
+///
+/// Errors: Io when the system has no room for another process.
+[[nodiscard]] Result<ChildAnswer> call_in_child(const std::function<Bytes()>& work,
+                                                const ChildLimits& limits,
+                                                const StopCheck& is_stopped);
+
+} // namespace cd

@@ -1,0 +1,159 @@
+#include "client/import/text/off_mesh.hpp"
+
+#include "client/import/indexed_mesh.hpp"
+#include "client/import/text/mesh_words.hpp"
+#include "client/import/text/text_reader.hpp"
+
+#include <charconv>
+#include <optional>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+class OffReader {
+  public:
+    explicit OffReader(const MeshSource& source)
+        : source_(source),
+          text_(without_utf8_mark(source.bytes)),
+          mesh_(source.options.unit_factor) {}
+
+    Result<ImportedMesh> read() {
+        if (Status header = read_header(); !header) {
+            return header.error();
+        }
+        mesh_.begin_part(nameless_part);
+        for (std::uint64_t i = 0; i < vertices_; ++i) {
+            if (Status vertex = read_vertex(i); !vertex) {
+                return vertex.error();
+            }
+        }
+        for (std::uint64_t i = 0; i < faces_; ++i) {
+            if (Status face = read_face(i); !face) {
+                return face.error();
+            }
+        }
+        if (!first_word().empty()) {
+            return refusal("has data after the " + std::to_string(faces_) + " faces of its header");
+        }
+        return mesh_.finish(source_);
+    }
+
+  private:
+    Error refusal(const std::string& detail) const { return source_.refusal(text_.line(), detail); }
+
+    /// The next word outside of comments, on this line or a later one.
+    std::string_view first_word() {
+        std::string_view word = text_.word();
+        while (word.starts_with('#')) {
+            text_.rest_of_line();
+            word = text_.word();
+        }
+        return word;
+    }
+
+    /// The next word of this line; empty at its end or at a comment.
+    std::string_view word_in_line() {
+        const std::string_view word = text_.word_in_line();
+        if (!word.starts_with('#')) {
+            return word;
+        }
+        text_.rest_of_line();
+        return {};
+    }
+
+    Status read_header() {
+        std::string_view keyword = first_word();
+        const std::string whole = in_quotes(keyword);
+        for (const std::string_view prefix : {"ST", "C", "N"}) {
+            const bool has_prefix = keyword.starts_with(prefix);
+            keyword.remove_prefix(has_prefix ? prefix.size() : 0);
+            has_more_numbers_ = has_more_numbers_ || has_prefix;
+        }
+        if (keyword != "OFF") {
+            return refusal("begins with " + whole +
+                           ", but only OFF, COFF, NOFF, STOFF and their combinations are read");
+        }
+        const std::string_view word = first_word();
+        const auto vertices = to_whole(word);
+        const auto faces = to_whole(word_in_line());
+        if (!vertices || !faces) {
+            return refusal(word == "BINARY" ? "is a binary OFF file; write it as text"
+                                            : "has no line with its counts of vertices and faces");
+        }
+        vertices_ = *vertices;
+        faces_ = *faces;
+        text_.rest_of_line(); // The count of edges, which may be missing or wrong.
+        return Done{};
+    }
+
+    Status read_vertex(std::uint64_t number) {
+        const auto name = [&] {
+            return "vertex " + std::to_string(number) + " of " + std::to_string(vertices_);
+        };
+        Vec3 vertex;
+        std::string_view word = first_word();
+        for (double& value : vertex) {
+            const auto read = to_number(word);
+            if (!read) {
+                return refusal(name() + " is missing or is not three numbers");
+            }
+            value = *read;
+            word = word_in_line();
+        }
+        if (!word.empty() && !has_more_numbers_) {
+            return refusal(name() + " has more than three numbers; with colours the file begins "
+                                    "with 'COFF', with normals with 'NOFF'");
+        }
+        if (!vertex.allFinite()) {
+            return refusal(name() + " has a coordinate that is not finite");
+        }
+        text_.rest_of_line();
+        mesh_.add_vertex(vertex);
+        return Done{};
+    }
+
+    Status read_face(std::uint64_t number) {
+        const auto name = [&] { return "face " + std::to_string(number); };
+        const auto count = to_whole(first_word());
+        corners_.clear();
+        for (std::uint64_t k = 0; count && k < *count; ++k) {
+            const auto corner = to_integer(word_in_line());
+            if (!corner) {
+                break;
+            }
+            corners_.push_back(*corner);
+        }
+        if (!count || corners_.size() < *count) {
+            return refusal(name() + " of " + std::to_string(faces_) + " is missing or damaged");
+        }
+        text_.rest_of_line(); // A colour may follow.
+        const Status added = mesh_.add_face(corners_);
+        return added ? Done{} : Status(refusal(name() + " " + added.error().detail));
+    }
+
+    static std::optional<std::int64_t> to_integer(std::string_view word) {
+        std::int64_t value = 0;
+        const char* const end = word.data() + word.size();
+        const auto [behind, error] = std::from_chars(word.data(), end, value);
+        const bool whole = error == std::errc{} && behind == end && !word.empty();
+        return whole ? std::optional(value) : std::nullopt;
+    }
+
+    const MeshSource& source_;
+    TextReader text_;
+    IndexedMesh mesh_;
+    std::uint64_t vertices_ = 0;        ///< Number in the header.
+    std::uint64_t faces_ = 0;           ///< Number in the header.
+    bool has_more_numbers_ = false;     ///< More numbers may follow a vertex's position.
+    std::vector<std::int64_t> corners_; ///< Corners of the current face.
+};
+
+} // namespace
+
+Result<ImportedMesh> import_off(const MeshSource& source) {
+    return OffReader(source).read();
+}
+
+} // namespace cd

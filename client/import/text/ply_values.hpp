@@ -1,0 +1,74 @@
+// Reads the numbers in the data of a PLY file, in text or binary form.
+#pragma once
+
+#include "client/import/text/ply_header.hpp"
+#include "client/import/text/text_reader.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cd {
+
+/// Reads text data: one element a line; blank lines are skipped.
+class PlyText {
+  public:
+    PlyText(const MeshSource& source, const PlyHeader& header);
+
+    /// Moves to the next element. False at the end of the file.
+    [[nodiscard]] bool begin_element();
+    /// False where the element has more numbers than its properties.
+    [[nodiscard]] bool end_element();
+
+    /// The next number of the element; nothing if it is missing or invalid.
+    [[nodiscard]] std::optional<double> number(PlyType type);
+    [[nodiscard]] std::optional<std::int64_t> integer(PlyType type);
+    [[nodiscard]] bool skip(PlyType type);
+
+    /// Says what was found in place of the last number, and on which line.
+    [[nodiscard]] Error no_number(const std::string& element) const;
+    /// BadInput naming the file and the place.
+    [[nodiscard]] Error refusal(const std::string& detail) const;
+
+    /// True when the remaining bytes may hold the elements: a number takes two or more, with a
+    /// blank.
+    [[nodiscard]] bool has_room_for(const PlyElement& element) const;
+    [[nodiscard]] bool is_at_end();
+
+  private:
+    const MeshSource& source_;
+    TextReader text_;
+    std::string_view word_;
+};
+
+/// Reads binary data.
+class PlyBinary {
+  public:
+    PlyBinary(const MeshSource& source, const PlyHeader& header);
+
+    [[nodiscard]] bool begin_element();
+    [[nodiscard]] bool end_element() const { return true; }
+
+    [[nodiscard]] std::optional<double> number(PlyType type);
+    [[nodiscard]] std::optional<std::int64_t> integer(PlyType type);
+    [[nodiscard]] bool skip(PlyType type);
+
+    [[nodiscard]] Error no_number(const std::string& element) const;
+    [[nodiscard]] Error refusal(const std::string& detail) const;
+
+    [[nodiscard]] bool has_room_for(const PlyElement& element) const;
+    /// Trailing zeros and blanks are ignored.
+    [[nodiscard]] bool is_at_end() const;
+
+  private:
+    template <class T>
+    [[nodiscard]] T load() const;
+
+    const MeshSource& source_;
+    bool is_big_endian_;
+    std::size_t at_;
+    std::size_t element_begin_;
+};
+
+} // namespace cd

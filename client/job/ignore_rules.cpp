@@ -1,0 +1,127 @@
+#include "client/base/words.hpp"
+#include "client/job/prepared_job.hpp"
+
+#include <fnmatch.h>
+
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+using Ranges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// A pattern in a job: "part" or "body/part".
+struct PartPattern {
+    std::optional<std::string> body;
+    std::string part;
+};
+
+/// Splits at the first slash that is not escaped.
+PartPattern split(const std::string& pattern) {
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        if (pattern[i] == '\\') {
+            ++i;
+        } else if (pattern[i] == '/') {
+            return {pattern.substr(0, i), pattern.substr(i + 1)};
+        }
+    }
+    return {std::nullopt, pattern};
+}
+
+bool matches(const std::string& pattern, const std::string& name) {
+    return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
+/// A body and its name in messages.
+struct IgnoredBody {
+    char letter = 'A';
+    const std::string& name;
+    const Mesh& mesh;
+};
+
+/// The triangles of all parts that match; neighbours are joined.
+Ranges matching(const std::string& pattern, const Mesh& mesh) {
+    Ranges ranges;
+    for (const Part& part : mesh.parts()) {
+        if (!matches(pattern, part.name)) {
+            continue;
+        }
+        if (!ranges.empty() && ranges.back().second == part.triangles_begin) {
+            ranges.back().second = part.triangles_end;
+        } else {
+            ranges.emplace_back(part.triangles_begin, part.triangles_end);
+        }
+    }
+    return ranges;
+}
+
+std::string place_of(const IgnoreRule& rule, const std::filesystem::path& job_file) {
+    return rule.line == 0 ? "" : job_file.string() + ":" + std::to_string(rule.line) + ": ";
+}
+
+Error no_body(const IgnoreRule& rule,
+              const std::string& pattern,
+              const IgnoredBody& body,
+              const std::filesystem::path& job_file) {
+    return {ErrorCode::BadInput,
+            place_of(rule, job_file) + "ignore: \"" + pattern + "\" is of another body than " +
+                body.letter + ", which is called \"" + body.name +
+                "\"; a / within the name of a part is written \\/"};
+}
+
+Error no_match(const IgnoreRule& rule,
+               const std::string& pattern,
+               const IgnoredBody& body,
+               const std::filesystem::path& job_file) {
+    constexpr std::size_t names_max = 20;
+    std::vector<std::string_view> names;
+    for (const Part& part : body.mesh.parts()) {
+        if (names.size() < names_max) {
+            names.push_back(part.name);
+        }
+    }
+    return {ErrorCode::BadInput,
+            place_of(rule, job_file) + "ignore: no part of " + body.letter + " matches \"" +
+                pattern + "\"" +
+                (names.empty() ? "; it has no named parts" : suggestion(pattern, names))};
+}
+
+/// Errors: BadInput for the name of another body, and for a pattern that matches no part.
+Result<Ranges> ranges_of(const IgnoreRule& rule,
+                         const std::string& text,
+                         const IgnoredBody& body,
+                         const std::filesystem::path& job_file) {
+    const PartPattern pattern = split(text);
+    if (pattern.body && !matches(*pattern.body, body.name)) {
+        return no_body(rule, text, body, job_file);
+    }
+    Ranges ranges = matching(pattern.part, body.mesh);
+    return ranges.empty() ? Result<Ranges>(no_match(rule, pattern.part, body, job_file))
+                          : Result<Ranges>(std::move(ranges));
+}
+
+} // namespace
+
+Result<std::vector<IgnoredRange>>
+resolve_ignored(const JobSpec& spec, const Mesh& a, const Mesh& b) {
+    const std::array<std::string, 2> names{export_name(spec, 0), export_name(spec, 1)};
+    std::vector<IgnoredRange> ignored;
+    for (const IgnoreRule& rule : spec.ignore) {
+        const auto of_a = ranges_of(rule, rule.a, {'A', names[0], a}, spec.file);
+        const auto of_b = ranges_of(rule, rule.b, {'B', names[1], b}, spec.file);
+        if (!of_a || !of_b) {
+            return of_a ? of_b.error() : of_a.error();
+        }
+        for (const auto& [a_begin, a_end] : of_a.value()) {
+            for (const auto& [b_begin, b_end] : of_b.value()) {
+                ignored.push_back({a_begin, a_end, b_begin, b_end});
+            }
+        }
+    }
+    return ignored;
+}
+
+} // namespace cd

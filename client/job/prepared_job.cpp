@@ -1,0 +1,243 @@
+#include "client/job/prepared_job.hpp"
+
+#include "client/base/interrupt.hpp"
+#include "client/base/slow_note.hpp"
+#include "client/base/units.hpp"
+#include "client/base/words.hpp"
+#include "client/import/import_notes.hpp"
+#include "client/import/mesh_import.hpp"
+#include "client/poses/pose_file.hpp"
+#include "client/trees/body_trees.hpp"
+#include "common/geometry/topology.hpp"
+#include "common/job/poses/made_poses.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+std::string name_of(const BodySpec& body) {
+    return body.name.empty() ? body.path.filename().string() : body.name;
+}
+
+/// The name of a declared unit, or its length in metres; empty if the file declares none.
+std::string declared_unit(const DeclaredFrame& declared) {
+    for (const std::string_view name : unit_names()) {
+        if (unit_factor_of_metres(declared.metres, name) == 1.0) {
+            return std::string(name);
+        }
+    }
+    return declared.metres > 0 ? exact_text(declared.metres) + " m" : "";
+}
+
+Status import_bodies(PreparedJob& job, bool quiet) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const BodySpec& body = job.spec.bodies[i];
+        const BodySpec& first = job.spec.bodies[0];
+        job.names[i] = name_of(body);
+        if (job.meshes[i]) {
+            continue;
+        }
+        if (i == 1 && body.path == first.path && body.unit == first.unit && body.up == first.up &&
+            body.rounds_to_float == first.rounds_to_float) {
+            job.meshes[1] = job.meshes[0];
+            job.notes[1] = job.notes[0];
+            job.spec.bodies[1].declared_unit = first.declared_unit;
+            continue;
+        }
+        const auto options = import_options(job.spec, i);
+        if (!options) {
+            return options.error();
+        }
+        const SlowNote note("reading " + body.path.filename().string() + "...", quiet);
+        auto imported = import_mesh(body.path, options.value());
+        if (!imported) {
+            return imported.error();
+        }
+        job.meshes[i] = imported.value().mesh;
+        job.notes[i] = import_notes(imported.value(), body.unit, options.value().is_y_up);
+        job.spec.bodies[i].declared_unit =
+            body.unit.empty() ? declared_unit(imported.value().declared) : "";
+        for (const std::string& warning : imported.value().warnings) {
+            job.warnings.push_back("warning: " + warning);
+        }
+    }
+    return Done{};
+}
+
+TreeUse tree_use(const PreparedJob& job, Trees trees) {
+    TreeUse use;
+    if (trees == Trees::Always) {
+        use.searches_exactly = job.query.tolerance == 0;
+        use.searches_cuts = !use.searches_exactly;
+        use.settles = true;
+    }
+    return use;
+}
+
+void get_trees(PreparedJob& job, Trees trees, TreeCache& cache, ThreadPool& pool) {
+    job.trees = make_body_trees(job.meshes, tree_use(job, trees), cache, pool);
+    for (std::string& warning : cache.take_warnings()) {
+        job.warnings.push_back(std::move(warning));
+    }
+}
+
+/// "; y, z, roll, pitch are 0".
+std::string zeros_text(const std::vector<std::string>& zeros) {
+    std::string text;
+    for (const std::string& name : zeros) {
+        text += (text.empty() ? "; " : ", ") + name;
+    }
+    return text.empty() ? text : text + (zeros.size() == 1 ? " is 0" : " are 0");
+}
+
+/// How the poses came about, for the header.
+std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& zeros) {
+    if (const auto* file = std::get_if<PoseFileSpec>(&spec)) {
+        return (file->path == "-" ? "from standard input" : file->path.filename().string()) +
+               zeros_text(zeros);
+    }
+    if (const auto* random = std::get_if<RandomPoses>(&spec)) {
+        return "random, seed " + std::to_string(random->seed) + ", penetration " +
+               exact_text(random->penetration_min) + " to " + exact_text(random->penetration_max);
+    }
+    const Grid& grid = std::get<GridSpec>(spec).grid;
+    constexpr std::array<const char*, 3> positions{"x", "y", "z"};
+    constexpr std::array<const char*, 3> angles{"roll", "pitch", "yaw"};
+    std::string text = "grid";
+    const auto add = [&](const char* name, std::uint64_t count) {
+        if (count > 1) {
+            text += std::string(text == "grid" ? " " : ", ") + name + " " + grouped(count);
+        }
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        add(positions[i], grid.position[i].count);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        add(angles[i], grid.rotation[i].size());
+    }
+    return text;
+}
+
+Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
+    if (const auto* spec = std::get_if<GridSpec>(&job.spec.poses)) {
+        job.grid = spec->grid;
+        job.poses = make_grid_source(spec->grid);
+        return Done{};
+    }
+    if (const auto* random = std::get_if<RandomPoses>(&job.spec.poses)) {
+        job.poses = make_computed_source(random->count,
+                                         random_scenarios(*random, *job.trees[0], *job.trees[1]),
+                                         pool.size(),
+                                         &InterruptGuard::has_come);
+        return Done{};
+    }
+    const auto& spec = std::get<PoseFileSpec>(job.spec.poses);
+    const SlowNote note(spec.path == "-" ? std::string("reading poses from standard input...")
+                                         : "reading " + spec.path.filename().string() + "...",
+                        quiet);
+    auto file = open_pose_file(spec);
+    if (!file) {
+        return file.error();
+    }
+    job.poses = std::move(file.value().source);
+    job.zeros = std::move(file.value().zeros);
+    job.labels = std::move(file.value().labels);
+    for (const std::string& warning : file.value().warnings) {
+        job.warnings.push_back("warning: " + warning);
+    }
+    return Done{};
+}
+
+void describe(PreparedJob& job) {
+    std::array<BodyLine, 2> lines;
+    for (std::size_t i = 0; i < 2; ++i) {
+        lines[i] = describe_body(job.names[i], job.spec.unit, *job.meshes[i]);
+        lines[i].notes = job.notes[i];
+        if (i == 1 && job.meshes[1] == job.meshes[0]) {
+            lines[1].closed = lines[0].closed;
+        } else {
+            lines[i].closed = job.trees[i] ? job.trees[i]->topology().is_closed()
+                                           : analyse_topology(*job.meshes[i]).is_closed();
+        }
+    }
+    if (auto warning = unit_warning(lines[0], lines[1])) {
+        job.warnings.push_back(*warning);
+    }
+    job.header =
+        header_text(lines[0], lines[1], job.poses->count(), poses_text(job.spec.poses, job.zeros));
+}
+
+} // namespace
+
+Result<PreparedJob> prepare_job(
+    JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool, bool quiet, JobInputs given) {
+    PreparedJob job;
+    job.spec = std::move(spec);
+    job.meshes = std::move(given.meshes);
+    if (Status imported = import_bodies(job, quiet); !imported) {
+        return imported.error();
+    }
+    auto ignored = given.ignored ? Result(std::move(*given.ignored))
+                                 : resolve_ignored(job.spec, *job.meshes[0], *job.meshes[1]);
+    if (!ignored) {
+        return ignored.error();
+    }
+    job.query = {job.spec.level,
+                 job.spec.tolerance,
+                 job.spec.limit_pairs,
+                 std::move(ignored.value()),
+                 job.spec.maps};
+    const bool makes_poses = !given.poses && std::holds_alternative<RandomPoses>(job.spec.poses);
+    if (trees == Trees::Always || makes_poses) {
+        const SlowNote note("building trees of " + job.names[0] + " and " + job.names[1] + "...",
+                            quiet);
+        get_trees(job, trees, cache, pool);
+    }
+    if (given.poses) {
+        job.grid = given.poses->grid() ? std::optional(*given.poses->grid()) : std::nullopt;
+        job.poses = std::move(given.poses);
+        job.labels = std::move(given.labels);
+    } else if (Status made = make_poses(job, pool, quiet); !made) {
+        return made.error();
+    }
+    describe(job);
+    return job;
+}
+
+Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body) {
+    const BodySpec& given = spec.bodies[body];
+    const std::string& unit = given.unit.empty() ? spec.unit : given.unit;
+    const auto factor = unit_factor(unit, spec.unit);
+    if (!factor) {
+        return Error{ErrorCode::BadInput, "unit \"" + unit + "\" is not known"};
+    }
+    ImportOptions options{*factor};
+    options.declared_unit_to = given.unit.empty() ? spec.unit : "";
+    options.is_y_up = given.up == "y";
+    options.rounds_to_float = given.rounds_to_float;
+    options.is_stopped = &InterruptGuard::has_come;
+    return options;
+}
+
+ExportContext export_context(const PreparedJob& job) {
+    ExportContext context;
+    context.job = job.spec.name;
+    context.unit = job.spec.unit;
+    context.level = job.query.level;
+    context.tolerance = job.query.tolerance;
+    context.exact_points = job.spec.output.exact_points;
+    context.stop = &InterruptGuard::has_come;
+    for (std::size_t i = 0; i < job.meshes.size(); ++i) {
+        const BodySpec& body = job.spec.bodies[i];
+        context.bodies.push_back({export_name(job.spec, i),
+                                  body.path.filename().string(),
+                                  job.meshes[i],
+                                  body.rounds_to_float});
+    }
+    return context;
+}
+
+} // namespace cd

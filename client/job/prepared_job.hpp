@@ -1,0 +1,73 @@
+// A job whose inputs have been read and checked: what `run` and `submit` start from.
+#pragma once
+
+#include "client/export/result_writer.hpp"
+#include "client/import/imported_mesh.hpp"
+#include "client/report/report.hpp"
+#include "client/spec/job_file.hpp"
+#include "client/trees/tree_cache.hpp"
+#include "common/core/host/thread_pool.hpp"
+#include "common/core/result.hpp"
+#include "common/job/poses/pose_labels.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "common/job/query.hpp"
+#include "common/tree/obb_tree.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+struct PreparedJob {
+    JobSpec spec;
+    std::array<std::string, 2> names;                  ///< Names of the bodies for people.
+    std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< The same object where both are one file.
+    std::array<std::vector<std::string>, 2>
+        notes; ///< How the mesh files were interpreted, for people.
+    std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Where they were needed.
+    Query query;
+    std::optional<Grid> grid; ///< Poses that travel as this description.
+    std::unique_ptr<PoseSource> poses;
+    PoseLabels labels;                 ///< Ids and times of all poses, if their file has them.
+    std::vector<std::string> zeros;    ///< Columns missing in the pose file, which count as 0.
+    std::vector<std::string> warnings; ///< One line each.
+    std::string header;                ///< `header_text`.
+};
+
+/// Who needs trees: a run in this process does; a cluster builds its own, but random poses are made
+/// here, from trees.
+enum class Trees : std::uint8_t { Always, ForPosesOnly };
+
+/// Inputs that are already loaded and replace the files that the job names.
+struct JobInputs {
+    std::array<std::shared_ptr<const Mesh>, 2> meshes;  ///< Null: import the file.
+    std::unique_ptr<PoseSource> poses;                  ///< Null: open or generate as the job says.
+    PoseLabels labels{};                                ///< Labels of `poses`.
+    std::optional<std::vector<IgnoredRange>> ignored{}; ///< Nothing: resolve the job's rules.
+};
+
+/// Imports the meshes, resolves what is ignored, opens or makes the poses, gets the trees, each in
+/// the forms that the job walks. All of the same bits for any number of threads, whatever the cache
+/// holds. A line on stderr, unless `quiet`, names work that takes longer than half a second.
+/// Errors: BadInput, NotFound and Io, each naming the file.
+[[nodiscard]] Result<PreparedJob> prepare_job(JobSpec spec,
+                                              Trees trees,
+                                              TreeCache& cache,
+                                              ThreadPool& pool,
+                                              bool quiet = true,
+                                              JobInputs given = {});
+
+/// The import options for a body's file. Errors: BadInput for an unknown unit.
+[[nodiscard]] Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body);
+
+[[nodiscard]] ExportContext export_context(const PreparedJob& job);
+
+/// The ranges of triangles that the job's rules ignore. Errors: BadInput with the rule, its line
+/// and the existing names, for a pattern that matches no part or names another body.
+[[nodiscard]] Result<std::vector<IgnoredRange>>
+resolve_ignored(const JobSpec& spec, const Mesh& a, const Mesh& b);
+
+} // namespace cd

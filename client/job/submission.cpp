@@ -1,0 +1,125 @@
+#include "client/job/submission.hpp"
+
+#include "client/base/units.hpp"
+#include "common/core/printable.hpp"
+
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+PosesOrigin origin_of(const PosesSpec& spec) {
+    PosesOrigin origin;
+    if (const auto* grid = std::get_if<GridSpec>(&spec)) {
+        origin.kind = PosesKind::Grid;
+        origin.unit = grid->unit;
+        origin.axes = grid->axes;
+    } else if (const auto* random = std::get_if<RandomPoses>(&spec)) {
+        origin.kind = PosesKind::Random;
+        origin.random = *random;
+    } else {
+        const auto& file = std::get<PoseFileSpec>(spec);
+        origin.file = escaped(file.path.string());
+        origin.quat_order = file.quat_order;
+        origin.of_both_bodies = file.of_both_bodies;
+        origin.rigid_tolerance = file.rigid_tolerance;
+        origin.unit = file.unit;
+    }
+    return origin;
+}
+
+BodySpec spec_of(const JobBody& body, std::size_t place) {
+    BodySpec spec;
+    spec.path = body.file;
+    spec.name = body.name == export_name({}, place) ? "" : body.name;
+    (body.is_unit_given ? spec.unit : spec.declared_unit) = body.unit;
+    spec.up = body.up;
+    spec.rounds_to_float = body.rounds_to_float;
+    return spec;
+}
+
+Result<PosesSpec> poses_of(const Submit& submit) {
+    const PosesOrigin& origin = submit.poses;
+    if (submit.grid) {
+        auto grid = decode_grid(*submit.grid);
+        return grid ? Result<PosesSpec>(GridSpec{std::move(grid.value()), origin.axes, origin.unit})
+                    : grid.error();
+    }
+    if (origin.random) {
+        return PosesSpec(*origin.random);
+    }
+    PoseFileSpec file{
+        origin.file, origin.quat_order, origin.of_both_bodies, origin.rigid_tolerance};
+    file.unit = origin.unit;
+    file.length_factor =
+        unit_factor(origin.unit.empty() ? submit.unit : origin.unit, submit.unit).value_or(1);
+    return PosesSpec(std::move(file));
+}
+
+} // namespace
+
+JobBody body_of(const JobSpec& spec, std::size_t body, const Sha256& mesh) {
+    const BodySpec& given = spec.bodies[body];
+    JobBody told;
+    told.mesh = mesh;
+    told.name = export_name(spec, body);
+    told.file = given.path.string();
+    told.is_unit_given = !given.unit.empty();
+    told.unit = told.is_unit_given            ? given.unit
+                : given.declared_unit.empty() ? spec.unit
+                                              : given.declared_unit;
+    told.up = given.up;
+    told.rounds_to_float = given.rounds_to_float;
+    return told;
+}
+
+Submit submission_of(const PreparedJob& job) {
+    Submit submit;
+    submit.name = escaped(job.spec.name);
+    submit.unit = job.spec.unit;
+    for (std::size_t body = 0; body < job.meshes.size(); ++body) {
+        submit.bodies.push_back(body_of(job.spec, body, job.meshes[body]->hash()));
+        submit.bodies.back().name = escaped(submit.bodies.back().name);
+        submit.bodies.back().file = escaped(submit.bodies.back().file);
+    }
+    submit.query = job.query;
+    submit.cluster = job.spec.cluster;
+    submit.poses = origin_of(job.spec.poses);
+    submit.scenarios = job.poses->count();
+    if (job.grid) {
+        submit.grid = encode_grid(*job.grid);
+    }
+    for (const IgnoreRule& rule : job.spec.ignore) {
+        submit.ignore.push_back({escaped(rule.a), escaped(rule.b)});
+    }
+    return submit;
+}
+
+Result<JobSpec> spec_of(const Submit& submit) {
+    JobSpec spec;
+    if (submit.bodies.size() != spec.bodies.size()) {
+        return Error{ErrorCode::BadFrame, "the job has other than two bodies"};
+    }
+    spec.name = submit.name;
+    spec.unit = submit.unit;
+    for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
+        spec.bodies[i] = spec_of(submit.bodies[i], i);
+    }
+    auto poses = poses_of(submit);
+    if (!poses) {
+        return poses.error();
+    }
+    spec.poses = std::move(poses.value());
+    spec.level = submit.query.level;
+    spec.tolerance = submit.query.tolerance;
+    spec.limit_pairs = submit.query.limit_pairs;
+    spec.maps = submit.query.maps;
+    for (const IgnoreLine& line : submit.ignore) {
+        spec.ignore.push_back({line.a, line.b});
+    }
+    spec.cluster = submit.cluster;
+    return spec;
+}
+
+} // namespace cd

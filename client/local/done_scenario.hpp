@@ -1,0 +1,22 @@
+// One finished scenario of a local run.
+#pragma once
+
+#include "common/core/files/bytes.hpp"
+#include "common/core/files/hash.hpp"
+#include "common/job/result/result.hpp"
+#include "common/search/contact_pair.hpp"
+
+#include <vector>
+
+namespace cd {
+
+/// A result with its record and digest, as a thread of the pool returns it.
+struct DoneScenario {
+    ScenarioResult result;
+    Bytes record;    ///< The canonical record.
+    Sha256 digest{}; ///< SHA-256 of the record.
+    /// All pairs in contact if the query asks for maps; else empty.
+    std::vector<ContactPair> found;
+};
+
+} // namespace cd

@@ -1,0 +1,126 @@
+#include "client/local/local_run.hpp"
+
+#include "client/local/ordered_run.hpp"
+#include "common/core/check.hpp"
+#include "common/core/limits/limits_client.hpp"
+#include "common/job/run_scenario.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <utility>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t cost_poses_max = 64;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Feeds scenarios to the run while it wants them, at most until progress is due.
+Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
+    const auto end = Clock::now() + limits::progress_period;
+    while (fed < poses.count() && Clock::now() < end) {
+        const std::uint64_t wanted = std::min(run.wanted(), limits::run_poses_at_once_max);
+        if (wanted == 0) {
+            break;
+        }
+        auto scenarios = poses.read(fed, std::min(wanted, poses.count() - fed));
+        if (!scenarios) {
+            return scenarios.error();
+        }
+        fed += scenarios.value().size();
+        run.add(std::move(scenarios.value()));
+    }
+    return Done{};
+}
+
+/// Hands results to the observer and to the merger.
+Status
+deliver(std::vector<DoneScenario> results, const RunObserver& observer, ResultMerger& merger) {
+    for (const DoneScenario& done : results) {
+        if (observer.stopped()) {
+            return interrupted();
+        }
+        if (Status added = observer.result(done); !added) {
+            return added;
+        }
+        const auto outcome = merger.add(done.result, done.digest);
+        CD_CHECK(outcome == ResultMerger::Outcome::Added);
+    }
+    return Done{};
+}
+
+/// A few of a job's poses, evenly spread; fewer where they cannot be read.
+std::vector<PosePair> some_poses(PoseSource& source) {
+    const std::uint64_t count = std::min(source.count(), cost_poses_max);
+    std::vector<PosePair> poses;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const auto read = source.read(source.count() / count * i, 1);
+        if (read) {
+            poses.push_back(read.value().front().poses);
+        }
+    }
+    return poses;
+}
+
+/// How long the cost of searches may be measured after a run of so many seconds.
+Clock::duration cost_time_after(double seconds) {
+    constexpr std::chrono::duration<double> most = std::chrono::milliseconds(50);
+    const auto share = std::chrono::duration<double>(0.02 * seconds);
+    return std::chrono::duration_cast<Clock::duration>(std::min(share, most));
+}
+
+} // namespace
+
+Result<RunOutcome> run_locally(const ObbTree& a,
+                               const ObbTree& b,
+                               PoseSource& poses,
+                               const Query& query,
+                               ThreadPool& pool,
+                               const RunObserver& observer,
+                               LocalRunOptions options) {
+    const auto start = Clock::now();
+    auto progress_due = start;
+    ResultMerger merger = std::move(options.done).value_or(ResultMerger(poses.count()));
+    const PairStage first_stage = options.first_stage;
+    std::atomic<bool> ended = false;
+    const ScenarioRunner runner(
+        a, b, query, first_stage, [&ended] { return ended.load(std::memory_order_relaxed); });
+    std::uint64_t fed = merger.summary().merged();
+    OrderedRun run(runner, ended, pool, fed);
+    while (!merger.summary().is_complete()) {
+        if (observer.stopped()) {
+            return interrupted();
+        }
+        if (Status more = feed(run, poses, fed); !more) {
+            return more.error();
+        }
+        if (Clock::now() >= progress_due) {
+            observer.progress(merger.summary(), seconds_since(start));
+            progress_due = Clock::now() + limits::progress_period;
+        }
+        auto results = run.take(limits::progress_period, fed < poses.count());
+        if (Status delivered = deliver(std::move(results), observer, merger); !delivered) {
+            return delivered.error();
+        }
+    }
+    RunOutcome outcome{
+        merger.summary(), merger.digest(), seconds_since(start), run.statistics(), {}};
+    if (!(query.tolerance > 0)) {
+        SearchCostOptions cost;
+        cost.for_any = query.level == Level::Any;
+        cost.first_stage = first_stage;
+        cost.time_max = cost_time_after(outcome.seconds);
+        outcome.cost = measure_search_cost(a.view(), b.view(), some_poses(poses), cost);
+    }
+    return outcome;
+}
+
+} // namespace cd

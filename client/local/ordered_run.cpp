@@ -1,0 +1,188 @@
+#include "client/local/ordered_run.hpp"
+
+#include "common/core/limits/limits_client.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A thread has enough before it with so many scenarios, and this many are added at a time.
+constexpr std::uint64_t waiting_enough = 256;
+constexpr std::uint64_t block_scenarios = 512;
+/// What a thread does before it hands over.
+constexpr std::chrono::steady_clock::duration batch_time = 250us;
+
+std::uint64_t bytes_of(const DoneScenario& done) {
+    const ScenarioResult& result = done.result;
+    return sizeof done + done.record.size() + done.found.size() * sizeof(ContactPair) +
+           result.pairs.size() * sizeof(ContactPair) +
+           (result.points.size() + result.point_origins.size()) * sizeof(Vec3) +
+           result.point_offsets.size() * sizeof(std::uint32_t);
+}
+
+} // namespace
+
+OrderedRun::OrderedRun(const ScenarioRunner& runner,
+                       std::atomic<bool>& ended,
+                       ThreadPool& pool,
+                       std::uint64_t first)
+    : runner_(runner),
+      ended_(ended),
+      thread_count_(pool.size()),
+      added_(first),
+      taken_(first),
+      threads_left_(pool.size()) {
+    for (unsigned i = 0; i < thread_count_; ++i) {
+        pool.post([this] { work(); });
+    }
+}
+
+OrderedRun::~OrderedRun() {
+    ended_ = true;
+    std::unique_lock lock(mutex_);
+    stopping_ = true;
+    work_came_.notify_all();
+    state_changed_.wait(lock, [this] { return threads_left_ == 0; });
+}
+
+std::uint64_t OrderedRun::wanted() {
+    const std::lock_guard lock(mutex_);
+    return wanted_now();
+}
+
+std::uint64_t OrderedRun::wanted_now() const {
+    const bool has_room = bytes_ahead_ < limits::run_bytes_ahead_max &&
+                          added_ - taken_ + block_scenarios <= limits::run_scenarios_ahead_max;
+    return has_room && waiting_.size() < waiting_enough * thread_count_ ? block_scenarios : 0;
+}
+
+void OrderedRun::add(std::vector<Scenario> scenarios) {
+    const std::lock_guard lock(mutex_);
+    added_ += scenarios.size();
+    std::move(scenarios.begin(), scenarios.end(), std::back_inserter(waiting_));
+    work_came_.notify_all();
+}
+
+bool OrderedRun::is_next_done() const {
+    return !done_.empty() && done_.front();
+}
+
+std::vector<DoneScenario> OrderedRun::take(std::chrono::milliseconds period, bool may_add) {
+    std::unique_lock lock(mutex_);
+    const bool was_full = bytes_ahead_ >= limits::run_bytes_ahead_max;
+    bytes_ahead_ -= bytes_in_hand_;
+    bytes_in_hand_ = 0;
+    if (was_full) {
+        work_came_.notify_all();
+    }
+    state_changed_.wait_for(
+        lock, period, [this, may_add] { return is_next_done() || (may_add && wanted_now() > 0); });
+    std::vector<DoneScenario> taken;
+    while (is_next_done() && taken.size() < limits::run_taken_at_once_max) {
+        bytes_in_hand_ += bytes_of(*done_.front());
+        taken.push_back(std::move(*done_.front()));
+        done_.pop_front();
+        ++taken_;
+    }
+    if (bytes_ahead_ >= limits::run_bytes_ahead_max) {
+        work_came_.notify_all(); // The scenario that is due may be another one now.
+    }
+    return taken;
+}
+
+JobStatistics OrderedRun::statistics() {
+    const std::lock_guard lock(mutex_);
+    return statistics_;
+}
+
+void OrderedRun::work() {
+    ScenarioSession session(runner_);
+    Batch batch;
+    while (refill(batch)) {
+        run_some(session, batch);
+        hand_over(batch);
+    }
+    const std::lock_guard lock(mutex_);
+    --threads_left_;
+    state_changed_.notify_all();
+}
+
+/// False when there is nothing more to do.
+bool OrderedRun::refill(Batch& batch) {
+    std::unique_lock lock(mutex_);
+    work_came_.wait(lock, [this] {
+        // Beyond the bound only what is due next is run, without which nothing can be taken.
+        return stopping_ || (!waiting_.empty() && (bytes_ahead_ < limits::run_bytes_ahead_max ||
+                                                   waiting_.front().index == taken_));
+    });
+    if (stopping_) {
+        return false;
+    }
+    const std::size_t share = waiting_.size() / (2 * std::size_t{thread_count_}) + 1;
+    const auto end = waiting_.begin() +
+                     static_cast<std::ptrdiff_t>(std::min({batch.size, share, waiting_.size()}));
+    batch.waiting.assign(std::move_iterator(waiting_.begin()), std::move_iterator(end));
+    waiting_.erase(waiting_.begin(), end);
+    return true;
+}
+
+void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
+    const auto start = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::duration spent{};
+    batch.ran = 0;
+    while (batch.ran < batch.waiting.size() && spent < 4 * batch_time &&
+           batch.bytes < limits::run_batch_bytes_max) {
+        ScenarioRun run = session.run(batch.waiting[batch.ran++]);
+        spent = std::chrono::steady_clock::now() - start;
+        if (run.is_stopped) {
+            continue; // Nobody waits for it.
+        }
+        batch.statistics += {run.statistics, run.inside};
+        DoneScenario done{std::move(run.result), {}, {}, {}};
+        done.record = encode_result(done.result);
+        done.digest = sha256(done.record);
+        if (runner_.query().maps) {
+            done.found = std::move(run.found);
+        }
+        batch.bytes += bytes_of(done);
+        batch.done.push_back(std::move(done));
+    }
+    const auto fits = batch_time * batch.ran / std::max(spent, 1ns);
+    batch.size =
+        std::clamp<std::size_t>(static_cast<std::size_t>(fits), 1, limits::run_batch_scenarios_max);
+}
+
+void OrderedRun::hand_over(Batch& batch) {
+    const auto not_run = batch.waiting.begin() + static_cast<std::ptrdiff_t>(batch.ran);
+    const std::lock_guard lock(mutex_);
+    if (not_run != batch.waiting.end()) {
+        // Threads take scenarios in order, so what was not run stands together.
+        const auto place = std::ranges::lower_bound(
+            waiting_, not_run->index, std::ranges::less(), &Scenario::index);
+        waiting_.insert(place, not_run, batch.waiting.end());
+        work_came_.notify_all();
+    }
+    for (DoneScenario& done : batch.done) {
+        const std::uint64_t place = done.result.index - taken_;
+        if (place >= done_.size()) {
+            done_.resize(place + 1);
+        }
+        done_[place] = std::move(done);
+    }
+    statistics_ += batch.statistics;
+    bytes_ahead_ += batch.bytes;
+    batch.done.clear();
+    batch.statistics = {};
+    batch.bytes = 0;
+    if (is_next_done() || wanted_now() > 0) {
+        state_changed_.notify_one();
+    }
+}
+
+} // namespace cd

@@ -1,0 +1,567 @@
+#include "client/remote/connection.hpp"
+
+#include "client/base/table.hpp"
+#include "client/base/words.hpp"
+#include "client/remote/result_records.hpp"
+#include "common/core/check.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/core/limits/limits_client.hpp"
+#include "common/core/printable.hpp"
+#include "common/core/version.hpp"
+#include "proto/channel/channel.hpp"
+
+#include <pwd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <set>
+
+namespace cd {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t poses_together = 4096;
+
+/// The master could not write `what` to its disk.
+Error no_room(const std::string& what, const Error& error) {
+    return {ErrorCode::Incomplete, "the master has no room for " + what + ": " + error.detail};
+}
+
+std::string host_name() {
+    std::array<char, 256> host{};
+    if (::gethostname(host.data(), host.size() - 1) != 0) {
+        host[0] = '\0';
+    }
+    return escaped(std::string(host.data())).substr(0, 150);
+}
+
+/// By the account, whose name the environment need not tell.
+std::string user_name() {
+    std::array<char, 4096> texts{};
+    passwd entry{};
+    passwd* found = nullptr;
+    const bool is_known =
+        ::getpwuid_r(::geteuid(), &entry, texts.data(), texts.size(), &found) == 0 &&
+        found != nullptr;
+    return is_known ? escaped(std::string(found->pw_name)).substr(0, 100)
+                    : std::to_string(::geteuid());
+}
+
+Hello make_hello() {
+    Hello hello;
+    hello.role = Role::Client;
+    hello.name = "cdctl " + host_name() + " " + std::to_string(::getpid());
+    hello.user = user_name() + "@" + host_name();
+    hello.build = std::string(version);
+    return hello;
+}
+
+Error other_poses() {
+    return {ErrorCode::BadFrame, "the master sent other poses than were asked for"};
+}
+
+/// Appends what came for scenarios `next` and on, at most `left`.
+Status take_poses(const JobPoses& part, std::uint64_t next, std::uint64_t left, FetchedPoses& all) {
+    if (part.first != next || part.count == 0 || part.count > left) {
+        return other_poses();
+    }
+    const auto scenarios = unpack_scenarios(part.scenarios, part.count);
+    if (!scenarios) {
+        return scenarios.error();
+    }
+    const auto fits = [&](std::size_t labels) { return labels == 0 || labels == part.count; };
+    const PoseLabels& labels = part.labels;
+    if (scenarios.value().size() != part.count || scenarios.value().front().index != next ||
+        !fits(labels.integers.size()) || !fits(labels.texts.size()) || !fits(labels.times.size())) {
+        return other_poses();
+    }
+    all.scenarios.insert(all.scenarios.end(), scenarios.value().begin(), scenarios.value().end());
+    all.labels.append(labels);
+    return Done{};
+}
+
+} // namespace
+
+struct Connection::State {
+    asio::io_context context{1};
+    std::function<bool()> stopped;
+    bool heeds_stop = true;
+    std::string address;
+    std::string owner;
+    std::shared_ptr<Channel> channel;
+
+    template <class T>
+    Result<T> run(asio::awaitable<Result<T>> coroutine);
+    void run_until(const bool& done);
+
+    [[nodiscard]] bool is_stopped() const { return heeds_stop && stopped(); }
+
+    asio::awaitable<Status> open(Target target);
+    asio::awaitable<Result<Message>> receive(Clock::duration timeout);
+    asio::awaitable<Status> make_room();
+    template <class T>
+    asio::awaitable<Result<T>> answer(Clock::duration timeout);
+    template <class T>
+    asio::awaitable<Result<T>> ask(Message question);
+    asio::awaitable<Status> upload(std::span<const NamedMesh> meshes,
+                                   const UploadProgress& progress);
+    asio::awaitable<Status> upload_one(const NamedMesh& mesh, const UploadProgress& progress);
+    asio::awaitable<Result<JobId>>
+    submit(Submit submit, PoseSource* poses, const PoseLabels& labels);
+    asio::awaitable<Result<JobStatus>>
+    watch(JobId job,
+          const std::function<void(const JobStatus&)>& changed,
+          const std::function<void(const ClusterStatus&)>& looked);
+    asio::awaitable<Result<JobStatus>> cancel(JobId job);
+};
+
+// ---- Waiting --------------------------------------------------------------------------------
+
+/// The handler of co_spawn would need a result that can be nothing.
+template <class T>
+asio::awaitable<void> keep(asio::awaitable<Result<T>> coroutine, std::optional<Result<T>>& result) {
+    result = co_await std::move(coroutine);
+}
+
+/// Runs the coroutine to its end on this thread.
+template <class T>
+Result<T> Connection::State::run(asio::awaitable<Result<T>> coroutine) {
+    std::optional<Result<T>> result;
+    bool done = false;
+    asio::co_spawn(context,
+                   keep(std::move(coroutine), result),
+                   [this, &done](const std::exception_ptr& thrown) {
+                       if (thrown) {
+                           std::rethrow_exception(thrown);
+                       }
+                       done = true;
+                       context.stop(); // The channel reads on, and would be waited for.
+                   });
+    run_until(done);
+    return done ? std::move(*result) : Result<T>(interrupted());
+}
+
+/// Waits themselves look whether they are stopped. Where one does not, closing the channel ends it
+/// (a peer that does not read); before there is a channel, whatever goes on is left to the
+/// destructor.
+void Connection::State::run_until(const bool& done) {
+    std::optional<Clock::time_point> stopped_at;
+    while (!done) {
+        context.restart();
+        context.run_for(limits::stop_check_period);
+        if (done || !is_stopped()) {
+            continue;
+        }
+        stopped_at = stopped_at.value_or(Clock::now());
+        if (channel == nullptr) {
+            return;
+        }
+        if (Clock::now() - *stopped_at > limits::stop_patience) {
+            channel->close();
+        }
+    }
+}
+
+asio::awaitable<Result<Message>> Connection::State::receive(Clock::duration timeout) {
+    const auto deadline = Clock::now() + timeout;
+    while (true) {
+        if (is_stopped()) {
+            co_return interrupted();
+        }
+        const Clock::duration left = deadline - Clock::now();
+        Result<Message> message = co_await channel->receive(
+            std::clamp<Clock::duration>(left, Clock::duration(0), limits::stop_check_period));
+        if (message || message.error().code != ErrorCode::Timeout) {
+            co_return message;
+        }
+        if (left <= Clock::duration(0)) {
+            co_return Error{ErrorCode::Timeout, "the master at " + address + " does not answer"};
+        }
+    }
+}
+
+/// Before more is sent.
+asio::awaitable<Status> Connection::State::make_room() {
+    if (is_stopped()) {
+        co_return interrupted();
+    }
+    co_await channel->wait_until_queued_below(limits::client_write_queue_bytes_max);
+    if (is_stopped()) {
+        co_return interrupted();
+    }
+    co_return Done{};
+}
+
+template <class T>
+asio::awaitable<Result<T>> Connection::State::answer(Clock::duration timeout) {
+    Result<Message> message = co_await receive(timeout);
+    if (!message) {
+        co_return message.error();
+    }
+    if (auto* expected = std::get_if<T>(&message.value())) {
+        co_return std::move(*expected);
+    }
+    if (const auto* failure = std::get_if<Failure>(&message.value())) {
+        co_return Error{failure->code, failure->detail};
+    }
+    co_return Error{ErrorCode::BadFrame, "the master at " + address + " answers something else"};
+}
+
+template <class T>
+asio::awaitable<Result<T>> Connection::State::ask(Message question) {
+    channel->send(question);
+    co_return co_await answer<T>(limits::answer_timeout);
+}
+
+// ---- Conversations --------------------------------------------------------------------------
+
+asio::awaitable<Status> Connection::State::open(Target target) {
+    Result<std::shared_ptr<Channel>> connected = co_await connect(std::move(target));
+    if (!connected) {
+        co_return connected.error();
+    }
+    channel = std::move(connected.value());
+    const Result<Welcome> welcome = co_await greet(channel, make_hello());
+    if (!welcome) {
+        co_return welcome.error();
+    }
+    owner = welcome.value().owner;
+    co_return Done{};
+}
+
+asio::awaitable<Status> Connection::State::upload(std::span<const NamedMesh> meshes,
+                                                  const UploadProgress& progress) {
+    MeshesQuery query;
+    for (const NamedMesh& mesh : meshes) {
+        query.meshes.push_back(mesh.mesh->hash());
+    }
+    const auto missing = co_await ask<MeshesMissing>(query);
+    if (!missing) {
+        co_return missing.error();
+    }
+    std::set<Sha256> wanted(missing.value().meshes.begin(), missing.value().meshes.end());
+    for (const NamedMesh& mesh : meshes) {
+        if (wanted.erase(mesh.mesh->hash()) == 0) {
+            continue;
+        }
+        if (Status status = co_await upload_one(mesh, progress); !status) {
+            co_return status;
+        }
+    }
+    co_return Done{};
+}
+
+asio::awaitable<Status> Connection::State::upload_one(const NamedMesh& mesh,
+                                                      const UploadProgress& progress) {
+    const Bytes bytes = mesh.mesh->canonical_bytes();
+    progress(mesh, 0, bytes.size());
+    for (std::size_t offset = 0; offset < bytes.size(); offset += limits::mesh_piece_bytes) {
+        if (Status status = co_await make_room(); !status) {
+            co_return status;
+        }
+        const auto piece = std::span(bytes).subspan(
+            offset, std::min(limits::mesh_piece_bytes, bytes.size() - offset));
+        channel->send(MeshPart{mesh.mesh->hash(),
+                               escaped(mesh.name),
+                               bytes.size(),
+                               offset,
+                               Bytes(piece.begin(), piece.end())});
+        progress(mesh, offset + piece.size(), bytes.size());
+    }
+    const auto stored = co_await answer<MeshStored>(limits::mesh_stored_timeout);
+    if (!stored) {
+        const std::string what =
+            mesh.name + " (" + cell_text(static_cast<double>(bytes.size()), CellKind::Size) + ")";
+        co_return stored.error().code == ErrorCode::Io ? no_room(what, stored.error())
+                                                       : stored.error();
+    }
+    if (stored.value().mesh != mesh.mesh->hash()) {
+        co_return Error{ErrorCode::BadFrame, "the master confirms another mesh than it was sent"};
+    }
+    co_return Done{};
+}
+
+asio::awaitable<Result<JobId>>
+Connection::State::submit(Submit submit, PoseSource* poses, const PoseLabels& labels) {
+    channel->send(submit);
+    for (std::uint64_t sent = 0; poses != nullptr && sent < submit.scenarios;) {
+        const auto run = poses->read(sent, std::min(poses_together, submit.scenarios - sent));
+        if (!run) {
+            co_return run.error();
+        }
+        if (const Status status = co_await make_room(); !status) {
+            co_return status.error();
+        }
+        channel->send(
+            PosesPart{pack_scenarios(run.value()), labels.slice(sent, run.value().size())});
+        sent += run.value().size();
+    }
+    if (poses != nullptr) {
+        channel->send(PosesEnd{});
+    }
+    const auto accepted = co_await answer<Accepted>(limits::mesh_stored_timeout);
+    if (!accepted) {
+        const std::string what = "the poses of " + counted(submit.scenarios, "scenario");
+        co_return accepted.error().code == ErrorCode::Io ? no_room(what, accepted.error())
+                                                         : accepted.error();
+    }
+    co_return accepted.value().job;
+}
+
+/// A job may stand still for long, and then there is nothing to say about it. So the master is
+/// asked about the cluster after each silence, and now and then besides; a master that is gone does
+/// not answer.
+asio::awaitable<Result<JobStatus>>
+Connection::State::watch(JobId job,
+                         const std::function<void(const JobStatus&)>& changed,
+                         const std::function<void(const ClusterStatus&)>& looked) {
+    channel->send(Watch{job});
+    auto heard = Clock::now();
+    auto asked = heard;
+    if (looked) {
+        channel->send(StatusQuery{});
+    }
+    while (true) {
+        const Result<Message> message =
+            co_await receive(looked ? limits::watch_look_period : limits::answer_timeout);
+        const auto now = Clock::now();
+        if (!message && (message.error().code != ErrorCode::Timeout ||
+                         now - heard > 2 * limits::answer_timeout)) {
+            co_return message.error();
+        }
+        if (!message || (looked && now - asked > limits::watch_look_period_going_on)) {
+            channel->send(StatusQuery{});
+            asked = now;
+        }
+        if (!message) {
+            continue;
+        }
+        heard = now;
+        if (const auto* cluster = std::get_if<ClusterStatus>(&message.value())) {
+            if (looked) {
+                looked(*cluster);
+            }
+            continue;
+        }
+        if (const auto* failure = std::get_if<Failure>(&message.value())) {
+            co_return Error{failure->code, failure->detail};
+        }
+        const auto* status = std::get_if<JobStatus>(&message.value());
+        if (status == nullptr) {
+            continue;
+        }
+        changed(*status);
+        if (status->state != JobState::Running) {
+            co_return *status;
+        }
+    }
+}
+
+/// A watch that was interrupted may still be answered before the cancel is.
+asio::awaitable<Result<JobStatus>> Connection::State::cancel(JobId job) {
+    channel->send(Cancel{job});
+    while (true) {
+        Result<JobStatus> status = co_await answer<JobStatus>(limits::answer_timeout);
+        if (!status || status.value().state != JobState::Running) {
+            co_return status;
+        }
+    }
+}
+
+// ---- The connection -------------------------------------------------------------------------
+
+Connection::Connection(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+Connection::~Connection() {
+    // What has been sent is on its way; the master forgets this client when the socket closes.
+    if (state_->channel != nullptr) {
+        state_->channel->close();
+    }
+    state_->context.restart();
+    state_->context.poll();
+}
+
+Result<std::unique_ptr<Connection>> Connection::open(const std::string& address,
+                                                     bool insecure,
+                                                     std::function<bool()> stopped,
+                                                     std::shared_ptr<const Tls> tls) {
+    const Result<Endpoint> endpoint = parse_endpoint(address);
+    if (!endpoint) {
+        return endpoint.error();
+    }
+    const Exposure exposure{tls != nullptr, insecure, false};
+    if (const Status exposed = check_exposure(endpoint.value(), exposure); !exposed) {
+        return exposed.error();
+    }
+    auto state = std::make_unique<State>();
+    state->address = address;
+    state->stopped = std::move(stopped);
+    if (const Status opened = state->run(state->open({endpoint.value(), std::move(tls)}));
+        !opened) {
+        return opened.error();
+    }
+    return std::unique_ptr<Connection>(new Connection(std::move(state)));
+}
+
+Status Connection::upload(std::span<const NamedMesh> meshes, const UploadProgress& progress) {
+    return state_->run(state_->upload(meshes, progress));
+}
+
+Result<JobId> Connection::submit(const Submit& submit) {
+    return state_->run(state_->submit(submit, nullptr, {}));
+}
+
+Result<JobId> Connection::submit(Submit submit, PoseSource& poses, const PoseLabels& labels) {
+    submit.grid.reset();
+    submit.scenarios = poses.count();
+    submit.poses.labels = labels.columns();
+    CD_CHECK(submit.poses.labels.fit(labels, submit.scenarios));
+    return state_->run(state_->submit(std::move(submit), &poses, labels));
+}
+
+Result<JobStatus> Connection::watch(JobId job,
+                                    const std::function<void(const JobStatus&)>& changed,
+                                    const std::function<void(const ClusterStatus&)>& looked) {
+    return state_->run(state_->watch(job, changed, looked));
+}
+
+Status Connection::fetch(JobId job,
+                         std::uint64_t first,
+                         std::uint64_t count,
+                         const std::function<Status(const ScenarioResult&)>& take) {
+    std::uint64_t next = first;
+    while (next - first < count) {
+        const auto part =
+            state_->run(state_->ask<ResultsPart>(ResultsQuery{job, next, count - (next - first)}));
+        if (!part) {
+            return part.error();
+        }
+        const auto results = unpack_results(part.value(), next, count - (next - first));
+        if (!results) {
+            return results.error();
+        }
+        for (const ScenarioResult& result : results.value()) {
+            if (Status taken = take(result); !taken) {
+                return taken;
+            }
+        }
+        next = part.value().next;
+    }
+    return Done{};
+}
+
+Result<JobDescription> Connection::job_description(JobId job) {
+    Result<JobDescription> described = state_->run(state_->ask<JobDescription>(JobQuery{job}));
+    if (described && described.value().job != job) {
+        return Error{ErrorCode::BadFrame, "the master describes another job than was asked for"};
+    }
+    return described;
+}
+
+Result<Mesh> Connection::fetch_mesh(const Sha256& mesh) {
+    Bytes bytes;
+    std::uint64_t total = 0;
+    do {
+        const auto part = state_->run(state_->ask<MeshBytes>(MeshQuery{mesh, bytes.size()}));
+        if (!part) {
+            return part.error();
+        }
+        const MeshBytes& came = part.value();
+        total = came.bytes_total;
+        if (came.mesh != mesh || came.offset != bytes.size() || came.bytes.empty()) {
+            return Error{ErrorCode::BadFrame, "the master sent another mesh than was asked for"};
+        }
+        bytes.insert(bytes.end(), came.bytes.begin(), came.bytes.end());
+    } while (bytes.size() < total);
+    if (sha256(bytes) != mesh) {
+        return Error{ErrorCode::BadFrame, "the mesh that came does not have its hash"};
+    }
+    return Mesh::from_canonical_bytes(bytes);
+}
+
+Result<FetchedPoses> Connection::fetch_poses(JobId job, std::uint64_t first, std::uint64_t count) {
+    FetchedPoses all;
+    while (all.scenarios.size() < count) {
+        const std::uint64_t next = first + all.scenarios.size();
+        const std::uint64_t left = count - all.scenarios.size();
+        const auto part = state_->run(state_->ask<JobPoses>(PosesQuery{job, next, left}));
+        if (!part) {
+            return part.error();
+        }
+        const Status taken = take_poses(part.value(), next, left, all);
+        if (!taken) {
+            return taken.error();
+        }
+    }
+    return all;
+}
+
+const std::string& Connection::owner() const {
+    return state_->owner;
+}
+
+Result<ContactMapAnswer> Connection::contact_map(JobId job) {
+    return state_->run(state_->ask<ContactMapAnswer>(ContactMapQuery{job}));
+}
+
+Result<ClusterStatus> Connection::status() {
+    return state_->run(state_->ask<ClusterStatus>(StatusQuery{}));
+}
+
+Result<JobStatus> Connection::cancel(JobId job) {
+    // The one thing that is still done after a stop.
+    state_->heeds_stop = false;
+    Result<JobStatus> status = state_->run(state_->cancel(job));
+    state_->heeds_stop = true;
+    return status;
+}
+
+Result<JobStatus> Connection::cancel_scenario(JobId job, std::uint64_t scenario) {
+    return state_->run(state_->ask<JobStatus>(Cancel{job, scenario}));
+}
+
+Result<Removed> Connection::remove_job(JobId job, bool cancel) {
+    return state_->run(state_->ask<Removed>(Remove{job, cancel}));
+}
+
+Result<Removed> Connection::remove_mesh(const Sha256& mesh) {
+    return state_->run(state_->ask<Removed>(RemoveMesh{mesh}));
+}
+
+Result<Draining> Connection::drain(const DrainWorkers& wish) {
+    return state_->run(state_->ask<Draining>(wish));
+}
+
+Result<Explained> Connection::explain(JobId job, std::uint64_t scenario) {
+    return state_->run(state_->ask<Explained>(Explain{job, scenario}));
+}
+
+Result<TokenCreated> Connection::create_token(const TokenCreate& terms) {
+    return state_->run(state_->ask<TokenCreated>(terms));
+}
+
+Status Connection::pause(std::chrono::milliseconds time) {
+    const auto end = Clock::now() + time;
+    while (Clock::now() < end) {
+        if (state_->is_stopped()) {
+            return interrupted();
+        }
+        state_->context.restart();
+        asio::steady_timer timer(
+            state_->context,
+            std::min<Clock::duration>(limits::stop_check_period, end - Clock::now()));
+        bool is_over = false;
+        timer.async_wait([&is_over](const boost::system::error_code&) { is_over = true; });
+        // Not until there is nothing to do: the channel's own deadlines may be far away.
+        while (!is_over) {
+            state_->context.run_one();
+        }
+    }
+    return Done{};
+}
+
+} // namespace cd

@@ -1,0 +1,39 @@
+// Renews a user's credential while a verb waits for long.
+#pragma once
+
+#include "client/cli/cli.hpp"
+#include "proto/channel/channel.hpp"
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+
+namespace cd {
+
+/// Renews the credential for a master, and its file, after each half of its lifetime, on its own
+/// thread. Does nothing without a credential.
+class CredentialRenewal {
+  public:
+    CredentialRenewal(MasterOptions options, Endpoint master);
+    CredentialRenewal(const CredentialRenewal&) = delete;
+    CredentialRenewal& operator=(const CredentialRenewal&) = delete;
+    ~CredentialRenewal();
+
+    /// The number of renewals so far.
+    [[nodiscard]] std::uint64_t count() const { return count_; }
+
+  private:
+    void keep(const std::stop_token& stop);
+
+    MasterOptions options_;
+    Endpoint master_;
+    std::atomic<std::uint64_t> count_ = 0;
+    std::mutex mutex_;
+    std::condition_variable_any stopped_;
+    std::jthread thread_;
+};
+
+} // namespace cd

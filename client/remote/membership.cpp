@@ -1,0 +1,125 @@
+#include "client/remote/membership.hpp"
+
+#include "common/core/files/state_folder.hpp"
+#include "proto/access/credential_file.hpp"
+#include "proto/access/join.hpp"
+
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+constexpr std::string_view no_credential = "none";
+
+asio::awaitable<void> keep(asio::awaitable<Result<Credential>> coroutine,
+                           std::optional<Result<Credential>>& result) {
+    result = co_await std::move(coroutine);
+}
+
+/// Runs the conversation on this thread to its end, or until it is stopped. Each of its waits has a
+/// deadline. Errors: also Interrupted.
+Result<Credential> run(asio::awaitable<Result<Credential>> conversation,
+                       const std::stop_token& stop = {}) {
+    asio::io_context context(1);
+    const std::stop_callback end(stop, [&context] { context.stop(); });
+    std::optional<Result<Credential>> result;
+    asio::co_spawn(
+        context, keep(std::move(conversation), result), [](const std::exception_ptr& thrown) {
+            if (thrown) {
+                std::rethrow_exception(thrown);
+            }
+        });
+    context.run();
+    return result ? std::move(*result) : Error{ErrorCode::Interrupted, "interrupted"};
+}
+
+Result<Credential> renewed(const Endpoint& master,
+                           std::shared_ptr<const Tls> tls,
+                           const std::filesystem::path& path,
+                           const std::stop_token& stop) {
+    Result<Credential> credential = run(renew_credential(master, std::move(tls)), stop);
+    if (!credential) {
+        return credential;
+    }
+    if (const Status written = write_credential(path, credential.value()); !written) {
+        return written.error();
+    }
+    return credential;
+}
+
+} // namespace
+
+std::filesystem::path client_credential_path(const MasterOptions& options, const Endpoint& master) {
+    if (options.credential == no_credential) {
+        return {};
+    }
+    return options.credential.empty() ? credential_path(state_folder() / "client", master)
+                                      : std::filesystem::path(options.credential);
+}
+
+Result<std::shared_ptr<const Tls>>
+client_tls(const MasterOptions& options, const Endpoint& master, const std::stop_token& stop) {
+    const std::filesystem::path path = client_credential_path(options, master);
+    if (path.empty()) {
+        return std::shared_ptr<const Tls>();
+    }
+    const Result<Credential> credential = read_credential(path);
+    if (!credential) {
+        const bool is_optional = options.credential.empty();
+        return is_optional && credential.error().code == ErrorCode::NotFound
+                   ? Result<std::shared_ptr<const Tls>>(nullptr)
+                   : Result<std::shared_ptr<const Tls>>(credential.error());
+    }
+    auto tls = Tls::make(credential.value());
+    if (!tls || std::chrono::system_clock::now() < renew_at(*tls.value()->identity())) {
+        return tls;
+    }
+    const Result<Credential> next = renewed(master, tls.value(), path, stop);
+    if (!next && next.error().code == ErrorCode::Interrupted) {
+        return tls;
+    }
+    if (!next) {
+        // The old one may still be good; if it is not, the master says so.
+        std::fprintf(stderr,
+                     "cdctl: warning: the credential %s was not renewed: %s\n",
+                     path.c_str(),
+                     next.error().detail.c_str());
+        return tls;
+    }
+    return Tls::make(next.value());
+}
+
+std::optional<std::chrono::system_clock::time_point> renewal_time(const MasterOptions& options,
+                                                                  const Endpoint& master) {
+    const std::filesystem::path path = client_credential_path(options, master);
+    const Result<Credential> credential =
+        path.empty() ? Error{ErrorCode::NotFound, ""} : read_credential(path);
+    if (!credential) {
+        return std::nullopt;
+    }
+    const auto identity = read_identity(credential.value().certificate);
+    return identity ? std::optional(renew_at(identity.value())) : std::nullopt;
+}
+
+Result<Identity> join_as_client(const Endpoint& master,
+                                const JoinToken& token,
+                                const std::string& name,
+                                const std::filesystem::path& path) {
+    // A token's use is spent when there is a credential to be written.
+    if (const Status can_write = check_can_write(path); !can_write) {
+        return can_write.error();
+    }
+    const Result<Credential> credential = run(join_cluster(master, token, name));
+    if (!credential) {
+        return credential.error();
+    }
+    if (const Status written = write_credential(path, credential.value()); !written) {
+        return written.error();
+    }
+    return read_identity(credential.value().certificate);
+}
+
+} // namespace cd

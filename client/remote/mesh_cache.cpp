@@ -1,0 +1,77 @@
+#include "client/remote/mesh_cache.hpp"
+
+#include "client/trees/tree_cache.hpp"
+
+#include <array>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+constexpr std::string_view mesh_suffix = ".mesh";
+
+} // namespace
+
+std::filesystem::path mesh_file_path(const std::filesystem::path& folder, const Sha256& mesh) {
+    return folder / (to_hex(mesh) + std::string(mesh_suffix));
+}
+
+Status write_mesh_file(const std::filesystem::path& path, const Mesh& mesh, Durability durability) {
+    auto file = DiskFile::create_for(path);
+    if (!file) {
+        return file.error();
+    }
+    if (Status written = file.value().write_at(0, mesh.canonical_bytes()); !written) {
+        return written;
+    }
+    return file.value().commit(durability);
+}
+
+Result<std::shared_ptr<const Mesh>> read_mesh_file(const std::filesystem::path& path,
+                                                   const Sha256& expected) {
+    const auto file = DiskFile::open(path);
+    if (!file) {
+        return file.error();
+    }
+    const auto size = file.value().size();
+    const auto bytes = size ? file.value().read_at(0, size.value()) : Result<Bytes>(size.error());
+    if (!bytes) {
+        return bytes.error();
+    }
+    auto mesh = Mesh::from_canonical_bytes(bytes.value());
+    if (!mesh || mesh.value().hash() != expected) {
+        return Error{ErrorCode::Io, path.string() + " is damaged: it has another SHA-256"};
+    }
+    return std::make_shared<const Mesh>(std::move(mesh.value()));
+}
+
+std::shared_ptr<const Mesh> MeshCache::find(const Sha256& mesh) const {
+    if (folder_.empty()) {
+        return nullptr;
+    }
+    const std::filesystem::path path = mesh_file_path(folder_, mesh);
+    const auto found = read_mesh_file(path, mesh);
+    if (!found) {
+        return nullptr;
+    }
+    // Marks the file as used now. In a read-only folder the order stays as it is.
+    std::error_code ignored;
+    std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), ignored);
+    return found.value();
+}
+
+void MeshCache::keep(const Mesh& mesh) const {
+    if (folder_.empty() || !make_directories(folder_)) {
+        return;
+    }
+    const std::filesystem::path path = mesh_file_path(folder_, mesh.hash());
+    // Not synced: a mesh lost in a power failure is fetched again, and syncing costs more.
+    if (write_mesh_file(path, mesh, Durability::Unsynced)) {
+        keep_within(folder_, std::array{mesh_suffix}, bytes_max_, path);
+    }
+}
+
+} // namespace cd

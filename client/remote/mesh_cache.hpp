@@ -1,0 +1,47 @@
+// Mesh files in canonical form, and a cache of meshes fetched from a master.
+#pragma once
+
+#include "common/core/files/disk_file.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/core/result.hpp"
+#include "common/geometry/mesh.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+namespace cd {
+
+/// The path "SHA-256.mesh" in a folder.
+[[nodiscard]] std::filesystem::path mesh_file_path(const std::filesystem::path& folder,
+                                                   const Sha256& mesh);
+
+/// Writes a mesh's canonical bytes. Errors: Io.
+[[nodiscard]] Status write_mesh_file(const std::filesystem::path& path,
+                                     const Mesh& mesh,
+                                     Durability durability = Durability::Synced);
+
+/// Reads a mesh file. Errors: NotFound; Io naming the file, also if its hash is not `expected`.
+[[nodiscard]] Result<std::shared_ptr<const Mesh>> read_mesh_file(const std::filesystem::path& path,
+                                                                 const Sha256& expected);
+
+/// The folder `meshes` in the tree cache, which several processes may share. Problems are never
+/// errors: an unusable file counts as missing, and a mesh that cannot be written is not kept.
+class MeshCache {
+  public:
+    /// With an empty path nothing is kept or found.
+    explicit MeshCache(const std::filesystem::path& tree_cache,
+                       std::uint64_t bytes_max = limits::tree_cache_bytes_max)
+        : folder_(tree_cache.empty() ? tree_cache : tree_cache / "meshes"), bytes_max_(bytes_max) {}
+
+    /// The mesh, checked against its hash; or null.
+    [[nodiscard]] std::shared_ptr<const Mesh> find(const Sha256& mesh) const;
+    /// Keeps a mesh, and removes the least recently used ones until the cache is within its bound.
+    void keep(const Mesh& mesh) const;
+
+  private:
+    std::filesystem::path folder_;
+    std::uint64_t bytes_max_;
+};
+
+} // namespace cd

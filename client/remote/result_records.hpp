@@ -1,0 +1,18 @@
+// Results as they come from a master, back into values.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/job/result/result.hpp"
+#include "proto/messages/client_messages.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace cd {
+
+/// The results of scenarios [first, part.next) in order; the part must cover 1 to `count`
+/// scenarios. The bytes may be hostile. Errors: BadFrame for a part with anything else; TooLarge.
+[[nodiscard]] Result<std::vector<ScenarioResult>>
+unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count);
+
+} // namespace cd

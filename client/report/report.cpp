@@ -1,0 +1,327 @@
+#include "client/report/report.hpp"
+
+#include "client/base/table.hpp"
+#include "client/base/words.hpp"
+#include "common/geometry/aabb.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace cd {
+
+namespace {
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(text.size(), width), ' ');
+    return text;
+}
+
+std::string right_aligned(const std::string& text, std::size_t width) {
+    return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
+}
+
+/// Three significant digits, or all before the point.
+std::string length_text(double value) {
+    if (value != 0 && (std::abs(value) < 0.01 || std::abs(value) >= 1e7)) {
+        std::string text(32, '\0');
+        text.resize(
+            static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.3g", value)));
+        return text;
+    }
+    return fixed_text(value, std::abs(value) < 0.1 ? 4 : std::abs(value) < 100 ? 2 : 0);
+}
+
+std::string box_text(const BodyLine& body) {
+    return length_text(body.size.x()) + " x " + length_text(body.size.y()) + " x " +
+           length_text(body.size.z()) + " " + body.unit;
+}
+
+std::string closed_text(const BodyLine& body) {
+    return !body.closed ? "" : *body.closed ? "closed" : "open";
+}
+
+std::string percent(std::uint64_t part, std::uint64_t whole) {
+    return fixed_text(whole == 0 ? 0.0
+                                 : 100.0 * static_cast<double>(part) / static_cast<double>(whole),
+                      1) +
+           " %";
+}
+
+} // namespace
+
+BodyLine describe_body(const std::string& name, const std::string& unit, const Mesh& mesh) {
+    BodyLine line;
+    line.name = name;
+    line.unit = unit;
+    line.triangles = mesh.triangles().size();
+    line.size = bounding_box(mesh.vertices()).size();
+    line.parts = std::max<std::size_t>(1, mesh.parts().size());
+    return line;
+}
+
+std::string header_text(const BodyLine& a,
+                        const BodyLine& b,
+                        std::uint64_t scenarios,
+                        const std::string& poses) {
+    const std::size_t name = std::max({a.name.size(), b.name.size(), std::size_t{14}});
+    const std::size_t count =
+        std::max({grouped(a.triangles).size(), grouped(b.triangles).size(), std::size_t{7}});
+    const std::size_t box = std::max(box_text(a).size(), box_text(b).size());
+    std::string text;
+    const auto add = [&](char letter, const BodyLine& body) {
+        const std::string closed = closed_text(body);
+        text += std::string("  ") + letter + "  " + padded(body.name, name) + "  " +
+                right_aligned(grouped(body.triangles), count) + " triangles   " +
+                padded(box_text(body), box) + "   " +
+                (closed.empty() ? "" : padded(closed, 6) + "   ") + counted(body.parts, "part") +
+                "\n";
+        for (const std::string& note : body.notes) {
+            text += "     " + note + "\n";
+        }
+    };
+    add('A', a);
+    add('B', b);
+    text += "  " + padded("poses", name + 3) + "  " + right_aligned(grouped(scenarios), count) +
+            (poses.empty() ? "" : "  " + poses) + "\n";
+    return text;
+}
+
+std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b) {
+    const double size_a = a.size.stableNorm();
+    const double size_b = b.size.stableNorm();
+    if (!(size_a > 0) || !(size_b > 0)) {
+        return std::nullopt;
+    }
+    const double ratio = std::max(size_a, size_b) / std::min(size_a, size_b);
+    for (const double suspect : {25.4, 1000.0}) {
+        if (std::abs(ratio / suspect - 1) <= 0.02) {
+            return "warning: " + (size_a > size_b ? a.name : b.name) + " is " +
+                   fixed_text(ratio, 1) + " times as large as " +
+                   (size_a > size_b ? b.name : a.name) + "; if one is in another unit (" +
+                   (suspect < 100 ? "in or mm" : "mm or m") + "), give its unit";
+        }
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+constexpr const char* green = "\x1b[32m";
+constexpr const char* yellow = "\x1b[33m";
+constexpr const char* red = "\x1b[31m";
+
+std::string coloured(const std::string& text, const char* colour, bool colours) {
+    return colours ? colour + text + "\x1b[0m" : text;
+}
+
+/// The suffix for a sum over listed pairs only; empty if all pairs are listed.
+std::string first_pairs_text(const RunReport& report) {
+    return report.limit_pairs == 0
+               ? ""
+               : ", of the first " + counted(report.limit_pairs, "pair") + " a scenario";
+}
+
+std::string map_text(const RunReport& report) {
+    if (!report.map) {
+        return {};
+    }
+    const auto& [a, b] = report.map->bodies;
+    return "  map           " + counted(a.size(), "triangle") + " of A and " + grouped(b.size()) +
+           " of B were in contact" + (report.maps_all_pairs ? "" : first_pairs_text(report)) +
+           "; digest " + to_short_hex(digest_of(*report.map)) + "\n";
+}
+
+/// Gives counts instead of shares if some pairs are not listed, since shares would be too low.
+std::string most_touched_text(const RunReport& report) {
+    std::string text;
+    for (const PartTally::Touched& part : report.most_touched) {
+        text += (text.empty() ? "  most touched  " : ", ") + part.part + " " +
+                (report.limit_pairs == 0 ? percent(part.scenarios, report.summary.tested())
+                                         : grouped(part.scenarios));
+    }
+    return text.empty() ? text : text + first_pairs_text(report) + "\n";
+}
+
+std::string classes_text(const Summary& summary, Level level, bool colours) {
+    std::string text = "  " + coloured("separate  " + grouped(summary.separate), green, colours);
+    const auto add = [&](const std::string& name, std::uint64_t count, const char* colour) {
+        const std::string part = name + " " + grouped(count);
+        text += "    " + coloured(part, colour, colours && count != 0);
+    };
+    if (level == Level::Any) {
+        add("contact", summary.contact, red);
+        add("inside", summary.inside, red);
+    } else {
+        add("touch", summary.touch, yellow);
+        add("cross", summary.cross, red);
+        text += summary.pairs == 0 ? "" : " (" + counted(summary.pairs, "pair") + ")";
+        add("inside", summary.inside, red);
+    }
+    if (summary.undecided != 0) {
+        add("undecided", summary.undecided, yellow);
+    }
+    add("failed", summary.failed, red);
+    return text + "    tested " + grouped(summary.tested()) + " of " + grouped(summary.total) +
+           "\n";
+}
+
+/// "99.97 %", never 0 of what is there, nor all where some is missing.
+std::string share_text(std::uint64_t part, std::uint64_t whole) {
+    const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+    if (part != 0 && share < 0.005) {
+        return "< 0.01 %";
+    }
+    return part != whole && share >= 99.995 ? "> 99.99 %" : fixed_text(share, 2) + " %";
+}
+
+std::string settled_text(const PairStatistics& decisions) {
+    std::string text;
+    for (std::size_t i = 0; i < pair_stage_count; ++i) {
+        const auto stage = static_cast<PairStage>(i);
+        if (decisions[stage] != 0) {
+            text += (text.empty() ? "; settled in " : ", ") + std::string(to_text(stage)) + " " +
+                    share_text(decisions[stage], decisions.total());
+        }
+    }
+    return text;
+}
+
+/// The paper's cost function, of the mean scenario.
+std::string
+cost_text(const SearchCost& cost, const QueryStatistics& search, std::uint64_t scenarios) {
+    return "  cost          N_b C_b + N_p C_p = " + grouped(search.box_tests / scenarios) + " x " +
+           fixed_text(cost.box_test_ns, 2) + " ns + " + grouped(search.triangle_tests / scenarios) +
+           " x " + fixed_text(cost.triangle_test_ns, 2) + " ns = " +
+           fixed_text(1e6 * cost.seconds_of(search) / static_cast<double>(scenarios), 1) +
+           " us a scenario\n";
+}
+
+std::string statistics_text(const RunReport& report) {
+    std::string text;
+    const JobStatistics& statistics = report.statistics;
+    const QueryStatistics& search = statistics.search;
+    const std::uint64_t scenarios = std::max<std::uint64_t>(1, report.summary.merged());
+    if (search.box_tests != 0) {
+        text += "  visited       " + counted(search.box_tests / scenarios, "box pair") + ", " +
+                counted(search.triangle_tests / scenarios, "candidate") + " a scenario" +
+                settled_text(search.decisions) + "\n";
+    }
+    if (report.cost) {
+        text += cost_text(*report.cost, search, scenarios);
+    }
+    if (statistics.inside.scenarios != 0) {
+        text += "  inside        looked at in " + counted(statistics.inside.scenarios, "scenario") +
+                ", " + fixed_text(statistics.inside.seconds, 3) + " s of one thread\n";
+    }
+    return text;
+}
+
+/// What went over the network for the job.
+std::string traffic_text(const JobTraffic& traffic) {
+    const BlockTraffic& blocks = traffic.blocks;
+    const std::uint64_t needed = blocks.hits + blocks.misses;
+    std::string text = "  geometry      " + cell_text(blocks.master_bytes, CellKind::Size) +
+                       " from the master, " + cell_text(blocks.peer_bytes, CellKind::Size) +
+                       " from other workers\n";
+    text += "  caches        held what was needed " + grouped(blocks.hits) +
+            " times, asked for it " + grouped(blocks.misses) + " times" +
+            (needed == 0 ? "" : " (" + share_text(blocks.hits, needed) + ")") +
+            (blocks.hinted == 0 ? "" : ", " + grouped(blocks.hinted) + " asked for ahead") + ", " +
+            grouped(blocks.evictions) + " evicted\n";
+    return text + "  sent back     " + cell_text(traffic.result_bytes, CellKind::Size) +
+           " of results\n";
+}
+
+std::string seconds_text(double seconds) {
+    return fixed_text(seconds, seconds < 10 ? 2 : 1);
+}
+
+/// The time before the run, which `seconds` does not include; empty if it is short.
+std::string prepared_text(const RunReport& report) {
+    return report.prepare_seconds < 0.05
+               ? ""
+               : " (" + fixed_text(report.prepare_seconds, 1) + " s to read and build)";
+}
+
+std::string depths_text(const RunReport& report) {
+    if (report.depths.size() != 2) {
+        return "";
+    }
+    return "  depths        A cut at " + std::to_string(report.depths[0]) + ", B at " +
+           std::to_string(report.depths[1]) + "\n";
+}
+
+} // namespace
+
+std::string warnings_text(const RunReport& report) {
+    std::string text;
+    if (!report.map_withdrawn.empty()) {
+        text += "  map           withdrawn: " + report.map_withdrawn + "; run the job again\n";
+    }
+    if (report.inputs_are_too_large) {
+        text +=
+            "  inputs        not kept, since they are too large: opening the folder again needs "
+            "their files\n";
+    }
+    return text;
+}
+
+double hit_share(const BlockTraffic& blocks) {
+    const std::uint64_t needed = blocks.hits + blocks.misses;
+    return needed == 0 ? 0 : static_cast<double>(blocks.hits) / static_cast<double>(needed);
+}
+
+std::string summary_text(const RunReport& report, const SummaryStyle& style) {
+    const Summary& summary = report.summary;
+    const std::uint64_t run = summary.merged() - report.resumed_at;
+    const double rate = report.seconds > 0 ? static_cast<double>(run) / report.seconds : 0.0;
+    const double whole_rate = std::round(rate);
+    std::string text =
+        (summary.is_complete() ? "done in " : "ended after ") + seconds_text(report.seconds) +
+        " s" + prepared_text(report) + "      " +
+        (rate < 100 ? fixed_text(rate, 1) : grouped(static_cast<std::uint64_t>(whole_rate))) +
+        " scenarios/s" + (report.where.empty() ? "" : ", " + report.where) + "\n";
+    text += classes_text(summary, report.level, style.colours);
+    if (summary.surfaces_only != 0) {
+        text += "  surfaces only  in " + counted(summary.surfaces_only, "scenario") +
+                ": a body is open, so containment was not tested\n";
+    }
+    if (summary.insides_skipped != 0) {
+        text += "  containment not tested  in " + counted(summary.insides_skipped, "scenario") +
+                ": parts are ignored, and the rest of a body is not closed\n";
+    }
+    if (summary.cut != 0) {
+        text += "  cut lists  in " + counted(summary.cut, "scenario") +
+                ": limit_pairs was reached; the counts are true\n";
+    }
+    if (summary.undecided != 0) {
+        text += "  undecided     in " + counted(summary.undecided, "scenario") +
+                ": boxes as small as the tolerance were left; pairs are those proven, not all\n";
+    }
+    if (!report.hint.empty()) {
+        text += "  hint          " + report.hint + "\n";
+    }
+    text += map_text(report);
+    text += most_touched_text(report);
+    if (style.statistics) {
+        text += statistics_text(report);
+        text += depths_text(report);
+        text += report.traffic ? traffic_text(*report.traffic) : "";
+    }
+    if (report.digest) {
+        text += "  digest        " + to_short_hex(*report.digest) + "\n";
+    }
+    text += warnings_text(report);
+    text += report.summary_file.empty() ? "" : "  open it: " + report.summary_file + "\n";
+    return text;
+}
+
+bool colours_wanted(std::FILE* stream) {
+    const char* refused = std::getenv("NO_COLOR");
+    return (refused == nullptr || *refused == '\0') && isatty(fileno(stream)) != 0;
+}
+
+} // namespace cd

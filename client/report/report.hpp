@@ -1,0 +1,88 @@
+// The text of a run for people: the header and the summary.
+#pragma once
+
+#include "client/report/part_tally.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/geometry/topology.hpp"
+#include "common/job/result/contact_map.hpp"
+#include "common/job/result/merge.hpp"
+#include "common/job/result/result.hpp"
+#include "common/job/statistics.hpp"
+#include "common/search/search_cost.hpp"
+#include "proto/messages/traffic.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+/// What is said of one body.
+struct BodyLine {
+    std::string name;
+    std::string unit; ///< The job's.
+    std::uint64_t triangles = 0;
+    Vec3 size = Vec3::Zero();
+    std::uint64_t parts = 0;
+    std::optional<bool> closed;          ///< Nothing if unknown.
+    std::vector<std::string> notes = {}; ///< Printed below: how the file was interpreted.
+};
+
+[[nodiscard]] BodyLine
+describe_body(const std::string& name, const std::string& unit, const Mesh& mesh);
+
+/// The lines that stand before a run, each ended: bodies A and B, then the poses.
+[[nodiscard]] std::string header_text(const BodyLine& a,
+                                      const BodyLine& b,
+                                      std::uint64_t scenarios,
+                                      const std::string& poses);
+
+/// A warning where the bodies' sizes differ by 25.4 or 1000 within 2 %: then one is likely to be in
+/// another unit. Sizes are the diagonals of the boxes.
+[[nodiscard]] std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b);
+
+/// How a run went, for the lines after it.
+struct RunReport {
+    Summary summary;
+    Level level = Level::Pairs;
+    std::uint64_t limit_pairs = 0; ///< Maximum number of pairs in a result; 0: all.
+    bool maps_all_pairs = false;   ///< The map also counts pairs that are not listed.
+    std::optional<Sha256> digest;  ///< Nothing while scenarios are missing.
+    double seconds = 0;
+    JobStatistics statistics;
+    std::optional<SearchCost> cost;    ///< Cost of searches here; nothing on a cluster.
+    std::optional<JobTraffic> traffic; ///< Nothing where nothing travelled.
+    /// The distribution depth of each body's tree; empty if none was cut, or it is unknown.
+    std::vector<std::uint32_t> depths;
+    std::string where;                            ///< "2 threads", "2 workers"; may be empty.
+    std::optional<ContactMap> map;                ///< Where one was asked for,
+    std::string map_withdrawn;                    ///< or why there is none.
+    std::vector<PartTally::Touched> most_touched; ///< Counts listed pairs only.
+    std::string hint;                  ///< A line about poses without contact; may be empty.
+    double prepare_seconds = 0;        ///< Time to read and build; not in `seconds`.
+    std::uint64_t resumed_at = 0;      ///< Scenarios done by an earlier run.
+    std::string summary_file;          ///< Path of summary.json; may be empty.
+    bool inputs_are_too_large = false; ///< The results folder has no copy of them.
+};
+
+/// Options of the summary.
+struct SummaryStyle {
+    bool colours = false;    ///< For a terminal that takes them.
+    bool statistics = false; ///< Include search cost and network traffic.
+};
+
+/// The lines after a run, each ended.
+[[nodiscard]] std::string summary_text(const RunReport& report, const SummaryStyle& style = {});
+/// Those of the lines that a quiet run prints, too.
+[[nodiscard]] std::string warnings_text(const RunReport& report);
+
+/// The share of subtrees needed by scenarios that were in the workers' caches.
+[[nodiscard]] double hit_share(const BlockTraffic& blocks);
+
+/// True when what goes to the stream may be coloured: a terminal, and NO_COLOR is not set.
+[[nodiscard]] bool colours_wanted(std::FILE* stream);
+
+} // namespace cd

@@ -1,0 +1,110 @@
+// The description of a job, as job.toml or the command line gives it.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "common/job/query.hpp"
+#include "proto/messages/cluster_options.hpp"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace cd {
+
+struct BodySpec {
+    std::filesystem::path path;
+    std::string unit;             ///< Unit of coordinates; empty: the file's own, else the job's.
+    std::string name;             ///< For people; empty: the file's name.
+    std::string up = {};          ///< "y": turned to z up; "z" or empty: not turned.
+    bool rounds_to_float = false; ///< Round coordinates to floats.
+    /// The unit declared in the file if the job gives none; set when the file is read.
+    std::string declared_unit = {};
+};
+
+/// Poses that stand in a file; "-" is standard input.
+struct PoseFileSpec {
+    std::filesystem::path path;
+    std::string quat_order;      ///< "xyzw", "wxyz", or empty where the file itself says.
+    bool of_both_bodies = false; ///< Otherwise the poses are B's in A's frame.
+    std::optional<double> rigid_tolerance;
+    double length_factor = 1; ///< From the unit of the file's translations to the job's.
+    std::string unit = {};    ///< Unit of translations; empty: the job's.
+};
+
+/// Poses on a grid, both as tested and as written in the job.
+struct GridSpec {
+    Grid grid;
+    /// Axes x, y, z, then roll, pitch, yaw in degrees; empty if unknown.
+    std::vector<GridAxis> axes = {};
+    std::string unit = {}; ///< Unit of the first three axes; empty: the job's.
+};
+
+using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses>;
+
+/// Patterns of part names of A and of B, whose pairs are ignored. Patterns use shell wildcards; the
+/// body's name and a slash may precede the part's name, and a backslash escapes / * ? and [.
+struct IgnoreRule {
+    std::string a;
+    std::string b;
+    std::uint32_t line = 0; ///< In the job file; 0 where there is none.
+};
+
+struct OutputSpec {
+    std::filesystem::path dir;                      ///< Empty: results are not kept.
+    std::vector<std::string> formats{"csv", "npz"}; ///< Each once.
+    bool exact_points = false;                      ///< NPZ: also points at full precision.
+};
+
+struct JobSpec {
+    std::string name;
+    std::string unit = "m";
+    std::array<BodySpec, 2> bodies;
+    PosesSpec poses = RandomPoses{};
+    Level level = Level::Pairs;
+    double tolerance = 0; ///< In the job's unit.
+    std::uint64_t limit_pairs = 0;
+    bool maps = false;
+    std::vector<IgnoreRule> ignore;
+    OutputSpec output;
+    ClusterOptions cluster;
+    std::filesystem::path file; ///< The job file; empty where there is none.
+};
+
+/// Reads and checks a job file. Relative paths in it are relative to the folder that it stands in.
+/// Errors: NotFound, Io; BadInput naming the file, the line, the key, and for a word that is not
+/// known the nearest that is.
+[[nodiscard]] Result<JobSpec> read_job_file(const std::filesystem::path& path);
+
+/// The same on text; `path` is for messages and for relative paths.
+[[nodiscard]] Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path);
+
+/// The name of a body in exports: what the job calls it, else "a" or "b".
+[[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
+
+/// A tolerance above 0 fixes the distribution depths, so none may be given beside it. Errors:
+/// BadInput.
+[[nodiscard]] Status check_depths(const JobSpec& spec);
+
+/// Refuses options that the strategy would ignore. Errors: BadInput.
+[[nodiscard]] Status check_matching(const ClusterOptions& options);
+
+/// Parses a distribution depth: a number, or "auto" (nothing). Errors: BadInput.
+[[nodiscard]] Result<std::optional<std::uint32_t>> parse_depth(std::string_view text);
+
+/// Refuses maps at level any. Errors: BadInput.
+[[nodiscard]] Status check_maps(const JobSpec& spec);
+
+/// Removes repeated formats.
+void keep_each_once(std::vector<std::string>& formats);
+
+/// Errors: BadInput naming the formats that exist.
+[[nodiscard]] Status check_format(std::string_view format);
+
+} // namespace cd

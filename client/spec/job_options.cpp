@@ -1,0 +1,183 @@
+#include "client/spec/job_options.hpp"
+
+#include "client/base/units.hpp"
+#include "common/job/tolerance.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+Error usage(const std::string& what) {
+    return {ErrorCode::BadInput, what};
+}
+
+bool gives_inputs(const JobOptions& options) {
+    return !options.a.empty() || !options.b.empty() || !options.poses.empty() ||
+           !options.unit.empty() || !options.unit_a.empty() || !options.unit_b.empty() ||
+           !options.poses_unit.empty() || !options.quat_order.empty() || options.poses_of_both ||
+           options.rigid_tolerance || options.random || options.seed ||
+           !options.penetration.empty();
+}
+
+Result<PosesSpec> poses_of(const JobOptions& options) {
+    if (options.poses.empty() == !options.random) {
+        return usage("give the poses: either --poses FILE or --random N");
+    }
+    const bool has_random_option = options.seed || !options.penetration.empty();
+    const bool has_file_option = !options.poses_unit.empty() || !options.quat_order.empty() ||
+                                 options.poses_of_both || options.rigid_tolerance;
+    if (!options.random) {
+        if (has_random_option) {
+            return usage("--seed and --penetration belong to --random");
+        }
+        PoseFileSpec file{
+            options.poses, options.quat_order, options.poses_of_both, options.rigid_tolerance};
+        const std::string& unit = options.unit.empty() ? JobSpec().unit : options.unit;
+        if (!options.poses_unit.empty()) {
+            file.length_factor = unit_factor(options.poses_unit, unit).value_or(1);
+            file.unit = options.poses_unit;
+        }
+        return PosesSpec(std::move(file));
+    }
+    if (has_file_option) {
+        return usage("--poses-unit, --quat-order, --both and --rigid-tolerance belong to --poses");
+    }
+    RandomPoses random;
+    random.count = *options.random;
+    random.seed = options.seed.value_or(random.seed);
+    if (random.seed > std::numeric_limits<std::int64_t>::max()) {
+        return usage("--seed is at most 9223372036854775807, as in a job file");
+    }
+    if (!options.penetration.empty()) {
+        random.penetration_min = options.penetration.front();
+        random.penetration_max = options.penetration.back();
+    }
+    if (!(0 <= random.penetration_min && random.penetration_min <= random.penetration_max &&
+          random.penetration_max <= 1)) {
+        return usage("--penetration has to be LEAST MOST with 0 <= LEAST <= MOST <= 1");
+    }
+    return PosesSpec(random);
+}
+
+Result<JobSpec> spec_without_file(const JobOptions& options) {
+    if (options.a.empty() || options.b.empty()) {
+        return usage("give a job file, or the two meshes with --a and --b");
+    }
+    auto poses = poses_of(options);
+    if (!poses) {
+        return poses.error();
+    }
+    JobSpec spec;
+    spec.bodies[0] = {options.a, options.unit_a, ""};
+    spec.bodies[1] = {options.b, options.unit_b, ""};
+    spec.unit = options.unit.empty() ? spec.unit : options.unit;
+    spec.poses = std::move(poses.value());
+    spec.name = spec.bodies[0].path.stem().string() + "-" + spec.bodies[1].path.stem().string();
+    return spec;
+}
+
+template <class T>
+void replace(T& value, const std::optional<T>& given) {
+    value = given.value_or(value);
+}
+
+} // namespace
+
+Status apply(const JobOptions& options, JobSpec& spec) {
+    spec.name = options.name.empty() ? spec.name : options.name;
+    if (!options.level.empty()) {
+        const auto level = level_from_text(options.level);
+        if (!level) {
+            return usage("--level \"" + options.level +
+                         "\" is none of any, count, pairs, contacts");
+        }
+        spec.level = *level;
+    }
+    for (BodySpec& body : spec.bodies) {
+        body.rounds_to_float =
+            options.precision.empty() ? body.rounds_to_float : options.precision == "float";
+    }
+    replace(spec.tolerance, options.tolerance);
+    if (Status allowed = check_tolerance(spec.tolerance); !allowed) {
+        return allowed;
+    }
+    replace(spec.limit_pairs, options.limit_pairs);
+    if (spec.limit_pairs > std::numeric_limits<std::uint32_t>::max()) {
+        return usage("--limit-pairs is at most 4294967295, as in a job file");
+    }
+    spec.maps = spec.maps || options.maps;
+    if (Status allowed = check_maps(spec); !allowed) {
+        return allowed;
+    }
+    spec.output.dir = options.out.empty() ? spec.output.dir : std::filesystem::path(options.out);
+    if (!options.formats.empty()) {
+        spec.output.formats = options.formats;
+        keep_each_once(spec.output.formats);
+    }
+    spec.output.exact_points = spec.output.exact_points || options.exact_points;
+    for (const std::string& format : spec.output.formats) {
+        if (Status known = check_format(format); !known) {
+            return known;
+        }
+    }
+    if (!options.strategy.empty()) {
+        const auto strategy = strategy_from_text(options.strategy);
+        if (!strategy) {
+            return usage("--strategy \"" + options.strategy +
+                         "\" is none of best-match, best-match-load, random, lowest, "
+                         "best-match-pull, earliest-finish");
+        }
+        spec.cluster.strategy = *strategy;
+    }
+    if (!options.analysis.empty()) {
+        const auto analysis = analysis_mode_from_text(options.analysis);
+        if (!analysis) {
+            return usage("--analysis \"" + options.analysis + "\" is none of auto, always, never");
+        }
+        spec.cluster.analysis = *analysis;
+    }
+    for (const auto& [body, given] :
+         {std::pair(0, &options.depth_a), std::pair(1, &options.depth_b)}) {
+        if (given->empty()) {
+            continue;
+        }
+        const auto parsed = parse_depth(*given);
+        if (!parsed) {
+            return parsed.error();
+        }
+        spec.cluster.set_depth(static_cast<std::size_t>(body), parsed.value());
+    }
+    if (Status allowed = check_depths(spec); !allowed) {
+        return allowed;
+    }
+    replace(spec.cluster.q, options.q);
+    replace(spec.cluster.v_kb, options.v_kb);
+    spec.cluster.claim = spec.cluster.claim || options.claim;
+    return check_matching(spec.cluster);
+}
+
+Status check_no_inputs(const JobOptions& options) {
+    return gives_inputs(options) ? Status(usage(options.file + " names the meshes and the poses; "
+                                                               "change them there, or give none"))
+                                 : Status(Done{});
+}
+
+Result<JobSpec> make_job_spec(const JobOptions& options) {
+    if (Status none = check_no_inputs(options); !options.file.empty() && !none) {
+        return none.error();
+    }
+    auto spec = options.file.empty() ? spec_without_file(options) : read_job_file(options.file);
+    if (!spec) {
+        return spec;
+    }
+    if (Status applied = apply(options, spec.value()); !applied) {
+        return applied.error();
+    }
+    return spec;
+}
+
+} // namespace cd

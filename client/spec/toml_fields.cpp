@@ -1,0 +1,167 @@
+#include "client/spec/toml_fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cd {
+
+namespace {
+
+std::string quoted_key(std::string_view key) {
+    return "\"" + std::string(key) + "\"";
+}
+
+std::optional<double> finite_number(const toml::node& node) {
+    if (!node.is_number()) {
+        return std::nullopt;
+    }
+    const std::optional<double> value = node.value<double>();
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+} // namespace
+
+TomlFields::TomlFields(const toml::table& table,
+                       std::string name,
+                       TomlProblem& problem,
+                       std::initializer_list<std::string_view> known)
+    : table_(table), name_(std::move(name)), problem_(problem) {
+    const std::span<const std::string_view> words(known.begin(), known.size());
+    // The earliest line is named first, whatever the order of the table.
+    const toml::key* unknown = nullptr;
+    for (const auto& [key, value] : table_) {
+        const bool is_known = std::find(words.begin(), words.end(), key.str()) != words.end();
+        if (!is_known && (!unknown || key.source().begin < unknown->source().begin)) {
+            unknown = &key;
+        }
+    }
+    if (unknown != nullptr) {
+        problem_.report(unknown->source(),
+                        name_ + " has no key " + quoted_key(unknown->str()) +
+                            suggestion(unknown->str(), words));
+    }
+}
+
+std::optional<std::string> TomlFields::text(std::string_view key) const {
+    if (!has(key)) {
+        return std::nullopt;
+    }
+    auto value = table_.get(key)->value_exact<std::string>();
+    if (!value) {
+        wrong_type(key, "text in quotes");
+    }
+    return value;
+}
+
+std::optional<std::string> TomlFields::word(std::string_view key,
+                                            std::span<const std::string_view> words) const {
+    auto value = text(key);
+    if (value && std::find(words.begin(), words.end(), *value) == words.end()) {
+        report(key,
+               std::string(key) + " " + quoted_key(*value) + " is not known" +
+                   suggestion(*value, words));
+        return std::nullopt;
+    }
+    return value;
+}
+
+bool TomlFields::says(std::string_view key, std::string_view text) const {
+    return has(key) && table_.get(key)->value_exact<std::string>() == text;
+}
+
+std::optional<double> TomlFields::number(std::string_view key) const {
+    if (!has(key)) {
+        return std::nullopt;
+    }
+    const auto value = finite_number(*table_.get(key));
+    if (!value) {
+        wrong_type(key, "a finite number");
+    }
+    return value;
+}
+
+std::optional<std::uint64_t>
+TomlFields::integer(std::string_view key, std::uint64_t min, std::uint64_t max) const {
+    if (!has(key)) {
+        return std::nullopt;
+    }
+    const auto value = table_.get(key)->value_exact<std::int64_t>();
+    if (!value) {
+        wrong_type(key, "a whole number");
+        return std::nullopt;
+    }
+    if (*value < 0 || static_cast<std::uint64_t>(*value) < min ||
+        static_cast<std::uint64_t>(*value) > max) {
+        report(key,
+               std::string(key) + " = " + std::to_string(*value) + " is not between " +
+                   std::to_string(min) + " and " + std::to_string(max));
+        return std::nullopt;
+    }
+    return static_cast<std::uint64_t>(*value);
+}
+
+std::optional<bool> TomlFields::boolean(std::string_view key) const {
+    if (!has(key)) {
+        return std::nullopt;
+    }
+    const auto value = table_.get(key)->value_exact<bool>();
+    if (!value) {
+        wrong_type(key, "true or false");
+    }
+    return value;
+}
+
+const toml::table* TomlFields::table(std::string_view key) const {
+    if (!has(key)) {
+        return nullptr;
+    }
+    const toml::table* value = table_.get(key)->as_table();
+    if (value == nullptr) {
+        wrong_type(key, "a table");
+    }
+    return value;
+}
+
+const toml::array* TomlFields::array(std::string_view key) const {
+    if (!has(key)) {
+        return nullptr;
+    }
+    const toml::array* value = table_.get(key)->as_array();
+    if (value == nullptr) {
+        wrong_type(key, "an array");
+    }
+    return value;
+}
+
+std::optional<std::vector<double>>
+TomlFields::numbers(std::string_view key, std::size_t count, std::string_view shape) const {
+    const toml::array* values = array(key);
+    if (values == nullptr) {
+        return std::nullopt;
+    }
+    std::vector<double> numbers;
+    for (const toml::node& node : *values) {
+        if (const auto value = finite_number(node)) {
+            numbers.push_back(*value);
+        }
+    }
+    if (numbers.size() != count || values->size() != count) {
+        wrong_type(key, shape);
+        return std::nullopt;
+    }
+    return numbers;
+}
+
+const toml::source_region& TomlFields::place(std::string_view key) const {
+    return has(key) ? table_.get(key)->source() : table_.source();
+}
+
+void TomlFields::report(std::string_view key, const std::string& what) const {
+    problem_.report(place(key), name_ + ": " + what);
+}
+
+void TomlFields::wrong_type(std::string_view key, std::string_view wanted) const {
+    report(key, quoted_key(key) + " has to be " + std::string(wanted));
+}
+
+} // namespace cd

@@ -1,0 +1,103 @@
+#include "client/trees/body_trees.hpp"
+
+#include "common/tree/build/build.hpp"
+#include "common/tree/wide/wide_tree.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+/// One body's tree, whose forms come as they turn out to be needed.
+class Body {
+  public:
+    Body(std::shared_ptr<const Mesh> mesh, TreeCache& cache, ThreadPool& pool)
+        : mesh_(std::move(mesh)), cache_(cache), pool_(pool) {}
+
+    void need_wide() {
+        wide_ = cache_.find(TreeForm::Wide, mesh_);
+        if (wide_) {
+            return;
+        }
+        binary_ = cache_.find(TreeForm::Binary, mesh_);
+        if (binary_) {
+            ObbTree tree = *binary_;
+            tree.prepare_search(&pool_);
+            wide_ = std::make_shared<const ObbTree>(std::move(tree));
+        } else {
+            wide_ = std::make_shared<const ObbTree>(build_tree(mesh_, {}, pool_));
+        }
+        cache_.keep(TreeForm::Wide, *wide_);
+    }
+
+    void need_binary() {
+        shows_binary_ = true;
+        if (binary_) {
+            return;
+        }
+        if (wide_ && wide_->has_binary()) {
+            binary_ = wide_;
+            cache_.keep(TreeForm::Binary, *binary_);
+            return;
+        }
+        binary_ = cache_.find(TreeForm::Binary, mesh_);
+        if (!binary_) {
+            BuildOptions options;
+            options.prepare_search = false;
+            binary_ = std::make_shared<const ObbTree>(build_tree(mesh_, options, pool_));
+            cache_.keep(TreeForm::Binary, *binary_);
+        }
+    }
+
+    [[nodiscard]] bool is_closed() const { return any().topology().is_closed(); }
+    [[nodiscard]] bool has_wide_nodes() const {
+        return wide_ && !wide_->wide()->view().nodes.empty();
+    }
+
+    /// With the forms that were needed.
+    [[nodiscard]] std::shared_ptr<const ObbTree> tree() const {
+        return std::make_shared<const ObbTree>(mesh_,
+                                               shows_binary_ ? binary_->binary() : BinaryTree{},
+                                               wide_ ? wide_->wide() : nullptr,
+                                               any().topology());
+    }
+
+  private:
+    [[nodiscard]] const ObbTree& any() const { return wide_ ? *wide_ : *binary_; }
+
+    std::shared_ptr<const Mesh> mesh_;
+    TreeCache& cache_;
+    ThreadPool& pool_;
+    std::shared_ptr<const ObbTree> wide_;   ///< Has the wide form. Null while it is not needed.
+    std::shared_ptr<const ObbTree> binary_; ///< Has the binary one. May be here without need.
+    bool shows_binary_ = false;
+};
+
+} // namespace
+
+std::array<std::shared_ptr<const ObbTree>, 2>
+make_body_trees(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
+                const TreeUse& use,
+                TreeCache& cache,
+                ThreadPool& pool) {
+    std::vector<Body> bodies;
+    bodies.emplace_back(meshes[0], cache, pool);
+    if (meshes[1] != meshes[0]) {
+        bodies.emplace_back(meshes[1], cache, pool);
+    }
+    if (use.searches_exactly) {
+        std::ranges::for_each(bodies, &Body::need_wide);
+    }
+    // A search walks the binary trees where one of the bodies has no wide one.
+    if (use.searches_cuts || !std::ranges::all_of(bodies, &Body::has_wide_nodes) ||
+        (use.settles && std::ranges::all_of(bodies, &Body::is_closed))) {
+        std::ranges::for_each(bodies, &Body::need_binary);
+    }
+    return {bodies.front().tree(), bodies.back().tree()};
+}
+
+} // namespace cd

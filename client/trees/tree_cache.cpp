@@ -1,0 +1,138 @@
+#include "client/trees/tree_cache.hpp"
+
+#include "client/trees/demo_vehicles.hpp"
+#include "common/tree/tree_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view binary_suffix = ".binary-tree";
+constexpr std::string_view wide_suffix = ".wide-tree";
+
+/// True for a file name with one of the suffixes, also while the file is being written.
+bool ends_with(const fs::path& path, std::span<const std::string_view> suffixes) {
+    std::string name = path.filename().string();
+    name = name.substr(0, name.find(temporary_marker));
+    return std::ranges::any_of(suffixes,
+                               [&](std::string_view suffix) { return name.ends_with(suffix); });
+}
+
+struct KeptFile {
+    fs::file_time_type used;
+    fs::path path;
+    std::uint64_t bytes = 0;
+};
+
+/// The longest unused first. Files that vanish meanwhile are passed over.
+std::vector<KeptFile> kept_files(const fs::path& folder,
+                                 std::span<const std::string_view> suffixes) {
+    std::vector<KeptFile> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        std::error_code gone;
+        const std::uint64_t bytes = entry->file_size(gone);
+        const fs::file_time_type used = gone ? fs::file_time_type() : entry->last_write_time(gone);
+        if (!gone && ends_with(entry->path(), suffixes)) {
+            files.push_back({used, entry->path(), bytes});
+        }
+    }
+    std::ranges::sort(files, [](const KeptFile& a, const KeptFile& b) {
+        return std::pair(a.used, a.path) < std::pair(b.used, b.path);
+    });
+    return files;
+}
+
+} // namespace
+
+fs::path tree_cache_folder(const std::string& option) {
+    return option == no_tree_cache ? fs::path() : fs::path(option);
+}
+
+void keep_within(const fs::path& folder,
+                 std::span<const std::string_view> suffixes,
+                 std::uint64_t bytes_max,
+                 const fs::path& newest) {
+    std::vector<KeptFile> files = kept_files(folder, suffixes);
+    std::uint64_t bytes = 0;
+    for (const KeptFile& file : files) {
+        bytes += file.bytes;
+    }
+    // The new one comes last, whatever the clock says.
+    std::ranges::stable_partition(files, [&](const KeptFile& file) { return file.path != newest; });
+    for (const KeptFile& file : files) {
+        if (bytes <= bytes_max) {
+            break;
+        }
+        std::error_code ignored;
+        fs::remove(file.path, ignored);
+        bytes -= file.bytes;
+    }
+}
+
+std::string default_tree_cache() {
+    const std::optional<fs::path> cache = own_cache_dir();
+    return cache ? (*cache / "trees").string() : no_tree_cache;
+}
+
+fs::path TreeCache::path_of(TreeForm form, const Sha256& key) const {
+    return folder_ /
+           (to_hex(key) + std::string(form == TreeForm::Binary ? binary_suffix : wide_suffix));
+}
+
+std::shared_ptr<const ObbTree> TreeCache::find(TreeForm form,
+                                               const std::shared_ptr<const Mesh>& mesh) {
+    if (folder_.empty()) {
+        return nullptr;
+    }
+    const Sha256 key = tree_key(mesh->hash(), BuildOptions{});
+    const fs::path path = path_of(form, key);
+    const auto tree = form == TreeForm::Binary ? read_tree_file(path, mesh, key)
+                                               : read_wide_tree_file(path, mesh, key);
+    if (tree) {
+        // The time of the last use. A folder that cannot be written to keeps its order.
+        std::error_code ignored;
+        fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+        return tree.value();
+    }
+    if (tree.error().code != ErrorCode::NotFound) {
+        warnings_.push_back("warning: a tree is built anew: " + tree.error().detail);
+    }
+    return nullptr;
+}
+
+void TreeCache::keep(TreeForm form, const ObbTree& tree) {
+    if (folder_.empty()) {
+        return;
+    }
+    const Sha256 key = tree_key(tree.mesh().hash(), BuildOptions{});
+    const fs::path path = path_of(form, key);
+    Status kept = make_directories(folder_);
+    if (kept) {
+        // A tree that power took away is built again; waiting for the disk costs more.
+        kept = form == TreeForm::Binary
+                   ? write_tree_file(path, tree, key, Durability::Unsynced)
+                   : write_wide_tree_file(path, tree, key, Durability::Unsynced);
+    }
+    if (kept) {
+        keep_within(folder_, std::array{binary_suffix, wide_suffix}, bytes_max_, path);
+    } else {
+        warnings_.push_back("warning: a tree is not kept for later runs: " + kept.error().detail);
+    }
+}
+
+std::vector<std::string> TreeCache::take_warnings() {
+    return std::exchange(warnings_, {});
+}
+
+} // namespace cd

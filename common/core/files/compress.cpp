@@ -1,0 +1,59 @@
+#include "common/core/files/compress.hpp"
+
+#include "common/core/check.hpp"
+
+#include <zstd.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace cd {
+
+Bytes compress(std::span<const std::byte> bytes, int level) {
+    Bytes out(ZSTD_compressBound(bytes.size()));
+    const std::size_t size =
+        ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), level);
+    CD_CHECK(ZSTD_isError(size) == 0);
+    out.resize(size);
+    return out;
+}
+
+namespace {
+
+/// What compresses better than so is copied once more.
+constexpr std::size_t believed_ratio = 64;
+
+/// False: it has another size, or is damaged.
+bool decompress_into(std::span<std::byte> out, std::span<const std::byte> bytes) {
+    return ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size()) == out.size();
+}
+
+} // namespace
+
+Result<Bytes> decompress(std::span<const std::byte> bytes, std::size_t size_max) {
+    const unsigned long long claimed = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+    if (claimed == ZSTD_CONTENTSIZE_ERROR || claimed == ZSTD_CONTENTSIZE_UNKNOWN) {
+        return Error{ErrorCode::BadFrame, "compressed data without a readable size"};
+    }
+    if (claimed > size_max) {
+        return Error{ErrorCode::TooLarge,
+                     "compressed data claims " + std::to_string(claimed) + " bytes, at most " +
+                         std::to_string(size_max) + " are allowed"};
+    }
+    const Error damaged{ErrorCode::BadFrame, "compressed data is damaged"};
+    if (ZSTD_findFrameCompressedSize(bytes.data(), bytes.size()) != bytes.size()) {
+        return Error{ErrorCode::BadFrame, "compressed data is cut short or has bytes left over"};
+    }
+    const auto size = static_cast<std::size_t>(claimed);
+    if (size <= believed_ratio * bytes.size()) {
+        Bytes out(size);
+        return decompress_into(out, bytes) ? Result<Bytes>(std::move(out)) : Result<Bytes>(damaged);
+    }
+    // Of memory that nobody has written to, only what really comes takes any.
+    const auto unwritten = std::make_unique_for_overwrite<std::byte[]>(size);
+    const std::span<std::byte> out(unwritten.get(), size);
+    return decompress_into(out, bytes) ? Result<Bytes>(Bytes(out.begin(), out.end()))
+                                       : Result<Bytes>(damaged);
+}
+
+} // namespace cd

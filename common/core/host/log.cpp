@@ -1,0 +1,68 @@
+#include "common/core/host/log.hpp"
+
+#include "common/core/printable.hpp"
+
+#include <spdlog/pattern_formatter.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+namespace cd {
+
+namespace {
+
+/// What is logged, whoever it came from: no text makes a line of its own.
+class EscapedText : public spdlog::custom_flag_formatter {
+  public:
+    void format(const spdlog::details::log_msg& message,
+                const std::tm& /*time*/,
+                spdlog::memory_buf_t& out) override {
+        const std::string text = escaped({message.payload.data(), message.payload.size()});
+        out.append(text.data(), text.data() + text.size());
+    }
+    [[nodiscard]] std::unique_ptr<custom_flag_formatter> clone() const override {
+        return std::make_unique<EscapedText>();
+    }
+};
+
+static_assert(static_cast<int>(LogLevel::Trace) == SPDLOG_LEVEL_TRACE);
+static_assert(static_cast<int>(LogLevel::Off) == SPDLOG_LEVEL_OFF);
+
+} // namespace
+
+std::unique_ptr<spdlog::formatter> log_formatter() {
+    auto formatter = std::make_unique<spdlog::pattern_formatter>();
+    formatter->add_flag<EscapedText>('*').set_pattern("%Y-%m-%dT%H:%M:%S.%e%z %^%l%$ %n %*");
+    return formatter;
+}
+
+void start_logging(const std::string& program, const std::string& level) {
+    auto logger = std::make_shared<spdlog::logger>(
+        program, std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+    logger->set_formatter(log_formatter());
+    logger->set_level(spdlog::level::from_str(level));
+    logger->flush_on(spdlog::level::info);
+    spdlog::set_default_logger(std::move(logger));
+}
+
+void warn_always(const std::string& text) {
+    const auto logger = spdlog::default_logger();
+    const spdlog::details::log_msg message(logger->name(), spdlog::level::warn, text);
+    for (const auto& sink : logger->sinks()) {
+        sink->log(message);
+        sink->flush();
+    }
+}
+
+void log_formatted(LogLevel level, fmt::string_view format, fmt::format_args arguments) {
+    spdlog::logger* logger = spdlog::default_logger_raw();
+    const auto spdlog_level = static_cast<spdlog::level::level_enum>(level);
+    if (!logger->should_log(spdlog_level)) {
+        return;
+    }
+    logger->log(spdlog_level, fmt::vformat(format, arguments));
+    if (level == LogLevel::Critical) {
+        logger->flush();
+    }
+}
+
+} // namespace cd

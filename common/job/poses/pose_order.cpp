@@ -1,0 +1,73 @@
+#include "common/job/poses/pose_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace cd {
+
+namespace {
+
+constexpr std::size_t coordinates = 6;
+constexpr unsigned coordinate_bits = 10;
+constexpr double cells = 1u << coordinate_bits;
+
+using Coordinates = std::array<double, coordinates>;
+
+Coordinates place_of(const PosePair& poses) {
+    const RelativePose relative = relative_pose(poses);
+    const Mat3& r = relative.rotation;
+    const Vec3& t = relative.translation;
+    return {t.x(), t.y(), t.z(), r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)};
+}
+
+/// The cell of a coordinate between two bounds; the first where they are equal or not numbers.
+std::uint64_t cell_of(double value, double low, double high) {
+    const double at = (value - low) / (high - low) * cells;
+    return at >= 1 ? static_cast<std::uint64_t>(std::min(at, cells - 1)) : 0;
+}
+
+/// The bits of the cells in turn, highest first.
+std::uint64_t curve_of(const Coordinates& place, const Coordinates& low, const Coordinates& high) {
+    std::array<std::uint64_t, coordinates> cell{};
+    for (std::size_t k = 0; k < coordinates; ++k) {
+        cell[k] = cell_of(place[k], low[k], high[k]);
+    }
+    std::uint64_t curve = 0;
+    for (unsigned bit = coordinate_bits; bit-- > 0;) {
+        for (const std::uint64_t c : cell) {
+            curve = curve << 1 | (c >> bit & 1);
+        }
+    }
+    return curve;
+}
+
+} // namespace
+
+std::vector<std::uint32_t> coherent_order(std::span<const Scenario> scenarios) {
+    std::vector<Coordinates> places(scenarios.size());
+    std::transform(scenarios.begin(),
+                   scenarios.end(),
+                   places.begin(),
+                   [](const Scenario& scenario) { return place_of(scenario.poses); });
+    Coordinates low = places.empty() ? Coordinates{} : places.front();
+    Coordinates high = low;
+    for (const Coordinates& place : places) {
+        for (std::size_t k = 0; k < coordinates; ++k) {
+            low[k] = std::min(low[k], place[k]);
+            high[k] = std::max(high[k], place[k]);
+        }
+    }
+    std::vector<std::uint64_t> curve(places.size());
+    std::transform(places.begin(), places.end(), curve.begin(), [&](const Coordinates& place) {
+        return curve_of(place, low, high);
+    });
+    std::vector<std::uint32_t> order(places.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+        return curve[i] < curve[j];
+    });
+    return order;
+}
+
+} // namespace cd

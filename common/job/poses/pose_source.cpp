@@ -1,0 +1,228 @@
+#include "common/job/poses/pose_source.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits/limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace cd {
+
+namespace {
+
+constexpr std::uint8_t grid_version = 1;
+
+std::uint64_t product(std::uint64_t left, std::uint64_t right) {
+    std::uint64_t value = 0;
+    return __builtin_mul_overflow(left, right, &value) ? UINT64_MAX : value;
+}
+
+std::uint64_t turns_in(const std::vector<Quaternion>& rotation) {
+    return rotation.empty() ? 1 : rotation.size();
+}
+
+/// The quaternion of a turn about an axis; multiples of 90 degrees without a rounding.
+Quaternion turn(double degrees, int axis) {
+    CD_CHECK(axis >= 0);
+    CD_CHECK(axis < 3);
+    const double reduced = std::fmod(degrees, 360.0); // Exact.
+    double w = 1;
+    double sine = 0;
+    if (reduced == 90 || reduced == -270) {
+        sine = 1;
+    } else if (reduced == -90 || reduced == 270) {
+        sine = -1;
+    } else if (reduced == 180 || reduced == -180) {
+        w = 0;
+        sine = 1;
+    } else if (reduced != 0) {
+        const double half = reduced * std::numbers::pi / 360.0;
+        w = std::cos(half);
+        sine = std::sin(half);
+    }
+    Quaternion q{w, 0, 0, 0};
+    (axis == 0 ? q.x : axis == 1 ? q.y : q.z) = sine;
+    return q;
+}
+
+class ListSource : public PoseSource {
+  public:
+    explicit ListSource(std::vector<Scenario> scenarios) : scenarios_(std::move(scenarios)) {}
+
+    std::uint64_t count() const override { return scenarios_.size(); }
+
+    Result<std::vector<Scenario>> read(std::uint64_t first, std::uint64_t count) override {
+        CD_CHECK(first <= scenarios_.size());
+        CD_CHECK(count <= scenarios_.size() - first);
+        const auto run = std::span<const Scenario>(scenarios_).subspan(first, count);
+        return std::vector<Scenario>(run.begin(), run.end());
+    }
+
+  private:
+    std::vector<Scenario> scenarios_;
+};
+
+class GridSource : public PoseSource {
+  public:
+    explicit GridSource(Grid grid) : grid_(std::move(grid)), count_(grid_.count()) {}
+
+    std::uint64_t count() const override { return count_; }
+
+    Result<std::vector<Scenario>> read(std::uint64_t first, std::uint64_t count) override {
+        CD_CHECK(first <= count_);
+        CD_CHECK(count <= count_ - first);
+        std::vector<Scenario> scenarios(count);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            scenarios[i] = scenario_on(grid_, first + i);
+        }
+        return scenarios;
+    }
+
+    const Grid* grid() const override { return &grid_; }
+
+  private:
+    Grid grid_;
+    std::uint64_t count_;
+};
+
+bool is_valid(const Grid& grid) {
+    for (const GridAxis& axis : grid.position) {
+        // As `at` reckons, at its largest.
+        const double reach = (axis.last - axis.first) * static_cast<double>(axis.count);
+        if (!std::isfinite(axis.first) || !std::isfinite(axis.last) || !std::isfinite(reach)) {
+            return false;
+        }
+    }
+    for (const std::vector<Quaternion>& rotation : grid.rotation) {
+        for (const Quaternion& q : rotation) {
+            // Products of three stay what they are: neither zero nor infinite. Not NaN, either.
+            const double square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+            if (!(square > 0.25 && square < 4)) {
+                return false;
+            }
+        }
+    }
+    return grid.count() >= 1 && grid.count() <= limits::scenarios_max;
+}
+
+} // namespace
+
+double GridAxis::at(std::uint64_t place) const {
+    CD_CHECK(place < count);
+    if (place == 0) {
+        return first;
+    }
+    if (place == count - 1) {
+        return last;
+    }
+    return first + (last - first) * static_cast<double>(place) / static_cast<double>(count - 1);
+}
+
+std::uint64_t Grid::count() const {
+    std::uint64_t count = 1;
+    for (int i = 0; i < 3; ++i) {
+        // A zero stays one, whatever saturated before it.
+        if (position[static_cast<std::size_t>(i)].count == 0) {
+            return 0;
+        }
+        count = product(count, position[static_cast<std::size_t>(i)].count);
+        count = product(count, turns_in(rotation[static_cast<std::size_t>(i)]));
+    }
+    return count;
+}
+
+Pose Grid::at(std::uint64_t place) const {
+    CD_CHECK(place < count());
+    std::uint64_t rest = place;
+    // Yaw is applied last and runs fastest.
+    Quaternion turned;
+    for (std::size_t i = 3; i-- > 0;) {
+        const std::uint64_t turns = turns_in(rotation[i]);
+        if (!rotation[i].empty()) {
+            turned = turned * rotation[i][rest % turns];
+        }
+        rest /= turns;
+    }
+    Vec3 translation;
+    for (std::size_t i = 3; i-- > 0;) {
+        translation[static_cast<Eigen::Index>(i)] = position[i].at(rest % position[i].count);
+        rest /= position[i].count;
+    }
+    return Pose::from_quaternion(turned, translation);
+}
+
+Scenario scenario_on(const Grid& grid, std::uint64_t place) {
+    Scenario scenario;
+    scenario.index = place;
+    scenario.poses.b = grid.at(place);
+    return scenario;
+}
+
+std::vector<Quaternion> rotation_axis(const GridAxis& degrees, int axis) {
+    std::vector<Quaternion> turns;
+    turns.reserve(degrees.count);
+    for (std::uint64_t i = 0; i < degrees.count; ++i) {
+        turns.push_back(turn(degrees.at(i), axis));
+    }
+    return turns;
+}
+
+Quaternion quaternion_from_euler(double roll_deg, double pitch_deg, double yaw_deg) {
+    return turn(yaw_deg, 2) * turn(pitch_deg, 1) * turn(roll_deg, 0);
+}
+
+std::unique_ptr<PoseSource> make_grid_source(Grid grid) {
+    return std::make_unique<GridSource>(std::move(grid));
+}
+
+std::unique_ptr<PoseSource> make_list_source(std::vector<Scenario> scenarios) {
+    return std::make_unique<ListSource>(std::move(scenarios));
+}
+
+Bytes encode_grid(const Grid& grid) {
+    ByteWriter out;
+    out.put(grid_version);
+    for (const GridAxis& axis : grid.position) {
+        out.put(axis.first);
+        out.put(axis.last);
+        out.put(axis.count);
+    }
+    for (const std::vector<Quaternion>& rotation : grid.rotation) {
+        out.put(static_cast<std::uint64_t>(rotation.size()));
+        for (const Quaternion& q : rotation) {
+            out.put_array(std::span<const double>(std::array<double, 4>{q.w, q.x, q.y, q.z}));
+        }
+    }
+    return out.take();
+}
+
+Result<Grid> decode_grid(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    if (in.get<std::uint8_t>() != grid_version) {
+        return Error{ErrorCode::BadFrame, "grid: unknown version"};
+    }
+    Grid grid;
+    for (GridAxis& axis : grid.position) {
+        axis.first = in.get<double>();
+        axis.last = in.get<double>();
+        axis.count = in.get<std::uint64_t>();
+    }
+    for (std::vector<Quaternion>& rotation : grid.rotation) {
+        const auto turns = in.get<std::uint64_t>();
+        const auto values = in.get_array<double>(turns <= UINT64_MAX / 4 ? 4 * turns : UINT64_MAX);
+        for (std::size_t i = 0; i < values.size(); i += 4) {
+            rotation.push_back({values[i], values[i + 1], values[i + 2], values[i + 3]});
+        }
+    }
+    if (!in.complete()) {
+        return Error{ErrorCode::BadFrame, "grid: cut short or bytes left over"};
+    }
+    if (!is_valid(grid)) {
+        return Error{ErrorCode::BadFrame,
+                     "grid: numbers that are not finite, turns that are none, or too many poses"};
+    }
+    return grid;
+}
+
+} // namespace cd

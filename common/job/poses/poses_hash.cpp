@@ -1,0 +1,76 @@
+#include "common/job/poses/poses_hash.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/files/disk_file.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+namespace {
+
+constexpr std::uint64_t scenarios_at_once = 4096;
+/// `pack_scenarios` of one scenario 0 of bodies 0 and 1: its forms, and where its doubles begin.
+constexpr std::size_t forms_offset = 2;
+constexpr std::size_t numbers_offset = 7;
+
+/// Adding zero makes -0 a 0 and leaves every other number alone.
+Pose without_minus_zero(const Pose& pose) {
+    const Vec3 translation = pose.translation() + Vec3::Zero();
+    if (pose.kind() == Pose::Kind::Matrix) {
+        return Pose::from_matrix(pose.matrix() + Mat3::Zero(), translation);
+    }
+    const Quaternion& q = pose.quaternion();
+    return Pose::from_quaternion({q.w + 0.0, q.x + 0.0, q.y + 0.0, q.z + 0.0}, translation);
+}
+
+/// The form of A's pose and that of B's, then their doubles.
+void put_numbers(ByteWriter& out, const PosePair& poses) {
+    Scenario alone;
+    alone.poses = {without_minus_zero(poses.a), without_minus_zero(poses.b)};
+    const Bytes packed = pack_scenarios({&alone, 1});
+    CD_CHECK(packed.size() >= numbers_offset);
+    const auto forms = std::to_integer<std::uint8_t>(packed[forms_offset]);
+    out.put(static_cast<std::uint8_t>(forms & 3u));
+    out.put(static_cast<std::uint8_t>(forms >> 2u));
+    put_bytes(out, std::span(packed).subspan(numbers_offset));
+}
+
+} // namespace
+
+void PosesHash::add(std::span<const Scenario> scenarios) {
+    ByteWriter out;
+    for (const Scenario& scenario : scenarios) {
+        put_numbers(out, scenario.poses);
+    }
+    stream_.update(out.bytes());
+}
+
+Sha256 PosesHash::finish() {
+    return stream_.finish();
+}
+
+Sha256 hash_of(const Grid& grid) {
+    return sha256(encode_grid(grid));
+}
+
+Result<Sha256> hash_of(PoseSource& poses, const StopCheck& stop) {
+    if (const Grid* grid = poses.grid()) {
+        return hash_of(*grid);
+    }
+    PosesHash hash;
+    for (std::uint64_t first = 0; first < poses.count(); first += scenarios_at_once) {
+        if (stop && stop()) {
+            return interrupted();
+        }
+        const auto scenarios =
+            poses.read(first, std::min(scenarios_at_once, poses.count() - first));
+        if (!scenarios) {
+            return scenarios.error();
+        }
+        hash.add(scenarios.value());
+    }
+    return hash.finish();
+}
+
+} // namespace cd

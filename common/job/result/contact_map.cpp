@@ -1,0 +1,183 @@
+#include "common/job/result/contact_map.hpp"
+
+#include "common/core/files/bytes.hpp"
+#include "common/tree/build/number_sorter.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+using Entries = std::vector<TriangleContacts>;
+
+/// Entries for triangles that were touched once more are gathered up to this many, or as many as
+/// there are sums.
+constexpr std::size_t touched_enough = 1u << 16;
+
+/// Both ascend; equal triangles become one.
+Entries merged(const Entries& one, const Entries& other) {
+    Entries sum;
+    sum.reserve(one.size() + other.size());
+    auto next = other.begin();
+    for (const TriangleContacts& entry : one) {
+        while (next != other.end() && next->triangle < entry.triangle) {
+            sum.push_back(*next++);
+        }
+        sum.push_back(entry);
+        if (next != other.end() && next->triangle == entry.triangle) {
+            sum.back().scenarios += (next++)->scenarios;
+        }
+    }
+    sum.insert(sum.end(), next, other.end());
+    return sum;
+}
+
+/// How often each number stands in the ascending list.
+Entries counted(std::span<const std::uint32_t> ascending) {
+    Entries entries;
+    for (const std::uint32_t triangle : ascending) {
+        if (entries.empty() || entries.back().triangle != triangle) {
+            entries.push_back({triangle, 0});
+        }
+        ++entries.back().scenarios;
+    }
+    return entries;
+}
+
+} // namespace
+
+// ---- The sum of a task --------------------------------------------------------------------------
+
+struct ContactMapSum::Body {
+    Entries sums;
+    std::vector<std::uint32_t> touched; ///< Once for each scenario that is not in the sums.
+};
+
+struct ContactMapSum::State {
+    NumberSorter sorter;
+    std::vector<std::uint32_t> triangles; ///< Of one scenario.
+    std::array<Body, 2> bodies;
+
+    void sum_up(Body& body) const {
+        sorter.sort(body.touched);
+        body.sums = merged(body.sums, counted(body.touched));
+        body.touched.clear();
+    }
+    /// The triangles are those of one scenario, in any order.
+    void touch(Body& body) {
+        sorter.sort(triangles);
+        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+        body.touched.insert(body.touched.end(), triangles.begin(), triangles.end());
+        triangles.clear();
+        if (body.touched.size() >= std::max(touched_enough, body.sums.size())) {
+            sum_up(body);
+        }
+    }
+};
+
+ContactMapSum::ContactMapSum() = default;
+ContactMapSum::ContactMapSum(ContactMapSum&&) noexcept = default;
+ContactMapSum& ContactMapSum::operator=(ContactMapSum&&) noexcept = default;
+ContactMapSum::~ContactMapSum() = default;
+
+ContactMapSum::State& ContactMapSum::state() {
+    if (state_ == nullptr) {
+        state_ = std::make_unique<State>();
+    }
+    return *state_;
+}
+
+void ContactMapSum::add(std::span<const ContactPair> pairs) {
+    if (pairs.empty()) {
+        return;
+    }
+    State& s = state();
+    for (const ContactPair& pair : pairs) {
+        s.triangles.push_back(pair.a);
+    }
+    s.touch(s.bodies[0]);
+    for (const ContactPair& pair : pairs) {
+        s.triangles.push_back(pair.b);
+    }
+    s.touch(s.bodies[1]);
+}
+
+void ContactMapSum::add(const ContactMap& map) {
+    if (map.empty()) {
+        return;
+    }
+    State& s = state();
+    for (std::size_t i = 0; i < map.bodies.size(); ++i) {
+        s.bodies[i].sums = merged(s.bodies[i].sums, map.bodies[i]);
+    }
+}
+
+bool ContactMapSum::empty() const {
+    return state_ == nullptr;
+}
+
+std::uint64_t ContactMapSum::bytes() const {
+    std::uint64_t bytes = 0;
+    if (state_ != nullptr) {
+        for (const Body& body : state_->bodies) {
+            bytes += body.sums.size() * sizeof(TriangleContacts) +
+                     body.touched.size() * sizeof(std::uint32_t);
+        }
+    }
+    return bytes;
+}
+
+ContactMap ContactMapSum::take() {
+    ContactMap map;
+    if (state_ != nullptr) {
+        for (std::size_t i = 0; i < map.bodies.size(); ++i) {
+            state_->sum_up(state_->bodies[i]);
+            map.bodies[i] = std::move(state_->bodies[i].sums);
+        }
+        state_.reset();
+    }
+    return map;
+}
+
+// ---- The sum of a job ---------------------------------------------------------------------------
+
+void ContactMapTotal::add(const ContactMap& map) {
+    for (std::size_t i = 0; i < scenarios_.size(); ++i) {
+        const Entries& entries = map.bodies[i];
+        std::vector<std::uint64_t>& scenarios = scenarios_[i];
+        if (!entries.empty() && entries.back().triangle >= scenarios.size()) {
+            scenarios.resize(std::size_t{entries.back().triangle} + 1);
+        }
+        for (const TriangleContacts& entry : entries) {
+            scenarios[entry.triangle] += entry.scenarios;
+        }
+    }
+}
+
+ContactMap ContactMapTotal::map() const {
+    ContactMap map;
+    for (std::size_t i = 0; i < scenarios_.size(); ++i) {
+        for (std::uint32_t triangle = 0; triangle < scenarios_[i].size(); ++triangle) {
+            if (scenarios_[i][triangle] != 0) {
+                map.bodies[i].push_back({triangle, scenarios_[i][triangle]});
+            }
+        }
+    }
+    return map;
+}
+
+Sha256 digest_of(const ContactMap& map) {
+    ByteWriter out;
+    for (const Entries& entries : map.bodies) {
+        out.put(std::uint64_t{entries.size()});
+        for (const TriangleContacts& entry : entries) {
+            out.put(std::uint64_t{entry.triangle});
+            out.put(entry.scenarios);
+        }
+    }
+    return sha256(out.bytes());
+}
+
+} // namespace cd

@@ -1,0 +1,111 @@
+#include "common/job/result/merge.hpp"
+
+#include "common/core/check.hpp"
+
+namespace cd {
+
+ScenarioFacts facts_of(const ScenarioResult& result) {
+    return {result.kind,
+            result.surfaces_only,
+            result.insides_skipped,
+            result.is_cut(),
+            result.pair_count};
+}
+
+ResultMerger::ResultMerger(std::uint64_t scenarios) {
+    summary_.total = scenarios;
+}
+
+ResultMerger::Outcome ResultMerger::add(const ScenarioResult& result) {
+    return add(result, cd::digest_of(result));
+}
+
+ResultMerger::Outcome ResultMerger::add(const ScenarioResult& result, const Sha256& digest) {
+    return add(result.index, facts_of(result), digest);
+}
+
+ResultMerger::Outcome
+ResultMerger::add(std::uint64_t index, const ScenarioFacts& facts, const Sha256& digest) {
+    CD_CHECK(is_open());
+    if (index >= summary_.total) {
+        return Outcome::Foreign;
+    }
+    if (has(index)) {
+        return digests_[index] == digest ? Outcome::Repeated : Outcome::Differs;
+    }
+    if (index >= digests_.size()) {
+        digests_.resize(index + 1);
+        merged_.resize(index + 1);
+    }
+    digests_[index] = digest;
+    merged_[index] = true;
+    count(facts);
+    return Outcome::Added;
+}
+
+bool ResultMerger::has(std::uint64_t index) const {
+    return index < merged_.size() && merged_[index];
+}
+
+void ResultMerger::correct(std::uint64_t index,
+                           const ScenarioFacts& wrong,
+                           const ScenarioFacts& right,
+                           const Sha256& digest) {
+    CD_CHECK(is_open() && has(index));
+    digests_[index] = digest;
+    --count_of(wrong.kind);
+    summary_.pairs -= wrong.pair_count;
+    summary_.surfaces_only -= wrong.surfaces_only ? 1 : 0;
+    summary_.insides_skipped -= wrong.insides_skipped ? 1 : 0;
+    summary_.cut -= wrong.is_cut ? 1 : 0;
+    count(right);
+}
+
+std::uint64_t& ResultMerger::count_of(ScenarioClass kind) {
+    switch (kind) {
+    case ScenarioClass::Separate:
+        return summary_.separate;
+    case ScenarioClass::Touch:
+        return summary_.touch;
+    case ScenarioClass::Cross:
+        return summary_.cross;
+    case ScenarioClass::Inside:
+        return summary_.inside;
+    case ScenarioClass::Contact:
+        return summary_.contact;
+    case ScenarioClass::Undecided:
+        return summary_.undecided;
+    case ScenarioClass::Failed:
+        break;
+    }
+    return summary_.failed;
+}
+
+void ResultMerger::count(const ScenarioFacts& facts) {
+    ++count_of(facts.kind);
+    summary_.pairs += facts.pair_count;
+    summary_.surfaces_only += facts.surfaces_only ? 1 : 0;
+    summary_.insides_skipped += facts.insides_skipped ? 1 : 0;
+    summary_.cut += facts.is_cut ? 1 : 0;
+}
+
+const Sha256& ResultMerger::digest_of(std::uint64_t index) const {
+    CD_CHECK(is_open() && has(index));
+    return digests_[index];
+}
+
+void ResultMerger::close() {
+    digests_ = {};
+}
+
+std::optional<Sha256> ResultMerger::digest() const {
+    if (!summary_.is_complete()) {
+        return std::nullopt;
+    }
+    CD_CHECK(is_open() && digests_.size() == summary_.total);
+    Sha256Stream stream;
+    stream.update(std::as_bytes(std::span<const Sha256>(digests_)));
+    return stream.finish();
+}
+
+} // namespace cd

@@ -1,0 +1,86 @@
+// The answer for one scenario, in its one canonical form: digested, sent and stored alike.
+#pragma once
+
+#include "common/core/files/bytes.hpp"
+#include "common/core/files/hash.hpp"
+#include "common/core/result.hpp"
+#include "common/geometry/types.hpp"
+#include "common/job/query.hpp"
+#include "common/search/contact_pair.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cd {
+
+/// NUMERICS, section 1; level any does not tell Touch from Cross: both are Contact.
+enum class ScenarioClass : std::uint8_t {
+    Separate = 0,
+    Touch = 1,
+    Cross = 2,
+    Inside = 3,
+    Contact = 4,
+    Undecided = 5,
+    Failed = 6,
+};
+
+[[nodiscard]] std::string_view to_text(ScenarioClass value);
+
+struct ScenarioResult {
+    std::uint64_t index = 0;
+    std::uint32_t body_a = 0;
+    std::uint32_t body_b = 1;
+    Level level = Level::Pairs;
+    ScenarioClass kind = ScenarioClass::Separate;
+    bool surfaces_only = false;   ///< A body is open: nothing is said of insides.
+    bool insides_skipped = false; ///< Ignored pairs leave parts of which no insides are told.
+    /// The true number, even where the list is cut; 0 at level any. Where the class is undecided,
+    /// of the pairs proven so far, which need not be all.
+    std::uint64_t pair_count = 0;
+    /// Undecided only, else 0: the two bodies are at most this far apart in the world, in the job's
+    /// units; 0 where a contact was proven although other boxes stayed undecided. May be infinite.
+    double distance_bound = 0;
+    std::vector<ContactPair> pairs; ///< Sorted; the first `limit_pairs` where a limit was set.
+
+    /// Of each listed pair, at level contacts: its origin in the world, and the run of its shared
+    /// points, relative to the origin.
+    std::vector<Vec3> point_origins;
+    std::vector<std::uint32_t> point_offsets; ///< pairs + 1 entries, from 0; empty below contacts.
+    std::vector<Vec3> points;
+
+    std::string failure; ///< Why, for Failed, which has no pairs.
+
+    [[nodiscard]] bool is_cut() const { return level >= Level::Pairs && pairs.size() < pair_count; }
+};
+
+/// The canonical record, little-endian. Statistics, times and hosts never enter.
+///
+///     u8 version = 2    u64 index    u32 body_a    u32 body_b    u8 level    u8 class
+///     u8 flags (bit 0: surfaces only, bit 1: insides skipped; never both)
+///       u64 pair_count
+///     class undecided:  f64 distance_bound
+///     class failed:     u32 length, characters of the reason; the record ends here
+///     level >= pairs:   u32 n; n x u32 triangles of A; n x u32 triangles of B; n x u8 class
+///     level contacts:   n x u8 points of the pair (at most 6); n x 3 f64 origins; points x 3 f64
+///
+/// -0 is stored as 0, and a NaN (a point that left the range of double) as the one quiet NaN.
+/// Whoever fills a result keeps to what `decode_result` checks.
+[[nodiscard]] Bytes encode_result(const ScenarioResult& result);
+
+/// The inverse: `encode_result` gives the same bytes again. The bytes may be hostile: everything is
+/// checked (classes and levels in range and fitting each other, pairs strictly ascending, counts
+/// that fit, numbers in canonical form). Errors: BadFrame.
+[[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);
+
+/// A result whose record would be larger than `bytes_max` becomes a failed one that says so.
+/// Whoever runs a scenario calls this, so that the failure is part of the answer everywhere.
+[[nodiscard]] ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max);
+
+/// SHA-256 of the canonical record.
+[[nodiscard]] Sha256 digest_of(const ScenarioResult& result);
+
+} // namespace cd

@@ -1,0 +1,330 @@
+// What the signs of a few determinants of six corners say about two triangles: the one procedure by
+// which every exact stage decides.
+#pragma once
+
+#include "common/pair/triangle_pair.hpp"
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+
+namespace cd {
+
+/// The signs (-1, 0, 1) of a triangle's corners against the other's plane.
+using PlaneSides = std::array<int, 3>;
+
+/// In place of a sign that an inexact stage cannot prove.
+inline constexpr int unknown_sign = 2;
+inline constexpr PlaneSides unknown_sides{unknown_sign, unknown_sign, unknown_sign};
+
+[[nodiscard]] inline bool is_any_unknown(const PlaneSides& sides) {
+    return (sides[0] == unknown_sign) | (sides[1] == unknown_sign) | (sides[2] == unknown_sign);
+}
+
+/// Answers for the six corners of a pair: 0 to 2 are A's, 3 to 5 B's. With
+/// [i j k l] = det(x_j - x_i, x_k - x_i, x_l - x_i):
+template <class T>
+concept CornerSigns = requires(T signs, std::size_t i) {
+    /// [3 4 5 i] for the corners i of A.
+    { signs.sides_of_a() } -> std::same_as<PlaneSides>;
+    /// [0 1 2 j] for the corners j of B.
+    { signs.sides_of_b() } -> std::same_as<PlaneSides>;
+    /// [i i' j j'] for an edge i i' of A and an edge j j' of B, either way round.
+    { signs.edge_side(i, i, i, i) } -> std::same_as<int>;
+    /// The turn from i over j to k, seen along `axis`: det(x_j - x_i, x_k - x_i) of the two
+    /// coordinates that follow it.
+    { signs.turn(i, i, i, i) } -> std::same_as<int>;
+    /// x_i - x_j along `axis`.
+    { signs.difference(i, i, i) } -> std::same_as<int>;
+};
+
+namespace pair_decision {
+
+constexpr std::size_t next(std::size_t corner) {
+    return (corner + 1) % 3;
+}
+
+/// The corners of one triangle in turn, from its first.
+constexpr std::size_t next_of(std::size_t first, std::size_t corner) {
+    return first + next(corner - first);
+}
+
+inline bool all_are(const PlaneSides& sides, int sign) {
+    return (sides[0] == sign) & (sides[1] == sign) & (sides[2] == sign);
+}
+
+inline bool is_any(const PlaneSides& sides, int sign) {
+    return (sides[0] == sign) | (sides[1] == sign) | (sides[2] == sign);
+}
+
+inline bool is_one_sided(const PlaneSides& sides) {
+    return all_are(sides, 1) | all_are(sides, -1);
+}
+
+constexpr int count(const PlaneSides& sides, int sign) {
+    return (sides[0] == sign) + (sides[1] == sign) + (sides[2] == sign);
+}
+
+/// A corner that a plane parts from the two others of its triangle, which is neither in the plane
+/// nor strictly on one side of it: both edges at it reach the plane, and neither lies in it.
+struct LoneCorner {
+    std::size_t corner;
+    bool is_above; ///< Or in the plane with the other two above: then it counts as below.
+};
+
+constexpr LoneCorner find_lone_corner(const PlaneSides& sides) {
+    const auto find = [&](int sign) {
+        return static_cast<std::size_t>(sides[0] == sign ? 0 : sides[1] == sign ? 1 : 2);
+    };
+    if (count(sides, 1) == 1) {
+        return {find(1), true};
+    }
+    if (count(sides, -1) == 1) {
+        return {find(-1), false};
+    }
+    return {find(0), count(sides, -1) == 2};
+}
+
+/// For the signs 0, 1 and 2, which stands for -1: those of the corners are the digits to base 3.
+inline constexpr auto lone_corners = [] {
+    std::array<LoneCorner, 27> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const auto sign = [](std::size_t digit) {
+            return digit % 3 == 2 ? -1 : static_cast<int>(digit % 3);
+        };
+        table[i] = find_lone_corner({sign(i / 9), sign(i / 3), sign(i)});
+    }
+    return table;
+}();
+
+/// From a table: branches on signs are too often mispredicted.
+inline LoneCorner lone_corner(const PlaneSides& sides) {
+    const auto digit = [](int sign) {
+        return static_cast<std::size_t>(sign + 3 * static_cast<int>(sign < 0));
+    };
+    return lone_corners[9 * digit(sides[0]) + 3 * digit(sides[1]) + digit(sides[2])];
+}
+
+/// Two triangles with area in different planes, each reaching the other's plane. Both meet the line
+/// of the two planes in an interval, and two edge-against-edge sides order the intervals' ends.
+/// Guigue and Devillers, Fast and robust triangle-triangle overlap test using orientation
+/// predicates (2003; RR-4488), section 4: p1 alone on the positive side of the other plane, p2 too.
+template <CornerSigns Signs>
+PairClass decide_crossing(Signs& signs, const PlaneSides& of_a, const PlaneSides& of_b) {
+    const LoneCorner a = lone_corner(of_a);
+    const LoneCorner b = lone_corner(of_b);
+    const std::size_t p1 = a.corner;
+    const std::size_t p2 = b.corner;
+    // Mirroring one triangle turns the other's normal.
+    const std::size_t q1 = b.is_above ? next(p1) : next(next(p1));
+    const std::size_t r1 = 3 - p1 - q1;
+    const std::size_t q2 = a.is_above ? next(p2) : next(next(p2));
+    const std::size_t r2 = 3 - p2 - q2;
+    const int first = signs.edge_side(p1, q1, 3 + p2, 3 + q2);
+    if (first > 0) {
+        return PairClass::Separate;
+    }
+    const int second = signs.edge_side(p1, r1, 3 + p2, 3 + r2);
+    if (second < 0) {
+        return PairClass::Separate;
+    }
+    // The relative interiors meet where both cross the other's plane, so that both intervals have
+    // length, and the open intervals overlap.
+    const bool both_cross = count(of_a, 1) > 0 && count(of_a, -1) > 0 && //
+                            count(of_b, 1) > 0 && count(of_b, -1) > 0;
+    return both_cross && first < 0 && second > 0 ? PairClass::Proper : PairClass::Touch;
+}
+
+/// A segment or point that reaches the plane of a triangle with area and does not lie in it: its
+/// line passes the triangle where it is on different sides of two edges. `first` is the segment's
+/// first corner, 0 or 3; `sides` are its corners' against the plane.
+template <CornerSigns Signs>
+PairClass decide_piercing(Signs& signs, std::size_t first, const PlaneSides& sides) {
+    const LoneCorner lone = lone_corner(sides);
+    const std::size_t from = first + lone.corner;
+    const std::size_t to = next_of(first, from);
+    bool above = false;
+    bool below = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int side = first == 0 ? signs.edge_side(from, to, 3 + i, 3 + next(i))
+                                    : signs.edge_side(i, next(i), from, to);
+        above = above || side > 0;
+        below = below || side < 0;
+    }
+    return above && below ? PairClass::Separate : PairClass::Touch;
+}
+
+/// How far the three corners from `other` are from the inside of the edge i of the triangle from
+/// `first`, whose turn is `own`: 1 when all are strictly outside, 0 when all are outside or on the
+/// edge's line, -1 otherwise. Some models have `turns(i, j, axis, enough)`: the turns from i over j
+/// to the three corners of the other triangle, or anything if one of them is `enough`.
+template <CornerSigns Signs>
+[[gnu::always_inline]] inline int outside_of_edge(
+    Signs& signs, std::size_t first, std::size_t i, int own, std::size_t other, std::size_t axis) {
+    if constexpr (requires { signs.turns(first, first, axis, own); }) {
+        const PlaneSides turns = signs.turns(first + i, first + next(i), axis, own);
+        return is_any(turns, own) ? -1 : static_cast<int>(all_are(turns, -own));
+    }
+    int verdict = 1;
+    for (std::size_t j = 0; j < 3; ++j) {
+        const int side = signs.turn(first + i, first + next(i), other + j, axis) * own;
+        if (side > 0) {
+            return -1;
+        }
+        verdict = side == 0 ? 0 : verdict;
+    }
+    return verdict;
+}
+
+/// Two triangles with area in one plane, seen along `axis` without folding: for convex sets in two
+/// dimensions the separating axes are normals of edges (Ericson, Real-Time Collision Detection,
+/// 5.2.1). `turn_a` and `turn_b` are theirs.
+template <CornerSigns Signs>
+PairClass decide_coplanar(Signs& signs, std::size_t axis, int turn_a, int turn_b) {
+    bool overlap = true;
+#pragma GCC unroll 3
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int of_a = outside_of_edge(signs, 0, i, turn_a, 3, axis);
+        if (of_a == 1) {
+            return PairClass::Separate;
+        }
+        const int of_b = outside_of_edge(signs, 3, i, turn_b, 0, axis);
+        if (of_b == 1) {
+            return PairClass::Separate;
+        }
+        overlap = overlap && of_a < 0 && of_b < 0;
+    }
+    return overlap ? PairClass::Coplanar : PairClass::Touch;
+}
+
+/// Whether all of A's corners are strictly below all of B's along `axis`, or above.
+template <CornerSigns Signs>
+bool is_apart_along(Signs& signs, std::size_t axis) {
+    bool below = true;
+    bool above = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 3; j < 6; ++j) {
+            const int sign = signs.difference(i, j, axis);
+            below = below && sign < 0;
+            above = above && sign > 0;
+        }
+    }
+    return below || above;
+}
+
+/// Whether an edge of the triangle from `first`, seen along `axis`, has all of the other strictly
+/// on one side and nothing of its own there. An edge that is seen as a point parts nothing.
+template <CornerSigns Signs>
+bool is_apart_at_edge(Signs& signs, std::size_t first, std::size_t other, std::size_t axis) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t from = first + i;
+        const std::size_t to = next_of(first, from);
+        const int side = signs.turn(from, to, other, axis);
+        if (side != 0 && signs.turn(from, to, other + 1, axis) == side &&
+            signs.turn(from, to, other + 2, axis) == side &&
+            signs.turn(from, to, next_of(first, to), axis) != side) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Sets in one plane, one of them degenerate, meet exactly if they do as seen along every axis: one
+/// of the views does not fold the plane, and the others are views of the same meeting. In a view
+/// the possible separating axes are normals of edges; where all edges are parallel or points, the
+/// coordinate axes do for the direction along them.
+template <CornerSigns Signs>
+PairClass decide_degenerate(Signs& signs) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (is_apart_along(signs, axis)) {
+            return PairClass::Separate;
+        }
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (is_apart_at_edge(signs, 0, 3, axis) || is_apart_at_edge(signs, 3, 0, axis)) {
+            return PairClass::Separate;
+        }
+    }
+    return PairClass::Touch;
+}
+
+/// An axis along which a triangle is seen with its area, and its turn there; 0 for a degenerate
+/// one.
+struct View {
+    std::size_t axis = 0;
+    int turn = 0;
+};
+
+template <CornerSigns Signs>
+View open_view(Signs& signs, std::size_t first) {
+    View view;
+    for (; view.axis < 3; ++view.axis) {
+        view.turn = signs.turn(first, first + 1, first + 2, view.axis);
+        if (view.turn != 0) {
+            break;
+        }
+    }
+    return view;
+}
+
+/// Two segments or points are in one plane when each edge of one is with each of the other.
+template <CornerSigns Signs>
+bool are_segments_skew(Signs& signs) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            if (signs.edge_side(i, next(i), 3 + j, 3 + next(j)) != 0) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// All sides are 0: both in one plane, or both degenerate.
+template <CornerSigns Signs>
+PairClass decide_flat(Signs& signs) {
+    const View a = open_view(signs, 0);
+    if (a.turn != 0) {
+        // Where they share a plane, this view shows B's area as well, if it has any.
+        const int turn_b = signs.turn(3, 4, 5, a.axis);
+        return turn_b != 0 ? decide_coplanar(signs, a.axis, a.turn, turn_b)
+                           : decide_degenerate(signs);
+    }
+    if (open_view(signs, 3).turn == 0 && are_segments_skew(signs)) {
+        return PairClass::Separate;
+    }
+    return decide_degenerate(signs);
+}
+
+} // namespace pair_decision
+
+/// The class of the pair whose signs these are. Asks for each sign at most once, and only for those
+/// that it needs.
+template <CornerSigns Signs>
+[[nodiscard]] PairClass decide_pair(Signs& signs) {
+    using namespace pair_decision;
+    const PlaneSides of_a = signs.sides_of_a();
+    if (is_one_sided(of_a)) {
+        return PairClass::Separate;
+    }
+    const PlaneSides of_b = signs.sides_of_b();
+    if (is_one_sided(of_b)) {
+        return PairClass::Separate;
+    }
+    // With all sides of A 0, A lies in B's plane or B has none; then with one side of B that is not
+    // 0, A has area and another plane, so that B has none.
+    const bool a_flat = all_are(of_a, 0);
+    const bool b_flat = all_are(of_b, 0);
+    if (a_flat && b_flat) {
+        return decide_flat(signs);
+    }
+    if (a_flat) {
+        return decide_piercing(signs, 3, of_b);
+    }
+    if (b_flat) {
+        return decide_piercing(signs, 0, of_a);
+    }
+    return decide_crossing(signs, of_a, of_b);
+}
+
+} // namespace cd

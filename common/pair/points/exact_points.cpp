@@ -1,0 +1,336 @@
+#include "common/pair/points/exact_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+using Int = ExactInt;
+using Vec = std::array<Int, 3>;
+
+Vec operator-(const Vec& l, const Vec& r) {
+    return {l[0] - r[0], l[1] - r[1], l[2] - r[2]};
+}
+
+Vec cross(const Vec& l, const Vec& r) {
+    return {l[1] * r[2] - l[2] * r[1], l[2] * r[0] - l[0] * r[2], l[0] * r[1] - l[1] * r[0]};
+}
+
+Int dot(const Vec& l, const Vec& r) {
+    return l[0] * r[0] + l[1] * r[1] + l[2] * r[2];
+}
+
+bool is_zero(const Vec& v) {
+    return v[0] == 0 && v[1] == 0 && v[2] == 0;
+}
+
+/// The point x / w of the lattice's space; w > 0.
+struct Place {
+    Vec x;
+    Int w = 1;
+};
+
+bool operator==(const Place& l, const Place& r) {
+    return l.x[0] * r.w == r.x[0] * l.w && l.x[1] * r.w == r.x[1] * l.w &&
+           l.x[2] * r.w == r.x[2] * l.w;
+}
+
+/// Lexicographic.
+bool operator<(const Place& l, const Place& r) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int order = Int(l.x[k] * r.w - r.x[k] * l.w).sign();
+        if (order != 0) {
+            return order < 0;
+        }
+    }
+    return false;
+}
+
+/// The vector from `from` to `to`, times to.w.
+Vec toward(const Vec& from, const Place& to) {
+    return {to.x[0] - to.w * from[0], to.x[1] - to.w * from[1], to.x[2] - to.w * from[2]};
+}
+
+/// Where the segment from p to q has the weight 0, for weights of different signs.
+Place crossing(const Vec& p, const Vec& q, const Int& weight_p, const Int& weight_q) {
+    // (w_p q - w_q p) / (w_p - w_q), whose divisor has the sign of w_p.
+    Place place;
+    const bool flip = weight_p < 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        Int x = weight_p * q[k] - weight_q * p[k];
+        place.x[k] = flip ? Int(-x) : x;
+    }
+    place.w = abs(Int(weight_p - weight_q));
+    return place;
+}
+
+/// Twice the area of a, b, p in the coordinates after `dropped`, times p.w.
+Int area(const Vec& a, const Vec& b, const Place& p, std::size_t dropped) {
+    const std::size_t x = (dropped + 1) % 3;
+    const std::size_t y = (dropped + 2) % 3;
+    return (b[x] - a[x]) * (p.x[y] - p.w * a[y]) - (b[y] - a[y]) * (p.x[x] - p.w * a[x]);
+}
+
+/// The same for three places: positive when they turn left there.
+int turn(const Place& a, const Place& b, const Place& c, std::size_t dropped) {
+    const std::size_t x = (dropped + 1) % 3;
+    const std::size_t y = (dropped + 2) % 3;
+    const Int determinant = a.x[x] * (b.x[y] * c.w - c.x[y] * b.w) +
+                            b.x[x] * (c.x[y] * a.w - a.x[y] * c.w) +
+                            c.x[x] * (a.x[y] * b.w - b.x[y] * a.w);
+    return determinant.sign();
+}
+
+/// An axis along which a plane with this normal can be projected without folding.
+std::size_t axis_to_drop(const Vec& normal) {
+    return normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
+}
+
+/// A triangle as what it is: three corners, the two ends of a segment, or one point.
+struct Shape {
+    std::vector<Vec> corners;
+    Vec normal;           ///< Zero without area.
+    std::size_t drop = 0; ///< See `axis_to_drop`.
+
+    explicit Shape(std::span<const Vec> given) {
+        normal = cross(given[1] - given[0], given[2] - given[0]);
+        if (!is_zero(normal)) {
+            corners.assign(given.begin(), given.end());
+            drop = axis_to_drop(normal);
+            return;
+        }
+        // On a line, the lexicographic order is the order along it.
+        const auto [low, high] = std::minmax_element(given.begin(), given.end());
+        corners.push_back(*low);
+        if (*low != *high) {
+            corners.push_back(*high);
+        }
+    }
+
+    [[nodiscard]] bool has_area() const { return corners.size() == 3; }
+    [[nodiscard]] std::size_t edges() const { return has_area() ? 3 : corners.size() - 1; }
+    [[nodiscard]] const Vec& from(std::size_t edge) const { return corners[edge]; }
+    [[nodiscard]] const Vec& to(std::size_t edge) const {
+        return corners[(edge + 1) % corners.size()];
+    }
+    [[nodiscard]] Int side(const Vec& point) const { return dot(normal, point - corners[0]); }
+};
+
+/// For a point of the plane of a triangle with area.
+bool is_within_edges(const Shape& triangle, const Place& point) {
+    const int inside = triangle.normal[triangle.drop].sign();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Int turned = area(triangle.from(i), triangle.to(i), point, triangle.drop);
+        if (turned.sign() * inside < 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool contains(const Shape& shape, const Place& point) {
+    const Vec offset = toward(shape.corners[0], point);
+    if (shape.has_area()) {
+        return dot(shape.normal, offset) == 0 && is_within_edges(shape, point);
+    }
+    if (shape.corners.size() == 1) {
+        return is_zero(offset);
+    }
+    const Vec along = shape.corners[1] - shape.corners[0];
+    const Int place = dot(along, offset);
+    return is_zero(cross(along, offset)) && place >= 0 && place <= point.w * dot(along, along);
+}
+
+/// Finds the corners of what two shapes share. Each is a corner of one that lies in the other, or a
+/// place where an edge of one properly crosses the other's plane or, within a plane, an edge of the
+/// other. And each such place is a corner: it ends all that is shared on the line of the two
+/// planes, or lies on the boundary of two half-planes that hold all that is shared.
+class Search {
+  public:
+    Search(const Shape& a, const Shape& b) : a_(a), b_(b) {}
+
+    [[nodiscard]] std::vector<Place> places() {
+        add_corners(a_, b_);
+        add_corners(b_, a_);
+        add_crossings(a_, b_);
+        add_crossings(b_, a_);
+        return std::move(found_);
+    }
+
+  private:
+    void add(Place place) {
+        if (std::find(found_.begin(), found_.end(), place) == found_.end()) {
+            found_.push_back(std::move(place));
+        }
+    }
+
+    void add_corners(const Shape& of, const Shape& in) {
+        for (const Vec& corner : of.corners) {
+            Place place{corner, 1};
+            if (contains(in, place)) {
+                add(std::move(place));
+            }
+        }
+    }
+
+    /// Of the edges of one with the inside or the edges of the other.
+    void add_crossings(const Shape& of, const Shape& with) {
+        for (std::size_t i = 0; i < of.edges(); ++i) {
+            const Vec& p = of.from(i);
+            const Vec& q = of.to(i);
+            if (!with.has_area()) {
+                if (!of.has_area() && with.edges() == 1) {
+                    add_crossing_of_lines(p, q, with.from(0), with.to(0));
+                }
+                continue; // With a triangle, the segment's turn finds all.
+            }
+            const Int side_p = with.side(p);
+            const Int side_q = with.side(q);
+            if (side_p.sign() * side_q.sign() < 0) {
+                Place place = crossing(p, q, side_p, side_q);
+                if (is_within_edges(with, place)) {
+                    add(std::move(place));
+                }
+            } else if (side_p == 0 && side_q == 0) {
+                for (std::size_t j = 0; j < 3; ++j) {
+                    add_crossing_in_plane(p, q, with.from(j), with.to(j), with.drop);
+                }
+            }
+        }
+    }
+
+    void add_crossing_of_lines(const Vec& p, const Vec& q, const Vec& r, const Vec& s) {
+        const Vec normal = cross(q - p, s - r);
+        if (!is_zero(normal) && dot(normal, r - p) == 0) {
+            add_crossing_in_plane(p, q, r, s, axis_to_drop(normal));
+        }
+    }
+
+    /// Where both segments properly cross the other's line.
+    void add_crossing_in_plane(
+        const Vec& p, const Vec& q, const Vec& r, const Vec& s, std::size_t drop) {
+        const Int of_p = area(r, s, {p, 1}, drop);
+        const Int of_q = area(r, s, {q, 1}, drop);
+        if (of_p.sign() * of_q.sign() < 0 &&
+            area(p, q, {r, 1}, drop).sign() * area(p, q, {s, 1}, drop).sign() < 0) {
+            add(crossing(p, q, of_p, of_q));
+        }
+    }
+
+    const Shape& a_;
+    const Shape& b_;
+    std::vector<Place> found_;
+};
+
+/// From the lexicographically least on; a polygon turns to the left around A's normal. As corners
+/// of a convex polygon seen from one of them, the others span less than a half turn.
+void put_in_order(std::vector<Place>& places, const Shape& a) {
+    if (places.empty()) {
+        return;
+    }
+    std::iter_swap(places.begin(), std::min_element(places.begin(), places.end()));
+    if (places.size() < 3) {
+        return;
+    }
+    const int left = a.normal[a.drop].sign();
+    const auto before = [&](const Place& l, const Place& r) {
+        return turn(places.front(), l, r, a.drop) * left > 0;
+    };
+    std::sort(places.begin() + 1, places.end(), before);
+}
+
+/// The corners of two triangles as whole numbers of steps of 2^exponent.
+struct Lattice {
+    std::array<Vec, 6> corners;
+    int exponent = 0;
+};
+
+Lattice lattice_of(const std::array<Dyadic, 18>& coordinates) {
+    Lattice lattice;
+    bool any = false;
+    for (const Dyadic& value : coordinates) {
+        if (value.mantissa != 0) {
+            lattice.exponent = any ? std::min(lattice.exponent, value.exponent) : value.exponent;
+            any = true;
+        }
+    }
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        const Dyadic& value = coordinates[i];
+        if (value.mantissa != 0) {
+            lattice.corners[i / 3][i % 3] = value.mantissa << (value.exponent - lattice.exponent);
+        }
+    }
+    return lattice;
+}
+
+/// The corner in the world, times the pose's norm.
+std::array<Dyadic, 3> world(const ExactPose& pose, const Vec3& corner) {
+    const std::array<Dyadic, 3> x{
+        to_dyadic(corner.x()), to_dyadic(corner.y()), to_dyadic(corner.z())};
+    std::array<Dyadic, 3> result;
+    for (std::size_t row = 0; row < 3; ++row) {
+        const auto& r = pose.linear[row];
+        result[row] = r[0] * x[0] + r[1] * x[1] + r[2] * x[2] + pose.translation[row];
+    }
+    return result;
+}
+
+} // namespace
+
+ExactPoints::ExactPoints(const PosePair& poses)
+    : a_(to_exact(poses.a)), b_(to_exact(poses.b)), norm_(a_.norm * b_.norm) {}
+
+Vec3 ExactPoints::origin(const Corners& a) const {
+    return offset(a, Vec3::Zero());
+}
+
+Vec3 ExactPoints::offset(const Corners& a, const Vec3& origin) const {
+    const std::array<Dyadic, 3> exact = world(a_, a[0]);
+    Vec3 rounded;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        const Dyadic difference = exact[k] - to_dyadic(origin[axis]) * a_.norm;
+        rounded[axis] = nearest_double(
+            difference.mantissa, a_.norm.mantissa, difference.exponent - a_.norm.exponent);
+    }
+    return rounded;
+}
+
+std::vector<Vec3>
+ExactPoints::points(const Corners& a, const Corners& b, const Vec3& origin) const {
+    std::array<Dyadic, 3> shift;
+    for (std::size_t k = 0; k < 3; ++k) {
+        shift[k] = to_dyadic(origin[static_cast<Eigen::Index>(k)]) * norm_;
+    }
+    std::array<Dyadic, 18> coordinates;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const bool of_a = i < 3;
+        const std::array<Dyadic, 3> corner = of_a ? world(a_, a[i]) : world(b_, b[i - 3]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            coordinates[3 * i + k] = corner[k] * (of_a ? b_.norm : a_.norm) - shift[k];
+        }
+    }
+    const Lattice lattice = lattice_of(coordinates);
+    const std::span<const Vec> corners(lattice.corners);
+    const Shape shape_a(corners.first(3));
+    const Shape shape_b(corners.last(3));
+    std::vector<Place> places = Search(shape_a, shape_b).places();
+    put_in_order(places, shape_a);
+
+    std::vector<Vec3> rounded(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Int denominator = places[i].w * norm_.mantissa;
+        for (std::size_t k = 0; k < 3; ++k) {
+            rounded[i][static_cast<Eigen::Index>(k)] =
+                nearest_double(places[i].x[k], denominator, lattice.exponent - norm_.exponent);
+        }
+    }
+    return rounded;
+}
+
+} // namespace cd

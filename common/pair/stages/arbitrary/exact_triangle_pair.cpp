@@ -1,0 +1,121 @@
+#include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
+
+#include "common/pair/numbers/dyadic.hpp"
+#include "common/pair/pair_decision.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace cd {
+
+namespace {
+
+using Vec = std::array<ExactInt, 3>;
+
+Vec minus(const Vec& l, const Vec& r) {
+    return {l[0] - r[0], l[1] - r[1], l[2] - r[2]};
+}
+
+/// The sign of det(a, b, c).
+int determinant_sign(const Vec& a, const Vec& b, const Vec& c) {
+    const ExactInt value = (a[1] * b[2] - a[2] * b[1]) * c[0] + (a[2] * b[0] - a[0] * b[2]) * c[1] +
+                           (a[0] * b[1] - a[1] * b[0]) * c[2];
+    return value.sign();
+}
+
+/// Models CornerSigns.
+class ExactSigns {
+  public:
+    explicit ExactSigns(const std::array<Vec, 6>& corners) : corners_(corners) {}
+
+    [[nodiscard]] PlaneSides sides_of_a() const {
+        return {volume(3, 4, 5, 0), volume(3, 4, 5, 1), volume(3, 4, 5, 2)};
+    }
+    [[nodiscard]] PlaneSides sides_of_b() const {
+        return {volume(0, 1, 2, 3), volume(0, 1, 2, 4), volume(0, 1, 2, 5)};
+    }
+    [[nodiscard]] int
+    edge_side(std::size_t i, std::size_t i_to, std::size_t j, std::size_t j_to) const {
+        return volume(i, i_to, j, j_to);
+    }
+    [[nodiscard]] int turn(std::size_t i, std::size_t j, std::size_t k, std::size_t axis) const {
+        const Vec along = minus(corners_[j], corners_[i]);
+        const Vec aside = minus(corners_[k], corners_[i]);
+        const std::size_t x = (axis + 1) % 3;
+        const std::size_t y = (axis + 2) % 3;
+        const ExactInt value = along[x] * aside[y] - along[y] * aside[x];
+        return value.sign();
+    }
+    [[nodiscard]] int difference(std::size_t i, std::size_t j, std::size_t axis) const {
+        const ExactInt value = corners_[i][axis] - corners_[j][axis];
+        return value.sign();
+    }
+
+  private:
+    [[nodiscard]] int volume(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const {
+        return determinant_sign(minus(corners_[j], corners_[i]),
+                                minus(corners_[k], corners_[i]),
+                                minus(corners_[l], corners_[i]));
+    }
+
+    const std::array<Vec, 6>& corners_;
+};
+
+/// The corners of both triangles on one integer lattice.
+std::array<Vec, 6>
+on_lattice(const Corners& a, const Corners& b, const ExactPose& pose_a, const ExactPose& pose_b) {
+    std::array<Dyadic, 18> coordinates;
+    std::size_t place = 0;
+    const auto map = [&](const Corners& corners, const ExactPose& pose, const Dyadic& other_norm) {
+        for (const Vec3& corner : corners) {
+            const std::array<Dyadic, 3> x{
+                to_dyadic(corner.x()), to_dyadic(corner.y()), to_dyadic(corner.z())};
+            for (std::size_t row = 0; row < 3; ++row) {
+                const auto& r = pose.linear[row];
+                coordinates[place++] =
+                    (r[0] * x[0] + r[1] * x[1] + r[2] * x[2] + pose.translation[row]) * other_norm;
+            }
+        }
+    };
+    map(a, pose_a, pose_b.norm);
+    map(b, pose_b, pose_a.norm);
+
+    int lowest = 0;
+    bool any = false;
+    for (const Dyadic& value : coordinates) {
+        if (value.mantissa != 0) {
+            lowest = any ? std::min(lowest, value.exponent) : value.exponent;
+            any = true;
+        }
+    }
+    std::array<Vec, 6> corners;
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        const Dyadic& value = coordinates[i];
+        if (value.mantissa != 0) {
+            corners[i / 3][i % 3] = value.mantissa << (value.exponent - lowest);
+        }
+    }
+    return corners;
+}
+
+} // namespace
+
+struct ExactTrianglePair::State {
+    ExactPose a;
+    ExactPose b;
+};
+
+ExactTrianglePair::ExactTrianglePair(const PosePair& poses)
+    : state_(std::make_unique<State>(State{to_exact(poses.a), to_exact(poses.b)})) {}
+ExactTrianglePair::ExactTrianglePair(ExactTrianglePair&&) noexcept = default;
+ExactTrianglePair& ExactTrianglePair::operator=(ExactTrianglePair&&) noexcept = default;
+ExactTrianglePair::~ExactTrianglePair() = default;
+
+PairClass ExactTrianglePair::classify(const Corners& a, const Corners& b) const {
+    const std::array<Vec, 6> corners = on_lattice(a, b, state_->a, state_->b);
+    ExactSigns signs(corners);
+    return decide_pair(signs);
+}
+
+} // namespace cd

@@ -1,0 +1,32 @@
+// The SIMD code of DoubleTrianglePairs, compiled once for every target: plain values in and out.
+#pragma once
+
+#include "common/pair/stages/float/rounded_poses.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace cd {
+
+/// The corners of eight pairs: by corner, axis and pair.
+struct CornersOfMany {
+    static constexpr std::size_t pairs = 8;
+    using Triangles = std::array<std::array<std::array<double, pairs>, 3>, 3>;
+
+    alignas(64) Triangles a;
+    alignas(64) Triangles b;
+};
+
+/// In place of the class of a pair that doubles leave open.
+inline constexpr std::uint8_t undecided_pair = 4;
+
+/// Writes what is proven of the first `count` pairs: a PairClass, or `undecided_pair`. All error
+/// bounds are multiplied by `bound_scale`. All eight hold numbers.
+void classify_in_doubles(const RoundedPoses& poses,
+                         double bound_scale,
+                         const CornersOfMany& corners,
+                         std::size_t count,
+                         std::uint8_t* classes);
+
+} // namespace cd

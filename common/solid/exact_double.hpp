@@ -1,0 +1,38 @@
+// Doubles that know whether they are exact: where numbers are short, they
+// decide ties at once.
+#pragma once
+
+#include "common/pair/numbers/double_double.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace cd {
+
+/// A value with whether every step to it was exact.
+struct ExactDouble {
+    double value = 0;
+    bool is_exact = true;
+
+    [[nodiscard]] std::optional<int> sign() const {
+        return is_exact ? std::optional(value > 0 ? 1 : value < 0 ? -1 : 0) : std::nullopt;
+    }
+};
+
+[[nodiscard]] inline ExactDouble operator+(const ExactDouble& l, const ExactDouble& r) {
+    const DoubleDouble sum = exact_sum(l.value, r.value); // What overflows has a NaN for its rest.
+    return {sum.high, l.is_exact && r.is_exact && sum.low == 0};
+}
+
+[[nodiscard]] inline ExactDouble operator-(const ExactDouble& l, const ExactDouble& r) {
+    return l + ExactDouble{-r.value, r.is_exact};
+}
+
+[[nodiscard]] inline ExactDouble operator*(const ExactDouble& l, const ExactDouble& r) {
+    const DoubleDouble product = exact_product(l.value, r.value);
+    // Above this nothing underflowed on the way to the rest.
+    const bool in_range = l.value == 0 || r.value == 0 || std::abs(product.high) > 0x1p-900;
+    return {product.high, l.is_exact && r.is_exact && in_range && product.low == 0};
+}
+
+} // namespace cd

@@ -1,0 +1,70 @@
+// Points in exact numbers, and one exact frame that two posed bodies share.
+#pragma once
+
+#include "common/geometry/pose.hpp"
+#include "common/pair/numbers/dyadic.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace cd {
+
+using DyadicVec = std::array<Dyadic, 3>;
+
+[[nodiscard]] DyadicVec to_dyadic(const Vec3& v);
+[[nodiscard]] DyadicVec operator+(const DyadicVec& left, const DyadicVec& right);
+[[nodiscard]] DyadicVec operator-(const DyadicVec& left, const DyadicVec& right);
+[[nodiscard]] DyadicVec operator*(const Dyadic& factor, const DyadicVec& v);
+[[nodiscard]] DyadicVec cross(const DyadicVec& left, const DyadicVec& right);
+[[nodiscard]] Dyadic dot(const DyadicVec& left, const DyadicVec& right);
+[[nodiscard]] bool is_zero(const DyadicVec& v);
+
+[[nodiscard]] inline int sign_of(double value) {
+    return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+[[nodiscard]] inline int sign_of(const Dyadic& value) {
+    return value.mantissa.sign();
+}
+
+/// The sign of a value that errs by at most `error`; nothing when that leaves it open.
+[[nodiscard]] inline std::optional<int> proven_sign(double value, double error) {
+    // Finite intermediate results are part of the bound; NaN and infinity decide nothing.
+    return std::isfinite(value) && std::abs(value) > error ? std::optional(sign_of(value))
+                                                           : std::nullopt;
+}
+
+/// The sign of det(seen[0], seen[1], seen[2]) for vectors that are rounded differences of numbers
+/// of which some err by `error`; nothing when that leaves it open.
+[[nodiscard]] std::optional<int> proven_volume_sign(const std::array<Vec3, 3>& seen, double error);
+
+/// The point value / weight; the weight is above 0.
+struct ExactPoint {
+    DyadicVec value;
+    Dyadic weight{1, 0};
+};
+
+/// The coordinates of the outer one of two bodies, all multiplied by one positive number, the
+/// scale: so no pose needs a division. Exact.
+class ExactFrame {
+  public:
+    ExactFrame(const Pose& outer, const Pose& inner);
+
+    /// -1 where the poses mirror the inner body as the outer one sees it, else 1; 0 where a matrix
+    /// flattens space. The rest of this class is only for use where the outer pose does not.
+    [[nodiscard]] int orientation() const { return outer_orientation_ * inner_orientation_; }
+    [[nodiscard]] bool has_inverse() const { return outer_orientation_ != 0; }
+
+    [[nodiscard]] DyadicVec of_inner(const Vec3& point) const;
+    [[nodiscard]] DyadicVec of_outer(const Vec3& point) const;
+    [[nodiscard]] const Dyadic& scale() const { return scale_; }
+
+  private:
+    std::array<DyadicVec, 3> linear_; ///< Rows: inner's coordinates to the frame.
+    DyadicVec translation_;
+    Dyadic scale_;
+    int outer_orientation_ = 0;
+    int inner_orientation_ = 0;
+};
+
+} // namespace cd

@@ -1,0 +1,70 @@
+// Whether a triangle of one body reaches into the solid of another that it touches.
+#pragma once
+
+#include "common/pair/triangle_pair.hpp"
+#include "common/solid/point_in_solid.hpp"
+#include "common/solid/posed_triangle.hpp"
+#include "common/tree/obb_tree.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace cd {
+
+/// A triangle of the outer body in contact with the inner triangle at hand.
+struct OuterContact {
+    std::uint32_t triangle = 0;
+    PairClass kind = PairClass::Touch;
+};
+
+/// Asks triangles of an inner body, each with all its contacts, none of them proper. The trees and
+/// poses outlive this; one thread.
+class TriangleInSolid {
+  public:
+    TriangleInSolid(const ObbTree& outer,
+                    const Pose& outer_pose,
+                    const ObbTree& inner,
+                    const Pose& inner_pose);
+
+    /// True when a point in the interior of the triangle lies strictly inside the outer solid. The
+    /// contacts are sorted by their triangles.
+    [[nodiscard]] bool reaches_inside(std::uint32_t triangle,
+                                      std::span<const OuterContact> contacts);
+
+    [[nodiscard]] const SettleStatistics& statistics() const { return solid_.statistics(); }
+
+  private:
+    /// An edge of the outer body in the triangle's plane, or a corner: then both ends are one.
+    struct Edge {
+        Vec3 from;
+        Vec3 to;
+        int winding = 0; ///< Of a coplanar triangle that it bounds; else 0.
+    };
+
+    [[nodiscard]] std::span<const std::uint32_t> ids_of(std::span<const OuterContact> contacts);
+    [[nodiscard]] std::optional<int> open_side(PosedTriangle& inner,
+                                               std::span<const OuterContact> contacts);
+    [[nodiscard]] int plane_side(PosedTriangle& inner, std::uint32_t outer_vertex);
+    void add_edge(const Vec3& from, const Vec3& to, int winding);
+    void add_touching(PosedTriangle& inner, std::uint32_t outer_triangle);
+    void find_edges(PosedTriangle& inner, std::span<const OuterContact> contacts);
+    void keep_boundary_edges();
+    [[nodiscard]] bool any_cell_inside(PosedTriangle& inner);
+    [[nodiscard]] bool any_piece_inside(PosedTriangle& inner,
+                                        std::span<const OuterContact> contacts);
+
+    const ObbTree& outer_;
+    const ObbTree& inner_;
+    ExactFrame frame_;
+    RelativePose inner_to_outer_;
+    SolidTest solid_;
+    /// Of outer vertices, where doubles do not tell: triangles in contact often share them.
+    std::unordered_map<std::uint32_t, int> plane_sides_;
+    std::vector<std::uint32_t> ids_; ///< Of the contacts at hand.
+    std::vector<Edge> edges_;        ///< That may enter the triangle at hand.
+};
+
+} // namespace cd

@@ -1,0 +1,67 @@
+// Counts the triangles of a large node in bins, so that a split takes no sorting.
+#pragma once
+
+#include "common/tree/build/build_fit.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace cd {
+
+/// Which of the equal parts of the whole an interval ends in, counted from its low end. Rounded,
+/// but the same wherever it is asked, and never less for a higher end.
+class BinScale {
+  public:
+    static constexpr std::uint32_t bin_count = 16;
+
+    explicit BinScale(const Interval& whole);
+
+    /// False where the whole is too short or too long for numbers to tell its parts apart.
+    [[nodiscard]] bool is_valid() const { return factor_ > 0; }
+
+    [[nodiscard]] std::uint32_t bin_of(const Interval& triangle) const {
+        const auto bin = static_cast<std::int32_t>((triangle.high - low_) * factor_);
+        return static_cast<std::uint32_t>(bin) < bin_count ? static_cast<std::uint32_t>(bin)
+                                                           : bin_count - 1;
+    }
+
+  private:
+    double low_;
+    double factor_;
+};
+
+/// The triangles of a node by the bin of their maximal projection, on each of the three axes.
+class Bins {
+  public:
+    /// A split behind a bin, and its sum of relative segments.
+    struct Candidate {
+        double sum = 0;
+        std::uint32_t last_bin = 0;
+        std::uint32_t left_count = 0;
+    };
+
+    explicit Bins(const Projection& whole);
+
+    void add(std::span<const Projection> triangles);
+    /// Bins of other triangles of the same node.
+    Bins& operator+=(const Bins& other);
+
+    /// The least sum among the splits with at least `side` triangles on each side, if there is one.
+    [[nodiscard]] std::optional<Candidate> best(std::size_t axis, std::uint32_t side) const;
+
+  private:
+    struct Bin {
+        Interval extent;
+        std::uint32_t count = 0;
+    };
+    using Axis = std::array<Bin, BinScale::bin_count>;
+
+    std::array<BinScale, 3> scales_;
+    Projection whole_;
+    std::array<Axis, 3> axes_;
+};
+
+} // namespace cd

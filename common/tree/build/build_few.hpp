@@ -1,0 +1,28 @@
+// The sweep of a node of few triangles, of which a tree has most.
+#pragma once
+
+#include "common/tree/build/build.hpp"
+#include "common/tree/build/build_fit.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace cd {
+
+inline constexpr std::size_t few_triangles_max = 32;
+
+/// Bit i is set if triangle i goes to the left child.
+struct FewSplit {
+    std::uint32_t left = 0;
+    std::uint32_t left_count = 0;
+};
+
+/// As `sweep_split` (build_split.hpp) for 2 to `few_triangles_max` triangles, without branches that
+/// depend on where they lie. Maxima that differ by less than 2^-46 of the whole count as equal, and
+/// so do sums of relative segments within 2^-44.
+[[nodiscard]] std::optional<FewSplit>
+sweep_few(std::span<const Projection> triangles, const Projection& whole, SplitRule rule);
+
+} // namespace cd

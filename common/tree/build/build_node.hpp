@@ -1,0 +1,94 @@
+// Makes the nodes of a tree that is being built: their boxes, and which triangles go left.
+#pragma once
+
+#include "common/core/host/thread_pool.hpp"
+#include "common/tree/build/build.hpp"
+#include "common/tree/build/build_fit.hpp"
+#include "common/tree/build/build_split.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// A node with more triangles is made by all threads together, in pieces of this size. The sums of
+/// its fit are those of the pieces, added up in their order.
+inline constexpr std::uint32_t piece_triangles_max = 4096;
+
+/// What all nodes of one build have in common.
+struct BuildInput {
+    std::span<const Vec3> vertices;
+    BuildOptions options;
+    /// False if coordinates are too large to be measured: all boxes are all of space, and any
+    /// halves are a split.
+    bool measurable = true;
+};
+
+/// A node on its way into the tree.
+struct NodeToMake {
+    ObbNode node;                       ///< With its range of triangles.
+    std::span<BuildTriangle> triangles; ///< Those of the range.
+    std::uint32_t left_count = 0;       ///< Of a made node; 0 for a leaf.
+};
+
+/// Makes nodes of no more than one piece with all that is below them. Keeps its memory between
+/// them.
+class SubtreeMaker {
+  public:
+    explicit SubtreeMaker(const BuildInput& input) : input_(input) {}
+
+    /// The nodes in preorder, with indices from 0. `begin` is the place of the first triangle in
+    /// the tree. The triangles are put in the order of the leaves.
+    [[nodiscard]] std::vector<ObbNode> make(std::span<BuildTriangle> triangles,
+                                            std::uint32_t begin);
+
+  private:
+    /// A node with the place of its left child among the nodes by level; the right child follows.
+    struct LevelNode {
+        ObbNode node;
+        std::uint32_t left = 0; ///< 0 for a leaf.
+    };
+
+    [[nodiscard]] std::span<BuildTriangle> triangles_of(const ObbNode& node) const {
+        return triangles_.subspan(node.triangles_begin - begin_, node.triangle_count());
+    }
+    void fit_level(std::size_t level_begin);
+    std::uint32_t make_node(ObbNode& node);
+    std::uint32_t part(std::span<BuildTriangle> triangles,
+                       std::span<const Projection> projections,
+                       const Projection& whole);
+    [[nodiscard]] std::vector<ObbNode> in_preorder();
+
+    const BuildInput& input_;
+    std::span<BuildTriangle> triangles_;
+    std::uint32_t begin_ = 0;
+    std::vector<LevelNode> nodes_; ///< Level by level.
+    std::vector<Moments> moments_;
+    std::vector<std::uint32_t> sizes_;
+    std::vector<std::uint32_t> places_;
+    SweepScratch sweep_;
+    std::vector<Projection> projections_;
+    std::vector<BuildTriangle> scratch_;
+};
+
+/// Makes nodes of more than one piece, several at once.
+class LargeNodeMaker {
+  public:
+    LargeNodeMaker(const BuildInput& input, std::size_t triangle_count, ThreadPool& pool)
+        : input_(input), pool_(pool), projections_(triangle_count), triangles_(triangle_count) {}
+
+    void make(std::span<NodeToMake> nodes);
+
+  private:
+    struct Piece;
+    class Wave;
+
+    const BuildInput& input_;
+    ThreadPool& pool_;
+    std::vector<Projection> projections_; ///< By the places of the triangles in the tree.
+    std::vector<BuildTriangle> triangles_;
+};
+
+} // namespace cd

@@ -1,0 +1,18 @@
+#include "common/tree/build/number_sorter.hpp"
+
+#include <hwy/contrib/sort/vqsort.h>
+
+namespace cd {
+
+struct NumberSorter::Scratch {
+    hwy::Sorter sorter;
+};
+
+NumberSorter::NumberSorter() : scratch_(std::make_unique<Scratch>()) {}
+NumberSorter::~NumberSorter() = default;
+
+void NumberSorter::sort(std::vector<std::uint32_t>& numbers) const {
+    scratch_->sorter(numbers.data(), numbers.size(), hwy::SortAscending());
+}
+
+} // namespace cd

@@ -1,0 +1,317 @@
+#include "common/tree/wide/wide_boxes_kernel.hpp"
+
+#include "common/geometry/highway_targets.hpp"
+
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "common/tree/wide/wide_boxes_kernel.cpp"
+#include <hwy/foreach_target.h>
+// What follows is compiled for every target.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cd {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, 8>;
+using Floats = hn::Rebind<float, Doubles>;
+using Steps = hn::Rebind<std::int32_t, Doubles>;
+using V = hn::Vec<Doubles>;
+
+constexpr std::size_t lanes = hn::MaxLanes(Doubles());
+static_assert(wide_children_max % lanes == 0);
+
+HWY_INLINE V all(double value) {
+    return hn::Set(Doubles(), value);
+}
+
+struct Vectors {
+    V x;
+    V y;
+    V z;
+};
+
+HWY_INLINE Vectors load(const double* from) {
+    Vectors v;
+    hn::LoadInterleaved3(Doubles(), from, v.x, v.y, v.z);
+    return v;
+}
+
+HWY_INLINE Vectors load(const float* from) {
+    hn::Vec<Floats> x;
+    hn::Vec<Floats> y;
+    hn::Vec<Floats> z;
+    hn::LoadInterleaved3(Floats(), from, x, y, z);
+    const Doubles d;
+    return {hn::PromoteTo(d, x), hn::PromoteTo(d, y), hn::PromoteTo(d, z)};
+}
+
+struct Frame {
+    explicit Frame(const SeenFrame& frame)
+        : center{all(frame.center[0]), all(frame.center[1]), all(frame.center[2])},
+          row_x{all(frame.rows[0]), all(frame.rows[1]), all(frame.rows[2])},
+          row_y{all(frame.rows[3]), all(frame.rows[4]), all(frame.rows[5])},
+          row_z{all(frame.rows[6]), all(frame.rows[7]), all(frame.rows[8])} {}
+
+    Vectors center;
+    Vectors row_x;
+    Vectors row_y;
+    Vectors row_z;
+};
+
+HWY_INLINE V dot(const Vectors& a, const Vectors& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// Least and greatest in each lane.
+struct Spreads {
+    HWY_INLINE Spreads()
+        : low{all(HUGE_VAL), all(HUGE_VAL), all(HUGE_VAL)},
+          high{all(-HUGE_VAL), all(-HUGE_VAL), all(-HUGE_VAL)},
+          reach(hn::Zero(Doubles())) {}
+
+    HWY_INLINE void add(const Vectors& place, V distance) {
+        low = {hn::Min(low.x, place.x), hn::Min(low.y, place.y), hn::Min(low.z, place.z)};
+        high = {hn::Max(high.x, place.x), hn::Max(high.y, place.y), hn::Max(high.z, place.z)};
+        reach = hn::Max(reach, distance);
+    }
+    HWY_INLINE Spread over_lanes() const {
+        const Doubles d;
+        const auto least = [&](V v) { return hn::GetLane(hn::MinOfLanes(d, v)); };
+        const auto most = [&](V v) { return hn::GetLane(hn::MaxOfLanes(d, v)); };
+        return {{least(low.x), least(low.y), least(low.z)},
+                {most(high.x), most(high.y), most(high.z)},
+                most(reach)};
+    }
+
+    Vectors low;
+    Vectors high;
+    V reach;
+};
+
+/// Calls `keep(i, places)` for the vertices i and those that share its vector. Lanes after the last
+/// vertex have the place of the first.
+template <class T, class Keep>
+HWY_INLINE Spread walk(const T* from, std::size_t count, const SeenFrame& seen, const Keep& keep) {
+    const Doubles d;
+    const Frame frame(seen);
+    const Vectors first{all(static_cast<double>(from[0])),
+                        all(static_cast<double>(from[1])),
+                        all(static_cast<double>(from[2]))};
+    Spreads spreads;
+    for (std::size_t i = 0; i < count; i += lanes) {
+        Vectors v = load(from + 3 * i);
+        if (i + lanes > count) {
+            const auto mask = hn::FirstN(d, count - i);
+            v = {hn::IfThenElse(mask, v.x, first.x),
+                 hn::IfThenElse(mask, v.y, first.y),
+                 hn::IfThenElse(mask, v.z, first.z)};
+        }
+        const Vectors from_center{v.x - frame.center.x, v.y - frame.center.y, v.z - frame.center.z};
+        const Vectors place{dot(frame.row_x, from_center),
+                            dot(frame.row_y, from_center),
+                            dot(frame.row_z, from_center)};
+        spreads.add(place,
+                    hn::Abs(from_center.x) + hn::Abs(from_center.y) + hn::Abs(from_center.z));
+        keep(i, place);
+    }
+    return spreads.over_lanes();
+}
+
+void spread_floats(const float* from, std::size_t count, const SeenFrame& frame, Spread* spread) {
+    *spread = walk(from, count, frame, [](std::size_t, const Vectors&) {});
+}
+
+void spread_doubles(const double* from, std::size_t count, const SeenFrame& frame, Spread* spread) {
+    *spread = walk(from, count, frame, [](std::size_t, const Vectors&) {});
+}
+
+template <class T>
+HWY_INLINE Spread
+walk_block(const T* from, std::size_t count, const SeenFrame& frame, BlockPlaces& places) {
+    return walk(from, count, frame, [&](std::size_t i, const Vectors& place) {
+        const Doubles d;
+        hn::Store(place.x, d, &places.along[0][i]);
+        hn::Store(place.y, d, &places.along[1][i]);
+        hn::Store(place.z, d, &places.along[2][i]);
+    });
+}
+
+void place_floats(const float* from,
+                  std::size_t count,
+                  const SeenFrame& frame,
+                  BlockPlaces* places,
+                  Spread* spread) {
+    *spread = walk_block(from, count, frame, *places);
+}
+
+void place_doubles(const double* from,
+                   std::size_t count,
+                   const SeenFrame& frame,
+                   BlockPlaces* places,
+                   Spread* spread) {
+    *spread = walk_block(from, count, frame, *places);
+}
+
+/// The bounds of a vertex on all axes as bytes of which the least bounds a triangle: its low steps,
+/// and 255 less its high ones.
+using VertexBounds = std::array<std::uint8_t, 8>;
+
+/// Whole steps below or equal, and above or equal. The quotient rounds, and what it is multiplied
+/// by as well: a step to the side is taken where that went too far. Steps are floats and their
+/// numbers bytes, so that products are exact.
+HWY_INLINE V steps_below(V place, V step, V per_step) {
+    const V steps = hn::Floor(place * per_step);
+    return steps - hn::IfThenElseZero(hn::Gt(steps * step, place), all(1));
+}
+
+HWY_INLINE V steps_above(V place, V step, V per_step) {
+    const V steps = hn::Ceil(place * per_step);
+    return steps + hn::IfThenElseZero(hn::Lt(steps * step, place), all(1));
+}
+
+/// One axis in all lanes.
+struct StepVectors {
+    HWY_INLINE explicit StepVectors(const StepAxis& axis)
+        : origin(all(axis.origin)),
+          error(all(axis.error)),
+          step(all(axis.step)),
+          per_step(all(1 / axis.step)) {}
+
+    HWY_INLINE hn::Vec<Steps> below(V place) const {
+        return hn::DemoteTo(Steps(), steps_below(place - origin - error, step, per_step));
+    }
+    HWY_INLINE hn::Vec<Steps> above(V place) const {
+        return hn::DemoteTo(Steps(), steps_above(place - origin + error, step, per_step));
+    }
+
+    V origin;
+    V error;
+    V step;
+    V per_step;
+};
+
+void child_boxes(const ChildPlaces* places, const StepAxis* axes, WideNode* node) {
+    const Doubles d;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const StepVectors steps(axes[k]);
+        alignas(64) std::array<std::int32_t, wide_children_max> low;
+        alignas(64) std::array<std::int32_t, wide_children_max> high;
+        for (std::size_t i = 0; i < wide_children_max; i += lanes) {
+            hn::Store(steps.below(hn::Load(d, &places->low[k][i])), Steps(), &low[i]);
+            hn::Store(steps.above(hn::Load(d, &places->high[k][i])), Steps(), &high[i]);
+        }
+        for (std::size_t i = 0; i < node->count; ++i) {
+            node->low[k][i] = static_cast<std::uint8_t>(low[i]);
+            node->high[k][i] = static_cast<std::uint8_t>(high[i]);
+        }
+    }
+}
+
+void triangle_boxes(const BlockPlaces* places,
+                    std::size_t vertices,
+                    const BlockCorners* corners,
+                    const StepAxis* axes,
+                    WideNode* node) {
+    const Doubles d;
+    const Steps whole;
+    const StepVectors steps[3] = {StepVectors(axes[0]), StepVectors(axes[1]), StepVectors(axes[2])};
+    alignas(64) std::array<VertexBounds, block_vertices_max + 16> bounds;
+    for (std::size_t i = 0; i < vertices; i += lanes) {
+        hn::Vec<Steps> low[3];
+        hn::Vec<Steps> high[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const V place = hn::Load(d, &places->along[k][i]);
+            low[k] = steps[k].below(place);
+            high[k] = steps[k].above(place);
+        }
+        const auto most = hn::Set(whole, 255);
+        const auto first =
+            hn::Or(hn::Or(low[0], hn::ShiftLeft<8>(low[1])),
+                   hn::Or(hn::ShiftLeft<16>(low[2]), hn::ShiftLeft<24>(hn::Sub(most, high[0]))));
+        const auto second =
+            hn::Or(hn::Sub(most, high[1]), hn::ShiftLeft<8>(hn::Sub(most, high[2])));
+        hn::StoreInterleaved2(
+            first, second, whole, reinterpret_cast<std::int32_t*>(bounds.data() + i));
+    }
+    const hn::CappedTag<std::uint8_t, 8> bytes;
+    for (std::size_t i = 0; i < node->count; ++i) {
+        VertexBounds least;
+        for (std::size_t j = 0; j < least.size(); j += hn::Lanes(bytes)) {
+            const auto corner = [&](std::size_t k) {
+                return hn::LoadU(bytes, &bounds[corners[i][k]][j]);
+            };
+            hn::StoreU(hn::Min(hn::Min(corner(0), corner(1)), corner(2)), bytes, &least[j]);
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            node->low[k][i] = least[k];
+            node->high[k][i] = static_cast<std::uint8_t>(255 - least[3 + k]);
+        }
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace cd
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace cd {
+
+HWY_EXPORT(spread_floats);
+HWY_EXPORT(spread_doubles);
+HWY_EXPORT(place_floats);
+HWY_EXPORT(place_doubles);
+HWY_EXPORT(child_boxes);
+HWY_EXPORT(triangle_boxes);
+
+Spread spread_of(const TriangleBlocks& blocks,
+                 std::uint32_t begin,
+                 std::uint32_t end,
+                 const SeenFrame& frame) {
+    const std::size_t first = 3 * std::size_t{begin};
+    const std::size_t count = end - begin;
+    Spread spread;
+    if (blocks.doubles.empty()) {
+        HWY_DYNAMIC_DISPATCH(spread_floats)(&blocks.floats[first], count, frame, &spread);
+    } else {
+        HWY_DYNAMIC_DISPATCH(spread_doubles)(&blocks.doubles[first], count, frame, &spread);
+    }
+    return spread;
+}
+
+Spread spread_of_block(const TriangleBlocks& blocks,
+                       std::uint32_t block,
+                       const SeenFrame& frame,
+                       BlockPlaces& places) {
+    const std::size_t first = 3 * std::size_t{blocks.vertex_begin[block]};
+    const std::size_t count = blocks.vertex_begin[block + 1] - blocks.vertex_begin[block];
+    Spread spread;
+    if (blocks.doubles.empty()) {
+        HWY_DYNAMIC_DISPATCH(place_floats)(&blocks.floats[first], count, frame, &places, &spread);
+    } else {
+        HWY_DYNAMIC_DISPATCH(place_doubles)(&blocks.doubles[first], count, frame, &places, &spread);
+    }
+    return spread;
+}
+
+void set_child_boxes(const ChildPlaces& places,
+                     const std::array<StepAxis, 3>& axes,
+                     WideNode& node) {
+    HWY_DYNAMIC_DISPATCH(child_boxes)(&places, axes.data(), &node);
+}
+
+void set_triangle_boxes(const BlockPlaces& places,
+                        std::size_t vertices,
+                        const BlockCorners* corners,
+                        const std::array<StepAxis, 3>& axes,
+                        WideNode& node) {
+    HWY_DYNAMIC_DISPATCH(triangle_boxes)(&places, vertices, corners, axes.data(), &node);
+}
+
+} // namespace cd
+
+#endif

@@ -1,0 +1,264 @@
+// With o, p the origins of the nodes of A and B, F and G their frames (rows, floats, exact
+// numbers), R, t the true relative pose: x = R y + t holds of every point that both share. With
+// alpha = F (x - o) and beta = G (y - p),
+//     alpha = T + N beta,  beta = N^-1 (alpha - T),  N = F R G^-1,  T = F (R p + t - o).
+// A child's box bounds one of alpha and beta; what it makes of the other is an interval on each
+// axis. Children whose intervals are apart on any axis of either frame share no point.
+//
+// Bounds, with u = 2^-24, e = axes_error_max = 2 u, r = rotation_error, s = skew, w = R p + t - o,
+// |.| the sum of sizes, E the largest coordinates, 255 steps on each axis, of a node.
+// (1) w is formed in doubles: within abs = r |p| + translation_error + 2^-49 (|p| + |t| + |o|) in
+//     each component; as a float within u |w| more.
+// (2) T: three products with entries of at most 1.001, two sums: 5 u |w| + 1.8 abs.
+// (3) M for N: |G^-1 - G'| and so on as in box_test.cpp: 3.01 (r + e). In floats, R takes u, its
+//     product with G' 3 u, and F's with that 3 u, each times at most 3.03. Below 28 u + 3.01 r.
+// (4) M' for N^-1: the squares of N's singular values are within 6.1 e + 3.01 s of 1, so
+//     |N^-1 - M'| < 41 u + 3.1 (r + s). N^-1 T = G R^-1 w is formed as G R' w: R' for R^-1 costs
+//     3.01 s |w|, R in doubles and then in floats 1.75 r |w| + u |w|, w as a float u |w|, two times
+//     three products and two sums 6 u |w|; and w itself errs by abs, 1.8 abs in this direction.
+//     Below 9 u |w| + 3.1 (r + s) |w| + 1.8 abs.
+// (5) An interval T + M (c +- h), divided by the steps: an entry takes three roundings with the
+//     quotient, T two; c and h are whole, sums of four take four, their difference one: within
+//     12 u (1.74 |w| + 2 E).
+// (6) Intervals of boxes. Of B's in A's frame, by (2), (3) and (5):
+//         26 u |w| + 52 u E_b + 3.01 r E_b + 1.8 abs.
+//     Of A's in B's, by (4) and (5):
+//         30 u |w| + 65 u E_a + 3.1 (r + s) (|w| + E_a) + 1.8 abs.
+// (7) Intervals of triangles, from their corners y (of B; of A likewise): alpha = T + F R (y - p),
+//     beta = -G R^-1 w + G R^-1 (x - o). A leaf's origin and its vertices are both floats, so that
+//     y - p takes one rounding of each component, or both doubles, and it takes one to a double
+//     and one to a float: within (1 + 2^-28) u either way; |y - p| <= 1.74 E. An entry of F R: R as
+//     floats one, three products and two sums three, the steps two roundings, each times 1.01,
+//     and 1.75 r; R' for R^-1 another 3.01 s |x - o|. Products and sums four, the difference with
+//     the margin one: together 12.01 u 1.74 E + (1.75 r + 3.01 s) 1.74 E, and what T has by (2),
+//     (4) and (5).
+// (8) All are below 128 u (|w| + E_a + E_b) + 6 (r + s) (|w| + E_a + E_b) + 4 abs. `margin` is that
+//     with its own few roundings, and those of |w|, covered. What underflow takes is below 2^-148
+//     of a length or an entry, in steps below 2^-20; the margin is at least 255 * 2^-17 steps.
+//
+// Overflow: coordinates of a wide tree are below 2^50, so that boxes share a point only where |w|
+// is below 2^55; steps are within [2^-70, 2^45]. Then all that is made of an interval stays below
+// 2^127 or is a margin. So whatever else overflows belongs to boxes that are apart, an infinite
+// margin parts nothing, and neither do comparisons with NaN.
+#include "common/tree/wide/wide_kernel.hpp"
+
+#include "common/geometry/highway_targets.hpp"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "common/tree/wide/wide_kernel.cpp"
+#include <hwy/foreach_target.h>
+// What follows is compiled for every target.
+#include "common/tree/wide/wide_meeting-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cd {
+namespace HWY_NAMESPACE {
+
+/// A pair of nodes on its way through a batch.
+struct Visit {
+    Meeting meeting;
+    Side side_a;
+    Side side_b;
+    Intervals seen_a; ///< The children of A's node, in the frame of B's.
+    Intervals seen_b;
+    std::uint32_t found_a; ///< The children of A's node that may reach into B's.
+    std::uint32_t found_b;
+};
+
+HWY_INLINE void prefetch(const void* from, std::size_t bytes) {
+    const auto* line = static_cast<const char*>(from);
+    for (std::size_t i = 0; i < bytes; i += 64) {
+        __builtin_prefetch(line + i);
+    }
+}
+
+/// Asks for the triangles of a leaf, of which most have at least so many vertices.
+HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {
+    const std::size_t first = 3 * std::size_t{body.vertex_begin[leaf.first]};
+    if (body.floats != nullptr) {
+        prefetch(body.floats + first, children * 3 * sizeof(float));
+    } else {
+        prefetch(body.doubles + first, children * 3 * sizeof(double));
+    }
+    prefetch(body.corners + std::size_t{block_size} * leaf.first, children * sizeof(BlockCorners));
+}
+
+// Pairs of one batch do not wait for each other: their nodes come from memory at the same time, and
+// the processor works on more than one. So that it need not guess how each goes on, all take one
+// step before any takes the next. Pairs of leaves are put aside until there are enough of them.
+
+/// Looks at as many pairs as have met, from both sides; names those where both have children that
+/// may reach into the other. How many these are.
+template <bool kBothLeaves>
+HWY_INLINE std::size_t see_both(
+    const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::size_t* left) {
+    std::size_t left_count = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        Visit& now = visits[i];
+        const WideNode& a = walk.a.nodes[now.meeting.nodes.a];
+        const WideNode& b = walk.b.nodes[now.meeting.nodes.b];
+        // A leaf waits until the other is one.
+        now.side_a = side_of(a, now.meeting.nodes.a, !kBothLeaves && a.is_leaf);
+        now.side_b = side_of(b, now.meeting.nodes.b, !kBothLeaves && b.is_leaf);
+        walk.box_tests += now.side_b.count;
+        now.found_b = see_b<kBothLeaves>(pose, walk.b, a, now.side_b, now.meeting, now.seen_b);
+        left[left_count] = i;
+        left_count += now.found_b != 0 ? 1 : 0;
+    }
+    std::size_t both_count = 0;
+    for (std::size_t i = 0; i < left_count; ++i) {
+        Visit& now = visits[left[i]];
+        const WideNode& b = walk.b.nodes[now.meeting.nodes.b];
+        walk.box_tests += now.side_a.count;
+        now.found_a = see_a<kBothLeaves>(pose, walk.a, b, now.side_a, now.meeting, now.seen_a);
+        left[both_count] = left[i];
+        both_count += now.found_a != 0 ? 1 : 0;
+    }
+    return both_count;
+}
+
+/// The sides of a visit: rows are of the one of which fewer children were found.
+struct Rows {
+    RowSide one;
+    RowSide others;
+    bool one_is_a;
+};
+
+HWY_INLINE Rows rows_of(const Visit& visit, std::uint64_t& box_tests) {
+    const RowSide of_a{visit.side_a, visit.seen_a, visit.found_a};
+    const RowSide of_b{visit.side_b, visit.seen_b, visit.found_b};
+    const int rows_a = __builtin_popcount(visit.found_a);
+    const int rows_b = __builtin_popcount(visit.found_b);
+    const bool by_a = rows_a <= rows_b;
+    box_tests += static_cast<std::uint64_t>(by_a ? rows_a : rows_b) *
+                 (by_a ? visit.side_b.count : visit.side_a.count);
+    return {by_a ? of_a : of_b, by_a ? of_b : of_a, by_a};
+}
+
+/// Looks at as many pairs as have met; writes what is left of them. How many pairs.
+template <bool kBothLeaves>
+HWY_INLINE std::size_t
+look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::uint32_t* to) {
+    std::size_t left[wide_batch_max];
+    const std::size_t left_count = see_both<kBothLeaves>(pose, walk, visits, count, left);
+    std::size_t written = 0;
+    for (std::size_t i = 0; i < left_count; ++i) {
+        const Rows rows = rows_of(visits[left[i]], walk.box_tests);
+        written += pair_up(rows.one, rows.others, rows.one_is_a, to + 2 * written);
+    }
+    return written;
+}
+
+HWY_INLINE void count_visits(WideWalk& walk, std::size_t count) {
+    walk.visits += count;
+    walk.visits_left -= std::min(walk.visits_left, static_cast<std::uint32_t>(count));
+}
+
+/// Lets pairs meet, but puts those of leaves aside. How many have met.
+HWY_INLINE std::size_t meet_inner(
+    const WidePose& pose, WideWalk& walk, const WidePair* now, std::size_t count, Visit* visits) {
+    for (std::size_t i = 0; i < count; ++i) {
+        prefetch(walk.a.nodes + now[i].a, sizeof(WideNode));
+        prefetch(walk.b.nodes + now[i].b, sizeof(WideNode));
+    }
+    std::size_t inner = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const WideNode& a = walk.a.nodes[now[i].a];
+        const WideNode& b = walk.b.nodes[now[i].b];
+        if (a.is_leaf && b.is_leaf) {
+            prefetch_triangles(walk.a, a);
+            prefetch_triangles(walk.b, b);
+            walk.leaves[walk.leaf_count++] = now[i];
+        } else {
+            meet(pose, a, b, now[i], visits[inner++].meeting);
+        }
+    }
+    return inner;
+}
+
+/// Looks at some of the pairs that wait.
+HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk, Visit* visits) {
+    const std::size_t count = std::min(walk.waiting_count, wide_batch_max);
+    walk.waiting_count -= count;
+    const WidePair* now = walk.waiting + walk.waiting_count;
+    const std::size_t inner = meet_inner(pose, walk, now, count, visits);
+    auto* to = reinterpret_cast<std::uint32_t*>(walk.waiting + walk.waiting_count);
+    walk.waiting_count += look_at<false>(pose, walk, visits, inner, to);
+    count_visits(walk, inner);
+}
+
+/// Looks at some of the pairs of leaves.
+HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk, Visit* visits) {
+    const std::size_t count = std::min(walk.leaf_count, wide_batch_max);
+    walk.leaf_count -= count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const WidePair now = walk.leaves[walk.leaf_count + i];
+        meet(pose, walk.a.nodes[now.a], walk.b.nodes[now.b], now, visits[i].meeting);
+    }
+    auto* to = reinterpret_cast<std::uint32_t*>(walk.candidates + walk.candidate_count);
+    walk.candidate_count += look_at<true>(pose, walk, visits, count, to);
+    count_visits(walk, count);
+}
+
+/// Looks at the most promising pair.
+HWY_INLINE void visit_ranked(const WidePose& pose, WideWalk& walk, Visit& visit) {
+    const WidePair now = walk.ranked.pop();
+    const std::size_t inner = meet_inner(pose, walk, &now, 1, &visit);
+    std::size_t left = 0;
+    if (see_both<false>(pose, walk, &visit, inner, &left) > 0) {
+        const Rows rows = rows_of(visit, walk.box_tests);
+        rank_pairs(rows.one, rows.others, rows.one_is_a, walk.ranked);
+    }
+    count_visits(walk, inner);
+    if (walk.leaf_count > 0) {
+        visit_leaves(pose, walk, &visit);
+    }
+}
+
+void walk_ranked(const WidePose& pose, WideWalk& walk) {
+    Visit visit;
+    while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
+           walk.ranked.size() > 0) {
+        visit_ranked(pose, walk, visit);
+    }
+}
+
+void walk_all(const WidePose& pose, WideWalk& walk) {
+    Visit visits[wide_batch_max];
+    while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
+           walk.waiting_count + wide_pairs_slack <= walk.waiting_room) {
+        if (walk.leaf_count >= walk.leaves_at_once ||
+            (walk.waiting_count == 0 && walk.leaf_count > 0)) {
+            visit_leaves(pose, walk, visits);
+        } else if (walk.waiting_count > 0) {
+            visit_inner(pose, walk, visits);
+        } else {
+            return;
+        }
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace cd
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace cd {
+
+HWY_EXPORT(walk_all);
+HWY_EXPORT(walk_ranked);
+
+void walk_wide(const WidePose& pose, WideWalk& walk) {
+    HWY_DYNAMIC_DISPATCH(walk_all)(pose, walk);
+}
+
+void walk_wide_ranked(const WidePose& pose, WideWalk& walk) {
+    HWY_DYNAMIC_DISPATCH(walk_ranked)(pose, walk);
+}
+
+} // namespace cd
+
+#endif

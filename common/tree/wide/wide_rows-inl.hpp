@@ -1,0 +1,181 @@
+// Which children of two wide nodes may overlap. Compiled for every target.
+
+// Highway's guard: once for each target.
+#if defined(CD_WIDE_ROWS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CD_WIDE_ROWS_INL_HPP
+#undef CD_WIDE_ROWS_INL_HPP
+#else
+#define CD_WIDE_ROWS_INL_HPP
+#endif
+
+#include "common/tree/wide/pair_buckets.hpp"
+#include "common/tree/wide/wide_sides-inl.hpp"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cd {
+namespace HWY_NAMESPACE {
+
+/// Bytes as floats: quicker to look up, one here and there, than to convert.
+struct ByteTable {
+    std::array<float, 256> values{};
+
+    constexpr ByteTable() {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] = static_cast<float>(i);
+        }
+    }
+};
+inline constexpr ByteTable bytes_as_floats;
+
+/// The children of one of two nodes that meet.
+struct RowSide {
+    const Side& children;
+    const Intervals& seen; ///< In the other's frame.
+    std::uint32_t found;   ///< Those that may reach into the other.
+};
+
+/// How unlike a contact pairs of children look, of each row and lane; pair_buckets.hpp has the
+/// measure.
+struct Ranks {
+    alignas(64) std::int32_t of[children][children];
+};
+
+/// The distance of the middles of two intervals by the sum of half their sizes.
+HWY_INLINE V distance_ratio(V low, V high, V other_low, V other_high) {
+    const V apart = hn::Abs(hn::Sub(hn::Add(low, high), hn::Add(other_low, other_high)));
+    return hn::Div(apart, hn::Add(hn::Sub(high, low), hn::Sub(other_high, other_low)));
+}
+
+/// Which children of one side may overlap those of the other that it names. Ranks where asked for.
+template <bool kRanked>
+HWY_INLINE void
+find_rows(const RowSide& one, const RowSide& others, std::uint32_t* found, Ranks* ranks) {
+    const Floats d;
+    const hn::RebindToSigned<Floats> di;
+    const auto own = [](const WideNode::Bytes& bytes, std::size_t i)
+                         HWY_ATTR { return hn::Set(Floats(), bytes_as_floats.values[bytes[i]]); };
+    HWY_UNROLL(4)
+    for (std::size_t lane = 0; lane < children; lane += lanes) {
+        V low[3];
+        V high[3];
+        V seen_low[3];
+        V seen_high[3];
+        HWY_UNROLL(3)
+        for (std::size_t k = 0; k < 3; ++k) {
+            low[k] = low_of(others.children, k, lane);
+            high[k] = high_of(others.children, k, lane);
+            seen_low[k] = hn::Load(d, others.seen.low[k] + lane);
+            seen_high[k] = hn::Load(d, others.seen.high[k] + lane);
+        }
+        std::size_t row = 0;
+        for (std::uint32_t rest = one.found; rest != 0; rest &= rest - 1) {
+            const auto i = static_cast<std::size_t>(__builtin_ctz(rest));
+            M apart = hn::FirstN(d, 0);
+            V ratio = hn::Zero(d);
+            HWY_UNROLL(3)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const V own_low = own(one.children.low[k], i);
+                const V own_high = own(one.children.high[k], i);
+                const V one_low = hn::Set(d, one.seen.low[k][i]);
+                const V one_high = hn::Set(d, one.seen.high[k][i]);
+                const M in_one =
+                    hn::Or(hn::Gt(seen_low[k], own_high), hn::Lt(seen_high[k], own_low));
+                const M in_others = hn::Or(hn::Lt(high[k], one_low), hn::Gt(low[k], one_high));
+                apart = hn::Or(apart, hn::Or(in_one, in_others));
+                if constexpr (kRanked) {
+                    ratio = hn::Max(ratio,
+                                    distance_ratio(seen_low[k], seen_high[k], own_low, own_high));
+                    ratio = hn::Max(ratio, distance_ratio(low[k], high[k], one_low, one_high));
+                }
+            }
+            if constexpr (kRanked) {
+                const V scaled = hn::Mul(ratio, hn::Set(d, float{PairBuckets::count}));
+                hn::Store(hn::ConvertTo(di, scaled), di, ranks->of[row] + lane);
+            }
+            const std::uint32_t before = lane == 0 ? 0 : found[row];
+            found[row++] = before | bits_of(hn::Not(apart)) << lane;
+        }
+    }
+}
+
+/// Writes the pairs of one child with those of the other side from `their_first` on that the bits
+/// name; how many.
+HWY_INLINE std::size_t append(bool is_of_a,
+                              std::uint32_t own,
+                              std::uint32_t their_first,
+                              std::uint32_t found,
+                              std::uint32_t* to) {
+#if HWY_TARGET == HWY_AVX3
+    using All = hn::RebindToUnsigned<Floats>;
+    const All du;
+    const hn::Half<All> dh;
+    const auto theirs = hn::Compress(hn::Add(hn::Iota(du, 0), hn::Set(du, their_first)),
+                                     hn::Mask<All>{static_cast<__mmask16>(found)});
+    const auto store = [&](hn::Vec<hn::Half<All>> their, std::uint32_t* pairs) HWY_ATTR {
+        const auto ours = hn::Set(dh, own);
+        const hn::Mask<hn::Half<All>> all{static_cast<__mmask8>(is_of_a ? 0xff : 0)};
+        hn::StoreInterleaved2(
+            hn::IfThenElse(all, ours, their), hn::IfThenElse(all, their, ours), dh, pairs);
+    };
+    const auto count = static_cast<std::size_t>(__builtin_popcount(found));
+    store(hn::LowerHalf(dh, theirs), to);
+    if (count > children / 2) {
+        store(hn::UpperHalf(dh, theirs), to + children);
+    }
+    return count;
+#else
+    // Few are found, and other targets have no such instruction.
+    std::size_t count = 0;
+    const std::size_t ours = is_of_a ? 0 : 1;
+    for (; found != 0; found &= found - 1) {
+        to[2 * count + ours] = own;
+        to[2 * count + 1 - ours] = their_first + static_cast<std::uint32_t>(__builtin_ctz(found));
+        ++count;
+    }
+    return count;
+#endif
+}
+
+/// Writes the pairs of children that may overlap, row by row of `one`; how many.
+HWY_INLINE std::size_t
+pair_up(const RowSide& one, const RowSide& others, bool one_is_a, std::uint32_t* to) {
+    std::uint32_t found[children];
+    find_rows<false>(one, others, found, nullptr);
+    std::size_t count = 0;
+    std::size_t row = 0;
+    for (std::uint32_t rest = one.found; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::uint32_t>(__builtin_ctz(rest));
+        count += append(one_is_a,
+                        one.children.first + i,
+                        others.children.first,
+                        found[row++] & others.found,
+                        to + 2 * count);
+    }
+    return count;
+}
+
+/// Puts the pairs of children that may overlap where they wait, by their ranks.
+HWY_INLINE void
+rank_pairs(const RowSide& one, const RowSide& others, bool one_is_a, PairBuckets& to) {
+    std::uint32_t found[children];
+    Ranks ranks;
+    find_rows<true>(one, others, found, &ranks);
+    std::size_t row = 0;
+    for (std::uint32_t rest = one.found; rest != 0; rest &= rest - 1, ++row) {
+        const std::uint32_t own =
+            one.children.first + static_cast<std::uint32_t>(__builtin_ctz(rest));
+        for (std::uint32_t bits = found[row] & others.found; bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::uint32_t>(__builtin_ctz(bits));
+            const std::uint32_t theirs = others.children.first + lane;
+            to.push(one_is_a ? WidePair{own, theirs} : WidePair{theirs, own}, ranks.of[row][lane]);
+        }
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace cd
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,250 @@
+#include "master/blocks/block_delivery.hpp"
+
+#include "common/core/host/log.hpp"
+#include "common/core/limits/limits.hpp"
+#include "master/base/mutation.hpp"
+#include "proto/access/peer_ticket.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+BlockDirector::Time now() {
+    return std::chrono::steady_clock::now();
+}
+
+} // namespace
+
+BlockDelivery::BlockDelivery(asio::any_io_executor executor, const TreeRegistry& trees)
+    : executor_(std::move(executor)), trees_(trees), timer_(executor_) {}
+
+bool BlockDelivery::knows(WorkerId worker, TreeId tree) const {
+    return links_.contains(worker) && trees_.find(tree) != nullptr;
+}
+
+Status BlockDelivery::check_roots(TreeId tree, const std::vector<RootIndex>& roots) const {
+    return trees_.find(tree)->has_blocks(roots)
+               ? Status(Done{})
+               : Error{ErrorCode::BadFrame, "it speaks of a root that does not exist"};
+}
+
+void BlockDelivery::worker_joined(WorkerId worker,
+                                  std::shared_ptr<Channel> channel,
+                                  const PeerKey& key,
+                                  std::uint16_t port) {
+    Link link;
+    link.host = channel->peer_host();
+    link.channel = std::move(channel);
+    link.key = key;
+    link.port = port;
+    links_.emplace(worker, std::move(link));
+    director_.worker_joined(worker, port != 0);
+    probe(worker);
+}
+
+void BlockDelivery::worker_left(WorkerId worker) {
+    links_.erase(worker);
+    act(director_.worker_left(worker, now()));
+}
+
+void BlockDelivery::worker_detached(WorkerId worker) {
+    if (const auto link = links_.find(worker); link != links_.end()) {
+        link->second.queue.clear();
+        act(director_.worker_left(worker, now()));
+    }
+}
+
+void BlockDelivery::worker_returned(WorkerId worker, std::shared_ptr<Channel> channel) {
+    if (const auto link = links_.find(worker); link != links_.end()) {
+        worker_detached(worker);
+        link->second.host = channel->peer_host();
+        link->second.channel = std::move(channel);
+        director_.worker_joined(worker, link->second.port != 0);
+        probe(worker);
+    }
+}
+
+void BlockDelivery::probe(WorkerId worker) {
+    const Link& link = links_.at(worker);
+    if (link.port != 0) {
+        spawn(executor_,
+              "probe of a worker's port",
+              probe(worker, {link.host, link.port}, link.channel));
+    }
+}
+
+asio::awaitable<void>
+BlockDelivery::probe(WorkerId worker, Endpoint endpoint, std::weak_ptr<Channel> channel) {
+    const Status reached = co_await reach(endpoint, limits::peer_connect_timeout);
+    const auto link = links_.find(worker);
+    if (reached || closed_ || link == links_.end() || link->second.channel != channel.lock()) {
+        co_return;
+    }
+    log_warning("worker cannot serve other workers: worker={} port={} reason=\"{}\"",
+                worker.value,
+                endpoint.port,
+                reached.error().detail);
+    act(director_.not_reached(worker, now()));
+}
+
+Status BlockDelivery::wanted(WorkerId worker, const WantSubtrees& want) {
+    if (!knows(worker, want.tree)) {
+        return Done{};
+    }
+    Status there = check_roots(want.tree, want.roots);
+    if (there) {
+        act(director_.wanted(worker, want.tree, want.roots, now()));
+    }
+    return there;
+}
+
+Status BlockDelivery::held(WorkerId worker, const Held& held) {
+    if (!knows(worker, held.tree)) {
+        return Done{};
+    }
+    Status there = check_roots(held.tree, held.roots);
+    if (there) {
+        act(director_.held(worker, held.tree, held.roots, now()));
+    }
+    return there;
+}
+
+void BlockDelivery::evicted(WorkerId worker, const Evicted& evicted) {
+    if (knows(worker, evicted.tree)) {
+        act(director_.evicted(worker, evicted.tree, evicted.roots, now()));
+    }
+}
+
+void BlockDelivery::failed(WorkerId worker, const FetchFailed& failed) {
+    if (!knows(worker, failed.tree)) {
+        return;
+    }
+    log_info("fetch from a peer failed: worker={} source={} tree={} roots={} outcome={}",
+             worker.value,
+             failed.source.value,
+             failed.tree.value,
+             failed.roots.size(),
+             to_text(failed.outcome));
+    const bool was_avoided = director_.is_avoided(failed.source);
+    act(director_.peer_failed(
+        worker, failed.source, failed.tree, failed.roots, failed.outcome, now()));
+    if (!was_avoided && director_.is_avoided(failed.source)) {
+        log_warning("worker no longer serves other workers: worker={} outcome={}",
+                    failed.source.value,
+                    to_text(failed.outcome));
+    }
+}
+
+void BlockDelivery::tree_removed(TreeId tree) {
+    for (auto& [worker, link] : links_) {
+        const auto is_of_tree = [&](const BlockKey& block) { return block.tree == tree; };
+        std::erase_if(link.queue, is_of_tree);
+    }
+    act(director_.tree_removed(tree, now()));
+}
+
+BlockDelivery::Sent BlockDelivery::sent_to(WorkerId worker) const {
+    const auto link = links_.find(worker);
+    return link == links_.end() ? Sent{} : link->second.sent;
+}
+
+// ---- What the director decides ----------------------------------------------------------------
+
+void BlockDelivery::act(const BlockActions& actions) {
+    for (const BlockAction& action : actions) {
+        if (const auto* block = std::get_if<SendBlock>(&action)) {
+            send(*block);
+        } else {
+            direct(std::get<SendToPeers>(action));
+        }
+    }
+    if (!watching_ && !closed_ && director_.open() != 0) {
+        watching_ = true;
+        spawn(executor_, "blocks under way", watch_time());
+    }
+}
+
+void BlockDelivery::send(const SendBlock& action) {
+    Link& link = links_.at(action.to);
+    link.queue.push_back(action.block);
+    if (!std::exchange(link.sending, true)) {
+        spawn(executor_, "subtrees to a worker", send_queue(action.to));
+    }
+}
+
+void BlockDelivery::direct(const SendToPeers& action) {
+    const auto geometry = trees_.find(action.tree);
+    FetchFromPeers directions;
+    directions.tree = action.tree;
+    directions.roots = action.roots;
+    for (const RootIndex root : action.roots) {
+        directions.hashes.push_back(geometry->hash(root));
+    }
+    for (const WorkerId source : action.sources) {
+        Link& from = links_.at(source);
+        const std::uint64_t ticket = ++from.ticket_last;
+        const Sha256 proof = ticket_proof(from.key, ticket, action.tree, action.roots);
+        directions.sources.push_back({source, from.host, from.port, ticket, proof});
+    }
+    links_.at(action.to).channel->send(directions);
+}
+
+asio::awaitable<void> BlockDelivery::send_queue(WorkerId worker) {
+    for (;;) {
+        const auto link = links_.find(worker);
+        if (link == links_.end() || link->second.queue.empty()) {
+            if (link != links_.end()) {
+                link->second.sending = false;
+            }
+            co_return;
+        }
+        const TreeId tree = link->second.queue.front().tree;
+        send_some(link->second, tree, *trees_.find(tree));
+        const auto channel = link->second.channel;
+        if (!mutated(Mutation::TooMuchInFlight)) {
+            co_await channel->wait_until_queued_below(limits::subtrees_queue_bytes_max);
+        }
+    }
+}
+
+void BlockDelivery::send_some(Link& link, TreeId tree, const CutGeometry& geometry) {
+    Subtrees subtrees;
+    subtrees.tree = tree;
+    std::uint64_t bytes = 0;
+    while (!link.queue.empty() && link.queue.front().tree == tree &&
+           bytes < limits::subtrees_bytes_min) {
+        subtrees.blocks.push_back(geometry.block(link.queue.front().root));
+        bytes += subtrees.blocks.back().compressed.size();
+        link.queue.pop_front();
+    }
+    link.sent.blocks += subtrees.blocks.size();
+    link.sent.bytes += bytes;
+    link.channel->send(subtrees);
+}
+
+asio::awaitable<void> BlockDelivery::watch_time() {
+    while (!closed_ && director_.open() != 0) {
+        timer_.expires_after(limits::peer_check_period);
+        boost::system::error_code ignored;
+        co_await timer_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        if (!closed_) {
+            act(director_.time_is(now()));
+        }
+    }
+    watching_ = false;
+}
+
+void BlockDelivery::close() {
+    closed_ = true;
+    timer_.cancel();
+    for (auto& [worker, link] : links_) {
+        link.queue.clear();
+    }
+}
+
+} // namespace cd

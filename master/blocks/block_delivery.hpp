@@ -1,0 +1,97 @@
+// Carries blocks of geometry to the workers, or tells them from whom to fetch them.
+#pragma once
+
+#include "master/blocks/block_director.hpp"
+#include "master/geometry/tree_registry.hpp"
+#include "proto/channel/asio.hpp"
+#include "proto/channel/channel.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+
+namespace cd {
+
+/// Carries out the director's decisions on the workers' channels. Runs on the executor's thread.
+/// Ignores events of unknown workers and of trees that are no longer used.
+class BlockDelivery {
+  public:
+    BlockDelivery(asio::any_io_executor executor, const TreeRegistry& trees);
+    BlockDelivery(const BlockDelivery&) = delete;
+    BlockDelivery& operator=(const BlockDelivery&) = delete;
+    /// Stops all transfers and timers: the master ends.
+    void close();
+
+    /// `port` is where the worker serves others, or 0 if it does not. A worker that a probe does
+    /// not reach is never a source.
+    void worker_joined(WorkerId worker,
+                       std::shared_ptr<Channel> channel,
+                       const PeerKey& key,
+                       std::uint16_t port);
+    void worker_left(WorkerId worker);
+    /// The connection broke: the worker gets no blocks and is no source until it returns.
+    void worker_detached(WorkerId worker);
+    /// The worker has a connection again, and then tells which blocks it holds and wants.
+    void worker_returned(WorkerId worker, std::shared_ptr<Channel> channel);
+
+    /// Whether blocks of the tree may be sent to the worker.
+    [[nodiscard]] bool knows(WorkerId worker, TreeId tree) const;
+    /// Errors of `wanted` and `held`: BadFrame for a root that the tree does not have.
+    [[nodiscard]] Status wanted(WorkerId worker, const WantSubtrees& want);
+    [[nodiscard]] Status held(WorkerId worker, const Held& held);
+    void evicted(WorkerId worker, const Evicted& evicted);
+    void failed(WorkerId worker, const FetchFailed& failed);
+    void tree_removed(TreeId tree);
+
+    /// Blocks sent by the master itself.
+    struct Sent {
+        std::uint64_t blocks = 0;
+        std::uint64_t bytes = 0; ///< Compressed.
+    };
+    [[nodiscard]] Sent sent_to(WorkerId worker) const;
+    /// The blocks that the worker reported to hold; none without a connection, or if it serves no
+    /// others.
+    [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
+        return director_.held_by(worker);
+    }
+    /// Aborts when an invariant is broken; for tests, after each event.
+    void check_invariants() const { director_.check_invariants(); }
+
+  private:
+    struct Link {
+        std::shared_ptr<Channel> channel;
+        PeerKey key;
+        std::string host;
+        std::uint16_t port = 0;
+        std::uint64_t ticket_last = 0; ///< Number of the last ticket for fetches from it.
+        std::deque<BlockKey> queue;    ///< Blocks that the master has yet to send.
+        bool sending = false;
+        Sent sent;
+    };
+
+    /// The tree is known.
+    [[nodiscard]] Status check_roots(TreeId tree, const std::vector<RootIndex>& roots) const;
+    void probe(WorkerId worker);
+    [[nodiscard]] asio::awaitable<void>
+    probe(WorkerId worker, Endpoint endpoint, std::weak_ptr<Channel> channel);
+    void act(const BlockActions& actions);
+    void send(const SendBlock& action);
+    void direct(const SendToPeers& action);
+    [[nodiscard]] asio::awaitable<void> send_queue(WorkerId worker);
+    static void send_some(Link& link, TreeId tree, const CutGeometry& geometry);
+    [[nodiscard]] asio::awaitable<void> watch_time();
+
+    asio::any_io_executor executor_;
+    const TreeRegistry& trees_;
+    BlockDirector director_;
+    std::map<WorkerId, Link> links_;
+    asio::steady_timer timer_;
+    bool watching_ = false;
+    bool closed_ = false;
+};
+
+} // namespace cd

@@ -1,0 +1,155 @@
+// The dispatcher's actions, and what is asked of the whole.
+#include "master/coordinator/coordinator.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/host/log.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/core/version.hpp"
+
+#include <sys/resource.h>
+
+#include <random>
+
+namespace cd {
+
+namespace {
+
+double seconds_of(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+double cpu_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+}
+
+} // namespace
+
+Coordinator::Coordinator(CoordinatorParts parts)
+    : parts_(std::move(parts)),
+      epoch_(std::random_device{}() | std::uint64_t{std::random_device{}()} << 32),
+      watch_(parts_.times),
+      blocks_(parts_.executor, trees_),
+      jobs_(limits::results_ended_kept_max, parts_.retention) {}
+Coordinator::~Coordinator() = default;
+
+double Coordinator::now() const {
+    return std::chrono::duration<double>(Clock::now() - started_).count();
+}
+
+Dispatcher& Coordinator::dispatcher() {
+    dispatcher_.time_is(now());
+    return dispatcher_;
+}
+
+void Coordinator::act(Actions actions) {
+    std::move(actions.begin(), actions.end(), std::back_inserter(actions_));
+    // What an action sets off may bring further ones; they wait for their turn.
+    if (acting_) {
+        return;
+    }
+    acting_ = true;
+    while (!actions_.empty()) {
+        const Action action = std::move(actions_.front());
+        actions_.pop_front();
+        std::visit([this](const auto& one) { perform(one); }, action);
+    }
+    acting_ = false;
+}
+
+void Coordinator::perform(const SendBatch& action) {
+    const auto link = workers_.find(action.worker);
+    if (link == workers_.end()) {
+        return; // It left; the dispatcher knows.
+    }
+    MasterJob* job = jobs_.find_running(action.job);
+    if (job == nullptr) {
+        act(dispatcher().task_ended(action.worker, action.task));
+        return;
+    }
+    auto content = std::make_shared<TaskContent>();
+    content->job = job->id;
+    content->material = job->material;
+    Batch batch{action.task, job->id, {}, {0}, {}};
+    std::vector<Scenario> scenarios;
+    for (const std::uint64_t index : action.scenarios) {
+        const auto& analysis = job->open.at(index);
+        scenarios.push_back(analysis->scenario);
+        batch.pairs.insert(batch.pairs.end(), analysis->pairs.begin(), analysis->pairs.end());
+        batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
+        content->scenarios.push_back(analysis);
+    }
+    batch.scenarios = pack_scenarios(scenarios);
+    add_job_to(link->second, *job);
+    link->second.channel->send(batch);
+    RunningTask task{action.worker, std::move(content)};
+    task.is_copy = action.is_copy;
+    job->help.copies += action.is_copy ? action.scenarios.size() : 0;
+    tasks_.emplace(action.task, std::move(task));
+    note_work(action.worker);
+}
+
+void Coordinator::perform(const AskBack& action) {
+    if (const auto link = workers_.find(action.worker); link != workers_.end()) {
+        link->second.channel->send(Recall{action.task, action.scenarios, action.places});
+    }
+}
+
+void Coordinator::perform(const CallOff& action) {
+    if (const auto link = workers_.find(action.worker); link != workers_.end()) {
+        link->second.channel->send(DropScenario{action.job, action.scenario, action.task});
+    }
+}
+
+void Coordinator::perform(const SendHint& action) {
+    const auto link = workers_.find(action.worker);
+    const MasterJob* job = jobs_.find_running(action.job);
+    if (link != workers_.end() && job != nullptr) {
+        add_job_to(link->second, *job);
+        link->second.channel->send(Hint{action.job, action.tree, action.roots});
+    }
+}
+
+void Coordinator::perform(const GiveUp& action) {
+    MasterJob* job = jobs_.find_running(action.job);
+    if (job == nullptr) {
+        return;
+    }
+    const auto analysis = job->open.at(action.scenario);
+    log_error("scenario given up: job={} scenario={}", job->id.value, action.scenario);
+    const std::string why = "lost with " + std::to_string(limits::scenario_losses_max) +
+                            " workers, one after the other, or with fewer again and again";
+    if (job->merger.has(action.scenario)) {
+        give_up_doubt(*job, analysis->scenario, why);
+    } else {
+        fail_scenario(*job, analysis->scenario, why);
+    }
+}
+
+ClusterStatus Coordinator::cluster_status() {
+    ClusterStatus status;
+    status.build = version;
+    status.uptime_seconds = now();
+    status.cpu_seconds = cpu_seconds();
+    for (const auto& [id, link] : workers_) {
+        status.workers.push_back(worker_status(id, link));
+    }
+    for (const auto& [id, lost] : lost_) {
+        status.workers.push_back(lost.status);
+        status.workers.back().silent_seconds = watch_.silence(id, Clock::now()).count();
+    }
+    status.jobs = jobs_.statuses(Clock::now());
+    for (JobStatus& job : status.jobs) {
+        add_what_it_waits_for(job);
+    }
+    status.alarms = alarms_.last;
+    status.alarm_count = alarms_.count;
+    status.workers_lost = workers_lost_;
+    status.sessions_resumed = sessions_resumed_;
+    status.scenarios_given_back = scenarios_given_back_;
+    status.meshes = parts_.geometry.meshes();
+    return status;
+}
+
+} // namespace cd

@@ -1,0 +1,99 @@
+// What is always true between two events of the coordinator.
+#include "common/core/check.hpp"
+#include "master/coordinator/coordinator.hpp"
+
+namespace cd {
+
+void Coordinator::check_invariants() const {
+    CD_CHECK(!acting_);
+    CD_CHECK(actions_.empty());
+    dispatcher_.check_invariants();
+    ledger_.check_invariants();
+    blocks_.check_invariants();
+    check_leases();
+    std::uint64_t open_bytes = 0;
+    for (const JobId id : jobs_.running()) {
+        check_job(jobs_.at(id));
+        for (const auto& [index, analysis] : jobs_.at(id).open) {
+            open_bytes += analysis->bytes;
+        }
+    }
+    CD_CHECK(open_bytes == open_bytes_);
+}
+
+std::set<BlockKey> Coordinator::blocks_held_by(WorkerId worker) const {
+    const auto link = workers_.find(worker);
+    const bool is_known = link != workers_.end() && link->second.is_settled &&
+                          !link->second.quarantined && link->second.channel->is_open();
+    return is_known ? blocks_.held_by(worker) : std::set<BlockKey>{};
+}
+
+/// Whatever goes out is at a worker that is here, and watched, so that it ends some time; the
+/// dispatcher and the sessions agree on it.
+void Coordinator::check_leases() const {
+    std::size_t tasks = 0;
+    for (const WorkerId worker : dispatcher_.workers()) {
+        const auto link = workers_.find(worker);
+        CD_CHECK(link != workers_.end());
+        CD_CHECK(!link->second.quarantined);
+        const auto state = watch_.state(worker);
+        CD_CHECK(state == WorkerState::Alive || state == WorkerState::Silent);
+        for (const TaskId task : dispatcher_.tasks_of(worker)) {
+            CD_CHECK(tasks_.contains(task));
+            CD_CHECK(tasks_.at(task).worker == worker);
+            ++tasks;
+        }
+    }
+    CD_CHECK(tasks == tasks_.size());
+    CD_CHECK(workers_.empty() || closed_ || watch_timer_ != nullptr);
+}
+
+void Coordinator::check_job(const MasterJob& job) const {
+    if (job.material == nullptr) {
+        return;
+    }
+    CD_CHECK(dispatcher_.unanswered(job.id) == job.open.size());
+    for (const auto& [index, analysis] : job.open) {
+        CD_CHECK(job.lacks(index));
+    }
+    if (job.analyses_under_way() != 0 || job.places_loading != 0) {
+        return;
+    }
+    // None is lost: each is merged, at the dispatcher, or still to be handed out.
+    const std::vector<bool> in_ranges = scenarios_in_ranges(job);
+    for (std::uint64_t index = 0; index < job.submit.scenarios; ++index) {
+        // Where a list's doubted scenarios stand is looked up on a thread, and then they are to be
+        // handed out; until they have been, the job does not end.
+        const bool may_be_looked_up = job.order->grid() == nullptr && job.merger.has(index);
+        CD_CHECK(!job.lacks(index) || in_ranges[index] || job.open.contains(index) ||
+                 may_be_looked_up);
+    }
+}
+
+std::vector<bool> Coordinator::scenarios_in_ranges(const MasterJob& job) const {
+    std::vector<bool> found(job.submit.scenarios);
+    const auto add = [&](const PlaceRange& places) {
+        if (places.count == 0) {
+            return; // All of it was given back.
+        }
+        const Result<std::vector<Scenario>> scenarios = job.order->read(places.first, places.count);
+        CD_CHECK(scenarios.has_value());
+        for (const Scenario& scenario : scenarios.value()) {
+            found[scenario.index] = true;
+        }
+    };
+    for (const PlaceQueue::Piece& piece : job.todo.pieces()) {
+        add(piece.places);
+    }
+    for (const PlaceRange& places : dispatcher_.places_of(job.id)) {
+        add(places);
+    }
+    for (const auto& [id, task] : tasks_) {
+        if (task.content->job == job.id && task.places) {
+            add(*task.places);
+        }
+    }
+    return found;
+}
+
+} // namespace cd

@@ -1,0 +1,438 @@
+// The life of a job in the coordinator: prepared, fed, ended.
+#include "common/core/host/log.hpp"
+#include "common/core/host/wall_clock.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/job/run_scenario.hpp"
+#include "master/base/run_on.hpp"
+#include "master/base/way_out.hpp"
+#include "master/coordinator/coordinator.hpp"
+#include "master/jobs/job_geometry.hpp"
+#include "master/jobs/submission.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+namespace {
+
+/// The scenarios that have a result, by index. Null: none has.
+std::shared_ptr<const std::vector<bool>> done_scenarios(const ResultMerger& merger) {
+    if (merger.summary().merged() == 0) {
+        return nullptr;
+    }
+    auto done = std::make_shared<std::vector<bool>>(merger.summary().total);
+    for (std::uint64_t scenario = 0; scenario < done->size(); ++scenario) {
+        (*done)[scenario] = merger.has(scenario);
+    }
+    return done;
+}
+
+} // namespace
+
+Status Coordinator::restore(Recovered recovered) {
+    cluster_ = recovered.cluster;
+    alarms_ = std::move(recovered.alarms);
+    quarantined_ = {alarms_.quarantined.begin(), alarms_.quarantined.end()};
+    jobs_.reserve(recovered.last_job);
+    for (RecoveredJob& found : recovered.jobs) {
+        const std::vector<std::uint64_t> done = std::move(found.done);
+        const std::vector<WorkerProcess> authors = std::move(found.authors);
+        const std::vector<Remark> disputes = std::move(found.disputes);
+        MasterJob& job = jobs_.add(MasterJob(std::move(found), Clock::now()));
+        job.meshes = parts_.geometry.hold(meshes_of(job.submit));
+        if (!job.is_running()) {
+            continue;
+        }
+        const auto poses = open_poses(job.submit, parts_.journal.poses_path(job.id));
+        if (!poses) {
+            return with_way_out(poses.error());
+        }
+        job.poses = poses.value();
+        ledger_.open_job(job.id);
+        for (const std::uint64_t scenario : done) {
+            ledger_.restore(job.id, scenario);
+        }
+        restore_authors(job, done, authors, disputes);
+        log_info("job goes on: job={} name=\"{}\" done={} scenarios={}",
+                 job.id.value,
+                 job.submit.name,
+                 done.size(),
+                 job.submit.scenarios);
+        spawn(parts_.executor, "prepare job", prepare_job(job.id));
+    }
+    await_workers();
+    parts_.journal.start(journal_events());
+    return Done{};
+}
+
+void Coordinator::await_workers() {
+    std::set<JobId> jobs;
+    std::set<WorkerProcess> processes;
+    for (const JobId id : jobs_.running()) {
+        jobs.insert(id);
+        processes.merge(std::set(jobs_.at(id).contributors));
+    }
+    std::erase_if(processes, [this](WorkerProcess one) { return quarantined_.contains(one); });
+    const auto until = Clock::now() + parts_.times.return_within;
+    awaited_ = AwaitedWorkers(std::move(jobs), std::move(processes), until);
+    if (awaited_.size() != 0) {
+        log_info("jobs wait for workers to come back: workers={} seconds_max={:.3f}",
+                 awaited_.size(),
+                 std::chrono::duration<double>(parts_.times.return_within).count());
+        awaited_until_ = std::make_shared<asio::steady_timer>(parts_.executor, until);
+        spawn(parts_.executor, "workers that come back", end_waiting(awaited_until_));
+    }
+}
+
+asio::awaitable<void> Coordinator::end_waiting(std::shared_ptr<asio::steady_timer> timer) {
+    boost::system::error_code ignored;
+    co_await timer->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    if (!closed_) {
+        feed();
+    }
+}
+
+asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
+                                                     std::shared_ptr<JobSpool> spool) {
+    if (!paused_.empty()) {
+        co_return Error{ErrorCode::Io, "the master takes no jobs now: " + paused_};
+    }
+    const Result<JobId> next = jobs_.next(submit.scenarios);
+    if (!next) {
+        co_return next.error();
+    }
+    const JobId id = next.value();
+    if (spool != nullptr) {
+        auto seal = [this, id, spool] {
+            return spool->seal(parts_.journal, id, parts_.durability);
+        };
+        if (const Status sealed = co_await run_on(parts_.blocking, seal); !sealed) {
+            jobs_.give_up(id);
+            co_return sealed.error();
+        }
+    }
+    auto results = ResultStore::create(parts_.journal.results_path(id), id, submit.scenarios);
+    const auto accepted = std::make_shared<asio::steady_timer>(
+        parts_.executor, asio::steady_timer::time_point::max());
+    waiting_for_acceptance_.emplace(id, accepted);
+    ledger_.open_job(id);
+    const std::uint64_t began = unix_seconds();
+    ledger_.promise(JobAccepted{id}, write(AcceptJob{{id, submit, began}}));
+    boost::system::error_code ignored;
+    co_await accepted->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+
+    MasterJob& job = jobs_.add(MasterJob(id, submit, std::move(results), Clock::now()));
+    job.began = began;
+    job.meshes = parts_.geometry.hold(meshes_of(submit));
+    if (submit.grid) {
+        job.poses = make_grid_source(decode_grid(*submit.grid).value());
+    } else {
+        job.poses = spool->poses();
+    }
+    log_info("job accepted: job={} name=\"{}\" scenarios={} strategy={}",
+             id.value,
+             submit.name,
+             submit.scenarios,
+             to_text(submit.cluster.strategy));
+    spawn(parts_.executor, "prepare job", prepare_job(id));
+    co_return id;
+}
+
+asio::awaitable<void> Coordinator::prepare_job(JobId id) {
+    const MasterJob* accepted = jobs_.find(id);
+    if (accepted == nullptr) {
+        co_return; // Removed meanwhile.
+    }
+    const Submit submit = accepted->submit;
+    auto make = [&store = parts_.geometry, &submit] { return make_job_geometry(store, submit); };
+    const StoreResult<JobGeometry> made = co_await run_on(parts_.blocking, make);
+    MasterJob* job = jobs_.find_running(id);
+    if (job == nullptr) {
+        co_return; // Cancelled meanwhile.
+    }
+    if (made) {
+        job_paused(*job, "");
+        start_job(*job, made.value());
+        co_return;
+    }
+    const Error& why = made.error();
+    const bool may_be_mended = made.is_unwritten() || why.code == ErrorCode::NotFound;
+    wait_for_disk(*job, may_be_mended ? Error{ErrorCode::Io, why.detail} : why, [this, id] {
+        spawn(parts_.executor, "prepare job", prepare_job(id));
+    });
+}
+
+void Coordinator::start_job(MasterJob& job, const JobGeometry& made) {
+    const Submit& submit = job.submit;
+    AnalysisInput input = make_analysis_input(made, submit.query, job.poses);
+    job.material = std::make_shared<const JobMaterial>(
+        JobMaterial{made.tree_a, made.tree_b, submit.query, input.settler});
+    job.tree_a = trees_.acquire(submit.bodies[0].mesh, made.cut_a);
+    job.tree_b = trees_.acquire(submit.bodies[1].mesh, made.cut_b);
+    job.depths = {made.cut_a->depth(), made.cut_b->depth()};
+    for (auto& [worker, link] : workers_) {
+        if (!link.quarantined) {
+            add_held_trees(link);
+        }
+    }
+    job.analysis_input = input;
+    job.order = std::make_shared<OrderedPoses>(std::move(input.poses));
+    job.todo = PlaceQueue(job.order->count(), std::exchange(job.losses_before, {}));
+    act(dispatcher().job_opened(job.id,
+                                submit.cluster,
+                                dispatch_tree(job.tree_a, *made.cut_a),
+                                dispatch_tree(job.tree_b, *made.cut_b)));
+    look_at_late_results(job.id);
+    take_up_doubts(job);
+    end_if_complete(job); // A job without scenarios, or without any that were left.
+    feed();
+}
+
+void Coordinator::begin_analysis(MasterJob& job) {
+    AnalysisInput input = *job.analysis_input;
+    input.poses = job.order;
+    input.done = done_scenarios(job.merger);
+    // On a thread of the pool; the records are made there, too.
+    auto deliver = [this, executor = parts_.executor, id = job.id](AnalysedBlock came) {
+        auto finished = std::make_shared<std::vector<TakenResult>>();
+        for (Analysis& analysis : came.scenarios) {
+            if (analysis.finished) {
+                finished->push_back(take_result(std::move(*analysis.finished), analysis.cost));
+            }
+        }
+        auto block = std::make_shared<AnalysedBlock>(std::move(came));
+        asio::post(executor, [this, id, block, finished] {
+            block_came(id, std::move(*block), std::move(*finished));
+        });
+    };
+    job.submitter =
+        std::make_unique<Submitter>(parts_.compute, std::move(input), std::move(deliver));
+}
+
+void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenResult> finished) {
+    MasterJob* job = jobs_.find_running(id);
+    if (job == nullptr) {
+        return;
+    }
+    if (block.error) {
+        job->todo.put_back({block.places, block.losses});
+        wait_for_disk(*job, *block.error, [] {});
+        return feed();
+    }
+    disk_gives(*job);
+    const auto begin = Clock::now();
+    std::uint64_t handed_out = 0;
+    for (Analysis& analysis : block.scenarios) {
+        // Of what came back, or from before a restart, the answer may have come meanwhile.
+        if (analysis.finished || !job->lacks(analysis.scenario.index) ||
+            job->open.contains(analysis.scenario.index)) {
+            continue;
+        }
+        AnalysedScenario scenario{analysis.scenario.index,
+                                  std::move(analysis.roots_a),
+                                  std::move(analysis.roots_b),
+                                  analysis.bytes,
+                                  analysis.predicted_ns,
+                                  block.losses};
+        open_bytes_ += analysis.bytes;
+        job->open.emplace(scenario.index, std::make_shared<const Analysis>(std::move(analysis)));
+        act(dispatcher().scenario_analysed(id, std::move(scenario)));
+        if (!job->is_running()) {
+            return feed();
+        }
+        ++handed_out;
+    }
+    job->analysis_seconds.add(block.seconds, static_cast<double>(block.places.count));
+    if (handed_out != 0) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        job->matching_seconds.add(seconds, static_cast<double>(handed_out));
+    }
+    job->answered_by_master += static_cast<std::uint64_t>(std::ranges::count_if(
+        finished, [&](const TakenResult& one) { return !job->merger.has(one.result.index); }));
+    merge(*job, {std::move(finished), {}}, WorkerId{});
+    end_if_complete(*job);
+    feed();
+}
+
+void Coordinator::end_if_complete(MasterJob& job) {
+    if (job.is_running() && job.disputes == 0 && job.doubted.empty() &&
+        job.merger.summary().is_complete()) {
+        end_job(job, JobState::Done, "");
+    }
+}
+
+void Coordinator::end_job(MasterJob& job, JobState state, const std::string& failure) {
+    for (const auto& [index, analysis] : job.open) {
+        open_bytes_ -= analysis->bytes;
+    }
+    const bool has_trees = job.material != nullptr;
+    stop_waiting(job.id);
+    (void)stop_judging(job.id, std::nullopt);
+    jobs_.end(job, state, failure, Clock::now());
+    act(dispatcher().job_closed(job.id));
+    for (auto& [worker, link] : workers_) {
+        if (link.jobs.erase(job.id) != 0) {
+            link.channel->send(RemoveJob{job.id});
+        }
+    }
+    if (has_trees) {
+        release_tree(job.tree_a);
+        release_tree(job.tree_b);
+    }
+    if (jobs_.running().empty()) {
+        forget_sessions();
+    }
+    ledger_.promise(JobEnded{job.id}, write(EndJob{job.id, *job.end, job.progress(Clock::now())}));
+}
+
+void Coordinator::release_tree(TreeId tree) {
+    if (!trees_.release(tree)) {
+        return;
+    }
+    blocks_.tree_removed(tree);
+    for (auto& [id, link] : workers_) {
+        link.transfers.tree_removed(tree);
+        if (link.trees.erase(tree) != 0) {
+            link.channel->send(RemoveTree{tree});
+        }
+    }
+}
+
+// ---- Questions ----------------------------------------------------------------------------------
+
+asio::awaitable<Result<JobStatus>> Coordinator::cancel_job(JobId id) {
+    MasterJob* job = jobs_.find(id);
+    if (job == nullptr) {
+        co_return no_job();
+    }
+    if (job->is_running()) {
+        end_job(*job, JobState::Cancelled, "cancelled");
+        feed();
+    }
+    if (job->state == JobState::Running) {
+        // Nobody hears of an end that is not on the disk; nor waits for ever where it is full.
+        const auto ended =
+            std::make_shared<asio::steady_timer>(parts_.executor, limits::cancel_wait_max);
+        notify_at_end(id, ended);
+        boost::system::error_code ignored;
+        co_await ended->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+    co_return job_status(id);
+}
+
+asio::awaitable<Status> Coordinator::forget_job(JobId id) {
+    const MasterJob* job = jobs_.find(id);
+    if (job == nullptr) {
+        co_return no_job();
+    }
+    if (job->state == JobState::Running) {
+        co_return Error{ErrorCode::Refused, "the job is running"};
+    }
+    if (!paused_.empty()) {
+        co_return Error{ErrorCode::Io, "nothing can be removed now: " + paused_};
+    }
+    jobs_.drop(id);
+    const auto forgotten =
+        std::make_shared<asio::steady_timer>(parts_.executor, limits::cancel_wait_max);
+    waiting_for_end_.emplace(id, forgotten);
+    drop_from_journal(id);
+    boost::system::error_code woken;
+    co_await forgotten->async_wait(asio::redirect_error(asio::use_awaitable, woken));
+    if (!woken) {
+        co_return Error{ErrorCode::Io, "the removal was not written to the disk in time"};
+    }
+    co_return Done{};
+}
+
+void Coordinator::forget_expired_jobs(std::uint64_t now) {
+    if (!paused_.empty()) {
+        return;
+    }
+    for (const JobId job : jobs_.drop_expired(now)) {
+        drop_from_journal(job);
+    }
+}
+
+asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::uint64_t scenario) {
+    const auto running = [&]() -> Result<MasterJob*> {
+        MasterJob* job = jobs_.find(id);
+        if (job == nullptr) {
+            return no_job();
+        }
+        const std::string name = "scenario " + std::to_string(scenario);
+        if (scenario >= job->merger.summary().total) {
+            return Error{ErrorCode::NotFound, "the job has no " + name};
+        }
+        if (!job->is_running() || job->merger.has(scenario)) {
+            return Error{ErrorCode::Refused, name + " has a result, or the job has ended"};
+        }
+        return job;
+    };
+    if (stop_judging(id, scenario)) {
+        log_warning("scenario in dispute cancelled: job={} scenario={}", id.value, scenario);
+        co_return job_status(id);
+    }
+    Result<MasterJob*> job = running();
+    if (!job) {
+        co_return job.error();
+    }
+    auto read = [poses = job.value()->poses, scenario] { return poses->read(scenario, 1); };
+    const Result<std::vector<Scenario>> poses = co_await run_on(parts_.blocking, read);
+    if (!poses) {
+        co_return poses.error();
+    }
+    job = running(); // Much may have happened meanwhile.
+    if (!job) {
+        co_return job.error();
+    }
+    log_warning("scenario cancelled: job={} scenario={}", id.value, scenario);
+    fail_scenario(*job.value(), poses.value().front(), "cancelled");
+    if (MasterJob* still = jobs_.find_running(id)) {
+        still->cancelled.push_back(scenario);
+        for (auto& [worker, link] : workers_) {
+            if (link.jobs.contains(id)) {
+                link.channel->send(DropScenario{id, scenario});
+            }
+        }
+        act(dispatcher().scenario_answered(WorkerId{}, id, scenario));
+    }
+    feed();
+    co_return job_status(id);
+}
+
+void Coordinator::fail_scenario(MasterJob& job, const Scenario& scenario, const std::string& why) {
+    const Error error{ErrorCode::Interrupted, why};
+    std::vector<TakenResult> taken;
+    taken.push_back(take_result(failed_result(scenario, job.submit.query, error), {}));
+    merge(job, {std::move(taken), {}}, WorkerId{});
+    end_if_complete(job);
+}
+
+Result<JobStatus> Coordinator::job_status(JobId id) {
+    const MasterJob* job = jobs_.find(id);
+    if (job == nullptr) {
+        return no_job();
+    }
+    return status_of(*job);
+}
+
+std::uint64_t Coordinator::job_changes(JobId id) {
+    const MasterJob* job = jobs_.find(id);
+    return job == nullptr ? 0 : job->changes;
+}
+
+void Coordinator::notify_at_end(JobId job, const std::shared_ptr<asio::steady_timer>& timer) {
+    if (const MasterJob* found = jobs_.find(job);
+        found == nullptr || found->state != JobState::Running) {
+        return; // Nothing would ever take it away.
+    }
+    std::erase_if(waiting_for_end_, [](const auto& waiting) { return waiting.second.expired(); });
+    waiting_for_end_.emplace(job, timer);
+}
+
+std::shared_ptr<ResultStore> Coordinator::results_of(JobId id) {
+    const MasterJob* job = jobs_.find(id);
+    return job == nullptr ? nullptr : job->results;
+}
+
+} // namespace cd

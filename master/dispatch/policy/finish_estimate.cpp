@@ -1,0 +1,27 @@
+#include "master/dispatch/policy/finish_estimate.hpp"
+
+#include "common/core/limits/limits.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+FinishTerms estimate_finish(const WorkerPowers& worker, const ScenarioNeeds& needs) {
+    FinishTerms terms;
+    terms.backlog = 1e-9 * worker.backlog_ns / (worker.speed * worker.threads);
+    // Blocks come one after the other: those it needs are among what is under way.
+    terms.coming = std::min(static_cast<double>(needs.coming_bytes) / worker.bytes_per_second,
+                            worker.transfers_seconds);
+    terms.transfer = static_cast<double>(needs.missing_bytes) / worker.bytes_per_second;
+    terms.blocks = static_cast<double>(needs.missing_blocks) * limits::block_seconds;
+    // What fits into the room that is left travels without pushing anything out.
+    const double fitting = static_cast<double>(worker.room_bytes) * needs.bytes_of_memory;
+    const auto missing = static_cast<double>(needs.missing_bytes);
+    if (needs.bytes_of_memory > 0 && missing > fitting) {
+        terms.eviction = (missing - fitting) / worker.bytes_per_second;
+    }
+    terms.work = 1e-9 * static_cast<double>(needs.cost_ns) / worker.speed;
+    return terms;
+}
+
+} // namespace cd

@@ -1,0 +1,40 @@
+// Reference counts of meshes, so that a mesh in use is not removed.
+#pragma once
+
+#include "common/core/files/hash.hpp"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// Counts the holds of each mesh. Any thread.
+class MeshUses {
+  public:
+    void add(std::span<const Sha256> meshes);
+    void remove(std::span<const Sha256> meshes);
+    [[nodiscard]] bool contains(const Sha256& mesh) const;
+
+  private:
+    mutable std::mutex mutex_;
+    std::map<Sha256, std::size_t> counts_;
+};
+
+/// Keeps meshes from being removed as long as it lives.
+class MeshHold {
+  public:
+    MeshHold(std::shared_ptr<MeshUses> uses, std::vector<Sha256> meshes);
+    MeshHold(const MeshHold&) = delete;
+    MeshHold& operator=(const MeshHold&) = delete;
+    ~MeshHold();
+
+  private:
+    std::shared_ptr<MeshUses> uses_;
+    std::vector<Sha256> meshes_;
+};
+
+} // namespace cd

@@ -1,0 +1,41 @@
+// What of a job is read before its scenarios are looked at: trees, cuts and poses.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "master/dispatch/dispatch_tree.hpp"
+#include "master/geometry/cut_geometry.hpp"
+#include "master/geometry/geometry_store.hpp"
+#include "master/jobs/submitter.hpp"
+#include "proto/messages/client_messages.hpp"
+#include "proto/messages/work_messages.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace cd {
+
+struct JobGeometry {
+    std::shared_ptr<const ObbTree> tree_a;
+    std::shared_ptr<const ObbTree> tree_b;
+    std::shared_ptr<const CutGeometry> cut_a;
+    std::shared_ptr<const CutGeometry> cut_b;
+};
+
+/// Cuts the bodies' trees as the job asks for. May take seconds. Errors: those of the store.
+[[nodiscard]] StoreResult<JobGeometry> make_job_geometry(GeometryStore& store,
+                                                         const Submit& submit);
+
+/// What the dispatcher has to know of a cut.
+[[nodiscard]] DispatchTree dispatch_tree(TreeId id, const CutGeometry& cut);
+
+[[nodiscard]] AnalysisInput make_analysis_input(const JobGeometry& geometry,
+                                                const Query& query,
+                                                std::shared_ptr<PoseSource> poses);
+
+/// The poses of a job that the journal holds; `path` is where they stand if it has no grid. Errors:
+/// Io, naming a file that is missing or damaged.
+[[nodiscard]] Result<std::shared_ptr<PoseSource>> open_poses(const Submit& submit,
+                                                             const std::filesystem::path& path);
+
+} // namespace cd

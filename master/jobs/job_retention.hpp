@@ -1,0 +1,29 @@
+// How long the master keeps jobs that have ended.
+#pragma once
+
+#include "common/core/limits/limits.hpp"
+#include "common/core/result.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace cd {
+
+/// The option --keep-jobs: the last `count` jobs that have ended, or those that ended within `age`.
+struct JobRetention {
+    std::size_t count = limits::jobs_ended_kept_max;
+    std::optional<std::chrono::seconds> age = {};
+
+    /// Whether the retention of a job is over at `now`. The job ended at `ended` and asked to be
+    /// kept for `wished` seconds, or 0 for no wish; a wish only shortens the time. `ended` and
+    /// `now` are in seconds since 1970.
+    [[nodiscard]] bool is_over(std::uint64_t ended, std::uint64_t wished, std::uint64_t now) const;
+};
+
+/// A number of jobs ("1000"), or a time ("30d", "12h"). Errors: BadInput saying what it may be.
+[[nodiscard]] Result<JobRetention> parse_retention(const std::string& text);
+
+} // namespace cd

@@ -1,0 +1,37 @@
+// A job's poses and their labels on disk, while a client uploads them.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "master/jobs/label_spool.hpp"
+#include "master/jobs/pose_spool.hpp"
+#include "master/journal/journal.hpp"
+#include "proto/messages/client_messages.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace cd {
+
+/// The poses of one job and, where its pose file has them, their labels. One thread at a time adds;
+/// all members block for the disk.
+class JobSpool {
+  public:
+    /// New files in `directory`, for the scenarios and columns that `submit` announces. Errors:
+    /// those of the two spools.
+    [[nodiscard]] static Result<std::shared_ptr<JobSpool>>
+    create(const std::filesystem::path& directory, const Submit& submit);
+
+    /// The next scenarios. Errors: those of the two spools.
+    [[nodiscard]] Status append(const PosesPart& part);
+    /// Finishes the files after the last part and gives them the names that the journal looks for.
+    /// Errors: Io.
+    [[nodiscard]] Status seal(const Journal& journal, JobId job, Durability durability);
+
+    [[nodiscard]] const std::shared_ptr<PoseSpool>& poses() const { return poses_; }
+
+  private:
+    std::shared_ptr<PoseSpool> poses_;
+    std::unique_ptr<LabelSpool> labels_; ///< Null for a job without labels.
+};
+
+} // namespace cd

@@ -1,0 +1,31 @@
+// Alarms and quarantined workers, as the journal keeps them over restarts of the master.
+#pragma once
+
+#include "common/core/files/bytes.hpp"
+#include "common/core/result.hpp"
+#include "master/journal/result_group.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+struct AlarmRecord {
+    std::uint64_t count = 0;                ///< Of all alarms so far.
+    std::vector<std::string> last;          ///< The last alarms, oldest first.
+    std::vector<WorkerProcess> quarantined; ///< Gave a wrong result. Oldest first.
+
+    /// Forgets the oldest alarm when there are too many.
+    void add(const std::string& text);
+    void quarantine(WorkerProcess process);
+
+    friend bool operator==(const AlarmRecord&, const AlarmRecord&) = default;
+};
+
+[[nodiscard]] Bytes encode_alarms(const AlarmRecord& alarms);
+/// Errors: BadFrame for damaged bytes.
+[[nodiscard]] Result<AlarmRecord> decode_alarms(std::span<const std::byte> bytes);
+
+} // namespace cd

@@ -1,0 +1,422 @@
+#include "master/journal/journal_groups.hpp"
+
+#include "common/core/files/disk_file.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/job/result/packed_map.hpp"
+#include "master/base/mutation.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <unordered_set>
+#include <utility>
+
+namespace cd {
+
+std::uint64_t bytes_of(const JournalEntry& entry) {
+    std::uint64_t bytes = 0;
+    if (const auto* add = std::get_if<AddResults>(&entry)) {
+        for (const JournalResult& result : add->results) {
+            bytes += result.record.size();
+        }
+        bytes += add->map.size();
+    }
+    return bytes;
+}
+
+std::size_t rows_of(const JournalEntry& entry) {
+    const auto* add = std::get_if<AddResults>(&entry);
+    return add == nullptr ? 0 : add->results.size() + add->remarks.size() + add->losses.size();
+}
+
+// ---- Writing ------------------------------------------------------------------------------------
+
+namespace {
+
+/// What a group of entries adds to one job.
+struct JobChanges {
+    std::shared_ptr<ResultStore> store;
+    std::vector<StoredRecord> records;
+    ResultGroup rows;
+    const JobProgress* progress = nullptr;
+};
+
+using ChangesByJob = std::map<JobId, JobChanges>;
+
+void add_results(JobChanges& changes, const AddResults& add) {
+    changes.store = add.store;
+    changes.progress = &add.progress;
+    for (const JournalResult& result : add.results) {
+        changes.records.push_back({result.row.scenario, result.record});
+        changes.rows.rows.push_back(result.row);
+    }
+    if (!add.map.empty()) {
+        changes.rows.maps.push_back(add.map);
+    }
+    std::vector<AuthorRun>& runs = changes.rows.authors;
+    if (!add.results.empty()) {
+        if (runs.empty() || runs.back().author != add.author) {
+            runs.push_back({0, add.author});
+        }
+        runs.back().rows += add.results.size();
+    }
+    std::vector<Remark>& remarks = changes.rows.remarks;
+    remarks.insert(remarks.end(), add.remarks.begin(), add.remarks.end());
+    std::vector<LostPlaces>& losses = changes.rows.losses;
+    losses.insert(losses.end(), add.losses.begin(), add.losses.end());
+}
+
+ChangesByJob gather(std::span<const JournalEntry> group) {
+    ChangesByJob by_job;
+    for (const JournalEntry& entry : group) {
+        if (const auto* add = std::get_if<AddResults>(&entry)) {
+            add_results(by_job[add->job], *add);
+        } else if (const auto* end = std::get_if<EndJob>(&entry)) {
+            by_job[end->job].progress = &end->progress;
+        }
+    }
+    return by_job;
+}
+
+std::vector<DatabaseChange> database_changes(std::span<const JournalEntry> group,
+                                             const ChangesByJob& by_job) {
+    using Kind = DatabaseChange::Kind;
+    std::vector<DatabaseChange> changes;
+    for (const JournalEntry& entry : group) {
+        if (const auto* accept = std::get_if<AcceptJob>(&entry)) {
+            changes.push_back({Kind::Accept, accept->job.id, encode_job(accept->job)});
+        }
+    }
+    for (const auto& [job, added] : by_job) {
+        if (!added.rows.rows.empty() || !added.rows.remarks.empty() || !added.rows.losses.empty()) {
+            changes.push_back({Kind::Results, job, encode_group(added.rows)});
+        }
+        changes.push_back({Kind::Progress, job, encode_progress(*added.progress)});
+    }
+    const AlarmRecord* alarms = nullptr; // The last say it all.
+    for (const JournalEntry& entry : group) {
+        if (const auto* add = std::get_if<AddResults>(&entry); add != nullptr && add->alarms) {
+            alarms = &*add->alarms;
+        }
+    }
+    if (alarms != nullptr) {
+        changes.push_back({Kind::Alarms, JobId{}, encode_alarms(*alarms)});
+    }
+    for (const JournalEntry& entry : group) {
+        if (const auto* end = std::get_if<EndJob>(&entry)) {
+            changes.push_back({Kind::End, end->job, encode_end(end->end)});
+        } else if (const auto* drop = std::get_if<DropJob>(&entry)) {
+            changes.push_back({Kind::Drop, drop->job, {}});
+        }
+    }
+    return changes;
+}
+
+} // namespace
+
+Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group) {
+    ChangesByJob by_job = gather(group);
+    bool has_new_segments = false;
+    for (auto& [job, changes] : by_job) {
+        if (changes.store == nullptr) {
+            continue;
+        }
+        changes.rows.begin = changes.store->end();
+        if (changes.records.empty()) {
+            continue;
+        }
+        if (Status status = changes.store->write(changes.records); !status) {
+            return status;
+        }
+        // Also of an attempt before this one, that got no further.
+        has_new_segments = has_new_segments || changes.store->has_new_name();
+        if (Status status = disk.synced && !mutated(Mutation::SegmentNotSynced)
+                                ? changes.store->sync()
+                                : Status(Done{});
+            !status) {
+            return status;
+        }
+    }
+    const bool has_new_files =
+        std::any_of(group.begin(), group.end(), [](const JournalEntry& entry) {
+            return std::holds_alternative<AcceptJob>(entry);
+        });
+    if (disk.synced && (has_new_files || has_new_segments)) {
+        if (Status status = sync_directory(disk.jobs_folder); !status) {
+            return status;
+        }
+        for (auto& [job, changes] : by_job) {
+            if (changes.store != nullptr) {
+                changes.store->name_synced();
+            }
+        }
+    }
+    if (Status status = disk.database.write(database_changes(group, by_job)); !status) {
+        return status;
+    }
+    for (auto& [job, changes] : by_job) {
+        if (!changes.records.empty()) {
+            changes.store->commit();
+        }
+    }
+    return Done{};
+}
+
+// ---- Recovering ---------------------------------------------------------------------------------
+
+namespace {
+
+/// A job while its groups of results are read.
+struct FoundJob {
+    RecoveredJob job;
+    std::vector<ResultRow> rows;
+    std::vector<RecordPlace> places;
+    std::vector<WorkerProcess> authors;           ///< Of the rows.
+    std::unordered_set<std::uint64_t> vouched;    ///< Scenarios: no author's word is all there is.
+    std::uint64_t end = ResultStore::first_end(); ///< Of its segment.
+};
+
+/// Of any meshes: whose they were is known when the map is used.
+constexpr ContactMapBounds journal_map_bounds{
+    limits::mesh_triangles_max, limits::mesh_triangles_max, limits::scenarios_max};
+
+Error damaged(const std::filesystem::path& path, JobId job, const std::string& why) {
+    return {ErrorCode::Io,
+            path.string() + " is damaged: job " + std::to_string(job.value) + ": " + why};
+}
+
+Result<FoundJob> decode_found(const DatabaseJob& row) {
+    FoundJob found;
+    Result<JobRecord> record = decode_job(row.record);
+    if (!record) {
+        return record.error();
+    }
+    found.job.record = std::move(record.value());
+    if (!row.progress.empty()) {
+        const Result<JobProgress> progress = decode_progress(row.progress);
+        if (!progress) {
+            return progress.error();
+        }
+        found.job.progress = progress.value();
+        if (const std::string& why = progress.value().map_withdrawn; !why.empty()) {
+            found.job.map.withdraw(why);
+        }
+    }
+    if (!row.end.empty()) {
+        Result<JobEnd> end = decode_end(row.end);
+        if (!end) {
+            return end.error();
+        }
+        found.job.end = std::move(end.value());
+    }
+    found.job.merger = ResultMerger(found.job.record.submit.scenarios);
+    return found;
+}
+
+void take_rows(FoundJob& job, const ResultGroup& group) {
+    job.end = group.begin;
+    for (const ResultRow& row : group.rows) {
+        job.rows.push_back(row);
+        job.places.push_back(ResultStore::place_at(job.end, row.length));
+        job.end = ResultStore::end_of(job.places.back());
+    }
+    for (const AuthorRun& run : group.authors) {
+        job.authors.insert(job.authors.end(), run.rows, run.author);
+        if (run.author != 0) {
+            job.job.contributors.insert(run.author);
+        }
+    }
+}
+
+void take_remarks(FoundJob& job, std::span<const Remark> remarks) {
+    for (const Remark& remark : remarks) {
+        if (remark.kind == Remark::Kind::Disputed) {
+            job.job.disputes.push_back(remark);
+            continue;
+        }
+        job.vouched.insert(remark.scenario);
+        std::erase_if(job.job.disputes, [&](const Remark& open) {
+            return remark.kind == Remark::Kind::Settled && open.scenario == remark.scenario &&
+                   open.digest == remark.digest && open.author == remark.author;
+        });
+    }
+}
+
+Result<FoundJob> find_job(const JournalDatabase& database, const DatabaseJob& row) {
+    Result<FoundJob> found = decode_found(row);
+    if (!found) {
+        return damaged(database.path(), row.id, found.error().detail);
+    }
+    FoundJob& job = found.value();
+    const Status read = database.for_each_results(row.id, [&](std::span<const std::byte> bytes) {
+        const Result<ResultGroup> group = decode_group(bytes);
+        if (!group) {
+            return Status(damaged(database.path(), row.id, group.error().detail));
+        }
+        if (group.value().begin != job.end) {
+            return Status(damaged(database.path(), row.id, "results are missing"));
+        }
+        take_rows(job, group.value());
+        take_remarks(job, group.value().remarks);
+        const auto& losses = group.value().losses;
+        job.job.losses.insert(job.job.losses.end(), losses.begin(), losses.end());
+        for (const Bytes& packed : group.value().maps) {
+            const Result<ContactMap> map = unpack_map(packed, journal_map_bounds);
+            if (!map) {
+                return Status(damaged(database.path(), row.id, "a map that is none"));
+            }
+            job.job.map.add(map.value());
+        }
+        return Status(Done{});
+    });
+    return read ? std::move(found) : Result<FoundJob>(read.error());
+}
+
+/// One job after the other, since the rows of each take much more memory than what stays of it.
+/// An error of `take` ends it.
+Status for_each_job(const JournalDatabase& database,
+                    const std::function<Status(Result<FoundJob>)>& take) {
+    const Result<std::vector<DatabaseJob>> rows = database.jobs();
+    if (!rows) {
+        return rows.error();
+    }
+    for (const DatabaseJob& row : rows.value()) {
+        if (Status taken = take(find_job(database, row)); !taken) {
+            return taken;
+        }
+    }
+    return database.check_owners();
+}
+
+std::filesystem::path segment_path(const std::filesystem::path& jobs_folder, JobId job) {
+    return jobs_folder / (std::to_string(job.value) + ".results");
+}
+
+/// Opens the job's segment and fills what is in memory.
+Status restore(FoundJob& found, const std::filesystem::path& path, bool check_records) {
+    RecoveredJob& job = found.job;
+    const std::uint64_t scenarios = job.record.submit.scenarios;
+    if (job.end) {
+        job.results = ResultStore::open_to_read(path, job.record.id, scenarios, found.end);
+        job.map.finish();
+        job.losses = {};
+    } else {
+        auto store = ResultStore::open(path, job.record.id, scenarios, found.end);
+        if (!store) {
+            return store.error();
+        }
+        job.results = std::move(store.value());
+    }
+    // The last result of a scenario counts: one before it turned out to be wrong.
+    for (std::size_t i = found.rows.size(); i-- > 0;) {
+        const ResultRow& row = found.rows[i];
+        const bool is_missed = mutated(Mutation::GroupNotRecovered) && i + 1 == found.rows.size();
+        if (job.merger.has(row.scenario) || is_missed) {
+            continue;
+        }
+        if (Status status = job.results->restore(row.scenario, found.places[i]); !status) {
+            return status;
+        }
+        if (mutated(Mutation::DoneIsDoneAgain) && !job.end) {
+            continue;
+        }
+        (void)job.merger.add(row.scenario, row.facts, row.digest);
+        if (!job.end) {
+            job.done.push_back(row.scenario);
+            job.authors.push_back(found.vouched.contains(row.scenario) ? 0 : found.authors[i]);
+        }
+    }
+    const auto is_there = [&](const Remark& open) { return job.merger.has(open.scenario); };
+    if (!job.end && !std::ranges::all_of(job.disputes, is_there)) {
+        return damaged(path, job.record.id, "a result that is in dispute is missing");
+    }
+    const auto is_place = [&](const LostPlaces& lost) { return lost.places.end() <= scenarios; };
+    if (!std::ranges::all_of(job.losses, is_place)) {
+        return damaged(path, job.record.id, "scenarios that it does not have were lost");
+    }
+    if (job.end && job.end->digest && job.merger.digest() != job.end->digest) {
+        return damaged(path, job.record.id, "its results do not have its digest");
+    }
+    return check_records ? job.results->verify() : Status(Done{});
+}
+
+} // namespace
+
+Result<AlarmRecord> recover_alarms(const JournalDatabase& database) {
+    const Result<Bytes> row = database.alarms();
+    if (!row) {
+        return row.error();
+    }
+    if (row.value().empty()) {
+        return AlarmRecord();
+    }
+    Result<AlarmRecord> alarms = decode_alarms(row.value());
+    if (!alarms) {
+        return Error{ErrorCode::Io,
+                     database.path().string() + " is damaged: " + alarms.error().detail};
+    }
+    return alarms;
+}
+
+Result<std::vector<RecoveredJob>> recover_jobs(const JournalDatabase& database,
+                                               const std::filesystem::path& jobs_folder,
+                                               bool check_records) {
+    std::vector<RecoveredJob> jobs;
+    const Status read = for_each_job(database, [&](Result<FoundJob> found) {
+        if (!found) {
+            return Status(found.error());
+        }
+        RecoveredJob& job = found.value().job;
+        const auto segment = segment_path(jobs_folder, job.record.id);
+        if (Status restored = restore(found.value(), segment, check_records && !job.end);
+            !restored) {
+            return restored;
+        }
+        if (job.end) {
+            job.merger.close();
+        }
+        jobs.push_back(std::move(job));
+        return Status(Done{});
+    });
+    return read ? Result<std::vector<RecoveredJob>>(std::move(jobs))
+                : Result<std::vector<RecoveredJob>>(read.error());
+}
+
+ExaminedJobs examine_jobs(const JournalDatabase& database,
+                          const std::filesystem::path& jobs_folder) {
+    ExaminedJobs examined;
+    const Status read = for_each_job(database, [&](Result<FoundJob> found) {
+        if (!found) {
+            examined.damage.push_back(found.error());
+            return Status(Done{});
+        }
+        RecoveredJob& job = found.value().job;
+        const auto segment = segment_path(jobs_folder, job.record.id);
+        if (const Status sound = restore(found.value(), segment, true); !sound) {
+            examined.damage.push_back(sound.error());
+        }
+        job.merger.close();
+        examined.jobs.push_back(std::move(job));
+        return Status(Done{});
+    });
+    if (!read) {
+        examined.damage.push_back(read.error());
+    }
+    return examined;
+}
+
+bool is_of_a_job(const std::string& name) {
+    return name.ends_with(".results") || name.ends_with(".poses") || name.ends_with(".labels");
+}
+
+std::filesystem::path file_of_a_job(const std::filesystem::path& jobs_folder) {
+    std::error_code ignored;
+    for (const auto& file : std::filesystem::directory_iterator(jobs_folder, ignored)) {
+        if (is_of_a_job(file.path().filename().string())) {
+            return file.path();
+        }
+    }
+    return {};
+}
+
+} // namespace cd

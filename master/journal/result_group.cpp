@@ -1,0 +1,223 @@
+#include "master/journal/result_group.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/files/disk_file.hpp"
+#include "master/journal/row_bytes.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+namespace {
+
+constexpr const char* what = "a group of results";
+constexpr std::uint8_t flag_surfaces_only = 1;
+constexpr std::uint8_t flag_cut = 2;
+constexpr std::uint8_t flag_insides_skipped = 4;
+constexpr std::uint8_t flags_all = flag_surfaces_only | flag_cut | flag_insides_skipped;
+
+void put_row(ByteWriter& out, const ResultRow& row, std::uint64_t before) {
+    put_varint(out, zigzag(static_cast<std::int64_t>(row.scenario - before)));
+    put_varint(out, row.length);
+    put_enumeration(out, row.facts.kind);
+    const int flags = (row.facts.surfaces_only ? flag_surfaces_only : 0) |
+                      (row.facts.is_cut ? flag_cut : 0) |
+                      (row.facts.insides_skipped ? flag_insides_skipped : 0);
+    out.put(static_cast<std::uint8_t>(flags));
+    put_varint(out, row.facts.pair_count);
+    put_hash(out, row.digest);
+}
+
+bool get_row(ByteReader& in, ResultRow& row, std::uint64_t before) {
+    const auto step = get_varint(in);
+    const auto length = get_varint(in);
+    const bool is_class = get_enumeration(in, row.facts.kind, ScenarioClass::Failed);
+    const auto flags = in.get<std::uint8_t>();
+    const auto pairs = get_varint(in);
+    row.digest = get_hash(in);
+    if (!step || !length || !pairs || !is_class || flags > flags_all) {
+        return false;
+    }
+    row.scenario = before + static_cast<std::uint64_t>(unzigzag(*step));
+    row.length = *length;
+    row.facts.surfaces_only = (flags & flag_surfaces_only) != 0;
+    row.facts.insides_skipped = (flags & flag_insides_skipped) != 0;
+    row.facts.is_cut = (flags & flag_cut) != 0;
+    row.facts.pair_count = *pairs;
+    return !in.failed();
+}
+
+void put_rows(ByteWriter& out, std::span<const ResultRow> rows) {
+    put_varint(out, rows.size());
+    std::uint64_t before = 0;
+    for (const ResultRow& row : rows) {
+        put_row(out, row, before);
+        before = row.scenario;
+    }
+}
+
+bool get_rows(ByteReader& in, std::vector<ResultRow>& rows) {
+    const auto count = get_varint(in);
+    if (!count || !may_hold(in, *count, sizeof(Sha256))) {
+        return false;
+    }
+    std::uint64_t before = 0;
+    for (std::uint64_t i = 0; i < *count; ++i) {
+        ResultRow row;
+        if (!get_row(in, row, before)) {
+            return false;
+        }
+        before = row.scenario;
+        rows.push_back(row);
+    }
+    return true;
+}
+
+void put_maps(ByteWriter& out, std::span<const Bytes> maps) {
+    put_varint(out, maps.size());
+    for (const Bytes& map : maps) {
+        put_varint(out, map.size());
+        put_bytes(out, map);
+    }
+}
+
+bool get_maps(ByteReader& in, std::vector<Bytes>& maps) {
+    const auto count = get_varint(in);
+    if (!count || !may_hold(in, *count, 1)) {
+        return false;
+    }
+    for (std::uint64_t i = 0; i < *count; ++i) {
+        const auto map = in.get_bytes(get_varint(in).value_or(0));
+        maps.emplace_back(map.begin(), map.end());
+    }
+    return !in.failed();
+}
+
+/// First the processes, then runs that name them by their place.
+void put_authors(ByteWriter& out, std::span<const AuthorRun> runs) {
+    std::vector<WorkerProcess> processes;
+    for (const AuthorRun& run : runs) {
+        if (std::ranges::find(processes, run.author) == processes.end()) {
+            processes.push_back(run.author);
+        }
+    }
+    put_varint(out, processes.size());
+    out.put_array(std::span<const WorkerProcess>(processes));
+    put_varint(out, runs.size());
+    for (const AuthorRun& run : runs) {
+        const auto place = std::ranges::find(processes, run.author) - processes.begin();
+        put_varint(out, static_cast<std::uint64_t>(place));
+        put_varint(out, run.rows);
+    }
+}
+
+bool get_authors(ByteReader& in, std::uint64_t rows, std::vector<AuthorRun>& runs) {
+    const auto processes = in.get_array<WorkerProcess>(get_varint(in).value_or(0));
+    const auto count = get_varint(in);
+    if (in.failed() || !count || !may_hold(in, *count, 2)) {
+        return false;
+    }
+    for (std::uint64_t i = 0; i < *count; ++i) {
+        const auto place = get_varint(in);
+        const auto length = get_varint(in);
+        if (!place || !length || *place >= processes.size() || *length > rows) {
+            return false;
+        }
+        rows -= *length;
+        runs.push_back({*length, processes[*place]});
+    }
+    return rows == 0;
+}
+
+void put_remarks(ByteWriter& out, std::span<const Remark> remarks) {
+    put_varint(out, remarks.size());
+    for (const Remark& remark : remarks) {
+        put_enumeration(out, remark.kind);
+        put_varint(out, remark.scenario);
+        if (remark.kind != Remark::Kind::Vouched) {
+            put_hash(out, remark.digest);
+            out.put(remark.author);
+        }
+    }
+}
+
+bool get_remarks(ByteReader& in, std::vector<Remark>& remarks) {
+    const auto count = get_varint(in);
+    if (!count || !may_hold(in, *count, 2)) {
+        return false;
+    }
+    for (std::uint64_t i = 0; i < *count; ++i) {
+        Remark remark;
+        const bool is_kind = get_enumeration(in, remark.kind, Remark::Kind::Vouched);
+        const auto scenario = get_varint(in);
+        if (!is_kind || !scenario) {
+            return false;
+        }
+        remark.scenario = *scenario;
+        if (remark.kind != Remark::Kind::Vouched) {
+            remark.digest = get_hash(in);
+            remark.author = in.get<WorkerProcess>();
+        }
+        remarks.push_back(remark);
+    }
+    return !in.failed();
+}
+
+void put_losses(ByteWriter& out, std::span<const LostPlaces> losses) {
+    put_varint(out, losses.size());
+    for (const LostPlaces& lost : losses) {
+        put_varint(out, lost.places.first);
+        put_varint(out, lost.places.count);
+        out.put(lost.process);
+    }
+}
+
+bool get_losses(ByteReader& in, std::vector<LostPlaces>& losses) {
+    const auto count = get_varint(in);
+    if (!count || !may_hold(in, *count, 2 + sizeof(WorkerProcess))) {
+        return false;
+    }
+    for (std::uint64_t i = 0; i < *count; ++i) {
+        const auto first = get_varint(in);
+        const auto places = get_varint(in);
+        if (!first || !places || *places == 0 || *first + *places < *first) {
+            return false;
+        }
+        losses.push_back({{*first, *places}, in.get<WorkerProcess>()});
+    }
+    return !in.failed();
+}
+
+} // namespace
+
+Bytes encode_group(const ResultGroup& group) {
+    std::uint64_t authored = 0;
+    for (const AuthorRun& run : group.authors) {
+        authored += run.rows;
+    }
+    CD_CHECK(authored == group.rows.size());
+    ByteWriter out;
+    out.put(group.begin);
+    put_rows(out, group.rows);
+    put_maps(out, group.maps);
+    put_authors(out, group.authors);
+    put_remarks(out, group.remarks);
+    put_losses(out, group.losses);
+    return out.take();
+}
+
+Result<ResultGroup> decode_group(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    ResultGroup group;
+    group.begin = in.get<std::uint64_t>();
+    if (!get_rows(in, group.rows) || !get_maps(in, group.maps)) {
+        return damaged_row(what);
+    }
+    if (!get_authors(in, group.rows.size(), group.authors) || !get_remarks(in, group.remarks) ||
+        !get_losses(in, group.losses) || !in.complete()) {
+        return damaged_row(what);
+    }
+    return group;
+}
+
+} // namespace cd

@@ -1,0 +1,371 @@
+#include "master/journal/result_store.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/files/disk_file.hpp"
+#include "common/core/files/hash.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/job/result/packed_records.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+static_assert(limits::result_record_bytes_max <= std::numeric_limits<std::uint32_t>::max());
+constexpr std::uint64_t magic = 0x31'47'45'53'52'44'43'00; // "\0CDRSEG1"
+constexpr std::uint32_t version = 1;
+constexpr std::uint64_t file_header_bytes =
+    sizeof magic + sizeof version + 2 * sizeof(std::uint64_t);
+constexpr std::uint64_t record_header_bytes = 2 * sizeof(std::uint64_t); // Length and scenario.
+constexpr std::uint64_t record_footer_bytes = sizeof(std::uint64_t);     // Their checksum.
+
+constexpr std::uint64_t places_together = 256;
+using Places = std::array<RecordPlace, places_together>;
+
+Bytes file_header(JobId job) {
+    ByteWriter out;
+    out.put(magic);
+    out.put(version);
+    out.put(job.value);
+    out.put(checksum(out.bytes()));
+    return out.take();
+}
+
+Error damaged(const std::filesystem::path& path, const std::string& why) {
+    return {ErrorCode::Io, path.string() + " is damaged: " + why};
+}
+
+} // namespace
+
+struct ResultStore::State {
+    State(std::filesystem::path where,
+          JobId of,
+          std::optional<DiskFile> segment,
+          std::uint64_t count,
+          std::uint64_t committed)
+        : path(std::move(where)),
+          job(of),
+          file(std::move(segment)),
+          scenarios(count),
+          end(committed) {}
+
+    mutable std::mutex mutex; ///< Guards what is read by any thread.
+    std::filesystem::path path;
+    JobId job;
+    std::optional<DiskFile> file; ///< For writing; nothing before the first write.
+    bool has_new_name = false;
+    std::uint64_t scenarios = 0;
+    std::uint64_t end = 0; ///< Of what is committed.
+    std::uint64_t records = 0;
+    /// In pieces, made when first needed: the number of scenarios is a client's word.
+    std::unordered_map<std::uint64_t, std::unique_ptr<Places>> places;
+    std::vector<std::pair<std::uint64_t, RecordPlace>> written; ///< And not committed.
+    std::uint64_t written_end = 0;
+
+    [[nodiscard]] RecordPlace find(std::uint64_t scenario) const;
+    void set(std::uint64_t scenario, const RecordPlace& place);
+    /// Opens the file for reading. Errors: Io, when it is of another kind or job, or shorter than
+    /// what is committed.
+    [[nodiscard]] Result<DiskFile> open() const;
+    [[nodiscard]] Result<Bytes>
+    read(const DiskFile& from, std::uint64_t scenario, const RecordPlace& place) const;
+    [[nodiscard]] Status make_file();
+};
+
+RecordPlace ResultStore::State::find(std::uint64_t scenario) const {
+    const auto found = places.find(scenario / places_together);
+    return found == places.end() ? RecordPlace{} : (*found->second)[scenario % places_together];
+}
+
+void ResultStore::State::set(std::uint64_t scenario, const RecordPlace& place) {
+    std::unique_ptr<Places>& piece = places[scenario / places_together];
+    if (piece == nullptr) {
+        piece = std::make_unique<Places>();
+    }
+    RecordPlace& kept = (*piece)[scenario % places_together];
+    records += kept.length == 0 ? 1 : 0;
+    kept = place;
+}
+
+Result<DiskFile> ResultStore::State::open() const {
+    Result<DiskFile> opened = DiskFile::open(path);
+    if (!opened) {
+        return Error{ErrorCode::Io, opened.error().detail};
+    }
+    const Result<std::uint64_t> size = opened.value().size();
+    if (!size) {
+        return size.error();
+    }
+    if (size.value() < end) {
+        return damaged(
+            path, "it has " + std::to_string(size.value()) + " bytes of " + std::to_string(end));
+    }
+    const Result<Bytes> header = opened.value().read_at(0, file_header_bytes);
+    if (!header) {
+        return header.error();
+    }
+    if (header.value() != file_header(job)) {
+        return damaged(path, "its header is not that of the results of this job");
+    }
+    return opened;
+}
+
+Result<Bytes> ResultStore::State::read(const DiskFile& from,
+                                       std::uint64_t scenario,
+                                       const RecordPlace& place) const {
+    Result<Bytes> bytes = from.read_at(place.offset - record_header_bytes,
+                                       record_header_bytes + place.length + record_footer_bytes);
+    if (!bytes) {
+        return bytes;
+    }
+    const std::span<const std::byte> whole(bytes.value());
+    ByteReader in(whole);
+    const auto length = in.get<std::uint64_t>();
+    const auto index = in.get<std::uint64_t>();
+    const auto record = in.get_bytes(place.length);
+    const auto sum = in.get<std::uint64_t>();
+    if (length != place.length || index != scenario ||
+        sum != checksum(whole.first(whole.size() - record_footer_bytes))) {
+        return damaged(
+            path, "the result of scenario " + std::to_string(scenario) + " has a wrong checksum");
+    }
+    return Bytes(record.begin(), record.end());
+}
+
+// ---- The file -----------------------------------------------------------------------------------
+
+ResultStore::ResultStore(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ResultStore::~ResultStore() = default;
+
+std::unique_ptr<ResultStore>
+ResultStore::create(const std::filesystem::path& path, JobId job, std::uint64_t scenarios) {
+    return std::unique_ptr<ResultStore>(new ResultStore(
+        std::make_unique<State>(path, job, std::nullopt, scenarios, file_header_bytes)));
+}
+
+std::unique_ptr<ResultStore> ResultStore::open_to_read(const std::filesystem::path& path,
+                                                       JobId job,
+                                                       std::uint64_t scenarios,
+                                                       std::uint64_t end) {
+    return std::unique_ptr<ResultStore>(
+        new ResultStore(std::make_unique<State>(path, job, std::nullopt, scenarios, end)));
+}
+
+Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::filesystem::path& path,
+                                                       JobId job,
+                                                       std::uint64_t scenarios,
+                                                       std::uint64_t end) {
+    if (end <= file_header_bytes) {
+        return create(path, job, scenarios);
+    }
+    std::unique_ptr<ResultStore> store = open_to_read(path, job, scenarios, end);
+    if (const Result<DiskFile> sound = store->state_->open(); !sound) { // It must be there.
+        return sound.error();
+    }
+    Result<DiskFile> file = DiskFile::open_to_write(path);
+    if (!file) {
+        return file.error();
+    }
+    store->state_->file = std::move(file.value());
+    return store;
+}
+
+void ResultStore::close() {
+    const std::lock_guard lock(state_->mutex);
+    state_->file.reset();
+}
+
+bool ResultStore::has_new_name() const {
+    return state_->has_new_name;
+}
+
+void ResultStore::name_synced() {
+    state_->has_new_name = false;
+}
+
+std::uint64_t ResultStore::first_end() {
+    return file_header_bytes;
+}
+
+std::uint64_t ResultStore::end() const {
+    return state_->end;
+}
+
+RecordPlace ResultStore::place_at(std::uint64_t end, std::uint64_t length) {
+    return {end + record_header_bytes, length};
+}
+
+std::uint64_t ResultStore::end_of(const RecordPlace& place) {
+    return place.offset + place.length + record_footer_bytes;
+}
+
+Status ResultStore::State::make_file() {
+    Result<DiskFile> made = DiskFile::open_to_write(path);
+    if (!made) {
+        return made.error();
+    }
+    if (Status status = made.value().write_at(0, file_header(job)); !status) {
+        return status;
+    }
+    has_new_name = true;
+    const std::lock_guard lock(mutex);
+    file = std::move(made.value());
+    return Done{};
+}
+
+Status ResultStore::write(std::span<const StoredRecord> records) {
+    if (!state_->file) {
+        if (Status status = state_->make_file(); !status) {
+            return status;
+        }
+    }
+    state_->written.clear();
+    state_->written_end = state_->end;
+    std::uint64_t flushed = state_->end;
+    Bytes buffer;
+    const auto flush = [&] {
+        const Status status = state_->file->write_at(flushed, buffer);
+        flushed += buffer.size();
+        buffer.clear();
+        return status;
+    };
+    for (const StoredRecord& each : records) {
+        CD_CHECK(each.scenario < state_->scenarios);
+        CD_CHECK(!each.record.empty());
+        CD_CHECK(each.record.size() <= limits::result_record_bytes_max);
+        ByteWriter out;
+        out.put(std::uint64_t{each.record.size()});
+        out.put(each.scenario);
+        put_bytes(out, each.record);
+        out.put(checksum(out.bytes()));
+        buffer.insert(buffer.end(), out.bytes().begin(), out.bytes().end());
+        const RecordPlace place = place_at(state_->written_end, each.record.size());
+        state_->written.emplace_back(each.scenario, place);
+        state_->written_end = end_of(place);
+        if (buffer.size() >= limits::result_buffer_bytes_max) {
+            if (Status status = flush(); !status) {
+                return status;
+            }
+        }
+    }
+    return flush();
+}
+
+Status ResultStore::sync() const {
+    return state_->file->sync();
+}
+
+void ResultStore::commit() {
+    const std::lock_guard lock(state_->mutex);
+    for (const auto& [scenario, place] : state_->written) {
+        state_->set(scenario, place);
+    }
+    state_->written.clear();
+    state_->end = std::max(state_->end, state_->written_end);
+}
+
+Status ResultStore::restore(std::uint64_t scenario, const RecordPlace& place) {
+    const std::lock_guard lock(state_->mutex);
+    const bool is_inside = scenario < state_->scenarios && place.length != 0 &&
+                           place.length <= limits::result_record_bytes_max &&
+                           place.offset >= file_header_bytes + record_header_bytes &&
+                           place.offset <= state_->end && end_of(place) <= state_->end;
+    if (!is_inside) {
+        return damaged(state_->path,
+                       "the result of scenario " + std::to_string(scenario) + " is not in it");
+    }
+    state_->set(scenario, place);
+    return Done{};
+}
+
+Status ResultStore::verify() const {
+    const std::lock_guard lock(state_->mutex);
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> in_file_order; // Offset, scenario.
+    in_file_order.reserve(state_->records);
+    for (const auto& [number, piece] : state_->places) {
+        for (std::uint64_t i = 0; i < places_together; ++i) {
+            if ((*piece)[i].length != 0) {
+                in_file_order.emplace_back((*piece)[i].offset, number * places_together + i);
+            }
+        }
+    }
+    std::sort(in_file_order.begin(), in_file_order.end());
+    if (in_file_order.empty()) {
+        return Done{};
+    }
+    const Result<DiskFile> file = state_->open();
+    if (!file) {
+        return file.error();
+    }
+    for (const auto& [offset, scenario] : in_file_order) {
+        const Result<Bytes> record = state_->read(file.value(), scenario, state_->find(scenario));
+        if (!record) {
+            return record.error();
+        }
+    }
+    return Done{};
+}
+
+// ---- Reading ------------------------------------------------------------------------------------
+
+bool ResultStore::has(std::uint64_t scenario) const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->find(scenario).length != 0;
+}
+
+std::uint64_t ResultStore::count() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->records;
+}
+
+Result<ResultsPart>
+ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_max) const {
+    const std::lock_guard lock(state_->mutex);
+    const std::uint64_t begin = std::min(first, state_->scenarios);
+    const std::uint64_t end =
+        begin + std::min({count, state_->scenarios - begin, limits::results_scan_max});
+    ByteWriter records;
+    ResultsPart part;
+    part.first = first;
+    part.next = std::max(first, end);
+    std::optional<DiskFile> file; // A job without a result has none yet.
+    for (std::uint64_t scenario = begin; scenario < end; ++scenario) {
+        const RecordPlace place = state_->find(scenario);
+        if (place.length == 0) {
+            continue;
+        }
+        if (part.count != 0 && records.size() + place.length > bytes_max) {
+            part.next = scenario;
+            break;
+        }
+        if (!file) {
+            Result<DiskFile> opened = state_->open();
+            if (!opened) {
+                return opened.error();
+            }
+            file = std::move(opened.value());
+        }
+        const Result<Bytes> record = state_->read(*file, scenario, place);
+        if (!record) {
+            return record.error();
+        }
+        records.put(static_cast<std::uint32_t>(place.length));
+        put_bytes(records, record.value());
+        if (part.held.empty() || part.held.back().first + part.held.back().count != scenario) {
+            part.held.push_back({scenario, 0});
+        }
+        ++part.held.back().count;
+        ++part.count;
+    }
+    part.records = pack_records(records.bytes());
+    return part;
+}
+
+} // namespace cd

@@ -1,0 +1,37 @@
+// What the rows of the journal are read and written with.
+#pragma once
+
+#include "common/core/files/bytes.hpp"
+#include "common/core/result.hpp"
+#include "common/core/varint.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace cd {
+
+/// Only damage can make such bytes of a row.
+[[nodiscard]] inline Error damaged_row(const char* what) {
+    return {ErrorCode::BadFrame, std::string(what) + " that is none"};
+}
+
+/// False where the bytes end before that many could be there, so that a damaged count costs
+/// nothing.
+[[nodiscard]] inline bool
+may_hold(const ByteReader& in, std::uint64_t count, std::uint64_t bytes_each) {
+    return count <= in.remaining() / bytes_each;
+}
+
+template <class Enumeration>
+[[nodiscard]] bool get_enumeration(ByteReader& in, Enumeration& value, Enumeration last) {
+    const auto number = in.get<std::uint8_t>();
+    value = static_cast<Enumeration>(number);
+    return number <= static_cast<std::uint8_t>(last);
+}
+
+template <class Enumeration>
+void put_enumeration(ByteWriter& out, Enumeration value) {
+    out.put(static_cast<std::uint8_t>(value));
+}
+
+} // namespace cd

@@ -1,0 +1,55 @@
+// Pages for machines that watch the master: /healthz, /readyz, /metrics.
+#pragma once
+
+#include "common/core/limits/limits_http.hpp"
+#include "common/core/result.hpp"
+#include "proto/access/refusals.hpp"
+#include "proto/channel/asio.hpp"
+#include "proto/channel/channel.hpp"
+#include "proto/channel/http.hpp"
+#include "proto/channel/listener.hpp"
+#include "proto/channel/seats.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace cd {
+
+class Access;
+class Coordinator;
+class MasterIdentity;
+
+/// HTTP/1.1, one GET for each connection. With an identity, which outlives it, TLS alone; /metrics
+/// is then for who may look at the cluster, by certificate, and the others are for everybody, since
+/// they tell nothing else. All members run on the coordinator's thread.
+class HttpFront {
+  public:
+    /// Listens at once; port 0 lets the system choose one. Errors: as those of Listener::open.
+    [[nodiscard]] static Result<std::unique_ptr<HttpFront>>
+    listen(const asio::any_io_executor& executor,
+           const Endpoint& endpoint,
+           Coordinator& coordinator,
+           MasterIdentity* identity = nullptr);
+
+    [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
+    void start();
+    void close();
+
+  private:
+    HttpFront(std::unique_ptr<Listener> listener,
+              Coordinator& coordinator,
+              MasterIdentity* identity);
+    void accept(asio::ip::tcp::socket socket);
+    [[nodiscard]] asio::awaitable<void> serve(asio::ip::tcp::socket socket, Seats::Seat seat);
+    [[nodiscard]] HttpAnswer
+    answer(const HttpRequest& request, const Access& access, const std::string& peer);
+
+    std::unique_ptr<Listener> listener_;
+    Coordinator& coordinator_;
+    MasterIdentity* identity_;                  ///< Null: plain.
+    Seats seats_{limits::http_connections_max}; ///< Held by each connection.
+    Refusals refusals_;
+};
+
+} // namespace cd

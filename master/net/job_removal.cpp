@@ -1,0 +1,76 @@
+#include "master/net/job_removal.hpp"
+
+#include "common/core/host/log.hpp"
+#include "master/base/run_on.hpp"
+#include "master/coordinator/coordinator.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+std::uint64_t bytes_in(const std::vector<std::filesystem::path>& files) {
+    std::uint64_t bytes = 0;
+    for (const auto& file : files) {
+        std::error_code missing;
+        const std::uintmax_t size = std::filesystem::file_size(file, missing);
+        bytes += missing ? 0 : size;
+    }
+    return bytes;
+}
+
+} // namespace
+
+asio::awaitable<Result<JobStatus>> JobRemoval::ended(Remove wish) {
+    Result<JobStatus> status = coordinator_.job_status(wish.job);
+    if (!status || status.value().state != JobState::Running) {
+        co_return status;
+    }
+    if (!wish.cancel) {
+        co_return Error{ErrorCode::Refused, "it is running; with --cancel it is ended first"};
+    }
+    status = co_await coordinator_.cancel_job(wish.job);
+    if (status && status.value().state == JobState::Running) {
+        co_return Error{ErrorCode::Io, "the end of the job was not written to the disk in time"};
+    }
+    co_return status;
+}
+
+asio::awaitable<Result<Removed>> JobRemoval::remove(Remove wish) {
+    const Result<JobStatus> status = co_await ended(wish);
+    if (!status) {
+        co_return status.error();
+    }
+    const auto files = coordinator_.journal().files_of(wish.job);
+    auto measure = [files] { return bytes_in(files); };
+    Removed removed;
+    removed.bytes = co_await run_on(coordinator_.blocking(), measure);
+    if (const Status forgotten = co_await coordinator_.forget_job(wish.job); !forgotten) {
+        co_return forgotten.error();
+    }
+    for (const Sha256& mesh : status.value().bodies) {
+        // What others still need, or went with the body before, stays as it is.
+        auto free = [&store = coordinator_.geometry(), mesh] { return store.remove(mesh); };
+        const Result<std::uint64_t> freed = co_await run_on(coordinator_.blocking(), free);
+        removed.bytes += freed ? freed.value() : 0;
+    }
+    log_info("job removed: job={} bytes={}", wish.job.value, removed.bytes);
+    co_return removed;
+}
+
+asio::awaitable<Result<Removed>> JobRemoval::remove(RemoveMesh wish) {
+    auto free = [&store = coordinator_.geometry(), mesh = wish.mesh] { return store.remove(mesh); };
+    const Result<std::uint64_t> freed = co_await run_on(coordinator_.blocking(), free);
+    if (!freed) {
+        co_return freed.error();
+    }
+    log_info("mesh removed: mesh={} bytes={}", to_short_hex(wish.mesh), freed.value());
+    co_return Removed{freed.value()};
+}
+
+} // namespace cd

@@ -1,0 +1,34 @@
+// Removes jobs and meshes at a client's request, with all files that nothing else needs.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "proto/channel/asio.hpp"
+#include "proto/messages/client_messages.hpp"
+
+namespace cd {
+
+class Coordinator;
+
+/// The journal forgets a job before its files go, so that a crash leaves files without a job at
+/// most, which the next start removes. Runs on the coordinator's thread.
+class JobRemoval {
+  public:
+    /// The coordinator outlives this, and each removal under way.
+    explicit JobRemoval(Coordinator& coordinator) : coordinator_(coordinator) {}
+
+    /// Removes the job with its results and poses, and the meshes that no other job names, with
+    /// their trees and blocks. Errors: NotFound; Refused for a job that runs, unless
+    /// `wish.cancel`; Io.
+    [[nodiscard]] asio::awaitable<Result<Removed>> remove(Remove wish);
+    /// Removes the mesh with its tree and blocks. Errors: NotFound; Refused while a job or a
+    /// submission names it; Io.
+    [[nodiscard]] asio::awaitable<Result<Removed>> remove(RemoveMesh wish);
+
+  private:
+    /// Returns when the job has ended. Errors: Refused where it may not be ended; Io.
+    [[nodiscard]] asio::awaitable<Result<JobStatus>> ended(Remove wish);
+
+    Coordinator& coordinator_;
+};
+
+} // namespace cd

@@ -1,0 +1,161 @@
+#include "master/net/metrics.hpp"
+
+#include <prometheus/metric_family.h>
+#include <prometheus/text_serializer.h>
+
+#include <algorithm>
+#include <concepts>
+#include <functional>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+using prometheus::ClientMetric;
+using prometheus::MetricFamily;
+using prometheus::MetricType;
+using Labels = std::vector<ClientMetric::Label>;
+
+class Page {
+  public:
+    /// One more family; `add` goes to it.
+    void family(MetricType type, const std::string& name, const std::string& help) {
+        families_.push_back({"cdcluster_" + name, help, type, {}});
+    }
+    template <class Number>
+    void add(Number number, Labels labels = {}) {
+        ClientMetric metric;
+        metric.label = std::move(labels);
+        const auto value = static_cast<double>(number);
+        if (families_.back().type == MetricType::Counter) {
+            metric.counter.value = value;
+        } else {
+            metric.gauge.value = value;
+        }
+        families_.back().metric.push_back(std::move(metric));
+    }
+    template <class Number>
+    void one(MetricType type, const std::string& name, const std::string& help, Number number) {
+        family(type, name, help);
+        add(number);
+    }
+    [[nodiscard]] std::string text() const {
+        return prometheus::TextSerializer().Serialize(families_);
+    }
+
+  private:
+    std::vector<MetricFamily> families_;
+};
+
+constexpr MetricType counter = MetricType::Counter;
+constexpr MetricType gauge = MetricType::Gauge;
+
+void add_master(Page& page, const ClusterStatus& status) {
+    page.family(gauge, "build_info", "1, for the version of the master.");
+    page.add(1, {{"version", status.build}});
+    page.one(gauge, "uptime_seconds", "Since the master started.", status.uptime_seconds);
+    page.one(counter, "master_cpu_seconds_total", "User and system.", status.cpu_seconds);
+    page.one(counter, "alarms_total", "What somebody has to look at.", status.alarm_count);
+    page.one(counter, "workers_lost_total", "Whose work went to others.", status.workers_lost);
+    page.one(counter,
+             "sessions_resumed_total",
+             "Connections of workers that broke and came back in time.",
+             status.sessions_resumed);
+    page.one(counter,
+             "scenarios_given_back_total",
+             "That stood at workers that were lost.",
+             status.scenarios_given_back);
+    page.one(gauge, "meshes", "That the master holds.", status.meshes.size());
+}
+
+void add_workers(Page& page, const std::vector<WorkerStatus>& workers) {
+    page.family(gauge, "workers", "By what is heard of them.");
+    for (const WorkerState state : {WorkerState::Alive, WorkerState::Silent, WorkerState::Lost}) {
+        page.add(std::ranges::count(workers, state, &WorkerStatus::state),
+                 {{"state", std::string(to_text(state))}});
+    }
+    page.one(gauge,
+             "workers_quarantined",
+             "That gave a wrong result.",
+             std::ranges::count(workers, true, &WorkerStatus::quarantined));
+
+    const auto each =
+        [&](MetricType type, const std::string& name, const std::string& help, auto number) {
+            page.family(type, "worker_" + name, help);
+            for (const WorkerStatus& worker : workers) {
+                page.add(std::invoke(number, worker),
+                         {{"worker", std::to_string(worker.worker.value)}, {"name", worker.name}});
+            }
+        };
+    each(gauge, "threads", "That compute.", &WorkerStatus::threads);
+    each(counter, "scenarios_total", "Answered.", &WorkerStatus::scenarios);
+    each(gauge, "scenarios_working", "At the worker.", &WorkerStatus::working);
+    each(gauge, "scenarios_buffered", "That will go there.", &WorkerStatus::buffered);
+    each(gauge, "silent_seconds", "Since it was heard of.", &WorkerStatus::silent_seconds);
+    each(gauge, "cache_limit_bytes", "Of geometry.", &WorkerStatus::cache_bytes);
+    each(gauge, "cached_bytes", "Of geometry.", &WorkerStatus::cached_bytes);
+    each(counter, "sent_bytes_total", "To the worker.", &WorkerStatus::bytes_sent);
+    each(counter, "received_bytes_total", "From the worker.", &WorkerStatus::bytes_received);
+    each(counter, "block_hits_total", "Needed, and held already.", [](const WorkerStatus& worker) {
+        return worker.cache.blocks.hits;
+    });
+    each(counter, "block_misses_total", "Needed, and asked for.", [](const WorkerStatus& worker) {
+        return worker.cache.blocks.misses;
+    });
+    each(counter, "block_evictions_total", "For want of room.", [](const WorkerStatus& worker) {
+        return worker.cache.blocks.evictions;
+    });
+    each(counter,
+         "block_master_bytes_total",
+         "Geometry from the master.",
+         [](const WorkerStatus& worker) { return worker.cache.blocks.master_bytes; });
+    each(counter,
+         "block_peer_bytes_total",
+         "Geometry from workers.",
+         [](const WorkerStatus& worker) { return worker.cache.blocks.peer_bytes; });
+}
+
+void add_jobs(Page& page, const std::vector<JobStatus>& jobs) {
+    page.family(gauge, "jobs", "That the master knows.");
+    for (const JobState state :
+         {JobState::Running, JobState::Done, JobState::Cancelled, JobState::Failed}) {
+        page.add(std::ranges::count(jobs, state, &JobStatus::state),
+                 {{"state", std::string(to_text(state))}});
+    }
+    page.one(gauge,
+             "jobs_paused",
+             "That wait, as for room on the disk.",
+             std::ranges::count_if(jobs, [](const JobStatus& job) { return !job.paused.empty(); }));
+
+    const auto each = [&](const std::string& name, const std::string& help, auto number) {
+        page.family(gauge, "job_" + name, help);
+        for (const JobStatus& job : jobs) {
+            if (job.state == JobState::Running) {
+                page.add(number(job), {{"job", std::to_string(job.job.value)}, {"name", job.name}});
+            }
+        }
+    };
+    each(
+        "scenarios", "Of a job that runs.", [](const JobStatus& job) { return job.summary.total; });
+    each("scenarios_done", "Of these.", [](const JobStatus& job) { return job.summary.merged(); });
+    each("scenarios_failed", "Of these.", [](const JobStatus& job) { return job.summary.failed; });
+    each("scenarios_doubted", "Done again after an alarm.", [](const JobStatus& job) {
+        return job.doubted;
+    });
+    each("compute_seconds", "Of workers' threads.", [](const JobStatus& job) {
+        return job.compute_seconds;
+    });
+}
+
+} // namespace
+
+std::string metrics_text(const ClusterStatus& status) {
+    Page page;
+    add_master(page, status);
+    add_workers(page, status.workers);
+    add_jobs(page, status.jobs);
+    return page.text();
+}
+
+} // namespace cd

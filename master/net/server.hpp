@@ -1,0 +1,91 @@
+// Listens, greets whoever connects, and hands the connection to its kind of session.
+#pragma once
+
+#include "common/core/limits/limits.hpp"
+#include "common/core/result.hpp"
+#include "master/coordinator/coordinator.hpp"
+#include "master/identity/access.hpp"
+#include "master/identity/identity.hpp"
+#include "master/net/quotas.hpp"
+#include "proto/access/refusals.hpp"
+#include "proto/channel/asio.hpp"
+#include "proto/channel/channel.hpp"
+#include "proto/channel/listener.hpp"
+#include "proto/channel/seats.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+namespace cd {
+
+/// What clients may have; tests make it small.
+struct ClientLimits {
+    Quotas::Limits quotas = {};
+    Quotas::Limits workers = {.connections = limits::worker_connections_max,
+                              .all_connections = limits::all_worker_connections_max};
+    std::chrono::milliseconds submission_idle_max = limits::submission_idle_max;
+};
+
+class Server {
+  public:
+    /// Listens at once; port 0 lets the system choose one. Errors: BadInput for a host that is no
+    /// address of this machine; Io when the port is taken or may not be used. With an `identity`,
+    /// which outlives the server, only TLS is spoken.
+    [[nodiscard]] static Result<std::unique_ptr<Server>>
+    listen(const asio::any_io_executor& executor,
+           const Endpoint& endpoint,
+           Coordinator& coordinator,
+           MasterIdentity* identity = nullptr,
+           const ClientLimits& clients = {});
+
+    [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
+    /// That are open, greeted or not.
+    [[nodiscard]] std::size_t connections() const { return connections_.size(); }
+    /// Accepts connections from now on.
+    void start();
+    /// Closes the listener, all connections, and the coordinator.
+    void close();
+
+  private:
+    Server(std::unique_ptr<Listener> listener,
+           Coordinator& coordinator,
+           MasterIdentity* identity,
+           const ClientLimits& clients);
+
+    void accept(asio::ip::tcp::socket socket);
+    [[nodiscard]] asio::awaitable<void>
+    serve(std::uint64_t connection, asio::ip::tcp::socket socket, Seats::Seat seat);
+    // Who is welcome leaves its seat.
+    [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel,
+                                                 Seats::Seat& seat);
+    [[nodiscard]] asio::awaitable<void>
+    welcome_as(std::shared_ptr<Channel> channel, Hello hello, Access access, Seats::Seat& seat);
+    [[nodiscard]] asio::awaitable<void> serve_client(std::shared_ptr<Channel> channel,
+                                                     Welcome welcome,
+                                                     Access access,
+                                                     Seats::Seat& seat);
+    void refuse_greeting(Channel& channel, const Error& error);
+    /// Which running jobs are whose outlives the master beside its journal.
+    [[nodiscard]] std::filesystem::path jobs_path() const;
+    void save_jobs();
+    void restore_jobs();
+
+    std::unique_ptr<Listener> listener_;
+    Coordinator& coordinator_;
+    MasterIdentity* identity_; ///< Null: plain.
+    /// Null until it is secured, if it is to be.
+    std::map<std::uint64_t, std::shared_ptr<Channel>> connections_;
+    std::uint64_t connection_last_ = 0;
+    /// Of connections before the end of their greeting, of joiners, and of those that are refused,
+    /// until they are gone.
+    Seats greetings_{limits::greetings_max};
+    Refusals refusals_;
+    ClientLimits clients_;
+    Quotas quotas_;
+    Quotas worker_quotas_; ///< Of their connections.
+};
+
+} // namespace cd

@@ -1,0 +1,15 @@
+// Drains or terminates workers at an admin's request.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "proto/messages/client_messages.hpp"
+
+namespace cd {
+
+class Coordinator;
+
+/// Tells the workers to leave: when they have finished what runs and handed back the rest, or at
+/// once. Errors: NotFound naming a worker that is not here; then none is told.
+[[nodiscard]] Result<Draining> dismiss_workers(Coordinator& coordinator, DrainWorkers wish);
+
+} // namespace cd

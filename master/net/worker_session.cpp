@@ -1,0 +1,161 @@
+#include "master/net/worker_session.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits/limits.hpp"
+#include "master/base/mutation.hpp"
+#include "proto/codec/codec.hpp"
+
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+/// Of one message of results; left at its end at the latest, which may come with its worker's.
+class PlaceInHand {
+  public:
+    explicit PlaceInHand(std::shared_ptr<WorkerIntake> intake) : intake_(std::move(intake)) {
+        ++intake_->messages;
+    }
+    PlaceInHand(const PlaceInHand&) = delete;
+    PlaceInHand& operator=(const PlaceInHand&) = delete;
+    ~PlaceInHand() { leave(); }
+
+    void leave() {
+        if (const auto intake = std::exchange(intake_, nullptr)) {
+            --intake->messages;
+            intake->has_room();
+        }
+    }
+
+  private:
+    std::shared_ptr<WorkerIntake> intake_; ///< Null once it is left.
+};
+
+} // namespace
+
+WorkerSession::WorkerSession(Coordinator& coordinator,
+                             std::shared_ptr<Channel> channel,
+                             const Reception& reception)
+    : coordinator_(coordinator),
+      channel_(std::move(channel)),
+      reception_(reception),
+      worker_(reception.worker),
+      heartbeat_(coordinator.executor()),
+      room_(coordinator.executor()) {}
+
+asio::awaitable<void> WorkerSession::run(Hello hello) {
+    const auto self = shared_from_this();
+    coordinator_.worker_joined(reception_, hello, channel_);
+    spawn(coordinator_.executor(), "heartbeats to a worker", send_heartbeats(self));
+    intake_ = coordinator_.intake_of(worker_);
+    intake_->has_room = [weak = weak_from_this()] {
+        if (const auto session = weak.lock()) {
+            session->room_.cancel();
+        }
+    };
+    std::string why;
+    for (;;) {
+        co_await wait_for_room();
+        Result<Message> message = co_await channel_->receive(coordinator_.times().lost_after);
+        if (!message && message.error().code == ErrorCode::Timeout && channel_->is_open()) {
+            continue; // Whether the worker is lost does not hang on whole messages.
+        }
+        if (!message) {
+            why = message.error().detail;
+            break;
+        }
+        if (!coordinator_.worker_heard(worker_, *channel_)) {
+            break;
+        }
+        std::visit([this](auto& content) { on(content); }, message.value());
+    }
+    if (channel_->is_open()) { // Else a last word may still be on its way.
+        channel_->close();
+    }
+    heartbeat_.cancel();
+    coordinator_.connection_ended(worker_, *channel_, why);
+}
+
+asio::awaitable<void> WorkerSession::wait_for_room() {
+    while (intake_->messages >= limits::results_in_hand_max && channel_->is_open() &&
+           !mutated(Mutation::ReadsOn)) {
+        coordinator_.worker_unheard(worker_, *channel_);
+        room_.expires_after(coordinator_.times().heartbeat); // The connection may end meanwhile.
+        boost::system::error_code ignored;
+        co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+        // It is listened to again, and its silence counts from now on.
+        (void)coordinator_.worker_heard(worker_, *channel_);
+    }
+}
+
+// It begins some time after it was spawned, and the session may have ended by then.
+asio::awaitable<void> WorkerSession::send_heartbeats(std::shared_ptr<WorkerSession> self) {
+    Heartbeat heartbeat;
+    while (self->channel_->is_open()) {
+        ++heartbeat.sequence;
+        self->channel_->send(heartbeat);
+        self->heartbeat_.expires_after(self->coordinator_.times().heartbeat);
+        boost::system::error_code ignored;
+        co_await self->heartbeat_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+}
+
+void WorkerSession::on(const Heartbeat& message) {
+    coordinator_.heartbeat_came(worker_, message);
+}
+
+void WorkerSession::on(const Evicted& message) {
+    coordinator_.evicted(worker_, message);
+}
+
+void WorkerSession::on(const Holding& message) {
+    coordinator_.cuts_held(worker_, message);
+}
+
+void WorkerSession::on(const Standing& message) {
+    coordinator_.worker_stands(worker_, message);
+}
+
+void WorkerSession::on(const Drain& /*message*/) {
+    coordinator_.worker_draining(worker_);
+    channel_->send(Drain{}); // After all that was on its way to it.
+}
+
+void WorkerSession::on(const Failure& message) {
+    coordinator_.cut_off(worker_, {message.code, "it says: " + message.detail});
+}
+
+void WorkerSession::on(Results& message) {
+    const auto place = std::make_shared<PlaceInHand>(intake_);
+    CD_CHECK(intake_->messages <= limits::results_in_hand_max);
+    coordinator_.results_came(worker_, std::move(message), [place] { place->leave(); });
+}
+
+void WorkerSession::on(const EndOfTask& message) {
+    coordinator_.task_ended(worker_, message.task);
+}
+
+void WorkerSession::on(const Recalled& message) {
+    coordinator_.task_recalled(worker_, message);
+}
+
+template <class Other>
+void WorkerSession::on(const Other& message) {
+    const std::string name(message_name(message_type(message)));
+    coordinator_.cut_off(worker_, {ErrorCode::BadFrame, "a worker does not send '" + name + "'"});
+}
+
+void WorkerSession::on(const WantSubtrees& message) {
+    coordinator_.blocks_wanted(worker_, message);
+}
+
+void WorkerSession::on(const Held& message) {
+    coordinator_.blocks_held(worker_, message);
+}
+
+void WorkerSession::on(const FetchFailed& message) {
+    coordinator_.peer_failed(worker_, message);
+}
+
+} // namespace cd

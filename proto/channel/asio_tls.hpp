@@ -1,0 +1,8 @@
+// The one way Boost.Asio's TLS, and OpenSSL's with it, enters this project.
+#pragma once
+
+#include "proto/channel/asio.hpp"
+
+#include <boost/asio/ssl/context.hpp>
+#include <boost/asio/ssl/error.hpp>
+#include <boost/asio/ssl/stream.hpp>

@@ -1,0 +1,80 @@
+// Frames: how messages are cut into pieces on a stream of bytes (PROTOCOL.md).
+#pragma once
+
+#include "common/core/files/bytes.hpp"
+#include "common/core/result.hpp"
+#include "proto/messages/party.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace cd {
+
+inline constexpr std::size_t frame_header_bytes = 32;
+
+/// The fixed header, little-endian on the wire: magic, type, flags, stream, payload length, session
+/// epoch, checksum of the payload, checksum of the header.
+struct FrameHeader {
+    std::uint16_t type = 0;
+    bool has_more = false; ///< The next frame of this stream goes on with the same message.
+    std::uint32_t stream = 0;
+    std::uint32_t payload_bytes = 0;
+    std::uint32_t epoch = 0;
+    std::uint64_t payload_checksum = 0;
+
+    friend bool operator==(const FrameHeader&, const FrameHeader&) = default;
+};
+
+[[nodiscard]] std::array<std::byte, frame_header_bytes> encode_header(const FrameHeader& header);
+/// Errors: BadFrame for a wrong magic, checksum, flag or type; TooLarge for an overlong length.
+[[nodiscard]] Result<FrameHeader>
+decode_header(std::span<const std::byte, frame_header_bytes> bytes);
+
+/// The message to a peer that connects without TLS where TLS is required.
+inline constexpr std::string_view speaks_tls_text =
+    "the master speaks TLS: cdctl join gets a credential, cdworker takes a --token";
+
+/// An error if the first bytes come from a web server or a TLS endpoint instead of this protocol.
+[[nodiscard]] std::optional<Error> foreign_answer(std::span<const std::byte> first_bytes);
+
+/// Puts messages together from frames; a pure state machine, no I/O. Holds at most what
+/// `payload_bytes_max_from` their sender allows, over few streams.
+class MessageAssembler {
+  public:
+    struct Whole {
+        std::uint16_t type = 0;
+        Bytes payload;
+    };
+
+    /// Who sends from now on. At first it is anyone.
+    void expect(Party sender) { sender_ = sender; }
+    [[nodiscard]] Party sender() const { return sender_; }
+
+    /// Whether such a frame may come now, by its header alone. Errors: those of `add`.
+    [[nodiscard]] Status check(const FrameHeader& header) const;
+
+    /// Nothing while the message is not whole. Errors: BadFrame, TooLarge; the connection then
+    /// ends.
+    [[nodiscard]] Result<std::optional<Whole>> add(const FrameHeader& header,
+                                                   std::span<const std::byte> payload);
+
+    /// Some message has begun to come and is not whole.
+    [[nodiscard]] bool has_begun() const { return !open_.empty(); }
+
+  private:
+    struct Open {
+        std::uint32_t stream = 0;
+        std::uint16_t type = 0;
+        Bytes payload;
+    };
+    [[nodiscard]] const Open* find(std::uint32_t stream) const;
+
+    std::vector<Open> open_;
+    Party sender_ = Party::Anyone;
+};
+
+} // namespace cd

@@ -1,0 +1,32 @@
+// One HTTP/1.1 request on a stream, and its answer.
+#pragma once
+
+#include "common/core/limits/limits_http.hpp"
+#include "proto/channel/stream.hpp"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace cd {
+
+struct HttpRequest {
+    std::string method; ///< "GET".
+    std::string target; ///< "/metrics".
+};
+
+struct HttpAnswer {
+    unsigned status = 200;
+    std::string body;
+    std::string content_type = "text/plain; charset=utf-8";
+};
+
+/// Reads a request's head, answers it, and ends the stream, all within the timeout.
+/// What is no request gets 400; a body is not read. `answer` is called once at most, and goes with
+/// the stream.
+void serve_http(std::unique_ptr<Stream> stream,
+                std::function<HttpAnswer(const HttpRequest&)> answer,
+                std::chrono::steady_clock::duration timeout = limits::http_exchange_max);
+
+} // namespace cd

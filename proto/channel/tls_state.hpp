@@ -1,0 +1,16 @@
+// The contexts behind a Tls. Included by tls.cpp and stream.cpp alone.
+#pragma once
+
+#include "proto/channel/asio_tls.hpp"
+#include "proto/channel/tls.hpp"
+
+namespace cd {
+
+struct Tls::State {
+    asio::ssl::context accepting{asio::ssl::context::tls_server};
+    asio::ssl::context connecting{asio::ssl::context::tls_client};
+    std::optional<Identity> identity;
+    Sha256 pinned; ///< The authority, while joining.
+};
+
+} // namespace cd

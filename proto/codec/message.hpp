@@ -1,0 +1,79 @@
+// What travels between the programs: one struct a message. PROTOCOL.md tells the order of play.
+#pragma once
+
+#include "proto/messages/client_messages.hpp"
+#include "proto/messages/identity_messages.hpp"
+#include "proto/messages/session_messages.hpp"
+#include "proto/messages/work_messages.hpp"
+
+#include <variant>
+
+namespace cd {
+
+/// In the order of their numbers on the wire, which start at 1 and never change.
+using Message = std::variant<Hello,
+                             Welcome,
+                             Failure,
+                             Heartbeat,
+                             AddTree,
+                             RemoveTree,
+                             Subtrees,
+                             Batch,
+                             Drain,
+                             Terminate,
+                             WantSubtrees,
+                             Results,
+                             EndOfTask,
+                             Evicted,
+                             MeshesQuery,
+                             MeshesMissing,
+                             MeshPart,
+                             MeshStored,
+                             Submit,
+                             PosesPart,
+                             PosesEnd,
+                             Accepted,
+                             Watch,
+                             JobStatus,
+                             StatusQuery,
+                             ClusterStatus,
+                             ResultsQuery,
+                             ResultsPart,
+                             Cancel,
+                             FetchFromPeers,
+                             Held,
+                             FetchFailed,
+                             PeerFetch,
+                             PeerFetched,
+                             Explain,
+                             Explained,
+                             AddJob,
+                             RemoveJob,
+                             ScenarioRange,
+                             ResultsKept,
+                             Holding,
+                             Join,
+                             Renew,
+                             Certified,
+                             TokenCreate,
+                             TokenCreated,
+                             Standing,
+                             DropScenario,
+                             Recall,
+                             Recalled,
+                             Hint,
+                             ContactMapQuery,
+                             ContactMapAnswer,
+                             JobQuery,
+                             JobDescription,
+                             MeshQuery,
+                             MeshBytes,
+                             PosesQuery,
+                             JobPoses,
+                             Remove,
+                             RemoveMesh,
+                             Removed,
+                             DrainWorkers,
+                             Draining>;
+
+} // namespace cd

@@ -1,0 +1,87 @@
+// Proves that a job on many simulated hosts is answered whole, within its bounds and the same each
+// time, also where blocks do not fit; and that the baselines are what they say.
+#include "bench/cluster/model/large_cluster.hpp"
+
+#include "bench/cluster/model/baselines.hpp"
+#include "tests/bench/cluster/synthetic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <vector>
+
+namespace cd::tests {
+namespace {
+
+using namespace cd::bench;
+
+LargeOptions some_hosts(Strategy strategy, bool peers) {
+    LargeOptions options;
+    options.speeds.assign(30, 1.0);
+    for (std::size_t host = 0; host < 30; host += 3) {
+        options.speeds[host] = 0.2;
+    }
+    options.dispatch.strategy = strategy;
+    options.dispatch.claim = false;
+    options.dispatch.q = 4;
+    options.peers = peers;
+    return options;
+}
+
+TEST(LargeCluster, IsWholeWithinItsBoundsAndTheSameEachTime) {
+    const Workload workload = make_synthetic_workload(7, 2000);
+    for (const Strategy strategy :
+         {Strategy::EarliestFinish, Strategy::BestMatch, Strategy::Random}) {
+        for (const bool peers : {false, true}) {
+            SCOPED_TRACE(testing::Message() << to_text(strategy) << " " << peers);
+            const LargeOptions options = some_hosts(strategy, peers);
+            const LargeOutcome first = simulate_large(workload, options);
+            const LargeOutcome second = simulate_large(workload, options);
+            EXPECT_EQ(first.answered, workload.count());
+            EXPECT_EQ(first.seconds, second.seconds);
+            EXPECT_EQ(first.sent_bytes, second.sent_bytes);
+            EXPECT_EQ(first.peer_bytes != 0, peers);
+            const BaselineOutcome optimum =
+                offline_optimum(workload, options.speeds, options.bytes_per_second);
+            EXPECT_GT(first.seconds, optimum.seconds);
+            EXPECT_GE(first.block_bytes, optimum.sent_bytes);
+            EXPECT_LT(first.seconds, workload.serial_seconds);
+            EXPECT_EQ(first.evictions, 0u);
+        }
+    }
+}
+
+TEST(LargeCluster, BlocksThatDoNotFitComeAgain) {
+    const Workload workload = make_synthetic_workload(8, 1000);
+    for (const bool peers : {false, true}) {
+        LargeOptions options = some_hosts(Strategy::EarliestFinish, peers);
+        options.cache_bytes = 60'000; // Of 256,000 in all.
+        const LargeOutcome outcome = simulate_large(workload, options);
+        EXPECT_EQ(outcome.answered, workload.count());
+        EXPECT_GT(outcome.evictions, 0u);
+    }
+}
+
+TEST(Baselines, AreCountedInTheirOwnFavour) {
+    Workload workload;
+    workload.trees[0] = {{10, 1000, 5000, 0}, {10, 3000, 7000, 0}};
+    workload.geometry_bytes = 4000;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        workload.costs.push_back({0, 1.0, 10, 10, 1, {{0, i / 2}}});
+        workload.scenarios.push_back(i);
+    }
+    const std::vector<double> speeds{1, 0.5};
+    // 1,000 bytes for each in the first 2 s, then 2,000 more for the second; its work takes 4 s.
+    const BaselineOutcome split = static_split(workload, speeds, 1000);
+    EXPECT_DOUBLE_EQ(split.seconds, 4);
+    EXPECT_EQ(split.sent_bytes, 4000u);
+    EXPECT_EQ(split.memory_bytes_max, 7000u);
+    // The first is ready after 4 s and has done all 4 scenarios when the second would be.
+    EXPECT_DOUBLE_EQ(whole_everywhere(workload, speeds, 1000).seconds, 8);
+    EXPECT_EQ(whole_everywhere(workload, speeds, 1000).sent_bytes, 8000u);
+    // 4 s of work on 1.5; 4 s of bytes.
+    EXPECT_DOUBLE_EQ(offline_optimum(workload, speeds, 1000).seconds, 4);
+}
+
+} // namespace
+} // namespace cd::tests

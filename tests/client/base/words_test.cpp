@@ -1,0 +1,61 @@
+// Proves that mistyped words find what was meant, that numbers read well, and that units convert
+// with a single rounding.
+#include "client/base/words.hpp"
+
+#include "client/base/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace cd::tests {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> known{"level", "tolerance", "limit_pairs", "ignore"};
+
+} // namespace
+
+TEST(Words, ASwappedLetterFindsTheWord) {
+    EXPECT_EQ(nearest_word("levle", known), "level");
+    EXPECT_EQ(nearest_word("limit_pair", known), "limit_pairs");
+}
+
+TEST(Words, SomethingElseFindsNothing) {
+    EXPECT_EQ(nearest_word("colour", known), std::nullopt);
+    EXPECT_EQ(nearest_word(std::string(100'000, 'l'), known), std::nullopt);
+    EXPECT_EQ(suggestion("colour", known), "; known are level, tolerance, limit_pairs, ignore");
+}
+
+TEST(Words, NumbersAreGroupedByThrees) {
+    EXPECT_EQ(grouped(0), "0");
+    EXPECT_EQ(grouped(999), "999");
+    EXPECT_EQ(grouped(1000), "1 000");
+    EXPECT_EQ(grouped(1234567), "1 234 567");
+    EXPECT_EQ(counted(1, "part"), "1 part");
+    EXPECT_EQ(counted(12, "part"), "12 parts");
+}
+
+TEST(Words, ExactTextReadsBackAsTheSameDouble) {
+    for (const double value : {0.1, 1.0 / 3, -1e-300, 12345678.9}) {
+        EXPECT_EQ(std::stod(exact_text(value)), value);
+    }
+}
+
+TEST(Units, RatiosAreRoundedOnce) {
+    EXPECT_EQ(unit_factor("mm", "m"), 0.001);
+    EXPECT_EQ(unit_factor("m", "mm"), 1000.0);
+    EXPECT_EQ(unit_factor("ft", "in"), 12.0);
+    EXPECT_EQ(unit_factor("in", "mm"), 25.4);
+    EXPECT_EQ(unit_factor("km", "km"), 1.0);
+    EXPECT_EQ(unit_factor("inch", "m"), std::nullopt);
+}
+
+TEST(Words, TwoLettersThatChangedPlacesAreOneEdit) {
+    constexpr std::array<std::string_view, 3> verbs{"run", "watch", "inspect"};
+    EXPECT_EQ(nearest_word("rnu", verbs), "run");
+    EXPECT_EQ(nearest_word("wacth", verbs), "watch");
+    EXPECT_EQ(nearest_word("nur", verbs), std::nullopt);
+}
+
+} // namespace cd::tests

@@ -1,0 +1,536 @@
+// Proves that `cdctl run` without a master does a whole job: inputs, ignored parts, output, exit
+// codes, and that wrong inputs end it with one clear line.
+#include "client/base/exit_code.hpp"
+#include "client/commands/commands.hpp"
+#include "client/job/prepared_job.hpp"
+#include "common/geometry/simd_target.hpp"
+#include "tests/support/obj_file.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+/// A tetrahedron with its corner at (x, 0, 0), as a group of an OBJ file; `first` is the number of
+/// its first vertex.
+std::string tetrahedron(const std::string& name, double x, int first) {
+    std::ostringstream text;
+    text << "g " << name << "\n";
+    for (const auto& [dx, dy, dz] : {std::array{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+        text << "v " << x + dx << " " << dy << " " << dz << "\n";
+    }
+    for (const auto& [i, j, k] : {std::array{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+        text << "f " << first + i << " " << first + j << " " << first + k << "\n";
+    }
+    return text.str();
+}
+
+class Run : public testing::Test {
+  protected:
+    Run() {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        dir_ =
+            fs::temp_directory_path() / ("cd-run-" + std::to_string(getpid()) + "-" + test->name());
+        fs::create_directories(dir_);
+        write("a.obj", tetrahedron("wheel_left", 0, 1) + tetrahedron("body", 5, 5));
+        write("b.obj", tetrahedron("post", 0, 1));
+        // B away from A, across its wheel, across its body, and in touch with its body at a corner.
+        write("poses.csv",
+              "x,y,z,qx,qy,qz,qw\n0,9,0,0,0,0,1\n0.25,0.1,0.1,0,0,0,1\n5.25,0.1,0.1,0,0,0,1\n"
+              "6,0,0,0,0,0,1\n");
+        command_.job.a = (dir_ / "a.obj").string();
+        command_.job.b = (dir_ / "b.obj").string();
+        command_.job.poses = (dir_ / "poses.csv").string();
+        command_.job.out = (dir_ / "out").string();
+        command_.job.formats = {"csv", "json"};
+        command_.folder.overwrite = true;
+        command_.folder.fresh = true; // Each run is one of its own.
+        command_.threads = 2;
+        command_.quiet = true;
+    }
+    ~Run() override { fs::remove_all(dir_); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(dir_ / name, std::ios::binary) << text;
+    }
+    [[nodiscard]] std::string read(const std::string& name) const {
+        std::ostringstream text;
+        text << std::ifstream(dir_ / name, std::ios::binary).rdbuf();
+        return text.str();
+    }
+
+    /// Runs the command and keeps what it printed.
+    int run() {
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        const int code = execute(command_);
+        stdout_ = testing::internal::GetCapturedStdout();
+        stderr_ = testing::internal::GetCapturedStderr();
+        return code;
+    }
+
+    fs::path dir_;
+    RunCommand command_;
+    std::string stdout_;
+    std::string stderr_;
+};
+
+} // namespace
+
+TEST_F(Run, GivesEachScenarioItsClass) {
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    const std::string rows = read("out/scenarios.csv");
+    EXPECT_THAT(rows, HasSubstr("\n0,a,b,separate,0,"));
+    EXPECT_THAT(rows, HasSubstr("\n1,a,b,cross,"));
+    EXPECT_THAT(rows, HasSubstr("\n2,a,b,cross,"));
+    EXPECT_THAT(rows, HasSubstr("\n3,a,b,touch,"));
+    EXPECT_THAT(stdout_, HasSubstr("tested 4 of 4"));
+    EXPECT_THAT(stdout_, HasSubstr("most touched  body 50.0 %, wheel_left 25.0 %"));
+    EXPECT_THAT(stdout_, HasSubstr("open it: " + command_.job.out + "/summary.json"));
+    EXPECT_EQ(stderr_, "");
+}
+
+TEST_F(Run, TheDigestIsThatOfOneThread) {
+    ASSERT_EQ(run(), exit_done);
+    const auto two = nlohmann::json::parse(read("out/summary.json"))["digest"];
+    command_.threads = 1;
+    ASSERT_EQ(run(), exit_done);
+    EXPECT_EQ(nlohmann::json::parse(read("out/summary.json"))["digest"], two);
+    EXPECT_TRUE(two.is_string());
+}
+
+TEST_F(Run, TheMapOfCutListsSaysSo) {
+    command_.job.limit_pairs = 1;
+    ASSERT_EQ(run(), exit_done);
+    EXPECT_THAT(stdout_, HasSubstr("were in contact, of the first 1 pair a scenario; digest"));
+    auto summary = nlohmann::json::parse(read("out/summary.json"));
+    EXPECT_EQ(summary["limit_pairs"], 1);
+    EXPECT_EQ(summary["map_of_listed_pairs"], true);
+    command_.job.maps = true;
+    ASSERT_EQ(run(), exit_done);
+    EXPECT_THAT(stdout_, HasSubstr("were in contact; digest"));
+    summary = nlohmann::json::parse(read("out/summary.json"));
+    EXPECT_EQ(summary["map_of_listed_pairs"], false);
+}
+
+TEST_F(Run, FailOnDecidesBetweenZeroAndOne) {
+    command_.fail_on = FailOn::Touch;
+    EXPECT_EQ(run(), exit_contacts);
+    command_.fail_on = FailOn::Cross;
+    EXPECT_EQ(run(), exit_contacts);
+    write("poses.csv", "x,y,z,qx,qy,qz,qw\n6,0,0,0,0,0,1\n");
+    EXPECT_EQ(run(), exit_done);
+    command_.fail_on = FailOn::Touch;
+    EXPECT_EQ(run(), exit_contacts);
+    write("poses.csv", "x,y,z,qx,qy,qz,qw\n0,9,0,0,0,0,1\n");
+    EXPECT_EQ(run(), exit_done);
+}
+
+TEST_F(Run, FailOnOfLevelAnyIsForContactsAndInsides) {
+    command_.job.level = "any";
+    command_.fail_on = FailOn::Cross;
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("--fail-on cross needs level count"));
+    command_.fail_on = FailOn::Touch;
+    EXPECT_EQ(run(), exit_contacts);
+    write("poses.csv", "x,y,z,qx,qy,qz,qw\n0,9,0,0,0,0,1\n");
+    EXPECT_EQ(run(), exit_done);
+}
+
+TEST_F(Run, UnderAToleranceTheRestIsUndecided) {
+    command_.job.tolerance = 100;
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("separate  1    touch 0    cross 0    inside 0    undecided 3"));
+    EXPECT_THAT(stdout_, HasSubstr("boxes as small as the tolerance"));
+    EXPECT_THAT(read("out/scenarios.csv"), HasSubstr("\n1,a,b,undecided,0,0,"));
+    EXPECT_EQ(nlohmann::json::parse(read("out/summary.json"))["tolerance"], 100);
+    command_.fail_on = FailOn::Touch;
+    EXPECT_EQ(run(), exit_incomplete) << "whether there is a contact is not known";
+}
+
+TEST_F(Run, AToleranceGoesWithoutDepths) {
+    command_.job.tolerance = 0.1;
+    command_.job.depth_b = "4";
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("goes without a distribution depth"));
+    command_.job.tolerance = 0;
+    EXPECT_EQ(run(), exit_done);
+}
+
+TEST_F(Run, WhatTheStrategyDoesNotLookAtMayNotBeGiven) {
+    command_.job.claim = true;
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("--strategy best-match"));
+    command_.job.strategy = "lowest";
+    EXPECT_EQ(run(), exit_done);
+    command_.job.claim = false;
+    command_.job.q = 5;
+    EXPECT_EQ(run(), exit_done);
+    command_.job.strategy = "";
+    EXPECT_EQ(run(), exit_usage);
+}
+
+TEST_F(Run, TheHeaderNamesColumnsThatAreLeftOut) {
+    write("poses.csv", "x,y,yaw_deg\n0,9,0\n");
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stderr_, HasSubstr("  poses.csv; z, roll, pitch are 0\n"));
+}
+
+TEST_F(Run, PosesInAnotherUnitAreSuspected) {
+    write("poses.csv", "x,y,z\n1125,0,0\n0,2000,0\n");
+    command_.job.level = "count";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(
+        stdout_,
+        HasSubstr("no pose brings B within 1 119 m of A (A is 6.0 m long): are the poses in "
+                  "mm? [poses] unit = \"mm\"\n"));
+    command_.job.poses_unit = "mm";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, testing::Not(HasSubstr("no pose brings")));
+    write("poses.csv", "x,y,z\n0,0,9\n");
+    command_.job.poses_unit = "";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("no pose brings B within 8.0 m of A (A is 6.0 m long)\n"));
+}
+
+TEST_F(Run, EveryFirstStageHasTheSameDigest) {
+    command_.job.level = "contacts";
+    ASSERT_EQ(run(), exit_done);
+    const auto usual = nlohmann::json::parse(read("out/summary.json"));
+    command_.first_stage = PairStage::WideInteger;
+    ASSERT_EQ(run(), exit_done);
+    const auto exact = nlohmann::json::parse(read("out/summary.json"));
+    EXPECT_EQ(exact["digest"], usual["digest"]);
+    EXPECT_GT(usual["statistics"]["settled"]["float"], 0);
+    EXPECT_EQ(exact["statistics"]["settled"]["float"], 0);
+    EXPECT_EQ(exact["statistics"]["settled"]["double"], 0);
+    EXPECT_EQ(exact["statistics"]["candidates"], usual["statistics"]["candidates"]);
+}
+
+TEST_F(Run, EverySimdTargetHasTheSameDigest) {
+    command_.job.level = "contacts";
+    ASSERT_EQ(run(), exit_done);
+    const auto usual = nlohmann::json::parse(read("out/summary.json"));
+    for (const SimdTarget target : available_simd_targets()) {
+        command_.simd = to_text(target);
+        ASSERT_EQ(run(), exit_done) << stderr_;
+        EXPECT_EQ(simd_target(), target);
+        const auto forced = nlohmann::json::parse(read("out/summary.json"));
+        EXPECT_EQ(forced["digest"], usual["digest"]) << to_text(target);
+    }
+    ASSERT_TRUE(force_simd_target("auto"));
+}
+
+TEST_F(Run, ASimdTargetThatIsNotHereIsWrongUsage) {
+    command_.simd = "abacus";
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("no SIMD target \"abacus\" on this host; there are auto"));
+}
+
+TEST_F(Run, PrecisionFloatRoundsOnceAndSaysSo) {
+    write("b.obj", tetrahedron("post", 0.1, 1));
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stderr_, Not(HasSubstr("rounded to floats")));
+    EXPECT_THAT(read("out/summary.json"), HasSubstr("\"precision\": \"double\""));
+    command_.job.precision = "float";
+    command_.job.out = (dir_ / "rounded").string();
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stderr_, HasSubstr("coordinates rounded to floats, as asked\n"));
+    const auto summary = nlohmann::json::parse(read("rounded/summary.json"));
+    for (const auto& body : summary["bodies"]) {
+        EXPECT_EQ(body["precision"], "float");
+        EXPECT_EQ(body["rounded"], true);
+    }
+}
+
+TEST_F(Run, MapCoordinatesOfAFileKeepTheirMillimetres) {
+    // UTM metres, where the step of a float is 0.5 m: a plate, and one that is 1 mm above it.
+    const auto plate = [](const std::string& z) {
+        return "v 500000.125 5400000.25 " + z + "\nv 500001.125 5400000.25 " + z +
+               "\nv 500000.125 5400001.25 " + z + "\nf 1 2 3\n";
+    };
+    write("a.obj", plate("112.001"));
+    write("b.obj", plate("112.000"));
+    write("poses.csv", "z\n0\n0.001\n0.002\n");
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    const std::string rows = read("out/scenarios.csv");
+    EXPECT_THAT(rows, HasSubstr("\n0,a,b,separate,0,"));
+    EXPECT_THAT(rows, HasSubstr("\n2,a,b,separate,0,"));
+    EXPECT_THAT(read("out/summary.json"), HasSubstr("\"precision\": \"double\""));
+}
+
+TEST_F(Run, AFirstStageIsForThisMachineAlone) {
+    command_.first_stage = PairStage::Double;
+    command_.master.address = "127.0.0.1:1";
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("--first-stage"));
+}
+
+TEST_F(Run, IgnoredPartsAreNotInTheAnswer) {
+    write("job.toml",
+          "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n"
+          "[query]\nignore = [[\"wheel_*\", \"post\"]]\n");
+    command_.job = {};
+    command_.job.file = (dir_ / "job.toml").string();
+    command_.output = "csv";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("\n1,a,b,separate,0,"));
+    EXPECT_THAT(stdout_, HasSubstr("\n2,a,b,cross,"));
+}
+
+TEST_F(Run, AnIgnoredNameThatMatchesNothingIsAnError) {
+    write("job.toml",
+          "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n"
+          "[query]\nignore = [[\"whel_left\", \"post\"]]\n");
+    command_.job = {};
+    command_.job.file = (dir_ / "job.toml").string();
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("job.toml:8: ignore: no part of A matches \"whel_left\""));
+    EXPECT_THAT(stderr_, HasSubstr("did you mean \"wheel_left\"?"));
+}
+
+TEST_F(Run, AnIgnoredPartMayHaveItsBodyBeforeIt) {
+    const std::string job = "[a]\nmesh = \"a.obj\"\nname = \"car\"\n[b]\nmesh = \"b.obj\"\n"
+                            "[poses]\nfile = \"poses.csv\"\n[query]\nignore = [['";
+    command_.job = {};
+    command_.job.file = (dir_ / "job.toml").string();
+    command_.output = "csv";
+    for (const char* pair : {"car/wheel_*', 'b/post", "c*/wheel_*', 'post", "wheel_*', 'b/po*"}) {
+        write("job.toml", job + pair + "']]\n");
+        EXPECT_EQ(run(), exit_done) << stderr_;
+        EXPECT_THAT(stdout_, HasSubstr("\n1,car,b,separate,0,")) << pair;
+    }
+    write("job.toml", job + "a/wheel_*', 'post']]\n");
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_,
+                HasSubstr("job.toml:9: ignore: \"a/wheel_*\" is of another body than A, which is "
+                          "called \"car\""));
+}
+
+TEST_F(Run, ABackslashTakesTheMeaningOfTheNextCharacter) {
+    write("a.obj", tetrahedron("left/wheel*", 0, 1) + tetrahedron("body", 5, 5));
+    const std::string job = "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n"
+                            "[poses]\nfile = \"poses.csv\"\n[query]\nignore = [['";
+    command_.job = {};
+    command_.job.file = (dir_ / "job.toml").string();
+    command_.output = "csv";
+    for (const char* pattern : {"left\\/wheel\\*", "a/left\\/wheel*", "a/left/wheel*"}) {
+        write("job.toml", job + pattern + "', 'post']]\n");
+        EXPECT_EQ(run(), exit_done) << stderr_;
+    }
+    write("job.toml", job + "left/wheel*', 'post']]\n");
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("a / within the name of a part is written \\/"));
+    write("job.toml", job + "left\\/wheel\\?', 'post']]\n");
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("no part of A matches"));
+}
+
+TEST_F(Run, ADryRunWritesNothing) {
+    command_.dry_run = true;
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_FALSE(fs::exists(dir_ / "out"));
+    EXPECT_THAT(stdout_, testing::StartsWith("inputs are fine; about "));
+    EXPECT_THAT(stdout_, HasSubstr("; nothing was run\n"));
+    EXPECT_THAT(stderr_, testing::StartsWith("  here, 2 threads\n"));
+    EXPECT_THAT(stderr_, HasSubstr("A  a.obj"));
+    EXPECT_THAT(stderr_, HasSubstr("2 parts"));
+}
+
+namespace {
+
+/// A pose file of quaternions all around the origin, whose numbers have all their digits.
+std::string poses_all_around(int count) {
+    std::ostringstream text;
+    text.precision(17);
+    text << "x,y,z,qx,qy,qz,qw\n";
+    for (int i = 0; i < count; ++i) {
+        const double turn = 2.4 * i;
+        const double tilt = 0.7 * i;
+        const double far = 3 * std::sqrt(static_cast<double>(i) / count);
+        text << far * std::cos(turn) << "," << far * std::sin(turn) << "," << 0.3 * std::sin(tilt)
+             << "," << std::sin(tilt) * std::cos(turn) << "," << std::sin(tilt) * std::sin(turn)
+             << ",0," << std::cos(tilt) << "\n";
+    }
+    return text.str();
+}
+
+double bytes_below(const fs::path& folder) {
+    double bytes = 0;
+    for (const auto& file : fs::recursive_directory_iterator(folder)) {
+        bytes += file.is_regular_file() ? static_cast<double>(file.file_size()) : 0;
+    }
+    return bytes;
+}
+
+} // namespace
+
+/// Work is compared in place of time, which a busy machine changes (bench/estimate_bench.cpp has
+/// the time).
+TEST_F(Run, ADryRunTellsWhatTheRunTakesWithinAFactorOfTwo) {
+    write_obj((dir_ / "a.obj").string(), make_torus(1.5, 0.5, 60, 30));
+    write("poses.csv", poses_all_around(3000));
+    command_.job.formats = {"csv", "npz"};
+    for (const char* level : {"count", "pairs", "contacts"}) {
+        command_.job.level = level;
+        command_.dry_run = true;
+        command_.output = "json";
+        ASSERT_EQ(run(), exit_done) << stderr_;
+        const auto told = nlohmann::json::parse(stdout_);
+        EXPECT_EQ(told["scenarios"], 3000);
+        EXPECT_EQ(told["sampled"], 200);
+        EXPECT_GT(told["seconds"]["expected"], 0);
+        EXPECT_LE(told["seconds"]["low"], told["seconds"]["high"]);
+        EXPECT_TRUE(told["refused"].is_null());
+        command_.dry_run = false;
+        command_.output = "text";
+        ASSERT_EQ(run(), exit_done) << stderr_;
+        const auto ran = nlohmann::json::parse(read("out/summary.json"))["statistics"];
+        const auto expect_about = [&](double estimated, double real, const char* what) {
+            EXPECT_GT(estimated, real / 2) << what << " at level " << level;
+            EXPECT_LT(estimated, real * 2) << what << " at level " << level;
+        };
+        expect_about(told["bytes"], bytes_below(dir_ / "out"), "bytes");
+        expect_about(told["box_tests"], ran["box_tests"], "boxes");
+        expect_about(told["triangle_tests"], ran["candidates"], "triangles");
+    }
+}
+
+TEST_F(Run, ResultsThatNeedAWordAreRefusedWithoutIt) {
+    write("poses.csv", poses_all_around(100));
+    command_.job.out = (dir_ / "new" / "out").string();
+    command_.results_bytes_max = 2000;
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_,
+                testing::MatchesRegex("cdctl: .*/new/out: the run would take about .* s here "
+                                      "\\(.*/s\\), 0.0 MB as csv,json, and .* are free; "
+                                      ".*, or say --yes\n"));
+    EXPECT_FALSE(fs::exists(dir_ / "new"));
+
+    command_.dry_run = true;
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_THAT(stdout_, HasSubstr("; nothing was run\n" + command_.job.out + ": the run would"));
+    command_.output = "json";
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_THAT(nlohmann::json::parse(stdout_)["refused"].get<std::string>(), HasSubstr("--yes"));
+    command_.output = "text";
+    command_.dry_run = false;
+
+    command_.yes = true;
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_TRUE(fs::exists(dir_ / "new" / "out" / "summary.json"));
+}
+
+TEST_F(Run, AMasterInTheEnvironmentIsHintedAt) {
+    ::setenv("CDCTL_MASTER", "node-1:7600", 1);
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done);
+    ::unsetenv("CDCTL_MASTER");
+    EXPECT_THAT(
+        stderr_,
+        testing::StartsWith("  here, 2 threads; to run on CDCTL_MASTER: --master node-1:7600\n"));
+}
+
+TEST_F(Run, WhatItCostIsToldWhereItIsAskedFor) {
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_THAT(stdout_, Not(HasSubstr("candidates")));
+    command_.statistics = true;
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_THAT(stdout_, HasSubstr(" candidates a scenario; settled in float "));
+    EXPECT_THAT(stdout_, HasSubstr("  inside        looked at in "));
+}
+
+TEST_F(Run, RandomPosesNeedNoFile) {
+    command_.job.poses.clear();
+    command_.job.random = 20;
+    command_.job.seed = 3;
+    command_.output = "json";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_EQ(std::count(stdout_.begin(), stdout_.end(), '\n'), 20);
+}
+
+TEST_F(Run, AUnitIsAppliedToItsMesh) {
+    command_.job.unit_b = "mm";
+    command_.quiet = false;
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_THAT(stderr_, HasSubstr("0.001 x 0.001 x 0.001 m"));
+}
+
+TEST_F(Run, MeshesWhoseSizesDifferAsUnitsDoAreWarnedAbout) {
+    // A's box has a diagonal of sqrt(38).
+    write("b.obj", "v 0 0 0\nv 6164 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_THAT(stderr_, HasSubstr("times as large as"));
+    EXPECT_THAT(stderr_, HasSubstr("mm or m"));
+    EXPECT_EQ(std::count(stderr_.begin(), stderr_.end(), '\n'), 1) << stderr_;
+}
+
+TEST_F(Run, WrongInputsAreOneLineThatNamesTheFile) {
+    command_.job.a = (dir_ / "missing.obj").string();
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("missing.obj"));
+    EXPECT_EQ(std::count(stderr_.begin(), stderr_.end(), '\n'), 1);
+    EXPECT_FALSE(fs::exists(dir_ / "out"));
+}
+
+TEST_F(Run, KeptTreesGiveTheSameDigestAndNeverAnError) {
+    const auto digest_at = [&](const std::string& tree_cache, const std::string& level) {
+        command_.tree_cache = tree_cache;
+        command_.job.level = level;
+        EXPECT_EQ(run(), exit_done) << stderr_;
+        return nlohmann::json::parse(read("out/summary.json"))["digest"];
+    };
+    const fs::path folder = dir_ / "trees";
+    for (const char* level : {"any", "contacts"}) {
+        const auto expected = digest_at("off", level);
+        EXPECT_EQ(digest_at(folder.string(), level), expected) << "that makes them";
+        EXPECT_EQ(digest_at(folder.string(), level), expected) << "that finds them";
+        EXPECT_EQ(stderr_, "");
+        std::size_t damaged = 0;
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            fs::resize_file(entry.path(), entry.file_size() / 2);
+            ++damaged;
+        }
+        EXPECT_EQ(digest_at(folder.string(), level), expected) << "that makes them again";
+        EXPECT_EQ(std::count(stderr_.begin(), stderr_.end(), '\n'), std::ptrdiff_t(damaged));
+        EXPECT_THAT(stderr_, HasSubstr("warning: a tree is built anew: "));
+        EXPECT_EQ(digest_at(folder.string(), level), expected);
+        EXPECT_EQ(stderr_, "");
+        EXPECT_EQ(digest_at((dir_ / "a.obj").string(), level), expected) << "that is no folder";
+        EXPECT_THAT(stderr_, HasSubstr("warning: a tree is not kept for later runs: "));
+    }
+}
+
+TEST_F(Run, ExitCodesFollowTheSummary) {
+    Summary summary;
+    summary.total = 2;
+    summary.separate = 1;
+    EXPECT_EQ(exit_code_of(summary, FailOn::Never), exit_incomplete);
+    summary.failed = 1;
+    EXPECT_EQ(exit_code_of(summary, FailOn::Never), exit_incomplete);
+    summary.failed = 0;
+    summary.inside = 1;
+    EXPECT_EQ(exit_code_of(summary, FailOn::Never), exit_done);
+    EXPECT_EQ(exit_code_of(summary, FailOn::Cross), exit_contacts);
+}
+
+} // namespace cd::tests

@@ -1,0 +1,200 @@
+// Proves that run.json gives back what was said, that hostile text is refused with a reason, and
+// when two runs are of one job.
+#include "client/folder/run_manifest.hpp"
+
+#include "client/folder/job_text.hpp"
+#include "client/folder/run_folder.hpp"
+#include "client/spec/job_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::HasSubstr;
+
+RunManifest example(PosesKind kind) {
+    RunManifest manifest;
+    manifest.program = "cdctl 0.1.0";
+    manifest.commit = "0123abcd";
+    if (kind == PosesKind::Random) {
+        manifest.where.master = "node-1:7600";
+        manifest.where.job = "j-4f2a";
+        manifest.where.workers = 3;
+    }
+    manifest.name = "a \"job\"";
+    manifest.unit = "mm";
+    manifest.job = "name = \"a job\"\n";
+    manifest.bodies = {{{sha256({}), "a", "/m/car.obj", "in", false, "y", true}, {"wheel", "hull"}},
+                       {{sha256({}), "post", "/m/post.stl", "mm", true}}};
+    manifest.query.level = Level::Contacts;
+    manifest.query.tolerance = 0.1;
+    manifest.query.limit_pairs = 7;
+    IgnoredRange range;
+    range.a_end = 5;
+    range.b_begin = 2;
+    range.b_end = 3;
+    manifest.query.ignored = {range};
+    manifest.poses.kind = kind;
+    manifest.poses.count = 6;
+    manifest.poses.hash = sha256({});
+    if (kind == PosesKind::Grid) {
+        Grid grid;
+        grid.position[0] = {0, 0.1, 3};
+        grid.rotation[2] = rotation_axis({0, 30, 2}, 2);
+        manifest.poses.grid = grid;
+    } else if (kind == PosesKind::Random) {
+        manifest.poses.random = RandomPoses{6, 18446744073709551615u, 0.1, 0.2};
+    } else {
+        manifest.poses.file = "/m/poses.npy";
+        manifest.poses.quat_order = "xyzw";
+        manifest.poses.unit = "cm";
+        manifest.poses.rigid_tolerance = 0.001;
+    }
+    manifest.answered = 6;
+    manifest.digest = sha256({});
+    manifest.formats = {"csv", "npz"};
+    manifest.files = {{"records", 12}, {"inputs/scenarios", 34}};
+    return manifest;
+}
+
+TEST(RunManifest, GivesBackWhatWasSaid) {
+    for (const PosesKind kind : {PosesKind::Grid, PosesKind::File, PosesKind::Random}) {
+        const RunManifest manifest = example(kind);
+        const auto parsed = parse_manifest(manifest_json(manifest));
+        ASSERT_TRUE(parsed) << parsed.error().detail;
+        EXPECT_EQ(manifest_json(parsed.value()), manifest_json(manifest));
+        EXPECT_TRUE(is_same_job(parsed.value(), manifest));
+        EXPECT_EQ(parsed.value().poses.grid, manifest.poses.grid);
+        EXPECT_EQ(parsed.value().where.workers, manifest.where.workers);
+        EXPECT_EQ(JobBody(parsed.value().bodies[0]), JobBody(manifest.bodies[0]));
+        EXPECT_TRUE(parsed.value().is_complete());
+    }
+}
+
+TEST(RunManifest, PassesOverKeysThatItDoesNotKnowAndRefusesALaterFormat) {
+    auto json = nlohmann::json::parse(manifest_json(example(PosesKind::File)));
+    json["colour"] = {1, 2};
+    EXPECT_TRUE(parse_manifest(json.dump()));
+    json["format"] = 2;
+    const auto later = parse_manifest(json.dump());
+    ASSERT_FALSE(later);
+    EXPECT_THAT(later.error().detail, HasSubstr("use a later cdctl"));
+}
+
+TEST(RunManifest, EveryKeyThatIsMissingOrOfAnotherTypeIsRefusedOrDoesNoHarm) {
+    for (const PosesKind kind : {PosesKind::Grid, PosesKind::File, PosesKind::Random}) {
+        const auto json = nlohmann::json::parse(manifest_json(example(kind)));
+        const auto flat = json.flatten();
+        for (const auto& [path, value] : flat.items()) {
+            for (const nlohmann::json& other : std::vector<nlohmann::json>{
+                     nullptr, -1, 1e300, "x", true, nlohmann::json::array({1})}) {
+                auto damaged = json;
+                damaged[nlohmann::json::json_pointer(path)] = other;
+                const auto parsed = parse_manifest(damaged.dump());
+                if (!parsed) {
+                    EXPECT_FALSE(parsed.error().detail.empty()) << path;
+                } else {
+                    EXPECT_TRUE(parse_manifest(manifest_json(parsed.value()))) << path;
+                }
+            }
+        }
+    }
+    for (const char* text : {"", "{", "[]", "null", "{\"format\": 1}"}) {
+        EXPECT_FALSE(parse_manifest(text)) << text;
+    }
+}
+
+TEST(RunManifest, AJobIsItsMeshesPosesAndQuery) {
+    const RunManifest one = example(PosesKind::File);
+    RunManifest other = one;
+    other.name = "another";
+    other.bodies[0].file = "/n/car.obj";
+    other.where.threads = 64;
+    EXPECT_TRUE(is_same_job(one, other));
+    other.query.level = Level::Pairs;
+    EXPECT_FALSE(is_same_job(one, other));
+    other = one;
+    other.bodies[1].mesh.bytes[0] ^= std::byte{1};
+    EXPECT_FALSE(is_same_job(one, other));
+    other = one;
+    other.poses.hash->bytes[0] ^= std::byte{1};
+    EXPECT_FALSE(is_same_job(one, other));
+
+    const RunManifest random = example(PosesKind::Random);
+    other = random;
+    other.poses.hash.reset(); // While they are being made.
+    EXPECT_TRUE(is_same_job(random, other));
+    other.poses.random->seed = 2;
+    EXPECT_FALSE(is_same_job(random, other));
+}
+
+TEST(RunManifest, ListedFilesStayInTheirFolder) {
+    for (const char* name : {"records", "inputs/meshes/x.mesh", "..x"}) {
+        EXPECT_TRUE(is_inside(name)) << name;
+    }
+    for (const char* name : {"", "/etc/passwd", "../x", "inputs/../../x", ".."}) {
+        EXPECT_FALSE(is_inside(name)) << name;
+    }
+}
+
+TEST(RunManifest, TimesAreInUtc) {
+    EXPECT_EQ(iso_time(0), "1970-01-01T00:00:00Z");
+    EXPECT_EQ(iso_time(1772366400), "2026-03-01T12:00:00Z");
+}
+
+TEST(JobText, IsReadBackToTheSameJob) {
+    constexpr const char* bodies = "name = \"a \\\"job\\\"\"\nunit = \"mm\"\n\n"
+                                   "[a]\nmesh = \"/m/car.obj\"\nup = \"y\"\n\n"
+                                   "[b]\nmesh = \"/m/post.stl\"\nunit = \"in\"\nname = \"post\"\n"
+                                   "precision = \"float\"\n\n[poses]\n";
+    constexpr const char* rest =
+        "\n[query]\nlevel = \"contacts\"\ntolerance = 0.1\nlimit_pairs = 7\nmaps = true\n"
+        "ignore = [[\"wheel_*\", \"a\\\\*b\"], [\"x\", \"*\"]]\n\n[output]\ndir = \"/out\"\n"
+        "formats = [\"json\", \"npz\"]\n";
+    constexpr const char* cluster =
+        "\n[cluster]\nstrategy = \"lowest\"\nq = 7\nv_kb = 64\nclaim = true\nseed = 9\n"
+        "analysis = \"never\"\nhints = false\n";
+    for (const char* poses :
+         {"grid = { x = [-1, 2.5, 3], yaw_deg = [0, 350, 36] }\nunit = \"cm\"\n",
+          "grid = { z = [1e+30, 1e+30, 1] }\n",
+          "grid = { }\n",
+          "random = { n = 6, seed = 9223372036854775807, penetration = [0.1, 0.2] }\n",
+          "file = \"/m/p.npy\"\nunit = \"in\"\nquat_order = \"xyzw\"\nof = \"both\"\n"
+          "rigid_tolerance = 0.001\n"}) {
+        const std::string text = std::string(bodies) + poses + rest + cluster;
+        const auto spec = parse_job(text, "/m/job.toml");
+        ASSERT_TRUE(spec) << spec.error().detail;
+        EXPECT_EQ(job_text(spec.value()), text);
+    }
+}
+
+TEST(JobText, ANumberAboveTheIntegersOfTomlStaysANumber) {
+    JobSpec spec;
+    GridSpec grid;
+    grid.axes = std::vector<GridAxis>(6);
+    grid.axes[0] = {12345678901234567000.0, 12345678901234567000.0, 1};
+    spec.poses = grid;
+    spec.bodies[0].path = spec.bodies[1].path = "/m/car.obj";
+    const auto read = parse_job(job_text(spec), "/m/job.toml");
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(std::get<GridSpec>(read.value().poses).axes, grid.axes);
+}
+
+TEST(JobText, DepthsKeepTheirBodies) {
+    JobSpec spec;
+    spec.bodies[0].path = spec.bodies[1].path = "/m/car.obj";
+    spec.cluster.set_depth(1, 4);
+    EXPECT_THAT(job_text(spec), HasSubstr("depth = { a = \"auto\", b = 4 }\n"));
+    const auto read = parse_job(job_text(spec), "/m/job.toml");
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(read.value().cluster.depth(0), std::nullopt);
+    EXPECT_EQ(read.value().cluster.depth(1), 4u);
+}
+
+} // namespace
+
+} // namespace cd::tests

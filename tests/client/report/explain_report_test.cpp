@@ -1,0 +1,131 @@
+// Proves that what explains a choice shows every worker, who is chosen, who may not be, and what
+// the scores are not; for people and for programs, for strategies that go by triangles and by time.
+#include "client/report/explain_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace cd::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Explained make_explained(Strategy strategy) {
+    Explained explained;
+    explained.job = JobId{1};
+    explained.scenario = 17;
+    explained.strategy = strategy;
+    explained.where = "waits";
+    explained.why = "it is drawn next";
+    explained.roots_a = 3;
+    explained.roots_b = 2;
+    explained.workers = {
+        {WorkerId{4}, "node-4", true, true, 25, 0.5, 1500, 200, 0.001, 0.002, 0.003, 0.004, 0, 0.5},
+        {WorkerId{9}, "node-9", false, false, 7, 0, 0, 1700, 0, 0, 0.25, 0, 0.125, 0.5}};
+    return explained;
+}
+
+/// The line that names it.
+std::string line_with(const std::string& text, const std::string& name) {
+    const auto at = text.find(name);
+    if (at == std::string::npos) {
+        return "";
+    }
+    const auto begin = text.rfind('\n', at) + 1;
+    return text.substr(begin, text.find('\n', at) - begin);
+}
+
+TEST(ExplainReport, ByTrianglesEachWorkerHasALineWithWhatItHoldsAndLacks) {
+    const std::string text = explained_text(make_explained(Strategy::BestMatch), "j-1");
+    EXPECT_TRUE(text.starts_with("scenario 17 of j-1, best-match\n")) << text;
+    EXPECT_THAT(text, HasSubstr("touches     3 roots of A, 2 of B\n"));
+    EXPECT_THAT(text, HasSubstr("is          waits\n"));
+    EXPECT_THAT(text, HasSubstr("now chosen  it is drawn next\n"));
+    EXPECT_THAT(text, HasSubstr("MISSING"));
+    EXPECT_THAT(text, Not(HasSubstr("TOTAL MS")));
+    const std::string chosen = line_with(text, "node-4");
+    EXPECT_THAT(chosen, HasSubstr("w-4"));
+    EXPECT_THAT(chosen, HasSubstr("1 500"));
+    EXPECT_THAT(chosen, HasSubstr("50 %"));
+    EXPECT_TRUE(chosen.ends_with("chosen")) << chosen;
+    EXPECT_TRUE(line_with(text, "node-9").ends_with("takes none")) << text;
+}
+
+TEST(ExplainReport, ByTimeEachTermStandsInMillisecondsAndTheyAddUp) {
+    const std::string text = explained_text(make_explained(Strategy::EarliestFinish), "j-1");
+    EXPECT_THAT(text, Not(HasSubstr("MISSING")));
+    const std::string chosen = line_with(text, "node-4");
+    for (const char* term : {"1.000", "2.000", "3.000", "4.000", "0.000", "500.000", "510.000"}) {
+        EXPECT_THAT(chosen, HasSubstr(term));
+    }
+    EXPECT_THAT(line_with(text, "node-9"), HasSubstr("875.000"));
+}
+
+TEST(ExplainReport, WhatTheScoresAreNotIsSaidOnlyWhereThereIsSomethingToSay) {
+    Explained explained = make_explained(Strategy::BestMatch);
+    EXPECT_THAT(explained_text(explained, "j-1"), Not(HasSubstr("note")));
+    explained.note = "the job has ended";
+    EXPECT_THAT(explained_text(explained, "j-1"), HasSubstr("  note        the job has ended\n"));
+}
+
+TEST(ExplainReport, WithoutWorkersThereIsNoTable) {
+    Explained explained = make_explained(Strategy::BestMatch);
+    explained.workers.clear();
+    const std::string text = explained_text(explained, "j-1");
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
+    EXPECT_TRUE(nlohmann::json::parse(explained_json(explained, "j-1"))["workers"].empty());
+}
+
+TEST(ExplainReport, OfAJobThatHasEndedThereAreNoScores) {
+    Explained explained;
+    explained.job = JobId{1};
+    explained.scenario = 17;
+    explained.where = "answered by node-4 (w-4)";
+    explained.note = "the job has ended, so no worker is scored";
+    EXPECT_EQ(explained_text(explained, "j-1"),
+              "scenario 17 of j-1, best-match\n"
+              "  is          answered by node-4 (w-4)\n"
+              "  note        the job has ended, so no worker is scored\n");
+    const auto json = nlohmann::json::parse(explained_json(explained, "j-1"));
+    EXPECT_EQ(json["where"], explained.where);
+    EXPECT_FALSE(json.contains("roots_a"));
+    EXPECT_TRUE(json["workers"].empty());
+}
+
+TEST(ExplainReport, JsonGivesEachNumberAsItIs) {
+    Explained explained = make_explained(Strategy::BestMatchLoad);
+    explained.note = "as things stand";
+    auto json = nlohmann::json::parse(explained_json(explained, "j-1"));
+    EXPECT_EQ(json["job"], "j-1");
+    EXPECT_EQ(json["scenario"], 17);
+    EXPECT_EQ(json["strategy"], "best-match-load");
+    EXPECT_EQ(json["note"], "as things stand");
+    EXPECT_EQ(json["roots_a"], 3);
+    EXPECT_EQ(json["roots_b"], 2);
+    ASSERT_EQ(json["workers"].size(), 2u);
+    EXPECT_EQ(json["workers"][0]["worker"], "w-4");
+    EXPECT_EQ(json["workers"][0]["chosen"], true);
+    EXPECT_EQ(json["workers"][0]["load"], 0.5);
+    EXPECT_EQ(json["workers"][1]["missing_triangles"], 1700);
+    EXPECT_EQ(json["workers"][1]["may_take"], false);
+    EXPECT_FALSE(json["workers"][0].contains("total_ms")) << "it does not go by time";
+
+    json = nlohmann::json::parse(explained_json(make_explained(Strategy::EarliestFinish), "j-1"));
+    EXPECT_EQ(json["workers"][1]["eviction_ms"], 125);
+    EXPECT_EQ(json["workers"][1]["total_ms"], 875);
+}
+
+TEST(ExplainReport, NamesCannotSteerATerminalOrBreakJson) {
+    Explained explained = make_explained(Strategy::BestMatch);
+    explained.workers[0].name = "\x1b[2Jx\xff";
+    EXPECT_THAT(explained_text(explained, "j-1"), Not(HasSubstr("\x1b")));
+    EXPECT_TRUE(nlohmann::json::accept(explained_json(explained, "j-1")));
+}
+
+} // namespace
+} // namespace cd::tests

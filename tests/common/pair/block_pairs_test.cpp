@@ -1,0 +1,285 @@
+// Proves that pairs read from blocks are decided as pairs read from meshes are, whichever the
+// precision of each body: the classes are the same, and what floats say of them is true, around
+// their bounds too, the same bits on every SIMD target and in any company.
+#include "common/geometry/simd_target.hpp"
+#include "common/geometry/triangle_blocks.hpp"
+#include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
+#include "common/pair/stages/float/float_triangle_pair.hpp"
+#include "common/pair/triangle_pair.hpp"
+#include "tests/support/hard_pairs.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace cd::tests {
+
+namespace {
+
+/// The nearest finite floats, nearly.
+Vec3 as_floats(const Vec3& corner) {
+    constexpr double most = 0x1p127;
+    return corner.cwiseMin(most).cwiseMax(-most).cast<float>().cast<double>();
+}
+
+/// Triangles in blocks of 1 to 16, of doubles or rounded to floats, and the place of each.
+class Blocks {
+  public:
+    explicit Blocks(Precision precision) : precision_(precision), arrays_(precision) {}
+
+    void add(std::mt19937_64& random, std::span<const Corners> triangles) {
+        while (!triangles.empty()) {
+            const std::size_t size = std::min<std::size_t>(1 + random() % 16, triangles.size());
+            add_block(triangles.first(size));
+            triangles = triangles.subspan(size);
+        }
+    }
+    [[nodiscard]] TriangleBlocks view() const { return arrays_.view(); }
+    [[nodiscard]] std::uint32_t place(std::size_t triangle) const { return places_[triangle]; }
+
+  private:
+    void add_block(std::span<const Corners> some) {
+        std::vector<Vec3> vertices;
+        std::vector<Triangle> triangles;
+        for (const Corners& corners : some) {
+            const auto first = static_cast<std::uint32_t>(vertices.size());
+            triangles.push_back({first, first + 1, first + 2});
+            for (const Vec3& corner : corners) {
+                vertices.push_back(precision_ == Precision::Double ? corner : as_floats(corner));
+            }
+        }
+        const std::vector<std::uint32_t> ids(some.size());
+        const std::uint32_t block = arrays_.add(triangles, ids, vertices);
+        for (std::uint32_t i = 0; i < some.size(); ++i) {
+            places_.push_back(block * block_size + i);
+        }
+    }
+
+    Precision precision_;
+    TriangleBlockArrays arrays_;
+    std::vector<std::uint32_t> places_;
+};
+
+/// Whether A's and B's coordinates are floats.
+struct Kinds {
+    Precision a;
+    Precision b;
+};
+
+std::string to_text(Precision precision) {
+    return precision == Precision::Float ? "Float" : "Double";
+}
+
+/// One pose, and candidates that meet under it.
+struct BlockPairs {
+    Blocks a;
+    Blocks b;
+    std::vector<Candidate> candidates;
+
+    BlockPairs(std::mt19937_64& random, const Kinds& kinds, const std::vector<PosedPair>& pairs)
+        : a(kinds.a), b(kinds.b) {
+        std::vector<Corners> of_a;
+        std::vector<Corners> of_b;
+        for (const PosedPair& pair : pairs) {
+            of_a.push_back(pair.a);
+            of_b.push_back(pair.b);
+        }
+        a.add(random, of_a);
+        b.add(random, of_b);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            candidates.push_back({a.place(i), b.place(i)});
+        }
+    }
+    [[nodiscard]] Corners corners_a(std::size_t i) const {
+        return a.view().corners_at(candidates[i].a);
+    }
+    [[nodiscard]] Corners corners_b(std::size_t i) const {
+        return b.view().corners_at(candidates[i].b);
+    }
+};
+
+/// Pairs of one kind; only the first one's pose is meant for them.
+std::vector<PosedPair> some_pairs(std::mt19937_64& random, const PairMaker& make) {
+    std::vector<PosedPair> pairs;
+    for (int i = 0; i < 40; ++i) {
+        pairs.push_back(make(random));
+    }
+    return pairs;
+}
+
+/// B moved by small steps through the distances at which floats begin to know, under one pose.
+std::vector<PosedPair> moved_through_bounds(std::mt19937_64& random) {
+    const PosedPair start = nearly_touching(random);
+    const Vec3 direction = random_point(random, 1);
+    std::vector<PosedPair> pairs;
+    for (int exponent = -30; exponent < -14; ++exponent) {
+        pairs.push_back(start);
+        const double step = std::ldexp(uniform(random, -2, 2), exponent);
+        for (Vec3& corner : pairs.back().b) {
+            corner += step * direction;
+        }
+    }
+    return pairs;
+}
+
+/// Of the candidates but for the first.
+std::vector<FloatVerdict>
+verdicts_of(const BlockPairs& blocks, const FloatTrianglePair& test, std::size_t left_out) {
+    const auto candidates = std::span(blocks.candidates).subspan(left_out);
+    std::vector<FloatVerdict> verdicts(candidates.size());
+    test.classify(blocks.a.view(), blocks.b.view(), candidates, verdicts);
+    return verdicts;
+}
+
+struct Counts {
+    std::size_t all = 0;
+    std::size_t decided = 0;
+    std::size_t wrong = 0;
+
+    Counts& operator+=(const Counts& other) {
+        all += other.all;
+        decided += other.decided;
+        wrong += other.wrong;
+        return *this;
+    }
+};
+
+Counts judge(const BlockPairs& blocks, const PosePair& poses, double bound_scale) {
+    const auto verdicts = verdicts_of(blocks, FloatTrianglePair(poses, bound_scale), 0);
+    const ExactTrianglePair exact(poses);
+    Counts counts;
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+        ++counts.all;
+        if (verdicts[i] != FloatVerdict::Unknown) {
+            ++counts.decided;
+            const PairClass claimed =
+                verdicts[i] == FloatVerdict::Separate ? PairClass::Separate : PairClass::Proper;
+            counts.wrong +=
+                exact.classify(blocks.corners_a(i), blocks.corners_b(i)) == claimed ? 0u : 1u;
+        }
+    }
+    return counts;
+}
+
+Counts search_around_bounds(std::uint64_t seed, const Kinds& kinds, double bound_scale) {
+    std::mt19937_64 random(seed);
+    Counts counts;
+    for (int i = 0; i < 1500; ++i) {
+        const auto pairs = moved_through_bounds(random);
+        counts += judge(BlockPairs(random, kinds, pairs), pairs.front().poses, bound_scale);
+    }
+    return counts;
+}
+
+} // namespace
+
+/// Gives the choice of a target back when a test ends.
+class BlockPairsTest : public testing::TestWithParam<Kinds> {
+  protected:
+    void TearDown() override { ASSERT_TRUE(force_simd_target(to_text(before_))); }
+
+  private:
+    SimdTarget before_ = simd_target();
+};
+
+INSTANTIATE_TEST_SUITE_P(Precisions,
+                         BlockPairsTest,
+                         testing::Values(Kinds{Precision::Float, Precision::Float},
+                                         Kinds{Precision::Float, Precision::Double},
+                                         Kinds{Precision::Double, Precision::Float},
+                                         Kinds{Precision::Double, Precision::Double}),
+                         [](const auto& one) {
+                             return to_text(one.param.a) + to_text(one.param.b);
+                         });
+
+TEST_P(BlockPairsTest, ClassesAreThoseOfTheTrianglesAlone) {
+    std::mt19937_64 random(21);
+    for (const auto& [name, make] : pair_makers()) {
+        SCOPED_TRACE(name);
+        for (int round = 0; round < 10; ++round) {
+            const auto pairs = some_pairs(random, make);
+            const BlockPairs blocks(random, GetParam(), pairs);
+            TrianglePairTest test(pairs.front().poses);
+            const auto found = test.classify(blocks.a.view(), blocks.b.view(), blocks.candidates);
+            const std::vector<PairClass> kinds(found.begin(), found.end());
+            bool any = false;
+            for (std::size_t i = 0; i < pairs.size(); ++i) {
+                ASSERT_EQ(kinds[i], test.classify(blocks.corners_a(i), blocks.corners_b(i)));
+                any = any || kinds[i] != PairClass::Separate;
+            }
+            const auto touch = test.find_touch(blocks.a.view(), blocks.b.view(), blocks.candidates);
+            ASSERT_EQ(touch.has_value(), any);
+            EXPECT_TRUE(!touch || kinds[*touch] != PairClass::Separate);
+        }
+    }
+}
+
+TEST_P(BlockPairsTest, WhatFloatsSayIsTrue) {
+    std::mt19937_64 random(22);
+    Counts counts;
+    for (const auto& [name, make] : pair_makers()) {
+        SCOPED_TRACE(name);
+        for (int round = 0; round < 5; ++round) {
+            const auto pairs = some_pairs(random, make);
+            const BlockPairs blocks(random, GetParam(), pairs);
+            counts += judge(blocks, pairs.front().poses, 1);
+            ASSERT_EQ(counts.wrong, 0u);
+        }
+    }
+    // Hard pairs, but under the pose of another they are ordinary.
+    EXPECT_GT(counts.decided, counts.all / 4);
+}
+
+TEST_P(BlockPairsTest, WhatFloatsSayIsTrueAroundTheirBounds) {
+    const Counts counts = search_around_bounds(23, GetParam(), 1);
+    EXPECT_EQ(counts.wrong, 0u);
+    // The search crossed the bounds.
+    EXPECT_GT(counts.decided, counts.all / 4);
+    EXPECT_LT(counts.decided, counts.all * 3 / 4);
+}
+
+TEST_P(BlockPairsTest, BoundsScaledDownAreCaught) {
+    EXPECT_GT(search_around_bounds(23, GetParam(), 0.03).wrong, 0u);
+}
+
+TEST_P(BlockPairsTest, EveryTargetGivesTheSameVerdicts) {
+    std::mt19937_64 random(24);
+    for (int round = 0; round < 300; ++round) {
+        const auto pairs = moved_through_bounds(random);
+        const BlockPairs blocks(random, GetParam(), pairs);
+        const FloatTrianglePair test(pairs.front().poses);
+        ASSERT_TRUE(force_simd_target("auto"));
+        const std::vector<FloatVerdict> expected = verdicts_of(blocks, test, 0);
+        for (const SimdTarget target : available_simd_targets()) {
+            ASSERT_TRUE(force_simd_target(to_text(target)));
+            ASSERT_EQ(verdicts_of(blocks, test, 0), expected) << to_text(target);
+        }
+    }
+}
+
+TEST_P(BlockPairsTest, AVerdictDoesNotDependOnItsCompany) {
+    std::mt19937_64 random(25);
+    std::vector<PosedPair> pairs;
+    for (int i = 0; i < 200; ++i) {
+        pairs.push_back({random_corners(random, 1), random_corners(random, 1), {}});
+    }
+    const BlockPairs blocks(random, GetParam(), pairs);
+    const FloatTrianglePair test({make_pose(random, 0.3), make_pose(random, 0.3)});
+    for (const SimdTarget target : available_simd_targets()) {
+        SCOPED_TRACE(to_text(target));
+        ASSERT_TRUE(force_simd_target(to_text(target)));
+        const std::vector<FloatVerdict> expected = verdicts_of(blocks, test, 0);
+        for (std::size_t left_out = 1; left_out <= pairs.size(); ++left_out) {
+            const std::vector<FloatVerdict> verdicts = verdicts_of(blocks, test, left_out);
+            EXPECT_TRUE(std::equal(verdicts.begin(),
+                                   verdicts.end(),
+                                   expected.begin() + static_cast<std::ptrdiff_t>(left_out),
+                                   expected.end()));
+        }
+    }
+}
+
+} // namespace cd::tests

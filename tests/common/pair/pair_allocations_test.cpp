@@ -1,0 +1,105 @@
+// Proves that deciding pairs takes no memory once the first pairs have been decided: in all stages
+// up to WideInteger, whatever the poses, with everything else that the program allocates counted.
+#include "common/pair/triangle_pair.hpp"
+#include "tests/support/hard_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <random>
+#include <vector>
+
+namespace {
+
+std::atomic<std::uint64_t> allocations{0};
+
+void* counted(std::size_t size) {
+    ++allocations;
+    if (void* const memory = std::malloc(size == 0 ? 1 : size)) {
+        return memory;
+    }
+    throw std::bad_alloc();
+}
+
+} // namespace
+
+// For the whole program: there is no smaller place for them.
+void* operator new(std::size_t size) {
+    return counted(size);
+}
+void* operator new[](std::size_t size) {
+    return counted(size);
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace cd::tests {
+
+namespace {
+
+/// Triangles of A and of B that meet as hard pairs do, all under the poses of the first.
+struct Batch {
+    std::vector<Vec3> vertices_a;
+    std::vector<Vec3> vertices_b;
+    std::vector<Triangle> triangles;
+    std::vector<Candidate> candidates;
+    PosePair poses;
+};
+
+Batch make_batch(const PairMaker& make) {
+    Batch batch;
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        std::mt19937_64 random(i);
+        const PosedPair pair = make(random);
+        batch.vertices_a.insert(batch.vertices_a.end(), pair.a.begin(), pair.a.end());
+        batch.vertices_b.insert(batch.vertices_b.end(), pair.b.begin(), pair.b.end());
+        batch.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        batch.candidates.push_back({i, i});
+        batch.poses = i == 0 ? pair.poses : batch.poses;
+    }
+    return batch;
+}
+
+} // namespace
+
+TEST(PairAllocations, NoStageUpToWideIntegerAllocatesInTheSteadyState) {
+    std::size_t batches = 0;
+    for (const auto& [name, make] : pair_makers()) {
+        const Batch batch = make_batch(make);
+        for (const PairStage first : {PairStage::Float,
+                                      PairStage::Double,
+                                      PairStage::Lattice,
+                                      PairStage::DoubleDouble,
+                                      PairStage::WideInteger}) {
+            TrianglePairTest test(batch.poses, first);
+            const auto run = [&] {
+                static_cast<void>(test.classify({batch.vertices_a, batch.triangles},
+                                                {batch.vertices_b, batch.triangles},
+                                                batch.candidates));
+            };
+            run();
+            if (test.statistics()[PairStage::Arbitrary] > 0) {
+                continue; // Numbers of any size.
+            }
+            const std::uint64_t before = allocations;
+            run();
+            ASSERT_EQ(allocations, before) << name << " from " << to_text(first);
+            ++batches;
+        }
+    }
+    EXPECT_GT(batches, 50u);
+}
+
+} // namespace cd::tests

@@ -1,0 +1,205 @@
+// Proves that what doubles say of many pairs at once is true, on every kind of hard pair and on
+// those whose bounds a search or an axis of a turn puts to the test, that smaller bounds would not
+// do, and that the answers are the same on every SIMD target, in any company and order.
+#include "common/pair/stages/double_batch/double_triangle_pairs.hpp"
+
+#include "common/geometry/simd_target.hpp"
+#include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
+#include "common/pair/stages/double/double_triangle_pair.hpp"
+#include "common/pair/stages/float/plain_poses.hpp"
+#include "tests/support/hard_pairs.hpp"
+#include "tests/support/oracle.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace cd::tests {
+
+namespace {
+
+using Decided = std::optional<PairClass>;
+
+Decided decided(const PosedPair& c, double bound_scale = 1) {
+    DoubleTrianglePairs pairs(plain_poses(c.poses), bound_scale);
+    pairs.add(c.a, c.b);
+    pairs.decide();
+    return pairs.decided(0);
+}
+
+/// Eight pairs that are one, with the corners in other orders.
+std::vector<Decided> decided_in_all_orders(const PosedPair& c) {
+    DoubleTrianglePairs pairs(plain_poses(c.poses));
+    for (std::size_t i = 0; i < DoubleTrianglePairs::pairs_max; ++i) {
+        const auto order = [](const Corners& t, std::size_t first, bool is_mirrored) {
+            return Corners{t[first % 3],
+                           t[(first + (is_mirrored ? 2 : 1)) % 3],
+                           t[(first + (is_mirrored ? 1 : 2)) % 3]};
+        };
+        pairs.add(order(c.a, i % 3, i % 2 == 0), order(c.b, i / 3, i % 4 < 2));
+    }
+    pairs.decide();
+    std::vector<Decided> all;
+    for (std::size_t i = 0; i < DoubleTrianglePairs::pairs_max; ++i) {
+        all.push_back(pairs.decided(i));
+    }
+    return all;
+}
+
+struct Proofs {
+    int of_contact = 0;
+    int wrong = 0;
+};
+
+Proofs proofs_of(PosedPair (*make)(std::mt19937_64&), double bound_scale) {
+    Proofs proofs;
+    for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
+        std::mt19937_64 random(seed);
+        const PosedPair c = make(random);
+        if (const Decided found = decided(c, bound_scale)) {
+            const PairClass expected = ExactTrianglePair(c.poses).classify(c.a, c.b);
+            proofs.wrong += *found != expected ? 1 : 0;
+            proofs.of_contact += *found != PairClass::Separate ? 1 : 0;
+        }
+    }
+    return proofs;
+}
+
+/// In one plane at right angles to an axis, about which both may be turned: a corner of B is nearly
+/// on an edge of A, or is a corner of A, and B is beyond that edge.
+PosedPair in_one_plane(std::mt19937_64& random) {
+    const auto axis = static_cast<int>(random() % 3);
+    PosedPair c{random_corners(random, 1), random_corners(random, 1), {}};
+    const double height = c.a[0][axis];
+    for (Corners* corners : {&c.a, &c.b}) {
+        for (Vec3& corner : *corners) {
+            corner[axis] = height;
+        }
+    }
+    // The edge is long, so that differences of corners round.
+    const Vec3 place = c.a[0];
+    const Vec3 along = c.a[1] - place;
+    const bool shares_corner = random() % 3 == 0;
+    if (!shares_corner) {
+        c.a[0] = place - uniform(random, 0, 30) * along;
+        c.a[1] = place + uniform(random, 0, 30) * along;
+    }
+    const auto side = [&](const Vec3& x) { return along.cross(x - c.a[0])[axis]; };
+    for (Vec3& corner : c.b) {
+        corner = side(corner) * side(c.a[2]) > 0 ? Vec3(2 * place - corner) : corner;
+    }
+    c.b[random() % 3] = place;
+    if (random() % 2 == 0) {
+        const auto turn = [&] {
+            Quaternion q{uniform(random, 0.1, 1), 0, 0, 0};
+            (axis == 0 ? q.x : axis == 1 ? q.y : q.z) = uniform(random, -1, 1);
+            return Pose::from_quaternion(q, Vec3::Zero());
+        };
+        c.poses = {turn(), turn()};
+        const Mat3 a_to_b = c.poses.b.rotation().transpose() * c.poses.a.rotation();
+        for (Vec3& corner : c.b) {
+            corner = a_to_b * corner;
+            corner[axis] = height;
+        }
+    }
+    return c;
+}
+
+/// Gives the choice of a target back when a test ends.
+class ManyInDoubles : public testing::Test {
+  protected:
+    void TearDown() override { ASSERT_TRUE(force_simd_target(to_text(before_))); }
+
+  private:
+    SimdTarget before_ = simd_target();
+};
+
+} // namespace
+
+TEST_F(ManyInDoubles, OnlyProveWhatIsTrueOfHardPairsInAnyOrder) {
+    int proven = 0;
+    int proven_one_by_one = 0;
+    for (const auto& [name, make] : pair_makers()) {
+        for (std::uint64_t seed = 3000; seed < 3040; ++seed) {
+            SCOPED_TRACE(testing::Message() << name << ", seed " << seed);
+            std::mt19937_64 random(seed);
+            const PosedPair c = make(random);
+            const PairClass expected = oracle_class(c.a, c.b, c.poses);
+            for (const Decided& found : decided_in_all_orders(c)) {
+                ASSERT_EQ(found.value_or(expected), expected);
+            }
+            proven += decided(c) ? 1 : 0;
+            proven_one_by_one += DoubleTrianglePair(c.poses).classify(c.a, c.b) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(proven, proven_one_by_one * 3 / 4);
+}
+
+TEST_F(ManyInDoubles, TheirBoundsAreNeeded) {
+    EXPECT_EQ(proofs_of(nearly_touching, 1).wrong, 0);
+    EXPECT_GT(proofs_of(nearly_touching, 0.03).wrong, 10);
+}
+
+TEST_F(ManyInDoubles, TiesAlongTheAxisOfATurnAreProvenAndOnlyThose) {
+    const Proofs proofs = proofs_of(turned_about_an_axis, 1);
+    EXPECT_EQ(proofs.wrong, 0);
+    EXPECT_GT(proofs.of_contact, 1000);
+    EXPECT_GT(proofs_of(turned_about_an_axis, 0.03).wrong, 10);
+}
+
+TEST_F(ManyInDoubles, ContactsInOnePlaneAreProvenAndOnlyThose) {
+    const Proofs proofs = proofs_of(in_one_plane, 1);
+    EXPECT_EQ(proofs.wrong, 0);
+    EXPECT_GT(proofs.of_contact, 1000);
+    EXPECT_GT(proofs_of(in_one_plane, 0.03).wrong, 10);
+}
+
+TEST_F(ManyInDoubles, WhatIsTinyOrHugeIsNotTakenForZero) {
+    int touching = 0;
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        PosedPair c = seed % 2 == 0 ? in_one_plane(random)
+                                    : PosedPair{lattice_corners(random, 2),
+                                                lattice_corners(random, 2),
+                                                {Pose(), translation_pose(0, 1, 0)}};
+        scale_far_apart(random, c);
+        const PairClass expected = ExactTrianglePair(c.poses).classify(c.a, c.b);
+        ASSERT_EQ(decided(c).value_or(expected), expected);
+        touching += expected == PairClass::Separate ? 0 : 1;
+    }
+    EXPECT_GT(touching, 100);
+}
+
+TEST_F(ManyInDoubles, EveryTargetGivesTheSameAnswersInAnyCompany) {
+    std::mt19937_64 random(19);
+    for (int round = 0; round < 400; ++round) {
+        SCOPED_TRACE(testing::Message() << "round " << round);
+        PosedPair c = round % 2 == 0 ? in_one_plane(random) : turned_about_an_axis(random);
+        std::vector<PosedPair> all{c};
+        while (all.size() < DoubleTrianglePairs::pairs_max) {
+            all.push_back(in_one_plane(random));
+            all.back().poses = c.poses;
+        }
+        std::vector<Decided> alone;
+        for (const PosedPair& each : all) {
+            alone.push_back(decided(each));
+        }
+        for (const SimdTarget target : available_simd_targets()) {
+            ASSERT_TRUE(force_simd_target(to_text(target)));
+            DoubleTrianglePairs pairs(plain_poses(c.poses));
+            for (const PosedPair& each : all) {
+                pairs.add(each.a, each.b);
+            }
+            pairs.decide();
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                ASSERT_EQ(pairs.decided(i), alone[i]) << to_text(target) << ", pair " << i;
+            }
+        }
+    }
+}
+
+} // namespace cd::tests

@@ -1,0 +1,187 @@
+// Proves that containment is decided exactly: nested and separate bodies, cavities, rays through
+// edges and corners, gaps of one unit in the last place, and agreement with geometry that is known.
+
+#include "common/solid/containment.hpp"
+
+#include "common/tree/build/build.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace cd::tests {
+
+namespace {
+
+ObbTree make_tree(Mesh mesh) {
+    ThreadPool pool(1);
+    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
+}
+
+/// A body that is no more than a point.
+ObbTree make_point(const Vec3& at) {
+    return make_tree(make_mesh({at}, {Triangle{0, 0, 0}}));
+}
+
+bool contains(const ObbTree& outer,
+              const Pose& outer_pose,
+              const ObbTree& inner,
+              const Pose& inner_pose) {
+    SettleStatistics statistics;
+    const InsideProbes probes = inside_probes(inner, outer, {});
+    return contains_component(outer, outer_pose, inner, inner_pose, probes, statistics);
+}
+
+bool contains(const ObbTree& outer, const ObbTree& inner, const Pose& inner_pose = Pose{}) {
+    return contains(outer, Pose{}, inner, inner_pose);
+}
+
+Mesh scaled(const Mesh& mesh, double factor) {
+    std::vector<Vec3> vertices = mesh.vertices();
+    for (Vec3& vertex : vertices) {
+        vertex *= factor;
+    }
+    return make_mesh(std::move(vertices), mesh.triangles());
+}
+
+} // namespace
+
+TEST(Containment, ASmallSphereIsInsideALargeOneAndNotTheOtherWayRound) {
+    const ObbTree large = make_tree(make_sphere(3));
+    const ObbTree small = make_tree(scaled(make_sphere(2), 0.25));
+    EXPECT_TRUE(contains(large, small));
+    EXPECT_FALSE(contains(small, large));
+    EXPECT_TRUE(contains(large, small, translation_pose(0.5, 0, 0)));
+    EXPECT_FALSE(contains(large, small, translation_pose(1.5, 0, 0)));
+    // In the large one's box, but not in it.
+    EXPECT_FALSE(contains(large, small, translation_pose(0.85, 0.85, 0.85)));
+    EXPECT_FALSE(contains(large, small, translation_pose(100, 0, 0)));
+}
+
+TEST(Containment, OneComponentInsideIsEnough) {
+    const ObbTree box = make_tree(make_box(Vec3(2, 2, 2)));
+    const Mesh dot = make_box(Vec3(0.1, 0.1, 0.1));
+    const ObbTree one_in =
+        make_tree(join({translated(dot, Vec3(5, 0, 0)), translated(dot, Vec3(0.3, 0.2, 0.1))}));
+    const ObbTree none_in =
+        make_tree(join({translated(dot, Vec3(5, 0, 0)), translated(dot, Vec3(0, -3, 0))}));
+    EXPECT_TRUE(contains(box, one_in));
+    EXPECT_FALSE(contains(box, none_in));
+}
+
+TEST(Containment, ACavityIsOutside) {
+    const Mesh shell = join({make_sphere(3), reversed(scaled(make_sphere(3), 0.5))});
+    const ObbTree hollow = make_tree(shell);
+    EXPECT_FALSE(contains(hollow, make_point(Vec3(0, 0, 0))));
+    EXPECT_FALSE(contains(hollow, make_point(Vec3(0.3, 0.1, 0.2))));
+    EXPECT_TRUE(contains(hollow, make_point(Vec3(0.7, 0.1, 0.1))));
+    EXPECT_FALSE(contains(hollow, make_point(Vec3(0.7, 0.7, 0.7))));
+}
+
+TEST(Containment, ATorusHasAHole) {
+    const ObbTree torus = make_tree(make_torus(1.0, 0.25, 24, 12));
+    EXPECT_FALSE(contains(torus, make_point(Vec3(0, 0, 0))));
+    EXPECT_TRUE(contains(torus, make_point(Vec3(1, 0.01, 0))));
+    EXPECT_TRUE(contains(torus, make_point(Vec3(0, -1, 0))));
+    EXPECT_FALSE(contains(torus, make_point(Vec3(0, 0, 0.2))));
+}
+
+TEST(Containment, PointsOnTheSurfaceAreNotInside) {
+    const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 4));
+    EXPECT_FALSE(contains(box, make_point(Vec3(1, 1, 1)))) << "corner";
+    EXPECT_FALSE(contains(box, make_point(Vec3(1, 0.5, 0.5)))) << "vertex of the grid";
+    EXPECT_FALSE(contains(box, make_point(Vec3(-1, 0.25, 0.5)))) << "edge";
+    EXPECT_FALSE(contains(box, make_point(Vec3(0.125, 0.0625, 1)))) << "face";
+}
+
+TEST(Containment, OneUnitInTheLastPlaceDecides) {
+    const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 4));
+    const double in = std::nextafter(1.0, 0.0);
+    const double out = std::nextafter(1.0, 2.0);
+    EXPECT_TRUE(contains(box, make_point(Vec3(in, in, in))));
+    EXPECT_TRUE(contains(box, make_point(Vec3(-in, 0.5, 0.25))));
+    EXPECT_FALSE(contains(box, make_point(Vec3(out, 0.5, 0.25))));
+    EXPECT_FALSE(contains(box, make_point(Vec3(0.5, -out, 0))));
+
+    // 0.1 + 0.2 exactly lies just above the double 0.3 and just below the one that their sum rounds
+    // to: the pose's translation is added without a rounding.
+    const auto cube_to = [](double reach) {
+        return make_tree(make_box(Vec3(2 * reach, 2 * reach, 2 * reach)));
+    };
+    const ObbTree point = make_point(Vec3(0.1, 0, 0));
+    EXPECT_FALSE(contains(cube_to(0.3), point, translation_pose(0.2, 0, 0)));
+    EXPECT_TRUE(contains(cube_to(0.1 + 0.2), point, translation_pose(0.2, 0, 0)));
+}
+
+TEST(Containment, QuaternionsAreTakenAsRationals) {
+    // (1, 1/3, 0, 0) is no unit quaternion; rotated about x, the point keeps its x exactly.
+    const Pose turned = Pose::from_quaternion({3, 1, 0, 0}, Vec3::Zero());
+    const ObbTree box = make_tree(make_box(Vec3(2, 20, 20)));
+    EXPECT_FALSE(contains(box, make_point(Vec3(1, 1, 2)), turned));
+    EXPECT_TRUE(contains(box, make_point(Vec3(std::nextafter(1.0, 0.0), 1, 2)), turned));
+    // A turn by 3-4-5: (0, 5, 0) comes to (0, 4, 3), on the face of this box.
+    const ObbTree flat = make_tree(make_box(Vec3(2, 8, 20)));
+    EXPECT_FALSE(contains(flat, make_point(Vec3(0, 5, 0)), turned));
+    EXPECT_TRUE(contains(flat, make_point(Vec3(0, std::nextafter(5.0, 0.0), 0)), turned));
+    // The same with the outer body turned the other way.
+    const Pose back = Pose::from_quaternion({3, -1, 0, 0}, Vec3(7, 7, 7));
+    const Pose there = translation_pose(7, 7, 7);
+    EXPECT_FALSE(contains(flat, back, make_point(Vec3(0, 5, 0)), there));
+    EXPECT_TRUE(contains(flat, back, make_point(Vec3(0, std::nextafter(5.0, 0.0), 0)), there));
+}
+
+TEST(Containment, AgreesWithTheDefinitionOfABoxUnderRandomPoses) {
+    const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 3));
+    int inside = 0;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const Vec3 at = random_point(random, 1.3);
+        const bool expected = at.cwiseAbs().maxCoeff() < 1;
+        // Both bodies move together; the point keeps its distance from the faces.
+        const Pose pose = seed % 2 == 0 ? make_pose(random, 10) : make_matrix_pose(random, 10);
+        ASSERT_EQ(contains(box, pose, make_point(at), pose), expected);
+        inside += expected ? 1 : 0;
+    }
+    EXPECT_GT(inside, 100);
+    EXPECT_LT(inside, 300);
+}
+
+TEST(Containment, GridPointsOfAGriddedBoxHaveManyDegenerateRays) {
+    const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 8));
+    for (int x = -5; x <= 5; ++x) {
+        for (int y = -5; y <= 5; ++y) {
+            const bool expected = std::abs(x) < 4 && std::abs(y) < 4;
+            ASSERT_EQ(contains(box, make_point(Vec3(x, y, 1) / 4)), expected) << x << ' ' << y;
+        }
+    }
+}
+
+TEST(Containment, RaysThroughEdgesAreCastAgain) {
+    // The first attempt's ray from the origin has the direction (1, t, t^2).
+    const double t = 26177.0 / 65536;
+    const Vec3 tip(1, t, t * t);
+    // A tetrahedron around the origin with this tip: the ray meets three triangles in one corner.
+    const Mesh tetrahedron = make_mesh({tip, Vec3(-1, 1, 0), Vec3(-1, -1, 1), Vec3(-1, -1, -2)},
+                                       {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}});
+    EXPECT_TRUE(contains(make_tree(tetrahedron), make_point(Vec3(0, 0, 0))));
+    EXPECT_FALSE(contains(make_tree(translated(tetrahedron, Vec3(2, 2 * t, 2 * t * t))),
+                          make_point(Vec3(0, 0, 0))));
+}
+
+TEST(Containment, ExtremeCoordinatesAreDecided) {
+    const ObbTree huge = make_tree(scaled(make_sphere(1), 0x1p400));
+    EXPECT_TRUE(contains(huge, make_point(Vec3(0x1p390, 0, 0))));
+    EXPECT_FALSE(contains(huge, make_point(Vec3(0x1p401, 0, 0))));
+    const ObbTree tiny = make_tree(scaled(make_sphere(1), 0x1p-400));
+    EXPECT_TRUE(contains(tiny, make_point(Vec3(0x1p-410, 0, 0))));
+    EXPECT_FALSE(contains(tiny, make_point(Vec3(0x1p-399, 0, 0))));
+    // No cross product of its edges is above 0 in double.
+    const ObbTree least = make_tree(scaled(make_sphere(1), 0x1p-600));
+    EXPECT_TRUE(contains(least, make_point(Vec3(0x1p-610, 0, 0))));
+    EXPECT_FALSE(contains(least, make_point(Vec3(0x1p-599, 0, 0))));
+}
+
+} // namespace cd::tests

@@ -1,0 +1,94 @@
+// Proves that the place right beside a point on a solid's surface is told as moving the point a
+// little there would tell it; and that the side on which the solid lies is found whichever way its
+// triangles are wound.
+#include "common/solid/point_in_solid.hpp"
+
+#include "common/tree/build/build.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace cd::tests {
+
+namespace {
+
+ObbTree make_tree(Mesh mesh) {
+    ThreadPool pool(1);
+    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
+}
+
+SolidPoint exact_point(const Vec3& at) {
+    return {at, 0, [at] { return ExactPoint{{to_dyadic(at)}, Dyadic{1, 0}}; }};
+}
+
+/// The triangles of a cube whose corners have coordinates -1 and 1 that hold the point.
+std::vector<std::uint32_t> holders(const Mesh& cube, const Vec3& point) {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < cube.triangles().size(); ++i) {
+        const Corners corners = cube.corners(i);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double level = corners[0][axis];
+            // Of a face in its plane all are as good as those that hold the point.
+            if (corners[1][axis] == level && corners[2][axis] == level && point[axis] == level) {
+                found.push_back(i);
+            }
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+TEST(PointInSolid, BesideAPointOfTheSurfaceIsWhereASmallStepLeads) {
+    for (const bool inside_out : {false, true}) {
+        const Mesh mesh = make_gridded_box(Vec3(2, 2, 2), 3);
+        const ObbTree tree = make_tree(inside_out ? reversed(mesh) : mesh);
+        SolidTest solid(tree);
+        int inside = 0;
+        int outside = 0;
+        // Points of faces, edges and corners, with a plane on whose upper side no holder has
+        // anything, and the planes of the faces themselves, which have nothing on either.
+        for (const Vec3& at : {Vec3(1, 0.25, -0.5),
+                               Vec3(1, -1, 0.125),
+                               Vec3(1, 1, 1),
+                               Vec3(-1, 1. / 3, 1. / 3),
+                               Vec3(0, -1, -1)}) {
+            Vec3 normal = Vec3::Zero();
+            for (int axis = 0; axis < 3; ++axis) {
+                normal[axis] = std::abs(at[axis]) == 1 ? at[axis] : 0;
+            }
+            const auto side_of = [&](const Vec3& direction) {
+                return sign_of(direction.dot(normal));
+            };
+            const std::vector<std::uint32_t> passed_over = holders(tree.mesh(), at);
+            SolidPoint point = exact_point(at);
+            EXPECT_EQ(solid.place_of(point), Place::OnSurface);
+            EXPECT_FALSE(solid.is_inside_beside(point, side_of, 1, passed_over));
+            ++outside;
+            if (normal.cwiseAbs().sum() == 1) {
+                EXPECT_TRUE(solid.is_inside_beside(point, side_of, -1, passed_over));
+                ++inside;
+            }
+        }
+        EXPECT_GT(inside, 1);
+        EXPECT_GT(outside, 3);
+    }
+}
+
+TEST(PointInSolid, TheSolidLiesBehindATriangleOrInFrontOfAReversedOne) {
+    const Mesh sphere = make_sphere(3);
+    const ObbTree outward = make_tree(sphere);
+    const ObbTree inward = make_tree(reversed(sphere));
+    SolidTest solid(outward);
+    SolidTest hollow(inward);
+    const int behind = solid.solid_side(0);
+    EXPECT_NE(behind, 0);
+    for (std::uint32_t i = 0; i < sphere.triangles().size(); ++i) {
+        EXPECT_EQ(solid.solid_side(i), behind);
+        EXPECT_EQ(hollow.solid_side(i), -behind);
+    }
+}
+
+} // namespace cd::tests

@@ -1,0 +1,376 @@
+// Proves that the margins of the descent of wide trees hold where they are needed: of triangles
+// that touch in one point, at the brink of a box, none is passed over. And that they are needed:
+// with smaller ones such pairs are lost.
+
+#include "common/core/host/thread_pool.hpp"
+#include "common/geometry/simd_target.hpp"
+#include "common/pair/triangle_pair.hpp"
+#include "common/tree/build/build.hpp"
+#include "common/tree/wide/wide_descent.hpp"
+#include "tests/common/tree/exact_box.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cd::tests {
+
+namespace {
+
+ObbTree build(const Mesh& mesh) {
+    static ThreadPool pool(1); // Many trees are built.
+    return build_tree(share(Mesh(mesh)), {}, pool);
+}
+
+/// Two bodies that touch in one corner of a triangle each, and nowhere else.
+struct Brink {
+    ObbTree a;
+    ObbTree b;
+    PosePair poses;
+    std::uint32_t triangle_a = 0;
+    std::uint32_t triangle_b = 0;
+};
+
+bool is_kept(const Brink& brink, double error_scale) {
+    const WideView a = brink.a.view().wide;
+    const WideView b = brink.b.view().wide;
+    WideDescent descent(relative_pose(brink.poses), error_scale);
+    for (descent.start(a, b); !descent.is_done();) {
+        for (const Candidate& pair : descent.next(256)) {
+            if (a.triangles.ids[pair.a] == brink.triangle_a &&
+                b.triangles.ids[pair.b] == brink.triangle_b) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+using Brinks = std::vector<Brink>;
+
+/// How many are passed over though they touch.
+std::size_t lost_of(const Brinks& brinks, double error_scale) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        brinks, [&](const Brink& brink) { return !is_kept(brink, error_scale); }));
+}
+
+/// Those that such a maker makes of many seeds; that they touch is checked.
+template <class Maker>
+Brinks brinks_of(std::uint64_t rounds, const Maker& maker) {
+    Brinks brinks;
+    for (std::uint64_t seed = 0; seed < rounds; ++seed) {
+        std::mt19937_64 random(seed);
+        std::optional<Brink> brink = maker(random);
+        if (!brink) {
+            continue;
+        }
+        EXPECT_NE(TrianglePairTest(brink->poses)
+                      .classify(brink->a.mesh().corners(brink->triangle_a),
+                                brink->b.mesh().corners(brink->triangle_b)),
+                  PairClass::Separate)
+            << "seed " << seed;
+        brinks.push_back(std::move(*brink));
+    }
+    return brinks;
+}
+
+/// A rotation and a factor: corners that are multiples of it are turned into few bits.
+struct Turn {
+    Pose pose;
+    double factor;
+};
+
+Turn any_turn(std::mt19937_64& random) {
+    const auto small = [&] { return static_cast<double>(random() % 9) - 4; };
+    switch (random() % 3) {
+    case 0: { // Divided by its norm.
+        const Quaternion q{1 + static_cast<double>(random() % 4), small(), small(), small()};
+        return {Pose::from_quaternion(q, Vec3::Zero()),
+                q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z};
+    }
+    case 1: { // A matrix of few bits, which is hardly skew.
+        const Mat3 turn = make_pose(random, 1).rotation();
+        return {Pose::from_matrix(turn.unaryExpr([](double entry) {
+                    return std::nearbyint(0x1p26 * entry) / 0x1p26;
+                }),
+                                  Vec3::Zero()),
+                1};
+    }
+    default:
+        return {Pose{}, 1};
+    }
+}
+
+/// A rotation that only exchanges axes.
+Pose any_exchange(std::mt19937_64& random) {
+    Mat3 matrix = Mat3::Zero();
+    const int shift = static_cast<int>(random() % 3);
+    for (int i = 0; i < 3; ++i) {
+        matrix(i, (i + shift) % 3) = 1;
+    }
+    if (random() % 2 == 0) {
+        matrix.row(0) = -matrix.row(0);
+        matrix.row(1) = -matrix.row(1);
+    }
+    return Pose::from_matrix(matrix, Vec3::Zero());
+}
+
+/// Triangles with unshared corners around a place, all on a lattice.
+Mesh lattice_soup(std::mt19937_64& random,
+                  std::uint32_t count,
+                  double size,
+                  double factor,
+                  double far,
+                  int bits) {
+    const double unit = std::exp2(std::floor(std::log2(size / factor)) - bits);
+    const auto lattice = [&](double half_width) {
+        return std::nearbyint(uniform(random, -half_width, half_width) / (unit * factor)) * unit *
+               factor;
+    };
+    const Vec3 place(lattice(far), lattice(far), lattice(far));
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            vertices.push_back(place + Vec3(lattice(size), lattice(size), lattice(size)));
+        }
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return make_mesh(std::move(vertices), std::move(triangles));
+}
+
+/// The vertex that comes last in a direction.
+std::uint32_t last_along(const Mesh& mesh, const Vec3& direction) {
+    std::uint32_t last = 0;
+    for (std::uint32_t i = 1; i < mesh.vertices().size(); ++i) {
+        if (direction.dot(mesh.vertices()[i] - mesh.vertices()[last]) > 0) {
+            last = i;
+        }
+    }
+    return last;
+}
+
+/// The pose of that rotation which puts `from` where `to` is, if doubles can say it.
+std::optional<Pose> moved_to(const Pose& rotation, const Vec3& from, const ExactVec& to) {
+    const ExactVec turned = exact_rotation(rotation) * exact(from);
+    Vec3 translation;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Rational wanted = to[k] - turned[k];
+        const auto rounded = static_cast<double>(wanted);
+        if (Rational(rounded) != wanted) {
+            return std::nullopt;
+        }
+        translation[static_cast<int>(k)] = rounded;
+    }
+    return rotation.kind() == Pose::Kind::Matrix
+               ? Pose::from_matrix(rotation.matrix(), translation)
+               : Pose::from_quaternion(rotation.quaternion(), translation);
+}
+
+/// A body with a triangle whose plane lies on the border of its box, to the last bits, on one side
+/// of x.
+struct SharpBody {
+    Mesh mesh;
+    double plane;
+};
+
+/// Three triangles across the axis x, the last one at `plane`.
+Mesh across_x(double size, double plane) {
+    std::vector<Vec3> vertices;
+    for (const double x : {0.0, size, plane}) {
+        vertices.insert(vertices.end(),
+                        {Vec3(x, -size, -size), Vec3(x, size, -size), Vec3(x, 0, size)});
+    }
+    return make_mesh(std::move(vertices), {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
+}
+
+/// How far the box of the last triangle reaches beyond it in the direction of x that `side` says.
+/// None if the box is not along x.
+std::optional<Rational> slack_of(const Mesh& mesh, double plane, int side) {
+    const ObbTree tree = build(mesh);
+    const WideView wide = tree.view().wide;
+    const WideNode& node = wide.nodes[0];
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (std::abs(node.columns[0][k]) != 1 || node.columns[1][k] != 0 ||
+            node.columns[2][k] != 0) {
+            continue;
+        }
+        std::size_t child = 0;
+        while (wide.triangles.ids[child] != 2) {
+            ++child;
+        }
+        const bool is_high = (node.columns[0][k] > 0) == (side > 0);
+        const int byte = is_high ? node.high[k][child] : node.low[k][child];
+        const Rational place =
+            Rational(node.columns[0][k]) * (Rational(plane) - Rational(node.origin[0]));
+        return abs(Rational(node.steps[k]) * byte - place);
+    }
+    return std::nullopt;
+}
+
+std::optional<SharpBody> sharp_body(std::mt19937_64& random, double size, int side) {
+    // Between two planes that are more than a step apart the box jumps. Towards the jump its slack
+    // falls to nothing; beyond, it is nearly a step.
+    double low = uniform(random, 0.1, 0.8) * size;
+    double high = low + size / 200;
+    const auto slack = [&](double plane) {
+        return slack_of(across_x(size, plane), plane, side).value_or(Rational(size));
+    };
+    const double at_low = low;
+    const Rational slack_at_low = slack(low);
+    // Slack falls with the plane's place where the side is 1, and rises where it is -1.
+    for (int i = 0; i < 54; ++i) {
+        const double middle = 0.5 * low + 0.5 * high;
+        const Rational without_jump = slack_at_low - side * (Rational(middle) - Rational(at_low));
+        const bool has_jumped = abs(slack(middle) - without_jump) > Rational(size / 1000);
+        (has_jumped ? high : low) = middle;
+    }
+    const double plane = side > 0 ? low : high;
+    if (slack(plane) > Rational(0x1p-40 * size)) {
+        return std::nullopt;
+    }
+    return SharpBody{across_x(size, plane), plane};
+}
+
+/// A small body and a far larger one, apart along an axis of the small one's frame but for the
+/// corner that they share: the larger one's errors are as large as the small one's steps. `far` is
+/// how far the large one is from its origin, in its sizes; coordinates have so many bits.
+std::optional<Brink> corner_on_corner(std::mt19937_64& random, double far, int bits) {
+    const bool is_far = far > 0;
+    const double ratio = std::ldexp(1.0, is_far ? 8 : static_cast<int>(random() % 12) + 8);
+    const Turn turn_small = is_far ? Turn{any_exchange(random), 1} : any_turn(random);
+    const Turn turn_large = any_turn(random);
+    const auto triangles = [&] { return static_cast<std::uint32_t>(1 + random() % 4); };
+    const Mesh small = lattice_soup(random, triangles(), 1, turn_small.factor, 0, bits);
+    const Mesh large =
+        lattice_soup(random, triangles(), ratio, turn_large.factor, far * ratio, bits);
+    const ObbTree tree = build(small);
+    const auto& columns = tree.view().wide.nodes[0].columns;
+    const auto k = random() % 3;
+    const double sign = random() % 2 == 0 ? 1 : -1;
+    const Vec3 axis(columns[0][k], columns[1][k], columns[2][k]);
+    const Vec3 outwards = sign * (turn_small.pose.rotation() * axis);
+    const std::uint32_t last = last_along(small, turn_small.pose.rotation().transpose() * outwards);
+    const std::uint32_t first =
+        last_along(large, -(turn_large.pose.rotation().transpose() * outwards));
+    const ExactVec shared = exact_rotation(turn_small.pose) * exact(small.vertices()[last]);
+    const auto pose = moved_to(turn_large.pose, large.vertices()[first], shared);
+    if (!pose) {
+        return std::nullopt;
+    }
+    if (random() % 2 == 0) {
+        return Brink{tree, build(large), {turn_small.pose, *pose}, last / 3, first / 3};
+    }
+    return Brink{build(large), tree, {*pose, turn_small.pose}, first / 3, last / 3};
+}
+
+/// A small body whose corner touches a triangle of a large one, on the border of its box.
+std::optional<Brink> corner_on_plane(std::mt19937_64& random) {
+    const double size = std::ldexp(1.0, static_cast<int>(random() % 8) + 12);
+    const int side = random() % 2 == 0 ? 1 : -1;
+    const auto large = sharp_body(random, size, side);
+    if (!large) {
+        return std::nullopt;
+    }
+    const Turn turn = any_turn(random);
+    const Mesh small = lattice_soup(random, 1, 1, turn.factor, 0, 6);
+    const Pose exchange = any_exchange(random);
+    const Vec3 outwards = side * exchange.matrix().col(0);
+    const std::uint32_t last = last_along(small, -(turn.pose.rotation().transpose() * outwards));
+    const ExactVec shared = exact_rotation(turn.pose) * exact(small.vertices()[last]);
+    const auto pose = moved_to(exchange, Vec3(large->plane, 0, 0), shared);
+    if (!pose) {
+        return std::nullopt;
+    }
+    if (random() % 2 == 0) {
+        return Brink{build(small), build(large->mesh), {turn.pose, *pose}, 0, 2};
+    }
+    return Brink{build(large->mesh), build(small), {*pose, turn.pose}, 2, 0};
+}
+
+// Made once for all targets.
+const Brinks& corners() {
+    static const Brinks brinks =
+        brinks_of(600, [](std::mt19937_64& random) { return corner_on_corner(random, 0, 10); });
+    return brinks;
+}
+
+/// Of corners that floats cannot hold.
+const Brinks& double_corners() {
+    static const Brinks brinks =
+        brinks_of(600, [](std::mt19937_64& random) { return corner_on_corner(random, 0, 28); });
+    return brinks;
+}
+
+const Brinks& far_corners() {
+    static const Brinks brinks =
+        brinks_of(400, [](std::mt19937_64& random) { return corner_on_corner(random, 0x1p38, 3); });
+    return brinks;
+}
+
+const Brinks& borders() {
+    static const Brinks brinks = brinks_of(250, corner_on_plane);
+    return brinks;
+}
+
+class WideBounds : public testing::TestWithParam<SimdTarget> {
+  protected:
+    void SetUp() override { ASSERT_TRUE(force_simd_target(to_text(GetParam()))); }
+    void TearDown() override { ASSERT_TRUE(force_simd_target("auto")); }
+};
+
+TEST_P(WideBounds, CornersThatTouchAtTheBrinkAreNotLost) {
+    EXPECT_GT(corners().size(), 400u);
+    EXPECT_EQ(lost_of(corners(), 1), 0u);
+}
+
+TEST_P(WideBounds, CornersThatFloatsCannotHoldAreNotLost) {
+    EXPECT_GT(double_corners().size(), 300u);
+    for (const Brink& brink : double_corners()) {
+        EXPECT_FALSE(brink.a.view().wide.triangles.doubles.empty());
+        EXPECT_FALSE(brink.b.view().wide.triangles.doubles.empty());
+    }
+    EXPECT_EQ(lost_of(double_corners(), 1), 0u);
+}
+
+TEST_P(WideBounds, CornersThatTouchFarFromABodysOriginAreNotLost) {
+    EXPECT_GT(far_corners().size(), 200u);
+    EXPECT_EQ(lost_of(far_corners(), 1), 0u);
+}
+
+TEST_P(WideBounds, CornersOnTheBorderOfABoxAreNotLost) {
+    EXPECT_GT(borders().size(), 150u);
+    EXPECT_EQ(lost_of(borders(), 1), 0u);
+}
+
+TEST_P(WideBounds, SmallerMarginsLoseSome) {
+    // Where boxes are bytes on both sides, only those that end on whole steps are sharp.
+    EXPECT_GT(lost_of(borders(), 0), 0u);
+    EXPECT_GT(lost_of(borders(), -0.01), 50u);
+    if (GetParam() == SimdTarget::Avx512 || GetParam() == SimdTarget::Avx2) {
+        // The larger body's triangles are seen by their corners.
+        EXPECT_GT(lost_of(corners(), 0), 50u);
+        EXPECT_GT(lost_of(corners(), 0.003), 0u);
+        EXPECT_GT(lost_of(double_corners(), 0), 50u);
+        EXPECT_GT(lost_of(double_corners(), 0.003), 0u);
+    }
+    // Far from the origin, a body's steps are larger than what is lost to rounding, and none of
+    // these boxes ends on a whole one: margins of nothing would do here, but not less.
+    EXPECT_GT(lost_of(far_corners(), -0.02), 5u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets,
+                         WideBounds,
+                         testing::ValuesIn(available_simd_targets().begin(),
+                                           available_simd_targets().end()),
+                         [](const auto& instance) { return std::string(to_text(instance.param)); });
+
+} // namespace
+
+} // namespace cd::tests

@@ -1,0 +1,414 @@
+// Proves that the descent of wide trees passes over no pair that touches: random rigid and slightly
+// skew poses, far origins, sizes of different orders, on every SIMD target. And that a search finds
+// in wide trees what it finds in binary ones, whatever it is asked.
+
+#include "common/tree/wide/wide_descent.hpp"
+
+#include "common/core/host/thread_pool.hpp"
+#include "common/geometry/simd_target.hpp"
+#include "common/search/brute_force.hpp"
+#include "common/tree/build/build.hpp"
+#include "tests/support/brink_boxes.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cd::tests {
+
+namespace {
+
+using IdPair = std::pair<std::uint32_t, std::uint32_t>;
+
+ObbTree build(const Mesh& mesh) {
+    ThreadPool pool(1);
+    return build_tree(share(Mesh(mesh)), {}, pool);
+}
+
+Mesh scaled_mesh(const Mesh& mesh, double scale) {
+    std::vector<Vec3> vertices = mesh.vertices();
+    for (Vec3& vertex : vertices) {
+        vertex *= scale;
+    }
+    return make_mesh(std::move(vertices), mesh.triangles());
+}
+
+/// Does the same on each target of this host, and then chooses the best one again.
+template <class Work>
+void on_every_target(const Work& work) {
+    for (const SimdTarget target : available_simd_targets()) {
+        SCOPED_TRACE(to_text(target));
+        ASSERT_TRUE(force_simd_target(to_text(target)));
+        work();
+    }
+    ASSERT_TRUE(force_simd_target("auto"));
+}
+
+/// The triangles' ids of all candidates, sorted. None comes twice.
+std::vector<IdPair> candidates_of(const WideView& a,
+                                  const WideView& b,
+                                  const PosePair& poses,
+                                  std::size_t wanted = 256,
+                                  WideDescent::Aim aim = WideDescent::Aim::All) {
+    WideDescent descent(relative_pose(poses));
+    std::vector<IdPair> found;
+    for (descent.start(a, b, aim); !descent.is_done();) {
+        for (const Candidate& pair : descent.next(wanted)) {
+            found.emplace_back(a.triangles.ids[pair.a], b.triangles.ids[pair.b]);
+        }
+    }
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+    return found;
+}
+
+struct Tally {
+    std::size_t contacts = 0;
+    std::size_t candidates = 0;
+    std::size_t pairs = 0;
+};
+
+/// The candidates of two bodies hold every pair that touches.
+void expect_none_lost(const Mesh& a, const Mesh& b, const PosePair& poses, Tally& tally) {
+    const ObbTree tree_a = build(a);
+    const ObbTree tree_b = build(b);
+    ASSERT_FALSE(tree_a.view().wide.nodes.empty());
+    ASSERT_FALSE(tree_b.view().wide.nodes.empty());
+    const std::vector<ContactPair> contacts = contact_pairs_brute_force(a, b, poses);
+    on_every_target([&] {
+        const auto found = candidates_of(tree_a.view().wide, tree_b.view().wide, poses);
+        for (const ContactPair& pair : contacts) {
+            ASSERT_TRUE(std::binary_search(found.begin(), found.end(), IdPair{pair.a, pair.b}))
+                << pair.a << " of A and " << pair.b << " of B";
+        }
+        tally.candidates += found.size();
+        tally.pairs += a.triangles().size() * b.triangles().size();
+    });
+    tally.contacts += contacts.size();
+}
+
+/// Poses that put one place of A's body where one of B's is.
+PosePair meeting_at(const Pose& a, const Vec3& place_a, const Pose& b, const Vec3& place_b) {
+    const Vec3 between = a.apply(place_a) - b.apply(place_b);
+    return {a, with_translation(b, b.translation() + between)};
+}
+
+Mesh any_mesh(std::mt19937_64& random) {
+    switch (random() % 5) {
+    case 0:
+        return make_sphere(2);
+    case 1:
+        return make_degenerate_soup(random, 60);
+    case 2:
+        return make_gridded_box(Vec3(1, 0.5, 0.25), 3);
+    case 3:
+        return make_triangle_soup(random, 120, 0.1);
+    default:
+        return make_triangle_soup(random, 1 + static_cast<std::uint32_t>(random() % 40));
+    }
+}
+
+TEST(WideDescent, LosesNoPairUnderRigidPoses) {
+    Tally tally;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const Mesh a = any_mesh(random);
+        const Mesh b = any_mesh(random);
+        const Pose pose_a = any_pose(random, 3);
+        const Pose pose_b = seed % 5 == 0 ? pose_a : any_pose(random, 3);
+        expect_none_lost(
+            a, b, meeting_at(pose_a, random_point(random, 1), pose_b, Vec3::Zero()), tally);
+    }
+    EXPECT_GT(tally.contacts, 1000u);
+    EXPECT_LT(tally.candidates, tally.pairs / 4); // Else all this would prove little.
+}
+
+TEST(WideDescent, LosesNoPairUnderSkewPoses) {
+    Tally tally;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const Mesh a = any_mesh(random);
+        const Mesh b = any_mesh(random);
+        // From the most that the bounds are made for, and somewhat more, to hardly any.
+        const double skew = std::ldexp(1.1, -10 - static_cast<int>(seed % 16));
+        Mat3 stretch = Mat3::Identity();
+        for (int i = 0; i < 3; ++i) {
+            stretch.col(i) += random_point(random, 0.25 * skew);
+        }
+        const Mat3 turned = make_pose(random, 1).rotation() * stretch;
+        const Pose skewed = Pose::from_matrix(turned, random_point(random, 3));
+        const Pose other = make_pose(random, 3);
+        const bool is_of_a = random() % 2 == 0;
+        expect_none_lost(a,
+                         b,
+                         meeting_at(is_of_a ? skewed : other,
+                                    random_point(random, 1),
+                                    is_of_a ? other : skewed,
+                                    Vec3::Zero()),
+                         tally);
+    }
+    EXPECT_GT(tally.contacts, 500u);
+    EXPECT_LT(tally.candidates, tally.pairs / 4);
+}
+
+TEST(WideDescent, LosesNoPairFarFromTheOrigin) {
+    Tally tally;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const double offset = std::ldexp(1.0, 10 + static_cast<int>(seed % 4) * 8);
+        const Vec3 place_a = random_point(random, offset);
+        const Vec3 place_b = random_point(random, offset);
+        const Mesh a = translated(any_mesh(random), place_a);
+        const Mesh b = translated(any_mesh(random), place_b);
+        expect_none_lost(
+            a,
+            b,
+            meeting_at(any_pose(random, offset), place_a, any_pose(random, 16 * offset), place_b),
+            tally);
+    }
+    EXPECT_GT(tally.contacts, 500u);
+}
+
+TEST(WideDescent, LosesNoPairOfBodiesOfDifferentSizes) {
+    Tally tally;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        // A corner of the small one on, or in, a triangle of the large one.
+        const double scale = std::ldexp(1.0, static_cast<int>(seed % 60) - 30);
+        const Mesh a = any_mesh(random);
+        const Mesh b = scaled_mesh(any_mesh(random), scale);
+        const Vec3 place_a = a.vertices()[a.triangles()[0][0]];
+        const Vec3 place_b = b.vertices()[b.triangles()[0][0]];
+        const PosePair poses =
+            random() % 2 == 0
+                ? meeting_at(any_pose(random, 1), place_a, any_pose(random, 1), place_b)
+                : PosePair{translation_pose(-place_a.x(), -place_a.y(), -place_a.z()),
+                           translation_pose(-place_b.x(), -place_b.y(), -place_b.z())};
+        expect_none_lost(a, b, poses, tally);
+    }
+    EXPECT_GT(tally.contacts, 60u);
+    EXPECT_LT(tally.candidates, tally.pairs / 4);
+}
+
+TEST(WideDescent, LosesNoPairOfTheTiniestOnTheLargestTriangles) {
+    // One large triangle has a corner in the origin, and so have all the tiny ones: counted in
+    // their steps, the large one's size is close to what floats can hold.
+    Tally tally;
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const double tiny = std::ldexp(1.0, -60 - static_cast<int>(seed % 30));
+        std::vector<Vec3> small = make_triangle_soup(random, 40).vertices();
+        std::vector<Vec3> large = make_triangle_soup(random, 12, 0.1).vertices();
+        std::vector<Triangle> triangles_small;
+        std::vector<Triangle> triangles_large;
+        for (std::uint32_t i = 0; i < 40; ++i) {
+            triangles_small.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+            for (std::uint32_t k = 0; i < 24 && k < 3; ++k) {
+                small[3 * i + k] *= k == 0 ? 0 : tiny; // The others make the body large enough.
+            }
+        }
+        for (std::uint32_t i = 0; i < 12; ++i) {
+            triangles_large.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        }
+        for (Vec3& vertex : large) {
+            vertex *= 0x1p49;
+        }
+        large[0] = Vec3::Zero();
+        large[1] *= 0x1p-20;
+        large[2] *= std::ldexp(1.0, -static_cast<int>(seed % 50));
+        const Mesh a = make_mesh(small, triangles_small);
+        const Mesh b = make_mesh(large, triangles_large);
+        const Pose turn = with_translation(make_pose(random, 1), Vec3::Zero());
+        expect_none_lost(a, b, {Pose{}, turn}, tally);
+        expect_none_lost(b, a, {turn, Pose{}}, tally);
+    }
+    EXPECT_GT(tally.contacts, 30u * 2 * 24 - 1);
+}
+
+TEST(WideDescent, LosesNoPairWhereNumbersOverflow) {
+    Tally tally;
+    std::mt19937_64 random(1);
+    const Mesh soup = make_triangle_soup(random, 30);
+    for (const double far : {1e300, 1e30, 0x1p128, 0x1p140}) {
+        SCOPED_TRACE(testing::Message() << "translations of " << far);
+        const Pose there = translation_pose(far, -far, far);
+        const Pose turned = with_translation(make_pose(random, 1), Vec3(far, -far, far));
+        expect_none_lost(soup, soup, {there, there}, tally);
+        expect_none_lost(soup, soup, {turned, turned}, tally);
+        expect_none_lost(soup, soup, {there, turned}, tally);
+        expect_none_lost(soup, soup, {Pose{}, there}, tally);
+        const ObbTree tree = build(soup);
+        EXPECT_TRUE(contact_pairs(tree, tree, {Pose{}, there}).empty());
+        EXPECT_TRUE(contact_pairs(tree, tree, {turned, Pose{}}).empty());
+    }
+    EXPECT_GT(tally.contacts, 30u * 8);
+}
+
+/// Without its wide tree.
+TreeView binary_only(const ObbTree& tree) {
+    TreeView view = tree.view();
+    view.wide = {};
+    return view;
+}
+
+ContactSearch searched(const TreeView& a,
+                       const TreeView& b,
+                       const PosePair& poses,
+                       std::span<const IgnoredRange> ignored,
+                       const SearchOptions& options) {
+    ContactSearch search(poses, ignored, options);
+    search.collect(a, b);
+    search.sort();
+    return search;
+}
+
+TEST(WideDescent, SearchesFindWhatTheyFindInBinaryTrees) {
+    std::uint64_t contacts = 0;
+    for (std::uint64_t seed = 0; seed < 25; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937_64 random(seed);
+        const ObbTree a = build(any_mesh(random));
+        const ObbTree b = build(any_mesh(random));
+        const PosePair poses = meeting_at(
+            any_pose(random, 3), random_point(random, 1), any_pose(random, 3), Vec3::Zero());
+        const std::vector<IgnoredRange> some = {{0, 20, 0, 1000}, {30, 35, 5, 50}};
+        const std::vector<IgnoredRange> none;
+        on_every_target([&] {
+            for (const auto& ignored : {none, some}) {
+                for (const SearchOptions& options :
+                     {SearchOptions{},
+                      SearchOptions{.keep_pairs = false},
+                      SearchOptions{.only_touches = true},
+                      SearchOptions{.pairs_max = 7},
+                      SearchOptions{.pairs_max = 5, .keep_corners = true},
+                      SearchOptions{.keep_corners = true, .first_stage = PairStage::Arbitrary}}) {
+                    ContactSearch wide = searched(a.view(), b.view(), poses, ignored, options);
+                    ContactSearch binary =
+                        searched(binary_only(a), binary_only(b), poses, ignored, options);
+                    ASSERT_EQ(wide.pair_count(), binary.pair_count());
+                    ASSERT_EQ(wide.has_proper(), binary.has_proper());
+                    ASSERT_EQ(wide.pairs(), binary.pairs());
+                    ASSERT_EQ(wide.corners().size(), binary.corners().size());
+                    for (std::size_t i = 0; i < wide.corners().size(); ++i) {
+                        ASSERT_EQ(wide.corners()[i].a, binary.corners()[i].a);
+                        ASSERT_EQ(wide.corners()[i].b, binary.corners()[i].b);
+                    }
+                    contacts += wide.pair_count();
+                }
+                ContactSearch wide(poses, ignored);
+                ContactSearch binary(poses, ignored);
+                ASSERT_EQ(wide.any(a.view(), b.view()), binary.any(binary_only(a), binary_only(b)));
+            }
+        });
+    }
+    EXPECT_GT(contacts, 10'000u);
+}
+
+TEST(WideDescent, HowManyAreWantedAtOnceChangesNothing) {
+    const ObbTree sphere = build(make_sphere(3));
+    const WideView view = sphere.view().wide;
+    std::mt19937_64 random(2);
+    const PosePair poses{Pose{}, make_pose(random, 0.5)};
+    on_every_target([&] {
+        const auto expected = candidates_of(view, view, poses, 1u << 20);
+        EXPECT_GT(expected.size(), 100u);
+        EXPECT_EQ(candidates_of(view, view, poses, 1), expected);
+        EXPECT_EQ(candidates_of(view, view, poses, 1000), expected);
+    });
+}
+
+TEST(WideDescent, EveryAimFindsAllCandidatesInTheEnd) {
+    const ObbTree sphere = build(make_sphere(4));
+    const WideView view = sphere.view().wide;
+    std::mt19937_64 random(5);
+    for (const double far : {0.0, 0.5, 1.9, 2.5}) {
+        const PosePair poses{Pose{}, make_pose(random, far)};
+        on_every_target([&] {
+            const auto expected = candidates_of(view, view, poses);
+            for (const auto aim : {WideDescent::Aim::First, WideDescent::Aim::LikelyFirst}) {
+                EXPECT_EQ(candidates_of(view, view, poses, 1, aim), expected);
+                EXPECT_EQ(candidates_of(view, view, poses, 1u << 20, aim), expected);
+            }
+        });
+    }
+}
+
+TEST(WideDescent, AnExpectedContactChangesNoAnswer) {
+    const ObbTree sphere = build(make_sphere(4));
+    std::mt19937_64 random(6);
+    ContactSearch any(PosePair{}, {});
+    ContactSearch all(PosePair{}, {});
+    std::uint64_t contacts = 0;
+    for (std::uint64_t i = 0; i < 200; ++i) {
+        const PosePair poses{Pose{}, make_pose(random, 3)};
+        any.restart(poses);
+        all.restart(poses);
+        all.collect(sphere.view(), sphere.view());
+        ASSERT_EQ(any.any(sphere.view(), sphere.view()), all.pair_count() > 0);
+        ASSERT_LE(any.statistics().triangle_tests, all.statistics().triangle_tests);
+        contacts += all.pair_count() > 0 ? 1 : 0;
+    }
+    EXPECT_GT(contacts, 20u);
+    EXPECT_LT(contacts, 180u);
+}
+
+TEST(WideDescent, PausesAfterMuchWorkAndResumes) {
+    // Two shells that are near each other everywhere.
+    const ObbTree inner = build(make_sphere(5));
+    const ObbTree outer = build(scaled_mesh(make_sphere(5), 1.002));
+    WideDescent descent{relative_pose(PosePair{})};
+    std::size_t pauses = 0;
+    std::size_t found = 0;
+    for (descent.start(inner.view().wide, outer.view().wide); !descent.is_done();) {
+        found += descent.next(1u << 22).size();
+        pauses += descent.is_done() ? 0u : 1u;
+    }
+    EXPECT_GE(pauses, 1u);
+    const auto expected = candidates_of(inner.view().wide, outer.view().wide, PosePair{}, 64);
+    EXPECT_EQ(found, expected.size());
+    // And begins anew.
+    const std::uint64_t tests = descent.box_tests();
+    descent.start(inner.view().wide, outer.view().wide);
+    EXPECT_FALSE(descent.is_done());
+    static_cast<void>(descent.next(1));
+    EXPECT_GT(descent.box_tests(), tests);
+}
+
+TEST(WideDescent, MakesRoomForAllThatWaits) {
+    // Needles through one point: every box of one body overlaps every one of the other.
+    std::mt19937_64 random(3);
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < 40'000; ++i) {
+        const Vec3 end = random_point(random, 1);
+        vertices.push_back(end);
+        vertices.push_back(-end);
+        triangles.push_back({2 * i, 2 * i + 1, 2 * i});
+    }
+    const ObbTree tree = build(make_mesh(std::move(vertices), std::move(triangles)));
+    const WideView view = tree.view().wide;
+    WideDescent descent{relative_pose(PosePair{})};
+    descent.start(view, view);
+    std::vector<IdPair> found;
+    while (found.size() < 300'000) {
+        for (const Candidate& pair : descent.next(10'000)) {
+            found.emplace_back(pair.a, pair.b);
+        }
+        ASSERT_FALSE(descent.is_done());
+    }
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+}
+
+} // namespace
+
+} // namespace cd::tests

@@ -1,0 +1,219 @@
+// Proves that a wide tree comes back from its bytes bit for bit, boxes and all, though none travel;
+// that the bytes are as few as they are said to be; and that bytes of any kind end in an error or
+// in a tree that a descent can walk, in memory that they justify.
+
+#include "common/tree/wire/wide_block.hpp"
+
+#include "common/core/files/compress.hpp"
+#include "common/tree/build/build.hpp"
+#include "common/tree/cut.hpp"
+#include "common/tree/wide/wide_check.hpp"
+#include "common/tree/wide/wide_descent.hpp"
+#include "common/tree/wire/subtree_block.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <vector>
+
+namespace cd::tests {
+namespace {
+
+ObbTree make_tree(Mesh mesh) {
+    ThreadPool pool(1);
+    BuildOptions options;
+    options.prepare_search = false;
+    return build_tree(share(std::move(mesh)), options, pool);
+}
+
+template <class T>
+bool same_bytes(std::span<const T> left, std::span<const T> right) {
+    return left.size() == right.size() &&
+           (left.empty() || std::memcmp(left.data(), right.data(), left.size_bytes()) == 0);
+}
+
+void expect_same(const WideView& left, const WideView& right) {
+    EXPECT_TRUE(same_bytes(left.nodes, right.nodes));
+    EXPECT_TRUE(same_bytes(left.triangles.floats, right.triangles.floats));
+    EXPECT_TRUE(same_bytes(left.triangles.doubles, right.triangles.doubles));
+    EXPECT_TRUE(same_bytes(left.triangles.vertex_begin, right.triangles.vertex_begin));
+    EXPECT_TRUE(same_bytes(left.triangles.corners, right.triangles.corners));
+    EXPECT_TRUE(same_bytes(left.triangles.ids, right.triangles.ids));
+    EXPECT_EQ(left.triangles.reach, right.triangles.reach);
+    EXPECT_EQ(left.extent, right.extent);
+}
+
+std::vector<Bytes> blocks_of(const ObbTree& tree, std::uint32_t depth) {
+    std::vector<Bytes> blocks;
+    for (const std::uint32_t node : cut_nodes(tree, depth)) {
+        blocks.push_back(encode_subtree(extract_subtree(tree, node, SubtreeForm::Wide)));
+    }
+    return blocks;
+}
+
+/// As a file of floats has it.
+Mesh as_floats(const Mesh& mesh) {
+    MeshArrays arrays{{}, mesh.triangles(), {}, Precision::Float};
+    for (const Vec3& vertex : mesh.vertices()) {
+        std::array<float, 3> narrow{};
+        for (int i = 0; i < 3; ++i) {
+            narrow[static_cast<std::size_t>(i)] = static_cast<float>(vertex[i]);
+        }
+        arrays.vertices.emplace_back(narrow[0], narrow[1], narrow[2]);
+    }
+    return Mesh::create(std::move(arrays)).value();
+}
+
+/// What a descent relies on, but for the ids, for which the block's hash vouches.
+void expect_walkable(const WideTree& tree) {
+    const WideView view = tree.view();
+    const TriangleBlocks& blocks = view.triangles;
+    std::vector<std::uint32_t> ids(blocks.ids.size(), 0);
+    std::uint32_t next = 0;
+    for (const WideNode& node : view.nodes) {
+        for (std::uint32_t i = 0; node.is_leaf && i < node.count; ++i) {
+            ids[block_size * node.first + i] = next++;
+        }
+    }
+    WideView renamed = view;
+    renamed.triangles.ids = ids;
+    const Status checked = check_wide_tree(renamed, next);
+    ASSERT_TRUE(checked) << checked.error().detail;
+}
+
+} // namespace
+
+TEST(WideBlock, ComesBackBitForBit) {
+    std::mt19937_64 random(2);
+    std::vector<Mesh> meshes;
+    meshes.push_back(make_sphere(3));
+    meshes.push_back(as_floats(make_sphere(4)));
+    meshes.push_back(make_box(Vec3(1, 2, 3)));
+    meshes.push_back(make_triangle_soup(random, 300));
+    meshes.push_back(make_degenerate_soup(random, 300));
+    meshes.push_back(as_floats(make_degenerate_soup(random, 300)));
+    meshes.push_back(translated(make_sphere(2), Vec3(1e7, -1e7, 0)));
+    meshes.push_back(make_mesh({{0, 0, 0}, {-0.0, 0, 0}, {1, 0, -0.0}}, {{0, 1, 2}, {0, 0, 1}}));
+    for (const Mesh& mesh : meshes) {
+        const ObbTree tree = make_tree(mesh);
+        for (const std::uint32_t depth : {0u, 2u, 5u}) {
+            for (const std::uint32_t node : cut_nodes(tree, depth)) {
+                const Subtree subtree = extract_subtree(tree, node, SubtreeForm::Wide);
+                const Bytes bytes = encode_subtree(subtree);
+                const auto decoded = decode_subtree(bytes);
+                ASSERT_TRUE(decoded) << decoded.error().detail;
+                EXPECT_EQ(decoded.value().form(), SubtreeForm::Wide);
+                EXPECT_EQ(decoded.value().triangle_count(), tree.nodes()[node].triangle_count());
+                expect_same(decoded.value().view().wide, subtree.view().wide);
+                EXPECT_EQ(encode_subtree(decoded.value()), bytes);
+            }
+        }
+    }
+}
+
+TEST(WideBlock, IsCompact) {
+    const ObbTree tree = make_tree(as_floats(make_sphere(6))); // 32,768 triangles.
+    std::size_t plain = 0;
+    std::size_t compressed = 0;
+    for (const Bytes& bytes : blocks_of(tree, 6)) {
+        plain += bytes.size();
+        compressed += compress(bytes, compression_level_geometry).size();
+    }
+    const auto triangles = static_cast<double>(tree.mesh().triangles().size());
+    EXPECT_LT(static_cast<double>(plain) / triangles, 16);
+    EXPECT_LT(static_cast<double>(compressed) / triangles, 12);
+}
+
+TEST(WideBlock, RefusesEveryTruncation) {
+    for (const Mesh& mesh : {make_sphere(2), as_floats(make_sphere(2))}) {
+        Bytes bytes = blocks_of(make_tree(mesh), 0).front();
+        for (std::size_t size = 0; size < bytes.size(); ++size) {
+            ASSERT_FALSE(decode_subtree(std::span(bytes).first(size))) << size;
+        }
+        bytes.push_back(std::byte{0});
+        EXPECT_FALSE(decode_subtree(bytes));
+    }
+}
+
+TEST(WideBlock, RefusesNodesThatAreNoTree) {
+    // Version, flags, nodes, vertices, then nodes: a chain of single children, too deep, too many.
+    const auto block = [](std::initializer_list<unsigned> numbers) {
+        Bytes bytes;
+        for (const unsigned number : numbers) {
+            bytes.push_back(static_cast<std::byte>(number));
+        }
+        bytes.resize(bytes.size() + 40);
+        return bytes;
+    };
+    EXPECT_FALSE(decode_wide_block(block({2, 0, 0, 3})));
+    EXPECT_FALSE(decode_wide_block(block({2, 0, 2, 3, 0, 16})));
+    EXPECT_FALSE(decode_wide_block(block({2, 0, 2, 3, 1, 16})));
+    EXPECT_FALSE(decode_wide_block(block({2, 0, 4, 3, 1, 16, 16, 16})));
+    EXPECT_FALSE(decode_wide_block(block({2, 0x80, 1, 3, 16})));
+    EXPECT_FALSE(decode_wide_block(block({2, 0x0a, 1, 3, 16})));
+    EXPECT_FALSE(decode_wide_block(block({2, 0, 0xff, 0xff, 0xff, 0x7f, 3, 16})));
+    Bytes deep = block({2, 0, 0x91, 0x03, 3}); // 401 nodes, each with a leaf and the next.
+    deep.resize(5);
+    for (int i = 0; i < 200; ++i) {
+        deep.push_back(std::byte{1});
+        deep.push_back(std::byte{16});
+    }
+    deep.push_back(std::byte{16});
+    deep.resize(deep.size() + 4000);
+    EXPECT_FALSE(decode_wide_block(deep));
+}
+
+TEST(WideBlock, DamageNeverMakesATreeThatLeavesItsArrays) {
+    std::mt19937_64 random(9);
+    for (const Mesh& mesh : {make_sphere(2), as_floats(make_sphere(3))}) {
+        const Bytes good = blocks_of(make_tree(mesh), 0).front();
+        std::size_t decoded_count = 0;
+        for (int round = 0; round < 10'000; ++round) {
+            Bytes bytes = good;
+            // A third of the damage goes to what stands in front.
+            const std::size_t room = round % 3 == 0 ? 60 : bytes.size();
+            for (std::uint64_t flips = 1 + random() % 3; flips > 0; --flips) {
+                bytes[random() % room] ^= static_cast<std::byte>(1u << (random() % 8));
+            }
+            const auto decoded = decode_wide_block(bytes);
+            if (decoded) {
+                ++decoded_count;
+                expect_walkable(decoded.value());
+                EXPECT_LT(decoded.value().memory_bytes(), 150 * bytes.size());
+            }
+        }
+        EXPECT_GT(decoded_count, 1000u);
+    }
+}
+
+TEST(WideBlock, AnyCoordinatesMakeBoxes) {
+    // Vertices of any size that is allowed, flat, tiny and huge side by side: no step may leave a
+    // byte. What the decoder made is what it would be built as.
+    std::mt19937_64 random(5);
+    for (int round = 0; round < 300; ++round) {
+        std::vector<Vec3> vertices;
+        std::vector<Triangle> triangles;
+        const auto coordinate = [&] {
+            const int exponent = static_cast<int>(random() % 200) - 151;
+            const double size = static_cast<float>(uniform(random, -1, 1));
+            return random() % 4 == 0 ? 0.0 : std::ldexp(size, std::min(exponent, 49));
+        };
+        for (std::uint32_t i = 0; i < 3 * 40; ++i) {
+            const double same = coordinate();
+            vertices.emplace_back(coordinate(), round % 2 == 0 ? same : 1.0, coordinate());
+        }
+        for (std::uint32_t i = 0; i < 40; ++i) {
+            triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        }
+        const ObbTree tree = make_tree(make_mesh(std::move(vertices), std::move(triangles)));
+        const Subtree subtree = extract_subtree(tree, 0, SubtreeForm::Wide);
+        const auto decoded = decode_subtree(encode_subtree(subtree));
+        ASSERT_TRUE(decoded) << decoded.error().detail;
+        expect_same(decoded.value().view().wide, subtree.view().wide);
+    }
+}
+
+} // namespace cd::tests

@@ -1,0 +1,45 @@
+// Proves that each process counts once, and one that nobody knows each time.
+#include "master/base/worker_process.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+TEST(Losses, AProcessCountsOnce) {
+    Losses losses;
+    EXPECT_TRUE(losses.none());
+    for (const WorkerProcess process : {70u, 71u, 70u, 71u}) {
+        losses.add(process);
+    }
+    EXPECT_EQ(losses.count(), 2u);
+    losses.add(72);
+    EXPECT_EQ(losses.count(), 3u);
+    EXPECT_FALSE(losses.none());
+}
+
+TEST(Losses, WhatIsLostWithOneProcessForEverComesToAnEnd) {
+    Losses losses;
+    for (std::size_t i = 0; i <= 2 * limits::losses_again_that_count; ++i) {
+        EXPECT_LT(losses.count(), limits::scenario_losses_max);
+        losses.add(70);
+    }
+    EXPECT_EQ(losses.count(), limits::scenario_losses_max);
+}
+
+TEST(Losses, ADoubtIsNone) {
+    const Losses losses = Losses::in_doubt();
+    EXPECT_EQ(losses.count(), 0u);
+    EXPECT_FALSE(losses.none());
+}
+
+TEST(Losses, OneThatNobodyKnowsCountsEachTime) {
+    Losses losses;
+    for (std::size_t i = 1; i <= 2 * limits::scenario_losses_max; ++i) {
+        losses.add(0);
+        EXPECT_EQ(losses.count(), i);
+    }
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,56 @@
+// Proves that alarms and the quarantined come back as they were, that there are never too many of
+// them, and that other bytes are errors.
+#include "master/journal/alarm_record.hpp"
+
+#include "common/core/limits/limits_master.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+AlarmRecord some_alarms() {
+    AlarmRecord alarms;
+    alarms.add("one");
+    alarms.add("");
+    alarms.quarantine(~std::uint64_t{0});
+    alarms.quarantine(5);
+    return alarms;
+}
+
+TEST(AlarmRecord, ComesBackAsItWas) {
+    for (const AlarmRecord& alarms : {AlarmRecord{}, some_alarms()}) {
+        const auto decoded = decode_alarms(encode_alarms(alarms));
+        ASSERT_TRUE(decoded) << decoded.error().detail;
+        EXPECT_EQ(decoded.value(), alarms);
+    }
+}
+
+TEST(AlarmRecord, KeepsTheLastOnesAndCountsAll) {
+    AlarmRecord alarms;
+    for (std::uint64_t i = 0; i < 10'000; ++i) {
+        alarms.add(std::to_string(i));
+        alarms.quarantine(i);
+    }
+    EXPECT_EQ(alarms.count, 10'000u);
+    EXPECT_EQ(alarms.last.size(), limits::alarms_kept_max);
+    EXPECT_EQ(alarms.last.back(), "9999");
+    EXPECT_EQ(alarms.quarantined.size(), limits::quarantined_kept_max);
+    EXPECT_EQ(alarms.quarantined.back(), 9999u);
+    EXPECT_EQ(decode_alarms(encode_alarms(alarms)).value(), alarms);
+}
+
+TEST(AlarmRecord, CutShortFollowedByMoreOrTooLongIsAnError) {
+    Bytes whole = encode_alarms(some_alarms());
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_FALSE(decode_alarms(std::span(whole).first(size))) << size;
+    }
+    whole.push_back(std::byte{0});
+    EXPECT_FALSE(decode_alarms(whole));
+    AlarmRecord many;
+    many.last.resize(limits::alarms_kept_max + 1);
+    EXPECT_FALSE(decode_alarms(encode_alarms(many)));
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,99 @@
+// Proves that a group of results comes back with whose each result is and what became known of
+// others, that this costs little beside the results, and that other bytes are errors.
+#include "master/journal/result_group.hpp"
+
+#include "tests/proto/sample_messages.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+using Kind = Remark::Kind;
+
+ResultGroup some_group() {
+    ResultGroup group;
+    group.begin = 100;
+    for (std::uint64_t i = 0; i < 6; ++i) {
+        const ScenarioFacts facts{ScenarioClass::Cross, i % 2 == 0, i % 3 == 1, false, i};
+        group.rows.push_back({1000 - 70 * i, 20 + i, facts, some_hash(static_cast<int>(i))});
+    }
+    group.maps = {Bytes(3, std::byte{1}), Bytes()};
+    group.authors = {{2, 77}, {1, 0}, {3, 77}};
+    group.remarks = {{Kind::Disputed, 930, some_hash(8), 78},
+                     {Kind::Settled, 930, some_hash(8), 78},
+                     {Kind::Vouched, 5, {}, 0}};
+    group.losses = {{{7, 1}, 77}, {{300, 1000}, 0}};
+    return group;
+}
+
+void expect_same(const ResultGroup& one, const ResultGroup& other) {
+    EXPECT_EQ(one.begin, other.begin);
+    EXPECT_EQ(one.rows, other.rows);
+    EXPECT_EQ(one.maps, other.maps);
+    EXPECT_EQ(one.authors, other.authors);
+    EXPECT_EQ(one.remarks, other.remarks);
+    EXPECT_EQ(one.losses, other.losses);
+}
+
+TEST(ResultGroup, ComesBackWithItsAuthorsRemarksAndLosses) {
+    ResultGroup only_remarks;
+    only_remarks.begin = 5;
+    only_remarks.remarks = some_group().remarks;
+    ResultGroup only_losses;
+    only_losses.losses = some_group().losses;
+    for (const ResultGroup& group : {some_group(), ResultGroup{}, only_remarks, only_losses}) {
+        const auto decoded = decode_group(encode_group(group));
+        ASSERT_TRUE(decoded) << decoded.error().detail;
+        expect_same(decoded.value(), group);
+    }
+}
+
+TEST(ResultGroup, CutShortOrFollowedByMoreIsAnError) {
+    const Bytes whole = encode_group(some_group());
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_FALSE(decode_group(std::span(whole).first(size))) << size;
+    }
+    Bytes longer = whole;
+    longer.push_back(std::byte{0});
+    EXPECT_FALSE(decode_group(longer));
+}
+
+TEST(ResultGroup, WhoseRowsDoNotAddUpOrWhoseProcessIsNotThereIsAnError) {
+    ResultGroup group;
+    group.rows = {{4, 20, {}, some_hash(1)}};
+    group.authors = {{1, 7}};
+    const Bytes good = encode_group(group);
+    ASSERT_TRUE(decode_group(good));
+    // From the end: no losses, no remarks, one row, of process 0, one run.
+    for (const auto& [from_end, value] : {std::pair(3, 2), {3, 0}, {4, 1}, {2, 9}, {1, 1}}) {
+        Bytes bad = good;
+        bad[bad.size() - static_cast<std::size_t>(from_end)] = static_cast<std::byte>(value);
+        EXPECT_FALSE(decode_group(bad)) << from_end << " " << value;
+    }
+}
+
+TEST(ResultGroup, LossesOfNoPlacesOrOfTooManyToCountAreAnError) {
+    for (const PlaceRange& places : {PlaceRange{5, 0}, PlaceRange{2, ~std::uint64_t{0} - 1}}) {
+        ResultGroup group;
+        group.losses = {{places, 7}};
+        EXPECT_FALSE(decode_group(encode_group(group)));
+    }
+}
+
+TEST(ResultGroup, AuthorsCostLittleBesideTheResults) {
+    ResultGroup group;
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+        group.rows.push_back({i, 20, {}, some_hash(1)});
+    }
+    group.authors = {{1000, 0}};
+    const std::size_t of_one = encode_group(group).size();
+    group.authors.clear();
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+        group.authors.push_back({1, ~(i % 8)}); // The worst: by turns.
+    }
+    EXPECT_LE(encode_group(group).size(), of_one + 1000 * 2 + 8 * 8);
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,174 @@
+// Proves that the pages for machines tell how the master is, to whom they may; and that whoever
+// sends no request, or none that ends, gets nothing and does no harm.
+#include "master/net/http_front.hpp"
+
+#include "common/core/limits/limits_http.hpp"
+#include "master/identity/identity.hpp"
+#include "proto/channel/stream.hpp"
+#include "tests/master/fake_client.hpp"
+#include "tests/master/fake_worker.hpp"
+#include "tests/master/master_stage.hpp"
+#include "tests/support/logged.hpp"
+
+#include <gmock/gmock.h>
+
+#include <array>
+
+namespace cd::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// What comes back on one connection until the master closes it.
+class Asking {
+  public:
+    Asking(Master& master, std::uint16_t port, std::shared_ptr<const Tls> tls, std::string text)
+        : text_(std::move(text)) {
+        asio::ip::tcp::socket socket(master.context);
+        socket.connect({asio::ip::address_v4::loopback(), port});
+        stream_ = std::make_unique<Stream>(std::move(socket));
+        spawn(master.context.get_executor(), "asking", begin(std::move(tls)));
+        master.run_until([&] { return is_over_; });
+    }
+    [[nodiscard]] const std::string& answer() const { return answer_; }
+
+  private:
+    asio::awaitable<void> begin(std::shared_ptr<const Tls> tls) {
+        Status secured = Done{};
+        if (tls != nullptr) {
+            secured = co_await stream_->secure(std::move(tls), TlsEnd::Connecting, patience);
+        }
+        EXPECT_TRUE(secured) << secured.error().detail;
+        stream_->write({asio::buffer(text_), asio::const_buffer()}, [](auto&&...) {});
+        read();
+    }
+    void read() {
+        stream_->read_some(asio::buffer(part_), [this](const auto& error, std::size_t bytes) {
+            answer_.append(part_.data(), bytes);
+            is_over_ = static_cast<bool>(error);
+            if (!is_over_) {
+                read();
+            }
+        });
+    }
+
+    std::string text_;
+    std::unique_ptr<Stream> stream_;
+    std::array<char, 1024> part_{};
+    std::string answer_;
+    bool is_over_ = false;
+};
+
+std::string request_for(const std::string& target) {
+    return "GET " + target + " HTTP/1.1\r\nHost: here\r\n\r\n";
+}
+
+std::unique_ptr<HttpFront> make_front(Master& master, MasterIdentity* identity = nullptr) {
+    auto made = HttpFront::listen(
+        master.context.get_executor(), {"127.0.0.1", 0}, master.coordinator, identity);
+    made.value()->start();
+    return std::move(made.value());
+}
+
+class HttpPages : public testing::Test {
+  protected:
+    std::string ask(const std::string& text) {
+        return Asking(master_, front_->port(), nullptr, text).answer();
+    }
+    std::string get(const std::string& target) { return ask(request_for(target)); }
+
+    Master master_;
+    std::unique_ptr<HttpFront> front_ = make_front(master_);
+};
+
+TEST_F(HttpPages, TellHowTheMasterIs) {
+    EXPECT_THAT(get("/healthz"), StartsWith("HTTP/1.1 200 OK\r\n"));
+    EXPECT_THAT(get("/readyz"), HasSubstr("\r\n\r\nready\n"));
+    FakeWorker worker(master_, {});
+    Client client(master_);
+    client.start(reference().submission());
+    master_.run_until([&] { return client.done; });
+    const std::string metrics = get("/metrics");
+    EXPECT_THAT(metrics, HasSubstr("Content-Type: text/plain; version=0.0.4"));
+    EXPECT_THAT(metrics, HasSubstr("\ncdcluster_jobs{state=\"done\"} 1\n"));
+    EXPECT_THAT(metrics, HasSubstr("\ncdcluster_workers{state=\"alive\"} 1\n"));
+    EXPECT_THAT(metrics, HasSubstr("Content-Length: "));
+}
+
+TEST(HttpPagesOfAPausedJob, SayThatItWaitsAndForWhat) {
+    const TemporaryFolder state;
+    const std::chrono::milliseconds at_once(0);
+    {
+        Master master({.return_within = at_once}, state.path());
+        Client client(master);
+        client.start_submitting(reference().submission());
+        master.run_until([&] { return client.done; });
+    }
+    const auto mesh = state / "meshes" / (to_hex(reference().a.hash()) + ".mesh");
+    const std::string whole = read_text(mesh);
+    write_text(mesh, "rubbish");
+    Master master({.return_within = at_once}, state.path());
+    const auto front = make_front(master);
+    const auto ready = [&] {
+        return Asking(master, front->port(), nullptr, request_for("/readyz")).answer();
+    };
+    master.run_until(
+        [&] { return !master.coordinator.cluster_status().jobs.at(0).paused.empty(); });
+    const std::string answer = ready();
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 503 "));
+    EXPECT_THAT(answer, HasSubstr("job 1 is paused: " + mesh.string()));
+    write_text(mesh, whole);
+    master.run_until([&] { return master.coordinator.cluster_status().jobs.at(0).paused.empty(); });
+    EXPECT_THAT(ready(), StartsWith("HTTP/1.1 200 "));
+}
+
+TEST_F(HttpPages, AllElseIsRefusedWithAReason) {
+    EXPECT_THAT(get("/jobs"), StartsWith("HTTP/1.1 404 "));
+    EXPECT_THAT(ask("POST /metrics HTTP/1.1\r\nHost: here\r\nContent-Length: 0\r\n\r\n"),
+                StartsWith("HTTP/1.1 405 "));
+    EXPECT_THAT(ask("what is this\r\n\r\n"), StartsWith("HTTP/1.1 400 "));
+    EXPECT_THAT(ask(std::string(8, '\0')), StartsWith("HTTP/1.1 400 "));
+    const std::string endless(2 * limits::http_request_bytes_max, 'x');
+    // Its answer may get lost, since the rest is not read.
+    EXPECT_THAT(ask("GET /" + endless), Not(HasSubstr("200")));
+    EXPECT_THAT(get("/healthz"), StartsWith("HTTP/1.1 200 "));
+}
+
+TEST(SecuredHttpPages, AreForWhoMayLookAtTheCluster) {
+    const TemporaryFolder folder;
+    const MasterIdentity::Options options{std::chrono::hours(1)};
+    ASSERT_TRUE(MasterIdentity::init(folder.path(), options));
+    const auto identity = std::move(MasterIdentity::open(folder.path(), options).value());
+    Master master;
+    const auto front = make_front(master, identity.get());
+    const auto get = [&](const std::shared_ptr<const Tls>& tls, const std::string& target) {
+        return Asking(master, front->port(), tls, request_for(target)).answer();
+    };
+    const auto tls_of = [&](CertifiedRole role) {
+        const CertificateRequest request = make_certificate_request();
+        const Identity holder{role, "someone", {}, {}};
+        const Certified certified = identity->renew({request.request}, holder).value();
+        return Tls::make({request.key, certified.certificate, certified.authority}).value();
+    };
+    const auto nobody = Tls::make_joining(identity->fingerprint());
+    EXPECT_THAT(get(nobody, "/healthz"), StartsWith("HTTP/1.1 200 "));
+    {
+        const Logged logged;
+        EXPECT_THAT(get(nobody, "/metrics"), StartsWith("HTTP/1.1 403 "));
+        EXPECT_THAT(logged.text(), HasSubstr("http request refused: peer=127.0.0.1:"));
+        EXPECT_THAT(logged.text(), HasSubstr("certificate of a nobody"));
+    }
+    EXPECT_THAT(get(tls_of(CertifiedRole::Worker), "/metrics"), StartsWith("HTTP/1.1 403 "));
+    EXPECT_THAT(get(tls_of(CertifiedRole::Metrics), "/metrics"), StartsWith("HTTP/1.1 200 "));
+    EXPECT_THAT(get(tls_of(CertifiedRole::Admin), "/metrics"), StartsWith("HTTP/1.1 200 "));
+    const auto other = make_front(master, identity.get());
+    const Logged logged;
+    EXPECT_THAT(Asking(master, other->port(), nullptr, request_for("/healthz")).answer(),
+                Not(HasSubstr("200")));
+    EXPECT_THAT(logged.text(), HasSubstr("http connection refused: peer=127.0.0.1:"));
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,208 @@
+// Proves that the master asks its quotas wherever a client may take more than its share, says which
+// one there is too much of, and lets others go on; and that what a client has begun and does not go
+// on with ends.
+#include "master/jobs/submission.hpp"
+#include "tests/master/fake_client.hpp"
+#include "tests/master/master_stage.hpp"
+
+#include <gmock/gmock.h>
+
+namespace cd::tests {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+constexpr FailureTimes usual{.return_within = std::chrono::milliseconds(0)};
+
+Message first_answer(Master& master, std::vector<Message> messages) {
+    Client client(master);
+    client.start_asking(std::move(messages));
+    master.run_until([&] { return client.done; });
+    EXPECT_TRUE(client.answer->has_value());
+    return client.answer->has_value() ? client.answer->value() : Message{};
+}
+
+/// The same, once the master has noticed who has left.
+Message answer_in_the_end(Master& master, const std::vector<Message>& messages) {
+    for (;;) {
+        Message answer = first_answer(master, messages);
+        const auto* const failure = std::get_if<Failure>(&answer);
+        if (failure == nullptr || failure->detail.find("busy") == std::string::npos) {
+            return answer;
+        }
+    }
+}
+
+std::string refusal_of(Master& master, std::vector<Message> messages) {
+    const Message answer = first_answer(master, std::move(messages));
+    const auto* const failure = std::get_if<Failure>(&answer);
+    EXPECT_NE(failure, nullptr) << answer.index();
+    return failure == nullptr ? "" : failure->detail;
+}
+
+void store_meshes(Master& master) {
+    for (const Mesh* mesh : {&reference().a, &reference().b}) {
+        const Bytes bytes = mesh->canonical_bytes();
+        const Message answer =
+            first_answer(master, {MeshPart{mesh->hash(), "mesh", bytes.size(), 0, bytes}});
+        ASSERT_TRUE(std::holds_alternative<MeshStored>(answer));
+    }
+}
+
+std::vector<Message> submission_of(std::size_t scenarios) {
+    Submit submit = reference().submission();
+    submit.scenarios = scenarios;
+    const std::span<const Scenario> all(reference().scenarios);
+    return {submit, PosesPart{pack_scenarios(all.first(scenarios))}, PosesEnd{}};
+}
+
+JobId accepted(Master& master, std::vector<Message> messages) {
+    const Message answer = first_answer(master, std::move(messages));
+    const auto* const job = std::get_if<Accepted>(&answer);
+    EXPECT_NE(job, nullptr);
+    return job == nullptr ? JobId{} : job->job;
+}
+
+/// A grid of so many steps about one axis.
+Submit grid_submission(std::uint32_t steps) {
+    Grid grid;
+    for (int axis = 0; axis < 3; ++axis) {
+        grid.rotation[static_cast<std::size_t>(axis)] =
+            rotation_axis({0, 360, axis == 0 ? steps : 1}, axis);
+    }
+    Submit submit = reference().submission();
+    submit.scenarios = grid.count();
+    submit.grid = encode_grid(grid);
+    submit.poses.kind = PosesKind::Grid;
+    return submit;
+}
+
+TEST(ServerQuota, JobsThatRunAreCountedAlsoAfterARestart) {
+    const TemporaryFolder state;
+    const Stage one_job{.clients = {.quotas = {.jobs = 1}}};
+    JobId job;
+    {
+        Master master(usual, state.path(), one_job);
+        store_meshes(master);
+        job = accepted(master, submission_of(90));
+        EXPECT_THAT(refusal_of(master, submission_of(90)), HasSubstr("1 jobs running"));
+    }
+    Master master(usual, state.path(), one_job);
+    EXPECT_THAT(refusal_of(master, submission_of(90)), HasSubstr("retry after"));
+    ASSERT_TRUE(std::holds_alternative<JobStatus>(first_answer(master, {Cancel{job}})));
+    accepted(master, submission_of(90));
+}
+
+TEST(ServerQuota, ScenariosOfJobsThatRunAreCountedAlsoAfterARestart) {
+    const TemporaryFolder state;
+    const Stage stage{.clients = {.quotas = {.scenarios = 100}}};
+    JobId job;
+    {
+        Master master(usual, state.path(), stage);
+        store_meshes(master);
+        job = accepted(master, submission_of(90));
+    }
+    Master master(usual, state.path(), stage);
+    EXPECT_THAT(refusal_of(master, submission_of(90)), HasSubstr("180 scenarios of jobs"));
+    accepted(master, submission_of(10));
+    ASSERT_TRUE(std::holds_alternative<JobStatus>(first_answer(master, {Cancel{job}})));
+    accepted(master, submission_of(90));
+}
+
+TEST(ServerQuota, BytesOfMeshesPosesAndGridsAreCounted) {
+    const std::size_t mesh_bytes =
+        reference().a.canonical_bytes().size() + reference().b.canonical_bytes().size();
+    const auto stage = [&](std::uint64_t bytes) {
+        return Stage{.clients = {.quotas = {.bytes = mesh_bytes + bytes, .period = 10'000'000s}}};
+    };
+    Master little(usual, {}, stage(100));
+    store_meshes(little);
+    EXPECT_THAT(refusal_of(little, submission_of(90)), HasSubstr("bytes"));
+    EXPECT_THAT(refusal_of(little, {grid_submission(100)}), HasSubstr("bytes"));
+    Submit ignoring = reference().submission();
+    ignoring.query.ignored.resize(100);
+    EXPECT_THAT(refusal_of(little, {ignoring}), HasSubstr("bytes"));
+    const Bytes bytes = reference().a.canonical_bytes();
+    const MeshPart again{reference().a.hash(), "mesh", bytes.size(), 0, bytes};
+    EXPECT_THAT(refusal_of(little, {again}), HasSubstr("bytes"));
+    Master enough(usual, {}, stage(100'000));
+    store_meshes(enough);
+    accepted(enough, submission_of(90));
+}
+
+TEST(ServerQuota, WhatIsQueuedComesBackWithItsJobAndItsConnection) {
+    const std::size_t bytes = pack_scenarios(reference().scenarios).size();
+    Master master(usual, {}, {.clients = {.quotas = {.queued = bytes}}});
+    store_meshes(master);
+    const JobId job = accepted(master, submission_of(90));
+    EXPECT_THAT(refusal_of(master, submission_of(1)), HasSubstr("bytes of poses not yet done"));
+    ASSERT_TRUE(std::holds_alternative<JobStatus>(first_answer(master, {Cancel{job}})));
+    // What is begun and left, or refused, does not count.
+    std::vector<Message> left = submission_of(90);
+    left.back() = StatusQuery{};
+    ASSERT_TRUE(std::holds_alternative<ClusterStatus>(first_answer(master, left)));
+    left = submission_of(90);
+    std::get<Submit>(left.front()).scenarios = 91;
+    EXPECT_THAT(std::get<Failure>(answer_in_the_end(master, left)).detail, HasSubstr("announced"));
+    EXPECT_TRUE(std::holds_alternative<Accepted>(answer_in_the_end(master, submission_of(90))));
+}
+
+TEST(ServerQuota, OneClientHasItsShareOfBegunMeshes) {
+    Master master(usual, {}, {.clients = {.quotas = {.uploads = 1}}});
+    const Bytes bytes = reference().a.canonical_bytes();
+    const MeshPart half{
+        reference().a.hash(), "mesh", bytes.size(), 0, {bytes.begin(), bytes.begin() + 1000}};
+    {
+        Client first(master);
+        first.start_asking({half, StatusQuery{}});
+        master.run_until([&] { return first.done; });
+        EXPECT_THAT(refusal_of(master, {half}), HasSubstr("1 meshes begun"));
+    }
+    // The share comes back with the connection, and with a mesh that is complete.
+    for (const Mesh* mesh : {&reference().a, &reference().b}) {
+        const Bytes all = mesh->canonical_bytes();
+        const MeshPart part{mesh->hash(), "mesh", all.size(), 0, all};
+        EXPECT_TRUE(std::holds_alternative<MeshStored>(answer_in_the_end(master, {part})));
+    }
+}
+
+TEST(ServerQuota, WhatIsBegunAndDoesNotGoOnEnds) {
+    Master master(usual, {}, {.clients = {.submission_idle_max = 20ms}});
+    store_meshes(master);
+    const Bytes bytes(1000);
+    EXPECT_THAT(refusal_of(master, {MeshPart{Sha256{}, "mesh", 2000, 0, bytes}}),
+                HasSubstr("did not go on"));
+    EXPECT_THAT(refusal_of(master, {reference().submission()}), HasSubstr("did not go on"));
+}
+
+TEST(ServerQuota, OfAJobThatHasEndedALargeGridIsNotKept) {
+    const Submit small = grid_submission(10);
+    Submit large = grid_submission(4000);
+    ASSERT_GT(large.grid->size(), limits::ended_grid_bytes_max);
+    EXPECT_TRUE(drop_bulk(large));
+    EXPECT_EQ(large.grid, Bytes());
+    Submit kept = small;
+    kept.query.ignored.resize(3);
+    kept.ignore = {{"wheel_*", "hull"}};
+    EXPECT_EQ(bulk_bytes(kept), small.grid->size() + 3 * sizeof(IgnoredRange) + 11);
+    drop_bulk(kept);
+    EXPECT_EQ(kept.grid, small.grid);
+    EXPECT_TRUE(kept.query.ignored.empty());
+    EXPECT_TRUE(kept.ignore.empty());
+}
+
+TEST(ServerQuota, AGridOfAnySizeIsNotTaken) {
+    Master master;
+    store_meshes(master);
+    Submit many = grid_submission(10);
+    many.scenarios = limits::client_scenarios_max + 1;
+    EXPECT_THAT(refusal_of(master, {many}), HasSubstr("split the job into several"));
+    Submit submit = reference().submission();
+    submit.grid = Bytes(limits::grid_bytes_max + 1);
+    submit.poses.kind = PosesKind::Grid;
+    EXPECT_THAT(refusal_of(master, {submit}), HasSubstr("a grid of"));
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,350 @@
+// Proves that trust outlives the master: after a restart it still knows who is in quarantine, whose
+// each result is, which of them are in doubt or in dispute, and which alarms there were; no job
+// ends with what a worker that was wrong has answered; and what takes workers down does not begin
+// anew.
+#include "master/geometry/mesh_file.hpp"
+#include "tests/master/fake_client.hpp"
+#include "tests/master/fake_worker.hpp"
+#include "tests/master/journal_writer.hpp"
+#include "tests/master/master_stage.hpp"
+
+#include <latch>
+
+namespace cd::tests {
+namespace {
+
+constexpr FailureTimes no_return{.return_within = std::chrono::milliseconds(0)};
+constexpr std::uint64_t liars_process = 7;
+constexpr std::uint64_t good_process = 8;
+
+/// The job is accepted, and nobody waits for its end.
+JobId submit_to(Master& master, AnalysisMode mode) {
+    Client client(master);
+    Submit submit = reference().submission();
+    submit.cluster.analysis = mode;
+    client.start_submitting(submit);
+    master.run_until([&] { return client.done; });
+    return client.job.value();
+}
+
+void expect_right_end(Master& master, JobId job) {
+    const auto status = [&] { return master.coordinator.job_status(job).value(); };
+    master.run_until([&] { return status().state != JobState::Running; });
+    EXPECT_EQ(status().state, JobState::Done) << status().failure;
+    EXPECT_EQ(status().digest, reference().digest);
+    EXPECT_EQ(status().summary.pairs, reference().summary.pairs);
+    EXPECT_EQ(status().doubted, 0u);
+}
+
+std::size_t quarantined_in(const ClusterStatus& status) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        status.workers, [](const WorkerStatus& worker) { return worker.quarantined; }));
+}
+
+/// The master has noticed that its workers are.
+void wait_until_gone(Master& master) {
+    master.run_until([&] {
+        return std::ranges::all_of(
+            master.coordinator.cluster_status().workers,
+            [](const WorkerStatus& worker) { return worker.state == WorkerState::Lost; });
+    });
+}
+
+/// It comes again, and behaves well.
+void expect_in_quarantine(Master& master, std::uint64_t process) {
+    const FakeWorker again(master, {.instance = process});
+    master.run_until([&] { return quarantined_in(master.coordinator.cluster_status()) == 1; });
+    master.run_until([&] {
+        const auto running = master.coordinator.cluster_status().jobs;
+        return std::ranges::none_of(
+            running, [](const JobStatus& job) { return job.state == JobState::Running; });
+    });
+    EXPECT_EQ(again.batches + again.ranges, 0u);
+}
+
+/// A worker is wrong and found to be. What it has answered besides is in doubt when the master
+/// ends.
+ClusterStatus run_to_the_alarm(Master& master, AnalysisMode mode) {
+    submit_to(master, mode);
+    const FakeWorker liar(master, {.lies_first = true, .lies_alone = 3, .instance = liars_process});
+    master.run_until([&] { return quarantined_in(master.coordinator.cluster_status()) == 1; });
+    master.end();
+    return master.coordinator.cluster_status();
+}
+
+/// Each life of the master sees one worker die of it.
+TEST(ServerRestart, AScenarioThatTakesItsWorkersDownFailsAfterAsManyAsWithoutARestart) {
+    const std::uint64_t deadly = scenario_with_contact();
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        const TemporaryFolder state;
+        JobId job;
+        for (std::uint64_t life = 0; life < limits::scenario_losses_max; ++life) {
+            Master master(no_return, state.path());
+            if (life == 0) {
+                job = submit_to(master, mode);
+            }
+            EXPECT_EQ(master.coordinator.job_status(job).value().summary.failed, 0u);
+            const FakeWorker mortal(master, {.dies_of = deadly, .instance = 100 + life});
+            master.run_until([&] { return mortal.ended; });
+            wait_until_gone(master);
+            master.end();
+        }
+        Master master(no_return, state.path());
+        EXPECT_EQ(master.coordinator.job_status(job).value().summary.failed, 1u);
+        const FakeWorker last(master, {.dies_of = deadly, .instance = 200});
+        const auto status = [&] { return master.coordinator.job_status(job).value(); };
+        master.run_until([&] { return status().state != JobState::Running; });
+        EXPECT_EQ(status().state, JobState::Done) << status().failure;
+        EXPECT_EQ(status().summary.failed, 1u);
+        EXPECT_EQ(status().summary.merged(), reference().scenarios.size());
+        EXPECT_FALSE(last.ended);
+    }
+}
+
+TEST(ServerRestart, AJobWhoseMeshIsDamagedWaitsUntilThatIsMended) {
+    const TemporaryFolder state;
+    JobId job;
+    {
+        Master master(no_return, state.path());
+        job = submit_to(master, AnalysisMode::Always);
+    }
+    const auto mesh = state / "meshes" / (to_hex(reference().a.hash()) + ".mesh");
+    const std::string whole = read_text(mesh);
+    std::string damaged = whole;
+    damaged[50] = static_cast<char>(damaged[50] ^ 1);
+    write_text(mesh, damaged);
+    Master master(no_return, state.path());
+    const FakeWorker worker(master, {});
+    const auto status = [&] { return master.coordinator.job_status(job).value(); };
+    master.run_until([&] { return !status().paused.empty(); });
+    EXPECT_NE(status().paused.find(mesh.filename()), std::string::npos) << status().paused;
+    EXPECT_EQ(status().state, JobState::Running);
+    write_text(mesh, whole);
+    expect_right_end(master, job);
+}
+
+/// It comes back by hand, or with another job.
+TEST(ServerRestart, AJobWhoseMeshIsMissingWaitsUntilItIsThereAgain) {
+    for (const bool by_hand : {true, false}) {
+        const TemporaryFolder state;
+        JobId job;
+        {
+            Master master(no_return, state.path());
+            job = submit_to(master, AnalysisMode::Always);
+        }
+        const auto mesh = mesh_path(state.path(), reference().a.hash());
+        const std::string whole = read_text(mesh);
+        std::filesystem::remove(mesh);
+        Master master(no_return, state.path());
+        const FakeWorker worker(master, {});
+        const auto status = [&] { return master.coordinator.job_status(job).value(); };
+        master.run_until([&] { return !status().paused.empty(); });
+        EXPECT_NE(status().paused.find(mesh.filename()), std::string::npos) << status().paused;
+        EXPECT_EQ(status().state, JobState::Running);
+        if (by_hand) {
+            write_text(mesh, whole);
+        } else {
+            submit_to(master, AnalysisMode::Always);
+        }
+        expect_right_end(master, job);
+    }
+}
+
+/// As the message about a damaged mesh says.
+TEST(ServerRestart, ADamagedMeshMayBeMovedAwayAndSubmittedAgain) {
+    const TemporaryFolder state;
+    JobId job;
+    {
+        Master master(no_return, state.path());
+        job = submit_to(master, AnalysisMode::Always);
+    }
+    const auto mesh = mesh_path(state.path(), reference().a.hash());
+    write_text(mesh, "rubbish");
+    Master master(no_return, state.path());
+    const FakeWorker worker(master, {});
+    const auto paused = [&] { return master.coordinator.job_status(job).value().paused; };
+    master.run_until([&] { return paused().find("move it away") != std::string::npos; });
+    std::filesystem::rename(mesh, state / "away");
+    master.run_until([&] { return paused().find("is missing") != std::string::npos; });
+    submit_to(master, AnalysisMode::Always);
+    expect_right_end(master, job);
+}
+
+TEST(ServerRestart, QuarantineAlarmsAndDoubtsAreAsTheyWere) {
+    for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
+        const TemporaryFolder state;
+        ClusterStatus before;
+        {
+            Master master(no_return, state.path());
+            before = run_to_the_alarm(master, mode);
+        }
+        ASSERT_GT(before.alarm_count, 0u);
+        ASSERT_GT(before.jobs.at(0).doubted, 0u);
+        Master master(no_return, state.path());
+        const ClusterStatus after = master.coordinator.cluster_status();
+        EXPECT_EQ(after.alarms, before.alarms);
+        EXPECT_EQ(after.alarm_count, before.alarm_count);
+        EXPECT_EQ(after.jobs.at(0).doubted, before.jobs.at(0).doubted);
+        FakeWorker good(master, {.instance = good_process});
+        expect_in_quarantine(master, liars_process);
+        expect_right_end(master, after.jobs.at(0).job);
+    }
+}
+
+/// In the next life of the master its analysis begins with all scenarios of the job. Until then a
+/// worker has answered some, and another was lost with all the others.
+JobId job_to_be_analysed(const std::filesystem::path& state) {
+    JobId job;
+    {
+        Master master(no_return, state);
+        job = submit_to(master, AnalysisMode::Never);
+        const FakeWorker worker(master, {.instance = good_process, .batches_max = 1});
+        master.run_until([&] { return worker.kept == 1; });
+    }
+    Writer writer(state);
+    const RecoveredJob& known = writer.recovered.jobs.at(0);
+    AddResults add{job, known.results, {}, known.progress, {}};
+    add.losses = {{{0, reference().scenarios.size()}, liars_process}};
+    writer.wait_for(writer.journal->add(std::move(add)));
+    return job;
+}
+
+TEST(ServerRestart, WhatAWorkerBringsBackIsNotAnalysed) {
+    const TemporaryFolder state;
+    const JobId job = job_to_be_analysed(state.path());
+    Master master({}, state.path());
+    master.run_until([&] { return master.coordinator.analysis_input(job).has_value(); });
+    const AnalysisInput input = master.coordinator.analysis_input(job).value();
+    const auto results = master.coordinator.results_of(job);
+    std::optional<Analysis> separate; // The only scenario that the worker does not bring.
+    std::vector<Results> brought;
+    for (const Scenario& scenario : reference().scenarios) {
+        Analysis analysis = analyse(input, scenario);
+        if (results->has(scenario.index)) {
+            continue;
+        }
+        if (!separate && analysis.finished) {
+            separate = std::move(analysis);
+        } else {
+            brought.push_back(right_results(job, scenario.index));
+        }
+    }
+    ASSERT_TRUE(separate);
+    ASSERT_GT(brought.size(), reference().scenarios.size() / 3) << "then this shows little";
+    const auto status = [&] { return master.coordinator.job_status(job).value(); };
+    const JobStatus before = status();
+    ASSERT_EQ(before.answered_by_master, 0u);
+
+    const FakeWorker worker(master, {.instance = good_process, .comes_with = brought});
+    expect_right_end(master, job);
+    EXPECT_EQ(status().answered_by_master, 1u);
+    EXPECT_EQ(status().statistics.search.box_tests - before.statistics.search.box_tests,
+              separate->cost.search.box_tests);
+}
+
+TEST(ServerRestart, WhatAnotherWorkerHasVouchedForIsNotDoubtedAgain) {
+    const TemporaryFolder state;
+    std::uint64_t doubted_first = 0;
+    std::uint64_t doubted_last = 0;
+    {
+        Master master(no_return, state.path());
+        doubted_first = run_to_the_alarm(master, AnalysisMode::Always).jobs.at(0).doubted;
+    }
+    {
+        Master master(no_return, state.path());
+        const auto doubted = [&] { return master.coordinator.cluster_status().jobs[0].doubted; };
+        {
+            const FakeWorker good(master, {.instance = good_process});
+            master.run_until([&] { return doubted() < doubted_first; });
+        }
+        wait_until_gone(master);
+        master.end();
+        doubted_last = doubted();
+    }
+    ASSERT_GT(doubted_first, doubted_last);
+    Master master(no_return, state.path());
+    EXPECT_EQ(master.coordinator.cluster_status().jobs.at(0).doubted, doubted_last);
+}
+
+TEST(ServerRestart, AWrongResultOfBeforeIsItsAuthorsAndAllOfThatAuthorIsDoubted) {
+    const TemporaryFolder state;
+    JobId ended;
+    JobId job;
+    std::optional<std::uint64_t> wrong;
+    {
+        Master master(no_return, state.path());
+        ended = submit_to(master, AnalysisMode::Never);
+        {
+            const FakeWorker still_good(master, {.instance = liars_process});
+            expect_right_end(master, ended);
+        }
+        job = submit_to(master, AnalysisMode::Never);
+        {
+            const FakeWorker liar(master,
+                                  {.lies_alone = 3, .instance = liars_process, .batches_max = 3});
+            master.run_until([&] { return liar.kept == 3; });
+        }
+        wait_until_gone(master);
+        wrong = wrong_scenario(*master.coordinator.results_of(job)); // All that is there.
+    }
+    ASSERT_TRUE(wrong);
+    Master master(no_return, state.path());
+    EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+    // Nobody of the earlier life is here. One comes with what contradicts it, as after a copy.
+    std::uint64_t missing = 0; // The job does not end before the two are compared.
+    while (master.coordinator.results_of(job)->has(missing)) {
+        ++missing;
+    }
+    FakeWorker good(
+        master,
+        {.instance = good_process, .comes_with = {right_results(job, *wrong)}, .holds = missing});
+    master.run_until([&] { return master.coordinator.alarm_count() != 0; });
+    good.go_on();
+    expect_right_end(master, job);
+    const ClusterStatus status = master.coordinator.cluster_status();
+    ASSERT_FALSE(status.alarms.empty());
+    const std::string named = "submit them again: " + std::to_string(ended.value);
+    EXPECT_TRUE(std::ranges::any_of(status.alarms, [&](const std::string& alarm) {
+        return alarm.ends_with(named);
+    })) << status.alarms.back();
+    expect_in_quarantine(master, liars_process);
+}
+
+/// The master dies between the moment in which it sees that two results differ, and says that it
+/// has both, and its verdict.
+TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
+    for (const FakeWorker::Habits& habits :
+         {FakeWorker::Habits{.lies_first = true, .instance = liars_process, .batches_max = 1},
+          FakeWorker::Habits{.lies_second = true, .instance = liars_process, .batches_max = 1}}) {
+        const TemporaryFolder at_death;
+        JobId job;
+        {
+            Master master;
+            job = submit_to(master, AnalysisMode::Never);
+            master.run_until([&] { return master.coordinator.analysis_input(job).has_value(); });
+            std::latch released(1);
+            for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
+                master.blocking.post([&] { released.wait(); }); // So that nothing is judged.
+            }
+            {
+                const FakeWorker liar(master, habits);
+                master.run_until([&] { return liar.kept == 2; });
+            }
+            wait_until_gone(master);
+            EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+            // All that there is is acknowledged, so nothing is being written.
+            std::filesystem::copy(
+                master.directory, at_death.path(), std::filesystem::copy_options::recursive);
+            released.count_down();
+        }
+        Master master(no_return, at_death.path());
+        EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+        master.run_until([&] { return master.coordinator.cluster_status().alarm_count != 0; });
+        FakeWorker good(master, {.instance = good_process});
+        expect_in_quarantine(master, liars_process);
+        expect_right_end(master, job);
+    }
+}
+
+} // namespace
+} // namespace cd::tests

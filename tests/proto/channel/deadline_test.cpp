@@ -1,0 +1,108 @@
+// Proves that a deadline holds for all that is done while it lives, whenever it is begun, and so
+// that nobody who sends little by little gets more time than who sends nothing.
+#include "proto/channel/deadline.hpp"
+
+#include "proto/channel/channel.hpp"
+#include "proto/channel/http.hpp"
+#include "tests/proto/loopback.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+namespace cd::tests {
+namespace {
+
+using namespace std::chrono_literals;
+using boost::system::error_code;
+
+/// Something that takes until it is cancelled.
+using Operation = asio::steady_timer;
+
+asio::awaitable<error_code> run(Operation& operation) {
+    operation.expires_after(patience);
+    error_code error;
+    co_await operation.async_wait(asio::redirect_error(asio::use_awaitable, error));
+    co_return error;
+}
+
+TEST(Deadline, WhatIsBegunAfterItsEndIsCancelledToo) {
+    run_conversation([]() -> asio::awaitable<void> {
+        Operation operation(co_await asio::this_coro::executor);
+        asio::steady_timer meanwhile(co_await asio::this_coro::executor);
+        const Deadline deadline(operation, 1ms);
+        // Nothing is under way when it ends.
+        while (!deadline.expired()) {
+            meanwhile.expires_after(1ms);
+            co_await meanwhile.async_wait(asio::use_awaitable);
+        }
+        for (int i = 0; i < 3; ++i) {
+            const error_code error = co_await run(operation);
+            EXPECT_EQ(error, asio::error::operation_aborted);
+        }
+    });
+}
+
+TEST(Deadline, ItsEndIsThatOfItsOwner) {
+    run_conversation([]() -> asio::awaitable<void> {
+        Operation operation(co_await asio::this_coro::executor);
+        {
+            const Deadline deadline(operation, 1ms);
+            const error_code error = co_await run(operation);
+            EXPECT_EQ(error, asio::error::operation_aborted);
+        }
+        // Several of its periods later.
+        operation.expires_after(200ms);
+        error_code error;
+        co_await operation.async_wait(asio::redirect_error(asio::use_awaitable, error));
+        EXPECT_FALSE(error);
+    });
+}
+
+/// A connection on which these bytes have come already, and no others ever will. They take several
+/// reads, so that none of them waits when a deadline that ends at once does.
+struct Flooded {
+    asio::ip::tcp::socket silent;
+    std::unique_ptr<Stream> stream;
+};
+
+asio::awaitable<Flooded> flood(std::string bytes) {
+    SocketEnds ends = co_await connect_sockets();
+    asio::ip::tcp::socket& silent = ends.left;
+    asio::ip::tcp::socket& socket = ends.right;
+    asio::write(silent, asio::buffer(bytes));
+    co_return Flooded{std::move(silent), std::make_unique<Stream>(std::move(socket))};
+}
+
+TEST(Deadline, AHandshakeThatIsReadWhenItEndsEndsWithIt) {
+    run_conversation([]() -> asio::awaitable<void> {
+        const WallTime now = std::chrono::system_clock::now();
+        const Identity master{CertifiedRole::Master, "master", now - 1min, now + 1h};
+        const auto tls = Tls::make(CertificateAuthority::make(now).issue(master)).value();
+        // A ClientHello of 128 KiB, of which each record carries one byte.
+        std::string bytes;
+        for (const char byte : std::string("\x01\x02\x00\x00", 4) + std::string(8000, 'x')) {
+            bytes += std::string("\x16\x03\x01\x00\x01", 5) + byte;
+        }
+        Flooded flooded = co_await flood(std::move(bytes));
+        const Status secured = co_await flooded.stream->secure(tls, TlsEnd::Accepting, 0ms);
+        EXPECT_EQ(secured.error().code, ErrorCode::Timeout);
+    });
+}
+
+TEST(Deadline, ARequestThatIsReadWhenItEndsEndsWithIt) {
+    run_conversation([]() -> asio::awaitable<void> {
+        Flooded flooded = co_await flood("GET /" + std::string(12'000, 'x'));
+        serve_http(
+            std::move(flooded.stream), [](const HttpRequest&) { return HttpAnswer(); }, 0ms);
+        char nothing = 0;
+        error_code error;
+        co_await flooded.silent.async_read_some(asio::buffer(&nothing, 1),
+                                                asio::redirect_error(asio::use_awaitable, error));
+        EXPECT_TRUE(error);
+    });
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,183 @@
+// Proves that a worker's thread answers a scenario from its subtrees, and that it stops when nobody
+// waits for the answer any more.
+#include "worker/execution/executor.hpp"
+
+#include "tests/worker/cut_body.hpp"
+#include "worker/execution/task.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <latch>
+#include <optional>
+#include <vector>
+
+namespace cd::tests {
+namespace {
+
+/// Two spheres of one mesh in one place, each as one subtree.
+ReadyScenario spheres_in_one_place(const ObbTree& tree, SubtreeForm form = SubtreeForm::Wide) {
+    ReadyScenario ready;
+    ready.query = std::make_shared<const Query>();
+    ready.pairs = {{0, 0}};
+    ready.roots_a = ready.roots_b = {0};
+    const auto whole = std::make_shared<const Subtree>(extract_subtree(tree, 0, form));
+    ready.subtrees_a = ready.subtrees_b = {whole};
+    return ready;
+}
+
+} // namespace
+
+TEST(Executor, AnswersAScenarioOrStopsWhenTold) {
+    const CutBody body = cut_body(make_sphere(4), 0);
+    const ReadyScenario ready = spheres_in_one_place(body.tree);
+    const auto whole = execute(ready, [] { return false; });
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(whole->count, 1u);
+    const auto record = std::span(whole->records).subspan(sizeof(std::uint32_t));
+    const auto result = decode_result(record);
+    ASSERT_TRUE(result) << result.error().detail;
+    EXPECT_GT(result.value().pair_count, 6000u);
+
+    EXPECT_FALSE(execute(ready, [] { return true; }));
+}
+
+/// The search asks whether it must stop; there the thread is held until the scenario is cancelled,
+/// so that it certainly is inside.
+TEST(Executor, AScenarioThatIsCancelledInsideItsRunStopsThereAndFreesItsThread) {
+    const CutBody body = cut_body(make_sphere(5), 0);
+    const ReadyScenario ready = spheres_in_one_place(body.tree);
+    std::size_t questions_of_all = 0;
+    const auto never = [&] { return ++questions_of_all == 0; };
+    ASSERT_TRUE(execute(ready, never));
+    ASSERT_GT(questions_of_all, 4u) << "then this shows little";
+
+    asio::io_context context;
+    const auto work = asio::make_work_guard(context);
+    Executor executor(context.get_executor(), 1);
+    DroppedScenarios dropped;
+    std::latch inside(1);
+    std::latch cancelled(1);
+    std::size_t questions = 0;
+    bool has_answer = true;
+    bool is_free = false;
+    executor.submit([&] {
+        const auto stop = [&] {
+            if (++questions == 2) {
+                inside.count_down();
+                cancelled.wait();
+            }
+            return dropped.contains(ready.scenario.index);
+        };
+        return Executor::Continuation(
+            [&, finished = execute(ready, stop)] { has_answer = finished.has_value(); });
+    });
+    executor.submit([&] { return Executor::Continuation([&] { is_free = true; }); });
+    inside.wait();
+    dropped.add(ready.scenario.index);
+    cancelled.count_down();
+    while (!is_free) {
+        context.run_one();
+    }
+    EXPECT_FALSE(has_answer);
+    EXPECT_EQ(questions, 2u) << "it went on after it had been told to stop";
+}
+
+TEST(Executor, BothFormsOfSubtreesHaveTheSameAnswer) {
+    const CutBody body = cut_body(make_sphere(3), 0);
+    const auto wide = execute(spheres_in_one_place(body.tree), {});
+    const auto binary = execute(spheres_in_one_place(body.tree, SubtreeForm::Binary), {});
+    ASSERT_TRUE(wide && binary);
+    EXPECT_EQ(wide->records, binary->records);
+}
+
+TEST(WorkerJob, OfTreesWhoseFormsDoNotSuitIsRefused) {
+    SubtreeCache cache(1u << 20);
+    ASSERT_TRUE(cache.add_tree(cut_body(make_sphere(1), 0).add(TreeId{1})));
+    ASSERT_TRUE(cache.add_tree(cut_body(make_sphere(1), 0, SubtreeForm::Binary).add(TreeId{2})));
+    const auto is_taken = [&](std::uint64_t a, std::uint64_t b, double tolerance) {
+        Query query;
+        query.tolerance = tolerance;
+        return static_cast<bool>(
+            make_worker_job({JobId{1}, {TreeId{a}, TreeId{b}}, query, std::nullopt}, cache));
+    };
+    EXPECT_TRUE(is_taken(1, 1, 0));
+    EXPECT_TRUE(is_taken(2, 2, 0));
+    EXPECT_TRUE(is_taken(2, 2, 0.5));
+    EXPECT_FALSE(is_taken(1, 1, 0.5));
+    EXPECT_FALSE(is_taken(1, 2, 0));
+    EXPECT_FALSE(is_taken(2, 1, 0));
+    EXPECT_FALSE(is_taken(1, 3, 0));
+}
+
+class TaskTest : public testing::Test {
+  protected:
+    void SetUp() override { ASSERT_TRUE(cache_.add_tree(body_.add(TreeId{1}))); }
+    std::shared_ptr<const WorkerJob> make_job(std::optional<Grid> grid = std::nullopt) {
+        AddJob add{JobId{1}, {TreeId{1}, TreeId{1}}, {}, std::nullopt};
+        if (grid) {
+            add.grid = encode_grid(*grid);
+        }
+        return make_worker_job(add, cache_).value();
+    }
+
+    CutBody body_ = cut_body(make_sphere(1), 0);
+    SubtreeCache cache_{1u << 20};
+};
+
+TEST_F(TaskTest, ThatNobodyWaitsForTellsItsThreads) {
+    Batch batch;
+    batch.task = TaskId{1};
+    batch.scenarios = pack_scenarios({});
+    batch.pair_offsets = {0};
+    auto task = Task::make(std::move(batch), make_job(), cache_);
+    ASSERT_TRUE(task) << task.error().detail;
+    const auto abandoned = task.value().abandoned();
+    EXPECT_FALSE(*abandoned);
+    Task moved = std::move(task.value());
+    moved.abandon();
+    EXPECT_TRUE(*abandoned);
+}
+
+TEST_F(TaskTest, OfARangeIsWalkedOnceInOrderWithAShareForEachThread) {
+    Grid grid;
+    grid.position[0] = {0, 1, 1000};
+    auto made = Task::make({TaskId{1}, JobId{1}, 100, 900, {}}, make_job(grid));
+    ASSERT_TRUE(made) << made.error().detail;
+    Task& task = made.value();
+    std::size_t next = 0;
+    while (task.has_unwalked()) {
+        const std::size_t left = 900 - next;
+        const Walk part = task.next_walk(cache_, 4);
+        EXPECT_EQ(part.begin, next);
+        ASSERT_GT(part.end, part.begin);
+        EXPECT_LE(part.end - part.begin, left / 8 + 1);
+        EXPECT_EQ(part.scenarios.at(part.begin), scenario_on(grid, 100 + part.begin));
+        next = part.end;
+        FinishedScenarios finished;
+        finished.count = static_cast<std::uint32_t>(part.end - part.begin);
+        finished.seconds = 1e-7 * finished.count; // Quick ones: more go together.
+        task.add(finished);
+    }
+    EXPECT_EQ(next, 900u);
+    EXPECT_EQ(task.unanswered(), 0u);
+}
+
+TEST_F(TaskTest, OfARangeThatDoesNotExistIsRefused) {
+    Grid grid;
+    grid.position[0] = {0, 1, 1000};
+    const auto refusal = [&](const ScenarioRange& range, const std::optional<Grid>& of) {
+        const auto made = Task::make(range, make_job(of));
+        return made ? "" : made.error().detail;
+    };
+    EXPECT_EQ(refusal({TaskId{1}, JobId{1}, 999, 1, {}}, grid), "");
+    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 999, 2, {}}, grid), "");
+    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 1001, 1, {}}, grid), "");
+    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 0, 1, {}}, std::nullopt), "") << "no poses";
+    const std::vector<Scenario> two(1);
+    EXPECT_EQ(refusal({TaskId{1}, JobId{1}, 0, 1, pack_scenarios(two)}, std::nullopt), "");
+    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 0, 2, pack_scenarios(two)}, std::nullopt), "");
+    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 0, 1, pack_scenarios(two)}, grid), "") << "both";
+}
+
+} // namespace cd::tests

@@ -1,0 +1,173 @@
+// Proves that a worker that is told to end hands over all that it has, also when its connection, or
+// its master, is away at that moment, and ends in its time all the same.
+#include "worker/membership/membership.hpp"
+
+#include "tests/worker/session_stage.hpp"
+
+#include <array>
+#include <memory>
+
+namespace cd::tests {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A worker's bond, and the masters that the test plays one after the other.
+struct Bond {
+    explicit Bond(asio::io_context& context)
+        : executor(context.get_executor(), 1), membership(executor, unlimited) {}
+
+    Executor executor;
+    Membership membership;
+    std::optional<SessionEnd> how; ///< Of the last connection.
+};
+
+asio::awaitable<void> serve(Bond& bond, std::shared_ptr<Channel> channel) {
+    bond.how.reset();
+    Hello hello;
+    hello.role = Role::Worker;
+    PeerParts peers;
+    const Result<Served> served =
+        co_await bond.membership.serve(std::move(channel), std::move(hello), std::move(peers));
+    EXPECT_TRUE(served);
+    bond.how = served ? served.value().how : SessionEnd::Lost;
+}
+
+/// Another connection, past the greeting. `epoch`: of the master's process; the session goes on in
+/// the same one. `heartbeat`: its period, which the master does not keep to: it sends none. So long
+/// a one that it does not seem silent, however slow the machine is.
+asio::awaitable<FakeMaster>
+welcome(Bond& bond, std::uint64_t epoch, std::chrono::milliseconds heartbeat = patience) {
+    Ends ends = co_await connect_ends();
+    spawn(bond.executor.home(), "worker", serve(bond, std::move(ends.left)));
+    const Result<Hello> hello = co_await accept_hello(ends.right);
+    EXPECT_TRUE(hello);
+    Welcome answer;
+    answer.id = 5;
+    answer.cluster = some_hash(1);
+    answer.epoch = epoch;
+    answer.is_resumed = hello && hello.value().epoch == epoch;
+    answer.heartbeat_ms = static_cast<std::uint32_t>(heartbeat.count());
+    answer.lost_after_ms = 10 * answer.heartbeat_ms;
+    ends.right->send(answer);
+    FakeMaster master(std::move(ends.right));
+    co_return master;
+}
+
+asio::awaitable<void> end_of_connection(Bond& bond) {
+    while (!bond.how) {
+        co_await asio::post(bond.executor.home(), asio::use_awaitable);
+    }
+}
+
+asio::awaitable<void> end_of_connection(Bond& bond, const FakeMaster& master) {
+    master.channel->close();
+    co_await end_of_connection(bond);
+}
+
+/// Results that the first master did not acknowledge.
+asio::awaitable<void> leave_unacknowledged(Bond& bond, std::span<const Scenario> scenarios) {
+    FakeMaster master = co_await welcome(bond, 1);
+    master.acknowledges = false;
+    master.add_job();
+    master.channel->send(make_batch(TaskId{1}, scenarios));
+    co_await master.serve_until_ended(1);
+    EXPECT_EQ(master.records.size(), scenarios.size());
+    co_await end_of_connection(bond, master);
+}
+
+using BondPlay = std::function<asio::awaitable<void>(Bond&)>;
+
+void perform_bond(const BondPlay& play) {
+    asio::io_context context;
+    Bond bond(context);
+    asio::co_spawn(
+        context, play(bond), [](const std::exception_ptr& thrown) { EXPECT_FALSE(thrown); });
+    context.run_for(patience);
+    EXPECT_TRUE(context.stopped()) << "something is still under way";
+}
+
+TEST(Membership, ToldToEndWithoutAConnectionItHandsOverWhatItHasOverTheNextOne) {
+    for (const std::uint64_t epoch : {1u, 2u}) { // The same master, and one that has started anew.
+        const auto scenarios = make_scenarios(600, 20);
+        perform_bond([&](Bond& bond) -> asio::awaitable<void> {
+            co_await leave_unacknowledged(bond, scenarios);
+            EXPECT_TRUE(bond.membership.has_work());
+            EXPECT_TRUE(bond.membership.drain(patience, [] { ADD_FAILURE() << "out of time"; }));
+            FakeMaster master = co_await welcome(bond, epoch);
+            co_await master.serve_until_ended(99); // Until the connection ends.
+            expect_all_right(master, scenarios);
+            EXPECT_TRUE(master.worker_drains);
+            EXPECT_EQ(bond.how, SessionEnd::Drained);
+            EXPECT_FALSE(bond.membership.has_work());
+            bond.membership.end();
+        });
+    }
+}
+
+TEST(Membership, WithNothingInHandAndNoConnectionItHasNothingToWaitFor) {
+    perform_bond([](Bond& bond) -> asio::awaitable<void> {
+        FakeMaster master = co_await welcome(bond, 1);
+        co_await end_of_connection(bond, master);
+        EXPECT_FALSE(bond.membership.drain(patience, [] {}));
+        bond.membership.end();
+    });
+}
+
+TEST(Membership, ThatNobodyRelievesEndsAtItsTime) {
+    const auto scenarios = make_scenarios(600, 5);
+    perform_bond([&](Bond& bond) -> asio::awaitable<void> {
+        co_await leave_unacknowledged(bond, scenarios);
+        bool is_out_of_time = false;
+        EXPECT_TRUE(bond.membership.drain(20ms, [&] { is_out_of_time = true; }));
+        while (!is_out_of_time) {
+            co_await asio::post(bond.executor.home(), asio::use_awaitable);
+        }
+        EXPECT_FALSE(bond.membership.unkept().empty()) << "it must not say that it was drained";
+    });
+}
+
+TEST(Membership, BearsTwiceTheSilenceWhenItMeetsItAgainAndAgain) {
+    // Three heartbeats, twice that, and what the master waits for this worker in any case.
+    static constexpr std::array<std::chrono::milliseconds, 4> times{60ms, 120ms, 200ms, 200ms};
+    perform_bond([](Bond& bond) -> asio::awaitable<void> {
+        for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+            const auto since = std::chrono::steady_clock::now();
+            const FakeMaster master = co_await welcome(bond, 1, 20ms);
+            co_await end_of_connection(bond);
+            EXPECT_EQ(bond.how, SessionEnd::Lost);
+            EXPECT_GE(std::chrono::steady_clock::now() - since, times[i]);
+            EXPECT_EQ(bond.membership.patience(), times[i + 1]);
+        }
+        bond.membership.end();
+    });
+}
+
+TEST(Membership, BearsTheUsualSilenceAgainAfterAConnectionThatWasGood) {
+    perform_bond([](Bond& bond) -> asio::awaitable<void> {
+        const FakeMaster silent = co_await welcome(bond, 1, 20ms);
+        co_await end_of_connection(bond);
+        EXPECT_EQ(bond.membership.patience(), 120ms);
+        const auto since = std::chrono::steady_clock::now();
+        const FakeMaster master = co_await welcome(bond, 1, 20ms);
+        while (std::chrono::steady_clock::now() - since < 600ms) {
+            master.channel->send(Heartbeat{});
+            co_await asio::post(bond.executor.home(), asio::use_awaitable);
+        }
+        co_await end_of_connection(bond);
+        EXPECT_EQ(bond.membership.patience(), 60ms);
+        bond.membership.end();
+    });
+}
+
+TEST(Membership, ABrokenConnectionIsNoSilence) {
+    perform_bond([](Bond& bond) -> asio::awaitable<void> {
+        const FakeMaster master = co_await welcome(bond, 1, 20ms);
+        co_await end_of_connection(bond, master);
+        EXPECT_EQ(bond.membership.patience(), 60ms);
+        bond.membership.end();
+    });
+}
+
+} // namespace
+} // namespace cd::tests

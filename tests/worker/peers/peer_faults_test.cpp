@@ -1,0 +1,202 @@
+// Proves that blocks that travel between workers over a network that damages, cuts or swallows them
+// come from the next source, or from the master, and that no result is another for it.
+#include "tests/cluster/faulty_proxy.hpp"
+#include "tests/worker/block_source.hpp"
+#include "tests/worker/session_stage.hpp"
+#include "worker/peers/peer_links.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+using Fault = std::function<void(FaultyProxy&)>;
+
+const Fault damaged = [](FaultyProxy& proxy) {
+    proxy.damage(false);
+    proxy.set(Weather::Fair);
+};
+const Fault cut = [](FaultyProxy& proxy) {
+    proxy.cut();
+    proxy.set(Weather::Fair);
+};
+const Fault swallowed = [](FaultyProxy& proxy) { proxy.set(Weather::Swallowed); };
+
+asio::awaitable<void> strike(FaultyProxy& proxy, std::uint64_t pieces, Fault fault) {
+    asio::steady_timer timer(co_await asio::this_coro::executor);
+    while (proxy.delayed() < pieces) {
+        timer.expires_after(std::chrono::milliseconds(1));
+        co_await timer.async_wait(asio::use_awaitable);
+    }
+    fault(proxy);
+}
+
+// ---- One fetch ------------------------------------------------------------------------------
+
+/// How a fetch ends whose one large block is struck midway; and that the next one is served.
+asio::awaitable<PeerOutcome> fetch_struck(Fault fault) {
+    const auto executor = co_await asio::this_coro::executor;
+    BlockSource source(executor, bodies().a, tree_a);
+    SubtreeBlock large = bodies().a.blocks[0];
+    large.compressed.resize(2u << 20);
+    source.blocks[0] = std::make_shared<const SubtreeBlock>(large);
+    FaultyProxy proxy(source.server->port());
+    proxy.set(Weather::Delayed);
+    PeerLinks links("a test");
+    std::size_t blocks = 0;
+    const PeerLinks::OnBlock on_block = [&](const SubtreeBlock& block) {
+        ++blocks;
+        EXPECT_EQ(block.compressed, large.compressed);
+    };
+    spawn(executor, "strike", strike(proxy, 8, fault)); // The greeting and the question are three.
+    std::vector<RootIndex> roots(1);
+    FetchFromPeers asked = source.directions(roots, proxy.port());
+    const PeerOutcome outcome = co_await links.fetch(asked.sources[0], asked, on_block);
+    EXPECT_EQ(blocks, 0u);
+    EXPECT_GE(proxy.delayed(), 8u) << "it was struck too late";
+
+    proxy.set(Weather::Fair);
+    asked = source.directions(roots, proxy.port());
+    const PeerOutcome next = co_await links.fetch(asked.sources[0], asked, on_block);
+    EXPECT_EQ(next, PeerOutcome::Given);
+    EXPECT_EQ(blocks, 1u);
+    co_return outcome;
+}
+
+TEST(PeerFaults, ABlockThatIsDamagedOnItsWayIsNotTaken) {
+    run_conversation([]() -> asio::awaitable<void> {
+        EXPECT_EQ(co_await fetch_struck(damaged), PeerOutcome::Unreachable);
+    });
+}
+
+TEST(PeerFaults, AFetchThatIsCutFailsAtOnce) {
+    run_conversation([]() -> asio::awaitable<void> {
+        EXPECT_EQ(co_await fetch_struck(cut), PeerOutcome::Unreachable);
+    });
+}
+
+TEST(PeerFaults, APeerThatFallsSilentIsWaitedForNoLongerThanAnAnswerMayTake) {
+    run_conversation([]() -> asio::awaitable<void> {
+        EXPECT_EQ(co_await fetch_struck(swallowed), PeerOutcome::Unreachable);
+    });
+}
+
+// ---- A session ------------------------------------------------------------------------------
+
+constexpr WorkerId far_worker{7};
+constexpr WorkerId near_worker{8};
+
+/// Two workers that hold the blocks of one body: one behind the proxy, and one that is not.
+struct Sources {
+    explicit Sources(const asio::any_io_executor& executor)
+        : far(executor, bodies().a, tree_a), near(executor, bodies().a, tree_a) {
+        far.hold_all();
+        near.hold_all();
+    }
+    FetchFromPeers directions(const std::vector<RootIndex>& roots, bool has_next) {
+        FetchFromPeers made = far.question(roots);
+        made.sources.push_back(far.ticket_for(roots, far_worker, proxy.port()));
+        if (has_next) {
+            made.sources.push_back(near.ticket_for(roots, near_worker));
+        }
+        return made;
+    }
+
+    BlockSource far;
+    BlockSource near;
+    FaultyProxy proxy{far.server->port()};
+};
+
+struct Story {
+    std::vector<FetchFailed> failed;
+    std::size_t given_by_master = 0; ///< Roots of this body.
+};
+
+/// A task, for which the session is sent to the sources once. Its results are right.
+asio::awaitable<Story> do_task(Stage& stage, Sources& sources, bool has_next) {
+    FakeMaster& master = stage.master;
+    const auto scenarios = make_scenarios(0, 40);
+    master.channel->send(make_batch(TaskId{1}, scenarios));
+    Story story;
+    bool is_sent = false;
+    while (master.ended.empty()) {
+        Result<Message> message = co_await master.channel->receive(patience);
+        EXPECT_TRUE(message);
+        if (!message) {
+            break;
+        }
+        const auto* const want = std::get_if<WantSubtrees>(&message.value());
+        const bool is_of_body = want != nullptr && want->tree == tree_a;
+        if (const auto* const failure = std::get_if<FetchFailed>(&message.value())) {
+            story.failed.push_back(*failure);
+        } else if (is_of_body && !std::exchange(is_sent, true)) {
+            for (const RootIndex root : want->roots) {
+                master.given.insert({tree_a, root});
+            }
+            master.channel->send(sources.directions(want->roots, has_next));
+        } else {
+            story.given_by_master += is_of_body ? want->roots.size() : 0;
+            std::visit([&](auto& content) { master.on(content); }, message.value());
+        }
+    }
+    expect_all_right(master, scenarios);
+    co_return story;
+}
+
+/// The far source is struck after so many pieces: 1 in the greeting, 3 when it is asked for blocks.
+void expect_others_serve(std::uint64_t pieces, const Fault& fault, bool has_next = true) {
+    perform(unlimited, 1, [&](Stage& stage) -> asio::awaitable<void> {
+        const auto executor = co_await asio::this_coro::executor;
+        Sources sources(executor);
+        sources.proxy.set(Weather::Delayed);
+        spawn(executor, "strike", strike(sources.proxy, pieces, fault));
+        const Story story = co_await do_task(stage, sources, has_next);
+        EXPECT_EQ(story.failed.size(), 1u);
+        if (!story.failed.empty()) {
+            EXPECT_EQ(story.failed[0].source, far_worker);
+            EXPECT_EQ(story.failed[0].outcome, PeerOutcome::Unreachable);
+        }
+        EXPECT_EQ(story.given_by_master == 0, has_next);
+        EXPECT_EQ(sources.near.server->uploaded_bytes() != 0, has_next);
+    });
+}
+
+TEST(PeerFaults, TheNextSourceServesWhenBytesAreDamaged) {
+    expect_others_serve(1, damaged);
+    expect_others_serve(3, damaged);
+}
+
+TEST(PeerFaults, TheNextSourceServesWhenTheConnectionIsCut) {
+    expect_others_serve(1, cut);
+    expect_others_serve(3, cut);
+}
+
+TEST(PeerFaults, TheNextSourceServesWhenThePeerFallsSilent) {
+    expect_others_serve(1, swallowed);
+}
+
+TEST(PeerFaults, WithoutAnotherSourceTheMasterServes) {
+    expect_others_serve(3, damaged, false);
+    expect_others_serve(3, cut, false);
+}
+
+TEST(PeerFaults, ABlockThatWasDamagedBeforeItWasSentIsRefusedByItsHash) {
+    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
+        Sources sources(co_await asio::this_coro::executor);
+        for (auto& [root, block] : sources.far.blocks) {
+            SubtreeBlock damaged_block = *block;
+            damaged_block.compressed[damaged_block.compressed.size() / 2] ^= std::byte{0x10};
+            block = std::make_shared<const SubtreeBlock>(damaged_block);
+        }
+        const Story story = co_await do_task(stage, sources, true);
+        EXPECT_GT(story.given_by_master, 0u);
+        EXPECT_EQ(story.failed.size(), story.given_by_master);
+        for (const FetchFailed& failure : story.failed) {
+            EXPECT_EQ(failure.source, far_worker);
+            EXPECT_EQ(failure.outcome, PeerOutcome::Damaged);
+        }
+    });
+}
+
+} // namespace
+} // namespace cd::tests

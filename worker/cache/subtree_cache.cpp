@@ -1,0 +1,356 @@
+#include "worker/cache/subtree_cache.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/files/compress.hpp"
+#include "common/core/limits/limits.hpp"
+#include "common/tree/wire/top_block.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cd {
+
+Result<OpenedBlock> open_block(const SubtreeBlock& block) {
+    const Result<Bytes> bytes = decompress(block.compressed, limits::subtree_block_bytes_max);
+    if (!bytes) {
+        return bytes.error();
+    }
+    if (sha256(bytes.value()) != block.hash) {
+        return Error{ErrorCode::BadFrame,
+                     "the block of root " + std::to_string(block.root) + " has not its hash"};
+    }
+    if (block.root == top_root) {
+        Result<TreeTop> top = decode_top(bytes.value());
+        return top ? Result<OpenedBlock>(std::make_shared<const TreeTop>(std::move(top.value())))
+                   : top.error();
+    }
+    Result<Subtree> subtree = decode_subtree(bytes.value());
+    return subtree
+               ? Result<OpenedBlock>(std::make_shared<const Subtree>(std::move(subtree.value())))
+               : subtree.error();
+}
+
+namespace {
+
+/// No master comes to such numbers of trees.
+constexpr std::uint64_t parked_first = std::uint64_t{1} << 63;
+
+} // namespace
+
+bool SubtreeCache::is_parked(TreeId tree) {
+    return tree.value >= parked_first;
+}
+
+void SubtreeCache::rename(TreeId from, TreeId to) {
+    auto node = trees_.extract(from);
+    node.key() = to;
+    for (Slot& slot : node.mapped().slots) {
+        if (slot.is_idle) {
+            slot.place->tree = to;
+        }
+    }
+    const bool is_new = trees_.insert(std::move(node)).inserted;
+    CD_CHECK(is_new);
+}
+
+void SubtreeCache::park() {
+    for (auto& [id, tree] : trees_) {
+        for (RootIndex root = 0; root < tree.slots.size(); ++root) {
+            tree.slots[root].is_pinned = false;
+            if (tree.partial.at(root) != nullptr && !tree.slots[root].is_idle) {
+                set_idle(tree.slots[root], {id, root});
+            }
+        }
+    }
+    for (const TreeId id : trees()) {
+        rename(id, TreeId{parked_first + parked_last_++});
+    }
+    evict_beyond_limit();
+    evicted_.clear();
+}
+
+std::vector<Sha256> SubtreeCache::parked() const {
+    std::vector<Sha256> names;
+    for (const auto& [id, tree] : trees_) {
+        if (is_parked(id) && !held(id).empty()) {
+            names.push_back(tree.named.cut);
+        }
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+void SubtreeCache::drop_parked() {
+    while (!trees_.empty() && is_parked(trees_.rbegin()->first)) {
+        remove_tree(trees_.rbegin()->first);
+    }
+}
+
+std::vector<TreeId> SubtreeCache::trees() const {
+    std::vector<TreeId> present;
+    for (const auto& [id, tree] : trees_) {
+        if (!is_parked(id)) {
+            present.push_back(id);
+        }
+    }
+    return present;
+}
+
+std::vector<RootIndex> SubtreeCache::held(TreeId tree) const {
+    std::vector<RootIndex> roots;
+    if (const PartialObbTree* const partial = find(tree)) {
+        for (RootIndex root = 0; root < partial->root_count(); ++root) {
+            if (partial->at(root) != nullptr) {
+                roots.push_back(root);
+            }
+        }
+        if (partial->has_top()) {
+            roots.push_back(top_root);
+        }
+    }
+    return roots;
+}
+
+Status SubtreeCache::add_tree(const AddTree& add) {
+    const std::string name = "tree " + std::to_string(add.tree.value);
+    if (add.roots == 0 || add.roots > add.triangles || is_parked(add.tree)) {
+        return Error{ErrorCode::BadFrame, name + " cannot be"};
+    }
+    if (trees_.contains(add.tree)) {
+        return Error{ErrorCode::BadFrame, name + " was added already"};
+    }
+    for (auto& [id, parked] : trees_) {
+        const AddTree& named = parked.named;
+        // The name says that the blocks are the same; whether it was given rightly is not believed.
+        if (is_parked(id) && named.cut == add.cut && named.form == add.form &&
+            named.top == add.top && named.roots == add.roots && named.triangles == add.triangles) {
+            rename(id, add.tree);
+            return Done{};
+        }
+    }
+    trees_.try_emplace(add.tree, add);
+    return Done{};
+}
+
+void SubtreeCache::remove_tree(TreeId tree) {
+    const auto found = trees_.find(tree);
+    if (found == trees_.end()) {
+        return;
+    }
+    Tree& removed = found->second;
+    for (RootIndex root = 0; root < removed.slots.size(); ++root) {
+        if (removed.partial.at(root) != nullptr) {
+            bytes_ -= bytes_of(removed, root);
+        }
+        if (removed.slots[root].is_idle) {
+            idle_.erase(removed.slots[root].place);
+        }
+    }
+    bytes_ -= bytes_of_top(removed);
+    trees_.erase(found);
+    std::erase_if(evicted_, [&](const SubtreeKey& key) { return key.tree == tree; });
+}
+
+const PartialObbTree* SubtreeCache::find(TreeId tree) const {
+    const auto found = trees_.find(tree);
+    return found == trees_.end() ? nullptr : &found->second.partial;
+}
+
+std::shared_ptr<const PartialObbTree> SubtreeCache::snapshot(TreeId tree) {
+    const auto found = trees_.find(tree);
+    if (found == trees_.end()) {
+        return nullptr;
+    }
+    if (found->second.snapshot == nullptr) {
+        found->second.snapshot = std::make_shared<const PartialObbTree>(found->second.partial);
+    }
+    return found->second.snapshot;
+}
+
+void SubtreeCache::touch(const SubtreeKey& key) {
+    const Tree* const tree = find_tree(key);
+    if (tree != nullptr && tree->slots[key.root].is_idle) {
+        idle_.splice(idle_.end(), idle_, tree->slots[key.root].place);
+    }
+}
+
+SubtreeCache::Tree* SubtreeCache::find_tree(const SubtreeKey& key) {
+    const auto found = trees_.find(key.tree);
+    const bool is_there = found != trees_.end() && key.root < found->second.slots.size();
+    return is_there ? &found->second : nullptr;
+}
+
+std::uint64_t SubtreeCache::bytes_of(const Tree& tree, RootIndex root) {
+    const auto& block = tree.slots[root].block;
+    return tree.partial.at(root)->memory_bytes() +
+           (block == nullptr ? 0 : block->compressed.size());
+}
+
+std::uint64_t SubtreeCache::bytes_of_top(const Tree& tree) {
+    return tree.partial.has_top()
+               ? tree.partial.top().nodes.size() * sizeof(ObbNode) +
+                     (tree.top_block == nullptr ? 0 : tree.top_block->compressed.size())
+               : 0;
+}
+
+Status SubtreeCache::insert(const SubtreeKey& key,
+                            OpenedBlock opened,
+                            std::shared_ptr<const SubtreeBlock> block) {
+    const auto found = trees_.find(key.tree);
+    if (found == trees_.end() || has(key)) {
+        return Done{};
+    }
+    if (auto* const top = std::get_if<std::shared_ptr<const TreeTop>>(&opened)) {
+        return set_top(found->second, std::move(*top), std::move(block));
+    }
+    auto& subtree = std::get<std::shared_ptr<const Subtree>>(opened);
+    return fill(key, found->second, std::move(subtree), std::move(block));
+}
+
+Status SubtreeCache::fill(const SubtreeKey& key,
+                          Tree& tree,
+                          std::shared_ptr<const Subtree> subtree,
+                          std::shared_ptr<const SubtreeBlock> block) {
+    const std::string name = "a block for root " + std::to_string(key.root);
+    if (key.root >= tree.slots.size()) {
+        return Error{ErrorCode::BadFrame,
+                     name + " of a tree with " + std::to_string(tree.slots.size()) + " roots"};
+    }
+    if (subtree->form() != tree.named.form) {
+        return Error{ErrorCode::BadFrame, name + " has another form than the tree's"};
+    }
+    if (tree.partial.has_top() &&
+        subtree->triangle_count() != tree.partial.top().triangles_under(key.root)) {
+        return Error{ErrorCode::BadFrame,
+                     name + " has another number of triangles than the tree's top says"};
+    }
+    tree.partial.fill(key.root, std::move(subtree));
+    tree.snapshot.reset();
+    Slot& slot = tree.slots[key.root];
+    slot.block = std::move(block);
+    bytes_ += bytes_of(tree, key.root);
+    if (!slot.is_pinned) {
+        set_idle(slot, key);
+    }
+    evict_beyond_limit();
+    return Done{};
+}
+
+Status SubtreeCache::set_top(Tree& tree,
+                             std::shared_ptr<const TreeTop> top,
+                             std::shared_ptr<const SubtreeBlock> block) {
+    if (top->root_count() != tree.named.roots || top->triangle_count() != tree.named.triangles) {
+        return Error{ErrorCode::BadFrame,
+                     "a top of " + std::to_string(top->root_count()) + " roots for a tree with " +
+                         std::to_string(tree.named.roots)};
+    }
+    for (RootIndex root = 0; root < tree.named.roots; ++root) {
+        const auto& subtree = tree.partial.at(root);
+        if (subtree != nullptr && subtree->triangle_count() != top->triangles_under(root)) {
+            return Error{ErrorCode::BadFrame,
+                         "a top that says another number of triangles than the block of root " +
+                             std::to_string(root)};
+        }
+    }
+    tree.partial.set_top(std::move(top));
+    tree.snapshot.reset();
+    tree.top_block = std::move(block);
+    bytes_ += bytes_of_top(tree);
+    evict_beyond_limit();
+    return Done{};
+}
+
+std::shared_ptr<const Subtree> SubtreeCache::at(const SubtreeKey& key) const {
+    const PartialObbTree* const tree = find(key.tree);
+    const bool is_slot = tree != nullptr && key.root < tree->root_count();
+    return is_slot ? tree->at(key.root) : nullptr;
+}
+
+bool SubtreeCache::has(const SubtreeKey& key) const {
+    const PartialObbTree* const tree = find(key.tree);
+    return key.root == top_root ? tree != nullptr && tree->has_top() : at(key) != nullptr;
+}
+
+std::shared_ptr<const SubtreeBlock> SubtreeCache::block_at(const SubtreeKey& key) const {
+    const auto tree = trees_.find(key.tree);
+    if (tree != trees_.end() && key.root == top_root) {
+        return tree->second.top_block;
+    }
+    const bool is_slot = tree != trees_.end() && key.root < tree->second.slots.size();
+    return is_slot ? tree->second.slots[key.root].block : nullptr;
+}
+
+void SubtreeCache::pin(const SubtreeKey& key) {
+    Tree* const tree = find_tree(key);
+    if (tree == nullptr) {
+        return;
+    }
+    Slot& slot = tree->slots[key.root];
+    slot.is_pinned = true;
+    if (slot.is_idle) {
+        idle_.erase(slot.place);
+        slot.is_idle = false;
+    }
+}
+
+void SubtreeCache::unpin(const SubtreeKey& key) {
+    Tree* const tree = find_tree(key);
+    if (tree == nullptr || !tree->slots[key.root].is_pinned) {
+        return;
+    }
+    Slot& slot = tree->slots[key.root];
+    slot.is_pinned = false;
+    if (tree->partial.at(key.root) != nullptr) {
+        set_idle(slot, key);
+        evict_beyond_limit();
+    }
+}
+
+void SubtreeCache::set_idle(Slot& slot, const SubtreeKey& key) {
+    CD_CHECK(!slot.is_idle);
+    slot.is_idle = true;
+    slot.place = idle_.insert(idle_.end(), key);
+}
+
+std::size_t SubtreeCache::let_go(std::uint64_t bytes) {
+    const std::uint64_t evictions_before = evictions_;
+    evict_beyond(bytes);
+    return static_cast<std::size_t>(evictions_ - evictions_before);
+}
+
+void SubtreeCache::evict_beyond(std::uint64_t bytes_max) {
+    while (bytes_ > bytes_max && !idle_.empty()) {
+        const SubtreeKey key = idle_.front();
+        idle_.pop_front();
+        Tree& tree = trees_.at(key.tree);
+        tree.slots[key.root].is_idle = false;
+        bytes_ -= bytes_of(tree, key.root);
+        tree.partial.empty(key.root);
+        tree.snapshot.reset();
+        tree.slots[key.root].block.reset();
+        if (!is_parked(key.tree)) {
+            evicted_.push_back(key); // Of the others nobody was told.
+        }
+        ++evictions_;
+    }
+}
+
+std::vector<SubtreeKey> SubtreeCache::take_evicted() {
+    return std::exchange(evicted_, {});
+}
+
+std::uint64_t SubtreeCache::bytes_expected(const SubtreeKey& key) const {
+    const auto found = trees_.find(key.tree);
+    CD_CHECK(found != trees_.end());
+    const AddTree& named = found->second.named;
+    if (key.root == top_root) {
+        return (2ull * named.roots - 1) * sizeof(ObbNode);
+    }
+    // Roots of one depth have about as many triangles each.
+    const std::uint64_t triangles = (named.triangles + named.roots - 1ull) / named.roots;
+    return triangles * (named.form == SubtreeForm::Wide ? limits::wide_bytes_per_triangle
+                                                        : limits::binary_bytes_per_triangle);
+}
+
+} // namespace cd

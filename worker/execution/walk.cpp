@@ -1,0 +1,144 @@
+#include "worker/execution/walk.hpp"
+
+#include "common/job/run_scenario.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+/// Which roots of a tree are used by any of the scenarios.
+class UsedRoots {
+  public:
+    explicit UsedRoots(std::uint32_t root_count) : used_by_(root_count, 0) {}
+
+    /// Scenarios count from 1. True when the root is new to this one, if it came last.
+    bool add(RootIndex root, std::uint32_t scenario) {
+        return std::exchange(used_by_[root], scenario) != scenario;
+    }
+    void append_keys(TreeId tree, std::vector<SubtreeKey>& keys) const {
+        for (RootIndex root = 0; root < used_by_.size(); ++root) {
+            if (used_by_[root] != 0) {
+                keys.push_back({tree, root});
+            }
+        }
+    }
+
+  private:
+    std::vector<std::uint32_t> used_by_; ///< The last one; 0: none.
+};
+
+class Walker {
+  public:
+    explicit Walker(const Walk& walk)
+        : walk_(walk),
+          used_a_(walk.a->root_count()),
+          used_b_of_its_own_(walk.b->root_count()),
+          used_b_(walk.job->tree_a == walk.job->tree_b ? used_a_ : used_b_of_its_own_) {}
+
+    /// False when it was told to stop.
+    bool run(std::size_t place, const Scenario& scenario, const RunOptions& options) {
+        Result<CollidingRoots> roots =
+            colliding_roots(walk_.a->top(), walk_.b->top(), scenario.poses);
+        FinishedScenarios& finished = walked_.finished;
+        if (!roots) {
+            finished.add(encode_result(failed_result(scenario, walk_.job->query, roots.error())));
+            return true;
+        }
+        finished.statistics.box_tests += roots.value().box_tests;
+        if (!gather(roots.value().pairs)) {
+            walked_.waiting.push_back({place, std::move(roots.value().pairs)});
+            return true;
+        }
+        const ScenarioRun run = run_on_subtrees(kept_, pairs_, scenario, walk_.job->query, options);
+        if (run.is_stopped) {
+            return false;
+        }
+        finished.add(encode_result(run.result));
+        finished.statistics += run.statistics;
+        map_.add(run.found);
+        return true;
+    }
+
+    [[nodiscard]] Walked take() {
+        walked_.finished.map = map_.take();
+        used_a_.append_keys(walk_.job->tree_a, walked_.used);
+        used_b_of_its_own_.append_keys(walk_.job->tree_b, walked_.used);
+        return std::move(walked_);
+    }
+
+  private:
+    /// The subtrees of the pairs; false when one is not here.
+    bool gather(std::span<const RootPair> pairs) {
+        pairs_.clear();
+        ++scenario_;
+        std::uint64_t found = 0;
+        for (const RootPair& pair : pairs) {
+            const Subtree* const a = walk_.a->at(pair.a).get();
+            const Subtree* const b = walk_.b->at(pair.b).get();
+            if (a == nullptr || b == nullptr) {
+                return false;
+            }
+            found += used_a_.add(pair.a, scenario_) ? 1 : 0;
+            found += used_b_.add(pair.b, scenario_) ? 1 : 0;
+            pairs_.push_back({a->view(), b->view()});
+        }
+        walked_.found += found;
+        return true;
+    }
+
+    const Walk& walk_;
+    UsedRoots used_a_;
+    UsedRoots used_b_of_its_own_;
+    UsedRoots& used_b_; ///< The bodies may share a mesh.
+    std::uint32_t scenario_ = 0;
+    std::vector<SubtreePair> pairs_;
+    KeptSearch kept_;
+    ContactMapSum map_;
+    Walked walked_;
+};
+
+} // namespace
+
+Scenario TaskScenarios::at(std::size_t place) const {
+    if (list_ != nullptr) {
+        return (*list_)[place];
+    }
+    return scenario_on(*job_->grid, first_ + place);
+}
+
+void FinishedScenarios::add(const Bytes& record) {
+    const auto size = static_cast<std::uint32_t>(record.size());
+    const auto size_bytes = std::as_bytes(std::span(&size, 1));
+    records.insert(records.end(), size_bytes.begin(), size_bytes.end());
+    records.insert(records.end(), record.begin(), record.end());
+    ++count;
+}
+
+Walked walk(const Walk& walk, const StopCheck& stop, ScenarioClock& clock) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto is_dropped = [&](std::uint64_t scenario) {
+        return walk.job->dropped->contains(scenario) || walk.answered_elsewhere->contains(scenario);
+    };
+    RunOptions options;
+    options.stop = [&] { return (stop && stop()) || is_dropped(clock.scenario()); };
+    Walker walker(walk);
+    std::size_t place = walk.begin;
+    std::size_t unanswered = 0;
+    for (; place < walk.end && !(stop && stop()); ++place) {
+        const Scenario scenario = walk.scenarios.at(place);
+        clock.begin(scenario.index);
+        unanswered += !is_dropped(scenario.index) && walker.run(place, scenario, options) ? 0 : 1;
+    }
+    clock.end();
+    Walked walked = walker.take();
+    walked.left = walk.end - place + unanswered;
+    walked.finished.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return walked;
+}
+
+} // namespace cd

@@ -1,0 +1,46 @@
+#include "worker/execution/worker_job.hpp"
+
+#include <utility>
+
+namespace cd {
+
+void DroppedScenarios::add(std::uint64_t scenario) {
+    const std::lock_guard lock(mutex_);
+    scenarios_.insert(scenario);
+    any_.store(true);
+}
+
+bool DroppedScenarios::contains(std::uint64_t scenario) const {
+    if (!any_.load(std::memory_order_relaxed)) {
+        return false;
+    }
+    const std::lock_guard lock(mutex_);
+    return scenarios_.contains(scenario);
+}
+
+Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const SubtreeCache& cache) {
+    const std::string name = "job " + std::to_string(add.job.value) + " ";
+    if (add.trees.size() != 2) {
+        return Error{ErrorCode::BadFrame,
+                     name + "has " + std::to_string(add.trees.size()) + " bodies and not two"};
+    }
+    const auto [tree_a, tree_b] = std::pair(add.trees[0], add.trees[1]);
+    if (cache.find(tree_a) == nullptr || cache.find(tree_b) == nullptr) {
+        return Error{ErrorCode::BadFrame, name + "names a tree that is not here"};
+    }
+    const SubtreeForm form = cache.form_of(tree_a);
+    if (form != cache.form_of(tree_b) || (add.query.tolerance > 0 && form != SubtreeForm::Binary)) {
+        return Error{ErrorCode::BadFrame, name + "has trees whose forms do not suit"};
+    }
+    WorkerJob job{add.job, tree_a, tree_b, std::move(add.query), {}};
+    if (add.grid) {
+        Result<Grid> grid = decode_grid(*add.grid);
+        if (!grid) {
+            return Error{ErrorCode::BadFrame, name + "has a bad grid: " + grid.error().detail};
+        }
+        job.grid = std::move(grid.value());
+    }
+    return std::make_shared<const WorkerJob>(std::move(job));
+}
+
+} // namespace cd

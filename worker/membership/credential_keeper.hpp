@@ -1,0 +1,44 @@
+// Keeps the certificate valid that a worker shows to its master and to other workers.
+#pragma once
+
+#include "proto/access/credential_file.hpp"
+#include "proto/channel/channel.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace cd {
+
+/// Owns one credential file, which other workers on this host may share. One thread.
+class CredentialKeeper {
+  public:
+    /// Works without a certificate if there is no file. Errors: those of
+    /// `read_credential` but NotFound.
+    [[nodiscard]] static Result<std::unique_ptr<CredentialKeeper>>
+    open(const asio::any_io_executor& executor, std::filesystem::path path, Endpoint master);
+
+    [[nodiscard]] bool is_secured() const { return tls_->now != nullptr; }
+    [[nodiscard]] std::shared_ptr<const TlsSlot> tls() const { return tls_; }
+
+    /// Renews it whenever half of its time is over, until `stop`.
+    [[nodiscard]] asio::awaitable<void> keep();
+    void stop();
+
+  private:
+    CredentialKeeper(const asio::any_io_executor& executor,
+                     std::filesystem::path path,
+                     Endpoint master);
+
+    [[nodiscard]] Status load();
+    [[nodiscard]] bool is_due() const;
+    [[nodiscard]] std::chrono::milliseconds pause_after_failure() const;
+    [[nodiscard]] asio::awaitable<Status> renew();
+
+    std::filesystem::path path_;
+    Endpoint master_;
+    std::shared_ptr<TlsSlot> tls_ = std::make_shared<TlsSlot>();
+    asio::steady_timer pause_;
+    bool stopped_ = false;
+};
+
+} // namespace cd
