@@ -3,7 +3,6 @@
 // same machine. Prints MB/s and the processor time of both ends together, a line for each round.
 //
 //   proto_tls_bench [MEGABYTES] [ROUNDS]
-#include "common/core/limits/limits.hpp"
 #include "proto/channel/channel.hpp"
 
 #include <chrono>

@@ -13,7 +13,7 @@
 #include "common/core/check.hpp"
 #include "common/core/files/compress.hpp"
 #include "common/core/files/hash.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/varint.hpp"
 #include "common/tree/build/build.hpp"
 #include "common/tree/cut.hpp"

@@ -4,6 +4,8 @@
 #include "common/core/duration.hpp"
 #include "common/core/files/state_folder.hpp"
 #include "common/core/host/daemon_options.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "common/geometry/simd_target.hpp"
 
 #include <CLI/CLI.hpp>

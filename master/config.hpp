@@ -1,7 +1,7 @@
 // The options of cdmaster: from its command line, CDMASTER_* in the environment, and a TOML file.
 #pragma once
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/jobs/job_retention.hpp"
 #include "master/workers/worker_watch.hpp"
 #include "proto/channel/channel.hpp"

@@ -4,7 +4,8 @@
 #include "common/core/files/state_folder.hpp"
 #include "common/core/host/daemon_options.hpp"
 #include "common/core/host/memory_limit.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
+#include "common/core/limits/worker.hpp"
 #include "common/core/printable.hpp"
 #include "common/geometry/simd_target.hpp"
 

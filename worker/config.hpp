@@ -1,7 +1,7 @@
 // The options of cdworker: from its command line, CDWORKER_* in the environment, and a TOML file.
 #pragma once
 
-#include "common/core/limits/limits_worker.hpp"
+#include "common/core/limits/worker.hpp"
 #include "common/core/result.hpp"
 #include "proto/access/join_token.hpp"
 #include "proto/channel/channel.hpp"

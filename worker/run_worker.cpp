@@ -1,8 +1,8 @@
 #include "worker/run_worker.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_worker.hpp"
+#include "common/core/limits/wire.hpp"
+#include "common/core/limits/worker.hpp"
 #include "common/core/version.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "proto/access/credential_file.hpp"

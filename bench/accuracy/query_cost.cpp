@@ -9,7 +9,7 @@
 #include "bench/accuracy/timing.hpp"
 #include "common/core/check.hpp"
 #include "common/core/host/thread_pool.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build/build.hpp"
 

@@ -1,6 +1,6 @@
 #include "client/base/child_process.hpp"
 
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>

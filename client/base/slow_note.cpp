@@ -1,6 +1,6 @@
 #include "client/base/slow_note.hpp"
 
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
 
 #include <cstdio>
 #include <utility>

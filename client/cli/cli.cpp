@@ -5,7 +5,7 @@
 #include "client/cli/cli_mistakes.hpp"
 #include "client/cli/cli_options.hpp"
 #include "common/core/build_info.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "common/geometry/simd_target.hpp"
 
 #include <CLI/CLI.hpp>

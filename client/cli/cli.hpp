@@ -2,7 +2,7 @@
 #pragma once
 
 #include "client/spec/job_options.hpp"
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
 #include "common/pair/triangle_pair.hpp"
 
 #include <cstdint>

@@ -2,7 +2,8 @@
 
 #include "client/base/units.hpp"
 #include "client/trees/tree_cache.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/client.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -5,7 +5,7 @@
 #include "client/commands/run_command.hpp"
 #include "client/local/local_cluster.hpp"
 #include "client/trees/demo_vehicles.hpp"
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
 
 #include <algorithm>
 #include <chrono>

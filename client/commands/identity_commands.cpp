@@ -6,6 +6,7 @@
 #include "client/commands/remote_session.hpp"
 #include "client/remote/membership.hpp"
 #include "common/core/duration.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <unistd.h>
 

@@ -8,7 +8,8 @@
 #include "client/remote/credential_renewal.hpp"
 #include "client/remote/membership.hpp"
 #include "client/report/waiting_note.hpp"
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_map.hpp"
 
 #include <algorithm>

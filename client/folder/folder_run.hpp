@@ -8,7 +8,7 @@
 #include "client/folder/run_recorder.hpp"
 #include "client/job/prepared_job.hpp"
 #include "client/report/report.hpp"
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
 #include "common/core/result.hpp"
 #include "common/job/result/merge.hpp"
 

@@ -1,6 +1,6 @@
 #include "client/folder/run_manifest.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <nlohmann/json.hpp>
 

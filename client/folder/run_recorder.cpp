@@ -1,6 +1,6 @@
 #include "client/folder/run_recorder.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_map.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "client/local/done_scenario.hpp"
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
 #include "common/core/result.hpp"
 #include "common/job/block_file.hpp"
 #include "common/job/result/contact_map.hpp"

@@ -1,6 +1,6 @@
 #include "client/formats/npz_file.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/client.hpp"
 
 #include <algorithm>
 #include <span>

@@ -3,6 +3,7 @@
 
 #include "client/formats/npy.hpp"
 #include "client/formats/zip_file.hpp"
+#include "common/core/limits/client.hpp"
 #include "common/core/result.hpp"
 
 #include <cstdint>

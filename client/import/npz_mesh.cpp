@@ -1,7 +1,7 @@
 #include "client/import/npz_mesh.hpp"
 
 #include "client/formats/npz_file.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <algorithm>
 

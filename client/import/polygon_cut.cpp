@@ -1,6 +1,6 @@
 #include "client/import/polygon_cut.hpp"
 
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
 #include "common/pair/numbers/orientation.hpp"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 #include "client/local/local_cluster.hpp"
 
 #include "common/core/files/state_folder.hpp"
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
 
 #include <algorithm>
 #include <chrono>

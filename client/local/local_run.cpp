@@ -2,7 +2,7 @@
 
 #include "client/local/ordered_run.hpp"
 #include "common/core/check.hpp"
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
 #include "common/job/run_scenario.hpp"
 
 #include <algorithm>

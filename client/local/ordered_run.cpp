@@ -1,6 +1,6 @@
 #include "client/local/ordered_run.hpp"
 
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
 
 #include <algorithm>
 #include <iterator>

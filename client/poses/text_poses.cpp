@@ -1,8 +1,7 @@
 #include "client/poses/text_poses.hpp"
 
 #include "client/import/text/mesh_words.hpp"
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_clients.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "client/remote/credential_renewal.hpp"
 
 #include "client/remote/membership.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -3,7 +3,8 @@
 #include "client/base/units.hpp"
 #include "client/base/words.hpp"
 #include "client/spec/toml_fields.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/job/tolerance.hpp"
 
 #include <algorithm>

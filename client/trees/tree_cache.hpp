@@ -1,7 +1,7 @@
 // A folder that keeps trees between runs, within a bound.
 #pragma once
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/client.hpp"
 #include "common/tree/obb_tree.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "common/core/printable.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <cstddef>
 

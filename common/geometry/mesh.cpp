@@ -1,6 +1,6 @@
 #include "common/geometry/mesh.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "common/geometry/topology.hpp"
 
+#include "common/core/limits/engine.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "common/job/run_scenario.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/poses/pose_order.hpp"
 #include "common/job/settle.hpp"
 #include "common/job/tolerance.hpp"

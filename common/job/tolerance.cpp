@@ -1,6 +1,6 @@
 #include "common/job/tolerance.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <cmath>
 #include <string>

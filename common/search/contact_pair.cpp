@@ -1,7 +1,7 @@
 #include "common/search/contact_pair.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <hwy/contrib/sort/vqsort.h>
 

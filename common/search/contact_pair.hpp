@@ -1,6 +1,7 @@
 // Pairs of triangles that share a point, and how they are put in order.
 #pragma once
 
+#include "common/core/limits/engine.hpp"
 #include "common/geometry/types.hpp"
 #include "common/pair/triangle_pair.hpp"
 

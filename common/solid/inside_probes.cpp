@@ -1,6 +1,6 @@
 #include "common/solid/inside_probes.hpp"
 
-#include "common/core/limits/limits_insides.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <algorithm>
 #include <map>

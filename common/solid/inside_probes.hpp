@@ -33,7 +33,7 @@ struct InsideProbes {
 ///
 /// `ignored` has the ranges of the inner body as those of A. Near linear in both bodies'
 /// triangles, times the kinds of triangles of the inner body by what they meet. Of too many kinds
-/// (limits_insides.hpp) nothing is asked.
+/// (limits/engine.hpp) nothing is asked.
 [[nodiscard]] InsideProbes
 inside_probes(const ObbTree& inner, const ObbTree& outer, std::span<const IgnoredRange> ignored);
 

@@ -1,6 +1,6 @@
 #include "common/tree/cut.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/tree/box_test.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // The cut of a tree at its distribution depth (paper, section 5.1, figure 2 and table 1).
 #pragma once
 
+#include "common/core/limits/engine.hpp"
 #include "common/core/result.hpp"
 #include "common/geometry/pose.hpp"
 #include "common/tree/obb_tree.hpp"

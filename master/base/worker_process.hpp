@@ -1,8 +1,7 @@
 // A worker's process, whatever its sessions, and with which ones a scenario was lost.
 #pragma once
 
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_master.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 
 #include <algorithm>

@@ -1,7 +1,9 @@
 #include "master/blocks/block_delivery.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "master/base/mutation.hpp"
 #include "proto/access/peer_ticket.hpp"
 

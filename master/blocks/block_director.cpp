@@ -1,8 +1,8 @@
 #include "master/blocks/block_director.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_dispatch.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "master/base/mutation.hpp"
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "common/core/id.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "common/tree/cut.hpp"
 #include "proto/messages/work_messages.hpp"
 

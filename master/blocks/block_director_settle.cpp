@@ -1,6 +1,6 @@
 // The end of an event: who waits gets what can be given now. And what holds between two events.
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "master/blocks/block_director.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/core/version.hpp"
 
 #include <sys/resource.h>

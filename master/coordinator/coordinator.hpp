@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
-#include "common/core/limits/limits_master.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/blocks/block_delivery.hpp"
 #include "master/blocks/transfer_meter.hpp"
 #include "master/coordinator/job_board.hpp"

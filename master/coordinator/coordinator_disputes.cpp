@@ -5,7 +5,6 @@
 // that ends anywhere between begins with the same question, or with all of the answer.
 #include "common/core/host/log.hpp"
 #include "common/core/host/stop_check.hpp"
-#include "common/core/limits/limits.hpp"
 #include "common/job/run_scenario.hpp"
 #include "master/base/run_on.hpp"
 #include "master/coordinator/coordinator.hpp"

@@ -3,7 +3,7 @@
 // Doubts are not written down: they follow from the quarantine, from whose each result is, and from
 // who else vouches for it, which the journal has.
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/run_scenario.hpp"
 #include "master/base/run_on.hpp"
 #include "master/coordinator/coordinator.hpp"

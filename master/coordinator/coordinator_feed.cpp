@@ -1,5 +1,7 @@
 // What of the jobs is handed out next: analyses to be made, or places that go out without one.
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "master/base/mutation.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/dispatch/range_choice.hpp"

@@ -1,7 +1,7 @@
 // The life of a job in the coordinator: prepared, fed, ended.
 #include "common/core/host/log.hpp"
 #include "common/core/host/wall_clock.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/job/run_scenario.hpp"
 #include "master/base/run_on.hpp"
 #include "master/base/way_out.hpp"

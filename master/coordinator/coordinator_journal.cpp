@@ -1,7 +1,7 @@
 // What of the coordinator's work is on the disk, and who hears of it then.
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/coordinator/coordinator.hpp"
 
 namespace cd {

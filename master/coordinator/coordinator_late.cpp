@@ -2,7 +2,6 @@
 // ended. Such a job is not corrected any more, for its digest has been told; but who was wrong is
 // found out, and whoever has the results learns of it.
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits_master.hpp"
 #include "common/job/run_scenario.hpp"
 #include "master/base/run_on.hpp"
 #include "master/coordinator/coordinator.hpp"

@@ -1,7 +1,7 @@
 // Jobs that wait for the disk. What cannot be written, for want of room, or cannot be read, since
 // it is damaged, may be mended; nothing is lost by waiting, and nothing is deleted.
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/coordinator/coordinator.hpp"
 
 #include <utility>

@@ -3,7 +3,7 @@
 #include "common/core/files/bytes.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/base/mutation.hpp"
 #include "master/coordinator/coordinator.hpp"
 

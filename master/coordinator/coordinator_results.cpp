@@ -1,6 +1,5 @@
 // Results, from their coming to the job that they are merged into and the journal.
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "master/base/mutation.hpp"
 #include "master/coordinator/coordinator.hpp"

@@ -1,7 +1,7 @@
 // What workers do to the coordinator.
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits_master.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/coordinator/coordinator.hpp"
 
 namespace cd {

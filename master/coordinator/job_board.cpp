@@ -3,8 +3,7 @@
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
 #include "common/core/host/wall_clock.hpp"
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_master.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/jobs/submission.hpp"
 
 #include <algorithm>

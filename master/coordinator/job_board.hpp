@@ -1,7 +1,7 @@
 // The jobs that the master knows, from their acceptance until their results are dropped.
 #pragma once
 
-#include "common/core/limits/limits_master.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "common/job/poses/pose_source.hpp"

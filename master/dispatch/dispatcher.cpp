@@ -2,7 +2,7 @@
 #include "master/dispatch/dispatcher.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/base/mutation.hpp"
 #include "master/dispatch/dispatcher_state.hpp"
 

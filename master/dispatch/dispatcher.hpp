@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
-#include "common/core/limits/limits_dispatch.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "master/base/worker_process.hpp"
 #include "master/dispatch/dispatch_tree.hpp"

@@ -3,7 +3,8 @@
 // blocks. A worker that runs dry takes over what it would finish sooner, transfers included; so
 // nothing waits for longer than its transfer would take, and at a job's end a slow worker gets
 // nothing that the others would finish before it.
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/dispatch/dispatcher_state.hpp"
 
 #include <algorithm>

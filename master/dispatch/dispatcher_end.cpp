@@ -6,8 +6,7 @@
 // Environments, 2008).
 //
 // For matching by time, and for ranges; the paper's strategies hand out as the paper has it.
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_dispatch.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/base/mutation.hpp"
 #include "master/dispatch/dispatcher_state.hpp"
 

@@ -1,6 +1,6 @@
 // How scenarios get from the queues through the buffers to the workers, and back.
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/base/mutation.hpp"
 #include "master/dispatch/dispatcher_state.hpp"
 

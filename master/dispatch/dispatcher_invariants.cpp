@@ -1,6 +1,7 @@
 // What is always true between two events of the dispatcher.
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "master/dispatch/dispatcher_state.hpp"
 
 #include <algorithm>

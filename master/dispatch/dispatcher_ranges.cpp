@@ -1,7 +1,9 @@
 // Ranges of places: no analysis, no matching. Whoever runs dry first gets the next ones, as many
 // as last for a batch's time at its measured rate, and fewer towards the end of a job.
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "master/dispatch/dispatcher_state.hpp"
 
 #include <algorithm>

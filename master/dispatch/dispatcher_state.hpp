@@ -1,7 +1,6 @@
 // The insides of the dispatcher, shared by its source files.
 #pragma once
 
-#include "common/core/limits/limits.hpp"
 #include "master/dispatch/dispatcher.hpp"
 #include "master/dispatch/policy/matchmaker.hpp"
 #include "master/dispatch/worker_pool.hpp"

@@ -1,7 +1,7 @@
 #include "master/dispatch/worker_pool.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <algorithm>
 

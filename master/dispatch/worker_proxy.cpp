@@ -1,6 +1,7 @@
 #include "master/dispatch/worker_proxy.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <algorithm>
 #include <utility>

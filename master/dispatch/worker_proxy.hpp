@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "master/base/worker_process.hpp"
 #include "master/dispatch/worker_pace.hpp"

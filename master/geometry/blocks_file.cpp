@@ -2,7 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/files/compress.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/tree/tree_file.hpp"
 #include "common/tree/wire/subtree_block.hpp"
 

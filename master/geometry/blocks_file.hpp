@@ -4,6 +4,7 @@
 #include "common/core/files/disk_file.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/core/host/thread_pool.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/result.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"

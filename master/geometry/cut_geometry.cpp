@@ -2,7 +2,7 @@
 
 #include "common/core/files/compress.hpp"
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/tree/wire/top_block.hpp"
 #include "master/geometry/blocks_file.hpp"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/files/hash.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/result.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"

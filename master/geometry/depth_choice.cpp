@@ -1,7 +1,8 @@
 #include "master/geometry/depth_choice.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 
 namespace cd {
 

@@ -1,6 +1,7 @@
 // Where a body's tree is cut if nobody says: into blocks that are worth asking for one by one.
 #pragma once
 
+#include "common/core/limits/master.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/subtree.hpp"
 

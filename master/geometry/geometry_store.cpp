@@ -2,7 +2,8 @@
 
 #include "common/core/files/disk_file.hpp"
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/tree/build/build.hpp"
 #include "common/tree/tree_file.hpp"
 #include "master/geometry/blocks_file.hpp"

@@ -3,7 +3,8 @@
 
 #include "common/core/files/hash.hpp"
 #include "common/core/host/thread_pool.hpp"
-#include "common/core/limits/limits_clients.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "master/geometry/cut_geometry.hpp"

@@ -1,7 +1,7 @@
 #include "master/identity/admission.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "master/identity/identity.hpp"
 
 namespace cd {

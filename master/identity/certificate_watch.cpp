@@ -1,7 +1,7 @@
 #include "master/identity/certificate_watch.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits_clients.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/identity/identity.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_clients.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/access/credential_file.hpp"
 
 #include <algorithm>

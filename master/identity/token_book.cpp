@@ -1,6 +1,7 @@
 #include "master/identity/token_book.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -1,6 +1,7 @@
 // The tokens of a cluster: who may still join, and as what. A state machine: no clock, no disk.
 #pragma once
 
+#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 #include "proto/access/join_token.hpp"
 #include "proto/identity/certificate.hpp"

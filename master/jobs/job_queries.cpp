@@ -1,7 +1,7 @@
 #include "master/jobs/job_queries.hpp"
 
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_clients.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "master/jobs/job_geometry.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "master/jobs/job_retention.hpp"
 
 #include "common/core/duration.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
 // How long the master keeps jobs that have ended.
 #pragma once
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 
 #include <chrono>

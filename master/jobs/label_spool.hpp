@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_labels.hpp"
 

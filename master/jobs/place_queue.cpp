@@ -1,7 +1,7 @@
 #include "master/jobs/place_queue.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <algorithm>
 #include <iterator>

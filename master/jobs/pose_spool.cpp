@@ -2,8 +2,8 @@
 
 #include "common/core/check.hpp"
 #include "common/core/files/hash.hpp"
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_clients.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <algorithm>
 #include <mutex>

@@ -1,7 +1,8 @@
 #include "master/jobs/submission.hpp"
 
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_clients.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
 #include "common/job/tolerance.hpp"
 

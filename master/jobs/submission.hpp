@@ -1,6 +1,7 @@
 // Checks what a client submits, before anything is kept of it.
 #pragma once
 
+#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 #include "proto/messages/client_messages.hpp"
 

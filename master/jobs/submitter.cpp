@@ -1,7 +1,7 @@
 #include "master/jobs/submitter.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
 #include "master/dispatch/cost_model.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "common/job/poses/pose_source.hpp"

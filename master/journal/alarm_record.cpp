@@ -1,6 +1,6 @@
 #include "master/journal/alarm_record.hpp"
 
-#include "common/core/limits/limits_master.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/journal/row_bytes.hpp"
 
 namespace cd {

@@ -3,7 +3,7 @@
 #include "common/core/check.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/base/way_out.hpp"
 #include "master/journal/journal_database.hpp"
 #include "master/journal/journal_groups.hpp"

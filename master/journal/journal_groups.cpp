@@ -1,7 +1,7 @@
 #include "master/journal/journal_groups.hpp"
 
 #include "common/core/files/disk_file.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "master/base/mutation.hpp"
 

@@ -3,7 +3,8 @@
 #include "common/core/check.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/files/hash.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/job/result/packed_records.hpp"
 
 #include <algorithm>

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "common/core/id.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 #include "proto/messages/client_messages.hpp"
 

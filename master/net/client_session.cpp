@@ -1,7 +1,8 @@
 #include "master/net/client_session.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
 #include "master/base/run_on.hpp"
 #include "master/identity/identity.hpp"

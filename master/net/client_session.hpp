@@ -1,6 +1,7 @@
 // One client's conversation with the master.
 #pragma once
 
+#include "common/core/limits/master.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/geometry/mesh_upload.hpp"
 #include "master/identity/access.hpp"

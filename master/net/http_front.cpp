@@ -1,5 +1,6 @@
 #include "master/net/http_front.hpp"
 
+#include "common/core/limits/wire.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/identity/access.hpp"
 #include "master/identity/identity.hpp"

@@ -1,7 +1,7 @@
 // Pages for machines that watch the master: /healthz, /readyz, /metrics.
 #pragma once
 
-#include "common/core/limits/limits_http.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 #include "proto/access/refusals.hpp"
 #include "proto/channel/asio.hpp"

@@ -1,5 +1,7 @@
 #include "master/net/quotas.hpp"
 
+#include "common/core/limits/master.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_clients.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 
 #include <chrono>

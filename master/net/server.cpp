@@ -1,7 +1,7 @@
 #include "master/net/server.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/core/version.hpp"
 #include "master/identity/admission.hpp"
 #include "master/identity/certificate_watch.hpp"

@@ -1,7 +1,7 @@
 // Listens, greets whoever connects, and hands the connection to its kind of session.
 #pragma once
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/identity/access.hpp"

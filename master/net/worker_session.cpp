@@ -1,7 +1,7 @@
 #include "master/net/worker_session.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/base/mutation.hpp"
 #include "proto/codec/codec.hpp"
 

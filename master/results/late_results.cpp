@@ -1,6 +1,6 @@
 #include "master/results/late_results.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_records.hpp"
 
 #include <string>

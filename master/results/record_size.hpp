@@ -1,7 +1,7 @@
 // What of a result the journal takes.
 #pragma once
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/result.hpp"
 
 #include <cstdint>

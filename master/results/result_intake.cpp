@@ -1,6 +1,6 @@
 #include "master/results/result_intake.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/settle.hpp"

@@ -1,6 +1,7 @@
 #include "master/workers/worker_sessions.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <iterator>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
-#include "common/core/limits/limits_master.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/base/worker_process.hpp"
 
 #include <algorithm>

@@ -2,7 +2,8 @@
 // without sockets, clocks or threads.
 #pragma once
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/messages/client_messages.hpp"
 
 #include <chrono>

@@ -2,7 +2,7 @@
 
 #include "common/core/files/disk_file.hpp"
 #include "common/core/files/state_folder.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,6 +1,6 @@
 #include "proto/access/join.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
 #include "common/core/version.hpp"
 

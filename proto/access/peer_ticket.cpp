@@ -1,7 +1,7 @@
 #include "proto/access/peer_ticket.hpp"
 
 #include "common/core/files/bytes.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 
 namespace cd {
 

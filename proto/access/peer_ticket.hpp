@@ -1,6 +1,7 @@
 // Tickets by which the master lets one worker fetch blocks from another, once.
 #pragma once
 
+#include "common/core/limits/wire.hpp"
 #include "proto/messages/session_messages.hpp"
 #include "proto/messages/work_messages.hpp"
 

@@ -1,6 +1,6 @@
 #include "proto/access/refusals.hpp"
 
-#include "common/core/limits/limits_identity.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <tuple>
 #include <utility>

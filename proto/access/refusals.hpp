@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/host/log.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <chrono>
 #include <cstddef>

@@ -1,8 +1,7 @@
 #include "proto/channel/channel.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_wire.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/channel/frame.hpp"
 #include "proto/codec/codec.hpp"
 

@@ -1,7 +1,7 @@
 // A connection that carries messages, over TCP or TLS.
 #pragma once
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "common/core/result.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/channel/stream.hpp"

@@ -1,7 +1,6 @@
 // How connections begin: connecting and accepting.
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_wire.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/channel/channel.hpp"
 #include "proto/channel/deadline.hpp"
 #include "proto/channel/frame.hpp"

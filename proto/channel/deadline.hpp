@@ -1,7 +1,7 @@
 // Ends a wait for the network when its time is up.
 #pragma once
 
-#include "common/core/limits/limits_identity.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/channel/asio.hpp"
 
 #include <chrono>

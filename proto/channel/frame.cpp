@@ -1,7 +1,7 @@
 #include "proto/channel/frame.hpp"
 
 #include "common/core/files/hash.hpp"
-#include "common/core/limits/limits_wire.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/codec/codec.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The greeting on both sides of a new channel, and how conversations are started.
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/channel/channel.hpp"
 
 namespace cd {

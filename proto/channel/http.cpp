@@ -1,6 +1,6 @@
 #include "proto/channel/http.hpp"
 
-#include "common/core/limits/limits_http.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/channel/deadline.hpp"
 

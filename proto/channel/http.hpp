@@ -1,7 +1,7 @@
 // One HTTP/1.1 request on a stream, and its answer.
 #pragma once
 
-#include "common/core/limits/limits_http.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/channel/stream.hpp"
 
 #include <chrono>

@@ -1,7 +1,7 @@
 #include "proto/channel/listener.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <utility>
 

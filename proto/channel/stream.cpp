@@ -1,7 +1,7 @@
 #include "proto/channel/stream.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/channel/deadline.hpp"
 #include "proto/channel/tls_state.hpp"
 #include "proto/identity/openssl.hpp"

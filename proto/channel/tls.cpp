@@ -1,6 +1,6 @@
 #include "proto/channel/tls.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/channel/tls_state.hpp"
 #include "proto/identity/openssl.hpp"
 

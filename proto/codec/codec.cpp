@@ -1,7 +1,7 @@
 #include "proto/codec/codec.hpp"
 
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_clients.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
 #include "proto/codec/wire_messages.hpp"
 

@@ -1,7 +1,6 @@
 #include "proto/codec/message.hpp"
 
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_identity.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/codec/codec.hpp"
 #include "proto/messages/party.hpp"
 

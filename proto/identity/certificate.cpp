@@ -1,6 +1,6 @@
 #include "proto/identity/certificate.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
 #include "proto/identity/openssl.hpp"
 

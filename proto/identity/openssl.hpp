@@ -3,6 +3,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/files/hash.hpp"
+#include "common/core/limits/wire.hpp"
 #include "common/core/result.hpp"
 #include "proto/identity/certificate.hpp"
 

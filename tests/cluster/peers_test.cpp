@@ -1,6 +1,5 @@
 // Proves that workers get geometry from each other, that the answer does not depend on it, and that
 // one that cannot be reached, or gives nothing, only sends the others back to the master.
-#include "common/core/limits/limits.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/comes_true.hpp"
 

@@ -1,6 +1,6 @@
 // Proves that a real master gives one client its share of connections and no more, and drops who
 // connects and does not go on, while others are served.
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "proto/channel/channel.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 

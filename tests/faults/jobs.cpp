@@ -1,7 +1,7 @@
 #include "tests/faults/jobs.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/run_scenario.hpp"
 #include "tests/faults/world.hpp"

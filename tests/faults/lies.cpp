@@ -1,6 +1,6 @@
 #include "tests/faults/lies.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/result/result.hpp"
 

@@ -1,7 +1,9 @@
 #include "tests/faults/link_end.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 #include "master/base/mutation.hpp"
 #include "proto/codec/codec.hpp"
 

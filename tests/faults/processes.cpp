@@ -1,6 +1,7 @@
 #include "tests/faults/processes.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/worker.hpp"
 #include "proto/codec/codec.hpp"
 
 namespace cd::tests {

@@ -1,6 +1,6 @@
 // Instead of SQLite: rows in memory, each commit whole or not at all. Instead of the journal's
 // thread: groups are written when the simulated time has come.
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/journal/journal.hpp"
 #include "master/journal/journal_groups.hpp"
 #include "tests/faults/world.hpp"

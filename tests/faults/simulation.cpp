@@ -1,6 +1,6 @@
 #include "tests/faults/simulation.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/worker.hpp"
 
 #include <algorithm>
 #include <utility>

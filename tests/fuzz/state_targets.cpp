@@ -1,5 +1,5 @@
 #include "common/core/files/hash.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/search/traverse.hpp"
 #include "common/tree/tree_file.hpp"
 #include "master/identity/token_book.hpp"

@@ -2,6 +2,7 @@
 // what is wrong is said with exit code 2.
 #include "master/config.hpp"
 
+#include "common/core/limits/master.hpp"
 #include "tests/support/process.hpp"
 
 #include <gtest/gtest.h>

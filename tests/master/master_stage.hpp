@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/identity/identity.hpp"
 #include "master/net/server.hpp"

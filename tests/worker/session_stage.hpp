@@ -2,7 +2,7 @@
 // says to the same scenarios.
 #pragma once
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "tests/proto/loopback.hpp"
 #include "tests/proto/sample_messages.hpp"

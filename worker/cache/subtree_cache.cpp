@@ -2,7 +2,8 @@
 
 #include "common/core/check.hpp"
 #include "common/core/files/compress.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/worker.hpp"
 #include "common/tree/wire/top_block.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "worker/execution/task.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/worker.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"
 

@@ -1,6 +1,7 @@
 // One task at this worker: its scenarios, how many are left, and the results not yet sent.
 #pragma once
 
+#include "common/core/limits/worker.hpp"
 #include "proto/messages/work_messages.hpp"
 #include "worker/cache/subtree_cache.hpp"
 #include "worker/execution/executor.hpp"

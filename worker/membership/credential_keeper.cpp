@@ -1,7 +1,7 @@
 #include "worker/membership/credential_keeper.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/access/join.hpp"
 
 #include <algorithm>

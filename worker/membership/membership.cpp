@@ -1,8 +1,8 @@
 #include "worker/membership/membership.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_worker.hpp"
+#include "common/core/limits/wire.hpp"
+#include "common/core/limits/worker.hpp"
 
 #include <algorithm>
 #include <utility>

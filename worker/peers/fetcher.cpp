@@ -1,7 +1,7 @@
 #include "worker/peers/fetcher.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits_worker.hpp"
+#include "common/core/limits/worker.hpp"
 
 #include <algorithm>
 #include <iterator>

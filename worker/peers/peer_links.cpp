@@ -1,6 +1,7 @@
 #include "worker/peers/peer_links.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
+#include "common/core/limits/worker.hpp"
 #include "common/core/version.hpp"
 
 #include <algorithm>

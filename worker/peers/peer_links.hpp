@@ -1,6 +1,7 @@
 // Fetches blocks from other workers.
 #pragma once
 
+#include "common/core/limits/worker.hpp"
 #include "proto/channel/channel.hpp"
 
 #include <functional>

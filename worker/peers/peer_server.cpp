@@ -1,7 +1,9 @@
 #include "worker/peers/peer_server.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/wire.hpp"
+#include "common/core/limits/worker.hpp"
 #include "common/core/version.hpp"
 
 #include <utility>

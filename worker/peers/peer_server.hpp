@@ -1,6 +1,8 @@
 // Gives this worker's blocks to other workers, as far as the master permits.
 #pragma once
 
+#include "common/core/limits/wire.hpp"
+#include "common/core/limits/worker.hpp"
 #include "proto/access/peer_ticket.hpp"
 #include "proto/access/refusals.hpp"
 #include "proto/channel/listener.hpp"

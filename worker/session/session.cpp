@@ -1,7 +1,7 @@
 #include "worker/session/session.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/worker.hpp"
 #include "proto/codec/codec.hpp"
 
 #include <utility>

@@ -1,6 +1,7 @@
 // One connection to a master, from the welcome to its end.
 #pragma once
 
+#include "common/core/limits/wire.hpp"
 #include "proto/channel/channel.hpp"
 #include "worker/cache/subtree_cache.hpp"
 #include "worker/execution/executor.hpp"

@@ -1,6 +1,7 @@
 // A session and its connections: what is said at the start of each, heartbeats, and the end.
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
+#include "common/core/limits/worker.hpp"
 #include "proto/codec/codec.hpp"
 #include "worker/session/session.hpp"
 

@@ -1,6 +1,7 @@
 // What of a session's tasks runs next, on the worker's threads, and what comes back from these.
 #include "common/core/host/log.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
+#include "common/core/limits/worker.hpp"
 #include "worker/session/session.hpp"
 
 #include <utility>

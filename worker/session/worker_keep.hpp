@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/core/files/hash.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/worker.hpp"
 #include "proto/messages/work_messages.hpp"
 #include "worker/cache/subtree_cache.hpp"
 

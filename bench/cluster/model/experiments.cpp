@@ -1,6 +1,7 @@
 #include "bench/cluster/model/experiments.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/worker.hpp"
 
 #include <algorithm>
 #include <cmath>

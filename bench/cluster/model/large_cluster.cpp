@@ -2,7 +2,7 @@
 
 #include "bench/cluster/model/master_model.hpp"
 #include "bench/cluster/model/worker_model.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <algorithm>
 #include <deque>

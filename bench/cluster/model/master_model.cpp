@@ -2,7 +2,8 @@
 
 #include "bench/cluster/cpu_clock.hpp"
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <algorithm>
 #include <chrono>

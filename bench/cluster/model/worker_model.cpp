@@ -1,7 +1,7 @@
 #include "bench/cluster/model/worker_model.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits_worker.hpp"
+#include "common/core/limits/worker.hpp"
 
 #include <algorithm>
 #include <utility>

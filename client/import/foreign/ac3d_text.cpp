@@ -1,7 +1,7 @@
 #include "client/import/foreign/ac3d_text.hpp"
 
 #include "client/import/text/mesh_words.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/client.hpp"
 
 #include <array>
 #include <charconv>

@@ -3,7 +3,7 @@
 #include "client/import/foreign/assimp_scene.hpp"
 #include "client/import/foreign/child_call.hpp"
 #include "client/import/imported_bytes.hpp"
-#include "common/core/limits/limits_import.hpp"
+#include "common/core/limits/client.hpp"
 
 #include <system_error>
 

@@ -1,6 +1,6 @@
 #include "client/import/foreign/child_call.hpp"
 
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -3,7 +3,7 @@
 #include "client/import/foreign/collada_instances.hpp"
 #include "client/import/foreign/xml_text.hpp"
 #include "client/import/text/mesh_words.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/client.hpp"
 
 #include <algorithm>
 #include <array>

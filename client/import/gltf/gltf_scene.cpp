@@ -2,7 +2,7 @@
 
 #include "client/import/gltf/gltf_corners.hpp"
 #include "client/import/gltf/gltf_elements.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <utility>
 

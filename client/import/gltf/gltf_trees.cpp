@@ -1,6 +1,6 @@
 #include "client/import/gltf/gltf_trees.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/client.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #include "common/job/poses/made_poses.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <algorithm>
 #include <atomic>

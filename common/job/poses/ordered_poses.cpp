@@ -1,7 +1,7 @@
 #include "common/job/poses/ordered_poses.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/poses/pose_order.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // The order in which a job's scenarios are handed out: neighbours touch the same parts.
 #pragma once
 
+#include "common/core/limits/engine.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/scenario.hpp"

@@ -1,7 +1,7 @@
 #include "common/job/poses/pose_source.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "common/core/files/bytes.hpp"
 #include "common/core/host/thread_pool.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/random_poses.hpp"
 #include "common/job/scenario.hpp"

@@ -1,7 +1,7 @@
 #include "common/job/result/packed_map.hpp"
 
 #include "common/core/files/compress.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/varint.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #include "common/job/result/record_file.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_records.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "common/tree/wire/wide_block.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/varint.hpp"
 #include "common/tree/wide/wide_boxes.hpp"
 #include "common/tree/wide/wide_frame.hpp"

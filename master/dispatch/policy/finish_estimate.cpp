@@ -1,6 +1,6 @@
 #include "master/dispatch/policy/finish_estimate.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <algorithm>
 

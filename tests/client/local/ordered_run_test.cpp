@@ -2,7 +2,7 @@
 // and that no more run ahead than is allowed.
 #include "client/local/ordered_run.hpp"
 
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/client.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/support/shapes.hpp"
 

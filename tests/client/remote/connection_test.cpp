@@ -3,7 +3,7 @@
 
 #include "client/remote/connection.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "tests/client/fake_master.hpp"
 #include "tests/support/shapes.hpp"

@@ -3,7 +3,7 @@
 #include "client/spec/job_file.hpp"
 
 #include "client/spec/job_options.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "tests/support/process.hpp"
 
 #include <gmock/gmock.h>

@@ -4,7 +4,7 @@
 
 #include "common/job/settle.hpp"
 
-#include "common/core/limits/limits_insides.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/support/exact_solid.hpp"

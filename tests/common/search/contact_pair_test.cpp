@@ -3,7 +3,7 @@
 
 #include "common/search/contact_pair.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/geometry/simd_target.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,8 @@
 // Proves that each process counts once, and one that nobody knows each time.
 #include "master/base/worker_process.hpp"
 
+#include "common/core/limits/master.hpp"
+
 #include <gtest/gtest.h>
 
 namespace cd::tests {

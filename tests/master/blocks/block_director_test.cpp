@@ -3,7 +3,7 @@
 // more than it may; and that sources that fail are avoided.
 #include "master/blocks/block_director.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,7 @@
 // the one whose end is being told is always among them.
 #include "master/coordinator/job_board.hpp"
 
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_clients.hpp"
-#include "common/core/limits/limits_master.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

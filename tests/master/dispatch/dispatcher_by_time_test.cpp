@@ -1,7 +1,8 @@
 // Proves what `earliest-finish` promises, on a clock that the tests hand in: who holds the blocks
 // is waited for, no longer than the transfer takes; what is measured and weighed decides; batches
 // follow time; and at a job's end nobody waits for a slow worker.
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/dispatch/dispatcher.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // they have begun, or do not give back, gets a copy where that ends clearly sooner, of a bounded
 // share of the work; the first answer counts, and whoever lost is called off. On a clock that the
 // tests hand in, with workers that do what was sent to them in order.
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/dispatch/dispatcher.hpp"
 
 #include <gtest/gtest.h>

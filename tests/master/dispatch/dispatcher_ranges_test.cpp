@@ -2,7 +2,7 @@
 // measured rate, two at a worker, smaller at the end; that every place is sent once, but for copies
 // at the end, and every task of one ends once, whatever workers do and give back; and what is
 // measured for the choice between ranges and analysis.
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/dispatch/dispatcher.hpp"
 #include "master/jobs/place_queue.hpp"
 

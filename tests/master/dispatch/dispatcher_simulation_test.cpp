@@ -2,7 +2,7 @@
 // late and repeated answers and several jobs, that every scenario is answered exactly once or given
 // up after enough losses, that none stands in two tasks but one with its copy, and that the
 // dispatcher's invariants hold after every event.
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/dispatch/dispatcher.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // does, who gets what, and what becomes of the scenarios of a lost worker.
 #include "master/dispatch/dispatcher.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,8 @@
 // neither roots nor depth go beyond their bounds.
 #include "master/geometry/depth_choice.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/tree/build/build.hpp"
 #include "common/tree/cut.hpp"
 #include "tests/support/shapes.hpp"

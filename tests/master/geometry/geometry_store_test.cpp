@@ -5,7 +5,8 @@
 #include "master/geometry/geometry_store.hpp"
 
 #include "common/core/files/compress.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/tree/wire/subtree_block.hpp"
 #include "master/geometry/mesh_file.hpp"
 #include "tests/support/file_size_limit.hpp"

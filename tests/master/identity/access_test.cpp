@@ -1,7 +1,7 @@
 // Proves that each message of a client is allowed to the roles that may send it, and to no other.
 #include "master/identity/access.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/identity/identity.hpp"
 #include "proto/access/join_token.hpp"
 #include "tests/proto/sample_messages.hpp"

@@ -2,7 +2,8 @@
 // and that all of this outlasts the process without any secret on the disk.
 #include "master/identity/token_book.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

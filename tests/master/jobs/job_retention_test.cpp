@@ -1,6 +1,8 @@
 // Proves what --keep-jobs may say, and which jobs are kept no longer.
 #include "master/jobs/job_retention.hpp"
 
+#include "common/core/limits/master.hpp"
+
 #include <gtest/gtest.h>
 
 namespace cd::tests {

@@ -2,8 +2,8 @@
 // what was announced, or is damaged, is an error.
 #include "master/jobs/label_spool.hpp"
 
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_clients.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "tests/support/process.hpp"
 
 #include <gtest/gtest.h>

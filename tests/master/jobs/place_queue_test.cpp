@@ -2,7 +2,7 @@
 // its losses.
 #include "master/jobs/place_queue.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <gtest/gtest.h>
 

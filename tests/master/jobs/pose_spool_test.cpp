@@ -3,8 +3,8 @@
 
 #include "master/jobs/pose_spool.hpp"
 
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_clients.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -2,7 +2,7 @@
 // them, and that other bytes are errors.
 #include "master/journal/alarm_record.hpp"
 
-#include "common/core/limits/limits_master.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <gtest/gtest.h>
 

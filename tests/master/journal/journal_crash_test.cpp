@@ -5,7 +5,6 @@
 // then made as it might be after the power failed behind each of them: what was synced is there, of
 // each later write a random choice of its sectors, of later names a random number in their order.
 // Or all of it, as when only the process is killed there; or nothing.
-#include "common/core/limits/limits.hpp"
 #include "master/journal/journal.hpp"
 #include "tests/support/process.hpp"
 

@@ -3,7 +3,6 @@
 // directory; and that with a full disk it waits, and goes on when there is room.
 #include "master/journal/journal.hpp"
 
-#include "common/core/limits/limits.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "master/journal/journal_database.hpp"
 #include "proto/codec/codec.hpp"

@@ -3,7 +3,8 @@
 
 #include "master/journal/result_store.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "tests/support/process.hpp"
 

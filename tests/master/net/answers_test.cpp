@@ -1,7 +1,7 @@
 // Proves that no answer is larger than a message: a status gets shorter, another one fails.
 #include "master/net/answers.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/codec/codec.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // sends no request, or none that ends, gets nothing and does no harm.
 #include "master/net/http_front.hpp"
 
-#include "common/core/limits/limits_http.hpp"
+#include "common/core/limits/wire.hpp"
 #include "master/identity/identity.hpp"
 #include "proto/channel/stream.hpp"
 #include "tests/master/fake_client.hpp"

@@ -2,6 +2,8 @@
 // back, and that one client's does not count for another.
 #include "master/net/quotas.hpp"
 
+#include "common/core/limits/master.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Proves that a file which is damaged while a job runs fails neither the job nor anybody else: the
 // job waits, says for which file, and goes on when that is mended.
+#include "common/core/limits/master.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"

@@ -1,5 +1,7 @@
 // Proves that whatever workers do, the digest is that of the same scenarios without a cluster: they
 // die, forget, lie, take too long or send what is none.
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/results/record_size.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"

@@ -1,6 +1,7 @@
 // Proves that the master asks its quotas wherever a client may take more than its share, says which
 // one there is too much of, and lets others go on; and that what a client has begun and does not go
 // on with ends.
+#include "common/core/limits/master.hpp"
 #include "master/jobs/submission.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/master_stage.hpp"

@@ -2,6 +2,7 @@
 // each result is, which of them are in doubt or in dispute, and which alarms there were; no job
 // ends with what a worker that was wrong has answered; and what takes workers down does not begin
 // anew.
+#include "common/core/limits/master.hpp"
 #include "master/geometry/mesh_file.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"

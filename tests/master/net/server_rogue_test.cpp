@@ -1,7 +1,7 @@
 // Proves that a worker with a good certificate and bad intentions neither brings the master down
 // nor fails scenarios, takes no memory without bound, and keeps nobody else from serving or
 // joining.
-#include "common/core/limits/limits_master.hpp"
+#include "common/core/limits/master.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"

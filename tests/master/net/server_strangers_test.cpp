@@ -1,5 +1,6 @@
 // Proves that who connects and does not go on takes no others' places: not from another address,
 // and not by saying that it joins.
+#include "common/core/limits/master.hpp"
 #include "master/identity/identity.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/master_stage.hpp"

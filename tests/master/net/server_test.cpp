@@ -1,5 +1,6 @@
 // Proves that a master in this process does whole jobs over loopback: the digest is that of the
 // same scenarios without a cluster, and what clients send wrong is refused.
+#include "common/core/limits/master.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"

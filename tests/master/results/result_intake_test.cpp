@@ -3,7 +3,6 @@
 // settles them, and counts what they cost.
 #include "master/results/result_intake.hpp"
 
-#include "common/core/limits/limits.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"

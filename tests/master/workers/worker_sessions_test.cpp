@@ -2,6 +2,8 @@
 // comes again and again does not make the list grow.
 #include "master/workers/worker_sessions.hpp"
 
+#include "common/core/limits/master.hpp"
+
 #include <gtest/gtest.h>
 
 namespace cd::tests {

@@ -2,6 +2,8 @@
 // out, with no clock.
 #include "master/workers/worker_watch.hpp"
 
+#include "common/core/limits/master.hpp"
+
 #include <gtest/gtest.h>
 
 #include <random>

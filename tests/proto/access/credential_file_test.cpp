@@ -2,7 +2,7 @@
 // and that a file which is none, or which others may read, is not used.
 #include "proto/access/credential_file.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/channel/tls.hpp"
 #include "tests/support/process.hpp"
 

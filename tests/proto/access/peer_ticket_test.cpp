@@ -1,7 +1,7 @@
 // Proves that a ticket is good once, for what it was made for, with the key that it was made with.
 #include "proto/access/peer_ticket.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <gtest/gtest.h>
 

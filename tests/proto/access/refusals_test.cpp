@@ -1,7 +1,7 @@
 // Proves that who is refused often does not fill the log, and that the log tells how often.
 #include "proto/access/refusals.hpp"
 
-#include "common/core/limits/limits_identity.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,7 @@
 // a close that loses nothing that was queued.
 #include "proto/channel/channel.hpp"
 
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_wire.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/channel/frame.hpp"
 #include "proto/channel/signals.hpp"
 #include "proto/codec/codec.hpp"

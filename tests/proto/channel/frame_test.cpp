@@ -3,8 +3,7 @@
 #include "proto/channel/frame.hpp"
 
 #include "common/core/files/hash.hpp"
-#include "common/core/limits/limits.hpp"
-#include "common/core/limits/limits_wire.hpp"
+#include "common/core/limits/wire.hpp"
 #include "proto/codec/codec.hpp"
 #include "tests/proto/sample_messages.hpp"
 

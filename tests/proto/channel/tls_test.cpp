@@ -3,7 +3,6 @@
 // with a reason at both ends.
 #include "proto/channel/tls.hpp"
 
-#include "common/core/limits/limits.hpp"
 #include "proto/channel/asio_tls.hpp"
 #include "proto/codec/codec.hpp"
 #include "tests/proto/loopback.hpp"

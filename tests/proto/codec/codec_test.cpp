@@ -4,7 +4,7 @@
 #include "proto/codec/codec.hpp"
 
 #include "common/core/files/hash.hpp"
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 #include "tests/proto/sample_messages.hpp"
 
 #include <gmock/gmock.h>

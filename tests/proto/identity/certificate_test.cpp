@@ -2,7 +2,7 @@
 // proof of its key, and that texts which are no certificates are refused, not read.
 #include "proto/identity/certificate.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,8 @@
 // Proves that a worker gives others just the blocks that it holds and that their tickets are for,
 // not to more at a time than it may; and that whoever fetches tells every way of failing apart and
 // never takes a block that is not the one that the master named.
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/wire.hpp"
+#include "common/core/limits/worker.hpp"
 #include "tests/proto/loopback.hpp"
 #include "tests/worker/block_source.hpp"
 #include "worker/peers/peer_links.hpp"

@@ -1,5 +1,6 @@
 // Proves that a session outlives its connection, and its results and subtrees outlive the session:
 // nothing is answered twice, and nothing is lost.
+#include "common/core/limits/wire.hpp"
 #include "tests/worker/session_stage.hpp"
 
 #include <memory>

@@ -1,6 +1,7 @@
 // Proves that a worker's session, over a real connection to a master that the test plays, answers
 // what it is given exactly as one process does on whole trees, and ends in every way that it may
 // end without losing or inventing a result.
+#include "common/core/limits/worker.hpp"
 #include "tests/worker/session_stage.hpp"
 
 #include <gmock/gmock.h>

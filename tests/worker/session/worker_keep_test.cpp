@@ -2,7 +2,7 @@
 // and not for another cluster.
 #include "worker/session/worker_keep.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/worker.hpp"
 #include "tests/proto/sample_messages.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // window, and depends on the window alone; and that a grid stays as it is.
 #include "common/job/poses/ordered_poses.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/poses/pose_order.hpp"
 #include "tests/support/shapes.hpp"
 

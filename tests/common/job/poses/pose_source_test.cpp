@@ -3,7 +3,7 @@
 
 #include "common/job/poses/pose_source.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/engine.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Proves that random scenarios are the same for any number of threads and any count, that they are
 // the paper's kind (small to medium penetration), and that bodies which cannot meet end the search.
 
-#include "common/core/limits/limits_client.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/job/poses/made_poses.hpp"
 #include "common/search/traverse.hpp"

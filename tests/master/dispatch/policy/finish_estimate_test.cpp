@@ -1,7 +1,7 @@
 // Proves that an estimate counts each thing once, in seconds, and nothing that costs nothing.
 #include "master/dispatch/policy/finish_estimate.hpp"
 
-#include "common/core/limits/limits.hpp"
+#include "common/core/limits/master.hpp"
 
 #include <gtest/gtest.h>
 
