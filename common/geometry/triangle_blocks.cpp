@@ -93,12 +93,4 @@ std::uint64_t TriangleBlockArrays::memory_bytes() const {
            bytes_of(ids_);
 }
 
-void TriangleBlockArrays::shrink() {
-    floats_.shrink_to_fit();
-    doubles_.shrink_to_fit();
-    vertex_begin_.shrink_to_fit();
-    corners_.shrink_to_fit();
-    ids_.shrink_to_fit();
-}
-
 } // namespace cd

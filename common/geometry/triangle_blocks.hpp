@@ -56,8 +56,6 @@ class TriangleBlockArrays {
 
     [[nodiscard]] TriangleBlocks view() const;
     [[nodiscard]] std::uint64_t memory_bytes() const;
-    /// Gives back what the arrays hold in reserve.
-    void shrink();
 
   private:
     void add_vertex(const Vec3& vertex);

@@ -18,7 +18,6 @@ struct CutGeometry::State {
     TreeTop top;
     SubtreeBlock top_block;
     BlocksFile blocks;
-    std::uint64_t compressed_bytes = 0;
     std::uint64_t bytes = 0;
     mutable std::atomic<bool> is_set_aside = false; ///< The blocks file was moved as damaged.
 };
@@ -57,7 +56,6 @@ Result<std::shared_ptr<const CutGeometry>> CutGeometry::open(const std::filesyst
                                            std::move(top_block.value()),
                                            std::move(blocks.value())});
     for (const BlockPlace& place : state->blocks.places) {
-        state->compressed_bytes += place.compressed_bytes;
         state->bytes += place.bytes;
     }
     return std::shared_ptr<const CutGeometry>(new CutGeometry(std::move(state)));
@@ -94,10 +92,6 @@ const Sha256& CutGeometry::hash(RootIndex root) const {
 std::uint64_t CutGeometry::compressed_bytes(RootIndex root) const {
     return root == top_root ? state_->top_block.compressed.size()
                             : state_->blocks.places[root].compressed_bytes;
-}
-
-std::uint64_t CutGeometry::compressed_bytes_total() const {
-    return state_->compressed_bytes;
 }
 
 std::uint64_t CutGeometry::bytes_total() const {

@@ -40,9 +40,7 @@ class CutGeometry {
     /// The name of a block's uncompressed bytes.
     [[nodiscard]] const Sha256& hash(RootIndex root) const;
     [[nodiscard]] std::uint64_t compressed_bytes(RootIndex root) const;
-    /// Over all roots, without the top.
-    [[nodiscard]] std::uint64_t compressed_bytes_total() const;
-    [[nodiscard]] std::uint64_t bytes_total() const;
+    [[nodiscard]] std::uint64_t bytes_total() const; ///< Of all roots, without the top.
 
     /// One block as it travels. One read of the file: microseconds while the system caches it, so
     /// it may be called from the network thread. A block that is damaged or cannot be read is made

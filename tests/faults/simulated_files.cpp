@@ -130,10 +130,6 @@ Result<DiskFile> DiskFile::open_to_write(const std::filesystem::path& path) {
     return DiskFile(open_descriptor(files.at(path.string())), path, {});
 }
 
-Result<DiskFile> DiskFile::create_nameless(const std::filesystem::path& directory) {
-    return create_for(directory / "nameless");
-}
-
 Result<DiskFile> DiskFile::lock(const std::filesystem::path& path) {
     return open_to_write(path);
 }

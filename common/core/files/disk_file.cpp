@@ -108,16 +108,6 @@ Result<DiskFile> DiskFile::open_to_write(const std::filesystem::path& path) {
     return DiskFile(descriptor, path, {});
 }
 
-Result<DiskFile> DiskFile::create_nameless(const std::filesystem::path& directory) {
-    std::string name = (directory / "file").string();
-    const int descriptor = make_unique(name);
-    if (descriptor < 0) {
-        return io_failure("create", name);
-    }
-    ::unlink(name.c_str());
-    return DiskFile(descriptor, name, {});
-}
-
 Result<DiskFile> DiskFile::lock(const std::filesystem::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor < 0) {

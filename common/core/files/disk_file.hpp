@@ -42,9 +42,6 @@ class DiskFile {
     [[nodiscard]] static Result<DiskFile> create_for(const std::filesystem::path& path);
     /// To write and read: the file of that name, made if missing.
     [[nodiscard]] static Result<DiskFile> open_to_write(const std::filesystem::path& path);
-    /// To write and read: a file in `directory` that has no name, and so goes with this object or
-    /// with the process.
-    [[nodiscard]] static Result<DiskFile> create_nameless(const std::filesystem::path& directory);
 
     /// Locks `path` (made if missing) against other processes while this lives. Errors: Io, also
     /// when another process holds it.
