@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Proves that the checks of includes and of documents can fail: a tree that breaks each rule is
+"""Proves that the checks of includes, documents, classes and callers can fail: a tree that breaks each rule is
 refused, a clean one passes. Usage: style_test.py"""
 import pathlib
 import subprocess
@@ -65,6 +65,36 @@ BAD_PAGES = {
     "no parser": {"client/job.cpp": ""},
 }
 
+GOOD_CLASSES = {
+    "common/core/a.hpp": "class A {\n  public:\n    int f(int x) const { return x; }\n  private:\n" + 12 * "    int x_;\n" + "};\n",
+    "common/core/a.cpp": "int A::f(int x) {}\n",
+    "tests/style/classes.txt": "members common/core/b.hpp B 13\n",
+    "common/core/b.hpp": "struct B {\n" + 13 * "    int x = 0;\n" + "    static int y;\n    using Z = int;\n};\n",
+}
+BAD_CLASSES = {
+    "a class with 13 data members": {"master/net/m.hpp": "struct M {\n" + 13 * "    std::map<int, int> x{};\n" + "};\n"},
+    "a nested class with 13 data members": {"master/net/m.hpp": "struct M {\n    struct N {\n" + 13 * "        int x;\n" + "    };\n};\n"},
+    "a class with 31 methods": {"master/net/m.hpp": "class M {\n" + 31 * "    void f(std::function<void(int)> g);\n" + "};\n"},
+    "an offender that grew": {"common/core/b.hpp": "struct B {\n" + 14 * "    int x = 0;\n" + "};\n"},
+    "an offender that shrank, under its old figure": {"common/core/b.hpp": "struct B {\n    int x = 0;\n};\n"},
+    "a class in two files": {"common/core/a_more.cpp": "void A::g() {}\n"},
+    "a folder of 26 files": {f"bench/peers/p{i}.cpp": "" for i in range(26)},
+}
+GOOD_CALLERS = {
+    "common/core/a.hpp": "int twice(int x);\nint alone(int x);\n",
+    "common/core/a.cpp": "int twice(int x) {\n    return 2 * x;\n}\nint alone(int x) {\n    return twice(x);\n}\n",
+    "tests/style/callers.txt": "alone what a test needs\n",
+}
+BAD_CALLERS = {
+    "a function that nothing calls": {"master/net/m.hpp": "void lonely();\n"},
+    "a method that only a test calls": {
+        "master/net/m.hpp": "class M {\n    [[nodiscard]] std::map<int, int> lonely() const;\n};\n",
+        "tests/t.cpp": "void f() {\n    m.lonely();\n}\n",
+    },
+    "an exception that is called": {"master/net/m.cpp": "void f() {\n    alone(1);\n}\n"},
+    "an exception without a reason": {"tests/style/callers.txt": "alone\n"},
+}
+
 
 def passes(check, files):
     with tempfile.TemporaryDirectory() as folder:
@@ -84,6 +114,12 @@ def failures_of(check, good, bad):
             yield f"{check} passes: {name}"
 
 
-failures = [*failures_of("includes.py", GOOD_SOURCES, BAD_SOURCES), *failures_of("documents.py", GOOD_PAGES, BAD_PAGES)]
-print("\n".join(failures) or f"{len(BAD_SOURCES) + len(BAD_PAGES)} broken rules were noticed")
+CHECKS = [
+    ("includes.py", GOOD_SOURCES, BAD_SOURCES),
+    ("documents.py", GOOD_PAGES, BAD_PAGES),
+    ("classes.py", GOOD_CLASSES, BAD_CLASSES),
+    ("callers.py", GOOD_CALLERS, BAD_CALLERS),
+]
+failures = [failure for check in CHECKS for failure in failures_of(*check)]
+print("\n".join(failures) or f"{sum(len(bad) for _, _, bad in CHECKS)} broken rules were noticed")
 sys.exit(1 if failures else 0)
