@@ -13,7 +13,7 @@ namespace cd::tests {
 
 namespace {
 
-/// The columns are the directions from the centre of a box in the world to its faces.
+/// Columns: directions in world space from the centre of a box to its faces.
 Mat3 edges_in_world(const ObbNode& node, const Pose& pose) {
     Mat3 edges;
     for (int k = 0; k < 3; ++k) {
@@ -118,8 +118,8 @@ touching_poses(std::mt19937_64& random, const ObbNode& a, const ObbNode& b, doub
     }
     const Mat3 edges_a = edges_in_world(a, poses.a);
     const Mat3 edges_b = edges_in_world(b, poses.b);
-    // A direction in which the two are apart when they touch: of a face of A or of B, or across an
-    // edge of each.
+    // The two touch, and this direction separates them: a face normal of A or B, or a cross product
+    // of edges.
     Vec3 direction;
     const int i = static_cast<int>(random() % 3);
     const int k = static_cast<int>(random() % 3);
@@ -141,7 +141,7 @@ touching_poses(std::mt19937_64& random, const ObbNode& a, const ObbNode& b, doub
     if (random() % 2 == 0) {
         direction = -direction;
     }
-    // B moves along the plane of contact as far as its supporting edge or face reaches.
+    // Move B in the contact plane as far as its supporting edge or face reaches.
     Vec3 between = support(edges_a, direction) + support(edges_b, direction);
     for (const Mat3& edges : {edges_a, edges_b}) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -154,7 +154,7 @@ touching_poses(std::mt19937_64& random, const ObbNode& a, const ObbNode& b, doub
     const Vec3 center_a = poses.a.apply(center_of_node(a));
     const Vec3 center_b = poses.b.apply(center_of_node(b));
     Vec3 translation = poses.b.translation() + (center_a + between - center_b);
-    // Some steps of a double this way or that.
+    // Shift by a few ulps either way.
     for (int axis = 0; axis < 3; ++axis) {
         const double step =
             std::nextafter(std::abs(translation[axis]), std::numeric_limits<double>::infinity()) -

@@ -32,7 +32,7 @@ bool is_zero(const Point& p) {
     return p[0] == 0 && p[1] == 0 && p[2] == 0;
 }
 
-/// The pose applied as the contract says: a quaternion rotates by M(q) / q.q.
+/// Applies the pose as the contract defines it: a quaternion q rotates by M(q) / q.q.
 Point world(const Pose& pose, const Vec3& corner) {
     std::array<std::array<Number, 3>, 3> r;
     if (pose.kind() == Pose::Kind::Matrix) {
@@ -118,7 +118,7 @@ Polygon clip(const Polygon& polygon, const HalfSpace& bound) {
     return kept;
 }
 
-/// Strictly on the inner side of all three edges, for a point of the triangle's plane.
+/// True if `p`, a point of the triangle's plane, is strictly inside all three edges.
 bool is_inner(const Point& p, const Polygon& t) {
     const Point normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -160,7 +160,7 @@ bool is_strictly_between(const Point& p, const Point& from, const Point& to) {
     return is_zero(cross(along, offset)) && place > 0 && place < dot(along, along);
 }
 
-/// Each corner once; clipping leaves repeats, and of flat sets also points between the corners.
+/// Removes repeated corners and, for flat sets, points between corners: clipping leaves both.
 Polygon corners_of(const Polygon& polygon) {
     Polygon distinct;
     for (const Point& p : polygon) {
@@ -195,7 +195,7 @@ clipping_oracle_class(const Corners& corners_a, const Corners& corners_b, const 
     if (!has_area(a) || !has_area(b)) {
         return PairClass::Touch;
     }
-    // Relative interiors of convex sets meet just where the relative interior of what they share
+    // Relative interiors of convex sets meet exactly if the relative interior of their intersection
     // lies in both.
     const Point center = mean(shared);
     if (!is_inner(center, a) || !is_inner(center, b)) {

@@ -1,4 +1,4 @@
-// Waiting, in tests with real processes, for what somebody else does.
+// Waits for conditions in tests with real processes.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace cd::tests {
 
-/// Until it is so (then true), or a minute has gone by.
+/// Polls until the condition holds; returns false after one minute.
 [[nodiscard]] inline bool comes_true(const std::function<bool()>& condition) {
     const auto give_up_at = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (!condition()) {

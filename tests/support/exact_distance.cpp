@@ -33,7 +33,7 @@ Point<N> cross(const Point<N>& l, const Point<N>& r) {
         N(l[1] * r[2] - l[2] * r[1]), N(l[2] * r[0] - l[0] * r[2]), N(l[0] * r[1] - l[1] * r[0])};
 }
 
-/// The pose applied as the contract says: a quaternion rotates by M(q) / q.q.
+/// Applies the pose as the contract defines it: a quaternion q rotates by M(q) / q.q.
 template <class N>
 Point<N> world(const Pose& pose, const Vec3& corner) {
     std::array<Point<N>, 3> r;
@@ -83,7 +83,7 @@ N point_to_segment(const Point<N>& p, const Point<N>& a, const Point<N>& b) {
     return dot(normal, normal) / length;
 }
 
-/// Lowers `least` to the distance from the point to the triangle's plane, if its foot is inside.
+/// Lowers `least` to the point's distance from the triangle's plane if its foot is inside.
 template <class N>
 void point_to_face(const Point<N>& p, const Points<N>& t, N& least) {
     const Point<N> normal = cross(minus(t[1], t[0]), minus(t[2], t[0]));
@@ -101,7 +101,7 @@ void point_to_face(const Point<N>& p, const Points<N>& t, N& least) {
     least = std::min(least, N(height * height / square));
 }
 
-/// Lowers `least` to the distance of two lines, if their nearest points lie on both edges.
+/// Lowers `least` to the distance of two lines if their nearest points lie on both edges.
 template <class N>
 void edge_to_edge(
     const Point<N>& a, const Point<N>& a2, const Point<N>& b, const Point<N>& b2, N& least) {
@@ -122,7 +122,7 @@ void edge_to_edge(
     least = std::min(least, N(height * height / square));
 }
 
-/// The squared distance of two triangles that do not intersect.
+/// Returns the squared distance of two triangles that do not intersect.
 template <class N>
 N squared_distance(const Points<N>& a, const Points<N>& b) {
     N least = point_to_segment(a[0], b[0], b[1]);
@@ -168,7 +168,7 @@ bool distance_is_at_most(const Mesh& a, const Mesh& b, const PosePair& poses, do
     std::sort(pairs.begin(), pairs.end(), [](const Near& l, const Near& r) {
         return l.square < r.square;
     });
-    // Any one pair that is near enough proves it; doubles only say which to try first.
+    // One pair that is near enough is proof; doubles only choose which pairs to try first.
     constexpr std::size_t pairs_tried = 8;
     const Rational limit = Rational(bound) * Rational(bound);
     for (std::size_t i = 0; i < std::min(pairs_tried, pairs.size()); ++i) {

@@ -1,4 +1,4 @@
-// The distance of two posed meshes that do not touch, by the closest features, in rational numbers.
+// Computes the exact distance of two disjoint posed meshes by closest features, in rationals.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -6,9 +6,9 @@
 
 namespace cd::tests {
 
-/// True when the exact distance of the two surfaces in the world is at most `bound`, which is
-/// finite. The surfaces must not touch. Squares are compared, in rational numbers, for the pairs of
-/// triangles that doubles show to be nearest. Shares no code with the engine.
+/// True if the exact distance of two disjoint surfaces is at most `bound`, which is finite.
+/// Compares squares, in rationals, for the triangle pairs that doubles show to be nearest. Shares
+/// no code with the engine.
 [[nodiscard]] bool
 distance_is_at_most(const Mesh& a, const Mesh& b, const PosePair& poses, double bound);
 

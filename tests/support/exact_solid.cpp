@@ -58,10 +58,10 @@ std::optional<ExactSolid::Count> ExactSolid::count(const WeightedPoint& point,
             continue;
         }
         if (ahead * t.along < 0) {
-            continue; // Behind.
+            continue; // The crossing is behind the origin.
         }
-        // On which side of each edge the ray passes: the sign of d.((v - p) x (w - p)), which is
-        // that of d.(v x w) - p.((w - v) x d).
+        // The side of each edge on which the ray passes: the sign of d.((v - p) x (w - p)), which
+        // equals d.(v x w) - p.((w - v) x d).
         int left = 0;
         int right = 0;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -70,12 +70,12 @@ std::optional<ExactSolid::Count> ExactSolid::count(const WeightedPoint& point,
             right += side < 0 ? 1 : 0;
         }
         if (left != 0 && right != 0) {
-            continue; // Past it.
+            continue; // The ray misses the triangle.
         }
         if (ahead == 0) {
             result.on_surface = true;
         } else if (left + right < 3) {
-            return std::nullopt; // Through an edge or a corner.
+            return std::nullopt; // The ray meets an edge or a corner.
         } else {
             result.is_odd = !result.is_odd;
         }

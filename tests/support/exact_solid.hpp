@@ -1,4 +1,4 @@
-// Points against a closed surface, in whole numbers: the parity of a ray's crossings.
+// Locates points relative to a closed surface, in integers, by the parity of a ray's crossings.
 #pragma once
 
 #include "tests/support/exact_world.hpp"
@@ -12,20 +12,20 @@ namespace cd::tests {
 
 enum class PointPlace { Outside, Inside, OnSurface };
 
-/// What a closed surface bounds. Triangles without area bound nothing.
+/// The solid bounded by a closed surface. Triangles without area are ignored.
 class ExactSolid {
   public:
     explicit ExactSolid(const std::vector<ExactTriangle>& surface) : surface_(surface) {}
 
     [[nodiscard]] PointPlace place(const WeightedPoint& point);
 
-    /// Whether the solid is on the side of `direction` at a point, of the surface or not; nothing
-    /// if the ray from there meets an edge or lies in a face. Directions are counted from 0.
+    /// Tells whether the solid lies towards `direction` (an index from 0) from `point`, which may
+    /// be on the surface. Returns nothing if the ray from there meets an edge or lies in a face.
     [[nodiscard]] std::optional<bool> is_solid_towards(const WeightedPoint& point,
                                                        std::size_t direction);
 
   private:
-    /// A triangle as a ray of one direction sees it: all values are linear in the ray's origin.
+    /// A triangle prepared for rays of one direction: all values are linear in the ray's origin.
     struct Target {
         ExactPoint normal;
         Integer offset;
@@ -42,7 +42,7 @@ class ExactSolid {
     [[nodiscard]] const std::vector<Target>& targets(std::size_t direction);
 
     std::vector<ExactTriangle> surface_;
-    std::vector<std::vector<Target>> targets_; ///< By direction, made when first used.
+    std::vector<std::vector<Target>> targets_; ///< One list per direction, made on first use.
 };
 
 } // namespace cd::tests

@@ -27,7 +27,7 @@ Dyadic dyadic(double x) {
     return {mantissa / (std::int64_t{1} << zeros), exponent - 53 + zeros};
 }
 
-/// Numbers as integers times 2^exponent.
+/// Each number is an integer times 2^exponent.
 struct Scaled {
     std::vector<Integer> numbers;
     int exponent = 0;
@@ -79,7 +79,7 @@ Rotation rotation_of(const Pose& pose) {
         return {std::move(matrix.numbers), matrix.exponent, 1};
     }
     const Quaternion& q = pose.quaternion();
-    // Numerators and denominator are of one degree in q: its scale cancels.
+    // Numerators and denominator have the same degree in q, so its scale cancels.
     const std::vector<Integer> n = scaled(std::array{q.w, q.x, q.y, q.z}).numbers;
     const Integer& w = n[0];
     const Integer& x = n[1];
@@ -100,7 +100,7 @@ Rotation rotation_of(const Pose& pose) {
     return result;
 }
 
-/// The world's points are points * 2^exponent / denominator.
+/// World points are points * 2^exponent / denominator.
 struct PosedPoints {
     std::vector<ExactPoint> points;
     int exponent = 0;

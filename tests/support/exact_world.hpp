@@ -1,4 +1,4 @@
-// Bodies in the world as whole numbers: the exact coordinates, times one common positive number.
+// Bodies in world space as integers: exact coordinates times one common positive number.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -16,21 +16,21 @@ using Integer = mpz_class;
 using ExactPoint = std::array<Integer, 3>;
 using ExactTriangle = std::array<ExactPoint, 3>;
 
-/// The points of two bodies, both times the same number, which changes no answer about them.
+/// The points of two bodies, both scaled by one number, which changes no answer about them.
 struct ExactWorld {
     std::vector<ExactPoint> a;
     std::vector<ExactPoint> b;
 };
 
-/// Poses are applied as the contract says: doubles are the rationals that they denote, a quaternion
-/// rotates by M(q) / q.q.
+/// Applies poses as the contract defines them: doubles are exact rationals; a quaternion q rotates
+/// by M(q) / q.q.
 [[nodiscard]] ExactWorld
 exact_world(std::span<const Vec3> a, std::span<const Vec3> b, const PosePair& poses);
 
 [[nodiscard]] ExactPoint minus(const ExactPoint& l, const ExactPoint& r);
 [[nodiscard]] Integer dot(const ExactPoint& l, const ExactPoint& r);
 [[nodiscard]] ExactPoint cross(const ExactPoint& l, const ExactPoint& r);
-/// The cross product of two edges: zero for a triangle without area.
+/// Cross product of two edges; zero for a triangle without area.
 [[nodiscard]] ExactPoint normal_of(const ExactTriangle& t);
 [[nodiscard]] bool is_zero(const ExactPoint& p);
 

@@ -1,4 +1,4 @@
-// A disk that is full.
+// Simulates a full disk.
 #pragma once
 
 #include <sys/resource.h>
@@ -7,7 +7,7 @@
 
 namespace cd::tests {
 
-/// Files of this process cannot grow beyond a size, as on a disk that is full.
+/// Limits the size of files this process writes, as a full disk does.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(rlim_t bytes) {

@@ -105,7 +105,7 @@ PosedPair nearly_touching(std::mt19937_64& random) {
     default:
         break;
     }
-    // Products in a fixed order: the pairs are the same with every compiler.
+    // Evaluate products in a fixed order, so that every compiler makes identical pairs.
     const Vec3 from = some_point(c.a);
     const Mat3 ra = c.poses.a.rotation();
     Vec3 target = c.poses.a.translation() - c.poses.b.translation();
@@ -247,7 +247,7 @@ std::map<std::string, PairMaker> pair_makers() {
         PosedPair c{lattice_corners(r, 2), lattice_corners(r, 2), {}};
         Mat3 shear = Mat3::Identity();
         shear(0, 1) = 0.5;
-        shear(2, 2) = r() % 3 == 0 ? 0 : -2; // Flat for some, mirrored for others.
+        shear(2, 2) = r() % 3 == 0 ? 0 : -2; // Flat in some cases, mirrored in others.
         c.poses.a = Pose::from_matrix(shear, Vec3::Zero());
         return c;
     };
@@ -274,7 +274,7 @@ PosedPair turned_about_an_axis(std::mt19937_64& random) {
     const auto axis = static_cast<int>(random() % 3);
     const double step = random() % 2 == 0 ? 1 : 0.1;
     const auto turn = [&](int kind) {
-        // By any angle, by a half turn about an axis across, or not at all.
+        // Turn by any angle, by a half turn about a transverse axis, or not at all.
         const double angle = kind == 0 ? 1 : static_cast<double>(random() % 7) / 3;
         Quaternion q{kind == 1 ? 0.0 : angle, 0, 0, 0};
         std::array<double*, 3> vector{&q.x, &q.y, &q.z};

@@ -1,4 +1,4 @@
-// Pairs of triangles that floating point gets wrong, by kind (NUMERICS, section 4).
+// Triangle pairs that floating point misjudges, by kind (NUMERICS, section 4).
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -19,29 +19,29 @@ struct PosedPair {
 
 using PairMaker = std::function<PosedPair(std::mt19937_64&)>;
 
-/// A maker for each kind, by name.
+/// Maps the name of each kind to its maker.
 [[nodiscard]] std::map<std::string, PairMaker> pair_makers();
 
-/// B is moved so that a point of it, often on an edge or a corner, is in the world where such a
-/// point of A is, but for some roundings.
+/// Moves B so that a point of it (often on an edge or a corner) coincides in world space with such
+/// a point of A, up to roundings.
 [[nodiscard]] PosedPair nearly_touching(std::mt19937_64& random);
 
-/// Lattices of tenths or of whole numbers turned about one axis, by a rotation that keeps it
-/// exactly, and moved so that corners are nominally one point, or heights one height: what doubles
-/// take for 0 must be 0. Some corners lie on the axis.
+/// Makes lattices of tenths or integers, turns them about one axis (kept exactly) and moves them so
+/// that corners or heights nominally coincide: what doubles compute as 0 must be 0. Some corners
+/// lie on the axis.
 [[nodiscard]] PosedPair turned_about_an_axis(std::mt19937_64& random);
 
-/// Multiplies each coordinate by one of five powers of two so far apart that products underflow.
+/// Multiplies each coordinate by one of five powers of two, so far apart that products underflow.
 void scale_far_apart(std::mt19937_64& random, PosedPair& pair);
 
 [[nodiscard]] Corners random_corners(std::mt19937_64& random, double half_width);
-/// Corners with whole coordinates from -reach to reach.
+/// Makes corners with integer coordinates from -reach to reach.
 [[nodiscard]] Corners lattice_corners(std::mt19937_64& random, int reach);
-/// Whole coordinates from -reach to reach.
+/// Makes a point with integer coordinates from -reach to reach.
 [[nodiscard]] Vec3 lattice_point(std::mt19937_64& random, int reach);
-/// A point of a triangle, rounded: a vertex of B put there touches A nominally.
+/// Returns a rounded point of a triangle: a vertex of B at this point nominally touches A.
 [[nodiscard]] Vec3 point_on(std::mt19937_64& random, const Corners& t);
-/// Some of the coordinates one step up or down.
+/// Moves some of the coordinates up or down by one ulp.
 [[nodiscard]] Vec3 nudged(std::mt19937_64& random, Vec3 p);
 [[nodiscard]] Corners scaled(Corners t, double factor);
 

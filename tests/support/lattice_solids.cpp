@@ -25,7 +25,7 @@ LatticePoint moved(LatticePoint point, std::size_t axis, int by) {
     return point;
 }
 
-/// The face of a cube at the low or high end of an axis, wound outward, with either diagonal.
+/// Adds the face of a cube at the low or high end of an axis, wound outward, with either diagonal.
 void add_face(std::vector<Vec3>& vertices,
               std::vector<Triangle>& triangles,
               const LatticePoint& low,
@@ -88,7 +88,7 @@ bool separates(const Way& axis,
     return most <= least;
 }
 
-/// Of every two corners.
+/// Returns the edge direction of every pair of corners.
 std::vector<Way> edges_of(const std::vector<LatticePoint>& corners) {
     std::vector<Way> edges;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -276,7 +276,7 @@ bool interiors_meet(const Tetrahedron& a,
     edges.insert(edges.end(), edges_b.begin(), edges_b.end());
     for (const Way& l : edges) {
         for (const Way& r : edges) {
-            // Both signs come up, as both orders do.
+            // The loops produce both signs and both orders.
             if (separates(cross(l, r), corners_a, corners_b)) {
                 return false;
             }

@@ -1,4 +1,4 @@
-// What is logged while a test looks.
+// Captures log output during a test.
 #pragma once
 
 #include "common/core/host/log.hpp"
@@ -8,7 +8,7 @@
 
 namespace cd::tests {
 
-/// Takes the place of the default logger, written as the programs write it.
+/// Replaces the default logger and writes in the programs' format.
 class Logged {
   public:
     explicit Logged(LogLevel level = LogLevel::Info);

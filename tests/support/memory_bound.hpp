@@ -1,4 +1,4 @@
-// A machine with little memory.
+// Simulates a machine with little memory.
 #pragma once
 
 #include <sys/resource.h>
@@ -8,7 +8,7 @@
 
 namespace cd::tests {
 
-/// This process gets no more than so many bytes beside what it has.
+/// Limits this process to so many bytes beyond its current use.
 class MemoryBound {
   public:
     explicit MemoryBound(rlim_t bytes) {

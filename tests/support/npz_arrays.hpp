@@ -1,4 +1,4 @@
-// All arrays of an .npz at once, for tests.
+// Reads all arrays of an .npz file.
 #pragma once
 
 #include "client/formats/npz_file.hpp"

@@ -1,4 +1,4 @@
-// Meshes as OBJ files.
+// Writes meshes as OBJ files.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -9,7 +9,7 @@
 
 namespace cd::tests {
 
-/// Coordinates with six places.
+/// Writes coordinates with six decimals.
 inline void write_obj(const std::filesystem::path& path, const Mesh& mesh) {
     std::string text;
     for (const Vec3& v : mesh.vertices()) {

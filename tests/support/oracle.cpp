@@ -29,14 +29,15 @@ using Sides = std::array<Integer, 3>;
 struct Bounded {
     const ExactTriangle* corners;
     HalfSpace plane;
-    std::array<HalfSpace, 3> edges; ///< Edge i runs from corner i to the next; inside is >= 0.
+    std::array<HalfSpace, 3> edges; ///< Edge i runs from corner i to the next; the inside has
+                                    ///< values >= 0.
 
     Bounded(const ExactTriangle& t, const ExactPoint& normal)
         : corners(&t),
           plane(normal, t[0]),
           edges{edge(t, normal, 0), edge(t, normal, 1), edge(t, normal, 2)} {}
 
-    /// For a point of the triangle's plane.
+    /// Requires `x` in the triangle's plane.
     [[nodiscard]] bool has(const WeightedPoint& x) const {
         return std::all_of(
             edges.begin(), edges.end(), [&](const HalfSpace& edge) { return edge.side(x) >= 0; });
@@ -57,7 +58,7 @@ bool all_on_one_side(const Sides& s) {
     return first != 0 && sgn(s[1]) == first && sgn(s[2]) == first;
 }
 
-/// Where the segment from `p` to `q` meets a plane that they lie strictly on either side of.
+/// Intersects a plane with the segment from `p` to `q`, which lie strictly on either side.
 WeightedPoint
 crossing(const ExactPoint& p, const Integer& at_p, const ExactPoint& q, const Integer& at_q) {
     const Integer to_p = abs(at_q);
@@ -70,7 +71,7 @@ crossing(const ExactPoint& p, const Integer& at_p, const ExactPoint& q, const In
     return result;
 }
 
-/// The ends of the part of a triangle that lies in a plane, given its corners' sides, not all 0.
+/// Returns the ends of a triangle's part in a plane; `sides` of its corners are not all 0.
 std::vector<WeightedPoint> ends_in_plane(const ExactTriangle& t, const Sides& sides) {
     std::vector<WeightedPoint> ends;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -98,7 +99,7 @@ std::vector<WeightedPoint> corners_of(const ExactTriangle& t) {
     return {{t[0], 1}, {t[1], 1}, {t[2], 1}};
 }
 
-/// What two coplanar triangles share has its corners among theirs and where their edges cross.
+/// The corners of the intersection are corners of the triangles or crossings of their edges.
 std::vector<WeightedPoint> shared_in_plane(const Bounded& a, const Bounded& b) {
     std::vector<WeightedPoint> shared;
     add_those_in(b, corners_of(*a.corners), shared);
@@ -113,8 +114,8 @@ std::vector<WeightedPoint> shared_in_plane(const Bounded& a, const Bounded& b) {
     return shared;
 }
 
-/// What two triangles in different planes share is part of the planes' common line, where each
-/// triangle has a segment: its ends are ends of the one that lie in the other.
+/// The intersection lies on the common line of the two planes, where each triangle has a segment.
+/// Its ends are those segment ends that lie in the other triangle.
 std::vector<WeightedPoint>
 shared_on_line(const Bounded& a, const Bounded& b, const Sides& sides_a) {
     const Sides sides_b = sides_of(*b.corners, a.plane);
@@ -126,7 +127,7 @@ shared_on_line(const Bounded& a, const Bounded& b, const Sides& sides_a) {
     return shared;
 }
 
-/// Half-spaces whose common part is exactly the segment or point from `low` to `high`.
+/// Returns half-spaces whose common part is exactly the segment or point from `low` to `high`.
 std::vector<HalfSpace> bounds_of_segment(const ExactPoint& low, const ExactPoint& high) {
     const ExactPoint along = minus(high, low);
     std::vector<HalfSpace> bounds{{along, low}, {minus(low, high), high}};
@@ -140,7 +141,7 @@ std::vector<HalfSpace> bounds_of_segment(const ExactPoint& low, const ExactPoint
     return bounds;
 }
 
-/// The part of the segment from `low` to `high` in all half-spaces: each cuts off one end.
+/// Clips the segment from `low` to `high` by all half-spaces; each cuts off one end.
 std::vector<WeightedPoint> clipped_segment(const ExactPoint& low,
                                            const ExactPoint& high,
                                            const std::vector<HalfSpace>& bounds) {
@@ -186,7 +187,7 @@ std::vector<HalfSpace> bounds_of(const ExactTriangle& t, const ExactPoint& norma
     return bounds;
 }
 
-/// Of a triangle without area with any other.
+/// Intersects a triangle without area with any other triangle.
 std::vector<WeightedPoint> shared_with_segment(const ExactTriangle& segment,
                                                const ExactTriangle& other,
                                                const ExactPoint& normal) {
@@ -194,7 +195,7 @@ std::vector<WeightedPoint> shared_with_segment(const ExactTriangle& segment,
     return clipped_segment(*low, *high, bounds_of(other, normal));
 }
 
-/// Convex sets' relative interiors meet just where what they share is not all on one edge.
+/// Relative interiors of convex sets meet exactly if their intersection is not on one edge.
 bool has_inner_point(const Bounded& t, const std::vector<WeightedPoint>& shared) {
     return std::all_of(t.edges.begin(), t.edges.end(), [&](const HalfSpace& edge) {
         return std::any_of(shared.begin(), shared.end(), [&](const WeightedPoint& corner) {

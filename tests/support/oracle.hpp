@@ -1,4 +1,4 @@
-// The truth about a pair of triangles, in whole numbers and by another way than the engine's.
+// Exact reference for triangle pairs, in integers, by another method than the engine's.
 #pragma once
 
 #include "common/pair/triangle_pair.hpp"
@@ -6,22 +6,21 @@
 
 namespace cd::tests {
 
-/// Exact on every input, and shares no code with the engine: it lists the corners of the set that
-/// the triangles share and looks where they lie. Some microseconds (clipping_oracle.hpp is its slow
-/// twin).
+/// Classifies the pair exactly on every input: lists the corners of the intersection and locates
+/// them. Shares no code with the engine. Takes some microseconds; clipping_oracle.hpp is slower.
 [[nodiscard]] PairClass oracle_class(const Corners& a, const Corners& b, const PosePair& poses);
 
-/// The same for two triangles in the world.
+/// Classifies two triangles given in world space.
 [[nodiscard]] PairClass oracle_class(const ExactTriangle& a, const ExactTriangle& b);
 
-/// A point p / weight of the world; the weight is positive.
+/// A world point p / weight; the weight is positive.
 struct WeightedPoint {
     ExactPoint p;
     Integer weight = 1;
 };
 
-/// Points whose convex hull is the set that the two triangles share, in no order and some of them
-/// perhaps several times; none where the triangles are apart.
+/// Returns points whose convex hull is the intersection of the triangles, unordered, possibly
+/// repeated; none if the triangles are apart.
 [[nodiscard]] std::vector<WeightedPoint> shared_corners(const ExactTriangle& a,
                                                         const ExactTriangle& b);
 

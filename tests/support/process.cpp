@@ -39,7 +39,7 @@ Process::Process(const std::vector<std::string>& command, std::filesystem::path 
     }
     arguments.push_back(nullptr);
 
-    ::setenv("CDCTL_TREE_CACHE", "off", 0); // A test leaves nothing in its user's cache.
+    ::setenv("CDCTL_TREE_CACHE", "off", 0); // Tests leave nothing in the user's cache.
     const std::string errors = output_.string() + ".err";
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
@@ -85,7 +85,7 @@ std::optional<int> Process::wait(std::chrono::seconds limit) {
     if (!is_running()) {
         return exit_code_;
     }
-    // The kernel's own handle of the process becomes readable when it ends.
+    // The process's pidfd becomes readable when the process ends.
     const int handle = static_cast<int>(syscall(SYS_pidfd_open, pid_, 0));
     CD_CHECK(handle >= 0);
     pollfd waiting{handle, POLLIN, 0};

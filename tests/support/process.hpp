@@ -1,4 +1,4 @@
-// Real processes for the tests of the programs: started, spoken to, and never left behind.
+// Runs real processes in tests of the programs and kills them at the end.
 #pragma once
 
 #include <sys/types.h>
@@ -11,13 +11,13 @@
 
 namespace cd::tests {
 
-/// The folder of the three programs under test.
+/// Returns the path of one of the three programs under test.
 [[nodiscard]] std::filesystem::path program(const std::string& name);
 
-/// A child with its standard output and error in files. Killed at destruction if it still runs.
+/// A child whose standard output and error go to files. The destructor kills it if it still runs.
 class Process {
   public:
-    /// `output` gets what it prints on stdout, `output` + ".err" what it prints on stderr.
+    /// Writes the child's stdout to `output` and its stderr to `output` + ".err".
     Process(const std::vector<std::string>& command, std::filesystem::path output);
     Process(Process&& other) noexcept;
     Process(const Process&) = delete;
@@ -26,8 +26,8 @@ class Process {
 
     void signal(int number) const;
     [[nodiscard]] pid_t id() const { return pid_; }
-    /// Its exit code, or 128 + the signal that ended it. Waits; killed (and nothing returned) when
-    /// `limit` passes.
+    /// Waits and returns the exit code, or 128 + the signal that ended it. Kills it and returns
+    /// nothing after `limit`.
     [[nodiscard]] std::optional<int> wait(std::chrono::seconds limit = std::chrono::seconds(120));
     [[nodiscard]] bool is_running();
 
@@ -40,7 +40,7 @@ class Process {
     std::optional<int> exit_code_;
 };
 
-/// A folder of its own that disappears with the object.
+/// A temporary folder; the destructor removes it.
 class TemporaryFolder {
   public:
     TemporaryFolder();
@@ -60,7 +60,7 @@ class TemporaryFolder {
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);
 
-/// Runs a command to its end. The exit code, and what it printed on both.
+/// The exit code of a finished command, and its output on stdout and stderr.
 struct Ran {
     int exit_code = -1;
     std::string output;

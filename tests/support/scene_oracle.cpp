@@ -13,7 +13,7 @@ namespace cd::tests {
 
 namespace {
 
-/// Bounds of a triangle; the numbers are the triangle's own.
+/// The triangle's bounds, in the triangle's own numbers.
 struct ExactBox {
     std::array<const Integer*, 3> low;
     std::array<const Integer*, 3> high;
@@ -70,7 +70,7 @@ std::vector<std::uint32_t> pieces_of(const Mesh& mesh) {
     return pieces;
 }
 
-/// The mean of points, which lies in their hull's relative interior.
+/// Returns the mean of points, which lies in the relative interior of their hull.
 WeightedPoint mean(std::span<const WeightedPoint> points) {
     WeightedPoint result;
     for (const WeightedPoint& point : points) {
@@ -103,7 +103,7 @@ bool any_piece_inside(const std::vector<ExactTriangle>& inner,
     });
 }
 
-/// Whether both solids lie on one side of the triangles at a point within both of them.
+/// True if both solids lie on one side of the triangles at a point inside both of them.
 bool solids_on_one_side(const WeightedPoint& point, ExactSolid& a, ExactSolid& b) {
     for (std::size_t direction = 0;; ++direction) {
         const auto in_a = a.is_solid_towards(point, direction);
@@ -114,10 +114,10 @@ bool solids_on_one_side(const WeightedPoint& point, ExactSolid& a, ExactSolid& b
     }
 }
 
-/// Whether some point within the triangle lies strictly in the solid, given the corners of what
-/// the triangle shares with the solid's surface. Where that surface parts the triangle, each part
-/// is a polygon with corners among these and the triangle's own, so it is made of triangles
-/// between them: one of all those triangles' centres lies in each part.
+/// True if a point inside the triangle lies strictly in the solid. `shared` holds the corners of
+/// the triangle's intersection with the solid's surface. The surface may split the triangle into
+/// polygons whose corners are in `shared` or the triangle's own. Each polygon consists of triangles
+/// between them, so one of these triangles' centres lies in each polygon.
 bool has_point_inside(std::vector<WeightedPoint> shared,
                       const ExactTriangle& triangle,
                       ExactSolid& solid) {

@@ -1,4 +1,4 @@
-// The truth about two posed meshes, by brute force in whole numbers.
+// Exact reference for two posed meshes, by brute force in integers.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -10,16 +10,16 @@
 
 namespace cd::tests {
 
-/// Shares no code with the engine. For meshes of up to some thousand triangles.
+/// Handles meshes of up to some thousand triangles. Shares no code with the engine.
 class SceneOracle {
   public:
     SceneOracle(const Mesh& a, const Mesh& b, const PosePair& poses);
 
-    /// Every pair that shares a point, with its class, sorted.
+    /// Returns every pair that shares a point, with its class, sorted.
     [[nodiscard]] const std::vector<ContactPair>& contact_pairs() const { return pairs_; }
 
-    /// By the definition (NUMERICS, section 1). `closed`: both surfaces are closed, each without
-    /// crossing itself.
+    /// Classifies by the definition (NUMERICS, section 1). `closed`: both surfaces are closed and
+    /// do not cross themselves.
     [[nodiscard]] ScenarioClass scenario_class(bool closed) const;
 
   private:
@@ -27,7 +27,7 @@ class SceneOracle {
 
     std::vector<ExactTriangle> a_;
     std::vector<ExactTriangle> b_;
-    /// Of each body, one triangle of each set that is connected by vertex numbers.
+    /// For body A, one triangle of each set connected by vertex numbers.
     std::vector<std::uint32_t> pieces_a_;
     std::vector<std::uint32_t> pieces_b_;
     std::vector<ContactPair> pairs_;

@@ -181,7 +181,7 @@ Mesh make_degenerate_soup(std::mt19937_64& random, std::uint32_t count) {
             triangle = {triangle[0], triangle[0], triangle[0]}; // A point.
             break;
         case 2:
-            if (!triangles.empty()) { // A duplicate, turned.
+            if (!triangles.empty()) { // A duplicate with rotated corners.
                 const Triangle& earlier = triangles[random() % triangles.size()];
                 triangle = {earlier[1], earlier[2], earlier[0]};
             }

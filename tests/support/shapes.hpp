@@ -1,4 +1,4 @@
-// Meshes, poses and files that tests are made of. Everything random is a function of its generator.
+// Meshes, poses and files for tests. Every random object is a function of its generator.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -13,46 +13,46 @@
 
 namespace cd::tests {
 
-/// A double in [low, high), the same on every standard library.
+/// Returns a double in [low, high), identical on every standard library.
 [[nodiscard]] double uniform(std::mt19937_64& random, double low, double high);
 [[nodiscard]] Vec3 random_point(std::mt19937_64& random, double half_width);
 
-/// The mesh of these arrays, which must be valid.
+/// Makes the mesh of these arrays, which must be valid.
 [[nodiscard]] Mesh make_mesh(std::vector<Vec3> vertices, std::vector<Triangle> triangles);
 [[nodiscard]] std::shared_ptr<const Mesh> share(Mesh mesh);
 
-/// `count` triangles of about `size` with unshared corners in the cube [-1, 1]^3.
+/// Makes `count` triangles of about `size` with unshared corners in the cube [-1, 1]^3.
 [[nodiscard]] Mesh
 make_triangle_soup(std::mt19937_64& random, std::uint32_t count, double size = 0.5);
-/// A closed sphere of radius 1: an octahedron, each triangle split in four `subdivisions` times.
+/// Makes a closed sphere of radius 1: an octahedron with triangles split in four repeatedly.
 [[nodiscard]] Mesh make_sphere(int subdivisions);
-/// A closed box centred on the origin, 12 triangles.
+/// Makes a closed box of 12 triangles, centred on the origin.
 [[nodiscard]] Mesh make_box(const Vec3& size);
-/// A closed box whose faces are grids of n x n cells.
+/// Makes a closed box whose faces are grids of n x n cells.
 [[nodiscard]] Mesh make_gridded_box(const Vec3& size, int n);
-/// A closed torus around z.
+/// Makes a closed torus around z.
 [[nodiscard]] Mesh make_torus(double radius, double tube, int around, int across);
-/// Soup with repeated corners, segments, points, duplicates and coordinates on a small lattice.
+/// Makes a soup with repeated corners, segments, points, duplicates and small-lattice coordinates.
 [[nodiscard]] Mesh make_degenerate_soup(std::mt19937_64& random, std::uint32_t count);
-/// One mesh with the triangles of all, in order.
+/// Returns one mesh with the triangles of all, in order.
 [[nodiscard]] Mesh join(const std::vector<Mesh>& meshes);
-/// The mesh with every triangle wound the other way.
+/// Returns the mesh with every triangle wound the other way.
 [[nodiscard]] Mesh reversed(const Mesh& mesh);
-/// The mesh with every vertex moved by `offset` (rounded).
+/// Returns the mesh with every vertex moved by `offset` (rounded).
 [[nodiscard]] Mesh translated(const Mesh& mesh, const Vec3& offset);
 
-/// A random unit-ish quaternion pose with a translation in the cube of half width `reach`.
+/// Makes a random pose: a quaternion of norm near 1, a translation in a cube of half width `reach`.
 [[nodiscard]] Pose make_pose(std::mt19937_64& random, double reach);
-/// The same as a rounded matrix.
+/// Makes the pose of `make_pose` as a rounded matrix.
 [[nodiscard]] Pose make_matrix_pose(std::mt19937_64& random, double reach);
 [[nodiscard]] Pose translation_pose(double x, double y, double z);
 
-/// A real model, if the folder of them is there (setting and environment variable CD_MESHES).
+/// Finds a real model in the models' folder (CMake setting and environment variable CD_MESHES).
 [[nodiscard]] std::optional<std::filesystem::path> find_model(const std::string& name);
 
 } // namespace cd::tests
 
-/// Skips the test loudly where the real models are not there; a failure where CI is "true".
+/// Skips the test loudly if the real models are missing; fails if CI is "true".
 #define CD_NEEDS_MODEL(model, name)                                                                \
     const auto model##_found = ::cd::tests::find_model(name);                                      \
     if (!model##_found) {                                                                          \
