@@ -1,9 +1,8 @@
-// Proves that whatever fails, and in whatever order, every scenario of an accepted job comes to
-// exactly one result: the right one, or, after as many losses as are borne, the failure that says
-// so, or that of a worker that was wrong and that nothing could find out. The programs are the real
-// ones, in simulated time; each seed is a cluster with its own troubles. And proves that this would
-// notice a fault of ours: of many kinds, each switched on in turn, some seed among the first finds
-// every one.
+// Proves, over all failures and their orders, that every scenario of an accepted job gets exactly
+// one result. It is the right one; or, after the tolerated number of losses, the failure that says
+// so; or that of a wrong worker that nothing could expose. Runs the real programs in simulated
+// time; each seed is a cluster with its own faults. Also proves that the test detects defects: it
+// switches on each of many mutations in turn, and one of the first seeds finds each.
 #include "tests/faults/simulation.hpp"
 
 #include <gtest/gtest.h>
@@ -14,15 +13,16 @@ namespace cd::tests {
 namespace {
 
 constexpr std::uint64_t shards = 10;
-constexpr std::uint64_t seeds_of_shard = 200; // Workers that are found wrong are rare: some 8.
+constexpr std::uint64_t seeds_of_shard = 200; // Workers found wrong are rare: some 8.
 
-/// `workers`: as SimulationOptions has it.
+/// `workers` has the meaning of SimulationOptions::workers.
 std::string replay(std::uint64_t seed, std::size_t workers = 0) {
     return "replay it with: build/test/tests/faults_test --seed " + std::to_string(seed) +
            " --log" + (workers == 0 ? "" : " --workers " + std::to_string(workers));
 }
 
-/// What is well below what each hundred seeds have shown, so that no kind of trouble ends unseen.
+/// Each bound is well below what every hundred seeds have shown, so that no kind of fault goes
+/// untested.
 void expect_trouble(const Troubles& troubles) {
     constexpr std::uint64_t some = 2;
     constexpr std::uint64_t many = seeds_of_shard / 8;
@@ -57,7 +57,7 @@ TEST_P(Seeds, EveryScenarioComesToExactlyOneResult) {
         ASSERT_TRUE(outcome.problems.empty()) << outcome.problems.front() << "\n" << replay(seed);
         sum += outcome;
     }
-    // It was not easy.
+    // The seeds produced enough trouble.
     EXPECT_GT(sum.masters, 3 * seeds_of_shard / 2);
     EXPECT_GT(sum.workers, 5 * seeds_of_shard);
     EXPECT_GT(sum.results_repeated, seeds_of_shard / 4);
@@ -68,7 +68,7 @@ TEST_P(Seeds, EveryScenarioComesToExactlyOneResult) {
     EXPECT_GT(sum.recalled, seeds_of_shard / 5);
     EXPECT_GT(sum.copies, seeds_of_shard / 10);
     EXPECT_GT(sum.called_off, seeds_of_shard / 10);
-    // Workers were wrong, and found out; what came late was of no harm.
+    // Workers gave wrong results and were exposed; late messages did no harm.
     EXPECT_GT(sum.lies, seeds_of_shard);
     EXPECT_GT(sum.found_out, 0u);
     EXPECT_GT(sum.corrected, 0u);
@@ -79,7 +79,7 @@ TEST_P(Seeds, EveryScenarioComesToExactlyOneResult) {
 
 INSTANTIATE_TEST_SUITE_P(Faults, Seeds, testing::Range<std::uint64_t>(0, shards));
 
-// More than can be greeted at once, and a few scenarios for each of them.
+// Starts more workers than the master can greet at once, with a few scenarios each.
 TEST(ManyWorkers, EveryScenarioComesToExactlyOneResult) {
     constexpr std::size_t workers = 1000;
     std::uint64_t answering = 0;
@@ -107,7 +107,7 @@ TEST(Replay, ASeedIsTheSameEachTime) {
 struct KnownFault {
     Mutation mutation = Mutation::None;
     std::string name;
-    std::string noticed_as; ///< Part of what is said of it.
+    std::string noticed_as; ///< Part of the expected problem text.
 
     friend void PrintTo(const KnownFault& fault, std::ostream* out) { *out << fault.name; }
 };
@@ -115,8 +115,8 @@ struct KnownFault {
 class Faults : public testing::TestWithParam<KnownFault> {};
 
 TEST_P(Faults, AreNoticed) {
-    constexpr std::uint64_t seeds_tried = 200; // Without the fault all of them are well: see above.
-    std::string noticed; // Where it shows as something else first, the next seeds are tried.
+    constexpr std::uint64_t seeds_tried = 200; // Without a mutation, all these seeds pass.
+    std::string noticed; // If another problem shows first, the next seeds are tried.
     const auto is_noticed = [&] {
         return noticed.find(GetParam().noticed_as) != std::string::npos;
     };

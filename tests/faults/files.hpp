@@ -1,4 +1,4 @@
-// Files in memory, which know what of them would be there after a loss of power.
+// In-memory files that model which data survives a power loss.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -20,7 +20,7 @@ struct SimulatedFile {
         std::uint64_t offset = 0;
         Bytes bytes;
     };
-    std::vector<Write> pending; ///< Since the last sync.
+    std::vector<Write> pending; ///< Writes since the last sync.
     bool is_named_for_ever = false;
 };
 
@@ -30,12 +30,12 @@ class Files {
   public:
     SimulatedFiles by_path;
 
-    /// Of what was not synced each write may be there or not, and a new name as well. Whether
-    /// anything is gone.
+    /// Keeps or drops each unsynced write, and each new name, at random. Returns whether anything
+    /// is lost.
     bool lose_power(std::mt19937_64& random);
 };
 
-/// Of the files that no accident happens to: geometry.
+/// Holds geometry files, which no fault affects.
 [[nodiscard]] Files& safe_files();
 
 } // namespace cd::tests

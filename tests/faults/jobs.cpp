@@ -16,13 +16,13 @@ namespace cd::tests {
 
 namespace {
 
-/// Everything is made before the first simulation, outside of any.
+/// All of it is made before the first simulation, outside of any.
 struct Known {
-    TemporaryFolder folder; ///< Stays empty: the files are in memory.
+    TemporaryFolder folder; ///< Stays empty; the files are in memory.
     ThreadPool pool{1};
     std::unique_ptr<GeometryStore> store;
     std::vector<Sha256> meshes;
-    std::vector<std::shared_ptr<const CutGeometry>> cuts; ///< Stay in memory with this.
+    std::vector<std::shared_ptr<const CutGeometry>> cuts; ///< Keeps the cuts in memory.
     std::vector<KnownJob> jobs;
     std::optional<KnownJob> large;
     Sha256 sphere;
@@ -53,8 +53,8 @@ struct Known {
         return mesh.hash();
     }
 
-    // Depth 0 is what the master chooses where a job gives none. What a simulation made first
-    // would take its time in that one alone.
+    // Depth 0 is the master's choice if a job gives none. If a simulation made it first, it would
+    // take time in that simulation alone.
     void cut(const Sha256& mesh) {
         for (std::uint32_t depth = 0; depth <= 3; ++depth) {
             cuts.push_back(store->cut(mesh, depth).value());
@@ -159,7 +159,7 @@ void lose_known_blocks(World& world) {
             continue;
         }
         if (is_hit) {
-            // Who still reads the file reads what it was.
+            // Open readers keep the old contents.
             file->second = std::make_shared<SimulatedFile>(*file->second);
             file->second->content.resize(world.below(file->second->content.size() + 1));
         }

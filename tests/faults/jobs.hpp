@@ -1,4 +1,4 @@
-// The jobs that simulations submit, and the truth about them.
+// The jobs that simulations submit, and their right results.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -16,28 +16,26 @@ namespace cd::tests {
 struct KnownJob {
     Submit submit; ///< Without cluster options.
     std::vector<Scenario> scenarios;
-    std::vector<Sha256> digests; ///< Of the right result of each.
-    /// The pairs of each, where the query is for maps.
+    std::vector<Sha256> digests; ///< Digest of each scenario's right result.
+    /// Pairs of each scenario if the query asks for maps.
     std::vector<std::vector<ContactPair>> pairs;
 };
 
-/// Made once in a program.
+/// Returns jobs that are made once per process.
 [[nodiscard]] std::span<const KnownJob> known_jobs();
 [[nodiscard]] const KnownJob& known_job(const std::string& name);
-/// One more, with several scenarios for each of some hundred workers. Made when it is first asked
-/// for.
+/// Returns a job with several scenarios for each of some hundred workers, made on first use.
 [[nodiscard]] const KnownJob& large_job();
-/// With the geometry of all of them. Outlives every simulation.
+/// Returns the store with all jobs' geometry. It outlives every simulation.
 [[nodiscard]] GeometryStore& known_geometry();
 
 class World;
-/// Files of blocks are gone, or damaged, and nobody has them in memory: who wants them makes them
-/// again.
+/// Deletes or damages block files and drops them from memory, so that readers must make them again.
 void lose_known_blocks(World& world);
-/// After a simulation: all is as it was made.
+/// Restores all blocks after a simulation.
 void keep_known_blocks();
 
-/// What becomes of a scenario that no worker survives.
+/// Returns the digest of the failure result of a scenario that kills every worker.
 [[nodiscard]] Sha256 digest_of_lost(const KnownJob& job, std::uint64_t scenario);
 
 } // namespace cd::tests

@@ -15,7 +15,7 @@ bool concerns(unsigned liar, std::uint64_t scenario) {
     return (mixed >> 32) % Lies::liars_max == liar;
 }
 
-/// Nothing where a lie would be seen at once.
+/// Returns nothing if a wrong result would be noticed at once.
 std::optional<ScenarioResult> falsified(ScenarioResult truth) {
     if (truth.level == Level::Any && truth.kind == ScenarioClass::Separate) {
         truth.kind = ScenarioClass::Contact;

@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A block counts as so much more than it has, so that queues fill up.
+/// A block counts as this many bytes beyond its own, so that queues fill up.
 constexpr std::size_t block_bytes = 6u << 20;
 
 std::size_t bytes_of(const Message& message) {
@@ -37,8 +37,8 @@ std::string name_of(const Message& message) {
     return std::string(message_name(message_type(message)));
 }
 
-/// What a master takes again, or in another order, without harm to its jobs. (The order of what is
-/// said of blocks counts, and a connection keeps it.)
+/// True for messages whose repetition or reordering does the master's jobs no harm. (Messages about
+/// blocks must keep their order, as a connection does.)
 bool may_be_odd(const Message& message) {
     return std::holds_alternative<Results>(message) || std::holds_alternative<EndOfTask>(message) ||
            std::holds_alternative<Heartbeat>(message);
@@ -198,7 +198,7 @@ void LinkEnd::shut(bool tells) {
     if (!open || world == nullptr) {
         return;
     }
-    // The one that has come to who awaits it is taken all the same.
+    // A message that has already reached a waiting receiver is still delivered.
     if (is_awaited && !inbox.empty()) {
         incoming = std::move(inbox.front());
     }
@@ -267,7 +267,7 @@ void LinkEnd::cut_late(const Letter& letter) {
     notice_cut(1s, std::nullopt);
 }
 
-/// Who gives blocks waits until those before them are on their way.
+/// A sender of blocks must wait until the blocks before are on their way.
 void LinkEnd::check_flight(World& world) const {
     const std::size_t most =
         host == tests::master_host ? limits::subtrees_queue_bytes_max : limits::subtrees_bytes_min;
@@ -277,7 +277,7 @@ void LinkEnd::check_flight(World& world) const {
     }
 }
 
-/// And of all else little queues up: jobs and results are small here.
+/// Little besides blocks queues up, because jobs and results are small here.
 void LinkEnd::check_queue(World& world) const {
     constexpr std::size_t most = 256u << 10;
     if (queued - blocks_queued > most) {

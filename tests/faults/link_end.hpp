@@ -1,4 +1,4 @@
-// One end of a simulated connection, and what happens to messages on their way to the other.
+// One end of a simulated connection; decides what happens to messages on their way to the peer.
 #pragma once
 
 #include "proto/channel/channel.hpp"
@@ -16,15 +16,14 @@ namespace cd::tests {
 inline constexpr Duration latency_min = std::chrono::microseconds(50);
 inline constexpr Duration latency_max = std::chrono::milliseconds(3);
 
-/// A message on its way.
+/// A message in flight.
 struct Letter {
     Message message;
-    std::uint64_t number = 0;       ///< Of its sender, ascending.
-    std::size_t bytes = 0;          ///< That its sender counts as queued until it comes.
-    std::optional<Trouble> trouble; ///< What happens to it, which counts when it comes.
+    std::uint64_t number = 0;       ///< Ascending per sender.
+    std::size_t bytes = 0;          ///< Bytes the sender counts as queued until arrival.
+    std::optional<Trouble> trouble; ///< Fault of this message; counted on arrival.
 };
 
-/// One end of a connection.
 struct LinkEnd : std::enable_shared_from_this<LinkEnd> {
     LinkEnd(const asio::any_io_executor& executor, const Host& on)
         : host(on.id),
@@ -36,23 +35,25 @@ struct LinkEnd : std::enable_shared_from_this<LinkEnd> {
     std::uint64_t other_id = 0;
     std::uint64_t connection = 0;
     std::shared_ptr<const bool> is_silent;
-    Party other_party = Party::Anyone; // Of what is lost the rest may come, and be no greeting.
+    Party other_party = Party::Anyone; // If an earlier message is lost, the first one may be no
+                                       // greeting.
     std::string other_host = "";
     std::string this_host = "";
     asio::steady_timer arrived;
     asio::steady_timer drained;
     std::deque<Message> inbox;
-    bool is_awaited = false;         ///< Somebody receives.
-    std::optional<Message> incoming; ///< Had come to whoever did when this end was closed.
+    bool is_awaited = false;         ///< A receiver is waiting.
+    std::optional<Message> incoming; ///< Message that had reached a receiver when this end closed.
     bool open = true;
-    bool is_ended = false; ///< Nothing comes any more; what came can be read.
+    bool is_ended = false; ///< Nothing more arrives; the inbox can still be read.
     std::weak_ptr<LinkEnd> other;
-    Time last_arrival{};            ///< Of what was sent from here.
-    std::uint64_t sent_last = 0;    ///< Numbers of letters: of those that were sent from here,
-    std::uint64_t arrived_last = 0; ///< and the greatest of those that came here.
+    Time last_arrival{};            ///< Latest arrival of a message sent from here.
+    std::uint64_t sent_last = 0;    ///< Number of the last letter sent from here.
+    std::uint64_t arrived_last = 0; ///< Greatest number of a letter that arrived here.
     std::size_t queued = 0;
-    std::size_t blocks_queued = 0; ///< Of these bytes.
-    bool is_broken = false;        ///< What was sent from here vanished, and so does all after it.
+    std::size_t blocks_queued = 0; ///< The part of `queued` that is blocks.
+    bool is_broken = false;        ///< A message sent from here vanished; all later ones vanish,
+                                   ///< too.
     Traffic traffic;
 
     [[nodiscard]] Time
@@ -61,15 +62,15 @@ struct LinkEnd : std::enable_shared_from_this<LinkEnd> {
     void deliver(const Letter& letter, Time when);
     void arrive(const Letter& letter, World& world);
     static void count(const Letter& letter, std::uint64_t arrived_last, World& world);
-    /// What has come and can be taken.
+    /// Returns the next message that has arrived, if any.
     [[nodiscard]] std::optional<Message> take();
     void shut(bool tells);
-    /// Both ends notice it some time.
+    /// Breaks the connection; both ends notice after some time.
     void cut(Trouble trouble);
-    /// Only this end notices it; the message is on its way until this host greets again.
+    /// Breaks the connection for this end only; the message arrives when this host greets again.
     void cut_late(const Letter& letter);
     void notice_cut(Duration latest, std::optional<Trouble> trouble);
-    /// It is not known here, until the sender has waited in vain for long enough.
+    /// Breaks the connection unnoticed: the sender learns it only from a long silence.
     void break_off(const Host& from, const Host& there, World& world);
     void check_flight(World& world) const;
     void check_queue(World& world) const;

@@ -73,7 +73,7 @@ void WorkerProcess::drain() {
     world_.wake(host_);
 }
 
-// What runs and what is finished but not sent when the bound is reached is sent, too.
+// When the bound is reached, running scenarios and finished but unsent results are still sent.
 bool WorkerProcess::keeps_too_much() const {
     const std::size_t running = limits::jobs_per_thread_max * habits_.threads;
     return membership_->unkept().messages().size() >

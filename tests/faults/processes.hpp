@@ -1,5 +1,5 @@
-// The programs of a simulated cluster: the parts of cdmaster and cdworker as their main functions
-// put them together, and clients.
+// The programs of a simulated cluster: the parts of cdmaster and cdworker, assembled as in their
+// main functions, and clients.
 #pragma once
 
 #include "master/coordinator/coordinator.hpp"
@@ -22,7 +22,7 @@ class MasterProcess {
     explicit MasterProcess(World& world);
 
     [[nodiscard]] Host& host() { return host_; }
-    /// Null where it could not start.
+    /// Null if it could not start.
     [[nodiscard]] Coordinator* coordinator() { return coordinator_.get(); }
 
   private:
@@ -47,12 +47,12 @@ class WorkerProcess {
     WorkerProcess(World& world, std::uint64_t id, const WorkerHabits& habits);
 
     [[nodiscard]] Host& host() { return host_; }
-    /// SIGTERM.
+    /// Acts as on SIGTERM.
     void drain();
-    /// Whether it goes on however many results the master has not acknowledged.
+    /// True if the worker goes on although the master has acknowledged too few results.
     [[nodiscard]] bool keeps_too_much() const;
     [[nodiscard]] bool has_ended() const { return has_ended_; }
-    /// Null before the first.
+    /// Null before the first session.
     [[nodiscard]] Session* session() { return membership_->session(); }
 
   private:
@@ -69,16 +69,16 @@ class WorkerProcess {
     bool has_ended_ = false;
 };
 
-/// Submits one job and watches it to its end, whatever becomes of its connections.
+/// Submits one job and watches it to its end, whatever happens to its connections.
 class ClientProcess {
   public:
     ClientProcess(World& world, std::uint64_t id, const KnownJob& job, ClusterOptions options);
 
     void cancel() { wants_cancel_ = true; }
     [[nodiscard]] const KnownJob& job() const { return job_; }
-    /// Once it is accepted.
+    /// Set once the job is accepted.
     [[nodiscard]] std::optional<JobId> id() const { return id_; }
-    /// Once it has ended.
+    /// Set once the job has ended.
     [[nodiscard]] const std::optional<JobStatus>& end() const { return end_; }
 
   private:

@@ -1,4 +1,4 @@
-// Instead of the disk: files in memory.
+// Replaces the disk by files in memory.
 #include "common/core/check.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "tests/faults/world.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view state_prefix = "/state/";
 
-/// By descriptor.
+/// Maps descriptors to open files.
 std::map<int, std::shared_ptr<SimulatedFile>>& open_files() {
     static std::map<int, std::shared_ptr<SimulatedFile>> files;
     return files;
@@ -35,8 +35,8 @@ Files& files_of(const std::string& path) {
     return is_of_master(path) ? World::current()->disk : tests::safe_files();
 }
 
-/// Poses and blocks, which a job needs while it runs, may be damaged then. (What is damaged when
-/// the master starts keeps it from starting.)
+/// Fails at random for poses and blocks, which a running job needs. (The master does not start if
+/// its files are damaged at the start.)
 Status check_readable(const std::filesystem::path& path) {
     World* world = World::current();
     const bool is_needed = path.extension() == ".poses" || path.extension() == ".blocks";
@@ -47,7 +47,7 @@ Status check_readable(const std::filesystem::path& path) {
     return Error{ErrorCode::Io, path.string() + " is damaged"};
 }
 
-/// Before a change of a file.
+/// Must be called before each change of a file.
 Status touch(const std::string& path) {
     World* world = World::current();
     if (world == nullptr) {
@@ -191,7 +191,7 @@ Status DiskFile::commit(Durability durability) {
     }
     files_of(path_.string()).by_path[path_.string()] = file;
     if (World* world = World::current(); world != nullptr && !is_of_master(path_.string())) {
-        world->troubles.add(tests::Trouble::BlocksLost); // Else all of them are there before.
+        world->troubles.add(tests::Trouble::BlocksLost); // Otherwise all block files already exist.
     }
     return Done{};
 }

@@ -1,5 +1,5 @@
-// Instead of SQLite: rows in memory, each commit whole or not at all. Instead of the journal's
-// thread: groups are written when the simulated time has come.
+// Replaces SQLite by rows in memory, with atomic commits, and the journal's thread by writes of
+// groups at simulated times.
 #include "common/core/limits/master.hpp"
 #include "master/journal/journal.hpp"
 #include "master/journal/journal_groups.hpp"
@@ -76,7 +76,7 @@ Status JournalDatabase::write(std::span<const DatabaseChange> changes) {
     if (const std::string wrong = world.watcher.committed(changes); !wrong.empty()) {
         world.problem(wrong);
     }
-    world.touch_disk(); // The power may fail behind it, too.
+    world.touch_disk(); // The power may also fail after the commit.
     return Done{};
 }
 
@@ -93,8 +93,8 @@ struct Journal::State {
     Recovered recovered;
     JournalEvents events;
     std::deque<JournalEntry> queue;
-    std::vector<JournalEntry> group; ///< Being written.
-    std::string told;                ///< Why that fails.
+    std::vector<JournalEntry> group; ///< Group being written.
+    std::string told;                ///< Reported reason why writing fails.
     std::uint64_t added = 0;
     std::uint64_t committed = 0;
     std::uint64_t queued_bytes = 0;

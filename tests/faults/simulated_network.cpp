@@ -1,4 +1,4 @@
-// Instead of connections: messages that take their time, and have accidents on the way.
+// Replaces connections by messages that take time and suffer faults on the way.
 #include "common/core/check.hpp"
 #include "master/base/mutation.hpp"
 #include "proto/channel/channel.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 const Error nobody_there{ErrorCode::Disconnected, "nobody is there"};
 
-// Channels are made by one function alone, which takes sockets: what the next one is made of.
+// One function that takes sockets makes all channels; this is the end for the next one.
 std::shared_ptr<LinkEnd> next_end;
 
 } // namespace
@@ -54,7 +54,7 @@ asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::dur
     const Time deadline = std::chrono::steady_clock::now() + timeout;
     end->is_awaited = true;
     if (end->open && !end->inbox.empty()) {
-        // Each message is read by itself, and what happens elsewhere comes between.
+        // Read each message in a turn of its own, so that other hosts' events come between.
         co_await asio::post(co_await asio::this_coro::executor, asio::use_awaitable);
     }
     for (;;) {
@@ -141,7 +141,7 @@ std::optional<Sha256> Channel::binding() const {
     return std::nullopt;
 }
 
-// ---- How it begins ------------------------------------------------------------------------------
+// ---- Connecting -------------------------------------------------------------------------------
 
 namespace {
 
@@ -152,8 +152,8 @@ struct Listening {
 };
 
 std::map<std::uint16_t, std::weak_ptr<Listening>> listeners;
-/// Connections that were made and not yet accepted, by the descriptor of the socket that stands for
-/// one: who refuses a connection closes it.
+/// Made but unaccepted connections, by the descriptor of the placeholder socket. Closing the socket
+/// refuses the connection.
 std::map<int, std::shared_ptr<LinkEnd>> backlog;
 
 void offer(Listening& listening, std::shared_ptr<LinkEnd> end) {

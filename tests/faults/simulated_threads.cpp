@@ -1,5 +1,5 @@
-// Instead of threads: what is posted runs when the simulated time has come. A broken invariant is a
-// problem of the simulation.
+// Replaces threads: posted functions run at simulated times. A failed CD_CHECK becomes a problem of
+// the simulation.
 #include "common/core/check.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "tests/faults/world.hpp"
@@ -13,7 +13,7 @@ namespace cd {
 using tests::World;
 
 ThreadPool::ThreadPool(unsigned threads) {
-    threads_.resize(std::max(1u, threads)); // For `size`; none of them runs.
+    threads_.resize(std::max(1u, threads)); // Only `size` reads these; none runs.
     if (World* world = World::current()) {
         world->pool_made(this, size());
     }

@@ -34,8 +34,7 @@ Simulation::~Simulation() {
     clients_.clear();
     master_.reset();
 }
-// ---- Lives
-// ----------------------------------------------------------------------------------------
+// ---- Processes --------------------------------------------------------------------------------
 
 void Simulation::start_worker() {
     WorkerHabits habits;
@@ -90,12 +89,11 @@ void Simulation::start_master() {
     master_ = std::make_unique<MasterProcess>(world_);
 }
 
-// ---- The run
-// ----------------------------------------------------------------------------------------
+// ---- Run --------------------------------------------------------------------------------------
 
 void Simulation::check() {
-    // Nothing but what runs on its host changes the master; what its threads and its journal have
-    // done wakes the host, too.
+    // Only code on the master's host changes the master; its threads and its journal wake the host,
+    // too.
     if (master_ == nullptr || master_->coordinator() == nullptr || !world_.has_run(master_host)) {
         return;
     }
@@ -103,12 +101,12 @@ void Simulation::check() {
         return;
     }
     ++outcome_.checks;
-    // To look is not what may fail.
+    // The check itself must not hit a simulated read error.
     const bool is_unreadable = std::exchange(world_.disk_is_unreadable, false);
     try {
         master_->coordinator()->check_invariants();
     } catch (const BrokenInvariant&) {
-        // It has been noted.
+        // The problem is already recorded.
     } catch (const std::exception& error) {
         world_.problem(std::string("an exception: ") + error.what());
     }
@@ -126,12 +124,12 @@ void Simulation::check_caches() {
     }
 }
 
-/// What the master takes for a source has the block, or has said that it has not.
+/// Every worker the master names as source has the block, or has reported that it lacks it.
 void Simulation::check_cache(WorkerProcess& worker) {
     const Session* session = worker.session();
     const std::uint64_t host = worker.host().id;
     const WorkerId id = world_.watcher.session_of(host);
-    // What a dying one says is not heard any more.
+    // Nobody hears a dying worker any more.
     if (session == nullptr || !session->is_connected() || id == WorkerId{} ||
         worker.host().is_dying) {
         return;
@@ -156,7 +154,7 @@ void Simulation::check_quarantine() {
             world_.problem("worker-" + std::to_string(worker) +
                            " is in quarantine, and was never wrong");
         }
-        // It stays, but whoever runs the cluster has heard the alarm.
+        // The worker stays, but the alarm is raised.
         if (found_out_.insert(worker).second) {
             world_.in(world_.between(500ms, 5s), [this] { start_worker(); });
         }
@@ -202,7 +200,7 @@ Outcome Simulation::run() {
 }
 
 Outcome simulate(std::uint64_t seed, const SimulationOptions& options) {
-    (void)known_jobs(); // Made outside of every simulation.
+    (void)known_jobs(); // Must be made outside of every simulation.
     if (options.workers != 0) {
         (void)large_job();
     }

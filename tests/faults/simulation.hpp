@@ -1,22 +1,23 @@
-// One seed: a cluster, its jobs, and all that goes wrong with them.
+// One seed: a cluster, its jobs, and its faults.
 //
-// What always holds; where it is looked at; mutations that show there:
-// - None is merged twice: CD_CHECK at the merge, Watcher::add_group. SecondAnswerMerged.
-// - None is lost: Coordinator::check_job, the dispatcher's check_counts and check_job, check_kept
-//   of what is acknowledged, inspect_job at the end. LostRangeForgotten, AnswerKeptTooEarly.
-// - Who is taken for the holder of a block has it, or its word that it has not is under way:
-//   check_cache; by what was said, Watcher::check_sources. EvictionNotTold, EvictionIgnored,
+// Invariants; where they are checked; mutations that violate them:
+// - No result is merged twice: CD_CHECK at the merge, Watcher::add_group. SecondAnswerMerged.
+// - No result is lost: Coordinator::check_job, the dispatcher's check_counts and check_job,
+//   check_kept (acknowledged results), inspect_job at the end. LostRangeForgotten,
+//   AnswerKeptTooEarly.
+// - Every supposed holder of a block has it, or its report to the contrary is under way:
+//   check_cache; by messages, Watcher::check_sources. EvictionNotTold, EvictionIgnored,
 //   OthersSourceNamed.
-// - No credit is below zero: check_counts (what is unsent), WorkerSession (results in hand).
+// - No credit is negative: check_counts (unsent work), WorkerSession (results in flight).
 //   RoomNotGivenBack, ReadsOn.
-// - What is in flight is bounded: tasks at a worker by the dispatcher's check_flight, blocks and
-//   all other bytes towards one peer by LinkEnd's check_flight and check_queue, results that are
-//   not acknowledged by keeps_too_much. BatchesWithoutBound, TooMuchInFlight.
+// - Work in flight is bounded: a worker's tasks by the dispatcher's check_flight, blocks and all
+//   other bytes towards a peer by LinkEnd's check_flight and check_queue, unacknowledged results
+//   by keeps_too_much. BatchesWithoutBound, TooMuchInFlight.
 // - Every batch has a lease: Coordinator::check_leases, check_counts. LostLeaseForgotten.
-// - There is progress after the last fault: stop_trouble. HeardAgainForgotten.
+// - Work progresses after the last fault: stop_trouble. HeardAgainForgotten.
 //
-// What the dispatcher notes of a worker's roots promises no block: it holds for matching, and has
-// in it what is planned or on its way.
+// The dispatcher's record of a worker's roots is no promise of blocks: it serves matching and
+// includes blocks that are planned or on their way.
 #pragma once
 
 #include "master/base/mutation.hpp"
@@ -31,43 +32,44 @@
 
 namespace cd::tests {
 
-/// What happened to a seed, or to several.
+/// The counts of one seed, or of several.
 struct Outcome {
-    std::vector<std::string> problems; ///< None: all is well.
-    double seconds = 0;                ///< Simulated.
+    std::vector<std::string> problems; ///< Empty if all is well.
+    double seconds = 0;                ///< Simulated time.
     std::uint64_t events = 0;
-    std::uint64_t checks = 0;           ///< Of these, after which the master was looked at.
-    std::uint64_t blocks_checked = 0;   ///< That the master believed a worker to hold.
-    std::uint64_t scenarios = 0;        ///< Of all jobs;
-    std::uint64_t scenarios_sent = 0;   ///< to workers, also again;
-    std::uint64_t failed = 0;           ///< given up.
-    std::uint64_t results_repeated = 0; ///< Messages.
-    std::uint64_t masters = 0;          ///< Lives.
-    std::uint64_t workers = 0;          ///< Lives;
-    std::uint64_t answering = 0;        ///< of these who answered something.
-    std::uint64_t cancelled = 0;        ///< Jobs.
-    std::uint64_t recalled = 0;         ///< Scenarios that workers gave back;
-    std::uint64_t copies = 0;           ///< that went to a second worker;
-    std::uint64_t called_off = 0;       ///< of which another one need not answer any more.
-    std::uint64_t late_messages = 0;    ///< Of a connection after its worker had greeted again.
-    std::uint64_t late_results = 0;     ///< Messages, of a session before.
-    std::uint64_t old_sessions = 0;     ///< With which workers wanted to go on, in vain.
-    std::uint64_t lies = 0;             ///< Scenarios of which a worker told a wrong result;
-    std::uint64_t found_out = 0;        ///< workers that were found wrong;
-    std::uint64_t corrected = 0; ///< scenarios whose result was wrong on the disk for a time,
-    std::uint64_t borne = 0;     ///< and those where it stays so: nobody could know.
+    std::uint64_t checks = 0;           ///< Events after which the master was checked.
+    std::uint64_t blocks_checked = 0;   ///< Blocks the master believed a worker to hold.
+    std::uint64_t scenarios = 0;        ///< Scenarios of all jobs.
+    std::uint64_t scenarios_sent = 0;   ///< Scenarios sent to workers, repeats included.
+    std::uint64_t failed = 0;           ///< Scenarios given up.
+    std::uint64_t results_repeated = 0; ///< Repeated result messages.
+    std::uint64_t masters = 0;          ///< Master processes.
+    std::uint64_t workers = 0;          ///< Worker processes.
+    std::uint64_t answering = 0;        ///< Worker processes that answered something.
+    std::uint64_t cancelled = 0;        ///< Cancelled jobs.
+    std::uint64_t recalled = 0;         ///< Scenarios that workers returned.
+    std::uint64_t copies = 0;           ///< Scenarios sent to a second worker.
+    std::uint64_t called_off = 0;       ///< Scenarios recalled because another worker answered.
+    std::uint64_t late_messages = 0;    ///< Messages of a connection after its worker greeted
+                                        ///< again.
+    std::uint64_t late_results = 0;     ///< Result messages of an earlier session.
+    std::uint64_t old_sessions = 0;     ///< Unknown sessions that workers tried to resume.
+    std::uint64_t lies = 0;             ///< Scenarios with a wrong result from a worker.
+    std::uint64_t found_out = 0;        ///< Workers found wrong.
+    std::uint64_t corrected = 0;        ///< Scenarios whose result on disk was wrong for a time.
+    std::uint64_t borne = 0;            ///< Scenarios whose result stays wrong, undetectably.
     Troubles troubles;
 
-    /// Of the counts and the problems.
+    /// Adds the counts, and appends the problems.
     Outcome& operator+=(const Outcome& other);
-    /// For people.
+    /// Formats the counts for people.
     [[nodiscard]] std::string counts() const;
 };
 
 struct SimulationOptions {
     bool logs = false;
     Mutation fault = Mutation::None;
-    std::size_t workers = 0; ///< 0: as the seed says, a few; else there is a job for so many.
+    std::size_t workers = 0; ///< 0: a few, chosen by the seed; else adds a job sized for so many.
 };
 
 class Simulation {
@@ -80,7 +82,7 @@ class Simulation {
     Outcome run();
 
   private:
-    /// Of 1000 chances in a second each.
+    /// Chances in per mille per second.
     struct Dangers {
         unsigned worker_killed = 0;
         unsigned worker_stopped = 0;
@@ -95,14 +97,14 @@ class Simulation {
         unsigned power_cut = 0;
         unsigned master_stopped = 0;
         unsigned master_cut_off = 0;
-        unsigned blocks_lost = 0; ///< Of 1000 deaths of the master.
+        unsigned blocks_lost = 0; ///< Per mille of the master's deaths.
         unsigned disk_full = 0;
         unsigned disk_unreadable = 0;
         unsigned cancel = 0;
-        unsigned liar = 0; ///< Of 1000 workers.
+        unsigned liar = 0; ///< Per mille of workers.
     };
 
-    /// `workers`: 0, as the seed says.
+    /// `workers` 0: the seed chooses.
     void plan(std::size_t workers);
     void plan_liars();
     void plan_jobs();
@@ -117,7 +119,7 @@ class Simulation {
     void end_worker(std::uint64_t id, bool silently);
     void end_master(bool by_power);
     void start_master();
-    /// False: the message does not go out.
+    /// Returns false if the message must not be sent.
     bool observe(const Route& route, const Message& message);
     [[nodiscard]] bool is_deadly(const Message& message) const;
     [[nodiscard]] std::string check_client_hears(const Message& message) const;
@@ -141,17 +143,16 @@ class Simulation {
     std::vector<std::unique_ptr<ClientProcess>> clients_;
     std::set<std::uint64_t> clients_known_; ///< Their hosts.
     std::size_t clients_to_come_ = 0;
-    /// By kind of job: what no worker survives.
+    /// The scenario that kills every worker, by kind of job.
     std::map<std::string, std::uint64_t> deadly_;
     unsigned liars_ = 0;
-    std::set<std::uint64_t> found_out_; ///< Their hosts.
+    std::set<std::uint64_t> found_out_; ///< Hosts of exposed workers.
     std::uint64_t host_last_ = master_host;
     Outcome outcome_;
-    std::uint64_t runs_ = 0; ///< Events in which the master ran,
+    std::uint64_t runs_ = 0; ///< Events in which the master ran.
     std::uint64_t runs_between_checks_ = 1;
 };
 
-/// With this fault switched on.
 [[nodiscard]] Outcome simulate(std::uint64_t seed, const SimulationOptions& options = {});
 
 } // namespace cd::tests

@@ -1,12 +1,11 @@
-// What is looked at while a seed runs, and at its end.
+// Checks a seed while it runs and at its end.
 #include "tests/faults/simulation.hpp"
 
 #include <algorithm>
 
 namespace cd::tests {
 
-// ---- What is said
-// ---------------------------------------------------------------------------------
+// ---- Messages ---------------------------------------------------------------------------------
 
 bool Simulation::observe(const Route& route, const Message& message) {
     if (route.from == master_host) {
@@ -93,17 +92,16 @@ std::string Simulation::what_stands_still() {
     return text;
 }
 
-// ---- At the end
-// ---------------------------------------------------------------------------------
+// ---- At the end -------------------------------------------------------------------------------
 
-/// Every job that was accepted has ended, with exactly one result of each scenario.
+/// Checks that every accepted job has ended, with exactly one result of each scenario.
 void Simulation::inspect() {
     for (const auto& client : clients_) {
         inspect_job(*client);
     }
 }
 
-/// Of the scenarios that were answered; nothing where no map was asked for.
+/// Returns the map of the scenarios that did not fail; empty if no map was asked for.
 ContactMap right_map(const KnownJob& job, const std::set<std::uint64_t>& failed) {
     ContactMapSum sum;
     for (std::uint64_t scenario = 0; scenario < job.pairs.size(); ++scenario) {

@@ -1,4 +1,4 @@
-// What is planned for a seed, and what goes wrong while it runs.
+// Plans the faults of a seed and causes them.
 #include "tests/faults/simulation.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 constexpr Duration tick_period = 100ms;
 constexpr Duration trouble_min = 2s;
 constexpr Duration trouble_max = 25s;
-/// After the last fault: more than all timeouts on the way.
+/// Time allowed after the last fault: more than the sum of all timeouts.
 constexpr Duration patience = 300s;
 
 } // namespace
@@ -24,9 +24,9 @@ void Simulation::plan(std::size_t workers) {
     workers_wanted_ = 1 + world_.below(5);
     if (workers != 0) {
         workers_wanted_ = workers;
-        runs_between_checks_ = 128; // A look takes the longer, the more there are.
+        runs_between_checks_ = 128; // A check takes longer with more workers.
     }
-    // Each seed has its own kinds of trouble: with all of them at once few get far.
+    // Each seed has its own kinds of fault: with all at once few workers get far.
     const auto maybe = [&](unsigned& danger, unsigned most) {
         danger = world_.happens(400) ? 1 + static_cast<unsigned>(world_.below(most)) : 0;
     };
@@ -59,7 +59,7 @@ void Simulation::plan(std::size_t workers) {
     world_.network = network_;
     if (workers != 0) {
         ClusterOptions options = any_options();
-        options.q = 1; // And none of it is gathered with few workers.
+        options.q = 1; // Spreads the work over all workers.
         options.strategy = Strategy::Random;
         options.analysis = AnalysisMode::Always;
         plan_job(large_job(), options);
@@ -72,8 +72,8 @@ void Simulation::plan(std::size_t workers) {
     tick();
 }
 
-/// A liar is found out where something is done twice while its job still runs: by who is late, and
-/// by who was lost and comes back. So workers are slow there.
+/// A liar is exposed if a scenario runs twice while its job runs: by a straggler, or by a lost
+/// worker that returns. So workers are slow there.
 void Simulation::plan_liars() {
     dangers_.liar = 500;
     dangers_.worker_cut_off += 50;
@@ -118,8 +118,7 @@ void Simulation::plan_job(const KnownJob& job, ClusterOptions options) {
     });
 }
 
-// ---- Trouble
-// --------------------------------------------------------------------------------------
+// ---- Faults -----------------------------------------------------------------------------------
 
 void Simulation::tick() {
     world_.wake_all();
@@ -139,7 +138,7 @@ void Simulation::cause_trouble() {
     if (world_.now() >= trouble_ends_) {
         return stop_trouble();
     }
-    // A tick is a tenth of a second.
+    // Chances are per second; a tick is a tenth of a second.
     const auto strikes = [&](unsigned danger) { return world_.below(10'000) < danger; };
     for (auto worker = workers_.begin(); worker != workers_.end();) {
         cause_worker_trouble(*(worker++)->second);
@@ -211,7 +210,7 @@ void Simulation::cause_worker_trouble(WorkerProcess& worker) {
     }
 }
 
-/// One way to the master, or all ways to other workers.
+/// Cuts one direction to the master, or all connections to other workers.
 void Simulation::cut_ways(Host& host) {
     const auto cut = [&](unsigned danger, const char* what, Time& until) {
         if (world_.below(10'000) < danger) {

@@ -1,4 +1,4 @@
-// Kinds of trouble, and how often each of them took effect: what only was to happen is not counted.
+// Kinds of fault, and how often each took effect. Planned faults without effect do not count.
 #pragma once
 
 #include <array>
@@ -9,34 +9,34 @@
 namespace cd::tests {
 
 enum class Trouble : std::uint8_t {
-    // Of messages.
-    Doubled,    ///< It came a second time.
-    Overtaken,  ///< A later one came before it.
-    Delayed,    ///< It came longer after its sending than any without trouble.
-    Lost,       ///< With its connection, which one of its ends took for sound until then.
-    Unwelcomed, ///< The same, of the welcome of a worker.
-    Late,       ///< It came when its sender had begun to greet again.
-    // Of workers.
-    WorkerCutOff,  ///< A message to or from it had to wait for the end of that.
-    WorkerStopped, ///< Something came to it, or was done by its threads, that it could not take up.
+    // Faults of messages.
+    Doubled,    ///< It arrived twice.
+    Overtaken,  ///< A later message arrived first.
+    Delayed,    ///< It took longer than any message without faults.
+    Lost,       ///< It was lost with its connection; one end noticed later.
+    Unwelcomed, ///< A worker's welcome was lost with its connection.
+    Late,       ///< It arrived when its sender had begun to greet again.
+    // Faults of workers.
+    WorkerCutOff,  ///< A message from or to the worker had to wait.
+    WorkerStopped, ///< A message or a thread's result had to wait for the stopped worker.
     WorkerSlowed,  ///< Its threads took at least twice as long for something.
-    WorkerDrained, ///< The master heard it say so.
+    WorkerDrained, ///< The master received its notice of draining.
     WorkerKilled,
-    WorkerGone,     ///< The same, and its peers are not told.
-    WorkerPoisoned, ///< A scenario took it down.
-    WorkerMute,     ///< A message of it to the master vanished, and nothing said so;
-    WorkerDeaf,     ///< one of the master to it;
-    WorkerApart,    ///< one between it and another worker, or they could not connect.
-    CacheShrunk,    ///< It had to let go of subtrees that nothing there waited for.
-    // Of the master.
-    MasterCutOff, ///< From everybody: as for a worker.
+    WorkerGone,     ///< It was killed, and its peers are not notified.
+    WorkerPoisoned, ///< A scenario killed it.
+    WorkerMute,     ///< A message to the master vanished unnoticed.
+    WorkerDeaf,     ///< A message from the master vanished unnoticed.
+    WorkerApart,    ///< A message or connection between workers failed.
+    CacheShrunk,    ///< It had to evict subtrees that no task needed.
+    // Faults of the master.
+    MasterCutOff, ///< A message from or to the master had to wait.
     MasterStopped,
     MasterKilled,
     PowerCut,
-    UnsyncedLost,   ///< The disk was another one after a power cut.
-    DiskFull,       ///< It refused to write,
-    DiskUnreadable, ///< or to read what a job needs that runs.
-    BlocksLost,     ///< A file of blocks was gone or damaged, and made again.
+    UnsyncedLost,   ///< A power cut lost unsynced data.
+    DiskFull,       ///< The disk refused a write.
+    DiskUnreadable, ///< The disk refused a read that a running job needs.
+    BlocksLost,     ///< A file of blocks was lost or damaged, and made again.
     count,
 };
 
@@ -47,7 +47,7 @@ class Troubles {
         return counts_[static_cast<std::size_t>(trouble)];
     }
     Troubles& operator+=(const Troubles& other);
-    /// For people: each with its name.
+    /// Lists each kind with its name, for people.
     [[nodiscard]] std::string text() const;
 
   private:

@@ -159,8 +159,7 @@ void Watcher::master_began() {
     }
 }
 
-// ---- What is said
-// ---------------------------------------------------------------------------------
+// ---- Messages ---------------------------------------------------------------------------------
 
 std::string Watcher::master_says(const Route& route, const Message& message) {
     if (std::string wrong = check_quarantined(route, message); !wrong.empty()) {
@@ -190,7 +189,7 @@ std::string Watcher::master_says(const Route& route, const Message& message) {
     return {};
 }
 
-/// Else what a worker brings might be done again.
+/// Rejects work sent before returning workers have delivered their results: it may repeat them.
 std::string Watcher::check_awaited(JobId job) const {
     const auto found = awaited_.find(job);
     if (found == awaited_.end() || std::chrono::steady_clock::now() >= awaited_until_) {
@@ -229,11 +228,11 @@ std::string Watcher::check_kept(std::uint64_t worker, std::uint64_t sequence) {
         return "acknowledged what was never sent";
     }
     if (quarantine().contains(worker)) {
-        return {}; // Nobody wants what it says.
+        return {}; // Nobody needs its answers.
     }
     for (const auto& [id, scenario] : found->second) {
         const auto job = jobs_.find(id);
-        // Of a job that has ended, or that never was: nobody wants it.
+        // Nobody needs results of a job that has ended or never existed.
         if (job != jobs_.end() && job->second.end.empty() &&
             !job->second.results.contains(scenario)) {
             return name_of(id, scenario) + " is acknowledged, and not on the disk";
@@ -307,7 +306,7 @@ std::string Watcher::worker_says(const Route& route, const Message& message) {
     return {};
 }
 
-/// A session goes on only in the master's life in which it began.
+/// A session resumes only in the master incarnation that began it.
 std::string Watcher::welcomed(const Route& route, const Welcome& welcome) {
     worker_ids_[route.connection] = WorkerId{welcome.id};
     connections_[route.to] = route.connection;
@@ -325,7 +324,7 @@ std::string Watcher::master_hears(const Route& route, const Message& message) {
         return {};
     }
     if (connections_.at(route.from) != route.connection) {
-        ++late_messages_; // Of which the master is to take nothing.
+        ++late_messages_; // The master must ignore the message.
         return {};
     }
     note_held(id->second, message);
@@ -360,7 +359,7 @@ bool Watcher::is_correction_under_way(std::uint64_t worker, TreeId tree, RootInd
 void Watcher::note_correction(const Route& route, const Message& message, bool is_heard) {
     Corrections& corrections = corrections_[route.from];
     if (corrections.connection != route.connection) {
-        return; // Said in vain.
+        return; // The message was in vain.
     }
     const auto note = [&](TreeId tree, std::span<const RootIndex> roots) {
         for (const RootIndex root : roots) {

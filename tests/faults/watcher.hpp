@@ -1,4 +1,4 @@
-// What the outside knows of the master's promises, and whether they are kept.
+// Checks the master's promises from outside.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -23,9 +23,9 @@
 
 namespace cd::tests {
 
-/// The way of a message.
+/// Sender, receiver and connection of a message.
 struct Route {
-    std::uint64_t from = 0; ///< Hosts.
+    std::uint64_t from = 0; ///< A host.
     std::uint64_t to = 0;
     std::uint64_t connection = 0;
 };
@@ -36,37 +36,38 @@ struct DurableResult {
     bool is_witnessed = false; ///< It was compared with a right answer, or is one.
 };
 
-/// A job as the journal has it.
+/// A job as recorded in the journal.
 struct DurableJob {
     Bytes record;
     const KnownJob* known = nullptr;
     Bytes progress;
     Bytes end;
     std::vector<Bytes> groups;
-    std::map<std::uint64_t, DurableResult> results; ///< Of the groups.
+    std::map<std::uint64_t, DurableResult> results; ///< Results in `groups`.
     ContactMapTotal map;
-    std::set<std::uint64_t> failed; ///< Of these.
-    std::set<std::uint64_t> borne;  ///< Wrong ones, of which the master could not know.
+    std::set<std::uint64_t> failed; ///< Failed scenarios among `results`.
+    std::set<std::uint64_t> borne;  ///< Wrong results that the master could not detect.
 
     [[nodiscard]] bool is_right(std::uint64_t scenario) const;
 };
 
-/// Looks at what the master writes and says. Each member returns what is wrong; empty: nothing.
+/// Checks the master's writes and messages. Members that return a string return the problem; empty
+/// if none.
 class Watcher {
   public:
     [[nodiscard]] std::string committed(std::span<const DatabaseChange> changes);
     [[nodiscard]] std::string master_says(const Route& route, const Message& message);
     [[nodiscard]] std::string worker_says(const Route& route, const Message& message);
-    /// Messages that came to the master: what it may know of its workers' blocks.
+    /// Notes a message that reached the master, and so what the master may know of workers' blocks.
     [[nodiscard]] std::string master_hears(const Route& route, const Message& message);
     void master_began();
-    /// The session that the master, in this life, gave the worker (its process) last; 0: none.
+    /// Returns the last session this master incarnation gave the worker instance; 0 if none.
     [[nodiscard]] WorkerId session_of(std::uint64_t worker) const;
-    /// The worker has said over its last connection what the master has not heard: that the block
-    /// has gone, that it is wanted, or all that is there.
+    /// True if a message unread by the master, on the worker's last connection, says that the block
+    /// is gone or wanted, or lists all blocks.
     [[nodiscard]] bool
     is_correction_under_way(std::uint64_t worker, TreeId tree, RootIndex root) const;
-    /// The master has asked its journal to write that the job has ended.
+    /// Notes that the master asked its journal to record the job's end.
     void ends(JobId job);
 
     [[nodiscard]] const std::map<JobId, DurableJob>& jobs() const { return jobs_; }
@@ -74,21 +75,21 @@ class Watcher {
     [[nodiscard]] std::uint64_t scenarios_sent() const { return scenarios_sent_; }
     [[nodiscard]] std::uint64_t results_repeated() const { return results_repeated_; }
     [[nodiscard]] std::uint64_t recalled() const { return recalled_; }
-    /// Workers of which the master has heard results.
+    /// Number of workers whose results reached the master.
     [[nodiscard]] std::size_t answering() const { return answering_.size(); }
     [[nodiscard]] std::uint64_t called_off() const { return called_off_; }
-    /// Messages of a connection whose worker had greeted on another one,
+    /// Messages of a connection whose worker had greeted on another one.
     [[nodiscard]] std::uint64_t late_messages() const { return late_messages_; }
-    /// results that the master took of a session before,
+    /// Result messages of earlier sessions that the master accepted.
     [[nodiscard]] std::uint64_t late_results() const { return late_results_; }
-    /// and greetings that would go on with a session of which it knew nothing any more.
+    /// Greetings that tried to resume a session unknown to the master.
     [[nodiscard]] std::uint64_t old_sessions() const { return old_sessions_; }
     [[nodiscard]] std::uint64_t corrected() const { return corrected_; }
 
     JobId last_job;
-    Bytes alarms; ///< As the journal has them.
+    Bytes alarms; ///< As recorded in the journal.
     Lies lies;
-    /// The workers (their processes) that the master has in quarantine now.
+    /// Returns the worker instances that are now in quarantine.
     std::function<std::set<std::uint64_t>()> quarantine;
 
   private:
@@ -100,7 +101,7 @@ class Watcher {
     [[nodiscard]] std::string check_answers(std::uint64_t worker, const Results& results);
     [[nodiscard]] std::string check_kept(std::uint64_t worker, std::uint64_t sequence);
     [[nodiscard]] std::string check_sources(const FetchFromPeers& directions) const;
-    // Workers that are now and then wrong (watcher_lies.cpp).
+    // Checks of workers that now and then give wrong results (watcher_lies.cpp).
     void acknowledged(std::uint64_t worker, JobId job, std::uint64_t scenario);
     [[nodiscard]] std::string check_end(JobId id, DurableJob& job) const;
     [[nodiscard]] bool may_be_wrong(const DurableResult& result,
@@ -112,36 +113,39 @@ class Watcher {
     [[nodiscard]] std::string check_quarantined(const Route& route, const Message& message) const;
 
     std::map<JobId, DurableJob> jobs_;
-    std::map<Key, unsigned> times_sent_;                   ///< In all lives of the master.
-    std::map<JobId, std::set<std::uint64_t>> done_before_; ///< This life of the master.
-    /// Workers (their processes) that have results of the job in the journal, and of which the
-    /// master, in this life, has not yet heard what else they bring;
+    std::map<Key, unsigned> times_sent_;                   ///< Across master incarnations.
+    std::map<JobId, std::set<std::uint64_t>> done_before_; ///< Results on disk when this master
+                                                           ///< incarnation began.
+    /// Worker instances with results of the job in the journal whose further results this master
+    /// incarnation has not yet received.
     std::map<JobId, std::set<std::uint64_t>> awaited_;
-    std::chrono::steady_clock::time_point awaited_until_; ///< for which it waits no longer.
-    /// By worker (its process) and sequence.
+    std::chrono::steady_clock::time_point awaited_until_; ///< End of the wait for `awaited_`.
+    /// Scenarios by worker instance and sequence number.
     std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<Key>> deliveries_;
     std::map<std::uint64_t, WorkerId> worker_ids_;           ///< By connection.
-    std::map<std::uint64_t, Hello> hellos_;                  ///< The same, of workers.
-    std::map<std::uint64_t, std::uint64_t> connections_;     ///< By worker, the last one.
-    std::set<std::pair<std::uint64_t, TaskId>> tasks_given_; ///< In this life, to whom.
+    std::map<std::uint64_t, Hello> hellos_;                  ///< Workers' greetings, by connection.
+    std::map<std::uint64_t, std::uint64_t> connections_;     ///< Last connection of each worker.
+    std::set<std::pair<std::uint64_t, TaskId>> tasks_given_; ///< Worker and task; this incarnation.
     std::uint64_t late_messages_ = 0;
     std::uint64_t late_results_ = 0;
     std::uint64_t old_sessions_ = 0;
-    std::set<std::tuple<WorkerId, TreeId, RootIndex>> held_; ///< As the master was told.
-    std::map<std::uint64_t, WorkerId> sessions_; ///< By worker (its process), this life.
+    std::set<std::tuple<WorkerId, TreeId, RootIndex>> held_; ///< According to messages to the
+                                                             ///< master.
+    std::map<std::uint64_t, WorkerId> sessions_; ///< By worker instance; this incarnation.
     struct Corrections {
         std::uint64_t connection = 0;
-        std::map<std::pair<TreeId, RootIndex>, std::size_t> blocks; ///< In how many messages.
+        std::map<std::pair<TreeId, RootIndex>, std::size_t> blocks; ///< Number of messages about
+                                                                    ///< each block.
         std::size_t standings = 0;
     };
-    /// By worker (its process): what the master has not heard of its last connection.
+    /// By worker instance: messages of its last connection that the master has not read.
     std::map<std::uint64_t, Corrections> corrections_;
-    /// Of ranges, in the order of their places; by worker (its process).
+    /// Scenarios of ranges in order of position, by worker instance and task.
     std::map<std::pair<std::uint64_t, TaskId>, std::vector<std::uint64_t>> ranges_;
     std::map<std::pair<std::uint64_t, TaskId>, std::set<std::uint64_t>> given_back_;
-    /// Who told a lie that was compared with a right result,
+    /// Wrong results that were compared with a right one: job and worker.
     std::set<std::pair<JobId, std::uint64_t>> refuted_;
-    /// and who was in quarantine when the job ended.
+    /// Workers in quarantine when the job ended.
     std::map<JobId, std::set<std::uint64_t>> quarantined_at_end_;
     std::uint64_t corrected_ = 0;
     std::uint64_t scenarios_sent_ = 0;

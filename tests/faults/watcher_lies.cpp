@@ -1,5 +1,6 @@
-// What follows when workers are now and then wrong. Two results of a scenario that differ find one
-// of them out; from then on, in all lives of the master, nothing of it counts.
+// Checks the handling of workers that now and then give wrong results. Two differing results of a
+// scenario expose one of the workers; from then on nothing it sent counts, in any master
+// incarnation.
 #include "master/journal/journal_records.hpp"
 #include "tests/faults/watcher.hpp"
 
@@ -34,7 +35,7 @@ std::string Watcher::check_quarantined(const Route& route, const Message& messag
                : "";
 }
 
-/// The master has taken the worker's answer, which was the first or was compared with it.
+/// Notes that the master accepted the worker's answer: the first one, or one it compared.
 void Watcher::acknowledged(std::uint64_t worker, JobId id, std::uint64_t scenario) {
     const auto job = jobs_.find(id);
     if (job == jobs_.end() || !job->second.end.empty() || job->second.failed.contains(scenario) ||
@@ -52,8 +53,8 @@ void Watcher::ends(JobId job) {
     quarantined_at_end_[job] = quarantine();
 }
 
-/// The one place that says which wrong results are nobody's fault but a liar's: those of one that
-/// was never found out, and that nobody else has answered.
+/// The only function that decides which wrong results are excusable: results of a worker that was
+/// never exposed, for scenarios that no other worker answered.
 bool Watcher::may_be_wrong(const DurableResult& result,
                            std::uint64_t author,
                            const std::set<std::uint64_t>& quarantined) const {

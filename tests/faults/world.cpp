@@ -10,28 +10,28 @@ namespace {
 
 World* the_world = nullptr;
 
-/// What `steady_clock` says.
+/// Value of `steady_clock`.
 Time clock_time{std::chrono::seconds(1000)};
-/// By how much each look at the clock moves it: so work on a slow host takes long.
+/// Each read of the clock advances it by this much, so work on a slow host takes long.
 Duration look_takes{0};
 
 constexpr Duration pool_work_min = std::chrono::microseconds(200);
 constexpr Duration pool_work_max = std::chrono::milliseconds(40);
 
-/// Of a host without anything happening outside; a sound one needs a few.
+/// Bound on turns of a host without outside events; a sound host needs a few.
 constexpr std::size_t turns_max = 100'000;
 
 } // namespace
 
 } // namespace cd::tests
 
-// The clock of this program. It stands before that of the C++ library.
+// Replaces the C++ library's clock in this program.
 std::chrono::steady_clock::time_point std::chrono::steady_clock::now() noexcept {
     cd::tests::clock_time += cd::tests::look_takes;
     return cd::tests::clock_time;
 }
 
-// Without this Asio's timers would go by the system's clock.
+// Makes Asio's timers follow the simulated clock, not the system's.
 extern "C" int timerfd_create(int, int) noexcept {
     return -1;
 }
@@ -84,9 +84,9 @@ bool World::step() {
         event.mapped()();
         run_awake();
     } catch (const BrokenInvariant&) {
-        // It has been noted.
+        // The power cut is already recorded.
     } catch (const PowerCut&) {
-        // The same.
+        // The problem is already recorded.
     } catch (const std::exception& error) {
         problem(std::string("an exception: ") + error.what());
     }
@@ -218,7 +218,7 @@ void World::run_on_pool(const ThreadPool* pool, std::uint64_t number, std::uint6
     start_next(pool);
 }
 
-// ---- What goes wrong ------------------------------------------------------------------------
+// ---- Faults -----------------------------------------------------------------------------------
 
 void World::problem(const std::string& text) {
     log("PROBLEM " + text);

@@ -1,6 +1,6 @@
-// A small universe for real programs: its time, its chance, its network, its disk. What in other
-// programs waits for the world outside (threads, sockets, files, the clock) is replaced at link
-// time by the simulated_*.cpp beside this; everything else is the code that is shipped.
+// A simulated environment for the real programs: time, randomness, network, disk. The
+// simulated_*.cpp files replace threads, sockets, files and the clock at link time; all else is the
+// shipped code.
 #pragma once
 
 #include "proto/channel/asio.hpp"
@@ -33,15 +33,14 @@ namespace cd::tests {
 using Time = std::chrono::steady_clock::time_point;
 using Duration = std::chrono::steady_clock::duration;
 
-/// The number of the master's host.
 inline constexpr std::uint64_t master_host = 0;
 
-/// A CD_CHECK that does not hold, anywhere.
+/// Thrown when a CD_CHECK fails anywhere.
 struct BrokenInvariant : std::exception {};
-/// The master ends in the middle of what it does to its disk.
+/// Thrown to end the master in the middle of a disk operation.
 struct PowerCut : std::exception {};
 
-/// A process; its program is in who owns it, and gone before it.
+/// A process. Its owner keeps the program, which is destroyed before the host.
 struct Host {
     Host(std::uint64_t number, std::string called);
     Host(const Host&) = delete;
@@ -51,35 +50,36 @@ struct Host {
     std::uint64_t id;
     std::string name;
     asio::io_context context{1};
-    /// Its peers do not hear of its end.
+    /// True if peers are not notified of its end.
     std::shared_ptr<bool> is_silent = std::make_shared<bool>(false);
-    bool is_odd = false;   ///< Messages from it may come twice, or in another order.
-    bool is_dying = false; ///< Nothing more comes from it.
-    std::vector<std::function<void()>> at_greeting; ///< What comes to the master with its next one.
-    std::optional<unsigned> liar; ///< Its results are now and then wrong; which liar it is.
-    double slowness = 1;          ///< Of its threads.
-    Time slowed_at{};             ///< When they became so, if trouble made them.
-    Time stopped_until{};         ///< It does nothing until then (SIGSTOP),
-    Time cut_off_until{};         ///< and nothing comes to it, or from it, before.
-    // Of a worker. What vanishes takes its connection with it, which nobody is told:
-    Time mute_until{};  ///< What it says to the master vanishes,
-    Time deaf_until{};  ///< what the master says to it,
-    Time apart_until{}; ///< and all between it and other workers.
+    bool is_odd = false;                            ///< Its messages may be repeated or reordered.
+    bool is_dying = false;                          ///< It sends nothing more.
+    std::vector<std::function<void()>> at_greeting; ///< Arrives at the master with its next
+                                                    ///< greeting.
+    std::optional<unsigned> liar; ///< Number of the liar, if its results are now and then wrong.
+    double slowness = 1;          ///< Factor on its threads' time.
+    Time slowed_at{};             ///< When a fault slowed the threads.
+    Time stopped_until{};         ///< The process does nothing until then (SIGSTOP).
+    Time cut_off_until{};         ///< No message reaches or leaves it before.
+    // For workers. A vanished message breaks its connection unnoticed.
+    Time mute_until{};  ///< Messages to the master vanish.
+    Time deaf_until{};  ///< Messages from the master vanish.
+    Time apart_until{}; ///< Messages between it and other workers vanish.
 };
 
-/// How often a message has which accident; of 1000.
+/// Rate of each fault, per mille of messages.
 struct NetworkFaults {
-    unsigned lost = 0; ///< Its connection breaks soon after.
-    /// Of those lost on their way to the master: only their sender takes the connection for broken,
-    /// and they come at the very moment of its next greeting.
+    unsigned lost = 0; ///< The connection breaks soon after.
+    /// Share of lost messages to the master whose loss only the sender notices; they arrive just at
+    /// its next greeting.
     unsigned late = 0;
-    unsigned unwelcome = 0; ///< Of welcomes to workers: they are lost.
+    unsigned unwelcome = 0; ///< Share of welcomes to workers that are lost.
     unsigned doubled = 0;
     unsigned overtaken = 0;
     unsigned delayed = 0;
 };
 
-/// Everything that happens, happens in `step`, on one thread, as the seed says.
+/// Runs all events in `step`, on one thread, in the order that the seed determines.
 class World {
   public:
     World(std::uint64_t seed, bool logs);
@@ -97,55 +97,55 @@ class World {
     [[nodiscard]] std::uint64_t new_number() { return ++number_last_; }
     void at(Time time, std::function<void()> event);
     void in(Duration delay, std::function<void()> event) { at(now() + delay, std::move(event)); }
-    /// The next event. False when there is none.
+    /// Runs the next event. Returns false if there is none.
     bool step();
     void log(const std::string& text) const;
 
     // ---- Hosts ------------------------------------------------------------------------------
-    /// Pools that are made belong to this one. Null: to nobody, and run at once.
+    /// Assigns new thread pools to this host. Null: to none; they run functions at once.
     void make_for(Host* host) { making_ = host; }
-    /// What is ready there runs at the end of this step.
+    /// Runs the host's ready handlers at the end of this step.
     void wake(Host& host) { awake_.insert(host.id); }
     void wake_all();
-    /// In the last step something may have run there: it was awake, and not stopped.
+    /// True if the host may have run in the last step: it was awake, and not stopped.
     [[nodiscard]] bool has_run(std::uint64_t host) const { return have_run_.contains(host); }
     [[nodiscard]] Host* host_of(const asio::any_io_executor& executor);
     [[nodiscard]] Host* find_host(std::uint64_t id);
     [[nodiscard]] bool is_stopped(const Host& host) const { return now() < host.stopped_until; }
-    /// What goes there vanishes now. Asked only where something goes: then that took effect.
+    /// True if a message to `to` vanishes now. Counts the fault, so call it only for a real
+    /// message.
     [[nodiscard]] bool is_severed(const Host& from, const Host& to);
 
-    // ---- What the replaced parts call ---------------------------------------------------------
+    // ---- Called by the replaced parts ---------------------------------------------------------
     void pool_made(const ThreadPool* pool, unsigned threads);
     void pool_gone(const ThreadPool* pool) { pools_.erase(pool); }
     void post(const ThreadPool* pool, std::function<void()> function);
     void check_failed(const std::string& what);
-    /// Before every change of the disk of the master.
+    /// Must be called before every change of the master's disk.
     void touch_disk();
 
     NetworkFaults network;
-    Files disk; ///< Of the master.
+    Files disk; ///< The master's disk.
     bool disk_is_full = false;
-    bool disk_is_unreadable = false; ///< Where running jobs need it.
-    /// What the disk had not synced may be gone.
+    bool disk_is_unreadable = false; ///< Reads that running jobs need fail.
+    /// Loses unsynced data at random.
     void lose_power();
-    /// After so many changes of the disk the master ends; 0: it does not.
+    /// Number of disk changes after which the master ends; 0: never.
     std::uint64_t power_cut_after = 0;
     bool power_was_cut = false;
     Watcher watcher;
-    /// Called with each message that a host sends to another, also in vain; false: it is not sent.
+    /// Called with each message a host sends, delivered or not. Returns false to drop the message.
     std::function<bool(const Route& route, const Message& message)> on_message;
-    /// And with each that the master takes up.
+    /// Called with each message that the master reads.
     std::function<void(const Route& route, const Message& message)> on_heard;
 
-    /// Trouble took effect on the host: counts once for each `since`, which names the trouble
-    /// there.
+    /// Counts a fault that took effect on the host, once for each `since`, which identifies it.
     void felt(Trouble trouble, const Host& host, Time since);
-    /// The same, of a host to which something came while it was stopped.
+    /// Counts a stop of the host if something reached the host while it was stopped.
     void felt_stop(const Host& host);
     Troubles troubles;
 
-    /// The first one is what a failing seed is about.
+    /// Records a problem; a failing seed reports the first one.
     void problem(const std::string& text);
     [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 
@@ -153,10 +153,10 @@ class World {
     friend struct Host;
     struct Pool {
         std::uint64_t host = 0;
-        std::uint64_t number = 0; ///< A pool may be made where another one stood.
+        std::uint64_t number = 0; ///< Distinguishes pools at one address.
         unsigned free = 0;
         std::deque<std::function<void()>> waiting;
-        std::map<std::uint64_t, std::function<void()>> running; ///< By whatever number.
+        std::map<std::uint64_t, std::function<void()>> running; ///< Key: a running number.
     };
     void start_next(const ThreadPool* pool);
     void run_on_pool(const ThreadPool* pool, std::uint64_t number, std::uint64_t job);
@@ -169,9 +169,9 @@ class World {
     std::set<std::uint64_t> awake_;
     std::set<std::uint64_t> have_run_; ///< In the last step.
     std::map<const ThreadPool*, Pool> pools_;
-    std::uint64_t number_last_ = 0; ///< Of pools, what they run, and connections.
+    std::uint64_t number_last_ = 0; ///< Last number of a pool, function or connection.
     Host* making_ = nullptr;
-    std::map<std::pair<Trouble, std::uint64_t>, Time> felt_; ///< By kind and host, the last one.
+    std::map<std::pair<Trouble, std::uint64_t>, Time> felt_; ///< Last fault by kind and host.
     std::vector<std::string> problems_;
 };
 
