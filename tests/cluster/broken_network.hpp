@@ -1,4 +1,4 @@
-// A cluster whose one worker is behind a network that does what networks do.
+// A cluster with one worker behind a faulty network.
 #pragma once
 
 #include "tests/cluster/faulty_proxy.hpp"
@@ -12,7 +12,7 @@
 
 namespace cd::tests {
 
-/// A heartbeat that makes the tests short. No result hangs on it.
+/// A short heartbeat keeps the tests short. No result depends on it.
 inline const std::vector<std::string> quick{"--heartbeat", "0.05"};
 
 inline std::vector<std::string> quick_and(std::vector<std::string> more) {
@@ -20,20 +20,20 @@ inline std::vector<std::string> quick_and(std::vector<std::string> more) {
     return more;
 }
 
-/// Workers have all the time to come back: what is done again then, is by mistake.
+/// Workers have unlimited time to return: any repeated scenario is a defect.
 class BrokenNetwork : public MortalCluster {
   protected:
     explicit BrokenNetwork(Links links = Links::Plain)
         : MortalCluster(quick_and({"--lost-after", "600", "--return-within", "600"}), links) {}
 
-    /// One worker, behind the proxy, in the middle of a job.
+    /// Starts a job with one worker behind the proxy.
     void start_job(std::uint64_t scenarios) {
         job_ = make_job(scenarios);
         start_worker_at(proxy_.address(), 2, {"--no-peers"});
         connection_ = connect();
         id_ = submit(*connection_, job_, Query{});
     }
-    /// So many more, of which some are merged now.
+    /// Waits until so many more scenarios are merged.
     void progress(std::uint64_t more) {
         done_ = watch_until(*connection_, id_, done_ + more).summary.merged();
     }
@@ -61,7 +61,7 @@ class BrokenNetwork : public MortalCluster {
         });
     }
 
-    /// The end of the job, and that nothing of it was done again.
+    /// Expects the right result, and that no scenario ran twice.
     void expect_right(bool nothing_again = true) {
         const JobStatus status = finish(*connection_, id_);
         EXPECT_EQ(status.state, JobState::Done) << status.failure;

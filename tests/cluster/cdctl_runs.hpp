@@ -1,4 +1,4 @@
-// cdctl as a user runs it, and what it reads and says.
+// Runs cdctl as a user does, and parses its output.
 #pragma once
 
 #include "tests/support/obj_file.hpp"
@@ -15,7 +15,7 @@ inline std::string cdctl() {
 
 inline std::string digest_of(const Ran& ran) {
     std::smatch found;
-    const std::regex pattern("\n +digest +([0-9a-f]{16})"); // Not the one of a map.
+    const std::regex pattern("\n +digest +([0-9a-f]{16})"); // Skips the digest of a map.
     return std::regex_search(ran.output, found, pattern) ? found[1].str() : "none: " + ran.errors;
 }
 

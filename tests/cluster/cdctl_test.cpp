@@ -1,5 +1,5 @@
-// Proves what README promises of cdctl as a user runs it: the same digest with and without a
-// cluster on real models, the exit codes, and errors of one line that name the way out.
+// Proves the README's promises about cdctl: one digest with and without a cluster on real models,
+// the exit codes, and one-line errors that name a remedy.
 #include "client/formats/npz.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A closed box of 1 m as an OBJ file.
+/// Writes closed boxes of 1 m as OBJ files.
 void write_boxes(const TemporaryFolder& folder) {
     write_obj(folder / "box.obj", make_box({1, 1, 1}));
 }
@@ -22,7 +22,7 @@ void write_boxes(const TemporaryFolder& folder) {
 
 class CdctlOnModels : public Cluster {
   protected:
-    /// One thread, two threads and a cluster give one digest.
+    /// Expects one digest from one thread, two threads and a cluster.
     void expect_one_digest(const std::filesystem::path& a, const std::filesystem::path& b);
 };
 
@@ -108,7 +108,7 @@ TEST_F(Cluster, ExplainShowsEachWorkersScore) {
     start_worker();
     while (connection_->status().value().workers.size() < 2) {
     }
-    // They stand still, so that the job runs for as long as it is asked about.
+    // Stopped workers keep the job running while the test queries it.
     const auto signal_all = [&](int signal) {
         for (const auto& worker : workers_) {
             worker->signal(signal);
@@ -117,7 +117,7 @@ TEST_F(Cluster, ExplainShowsEachWorkersScore) {
     for (const Strategy strategy : {Strategy::BestMatch, Strategy::EarliestFinish}) {
         ClusterOptions options = many_blocks();
         options.strategy = strategy;
-        options.q = 200; // So that no buffer is full, and somebody may take the scenario.
+        options.q = 200; // Keeps buffers from filling, so that any worker may take the scenario.
         signal_all(SIGSTOP);
         const JobId id = submit(job, {}, options);
         const auto ask = [&](const std::vector<std::string>& more) {

@@ -1,7 +1,6 @@
-// Proves, with real processes and a network between cdctl and its master that does what networks
-// do, that cdctl either goes on by itself or ends soon with a documented exit code and a reason;
-// that it never tells a wrong result; and that on the master nothing is lost by it, and nothing
-// half there.
+// Proves, with real processes and a faulty network between cdctl and its master, that cdctl either
+// continues by itself or soon ends with a documented exit code and a reason; that it never reports
+// a wrong result; and that the master loses nothing and keeps nothing half-finished.
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/faulty_proxy.hpp"
 #include "tests/cluster/mortal_master.hpp"
@@ -18,7 +17,7 @@ using testing::HasSubstr;
 constexpr int unreachable = 4;
 constexpr int refused = 5;
 
-/// cdctl is behind the proxy, workers are not.
+/// Puts cdctl behind the proxy; workers connect directly.
 class ClientLink : public MortalCluster {
   protected:
     explicit ClientLink(Links links) : MortalCluster({}, links) {
@@ -52,7 +51,7 @@ class ClientLink : public MortalCluster {
         return {code.value_or(-1), process.output(), process.errors()};
     }
 
-    /// Runs cdctl over a slow line, on which this happens after so many pieces.
+    /// Runs cdctl over a slow line and causes a fault after so many pieces.
     Ran run_far(const std::vector<std::string>& words,
                 std::uint64_t pieces,
                 const std::function<void()>& happens) {
@@ -66,8 +65,8 @@ class ClientLink : public MortalCluster {
         return ran;
     }
 
-    /// A wait for a job that runs, whose connection has been cut. Before it watches, it does not
-    /// come back.
+    /// Runs `wait` on a running job and cuts its connection. If cdctl did not watch yet, it ends
+    /// instead of reconnecting; then this tries again with a later cut.
     Process start_cut_wait(const std::string& id) {
         for (std::uint64_t pieces = 4;; ++pieces) {
             proxy_.set(Weather::Delayed);
@@ -135,7 +134,7 @@ TEST_P(AnyClientLink, AWaitGoesOnByItself) {
         EXPECT_TRUE(
             comes_true([&] { return proxy_.connections() > before || !waiting.is_running(); }));
     }
-    for (const bool there : {true, false}) { // Until it is greeted again.
+    for (const bool there : {true, false}) { // Until the master greets it again.
         const std::uint64_t before = proxy_.damaged();
         proxy_.damage_greeting(there);
         proxy_.cut();
@@ -216,7 +215,7 @@ TEST_P(AnyClientLink, ASubmissionIsThereWholeOrNotAtAll) {
     EXPECT_GE(failures, 6);
     const std::string id = submit_near();
     const std::vector<std::string> ids = job_ids();
-    // A job whose number got lost on its way may be there, too.
+    // A job whose id was lost in transit may exist, too.
     EXPECT_GE(ids.size(), promised.size() + 1);
     start_worker();
     for (const std::string& each : ids) {
@@ -224,7 +223,7 @@ TEST_P(AnyClientLink, ASubmissionIsThereWholeOrNotAtAll) {
     }
 }
 
-/// The waits are those that users have, so it takes a minute.
+/// Uses the timeouts of users, so it takes a minute.
 class HalfOpen : public ClientLink {
   protected:
     HalfOpen() : ClientLink(Links::Plain) {}
@@ -239,7 +238,7 @@ TEST_F(HalfOpen, AWaitGoesOnAndAQuestionEndsInTime) {
         return comes_true([&] { return proxy_.delayed() >= until; });
     };
     proxy_.cut();
-    EXPECT_TRUE(are_through(4)); // The greeting, and the first status.
+    EXPECT_TRUE(are_through(4)); // The greeting and the first status.
     Process asking = start_far({"get", "jobs"});
     EXPECT_TRUE(are_through(2)); // The greeting.
     proxy_.set(Weather::Swallowed);

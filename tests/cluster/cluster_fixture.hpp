@@ -1,4 +1,4 @@
-// A cluster of real processes on loopback, on a port that the system chose, and a job to give it.
+// A cluster of real processes on loopback, on a port chosen by the system, and a job for it.
 #pragma once
 
 #include "client/local/local_cluster.hpp"
@@ -19,7 +19,7 @@
 
 namespace cd::tests {
 
-/// Two meshes, scenarios, and what one process makes of them.
+/// Two meshes, scenarios, and the result of one process.
 struct Job {
     std::shared_ptr<const ObbTree> a;
     std::shared_ptr<const ObbTree> b;
@@ -44,8 +44,8 @@ struct Job {
     }
 };
 
-/// B at random places around A: some apart, some in contact. One pose of four is a matrix, the rest
-/// quaternions, and sometimes A is posed too.
+/// Puts B at random positions around A, apart or in contact. One pose of four is a matrix, the rest
+/// quaternions; sometimes A is posed, too.
 [[nodiscard]] inline std::vector<Scenario> mixed_scenarios(std::uint64_t count, double reach) {
     std::mt19937_64 random(11);
     std::vector<Scenario> scenarios(count);
@@ -60,8 +60,8 @@ struct Job {
     return scenarios;
 }
 
-/// First scenarios that each take far longer than a test, since all pairs of triangles have to be
-/// looked at, some billions; then such that take no time.
+/// Makes a job whose first scenarios each outlast any test (some billions of triangle pairs to
+/// test); the others take no time.
 [[nodiscard]] inline Job make_long_job(std::uint64_t long_ones, std::uint64_t short_ones) {
     std::mt19937_64 random(3);
     ThreadPool pool(2);
@@ -77,7 +77,7 @@ struct Job {
     return job;
 }
 
-/// A torus and a sphere; closed, so that `inside` occurs.
+/// Makes a job of a torus and a sphere, both closed so that `inside` occurs.
 [[nodiscard]] inline Job make_job(std::uint64_t count, double reach = 1.6) {
     ThreadPool pool(2);
     Job job;
@@ -89,7 +89,7 @@ struct Job {
     return job;
 }
 
-/// Bodies as small as these would be a block each, and nothing be seen of what goes where.
+/// Cuts small bodies into many blocks; otherwise each would be one block and placement untested.
 [[nodiscard]] inline ClusterOptions many_blocks() {
     ClusterOptions options;
     options.depths = {12, 6};
@@ -124,12 +124,11 @@ class Cluster : public testing::Test {
         return std::move(opened.value());
     }
 
-    /// Called before the master starts.
     virtual void prepare() {}
-    /// With what the test connects; null is plain.
+    /// TLS of the test's own connections; null is plain.
     [[nodiscard]] virtual std::shared_ptr<const Tls> tls() const { return nullptr; }
 
-    /// One more worker. It joins by itself.
+    /// Starts one more worker, which joins by itself.
     Process& start_worker(unsigned threads = 1, const std::vector<std::string>& options = {}) {
         const std::string name = "worker" + std::to_string(workers_.size());
         std::vector<std::string> command{program("cdworker").string(),
@@ -160,7 +159,7 @@ class Cluster : public testing::Test {
         return accepted ? accepted.value() : JobId{};
     }
 
-    /// The job's last status. `changed` hears every one.
+    /// Waits for the job's end and returns its last status. Calls `changed` with every status.
     JobStatus finish(JobId job, const std::function<void(const JobStatus&)>& changed) {
         const auto status = connection_->watch(job, changed);
         EXPECT_TRUE(status) << status.error().detail;

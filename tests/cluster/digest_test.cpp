@@ -1,6 +1,6 @@
-// Proves the promise of one answer everywhere: with real processes over TCP the digest is that of
-// one process, for any number of workers, strategy, distribution depth and buffer size, and when
-// workers join late or are killed.
+// Proves, with real processes over TCP, that the digest always equals that of one process: for any
+// number of workers, strategy, distribution depth and buffer size, and when workers join late or
+// are killed.
 #include "common/job/result/packed_map.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 
@@ -56,7 +56,7 @@ TEST_F(Cluster, UnderAToleranceTheDigestIsThatOfOneProcess) {
         for (const Level level : {Level::Any, Level::Count, Level::Contacts}) {
             Query query = at_level(level);
             query.tolerance = tolerance;
-            ClusterOptions options; // The depths are not looked at.
+            ClusterOptions options; // This test ignores the depths.
             options.set_depth(0, level == Level::Any ? 3 : 9);
             const JobStatus status = run(job, query, options);
             EXPECT_EQ(status.digest, job.digest_in_one_process(query))
@@ -88,13 +88,13 @@ TEST_F(Cluster, StatisticsAreThoseOfTheWorkersTogether) {
     const JobStatus status = run(job, at_level(Level::Count));
     const QueryStatistics& search = status.statistics.search;
     EXPECT_GT(search.box_tests, 0u);
-    // Every candidate was settled by some stage, nearly all by the first, or the second where there
-    // are too few at once for the first.
+    // Some stage settled every candidate: mostly the first, or the second if the first's batch had
+    // too few.
     EXPECT_EQ(search.decisions.total(), search.triangle_tests);
     EXPECT_GT(search.decisions[PairStage::Float] + search.decisions[PairStage::Double],
               search.triangle_tests * 99 / 100);
     EXPECT_GT(search.decisions[PairStage::Float], search.triangle_tests / 2);
-    // Both bodies are closed, so `inside` was looked at wherever nothing touches.
+    // Both bodies are closed, so every scenario without contact was tested for `inside`.
     EXPECT_GE(status.statistics.inside.scenarios, status.summary.separate + status.summary.inside);
 }
 
@@ -148,7 +148,7 @@ TEST_F(Cluster, WhoFindsTheCollidingRootsDoesNotShow) {
             options.analysis = mode;
             const JobStatus status = run(job, query, options);
             EXPECT_EQ(status.digest, expected) << to_text(level) << ", " << to_text(mode);
-            // Only a master that analyses answers what collides nowhere.
+            // The master answers scenarios without collisions only if it analyses.
             EXPECT_EQ(status.answered_by_master == 0, mode == AnalysisMode::Never);
         }
     }
@@ -221,7 +221,7 @@ TEST_F(Cluster, TheDistributionDepthDoesNotShow) {
     }
     const JobStatus chosen = run(job, query, {});
     EXPECT_EQ(chosen.digest, expected);
-    // Of 8,000 triangles, and of 5,120.
+    // The bodies have 8,000 and 5,120 triangles.
     EXPECT_EQ(chosen.depths, (std::vector<std::uint32_t>{1, 0}));
 }
 
@@ -328,7 +328,7 @@ TEST_F(Cluster, AGridTravelsAsItsDescription) {
     const auto source = make_grid_source(grid);
     job.scenarios = source->read(0, source->count()).value();
     start_worker();
-    ASSERT_TRUE(submit(job, {}, {}).value != 0); // The meshes are there now.
+    ASSERT_TRUE(submit(job, {}, {}).value != 0); // The master has the meshes now.
 
     Submit message;
     message.name = "grid";
@@ -358,7 +358,7 @@ TEST_F(Cluster, SigtermEndsEveryProgramCleanly) {
                     "--state",
                     state / "state"},
                    folder_ / "second_master");
-    // The port file appears when it listens, and it hears signals before that.
+    // The port file appears when the master listens; it handles signals before that.
     while (!std::filesystem::exists(state / "port") && master.is_running()) {
         std::this_thread::yield();
     }

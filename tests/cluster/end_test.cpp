@@ -1,6 +1,6 @@
-// Proves, with real processes, that nobody waits at the end of a job for a host that is slow or
-// stands still: what it has not begun is given back and done once, elsewhere; what it does not give
-// back is copied, a bounded share of the job; and the digest is that of one process.
+// Proves, with real processes, that the end of a job does not wait for a slow or stopped host:
+// scenarios it has not begun are returned and done once, elsewhere; scenarios it does not return
+// get speculative copies, a bounded share of the job; and the digest is that of one process.
 #include "tests/cluster/mortal_master.hpp"
 
 #include <atomic>
@@ -9,7 +9,7 @@
 namespace cd::tests {
 namespace {
 
-/// Runs one tenth of the time, as long as this lives.
+/// Lets a process run one tenth of the time while this object lives.
 class Slowed {
   public:
     explicit Slowed(const Process& process)
@@ -39,7 +39,7 @@ struct Way {
     AnalysisMode analysis = AnalysisMode::Always;
 };
 
-/// Nobody is lost, however long it stands still.
+/// Never declares a worker lost, however long it is stopped.
 class EndOfJob : public MortalCluster, public testing::WithParamInterface<Way> {
   protected:
     EndOfJob() : MortalCluster({"--lost-after", "600", "--return-within", "600"}) {}
@@ -92,11 +92,12 @@ class EndOfJob : public MortalCluster, public testing::WithParamInterface<Way> {
     Job job_ = make_job(8000);
     std::unique_ptr<Connection> connection_;
     JobId id_;
-    std::uint64_t answered_ = 0;        ///< Results of scenarios that were asked of who sent them,
-    std::uint64_t answered_before_ = 0; ///< and those of the jobs before.
+    std::uint64_t answered_ = 0;        ///< Results of scenarios that were recalled from their
+                                        ///< sender.
+    std::uint64_t answered_before_ = 0; ///< Value of `answered_` before the current job.
 };
 
-/// How a job ends is up to the machine as well: what is to be seen is seen in one of a few.
+/// Timing affects how a job ends, so one of a few jobs must show the expected effects.
 constexpr int jobs_tried = 6;
 
 TEST_P(EndOfJob, WhatASlowHostHasNotBegunIsDoneOnceElsewhere) {

@@ -1,7 +1,7 @@
-// Proves, with real processes and a network that does what networks do, that a job ends with the
-// digest of one process and nothing is lost: connections cut, half open, slow, damaged, trickling
-// or stalled; workers halted, killed, and back; the master killed among all that. What a broken
-// connection interrupts is not done again when the worker is back in time.
+// Proves, with real processes and a faulty network, that a job ends with the digest of one process
+// and nothing is lost: connections are cut, half open, slow, damaged, trickling or stalled; workers
+// are stopped, killed and return; the master is killed meanwhile. Work that a broken connection
+// interrupts is not repeated if the worker returns in time.
 #include "tests/cluster/broken_network.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/support/comes_true.hpp"
@@ -138,7 +138,7 @@ TEST_F(BrokenNetwork, WithTheMasterKilledInBetweenNothingIsLostEither) {
     EXPECT_EQ(proxy_.damaged(), 3u);
 }
 
-/// Workers that are not heard of are soon lost.
+/// Declares silent workers lost after a short time.
 class LostWorkers : public BrokenNetwork {
   protected:
     LostWorkers() {
@@ -156,7 +156,7 @@ TEST_F(LostWorkers, AWorkerThatIsLostGivesItsWorkBackAndMayReturn) {
     start_worker(1, {"--no-peers"});
     progress(300);
     proxy_.set(Weather::Fair);
-    // What it had finished comes, too, and is merged once.
+    // The worker's finished results arrive, too, and are merged once.
     status_when([&](const ClusterStatus& status) {
         return status.workers.size() == 2 &&
                std::none_of(status.workers.begin(), status.workers.end(), [](const auto& worker) {
@@ -193,7 +193,7 @@ TEST_F(LostWorkers, AKilledWorkerIsReplacedAndTheStatusTellsOfIt) {
     EXPECT_THAT(told.output, HasSubstr("lost"));
     expect_right(false);
 
-    // Of the two that are listed one is here.
+    // Only one of the two listed meshes is present.
     write_obj(folder_ / "box.obj", make_box({1, 1, 1}));
     const std::string box = folder_ / "box.obj";
     const Ran next = run(

@@ -17,7 +17,7 @@ using boost::system::error_code;
 constexpr std::chrono::milliseconds delay{20};
 constexpr std::size_t trickle_bytes = 16;
 
-/// A process that the test starts would keep the connection open.
+/// Sets close-on-exec: a child process of the test would keep the connection open.
 template <class Socket>
 void keep_from_children(Socket& socket) {
     (void)::fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC);

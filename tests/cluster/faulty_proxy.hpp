@@ -1,5 +1,4 @@
-// A network between two processes that does what real ones do: it delays, cuts, swallows, damages,
-// trickles and stalls.
+// A faulty network between two processes: it delays, cuts, swallows, damages, trickles and stalls.
 #pragma once
 
 #include "proto/channel/asio.hpp"
@@ -16,15 +15,14 @@ namespace cd::tests {
 
 enum class Weather {
     Fair,
-    Delayed,   ///< Each piece comes 20 ms later, both ways.
-    Swallowed, ///< All is taken and nothing comes out: half-open connections, new ones included. A
-               ///< connection that has lost bytes so carries none any more, in any weather.
-    Trickling, ///< Some bytes a millisecond.
-    Stalled,   ///< Nothing is taken any more: the sender's buffers fill.
+    Delayed,   ///< Each piece arrives 20 ms later, both ways.
+    Swallowed, ///< All bytes are read, none delivered, on new connections too (half open). A
+               ///< connection that lost bytes so carries none any more, in any mode.
+    Trickling, ///< Delivers some bytes per millisecond.
+    Stalled,   ///< Reads nothing, so the sender's buffers fill.
 };
 
-/// Carries connections on loopback to one port. On a thread of its own; all members may be called
-/// at any time.
+/// Forwards loopback connections to one port, on its own thread. All members are thread-safe.
 class FaultyProxy {
   public:
     explicit FaultyProxy(std::uint16_t target);
@@ -32,29 +30,31 @@ class FaultyProxy {
     FaultyProxy& operator=(const FaultyProxy&) = delete;
     ~FaultyProxy();
 
-    /// HOST:PORT
+    /// Returns HOST:PORT.
     [[nodiscard]] std::string address() const;
     [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
 
     void set(Weather weather) { weather_.store(weather); }
-    /// All connections of now end; new ones are welcome.
+    /// Ends all current connections; new ones are accepted.
     void cut();
-    /// One bit of one of the next bytes, towards the target or back.
+    /// Flips one bit of the next bytes, towards the target or back.
     void damage(bool towards_target) {
         (towards_target ? damage_there_ : damage_back_).store(true);
     }
-    /// The same, of what is said first on the next connection: a greeting.
+    /// Flips one bit of the first bytes (the greeting) of the next connection.
     void damage_greeting(bool towards_target) {
         (towards_target ? damage_greeting_there_ : damage_greeting_back_).store(true);
     }
 
     [[nodiscard]] std::uint64_t connections() const { return connections_.load(); }
-    // What has been done to the bytes so far, both ways together:
-    [[nodiscard]] std::uint64_t damaged() const { return damaged_.load(); }     ///< Bits flipped.
-    [[nodiscard]] std::uint64_t delayed() const { return delayed_.load(); }     ///< Pieces held up.
-    [[nodiscard]] std::uint64_t trickled() const { return trickled_.load(); }   ///< Small pieces.
-    [[nodiscard]] std::uint64_t swallowed() const { return swallowed_.load(); } ///< Bytes.
-    [[nodiscard]] std::uint64_t stalled() const { return stalled_.load(); }     ///< Streams halted.
+    // Counts of faults so far, both directions together.
+    [[nodiscard]] std::uint64_t damaged() const { return damaged_.load(); }   ///< Flipped bits.
+    [[nodiscard]] std::uint64_t delayed() const { return delayed_.load(); }   ///< Delayed pieces.
+    [[nodiscard]] std::uint64_t trickled() const { return trickled_.load(); } ///< Trickled pieces.
+    [[nodiscard]] std::uint64_t swallowed() const {
+        return swallowed_.load();
+    }                                                                       ///< Swallowed bytes.
+    [[nodiscard]] std::uint64_t stalled() const { return stalled_.load(); } ///< Stalled streams.
 
   private:
     struct Link {
@@ -63,9 +63,9 @@ class FaultyProxy {
         void close();
         asio::ip::tcp::socket client;
         asio::ip::tcp::socket server;
-        bool damage_there = false; ///< Its next bytes.
+        bool damage_there = false; ///< Damage the next bytes to the target.
         bool damage_back = false;
-        bool has_lost_bytes = false; ///< TCP delivers all up to some byte, and then nothing.
+        bool has_lost_bytes = false; ///< As TCP, deliver up to some byte, then nothing.
     };
 
     asio::awaitable<void> accept();
@@ -90,7 +90,7 @@ class FaultyProxy {
     std::atomic<std::uint64_t> trickled_ = 0;
     std::atomic<std::uint64_t> swallowed_ = 0;
     std::atomic<std::uint64_t> stalled_ = 0;
-    std::thread thread_; ///< Last: it uses the members above.
+    std::thread thread_; ///< Last member: it uses all others.
 };
 
 } // namespace cd::tests

@@ -1,5 +1,5 @@
-// Proves, with real processes, that a use of a token counts in the master's next life, too, and
-// that no conversation of the life before lets anyone in.
+// Proves, with real processes, that a token's use still counts in the next master incarnation, and
+// that no recorded conversation of an earlier one admits anyone.
 #include "proto/access/credential_file.hpp"
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"
@@ -52,7 +52,7 @@ class SecuredRestart : public MortalCluster {
     SecuredRestart() : MortalCluster({}, Links::Secured) {}
 };
 
-/// As when the master's clock is wrong for a while: TLS takes none of its workers.
+/// The master's clock is wrong for a while, so TLS rejects all its workers.
 TEST_F(SecuredRestart, AWorkerThatWasWelcomeBearsThatItsCertificateIsNotTakenForAWhile) {
     Process& worker = start_worker();
     auto connection = connect();

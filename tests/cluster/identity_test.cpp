@@ -1,6 +1,6 @@
-// Proves, with real processes, that a cluster with an identity does its work under TLS, geometry
-// between workers included, with the same answer; and that who has no right to it is refused with a
-// log line on the master and exit code 5.
+// Proves, with real processes, that a cluster with an identity gives the right answer under TLS,
+// geometry between workers included; and that a peer without rights is refused with a log line on
+// the master and exit code 5.
 #include "client/base/job_id.hpp"
 #include "client/remote/membership.hpp"
 #include "proto/access/credential_file.hpp"
@@ -48,7 +48,7 @@ class SecuredCluster : public Cluster {
                              .value());
     }
 
-    /// A credential as the authority itself could have given it.
+    /// Writes a credential as the authority itself could have issued it.
     [[nodiscard]] fs::path write_issued(const CertificateAuthority& issuer,
                                         CertifiedRole role,
                                         std::chrono::seconds until = 1h,
@@ -94,7 +94,7 @@ class SecuredCluster : public Cluster {
     }
 };
 
-// ---- Those who belong -----------------------------------------------------------------------
+// ---- Authorised peers --------------------------------------------------------------------
 
 TEST_F(SecuredCluster, AWholeJobWithPeersHasTheSameDigest) {
     const Job job = make_job(300);
@@ -183,7 +183,7 @@ TEST_F(ShortLived, AWorkerRenewsItsCertificateByItself) {
     const std::string first = read_text(path);
     EXPECT_TRUE(comes_true([&] { return read_text(path) != first; }));
     EXPECT_TRUE(read_credential(path));
-    // Past the first one's end everything goes on.
+    // Everything continues after the first certificate expires.
     const auto end =
         read_identity(first.substr(first.find("-----BEGIN CERTIFICATE"))).value().until;
     EXPECT_TRUE(comes_true([&] { return std::chrono::system_clock::now() > end; }));
@@ -191,7 +191,7 @@ TEST_F(ShortLived, AWorkerRenewsItsCertificateByItself) {
     const JobStatus status = run(job, Query{});
     EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
     EXPECT_THAT(workers_.front()->errors(), HasSubstr("certificate renewed"));
-    // The session of the first certificate has ended with it, and goes on with the next.
+    // The first certificate's session ends with it and resumes with the next certificate.
     EXPECT_TRUE(comes_true([&] { return log().find("session ended") != std::string::npos; }));
     EXPECT_TRUE(comes_true([&] { return log().find("worker came back") != std::string::npos; }));
     EXPECT_THAT(log(), HasSubstr("has expired"));
@@ -224,7 +224,7 @@ TEST_F(ShortLived, AWaitThatIsLongerThanTheCredentialLivesRenewsIt) {
                   "--credential",
                   me},
                  folder_ / "wait");
-    // Past the end of the first one, and of the next.
+    // Waits past the expiry of the first and the next certificate.
     EXPECT_TRUE(comes_true(
         [&] { return std::chrono::system_clock::now() > first + 4s || !wait.is_running(); }));
     EXPECT_TRUE(wait.is_running()) << wait.errors();
@@ -271,13 +271,13 @@ TEST_F(SecuredCluster, NobodyJoinsUnderANameThatPeopleCannotRead) {
     EXPECT_EQ(join_as("\xc3\x84 friend").exit_code, 0) << "and the token was not spent";
 }
 
-// ---- Those who do not -----------------------------------------------------------------------
+// ---- Refused peers -----------------------------------------------------------------------
 
 TEST_F(SecuredCluster, PlaintextIsRefused) {
     const Ran ran = cdctl({"status"}, "none");
     EXPECT_EQ(ran.exit_code, 5);
     EXPECT_THAT(ran.errors, HasSubstr("the master speaks TLS: cdctl join"));
-    // It is logged when the peer has gone, which has read why.
+    // The master logs it when the peer is gone; the peer has read the reason.
     EXPECT_TRUE(
         comes_true([&] { return log().find("plaintext at a port of TLS") != std::string::npos; }));
     Process& worker = start_worker();
@@ -291,7 +291,7 @@ TEST_F(SecuredCluster, AnotherAuthoritysCertificateIsRefused) {
     EXPECT_EQ(ran.exit_code, 5);
     EXPECT_THAT(ran.errors, HasSubstr("certificate"));
     EXPECT_THAT(log(), HasSubstr("connection refused"));
-    // One that knows the cluster's authority, and shows what another one has signed.
+    // Trusts the cluster's authority, but shows a certificate signed by another.
     Credential mixed = read_credential(stranger).value();
     mixed.authority = authority().certificate();
     ASSERT_TRUE(write_credential(stranger, mixed));
@@ -366,7 +366,7 @@ TEST_F(SecuredCluster, AnExhaustedOrWrongTokenIsRefused) {
     wrong.secret = random_secret();
     EXPECT_EQ(join_worker(to_text(wrong), folder_ / "two").exit_code, 5);
     EXPECT_THAT(log(), HasSubstr("not proven"));
-    // A pin that is not this master's: whoever it is, it does not learn the token.
+    // The pin is another master's, so this master never learns the token.
     JoinToken elsewhere = parse_join_token(token("worker", "1")).value();
     elsewhere.authority = random_secret();
     EXPECT_EQ(join_worker(to_text(elsewhere), folder_ / "two").exit_code, 5);
@@ -374,9 +374,9 @@ TEST_F(SecuredCluster, AnExhaustedOrWrongTokenIsRefused) {
     EXPECT_EQ(join_worker("no token", folder_ / "two").exit_code, 2);
 }
 
-// ---- What no program of ours does -----------------------------------------------------------
+// ---- Conversations none of our programs hold -----------------------------------------------
 
-/// A conversation with the master that ends with an error.
+/// Holds a conversation with the master that ends with an error.
 Error refusal(const std::function<asio::awaitable<Error>()>& conversation) {
     asio::io_context context(1);
     Error result{ErrorCode::Incomplete, "it did not end"};
@@ -412,7 +412,7 @@ TEST_F(SecuredCluster, WithoutACertificateNobodyIsWelcome) {
     EXPECT_THAT(log(), HasSubstr("no certificate was shown"));
 }
 
-/// Joins as the token allows; what it said may be said again.
+/// Joins as the token allows, and records its message in `said` for a replay.
 asio::awaitable<Error> say_join(Endpoint master, JoinToken token, std::optional<Join>& said) {
     Target target{std::move(master), Tls::make_joining(token.authority)};
     const auto channel = co_await connect(std::move(target));

@@ -1,5 +1,5 @@
-// Proves that the scripts of deploy/ that start workers do, on one host and under mpirun, that what
-// they start is a cluster like any other, and that a signal to the script ends all of it cleanly.
+// Proves that the launch scripts of deploy/ start workers, on one host and under mpirun, that the
+// result is an ordinary cluster, and that a signal to the script ends all of it cleanly.
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/comes_true.hpp"
 
@@ -13,7 +13,7 @@ class Launch : public Cluster {
     Process launch(const std::string& script, std::vector<std::string> arguments) {
         std::vector<std::string> command{"/usr/bin/env",
                                          "CDWORKER=" + program("cdworker").string(),
-                                         // Of Open MPI: in a container one is root.
+                                         // For Open MPI: a container's user is root.
                                          "OMPI_ALLOW_RUN_AS_ROOT=1",
                                          "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
                                          std::string(CD_SOURCE_DIR) + "/deploy/" + script};

@@ -1,5 +1,5 @@
-// Proves that a worker whose host has far more to compute than it has processors is not taken for
-// lost: its heartbeats do not wait for that.
+// Proves that a worker on a heavily overloaded host is not declared lost: computing does not delay
+// its heartbeats.
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"
 
@@ -27,7 +27,7 @@ TEST_F(FullLoad, OfAHostWithFewProcessorsDoesNotMakeItsWorkerLost) {
         return status && !status.value().workers.empty() && status.value().workers[0].longest;
     };
     ASSERT_TRUE(comes_true(is_inside)) << master_.log();
-    // Longer than after which it would be lost.
+    // Longer than the time after which a silent worker is lost.
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(6);
     while (std::chrono::steady_clock::now() < end) {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));

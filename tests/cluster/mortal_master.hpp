@@ -1,4 +1,4 @@
-// A master of a process of its own that is killed and started again, and what tests do with it.
+// A master process that tests kill and restart, with helpers.
 #pragma once
 
 #include "proto/access/credential_file.hpp"
@@ -13,13 +13,13 @@
 
 namespace cd::tests {
 
-/// Then a test that waits has failed.
+/// A wait beyond this limit fails the test.
 inline constexpr std::chrono::seconds patience{60};
 
-/// A master that is killed and started again, always on the port that the system chose first.
+/// A master that is killed and restarted, always on the port chosen by the system at first.
 class MortalMaster {
   public:
-    /// `options`: in each life.
+    /// Every incarnation gets `options`.
     explicit MortalMaster(const TemporaryFolder& folder, std::vector<std::string> options = {})
         : folder_(folder), options_(std::move(options)) {
         start();
@@ -44,7 +44,7 @@ class MortalMaster {
         port_ = static_cast<std::uint16_t>(std::stoi(read_text(folder_ / "port")));
     }
 
-    /// Of the lives to come.
+    /// Sets the options of later incarnations.
     void set_options(std::vector<std::string> options) { options_ = std::move(options); }
 
     void kill() {
@@ -55,7 +55,7 @@ class MortalMaster {
     [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
     [[nodiscard]] std::uint16_t port() const { return port_; }
     [[nodiscard]] Process& process() { return *process_; }
-    /// What the master of the present life has logged.
+    /// Returns the log of the current incarnation.
     [[nodiscard]] std::string log() const { return process_->errors(); }
 
     int lives = 0;
@@ -67,10 +67,10 @@ class MortalMaster {
     std::unique_ptr<Process> process_;
 };
 
-/// Of a cluster.
+/// Security of a cluster's connections.
 enum class Links { Plain, Secured };
 
-/// Its workers, and jobs for them.
+/// A mortal master with workers and jobs.
 class MortalCluster : public testing::Test {
   protected:
     explicit MortalCluster(std::vector<std::string> options = {}, Links links = Links::Plain)
@@ -125,7 +125,7 @@ class MortalCluster : public testing::Test {
         return accepted ? accepted.value() : JobId{};
     }
 
-    /// Watches until so many scenarios are merged, or the job has ended.
+    /// Watches until so many scenarios are merged or the job has ended.
     static JobStatus watch_until(Connection& connection, JobId job, std::uint64_t merged) {
         JobStatus last;
         const auto deadline = std::chrono::steady_clock::now() + patience;
@@ -168,7 +168,7 @@ class MortalCluster : public testing::Test {
         return merger.summary().merged();
     }
 
-    /// Of the master's first life on.
+    /// Makes an identity that all later incarnations use.
     [[nodiscard]] std::shared_ptr<const Tls> make_identity() const {
         const std::vector<std::string> command{
             program("cdmaster").string(), "init", "--state", folder_ / "state"};
@@ -179,7 +179,7 @@ class MortalCluster : public testing::Test {
     [[nodiscard]] std::filesystem::path admin() const {
         return folder_ / "state/identity/admin.pem";
     }
-    /// The state folder of a worker that may join the master at that address.
+    /// Returns the state folder of a worker that may join the master at that address.
     [[nodiscard]] std::string give_credential(const std::string& worker,
                                               const std::string& address) const {
         const std::string state = folder_ / (worker + ".state");

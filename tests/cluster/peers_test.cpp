@@ -1,5 +1,5 @@
-// Proves that workers get geometry from each other, that the answer does not depend on it, and that
-// one that cannot be reached, or gives nothing, only sends the others back to the master.
+// Proves that workers get geometry from each other without effect on the answer, and that workers
+// fall back to the master if a peer is unreachable or sends nothing.
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/comes_true.hpp"
 
@@ -8,7 +8,7 @@
 namespace cd::tests {
 namespace {
 
-/// Each scenario needs nearly all of both bodies, so each worker does.
+/// Every scenario, and so every worker, needs nearly all of both bodies.
 ClusterOptions everything_everywhere() {
     ClusterOptions options = many_blocks();
     options.strategy = Strategy::Random;
@@ -40,7 +40,7 @@ TEST_F(Cluster, GeometryTravelsBetweenWorkers) {
     const JobStatus status = run(job, Query{}, everything_everywhere());
     ASSERT_EQ(status.state, JobState::Done);
     EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
-    // What the job tells at its end is what was sent for it; of uploads the master hears with the
+    // The final job status reports all bytes sent for it; the master learns of uploads with the
     // workers' next heartbeats.
     const BlockTraffic& blocks = status.traffic.blocks;
     Geometry bytes;
@@ -68,7 +68,7 @@ TEST_F(Cluster, AWorkerThatHasServedPeersEndsWhenItHasDrained) {
     ASSERT_GT(geometry_of(connection_->status().value()).from_peers, 0u);
     for (const auto& worker : workers_) {
         worker->signal(SIGTERM);
-        // It takes far less than a second; the rest is for a machine that is busy.
+        // Takes far less than a second; the rest is for a busy machine.
         EXPECT_EQ(worker->wait(std::chrono::seconds(5)), 0) << worker->errors();
     }
 }
@@ -125,7 +125,7 @@ TEST_F(Cluster, AStoppedWorkerDoesNotKeepGeometryFromOthers) {
     const JobId id = submit(job, Query{}, everything_everywhere());
     const JobStatus status = finish(id, [&](const JobStatus& now) {
         if (!stopped && now.summary.merged() > 40) {
-            // It holds all, the master knows that, and it answers nobody.
+            // The stopped worker holds all blocks, the master knows it, and it answers nobody.
             stopped = true;
             first.signal(SIGSTOP);
             start_worker();

@@ -1,5 +1,5 @@
-// Proves that a real master gives one client its share of connections and no more, and drops who
-// connects and does not go on, while others are served.
+// Proves that a real master limits one client to its share of connections and drops peers that
+// connect and then stay silent, while it serves others.
 #include "common/core/limits/master.hpp"
 #include "proto/channel/channel.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 TEST_F(Cluster, OneClientHasItsShareOfConnections) {
-    std::vector<std::unique_ptr<Connection>> connections; // Beside the fixture's own.
+    std::vector<std::unique_ptr<Connection>> connections; // In addition to the fixture's own.
     while (connections.size() + 1 < limits::client_connections_max) {
         connections.push_back(connect());
     }
@@ -31,7 +31,7 @@ TEST_F(Cluster, OneClientHasItsShareOfConnections) {
         tests::run({program("cdctl").string(), "status", "--master", master_->address()});
     EXPECT_EQ(ran.exit_code, 5);
     connections.clear();
-    // The master may not have noticed yet that they are gone.
+    // The master may not yet have noticed that they are gone.
     auto again = open();
     while (!again && again.error().code == ErrorCode::Refused) {
         again = open();

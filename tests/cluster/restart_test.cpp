@@ -1,6 +1,6 @@
-// Proves that a master killed at any moment loses nothing: started again on the same state it goes
-// on, workers come back by themselves with what they hold and what was not acknowledged, nothing
-// that is done is done again, and the digest is that of one process.
+// Proves that a master killed at any moment loses nothing: restarted on its state it continues;
+// workers return by themselves with their blocks and unacknowledged results; no finished scenario
+// runs again; and the digest is that of one process.
 #include "client/base/job_id.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/mortal_master.hpp"
@@ -54,7 +54,7 @@ TEST_F(Restart, AJobGoesOnHoweverOftenTheMasterIsKilled) {
     EXPECT_TRUE(workers_[1]->is_running());
 }
 
-/// Blocks that the master has sent, by the name of the worker.
+/// Returns the number of blocks the master has sent, by worker name.
 std::map<std::string, std::uint64_t> blocks_sent(const ClusterStatus& status) {
     std::map<std::string, std::uint64_t> sent;
     for (const WorkerStatus& worker : status.workers) {
@@ -83,28 +83,28 @@ TEST_F(Restart, WhatIsDoneIsNotDoneAgainAndNoBlockIsSentAgain) {
     const auto cluster = connection->status();
     ASSERT_TRUE(cluster);
     ASSERT_EQ(cluster.value().workers.size(), 2u);
-    // With what came before the restart nobody got more blocks than there are.
+    // Including those sent before the restart, no worker got more blocks than exist.
     auto sent = blocks_sent(cluster.value());
     const std::uint64_t blocks_there = cut_tree(*job.a, status.depths.at(0)).root_count() +
                                        cut_tree(*job.b, status.depths.at(1)).root_count() +
-                                       2; // The tops.
+                                       2; // The upper trees.
     for (const auto& [name, blocks] : blocks_sent(at_death.value())) {
         EXPECT_GT(blocks, blocks_there * 3 / 4) << "then this shows little";
-        // What was on its way when the master died has to go again.
+        // Blocks in flight when the master died must be sent again.
         EXPECT_LE(blocks + sent.at(name), blocks_there + blocks_there / 20);
     }
     std::uint64_t answered = 0;
     for (const WorkerStatus& worker : cluster.value().workers) {
         answered += worker.scenarios;
     }
-    // What was seen as merged was on the disk, but for what a few commits hold.
-    // The workers may have had the rest, and done it meanwhile.
+    // Merged scenarios are on disk, except those of the last few commits. The workers may meanwhile
+    // have received and done the rest.
     EXPECT_LE(answered, 4000 - 3000 + 600u);
-    // What was counted before counts on.
+    // Counters continue across the restart.
     EXPECT_GE(status.traffic.result_bytes, before.traffic.result_bytes);
     EXPECT_GE(status.traffic.blocks.master_bytes, before.traffic.blocks.master_bytes);
     EXPECT_GT(before.traffic.blocks.master_bytes, 0u);
-    // The job has ended: who answered is told, and nobody is scored.
+    // The job has ended: explain names the author of the answer, without scores.
     const auto explained = connection->explain(id, 0);
     ASSERT_TRUE(explained) << explained.error().detail;
     EXPECT_NE(explained.value().where.find("answered"), std::string::npos);
@@ -112,11 +112,11 @@ TEST_F(Restart, WhatIsDoneIsNotDoneAgainAndNoBlockIsSentAgain) {
     EXPECT_TRUE(explained.value().workers.empty());
 }
 
-/// The other way needs other blocks: the tops of the trees.
+/// The two analysis modes need different blocks: one needs the upper trees.
 class RestartWithFullCaches : public Restart, public testing::WithParamInterface<AnalysisMode> {};
 
 TEST_P(RestartWithFullCaches, NotOneByteOfABlockIsSentAgain) {
-    // In one pose all scenarios touch the same blocks: a worker that has answered one has them all.
+    // In one pose all scenarios touch the same blocks: after one answer a worker has them all.
     Job job = make_job(3000);
     for (Scenario& scenario : job.scenarios) {
         scenario.poses = {translation_pose(0, 0, 0), translation_pose(1.2, 0, 0)};
@@ -150,7 +150,7 @@ TEST_P(RestartWithFullCaches, NotOneByteOfABlockIsSentAgain) {
     const auto sent = blocks_sent(before);
     EXPECT_GT(sent.at("worker0"), 100u) << "then this shows little";
     EXPECT_EQ(sent.at("worker0"), sent.at("worker1"));
-    // Both lives together: at most once to each worker.
+    // Over both incarnations, each block reaches each worker at most once.
     std::uint64_t bytes = 0;
     for (const WorkerStatus& worker : before.workers) {
         bytes += worker.subtree_bytes_sent;
@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(Analysis,
                                                                        : "ByWorkers";
                          });
 
-/// Does something before the poses of one place are read.
+/// Runs a function before the poses from one position on are read.
 class InterruptedPoses final : public PoseSource {
   public:
     InterruptedPoses(std::vector<Scenario> scenarios,
@@ -207,8 +207,8 @@ TEST_F(Restart, KilledWhileAJobIsSubmittedItKnowsTheJobOrNothing) {
     Submit message;
     message.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
     std::set<JobId> promised;
-    // Killed at the start and in the middle of an upload; before the first poses, and the last;
-    // and as soon as the job is accepted.
+    // Kills at the start and in the middle of an upload; before the first poses, and the last; and
+    // right after the job is accepted.
     for (const int moment : {0, 1, 2, 3, 4}) {
         auto connection = connect();
         int pieces = 0;
@@ -283,7 +283,7 @@ TEST_F(Restart, WorkersLeftAloneKeepTheirResultsForTheNextMaster) {
     const JobId id = submit(*connection, job, Query{});
     (void)watch_until(*connection, id, 500);
     connection.reset();
-    // Halted, the worker has tasks; the master is gone when it goes on.
+    // The worker is stopped with tasks; the master is gone when it continues.
     worker.signal(SIGSTOP);
     master_.kill();
     worker.signal(SIGCONT);
@@ -293,7 +293,7 @@ TEST_F(Restart, WorkersLeftAloneKeepTheirResultsForTheNextMaster) {
     EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
 }
 
-/// The workers have done all that they had, and come back one after the other.
+/// The workers have finished all their tasks and return one after the other.
 TEST_F(Restart, WhatWorkersBringBackFromALongAbsenceIsNotDoneTwice) {
     constexpr std::uint64_t scenarios = 20000;
     const Job job = make_job(scenarios);
@@ -331,7 +331,8 @@ TEST_F(Restart, WhatWorkersBringBackFromALongAbsenceIsNotDoneTwice) {
         computed += std::stoull(log.substr(log.rfind("scenarios_computed=") + 19));
     }
     EXPECT_GE(computed, scenarios);
-    // Mostly none are; 7 to 10 % where nobody waits for the workers. Copies are for what ends late.
+    // Usually no scenario runs twice; 7 to 10 % would if the master did not wait for the workers.
+    // Speculative copies are for stragglers.
     EXPECT_LE(computed, scenarios + scenarios / 100 + status.copies);
 }
 
@@ -354,7 +355,7 @@ TEST_F(Restart, WithoutItsStateDirectoryAJobIsPausedUntilThatIsBack) {
     EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
 }
 
-/// Files of a process cannot grow beyond a size from now on, as on a disk that is full.
+/// Limits the size of files a process writes, as a full disk does.
 void limit_files(const Process& process, rlim_t bytes) {
     rlimit limit{};
     ASSERT_EQ(::prlimit(process.id(), RLIMIT_FSIZE, nullptr, &limit), 0);

@@ -1,6 +1,6 @@
-// Proves, with real processes, what a worker that is busy with a job does with SIGTERM: it hands
-// back what it has not begun, finishes what runs and ends; what runs too long it hands back, too;
-// and a second signal ends it now. Others do what it had, and nothing of that counts as lost.
+// Proves, with real processes, how a busy worker handles SIGTERM: it returns work it has not begun,
+// finishes running scenarios and ends; it returns scenarios that run too long, too; a second signal
+// ends it at once. Other workers do its work, and none of it counts as lost.
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// A master that hears soon who is gone.
+/// Uses a master that soon notices lost workers.
 class StopSignal : public MortalCluster {
   protected:
     StopSignal() : MortalCluster({"--heartbeat", "0.05", "--return-within", "0.3"}) {}
@@ -53,17 +53,17 @@ TEST_F(StopSignal, ABusyWorkerHandsBackWhatItHasNotBegunAndEnds) {
     ASSERT_TRUE(cluster);
     EXPECT_EQ(cluster.value().workers_lost, 0u);
     EXPECT_EQ(cluster.value().scenarios_given_back, 0u);
-    // What the first had finished is not done again, and the rest is done once.
+    // The first worker's finished scenarios do not run again, and the rest runs once.
     ASSERT_EQ(cluster.value().workers.size(), 1u);
     EXPECT_EQ(cluster.value().workers[0].scenarios +
                   (status.answered_by_master - then.answered_by_master),
               4000 - then.summary.merged());
 }
 
-/// One scenario that takes far longer than a test, and nine that take no time.
+/// One scenario outlasts any test, and nine take no time.
 class StopSignalInALongScenario : public StopSignal {
   protected:
-    /// Returns when a worker with these options is inside the long scenario.
+    /// Starts a worker with these options and returns once it runs the long scenario.
     Process& start_worker_inside(const std::vector<std::string>& options) {
         Query query;
         query.level = Level::Count;
@@ -87,7 +87,8 @@ class StopSignalInALongScenario : public StopSignal {
         })) << master_.log();
     }
 
-    /// That another worker goes on with it; then it is dropped, and all else is right.
+    /// Expects that another worker takes the long scenario; then drops it and expects all else to
+    /// be right.
     void expect_that_another_goes_on() {
         start_worker(1, {"--drain-timeout", "0"});
         wait_until_it_is_inside("worker" + std::to_string(workers_.size() - 1));

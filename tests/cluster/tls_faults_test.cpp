@@ -1,5 +1,5 @@
-// Proves, with real processes, that under TLS, too, a network that does what networks do costs a
-// worker nothing but time: what is damaged is refused before anybody has read it.
+// Proves, with real processes, that a faulty network under TLS costs a worker only time: damaged
+// data is refused before any program reads it.
 #include "tests/cluster/broken_network.hpp"
 
 #include <gmock/gmock.h>
@@ -49,7 +49,7 @@ TEST_F(SecuredNetwork, ATrickleOnlyCostsTime) {
     progress(100);
     proxy_.set(Weather::Fair);
     EXPECT_GT(proxy_.trickled(), 0u);
-    expect_right(); // Bytes are seen by records only: one that takes long looks like silence.
+    expect_right(); // TLS shows bytes only as whole records, so a slow record looks like silence.
 }
 
 TEST_F(SecuredNetwork, ADamagedRecordIsRefusedAndTheWorkerComesBack) {

@@ -1,6 +1,6 @@
-// Proves, with real processes, what keeps a cluster in order: a job that is removed leaves nothing,
-// a mesh goes when no job names it, workers that are sent away end well and lose nothing, and of a
-// job that was cancelled there are the results that came.
+// Proves, with real processes, the upkeep of a cluster: a removed job leaves nothing; a mesh goes
+// when no job names it; drained workers end well and lose nothing; and a cancelled job keeps the
+// results that arrived.
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/comes_true.hpp"
@@ -34,7 +34,7 @@ class Upkeep : public Cluster {
         return files;
     }
     [[nodiscard]] ClusterStatus status() const { return connection_->status().value(); }
-    /// Only the first is inside the other body; a worker has it for longer than any test.
+    /// Only the first scenario has B inside A; it occupies a worker for longer than any test.
     JobId submit_endless() {
         Query query;
         query.level = Level::Count;
@@ -100,7 +100,7 @@ TEST_F(Upkeep, AMeshStaysAsLongAsAJobNamesIt) {
 
 TEST_F(Upkeep, AMeshThatNoJobNamesIsRemovedWithItsFiles) {
     const auto mesh = share(make_sphere(2));
-    // As long as it is connected, who has brought a mesh may submit a job that names it.
+    // While connected, the client that uploaded a mesh may submit a job that names it.
     ASSERT_TRUE(connect()->upload(std::vector{NamedMesh{"ball", mesh}}, [](auto&&...) {}));
     EXPECT_GT(files_in("meshes"), 0u);
     Ran removed;
@@ -115,7 +115,7 @@ TEST_F(Upkeep, AMeshThatNoJobNamesIsRemovedWithItsFiles) {
     EXPECT_EQ(files_in("meshes"), 0u);
 }
 
-/// Its master keeps one job that has ended.
+/// Its master keeps one ended job.
 class OneJobKept : public Upkeep {
   protected:
     void prepare() override { ::setenv("CDMASTER_KEEP_JOBS", "1", 1); }

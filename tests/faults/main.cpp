@@ -1,10 +1,10 @@
 // Runs the tests, or the simulations of `--count` seeds from `--seed` on.
 //
-// faults_test                              runs the tests
-// faults_test --seed 1234 --log            runs one seed and logs all events
-// faults_test --seed 0 --count 100000      runs many seeds
-// faults_test --seed 3 --workers 1000      starts with so many workers
-// faults_test --seed 0 --count 50 --fault 3  switches on a mutation (master/base/mutation.hpp)
+//   faults_test                              runs the tests
+//   faults_test --seed 1234 --log            runs one seed and logs all events
+//   faults_test --seed 0 --count 100000      runs many seeds
+//   faults_test --seed 3 --workers 1000      starts with so many workers
+//   faults_test --seed 0 --count 50 --fault 3  switches on a mutation (master/base/mutation.hpp)
 #include "tests/faults/simulation.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Proves, with real processes, that scenarios of a run become a job of their own that gives the
-// same records, and that what cannot become one is refused.
+// Proves, with real processes, that scenarios extracted from a run become a job with identical
+// records, and that unsuitable input is refused.
 #include "common/job/result/record_file.hpp"
 #include "tests/cluster/folder/folder_fixture.hpp"
 #include "tests/support/npz_arrays.hpp"
@@ -22,7 +22,7 @@ class Extract : public FolderTest {
         more.insert(more.begin(), {scenarios, "--out", folder_ / "case"});
         return tests::run(command("extract", folder_ / "out", std::move(more)));
     }
-    /// The poses are those of poses.csv.
+    /// Writes a job with the poses of poses.csv.
     void write_job_of_file(const std::string& poses, const std::string& query) {
         write_text(job_,
                    "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n" +
@@ -37,7 +37,7 @@ class Extract : public FolderTest {
 };
 
 TEST_F(Extract, AnExtractedCaseGivesTheSameRecords) {
-    // Separate, touch at a corner, cross and inside; and undecided under a tolerance.
+    // The poses give separate, corner touch, cross and inside; and undecided under a tolerance.
     write_obj(folder_ / "a.obj", make_box({2, 2, 2}));
     write_obj(folder_ / "b.obj", make_box({1, 1, 1}));
     write_text(

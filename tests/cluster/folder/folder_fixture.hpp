@@ -1,4 +1,4 @@
-// Runs into results folders of a test's own, by the real cdctl.
+// Runs the real cdctl into results folders of the test.
 #pragma once
 
 #include "tests/cluster/cdctl_runs.hpp"
@@ -15,7 +15,7 @@
 
 namespace cd::tests {
 
-/// A torus a.obj and a sphere b.obj, and jobs of them.
+/// Provides a torus a.obj, a sphere b.obj, and jobs with them.
 class FolderTest : public testing::Test {
   protected:
     FolderTest() {
@@ -23,7 +23,7 @@ class FolderTest : public testing::Test {
         write_obj(folder_ / "b.obj", make_sphere(2));
     }
 
-    /// A job of `count` squared poses on a grid.
+    /// Writes a job of `count` x `count` poses on a grid.
     void write_job(int count, const std::string& query) {
         const std::string n = std::to_string(count);
         write_text(folder_ / "job.toml",
@@ -45,7 +45,7 @@ class FolderTest : public testing::Test {
         return nlohmann::json::parse(read_text(path));
     }
 
-    /// Starts the job into `out` and sends the signal when the first results are on the disk.
+    /// Starts the job into `out` and sends the signal once the first results are on disk.
     std::string stop_early(int signal, const std::string& out) {
         Process process(command("run", "", {"--out", folder_ / out}), folder_ / "stopped");
         const std::filesystem::path records = folder_ / out / ".part" / "records";

@@ -1,6 +1,6 @@
-// Proves, with real processes, that a run into a folder can be interrupted and killed and goes on,
-// that its folder opens again without the files that it came from, and that what is there is never
-// mixed with another run.
+// Proves, with real processes, that a run into a folder can be interrupted, killed and resumed;
+// that its folder opens without the source files; and that its content never mixes with another
+// run's.
 #include "common/core/build_info.hpp"
 #include "tests/client/import/gltf_text.hpp"
 #include "tests/cluster/folder/folder_fixture.hpp"
@@ -278,7 +278,7 @@ TEST_F(Folder, ResultsMakesMoreFormatsOfAFolderWithoutRunning) {
     const std::string out = folder_ / "out";
     ASSERT_EQ(run({"--out", out, "--formats", "json"}).exit_code, 0);
     ASSERT_EQ(run({"--out", folder_ / "all", "--formats", "csv,csv-pairs,npz,text"}).exit_code, 0);
-    fs::remove(folder_ / "a.obj"); // Nothing is read but the folder.
+    fs::remove(folder_ / "a.obj"); // Only the folder is read.
     const Ran made = tests::run({cdctl(), "results", out, "--formats", "csv,csv-pairs,npz,text"});
     EXPECT_EQ(made.exit_code, 0) << made.errors;
     for (const char* name : {"scenarios.csv",
@@ -337,7 +337,7 @@ TEST_F(Folder, VerifyFindsARecordThatIsWrong) {
     const Ran few = tests::run({cdctl(), "verify", out, "--sample", "10", "--seed", "5"});
     EXPECT_THAT(few.output, HasSubstr("10 of 144 scenarios run again: 10 the same"));
 
-    // The records of the same poses with another mesh.
+    // Records of these poses with another mesh.
     write_obj(folder_ / "b.obj", make_sphere(1));
     ASSERT_EQ(run({"--out", folder_ / "other"}).exit_code, 0);
     fs::copy_file(folder_ / "other" / "records",

@@ -1,5 +1,5 @@
-// Proves, with real processes, that a job on a master opens again as a folder: the one that
-// `results` writes is the one that `run --master` writes, but for times.
+// Proves, with real processes, that a job on a master becomes a folder: the folder that `results`
+// writes equals the one `run --master` writes, except for times.
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/comes_true.hpp"
@@ -44,7 +44,7 @@ class JobFolder : public Cluster {
                  master_->address()},
                 folder_ / "run"};
     }
-    /// run.json without what two writers of one run may say differently.
+    /// Reads run.json without the fields in which two writers of one run may differ.
     [[nodiscard]] static nlohmann::json without_times(const fs::path& path) {
         auto json = nlohmann::json::parse(read_text(path));
         for (const char* key : {"started", "ended", "command"}) {
@@ -150,7 +150,7 @@ TEST_F(JobFolder, AJobIsVerifiedAndExtractedAsAFolderIs) {
 
 TEST_F(JobFolder, OfACancelledJobThereIsWhatItHas) {
     write_job("random = { n = 500, seed = 3 }", "level = \"count\"\nmaps = true");
-    // No worker: only the master answers, what it can without one.
+    // Without a worker, the master alone answers all it can.
     const Ran submitted = cdctl_at_master({"submit", folder_ / "job.toml", "-o", "name"});
     ASSERT_EQ(submitted.exit_code, 0) << submitted.errors;
     ASSERT_EQ(cdctl_at_master({"cancel", "last"}).exit_code, 0);
@@ -167,7 +167,7 @@ TEST_F(JobFolder, OfACancelledJobThereIsWhatItHas) {
 
 TEST_F(JobFolder, AnInterruptedRunLeavesItsAnswersAtTheMasterAndNothingInItsFolder) {
     write_job("random = { n = 500, seed = 3 }", "level = \"count\"");
-    // No worker: only the master answers, what it can without one.
+    // Without a worker, the master alone answers all it can.
     Process run = start_run_into("x");
     ASSERT_TRUE(comes_true([&] { return id_of_last_job().starts_with("j-"); })) << run.errors();
     run.signal(SIGINT);

@@ -1,6 +1,5 @@
-// Proves, with real processes, what `results` makes of a folder: formats and their summary, without
-// writing anything where nothing is to be added; and what it tells of a folder of an earlier
-// version.
+// Proves, with real processes, how `results` exports a folder: formats and their summary, without
+// writing anything if nothing is to be added; and its message for a folder of an earlier version.
 #include "tests/cluster/folder/folder_fixture.hpp"
 #include "tests/support/npz_arrays.hpp"
 
