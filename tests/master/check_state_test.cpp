@@ -1,5 +1,5 @@
-// Proves that a look through a state directory finds all that is damaged, names every file, changes
-// nothing, and says of a sound one that it is.
+// Proves that a check of a state directory finds all damage, names every file, changes nothing, and
+// reports a sound directory as sound.
 #include "master/check_state.hpp"
 
 #include "master/geometry/geometry_store.hpp"
@@ -31,7 +31,7 @@ JournalResult failed_result(std::uint64_t scenario) {
     return made;
 }
 
-/// A mesh; an unfinished job with poses and results, and one that has ended, with results.
+/// State with a mesh, an unfinished job with poses and results, and an ended job with results.
 class CheckState : public testing::Test {
   protected:
     void SetUp() override {
@@ -218,7 +218,7 @@ TEST_F(CheckState, EveryDamagedFileIsNamedAtOnce) {
 }
 
 TEST_F(CheckState, AFileThatCannotBeReadAtAllHidesNoOther) {
-    flip(folder_ / "jobs/1.results", 3); // Its header.
+    flip(folder_ / "jobs/1.results", 3); // In the header.
     flip(folder_ / "jobs/1.poses", 3);
     std::filesystem::remove(folder_ / "jobs/2.results");
     flip(mesh_path(), 50);
@@ -253,7 +253,7 @@ TEST_F(CheckState, NothingIsChanged) {
     std::map<std::string, std::string> before;
     const auto each_file = [&](const auto& visit) {
         for (const auto& file : std::filesystem::recursive_directory_iterator(folder_.path())) {
-            // SQLite makes an empty log where there is none; that says nothing.
+            // SQLite creates an empty log if none exists; ignore it.
             if (file.is_regular_file() && file.file_size() != 0) {
                 visit(file.path().string());
             }

@@ -1,5 +1,5 @@
-// Proves that the command line goes before the environment, which goes before the file, and that
-// what is wrong is said with exit code 2.
+// Proves that the command line overrides the environment, which overrides the file, and that
+// invalid settings give a message and exit code 2.
 #include "master/config.hpp"
 
 #include "common/core/limits/master.hpp"

@@ -1,4 +1,4 @@
-// A client that submits, watches and fetches, and what is right of its job.
+// A client that submits, watches and fetches, and the right result of its job.
 #pragma once
 
 #include "common/job/poses/pose_source.hpp"
@@ -15,7 +15,7 @@
 
 namespace cd::tests {
 
-/// The meshes and scenarios of the tests, and what is right.
+/// The meshes and scenarios of the tests, with the right results.
 struct Reference {
     Reference() {
         std::mt19937_64 random(1);
@@ -40,7 +40,7 @@ struct Reference {
         Submit submit;
         submit.name = "test";
         submit.bodies = {{a.hash(), "a"}, {b.hash(), "b"}};
-        submit.cluster.strategy = Strategy::BestMatch; // With small batches.
+        submit.cluster.strategy = Strategy::BestMatch; // Makes small batches.
         submit.cluster.depths = {4, 3};
         submit.cluster.q = 5;
         submit.scenarios = scenarios.size();
@@ -59,7 +59,7 @@ inline const Reference& reference() {
     return instance;
 }
 
-/// As a worker has it.
+/// Returns the result as a worker computes it.
 inline ScenarioResult right_result(std::uint64_t index) {
     static const auto trees = [] {
         ThreadPool pool(2);
@@ -70,7 +70,7 @@ inline ScenarioResult right_result(std::uint64_t index) {
     return run_on_subtrees(whole, reference().scenarios[index], {}).result;
 }
 
-/// Of no task, as of an earlier session.
+/// Results without a task, as from an earlier session.
 inline Results late_results(JobId job, const ScenarioResult& result) {
     const Bytes record = encode_result(result);
     ByteWriter records;
@@ -87,7 +87,7 @@ inline Results right_results(JobId job, std::uint64_t index) {
     return late_results(job, right_result(index));
 }
 
-/// A scenario that a worker has to answer.
+/// Returns a scenario that only a worker can answer.
 inline std::uint64_t scenario_with_contact() {
     std::uint64_t index = 0;
     while (right_result(index).pair_count == 0) {
@@ -96,7 +96,7 @@ inline std::uint64_t scenario_with_contact() {
     return index;
 }
 
-/// Of results that all say that nothing touches, one that is wrong.
+/// If all stored results say that nothing touches, returns a scenario whose result is wrong.
 inline std::optional<std::uint64_t> wrong_scenario(const ResultStore& results) {
     for (const Scenario& scenario : reference().scenarios) {
         if (results.has(scenario.index) && right_result(scenario.index).pair_count != 0) {
@@ -112,11 +112,11 @@ class Client {
     explicit Client(Master& master) : master_(master) {}
     ~Client() { hang_up(master_, channel_, ended_); }
 
-    /// Uploads what is missing, submits with poses, watches to the end, and fetches all results.
+    /// Uploads missing meshes, submits with poses, watches to the end, and fetches all results.
     void start(Submit submit) {
         spawn(master_.context.get_executor(), "client", run(std::move(submit)));
     }
-    /// Of that only the beginning: it is done when the job is accepted.
+    /// Submits only; it is done when the job is accepted.
     void start_submitting(Submit submit) {
         spawn(master_.context.get_executor(), "client", submit_and_leave(std::move(submit)));
     }
@@ -136,7 +136,8 @@ class Client {
     asio::awaitable<void> greet_master() {
         Target target = master_.target(CertifiedRole::Submitter, "client");
         channel_ = (co_await connect(std::move(target))).value();
-        const Hello hello; // Named: GCC 12 copies temporaries in such an expression bit by bit.
+        const Hello hello; // Named, because GCC 12 copies temporaries in such an expression bit by
+                           // bit.
         (void)co_await greet(channel_, hello);
     }
 

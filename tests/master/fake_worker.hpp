@@ -1,4 +1,4 @@
-// A worker in its simplest form, with habits that none should have.
+// A minimal worker that can misbehave.
 #pragma once
 
 #include "common/core/files/compress.hpp"
@@ -19,28 +19,28 @@
 
 namespace cd::tests {
 
-/// It asks for all that a batch lacks, then computes the batch.
+/// Requests all blocks a batch lacks, then computes the batch.
 class FakeWorker {
   public:
     struct Habits {
-        std::uint64_t dies_at_batch = 0; ///< Counted from 1; 0 lives on.
-        std::uint64_t dies_at_range = 0; ///< The same.
+        std::uint64_t dies_at_batch = 0; ///< Counted from 1; 0: never.
+        std::uint64_t dies_at_range = 0; ///< Counted from 1; 0: never.
         bool answers_twice = false;
-        bool lies_first = false;      ///< It answers wrongly, then rightly;
-        bool lies_second = false;     ///< or the other way round.
-        bool lies_say_failed = false; ///< Else that nothing touches.
-        std::uint64_t lies_alone = 0; ///< So many first batches it answers wrongly, and that is it.
-        std::optional<std::uint64_t> dies_of = {}; ///< A scenario.
+        bool lies_first = false;      ///< Answers twice: wrongly, then rightly.
+        bool lies_second = false;     ///< Answers twice: rightly, then wrongly.
+        bool lies_say_failed = false; ///< Wrong results report a failure; else no contact.
+        std::uint64_t lies_alone = 0; ///< Number of first batches with only wrong answers.
+        std::optional<std::uint64_t> dies_of = {}; ///< Scenario that kills the worker.
         bool sends_rubbish = false;
-        bool holds_too_much = false; ///< Roots that the tree does not have.
+        bool holds_too_much = false; ///< Reports roots that the tree does not have.
         bool says_what_it_holds = false;
-        bool only_takes = false;                       ///< It does nothing with what it gets.
-        std::uint64_t instance = 0;                    ///< Of its process; 0: not known.
-        std::uint64_t batches_max = ~std::uint64_t{0}; ///< It answers so many, and rests.
-        std::vector<Results> comes_with = {};          ///< Of an earlier session.
-        std::optional<std::uint64_t> holds = {};       ///< A scenario, until it is told to go on.
-        std::string holder = "worker";                 ///< Of its certificate, if it needs one.
-        std::uint16_t peer_port = 0; ///< Where it says that it serves others, which it does not.
+        bool only_takes = false;                       ///< Does nothing with its work.
+        std::uint64_t instance = 0;                    ///< Instance id; 0: unknown.
+        std::uint64_t batches_max = ~std::uint64_t{0}; ///< Rests after so many batches.
+        std::vector<Results> comes_with = {};          ///< Of an earlier session, sent first.
+        std::optional<std::uint64_t> holds = {};       ///< Scenario held until `go_on`.
+        std::string holder = "worker";                 ///< Holder of its certificate, if any.
+        std::uint16_t peer_port = 0; ///< Port where it falsely claims to serve peers.
     };
 
     FakeWorker(Master& master, Habits habits) : master_(master), habits_(habits) {
@@ -51,12 +51,12 @@ class FakeWorker {
     std::uint64_t batches = 0;
     std::uint64_t ranges = 0;
     std::uint64_t blocks = 0;
-    std::uint64_t sent_to_peers = 0; ///< Times.
+    std::uint64_t sent_to_peers = 0; ///< Number of directions to peers.
     std::uint64_t trees_removed = 0;
-    std::uint64_t kept = 0;           ///< Messages of results that the master says it has for good;
-    std::uint64_t kept_of_before = 0; ///< those of them with which it came.
+    std::uint64_t kept = 0;           ///< Result messages the master acknowledged as durable.
+    std::uint64_t kept_of_before = 0; ///< Those of them from an earlier session.
     bool is_held = false;
-    std::optional<std::uint64_t> dropped; ///< The last scenario that nobody waits for.
+    std::optional<std::uint64_t> dropped; ///< Last scenario cancelled by the master.
     bool ended = false;
 
     void go_on() {
@@ -88,7 +88,7 @@ class FakeWorker {
             results.sequence = results.sequence == 0 ? ++numbered_ : results.sequence;
             channel_->send(results);
         }
-        channel_->send(Standing{}); // That was all of an earlier session.
+        channel_->send(Standing{}); // All results of the earlier session are sent.
         for (;;) {
             Result<Message> message = co_await channel_->receive(patience);
             if (!message) {
@@ -139,7 +139,7 @@ class FakeWorker {
         }
     }
 
-    /// False: one of them is deadly.
+    /// Descends queued ranges whose upper trees are present. Returns false if a range is deadly.
     bool walk() {
         for (; !unwalked_.empty() && has_tops(unwalked_.front()); unwalked_.pop_front()) {
             waiting_.push_back(analysed(unwalked_.front()));
@@ -191,7 +191,7 @@ class FakeWorker {
         }
     }
 
-    /// A range as the batch that an analysis would make of it.
+    /// Returns a range as the batch that an analysis would make of it.
     [[nodiscard]] Batch analysed(const ScenarioRange& range) {
         const AddJob& job = jobs_.at(range.job);
         std::vector<Scenario> scenarios;
@@ -233,7 +233,7 @@ class FakeWorker {
         if (habits_.holds_too_much) {
             channel_->send(Held{job.trees[0], {1u << 30}});
         }
-        // Twice, as a worker might: the master sends each once, or twice, but never fails.
+        // Requests twice, as a worker may: the master sends each once or twice, and never fails.
         channel_->send(WantSubtrees{job.trees[0], a});
         channel_->send(WantSubtrees{job.trees[0], a});
         channel_->send(WantSubtrees{job.trees[1], b});
@@ -318,12 +318,12 @@ class FakeWorker {
 
     Master& master_;
     Habits habits_;
-    std::uint64_t numbered_ = 0; ///< Of what it comes with.
+    std::uint64_t numbered_ = 0; ///< Last sequence number given to `comes_with`.
     std::shared_ptr<Channel> channel_;
     std::map<TreeId, Tree> trees_;
     std::map<JobId, AddJob> jobs_;
     std::vector<Batch> waiting_;
-    std::deque<ScenarioRange> unwalked_; ///< Wait for tops.
+    std::deque<ScenarioRange> unwalked_; ///< Ranges waiting for upper trees.
     std::uint64_t batches_answered_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// A journal at work, and entries for it.
+// A working journal and entries for it.
 #pragma once
 
 #include "master/journal/journal.hpp"
@@ -21,7 +21,7 @@ inline JobRecord job_record(JobId job, std::uint64_t scenarios) {
     return record;
 }
 
-/// A separate scenario, with a record of that size or larger.
+/// Makes a result of class separate with a record of `size` or more.
 inline JournalResult result_of(std::uint64_t scenario, std::size_t size = 40) {
     ScenarioResult result;
     result.index = scenario;
@@ -35,7 +35,7 @@ inline JournalResult result_of(std::uint64_t scenario, std::size_t size = 40) {
     return journalled;
 }
 
-/// A journal that is written to, and what it has said.
+/// A journal under test, with the events it reported.
 class Writer {
   public:
     explicit Writer(std::filesystem::path directory, bool synced = false)
@@ -86,7 +86,7 @@ class Writer {
 
   public:
     Recovered recovered;
-    std::unique_ptr<Journal> journal; ///< Ends first: it still calls.
+    std::unique_ptr<Journal> journal; ///< Destroyed first: it still calls back.
 };
 
 inline AddResults results_of(JobId job,

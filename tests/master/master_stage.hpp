@@ -1,4 +1,4 @@
-// A whole master in the test's process, for those of `fake_worker.hpp` and `fake_client.hpp`.
+// A whole master in the test's process, for `fake_worker.hpp` and `fake_client.hpp`.
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
@@ -17,20 +17,20 @@ namespace cd::tests {
 
 inline constexpr std::chrono::seconds patience{60};
 
-/// What is not as usual of a master.
+/// Settings that differ from a default master's.
 struct Stage {
     ClientLimits clients = {};
-    bool is_secured = false; ///< With an identity, which is made where there is none.
+    bool is_secured = false; ///< With an identity, made if it does not exist.
     std::uint64_t results_aside_bytes_max = limits::results_aside_bytes_max;
 };
 
 /// A whole master on one context, which the test runs.
 class Master {
   public:
-    /// Unless told, a worker whose connection breaks does not come back.
+    /// By default, a worker whose connection breaks does not return.
     explicit Master(
         const FailureTimes& failure_times = {.return_within = std::chrono::milliseconds(0)},
-        const std::filesystem::path& state = {}, ///< Empty: a folder of its own.
+        const std::filesystem::path& state = {}, ///< Empty: a temporary folder.
         const Stage& stage = {})
         : directory(state.empty() ? folder.path() : state),
           times(failure_times),
@@ -55,13 +55,13 @@ class Master {
     }
     ~Master() { end(); }
 
-    /// What has begun is finished; nothing begins any more.
+    /// Finishes handlers that have begun, and starts no more.
     void end() {
         server->close();
         context.run_for(patience);
     }
 
-    /// Runs everything until the condition holds.
+    /// Runs all handlers until the condition holds.
     template <class Condition>
     void run_until(Condition condition) {
         const auto deadline = std::chrono::steady_clock::now() + patience;
@@ -71,7 +71,7 @@ class Master {
         ASSERT_TRUE(condition()) << "this took too long";
     }
     [[nodiscard]] Endpoint endpoint() const { return {"127.0.0.1", server->port()}; }
-    /// For a holder of that name and role; plain without an identity.
+    /// Returns a target for a holder of that name and role; plain without an identity.
     [[nodiscard]] Target target(CertifiedRole role, const std::string& holder) const {
         if (identity == nullptr) {
             return endpoint();
@@ -109,7 +109,7 @@ class Master {
     }
 };
 
-/// The end of a peer's conversation with the master, which a test must not outlive.
+/// The end of a peer's conversation with the master. It must come before the test ends.
 struct Ending {
     bool& ended;
     ~Ending() { ended = true; }

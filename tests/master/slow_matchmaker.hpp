@@ -1,6 +1,5 @@
-// The paper's matchmaker, as a slow twin of ours: each worker has the set of the roots that it
-// holds of each tree (6.4.5), and a score is a sum over the roots of a scenario, worker by worker
-// (6.5).
+// A slow reference for the paper's matchmaker: each worker has the set of roots it holds of each
+// tree (6.4.5), and a score is a sum over a scenario's roots, worker by worker (6.5).
 #pragma once
 
 #include "common/core/id.hpp"
@@ -42,7 +41,7 @@ class SlowMatchmaker {
         return sum;
     }
 
-    /// `scores`: of each worker.
+    /// `scores` gets the score of each worker.
     [[nodiscard]] std::optional<WorkerId> choose(const std::map<WorkerId, SlowWorker>& workers,
                                                  const std::map<WorkerId, std::uint64_t>& scores) {
         std::optional<WorkerId> best;

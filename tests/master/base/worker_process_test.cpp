@@ -1,4 +1,4 @@
-// Proves that each process counts once, and one that nobody knows each time.
+// Proves that each known process counts once, and an unknown one each time.
 #include "master/base/worker_process.hpp"
 
 #include "common/core/limits/master.hpp"

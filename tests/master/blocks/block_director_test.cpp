@@ -1,6 +1,6 @@
-// Proves that every block that is wanted comes, whatever fails; that one that all want costs the
-// master a bounded number of uploads and spreads in a logarithm of rounds; that no worker serves
-// more than it may; and that sources that fail are avoided.
+// Proves that every wanted block arrives, whatever fails; that a block wanted by all costs the
+// master a bounded number of uploads and spreads in logarithmically many rounds; that no worker
+// exceeds its serving limit; and that failing sources are avoided.
 #include "master/blocks/block_director.hpp"
 
 #include "common/core/limits/master.hpp"
@@ -25,7 +25,7 @@ WorkerId worker(std::uint64_t number) {
     return WorkerId{number};
 }
 
-/// The only action, if it is of that kind.
+/// Returns the only action if it is a SendBlock.
 std::optional<SendBlock> from_master(const BlockActions& actions) {
     const auto* send = actions.size() == 1 ? std::get_if<SendBlock>(&actions[0]) : nullptr;
     return send == nullptr ? std::nullopt : std::optional(*send);
@@ -36,7 +36,7 @@ std::optional<SendToPeers> from_peers(const BlockActions& actions) {
     return fetch == nullptr ? std::nullopt : std::optional(*fetch);
 }
 
-/// A director with workers 1 to `count` that serve each other.
+/// A director with workers 1 to `count`, which serve each other.
 struct BlockDirectorTest : testing::Test {
     void join(std::uint64_t count) {
         for (std::uint64_t i = 1; i <= count; ++i) {
@@ -215,7 +215,7 @@ TEST_F(BlockDirectorTest, ARemovedTreeLeavesNothing) {
 
 // ---- In simulated time ------------------------------------------------------------------------
 
-/// Workers that do what they are told, each transfer in one round, some of them badly.
+/// Workers that obey the director; each transfer takes one round, and some workers fail.
 class Cluster {
   public:
     Cluster(std::uint64_t seed, std::uint64_t workers, double trouble)
@@ -233,7 +233,7 @@ class Cluster {
         take(director_.wanted(who, tree, roots, now_));
     }
 
-    /// What was decided in the round before has happened in this one.
+    /// Apply the decisions of the round before.
     void step() {
         now_ += 100ms;
         const BlockActions round = std::exchange(actions_, {});
@@ -277,7 +277,7 @@ class Cluster {
             take(director_.peer_failed(fetch.to, source, tree, fetch.roots, how, now_));
         }
         if (has_trouble()) {
-            return; // Not even a word of it: time tells.
+            return; // No report at all; a timeout reveals the failure.
         }
         take(director_.wanted(fetch.to, tree, fetch.roots, now_));
     }

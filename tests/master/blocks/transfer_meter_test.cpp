@@ -1,4 +1,4 @@
-// Proves that a transfer is measured from the asking to the holding, and no moment counts twice.
+// Proves that a transfer is measured from the request to the arrival, and no moment counts twice.
 #include "master/blocks/transfer_meter.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(TransferMeter, EachMomentCountsOnce) {
     meter.wanted(tree, 2, 1000, 0.0);
     EXPECT_DOUBLE_EQ(held(meter, {1}, 1.0)->seconds, 1.0);
     EXPECT_DOUBLE_EQ(held(meter, {2}, 1.25)->seconds, 0.25);
-    // Nothing was under way until it asked again.
+    // No transfer ran until the worker asked again.
     meter.wanted(tree, 4, 1000, 7.0);
     EXPECT_DOUBLE_EQ(held(meter, {4}, 7.5)->seconds, 0.5);
 }

@@ -1,5 +1,5 @@
-// Proves how many scenarios may be of jobs that run, which jobs that have ended are kept, and that
-// the one whose end is being told is always among them.
+// Proves how many scenarios running jobs may have, which ended jobs are kept, and that a job whose
+// end is being announced is always kept.
 #include "master/coordinator/job_board.hpp"
 
 #include "common/core/limits/master.hpp"
@@ -28,7 +28,7 @@ class Jobs : public testing::Test {
         now_ += 1s;
         board_.end(*board_.find(id), JobState::Cancelled, "", now_);
     }
-    /// Those that are dropped for it.
+    /// Returns the jobs dropped in favour of `id`.
     std::vector<JobId> announce(JobId id) { return board_.announce(*board_.find(id)); }
     std::vector<JobId> end_and_announce(JobId id) {
         end(id);

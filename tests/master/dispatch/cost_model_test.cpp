@@ -1,4 +1,4 @@
-// Proves that predicted costs grow with what meets, and are never 0.
+// Proves that predicted costs grow with the amount of overlap, and are never 0.
 #include "master/dispatch/cost_model.hpp"
 
 #include "common/core/host/thread_pool.hpp"

@@ -1,6 +1,6 @@
-// Proves what `earliest-finish` promises, on a clock that the tests hand in: who holds the blocks
-// is waited for, no longer than the transfer takes; what is measured and weighed decides; batches
-// follow time; and at a job's end nobody waits for a slow worker.
+// Proves the promises of `earliest-finish` on a simulated clock: a holder of the blocks is awaited
+// no longer than the transfer would take; measurements and weights decide; batches last a set time;
+// and a job's end does not wait for a slow worker.
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "master/dispatch/dispatcher.hpp"
@@ -23,7 +23,7 @@ constexpr WorkerId worker_1{1};
 constexpr WorkerId worker_2{2};
 constexpr std::uint64_t ms = 1'000'000;
 
-/// Blocks of A take 0.1 s of the link that is assumed; those of B next to nothing.
+/// Blocks of A take 0.1 s on the assumed link, blocks of B next to nothing.
 class ByTime : public testing::Test {
   protected:
     void open(std::uint64_t block_bytes = 12'500'000, bool hints = true) {
@@ -34,7 +34,7 @@ class ByTime : public testing::Test {
                                     options,
                                     {tree_a, {100, 100, 100, 100}, std::vector(4, block_bytes)},
                                     {tree_b, {1}, {1}}));
-        feed(0, 0); // Input goes on.
+        feed(0, 0); // More input may come.
     }
     void join(WorkerId worker, double weight = 1, std::uint64_t cache_bytes = 0) {
         keep(dispatcher_.worker_joined(worker, {"w", 1, weight, cache_bytes}));
@@ -55,7 +55,7 @@ class ByTime : public testing::Test {
         dispatcher_.roots_arrived(worker, tree_a, roots);
         dispatcher_.roots_arrived(worker, tree_b, std::vector<RootIndex>{0});
     }
-    /// What a worker has been given and has not answered.
+    /// Returns the number of scenarios the worker was sent and has not answered.
     [[nodiscard]] std::uint64_t has(WorkerId worker) const {
         const WorkerStatus status = dispatcher_.worker_status(worker);
         return status.buffered + status.working;
@@ -63,7 +63,7 @@ class ByTime : public testing::Test {
     void keep(const Actions& actions) {
         dispatcher_.check_invariants();
         for (const Action& action : actions) {
-            // What is asked back at the end is not given (dispatcher_end_test.cpp).
+            // Recalls at the end are not performed (dispatcher_end_test.cpp).
             if (const auto* batch = std::get_if<SendBatch>(&action)) {
                 batches_.push_back(*batch);
             } else if (const auto* hint = std::get_if<SendHint>(&action)) {
@@ -84,7 +84,7 @@ TEST_F(ByTime, WaitsForWhoHoldsTheBlocksNoLongerThanTheTransferTakes) {
     join(worker_2);
     feed(1, 0);
     arrived(worker_1);
-    // 10 ms each. After ten more, the wait is above the 100 ms of the transfer.
+    // Scenarios take 10 ms each. With ten more, the wait exceeds the transfer's 100 ms.
     feed(10, 0);
     EXPECT_EQ(has(worker_1), 11u);
     feed(1, 0);
@@ -101,7 +101,7 @@ TEST_F(ByTime, BlocksUnderWayCountForWhatRemains) {
         feed(1, 0);
         dispatcher_.time_is(later);
         feed(1, 0);
-        // At once, both would wait for the block, and the second has nothing else to do.
+        // At time 0 both workers would wait for the block, and the second is idle.
         EXPECT_EQ(has(worker_1), later == 0.0 ? 1u : 2u);
         keep(dispatcher_.job_closed(job));
         keep(dispatcher_.worker_lost(worker_1));
@@ -136,7 +136,7 @@ TEST_F(ByTime, ASlowWorkerGetsOnlyWhatItWouldFinishFirst) {
     open(0);
     join(worker_1);
     join(worker_2, 0.1);
-    feed(9, 0); // 90 ms at the first; the slow one would take 100 for one of them.
+    feed(9, 0); // 90 ms at the first worker; the slow one takes 100 ms for one scenario.
     EXPECT_EQ(has(worker_2), 0u);
     feed(3, 0);
     EXPECT_EQ(has(worker_2), 1u);
@@ -216,13 +216,13 @@ TEST_F(ByTime, AtTheEndLongScenariosGoOneByOneTheLongestFirst) {
     for (const std::uint64_t seconds : {3, 1, 5, 2, 4}) {
         feed(1, 0, seconds * 1000 * ms);
     }
-    // Two are there: the first, and one that waits behind it while more may come.
+    // Two batches exist: the first, and one that waits behind it while more input may come.
     ASSERT_EQ(batches_.size(), 2u);
     keep(dispatcher_.input_paused());
     for (std::size_t i = 0; i < batches_.size(); ++i) {
         ASSERT_EQ(batches_[i].scenarios.size(), 1u);
         finish(SendBatch(batches_[i]));
-        // Nothing waits behind one that could be done elsewhere.
+        // No batch waits behind another if it could run elsewhere.
         EXPECT_LE(batches_.size(), std::max<std::size_t>(2, i + 2));
     }
     ASSERT_EQ(batches_.size(), 5u);
@@ -339,13 +339,13 @@ TEST_F(ByTime, TheIndexMakesTheChoiceOfAskingWorkerByWorker) {
     EXPECT_GT(chosen.size(), 20u);
 }
 
-/// Workers of one thread that take tasks in order, on a clock of the test's own.
+/// One-thread workers that take tasks in order, on a simulated clock.
 class TimedRun {
   public:
     TimedRun(std::vector<double> speeds, bool are_known)
         : speeds_(std::move(speeds)), are_known_(are_known) {}
 
-    /// Seconds until the last answer. What is predicted is right up to a factor of its own.
+    /// Returns the seconds until the last answer. Predictions are right up to a constant factor.
     double run(std::uint64_t scenarios, std::uint64_t seed) {
         std::mt19937_64 random(seed);
         ClusterOptions options;
@@ -411,7 +411,7 @@ class TimedRun {
     void act(const Actions& actions) {
         for (const Action& action : actions) {
             if (!std::holds_alternative<SendBatch>(action)) {
-                continue; // Nothing is given back, and what is called off is done all the same.
+                continue; // Workers ignore recalls and cancellations.
             }
             const auto& batch = std::get<SendBatch>(action);
             double& free_at = free_at_[batch.worker];
@@ -422,7 +422,7 @@ class TimedRun {
 
     std::vector<double> speeds_;
     bool are_known_;
-    std::vector<double> seconds_; ///< Of each scenario, at speed 1.
+    std::vector<double> seconds_; ///< Duration of each scenario at speed 1.
     Dispatcher dispatcher_;
     double now_ = 0;
     std::map<WorkerId, double> free_at_;
@@ -434,7 +434,7 @@ TEST(ByTimeRun, UnlikeWorkersEndTogether) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         TimedRun run({1, 1, 0.5, 0.1, 3}, false);
         const double seconds = run.run(20'000, seed);
-        // 5 % above what cannot be beaten; a worker of a tenth needs 0.1 s for the longest
+        // The bound is 5 % above the optimum; a worker of speed 0.1 takes 0.1 s for the longest
         // scenario.
         EXPECT_LT(seconds, 1.05 * run.bound());
     }
@@ -442,7 +442,7 @@ TEST(ByTimeRun, UnlikeWorkersEndTogether) {
 
 TEST(ByTimeRun, AFewScenariosGoToTheFastAlone) {
     TimedRun run({1, 0.001}, true);
-    EXPECT_LT(run.run(10, 1), 0.1); // Any of them would take the slow one 0.1 s at least.
+    EXPECT_LT(run.run(10, 1), 0.1); // One scenario takes the slow worker 0.1 s at least.
 }
 
 } // namespace

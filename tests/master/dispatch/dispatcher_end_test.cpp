@@ -1,7 +1,7 @@
-// Proves how a job ends: what workers have not begun goes to those that have nothing to do; what
-// they have begun, or do not give back, gets a copy where that ends clearly sooner, of a bounded
-// share of the work; the first answer counts, and whoever lost is called off. On a clock that the
-// tests hand in, with workers that do what was sent to them in order.
+// Proves how a job ends: unbegun scenarios move to idle workers; begun or unreturned ones get a
+// speculative copy if it ends clearly sooner, for a bounded share of the work; the first answer
+// counts, and the other worker is told to stop. Runs on a simulated clock, with workers that
+// process their tasks in order.
 #include "common/core/limits/master.hpp"
 #include "master/dispatch/dispatcher.hpp"
 
@@ -24,17 +24,17 @@ enum class Way { Scenarios, Places };
 
 struct Host {
     double speed = 1;
-    double stops_at = 1e9; ///< From then on it does nothing, and answers nothing.
+    double stops_at = 1e9; ///< The host does and answers nothing from then on.
 };
 
-/// Of one thread each.
+/// Workers of one thread each.
 class EndRun {
   public:
     EndRun(Way way, std::vector<Host> hosts) : way_(way), hosts_(std::move(hosts)) {}
 
-    bool helps = true; ///< Else workers give nothing back, and what is copied is not begun.
+    bool helps = true; ///< False: workers return nothing and drop copies.
 
-    /// Seconds until the last answer.
+    /// Returns the seconds until the last answer.
     double run(const std::vector<double>& seconds) {
         seconds_ = seconds;
         answers_.assign(seconds.size(), 0);
@@ -69,8 +69,8 @@ class EndRun {
         std::uint64_t scenario = 0;
     };
     struct Worker {
-        std::deque<Item> queue; ///< The first one has begun.
-        double ends = 0;        ///< When the first one does.
+        std::deque<Item> queue; ///< The first item has begun.
+        double ends = 0;        ///< When the first item ends.
         std::map<TaskId, PlaceRange> ranges;
         std::map<TaskId, std::vector<std::uint64_t>> given_back;
     };
@@ -86,7 +86,7 @@ class EndRun {
         }
     }
 
-    /// The next end of a scenario, or look at the clock.
+    /// Advances to the next end of a scenario or clock tick.
     bool step() {
         std::size_t next = hosts_.size();
         for (std::size_t i = 0; i < hosts_.size(); ++i) {
@@ -175,12 +175,12 @@ class EndRun {
             }
         }
     }
-    /// What of it was called off is answered.
+    /// Does nothing: the range's cancelled scenarios are answered.
     void perform(const RangeEnded& /*ended*/) {}
     void perform(const GiveUp& /*action*/) { ADD_FAILURE() << "nothing is lost here"; }
     void perform(const ScenariosLost& /*lost*/) { ADD_FAILURE() << "nothing is lost here"; }
 
-    /// The first of the queue has begun.
+    /// The first of the queue has begun, so it is not returned.
     void perform(const AskBack& ask) {
         const std::size_t host = ask.worker.value - 1;
         if (!helps || has_stopped(host)) {
@@ -222,7 +222,7 @@ class EndRun {
             act(dispatcher_.places_given(job, given.places, 0));
         }
     }
-    void perform(const SendHint& /*hint*/) {} // It is only for the cache.
+    void perform(const SendHint& /*hint*/) {} // A hint only serves the cache.
     void perform(const CallOff& loser) {
         const std::size_t host = loser.worker.value - 1;
         if (has_stopped(host)) {
@@ -244,7 +244,7 @@ class EndRun {
 
     Way way_;
     std::vector<Host> hosts_;
-    std::vector<double> seconds_; ///< Of each scenario, at speed 1.
+    std::vector<double> seconds_; ///< Duration of each scenario at speed 1.
     Dispatcher dispatcher_;
     double now_ = 0;
     double looked_ = 0;
@@ -262,7 +262,7 @@ class AtTheEnd : public testing::TestWithParam<Way> {
 };
 
 TEST_P(AtTheEnd, WhatHasNotBegunGoesToWhoHasNothingToDo) {
-    // The slow one has been given as much as the others before anything was measured.
+    // The slow worker gets as much as the others before anything is measured.
     const auto scenarios = like(60, 0.01);
     EndRun helped(GetParam(), {{1}, {1}, {0.02}});
     EndRun alone(GetParam(), {{1}, {1}, {0.02}});
@@ -275,7 +275,7 @@ TEST_P(AtTheEnd, WhatHasNotBegunGoesToWhoHasNothingToDo) {
 }
 
 TEST_P(AtTheEnd, WhatHasBegunIsCopiedWhereThatEndsSooner) {
-    // 200 scenarios: 5 % are 10 of them.
+    // 5 % of 200 scenarios are 10.
     const auto scenarios = like(200, 0.1);
     EndRun helped(GetParam(), {{1}, {1}, {1, 2.05}});
     const double seconds = helped.run(scenarios);
@@ -362,7 +362,7 @@ TEST(AtTheEndOfLargeClusters, WhoWaitsForAnAnswerKeepsNobodyElseFromHelp) {
         act(dispatcher.scenario_analysed(job, {i, {0}, {0}, 100, predicted_ns}));
     }
     act(dispatcher.input_paused());
-    // Each has one. The second half is done with it; the others answer nothing, not even a recall.
+    // Each worker has one scenario; only the second half answers, and none obeys a recall.
     dispatcher.time_is(1);
     for (std::size_t i = late + 1; i <= workers; ++i) {
         ASSERT_EQ(given[i].scenarios.size(), 1u) << i;
@@ -370,7 +370,7 @@ TEST(AtTheEndOfLargeClusters, WhoWaitsForAnAnswerKeepsNobodyElseFromHelp) {
         act(dispatcher.scenario_answered(WorkerId{i}, job, given[i].scenarios.front()));
         act(dispatcher.task_ended(WorkerId{i}, given[i].task));
     }
-    // The others are not measured, so they are late.
+    // The other workers have no measured rate, so they count as stragglers.
     for (double now = 3; now < 3.1; now += 0.01) {
         dispatcher.time_is(now);
         act(dispatcher.input_paused());

@@ -1,5 +1,5 @@
-// Proves that with `best-match-pull` a free worker takes the q scenarios of which it holds most,
-// from those that wait, as the paper's section 5.1 has it.
+// Proves that with `best-match-pull` a free worker takes, from the waiting scenarios, the q for
+// which it holds most (section 5.1 of the paper).
 #include "master/dispatch/dispatcher.hpp"
 
 #include <gtest/gtest.h>
@@ -60,13 +60,13 @@ TEST_F(Pulling, TheMostSimilarOfThoseThatWaitGoToTheWorkerThatGetsFree) {
     open(2, true);
     feed({1, 1, 3, 0, 3, 2, 1, 3, 1, 0});
     pause();
-    join(1); // It holds nothing, so it takes the first two.
+    join(1); // The worker holds nothing, so it takes the first two.
     ASSERT_EQ(sent(), (Lists{{0, 1}}));
-    finish(0); // Root 1: 7 triangles and B's 2, against B's 2 alone.
+    finish(0); // Root 1 gives 7 triangles and B's 2, against B's 2 alone.
     ASSERT_EQ(sent(), (Lists{{0, 1}, {6, 8}}));
-    finish(1); // Nothing more of root 1.
+    finish(1); // No waiting scenario needs root 1.
     ASSERT_EQ(sent(), (Lists{{0, 1}, {6, 8}, {2, 3}}));
-    finish(2); // Roots 3 and 0: 11 triangles go before 5.
+    finish(2); // Roots 3 and 0: 11 triangles win over 5.
     ASSERT_EQ(sent(), (Lists{{0, 1}, {6, 8}, {2, 3}, {4, 7}}));
     finish(3);
     ASSERT_EQ(sent().back(), (std::vector<std::uint64_t>{5, 9}));
@@ -107,7 +107,7 @@ TEST_F(Pulling, WithoutClaimingTheNextTaskStandsAtTheWorkerBeforeItIsDone) {
 }
 
 TEST_F(Pulling, ATaskEndsWithTheScenarioThatMakesItMoreThanV) {
-    open(100, true, 1); // Scenarios of 400 bytes: three make more than 1 kB.
+    open(100, true, 1); // Scenarios have 400 bytes: three exceed 1 kB.
     feed({0, 0, 0, 0, 0});
     pause();
     join(1);

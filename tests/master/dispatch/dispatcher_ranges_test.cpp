@@ -1,7 +1,7 @@
-// Proves how ranges of places go out: to whoever runs dry, as many as last a batch's time at the
-// measured rate, two at a worker, smaller at the end; that every place is sent once, but for copies
-// at the end, and every task of one ends once, whatever workers do and give back; and what is
-// measured for the choice between ranges and analysis.
+// Proves how ranges of positions are sent: to workers that run out of work, sized to last a batch's
+// time at the measured rate, two per worker, smaller at the end. Every position is sent once
+// (except speculative copies at the end) and every task ends once, whatever workers do or return.
+// Also proves what is measured for the choice between ranges and analysis.
 #include "common/core/limits/master.hpp"
 #include "master/dispatch/dispatcher.hpp"
 #include "master/jobs/place_queue.hpp"
@@ -51,15 +51,15 @@ TEST_F(DispatcherRanges, EachWorkerGetsTwoAndMoreWhenItAnswers) {
     open(job_1, 1);
     (void)dispatcher_.worker_joined(slow, {"slow", 1});
     const auto first = ranges_in(dispatcher_.places_given(job_1, {0, 10'000}, 0));
-    // Nothing is measured yet: a scenario of a millisecond, a batch of a tenth of a second.
+    // Unmeasured defaults: a scenario takes 1 ms, a batch lasts 0.1 s.
     ASSERT_EQ(first.size(), 1u);
     EXPECT_EQ(first[0].places, (PlaceRange{0, 100}));
     EXPECT_EQ(dispatcher_.places_unsent(job_1), 9900u);
-    // The worker is twice as quick as that.
+    // The worker is twice as fast as the default.
     const auto second = ranges_in(dispatcher_.places_answered(slow, first[0].task, 50, 0.025));
     ASSERT_EQ(second.size(), 1u);
     EXPECT_EQ(second[0].places, (PlaceRange{100, 200}));
-    // Two are enough.
+    // The worker already has two ranges.
     EXPECT_TRUE(ranges_in(dispatcher_.places_answered(slow, first[0].task, 50, 0.025)).empty());
     EXPECT_EQ(dispatcher_.worker_status(slow).working, 200u);
     const auto third = ranges_in(dispatcher_.task_ended(slow, first[0].task));
@@ -74,7 +74,7 @@ TEST_F(DispatcherRanges, UnlikeWorkersGetUnlikeShares) {
     ASSERT_EQ(first.size(), 2u);
     EXPECT_EQ(first[0].places.count, 100u);
     EXPECT_EQ(first[1].places.count, 400u);
-    // And what a thread does is measured for each.
+    // The measured rate is per thread.
     (void)dispatcher_.places_answered(slow, first[0].task, 100, 0.1);
     const auto next = ranges_in(dispatcher_.places_answered(fast, first[1].task, 400, 0.1));
     ASSERT_EQ(next.size(), 1u);
@@ -174,7 +174,7 @@ TEST_F(DispatcherRanges, WhatIsMissingIsMeasured) {
     ASSERT_TRUE(costs.any && costs.matched);
     EXPECT_LT(*costs.matched, *costs.any) << "best match sends them to where their blocks are";
     EXPECT_LT(costs.all, all);
-    // All blocks for all: then nothing is missing.
+    // With all blocks on all workers, nothing is missing.
     const std::vector<RootIndex> roots{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
     for (const WorkerId worker : {slow, fast}) {
         dispatcher_.roots_wanted(worker, TreeId{1}, roots);
@@ -185,7 +185,7 @@ TEST_F(DispatcherRanges, WhatIsMissingIsMeasured) {
     EXPECT_GT(dispatcher_.missing_costs(job_1).all, 0);
 }
 
-/// Plays workers that come, go, answer, hand back; and takes back what ends.
+/// Simulates workers that join, leave, answer and return work, and handles their tasks' ends.
 TEST_F(DispatcherRanges, EveryPlaceIsAnsweredWhateverWorkersDo) {
     std::uint64_t copied_all = 0;
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -199,7 +199,7 @@ TEST_F(DispatcherRanges, EveryPlaceIsAnsweredWhateverWorkersDo) {
             std::uint64_t done = 0;
         };
         std::map<TaskId, Under> tasks;
-        std::map<WorkerId, bool> workers; // Draining?
+        std::map<WorkerId, bool> workers; // True: draining.
         std::vector<PlaceRange> again;
         std::uint64_t copied = 0;
         std::uint64_t worker_last = 0;
@@ -215,7 +215,7 @@ TEST_F(DispatcherRanges, EveryPlaceIsAnsweredWhateverWorkersDo) {
             again.insert(again.end(), runs.begin(), runs.end());
         };
         std::function<void(const Actions&)> act;
-        // It has begun what follows on what it has done, now and then more.
+        // The worker has begun the positions after the answered ones, sometimes more.
         const auto give_back = [&](const AskBack& ask) {
             const auto task = tasks.find(ask.task);
             if (task == tasks.end() || random() % 4 == 0) {

@@ -1,7 +1,7 @@
-// Proves, on thousands of seeded schedules of joins, deaths, drains, evictions, recalls, copies,
-// late and repeated answers and several jobs, that every scenario is answered exactly once or given
-// up after enough losses, that none stands in two tasks but one with its copy, and that the
-// dispatcher's invariants hold after every event.
+// Proves, on thousands of seeded schedules of joins, deaths, drains, evictions, recalls,
+// speculative copies, late and repeated answers and several jobs, that every scenario is answered
+// exactly once or given up after enough losses; that no scenario is in two tasks except one and its
+// copy; and that the dispatcher's invariants hold after every event.
 #include "common/core/limits/master.hpp"
 #include "master/dispatch/dispatcher.hpp"
 
@@ -15,12 +15,12 @@
 namespace cd::tests {
 namespace {
 
-/// Faults of the simulated shell that a sound simulation must notice.
+/// Defects of the simulated environment that the checks must detect.
 enum class Sabotage {
     None,
-    DropBatch,    ///< A batch does not reach its worker, which lives on.
+    DropBatch,    ///< A batch does not reach its worker, which stays alive.
     DropScenario, ///< A scenario never reaches the dispatcher.
-    DropAnswer,   ///< An answer is forgotten after the dispatcher has heard of it.
+    DropAnswer,   ///< An answer is dropped after the dispatcher has received it.
 };
 
 struct SimulatedTask {
@@ -35,7 +35,7 @@ struct SimulatedJob {
     std::uint64_t total = 0;
     std::uint64_t fed = 0;
     bool cancelled = false;
-    std::map<std::uint64_t, int> answers; ///< How often a first answer was counted.
+    std::map<std::uint64_t, int> answers; ///< Number of first answers counted.
     std::map<std::uint64_t, std::uint32_t> losses;
     std::map<std::uint64_t, std::uint32_t> told_lost;
     std::set<std::uint64_t> given_up;
@@ -46,7 +46,7 @@ class Simulation {
     Simulation(std::uint64_t seed, Sabotage sabotage)
         : random_(seed), sabotage_(sabotage), dispatcher_(options(seed)) {}
 
-    /// What is wrong; nothing if all is well.
+    /// Returns the problems found; empty if none.
     std::vector<std::string> run() {
         const std::uint64_t job_count = 1 + below(3);
         for (std::uint64_t i = 1; i <= job_count; ++i) {
@@ -69,8 +69,8 @@ class Simulation {
   private:
     std::uint64_t below(std::uint64_t bound) { return random_() % bound; }
 
-    /// As in a small cluster or, at every third seed, in one so large that all workers are rarely
-    /// looked at.
+    /// Options of a small cluster or, for every third seed, of one so large that full scans of
+    /// workers are rare.
     static DispatcherOptions options(std::uint64_t seed) {
         DispatcherOptions options;
         if (seed % 3 == 2) {
@@ -177,7 +177,7 @@ class Simulation {
     void take_answer(WorkerId worker, JobId job, std::uint64_t scenario) {
         old_answers_.push_back({worker, job, {scenario}});
         SimulatedJob& content = jobs_.at(job);
-        // The merge: the first answer counts, unless the job is over or the scenario given up.
+        // The first answer counts, unless the job is over or the scenario given up.
         const bool drop = sabotage_ == Sabotage::DropAnswer && !dropped_;
         dropped_ = dropped_ || drop;
         if (!drop && !content.cancelled && !content.given_up.contains(scenario) &&
@@ -200,7 +200,7 @@ class Simulation {
         if (task != nullptr && below(20) == 0) {
             return lose_on_the_way(id);
         }
-        // A sound worker ends a task when it has answered all; one in ten is not sound.
+        // A sound worker ends a task once it has answered all; one in ten ends it early.
         if (task == nullptr || (!task->open.empty() && below(10) != 0)) {
             return;
         }
@@ -208,7 +208,7 @@ class Simulation {
     }
 
     void end_task(TaskId id) {
-        say_what_was_given_back(id); // It is heard before the end, or neither is.
+        say_what_was_given_back(id); // The return arrives before the end, or neither does.
         const SimulatedTask task = tasks_.at(id);
         tasks_.erase(id);
         if (!draining_.contains(task.worker)) {
@@ -217,14 +217,14 @@ class Simulation {
         do_actions(dispatcher_.task_ended(task.worker, id));
     }
 
-    /// The task never came, or so it seems: no loss.
+    /// Simulates a task that never arrived, or seems so: it counts as no loss.
     void lose_on_the_way(TaskId id) {
         const WorkerId worker = tasks_.at(id).worker;
         tasks_.erase(id);
         do_actions(dispatcher_.task_unbegun(worker, id));
     }
 
-    /// Some of it has begun, the rest is given back; what the worker says of it may get lost.
+    /// The worker keeps what it has begun and returns the rest; its message may get lost.
     void answer_an_ask() {
         if (asks_.empty()) {
             return;
@@ -253,7 +253,7 @@ class Simulation {
         do_actions(dispatcher_.task_recalled(task.worker, recalled));
     }
 
-    /// A worker comes back, and tells what it has.
+    /// A worker reconnects and reports its tasks.
     void stand() {
         if (workers_.empty()) {
             return;
@@ -321,7 +321,7 @@ class Simulation {
             if (task.worker == worker) {
                 count_losses(task);
                 for (const std::uint64_t scenario : task.given_back) {
-                    ++jobs_.at(task.job).losses[scenario]; // If nobody heard of it.
+                    ++jobs_.at(task.job).losses[scenario]; // In case the return was lost.
                 }
             }
         }
@@ -361,7 +361,7 @@ class Simulation {
         }
     }
 
-    /// Whatever is measured changes who gets what, and nothing else.
+    /// Reports random measurements, which change the distribution and nothing else.
     void measure() {
         now_ += 0.001 * static_cast<double>(below(200));
         dispatcher_.time_is(now_);
@@ -401,7 +401,7 @@ class Simulation {
             } else if (const auto* loser = std::get_if<CallOff>(&action)) {
                 call_off(*loser);
             } else if (std::holds_alternative<SendHint>(action)) {
-                // It is only for the cache.
+                // A hint only serves the cache.
             } else if (const auto* lost = std::get_if<ScenariosLost>(&action)) {
                 for (const std::uint64_t scenario : lost->scenarios) {
                     ++jobs_.at(lost->job).told_lost[scenario];
@@ -412,7 +412,7 @@ class Simulation {
         }
     }
 
-    /// It may have been done by then.
+    /// The worker may have finished the scenario already.
     void call_off(const CallOff& loser) {
         const auto task = tasks_.find(loser.task);
         if (task != tasks_.end() && below(2) == 0) {
@@ -440,7 +440,7 @@ class Simulation {
             for (const auto& [id, task] : tasks_) {
                 tasks += task.job == batch.job ? std::ranges::count(task.open, scenario) : 0;
             }
-            // The first one may have given it back, and nobody heard of that yet.
+            // The first task may have returned the scenario in a message still in flight.
             if (tasks > (batch.is_copy ? 1 : 0)) {
                 problem("a scenario stands in two tasks");
             }
@@ -466,7 +466,7 @@ class Simulation {
         }
     }
 
-    /// Faults stop: all input comes, sound workers are there, and everything must come to its end.
+    /// Ends the faults: all input arrives, sound workers join, and everything must finish.
     void finish() {
         for (const WorkerId worker : std::set(draining_)) {
             if (workers_.contains(worker)) {
@@ -542,7 +542,7 @@ class Simulation {
     std::uint64_t losses_ = 0;
     std::uint64_t gave_up_ = 0;
     std::uint64_t batches_ = 0;
-    std::vector<AskBack> asks_; ///< On their way.
+    std::vector<AskBack> asks_; ///< In flight.
     std::uint64_t recalled_ = 0;
     std::uint64_t copies_ = 0;
 };
@@ -565,7 +565,7 @@ TEST(DispatcherSimulation, EveryScenarioComesToExactlyOneEnd) {
         recalled += simulation.recalled();
         copies += simulation.copies();
     }
-    // The faults were really exercised.
+    // The runs really exercised the faults.
     EXPECT_GT(batches, seeds * 10);
     EXPECT_GT(losses, seeds * 3);
     EXPECT_GT(gave_up, seeds / 10);
@@ -574,7 +574,7 @@ TEST(DispatcherSimulation, EveryScenarioComesToExactlyOneEnd) {
 }
 
 TEST(DispatcherSimulation, NoticesWhatIsDropped) {
-    // One of the jobs may be cancelled before the fault shows, so not each seed has to notice.
+    // A job may be cancelled before the defect shows, so not every seed must detect it.
     for (const Sabotage sabotage :
          {Sabotage::DropBatch, Sabotage::DropScenario, Sabotage::DropAnswer}) {
         int noticed = 0;

@@ -1,5 +1,5 @@
-// Proves what the dispatcher promises, event by event: when buffers are flushed, what claiming
-// does, who gets what, and what becomes of the scenarios of a lost worker.
+// Proves the dispatcher's promises, event by event: when buffers are flushed, what claiming does,
+// which worker gets which scenario, and what happens to a lost worker's scenarios.
 #include "master/dispatch/dispatcher.hpp"
 
 #include "common/core/limits/master.hpp"
@@ -14,7 +14,7 @@ constexpr JobId job_2{2};
 constexpr WorkerId worker_1{1};
 constexpr WorkerId worker_2{2};
 
-/// A dispatcher that checks itself after each event, and keeps the actions.
+/// A dispatcher that checks its invariants after each event; records the actions.
 class Driver {
   public:
     void join(WorkerId worker, std::uint32_t threads = 1, WorkerProcess process = 0) {
@@ -54,7 +54,7 @@ class Driver {
             }
         }
     }
-    /// The scenarios of the batches since the last call.
+    /// Returns the scenarios of the batches since the last call.
     std::vector<std::vector<std::uint64_t>> sent() {
         std::vector<std::vector<std::uint64_t>> lists;
         for (const SendBatch& batch : batches) {
@@ -96,7 +96,7 @@ TEST(Dispatcher, ABufferIsFlushedWhenItHoldsMoreThanV) {
     Driver driver;
     driver.join(worker_1);
     ClusterOptions options = options_with(1000, false);
-    options.v_kb = 1; // Each scenario brings 100 bytes: ten make 1 kB, the eleventh more than it.
+    options.v_kb = 1; // Each scenario has 100 bytes: ten make 1 kB, the eleventh exceeds it.
     driver.open(job_1, options);
     driver.feed(job_1, 0, 10);
     EXPECT_EQ(driver.sent(), Lists{});
@@ -112,7 +112,7 @@ TEST(Dispatcher, ADryWorkerGetsAPartOfABufferOnlyWhenNothingMoreComes) {
     EXPECT_EQ(driver.sent(), Lists{});
     driver.pause();
     EXPECT_EQ(driver.sent(), (Lists{{0}}));
-    // Input goes on: buffers fill again.
+    // More input may come, so buffers fill again.
     driver.feed(job_1, 1, 1);
     EXPECT_EQ(driver.sent(), Lists{});
 }
@@ -125,7 +125,7 @@ TEST(Dispatcher, AWorkerWithEnoughToDoDoesNotGetAPart) {
     driver.pause();
     ASSERT_EQ(driver.batches.size(), 1u);
     const SendBatch first = driver.batches[0];
-    // One answer, and less than a buffer of work stands there: the rest goes out.
+    // After one answer less than a buffer of work is in flight, so the rest is sent.
     driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 0));
     ASSERT_EQ(driver.batches.size(), 2u);
     EXPECT_EQ(driver.batches[1].scenarios, (std::vector<std::uint64_t>{3}));
@@ -142,7 +142,7 @@ TEST(Dispatcher, AClaimedWorkerGetsNothingUntilAllResultsOfItsTaskAreBack) {
     EXPECT_EQ(driver.dispatcher.worker_status(worker_1).buffered, 0u);
 
     driver.answer_all(first);
-    EXPECT_EQ(driver.batches.size(), 1u); // Answered, but the task is not over.
+    EXPECT_EQ(driver.batches.size(), 1u); // Answered, but the task has not ended.
     driver.keep(driver.dispatcher.task_ended(worker_1, first.task));
     ASSERT_EQ(driver.batches.size(), 2u);
     EXPECT_EQ(driver.batches[1].scenarios, (std::vector<std::uint64_t>{2, 3}));
@@ -169,7 +169,7 @@ TEST(Dispatcher, AWorkerOfManyCoresGetsATaskForEachBufferOfThem) {
     driver.join(worker_1, 7);
     driver.open(job_1, options_with(2, false));
     driver.feed(job_1, 0, 100);
-    // Four tasks of 2 for 7 threads, and one that waits.
+    // Four tasks of 2 scenarios for 7 threads, and one task that waits.
     EXPECT_EQ(driver.batches.size(), 5u);
 }
 
@@ -188,8 +188,9 @@ TEST(Dispatcher, BestMatchGathersScenariosOfTheSameRoots) {
     driver.join(worker_1);
     driver.join(worker_2);
     driver.open(job_1, options_with(4, false));
-    driver.feed(job_1, 0, 1, 2); // To the first worker: nobody holds anything.
-    driver.feed(job_1, 1, 1, 3); // Both trees' roots count; root 0 of B draws it to the first, too.
+    driver.feed(job_1, 0, 1, 2); // To the first worker, since no worker holds anything.
+    driver.feed(job_1, 1, 1, 3); // Roots of both trees count; root 0 of B also attracts it to the
+                                 // first worker.
     driver.feed(job_1, 2, 2, 2);
     EXPECT_EQ(driver.sent(), (Lists{{0, 1, 2, 3}}));
 }
@@ -205,7 +206,7 @@ TEST(Dispatcher, EvictedRootsDrawNoMore) {
 
     driver.feed(job_1, 2, 2, 1);
     driver.finish(SendBatch(driver.batches.at(1)));
-    EXPECT_EQ(driver.batches.at(1).worker, worker_1); // It holds root 1.
+    EXPECT_EQ(driver.batches.at(1).worker, worker_1); // The worker holds root 1.
 
     const std::vector<RootIndex> evicted_a = {0, 1, 2, 3, 99};
     const std::vector<RootIndex> evicted_b = {0, 1};
@@ -215,7 +216,7 @@ TEST(Dispatcher, EvictedRootsDrawNoMore) {
     driver.feed(job_1, 4, 1, 1);
     driver.feed(job_1, 5, 1, 2);
     driver.pause();
-    // As if new: the first to the first worker; the next follows the root of B that they share.
+    // As for new workers: the first worker gets the first; the next follows the shared root of B.
     EXPECT_EQ(driver.batches.at(2).worker, worker_1);
     EXPECT_EQ(driver.batches.at(2).scenarios, (std::vector<std::uint64_t>{4, 5}));
 }
@@ -236,7 +237,7 @@ TEST(Dispatcher, TheScenariosOfALostWorkerGoFirst) {
     Driver driver;
     driver.join(worker_1);
     driver.open(job_1, options_with(2, false));
-    driver.feed(job_1, 0, 8); // Two tasks, a buffer of 2, and 2 that wait.
+    driver.feed(job_1, 0, 8); // Two tasks, a buffer of 2, and 2 waiting.
     driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 1));
     driver.sent();
     driver.keep(driver.dispatcher.worker_lost(worker_1));
@@ -251,7 +252,7 @@ TEST(Dispatcher, ADrainingWorkerFinishesItsTasksAndGetsNothingMore) {
     driver.join(worker_1);
     driver.join(worker_2);
     driver.open(job_1, options_with(2, true));
-    driver.feed(job_1, 0, 3); // A task at the first, one scenario in a buffer of the second.
+    driver.feed(job_1, 0, 3); // A task at the first worker, one scenario in the second's buffer.
     ASSERT_EQ(driver.batches.size(), 1u);
     driver.keep(driver.dispatcher.worker_draining(worker_2));
     EXPECT_EQ(driver.dispatcher.worker_status(worker_2).buffered, 0u);
@@ -273,7 +274,7 @@ TEST(Dispatcher, ASilentWorkerKeepsItsTasksAndGetsNothingUntilItIsHeard) {
     const WorkerId holder = driver.batches[0].worker;
     driver.feed(job_1, 2, 1); // Into a buffer.
     driver.keep(driver.dispatcher.worker_silent(holder));
-    driver.keep(driver.dispatcher.worker_silent(holder)); // Twice: nothing.
+    driver.keep(driver.dispatcher.worker_silent(holder)); // No effect.
     EXPECT_EQ(driver.dispatcher.worker_status(holder).working, 2u);
     EXPECT_EQ(driver.dispatcher.worker_status(holder).buffered, 0u);
     driver.batches.clear();
@@ -299,7 +300,7 @@ TEST(Dispatcher, ATaskThatNeverCameGoesBackAndIsNoLoss) {
         const SendBatch batch = std::exchange(driver.batches, {}).front();
         EXPECT_EQ(batch.scenarios, (std::vector<std::uint64_t>{0, 1}));
         driver.keep(driver.dispatcher.task_unbegun(batch.worker, batch.task));
-        driver.keep(driver.dispatcher.task_unbegun(batch.worker, batch.task)); // Twice: nothing.
+        driver.keep(driver.dispatcher.task_unbegun(batch.worker, batch.task)); // No effect.
         driver.pause();
     }
     EXPECT_TRUE(driver.given_up.empty());
@@ -316,7 +317,7 @@ TEST(Dispatcher, ATaskThatEndsWithoutAllAnswersHasTheRestDoneAgain) {
     driver.sent();
     driver.keep(driver.dispatcher.task_ended(worker_1, batch.task));
     EXPECT_EQ(driver.sent(), (Lists{{0, 2}}));
-    // A task is over once.
+    // A task ends once.
     driver.keep(driver.dispatcher.task_ended(worker_1, batch.task));
     EXPECT_EQ(driver.sent(), Lists{});
 }
@@ -393,7 +394,7 @@ TEST(Dispatcher, OneDeadlyScenarioIsGivenUpAndItsNeighboursAreNot) {
     for (std::size_t i = 0; i < driver.batches.size(); ++i) {
         const SendBatch batch = driver.batches[i];
         if (batch.worker != WorkerId{workers}) {
-            continue; // Of a dead worker.
+            continue; // The worker is dead.
         }
         if (std::ranges::count(batch.scenarios, deadly) != 0) {
             ++deaths;
@@ -439,7 +440,7 @@ TEST(Dispatcher, AClosedJobLeavesNothingBehindAndItsLateResultsAreIgnored) {
     driver.pause();
     EXPECT_EQ(driver.dispatcher.unsent(), 1u);
     EXPECT_EQ(driver.dispatcher.worker_status(worker_1).working, 0u);
-    EXPECT_TRUE(driver.dispatcher.worker_status(worker_1).claimed); // It computes still.
+    EXPECT_TRUE(driver.dispatcher.worker_status(worker_1).claimed); // It still computes.
     driver.answer_all(batch);
     EXPECT_EQ(driver.batches.size(), 1u);
     driver.keep(driver.dispatcher.task_ended(worker_1, batch.task));
@@ -453,13 +454,13 @@ TEST(Dispatcher, AnAnswerFromElsewhereTakesTheScenarioFromWhereverItIs) {
     driver.open(job_1, options_with(2, true));
     driver.feed(job_1, 0, 4);
     driver.keep(driver.dispatcher.worker_lost(worker_1));
-    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 0)); // Waits again.
+    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 0)); // Waits.
     driver.join(worker_2);
     EXPECT_EQ(driver.batches.at(1).scenarios, (std::vector<std::uint64_t>{1, 2}));
-    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 2)); // At the other worker.
+    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 2)); // Not its own.
     EXPECT_EQ(driver.dispatcher.worker_status(worker_2).working, 1u);
     EXPECT_EQ(driver.dispatcher.worker_status(worker_2).scenarios, 0u);
-    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 2)); // Again: nothing.
+    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 2)); // No effect.
     EXPECT_EQ(driver.dispatcher.worker_status(worker_2).working, 1u);
 }
 

@@ -1,5 +1,5 @@
-// Proves when ranges are preferred: never before anything is measured, always when nothing is
-// missing, and else by what the missing blocks cost beside the matching that they would spare.
+// Proves when ranges are preferred: never before measurements, always if no block is missing, and
+// otherwise if the missing blocks cost less than the matching that ranges save.
 #include "master/dispatch/range_choice.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(RangeChoice, WorkersThatWouldWaitForTheMasterCount) {
     RangeCosts costs = small_cluster();
     costs.missing.any = 100e-6;
     EXPECT_FALSE(prefers_ranges(costs));
-    costs.threads_workers = 100; // The master feeds 50,000 a second, they do 770,000.
+    costs.threads_workers = 100; // The master feeds 50,000 a second, the workers do 770,000.
     EXPECT_TRUE(prefers_ranges(costs));
 }
 

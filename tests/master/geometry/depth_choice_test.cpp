@@ -1,6 +1,6 @@
-// Proves that the depth that is chosen is the least with blocks as small as wanted: on trees and on
-// invented cuts, that it never decreases as meshes grow, that small meshes stay whole, and that
-// neither roots nor depth go beyond their bounds.
+// Proves, on trees and on invented cuts, that the chosen depth is the least with blocks small
+// enough; that it never decreases as meshes grow; that small meshes stay whole; and that roots and
+// depth stay within their bounds.
 #include "master/geometry/depth_choice.hpp"
 
 #include "common/core/limits/engine.hpp"
@@ -27,7 +27,7 @@ ObbTree make_tree(Mesh mesh) {
     return build_tree(share(std::move(mesh)), options, pool);
 }
 
-/// Halves as long as there is more than one triangle in a root.
+/// Halves each root as long as it has more than one triangle.
 std::vector<CutSize> even_cuts(double triangles) {
     std::vector<CutSize> cuts;
     for (std::uint64_t roots = 1; cuts.size() <= limits::distribution_depth_max; roots *= 2) {
@@ -98,14 +98,14 @@ TEST(DepthChoice, BlocksAreAsWantedUntilThereWouldBeTooManyRoots) {
         EXPECT_TRUE(is_small_enough || 2 * cuts[depth].roots > limits::roots_chosen_max);
         EXPECT_TRUE(depth == 0 || cuts[depth - 1].triangles * bytes > wanted) << "not the least";
     }
-    // However two bodies overlap, no scenario fails for the number of its pairs of roots.
+    // However two bodies overlap, no scenario exceeds the limit on root pairs.
     EXPECT_LE(limits::roots_chosen_max * limits::roots_chosen_max, limits::root_pairs_max);
 }
 
 TEST(DepthChoice, UnevenCutsAreJudgedByWhereTheTrianglesAre) {
     std::mt19937_64 random(3);
     for (int round = 0; round < 1000; ++round) {
-        // Any tree: roots grow and blocks shrink with the depth, by whatever steps.
+        // In any tree, roots grow and blocks shrink with the depth, in arbitrary steps.
         std::vector<CutSize> cuts{{1, std::pow(10, 1 + 8 * uniform(random, 0, 1))}};
         while (cuts.size() <= random() % limits::distribution_depth_max) {
             cuts.push_back({cuts.back().roots + 1 + random() % cuts.back().roots,

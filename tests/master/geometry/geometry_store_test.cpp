@@ -1,6 +1,6 @@
-// Proves that a mesh is built and encoded once, ever: also over restarts; that its blocks are the
-// subtrees of its tree; and that hostile uploads and damaged files end in a clear error or in the
-// same geometry made anew, never in wrong geometry.
+// Proves that a mesh is built and encoded only once, even over restarts; that its blocks are its
+// tree's subtrees; and that hostile uploads and damaged files cause a clear error or a rebuild of
+// the right geometry, never wrong geometry.
 
 #include "master/geometry/geometry_store.hpp"
 
@@ -32,7 +32,7 @@ class GeometryStoreTest : public testing::Test {
     void SetUp() override { open(); }
 
     void open() {
-        store_.reset(); // The directory is locked while one lives.
+        store_.reset(); // A store locks its directory.
         auto opened = GeometryStore::open(folder_.path(), pool_);
         ASSERT_TRUE(opened) << opened.error().detail;
         store_ = std::move(opened.value());
@@ -397,7 +397,7 @@ TEST_F(GeometryStoreTest, AMeshWhoseTreeHasNoRoomIsNotTaken) {
 
 // ---- No more files may be open --------------------------------------------------------------
 
-/// As many files as are open now are all that may be.
+/// Allows no more open files than there are now.
 class NoMoreFiles {
   public:
     NoMoreFiles() {
@@ -422,7 +422,7 @@ TEST_F(GeometryStoreTest, WhatCannotBeOpenedForWantOfDescriptorsIsNotDamaged) {
     upload(sphere_);
     (void)store_->cut(sphere_.hash(), 3).value();
     open();
-    const auto tree = store_->tree(sphere_.hash()).value(); // From now on in memory.
+    const auto tree = store_->tree(sphere_.hash()).value(); // In memory from now on.
     {
         const NoMoreFiles none;
         const auto cut = store_->cut(sphere_.hash(), 3);
@@ -465,14 +465,14 @@ TEST_F(HostileUploads, BytesThatAreNoMeshAreRefused) {
 
 TEST_F(HostileUploads, AnIndexOutOfRangeIsRefused) {
     Bytes bytes = make_box({1, 1, 1}).canonical_bytes();
-    bytes.back() = std::byte{0x7f}; // The last index, of a mesh without parts.
+    bytes.back() = std::byte{0x7f}; // Last index of a mesh without parts.
     expect_refused(upload(bytes, sha256(bytes)), "triangle 11");
 }
 
 TEST_F(HostileUploads, AnotherWayToWriteTheSameMeshIsRefused) {
     const Mesh mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
     Bytes bytes = mesh.canonical_bytes();
-    // The sign of the first vertex's x: behind magic, precision and three counts.
+    // Sign of the first vertex's x, after magic, precision and three counts.
     bytes[8 + 1 + 8 + 8 + 4 + 7] = std::byte{0x80};
     expect_refused(upload(bytes, sha256(bytes)), "canonical");
 }
@@ -521,7 +521,7 @@ TEST_F(GeometryStoreTest, NoMoreMeshesAreStoredThanMayBe) {
     EXPECT_EQ(late.error().code, ErrorCode::TooLarge);
     EXPECT_THAT(late.error().detail, HasSubstr("1 meshes are stored"));
     EXPECT_FALSE(store_->has(second.hash()));
-    upload(first); // It is here, and may come again.
+    upload(first); // The mesh is stored and may be uploaded again.
     EXPECT_EQ(store_->meshes().size(), 1u);
 }
 

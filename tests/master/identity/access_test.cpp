@@ -1,4 +1,4 @@
-// Proves that each message of a client is allowed to the roles that may send it, and to no other.
+// Proves that each client message is allowed to exactly the roles that may send it.
 #include "master/identity/access.hpp"
 
 #include "common/core/limits/master.hpp"
@@ -49,7 +49,7 @@ TEST_F(AccessOfRoles, EachMessageIsForThoseWhoMaySendIt) {
     EXPECT_TRUE(may(CertifiedRole::Admin, token));
     EXPECT_TRUE(may(CertifiedRole::Admin, submit));
     for (const Message& message : sample_messages()) {
-        // Who looks sees nothing of jobs but that they are there.
+        // The metrics role may only send status queries and heartbeats.
         const bool looks = std::holds_alternative<StatusQuery>(message) ||
                            std::holds_alternative<Heartbeat>(message);
         EXPECT_EQ(may(CertifiedRole::Metrics, message), looks) << message.index();
@@ -135,7 +135,7 @@ TEST_F(AccessOfRoles, AHolderWhoIsRefusedMayNothingFromThenOn) {
               std::string::npos);
     std::filesystem::remove(folder_ / "refused");
     EXPECT_TRUE(may());
-    // What cannot be read as a list refuses everybody.
+    // An unreadable list refuses every certificate.
     std::filesystem::create_directory(folder_ / "refused");
     EXPECT_FALSE(may());
 }
@@ -173,7 +173,7 @@ TEST_F(AccessOfRoles, NobodyJoinsUnderANameThatMeansTheMaster) {
         EXPECT_EQ(refused.error().code, ErrorCode::Refused);
         EXPECT_NE(refused.error().detail.find("choose another"), std::string::npos);
     }
-    // No use of the token is spent by that.
+    // The refusal spends no use of the token.
     EXPECT_TRUE(join_as("master-2"));
     EXPECT_TRUE(join_as("the master"));
     EXPECT_FALSE(join_as("worker"));

@@ -1,5 +1,5 @@
-// Proves that a token lets in as many as it says, until its time is over, on a proof of its own,
-// and that all of this outlasts the process without any secret on the disk.
+// Proves that a token admits as many as it says, until it expires, each on a proof of its own, and
+// that this outlasts the process without any secret on disk.
 #include "master/identity/token_book.hpp"
 
 #include "common/core/limits/master.hpp"
@@ -105,12 +105,13 @@ TEST(TokenBook, ADamagedTextIsRefused) {
     TokenBook book;
     (void)create(book, 2);
     const std::string good = book.to_text();
-    for (const std::string& text : {std::string("nonsense\n"),
-                                    good.substr(0, good.size() - 8),
-                                    good + "1 2 3\n",
-                                    good.substr(0, good.size() - 1) + "0000000\n", // No such year.
-                                    good.substr(good.find('\n') + 1),
-                                    std::string()}) {
+    for (const std::string& text :
+         {std::string("nonsense\n"),
+          good.substr(0, good.size() - 8),
+          good + "1 2 3\n",
+          good.substr(0, good.size() - 1) + "0000000\n", // An impossible year.
+          good.substr(good.find('\n') + 1),
+          std::string()}) {
         EXPECT_EQ(TokenBook::parse(text).error().code, ErrorCode::BadInput) << text;
     }
 }

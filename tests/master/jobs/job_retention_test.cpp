@@ -1,4 +1,4 @@
-// Proves what --keep-jobs may say, and which jobs are kept no longer.
+// Proves which values --keep-jobs accepts, and which jobs are dropped.
 #include "master/jobs/job_retention.hpp"
 
 #include "common/core/limits/master.hpp"

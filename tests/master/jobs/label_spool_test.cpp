@@ -1,5 +1,5 @@
-// Proves that labels come back from the disk as they were sent, in any parts, and that what is not
-// what was announced, or is damaged, is an error.
+// Proves that labels return from disk as sent, in any parts, and that data that is damaged or
+// differs from the announcement is an error.
 #include "master/jobs/label_spool.hpp"
 
 #include "common/core/limits/engine.hpp"

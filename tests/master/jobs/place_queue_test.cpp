@@ -1,5 +1,5 @@
-// Proves that every place of a job is handed out once, and again what came back, first and with
-// its losses.
+// Proves that every position of a job is handed out once, and that returned positions are handed
+// out again first, with their losses.
 #include "master/jobs/place_queue.hpp"
 
 #include "common/core/limits/engine.hpp"

@@ -1,5 +1,5 @@
-// Proves that poses come back from the spool exactly as they were sent, in any runs, and that what
-// does not continue the job is refused whole.
+// Proves that poses return from the spool exactly as sent, in any runs, and that poses that do not
+// continue the job are refused whole.
 
 #include "master/jobs/pose_spool.hpp"
 
@@ -97,7 +97,7 @@ TEST_F(PoseSpoolTest, RefusesMoreThanWasAnnounced) {
 }
 
 TEST_F(PoseSpoolTest, RefusesMoreAtOnceThanTheirMemoryIsWorth) {
-    // Poses of no bytes: a few on the wire would be hundreds each in memory.
+    // Empty poses: a few bytes each on the wire would be hundreds in memory.
     std::vector<Scenario> scenarios(limits::poses_part_scenarios_max + 1);
     for (std::uint64_t i = 0; i < scenarios.size(); ++i) {
         scenarios[i].index = i;

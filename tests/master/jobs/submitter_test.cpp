@@ -1,6 +1,6 @@
-// Proves that the pre-analysis loses nothing: its root pairs' contacts together with the results
-// that it finishes itself are those of the whole trees; that results come in order, only as many as
-// were asked for; and that one bad scenario fails alone.
+// Proves that the pre-analysis loses nothing: the contacts of its root pairs and the results it
+// finishes itself are those of the whole trees; that results come in order and only as many as
+// requested; and that one bad scenario fails alone.
 
 #include "master/jobs/submitter.hpp"
 
@@ -116,7 +116,7 @@ ScenarioResult finish(const AnalysisInput& input, const Analysis& analysis, std:
 
 TEST_F(SubmitterTest, AnalysisAndSubtreesTogetherAreTheWholeAnswer) {
     constexpr std::uint32_t depth = 3;
-    // The small sphere is inside the large one in some poses, and far away in others.
+    // The small sphere is inside the large one in some poses and far away in others.
     AnalysisInput input = make_input(join({make_sphere(3), translated(make_sphere(1), {4, 0, 0})}),
                                      make_box({0.2, 0.3, 0.4}),
                                      depth);
@@ -170,7 +170,7 @@ TEST_F(SubmitterTest, BlocksComeInOrderAndOnlyThoseAskedFor) {
 TEST_F(SubmitterTest, PosesThatCannotBeReadAreToldInOrder) {
     AnalysisInput input = make_input(make_sphere(1), make_sphere(1), 2);
     input.poses = std::make_shared<BrokenSource>();
-    constexpr std::size_t before = 4; ///< Blocks. The disk is gone from the third on.
+    constexpr std::size_t before = 4; ///< Blocks. Reading fails from the third on.
     Collected collected;
     Submitter submitter(pool_, input, collected.taker());
     start_blocks(submitter, 0, before * limits::analysis_block_scenarios);

@@ -1,5 +1,5 @@
-// Proves that alarms and the quarantined come back as they were, that there are never too many of
-// them, and that other bytes are errors.
+// Proves that alarms and quarantined workers are restored, that their number is bounded, and that
+// invalid bytes are errors.
 #include "master/journal/alarm_record.hpp"
 
 #include "common/core/limits/master.hpp"

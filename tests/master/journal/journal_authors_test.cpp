@@ -1,6 +1,5 @@
-// Proves that after a restart the journal knows whose each result is, what is in dispute, what was
-// lost with whom, which alarms there were and who is in quarantine; and that it reads what the
-// versions before have written and refuses what it does not know.
+// Proves that after a restart the journal knows each result's author, open disputes, losses and
+// their workers, alarms, and quarantined workers; and that it refuses every other journal version.
 #include "tests/master/journal_writer.hpp"
 
 #include <map>
@@ -109,7 +108,7 @@ TEST(JournalAuthors, ADisputeIsOpenUntilItIsSettled) {
             }
             Remark settled = first;
             settled.kind = Kind::Settled;
-            // Another worker's word ends a doubt, and no dispute.
+            // Another worker's equal result clears a suspect result, but settles no dispute.
             writer.journal->add(remarks_on(store, {settled, {Kind::Vouched, 5, {}, 0}}));
         }
         const Writer again(folder.path());
@@ -198,7 +197,7 @@ TEST(JournalAuthors, DamagedAlarmsAreFoundAndNamed) {
 
 // ---- Versions -----------------------------------------------------------------------------------
 
-/// SQLite keeps the version, big-endian, in its file's header.
+/// SQLite stores the version, big-endian, in its file's header.
 constexpr std::size_t version_at = 60;
 
 void set_version(const std::filesystem::path& path, char version) {

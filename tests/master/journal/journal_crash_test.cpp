@@ -1,10 +1,10 @@
-// Proves that the power may fail at any moment: whatever part of what was written and not synced is
-// lost, the journal opens again, has all that it had confirmed, and nothing that was never added.
+// Proves that the journal survives a power failure at any moment: whatever part of the unsynced
+// writes is lost, it opens again, has all it had confirmed, and nothing that was never added.
 //
-// Every operation on the files of a journal at work (SQLite's and ours) is recorded. The disk is
-// then made as it might be after the power failed behind each of them: what was synced is there, of
-// each later write a random choice of its sectors, of later names a random number in their order.
-// Or all of it, as when only the process is killed there; or nothing.
+// The test records every operation on the files of a working journal (SQLite's and ours). After
+// each operation it builds a disk as a power failure may leave it: all synced data, a random choice
+// of sectors of each later write, and a random number of later names, in order; or all of it, as
+// after the death of the process alone; or nothing unsynced.
 #include "master/journal/journal.hpp"
 #include "tests/support/process.hpp"
 
@@ -33,12 +33,12 @@ namespace {
 struct Operation {
     enum class Kind { Create, Write, Resize, Sync, Rename, Unlink, Confirm };
     Kind kind = Kind::Write;
-    std::string name;     ///< Below the directory; of a Sync of a directory it is that.
-    std::uint64_t at = 0; ///< Offset, size, or position confirmed.
-    std::string bytes;    ///< Or the new name.
+    std::string name;     ///< Relative to the directory; for a Sync, the directory itself.
+    std::uint64_t at = 0; ///< Offset, size, or confirmed position.
+    std::string bytes;    ///< Data, or the new name.
 };
 
-/// What goes to the files below one directory, by whichever thread or library.
+/// Records file operations below one directory, by any thread or library.
 class Recorder {
   public:
     static Recorder& instance() {
@@ -81,7 +81,7 @@ class Recorder {
             std::move(operation));
     }
 
-    /// The next so many syncs of a folder fail.
+    /// Number of coming folder syncs that fail.
     std::atomic<int> failing_folder_syncs = 0;
 
   private:
@@ -96,7 +96,7 @@ class Recorder {
 
 using Kind = Operation::Kind;
 
-/// Files as the disk may have them.
+/// Models the files as a disk may hold them.
 class Disk {
   public:
     void apply(const Operation& operation) {
@@ -136,8 +136,8 @@ class Disk {
         }
     }
 
-    enum class Kept { Some, All, Nothing }; ///< Of what is not synced.
-    /// As it ended now.
+    enum class Kept { Some, All, Nothing }; ///< Which unsynced changes survive.
+    /// Writes the files that survive a failure now, with `kept` of the unsynced changes.
     void
     write_to(const std::filesystem::path& directory, Kept kept, std::mt19937_64& random) const {
         Disk after = *this;
@@ -145,7 +145,7 @@ class Disk {
         after.keep_names(kept == Kept::Some ? some : kept == Kept::All ? names_.size() : 0);
         for (const auto& [name, file] : after.durable_names_) {
             std::string content = files_[file].durable;
-            std::uint64_t mood = random() % 4; // Nothing, all, or some of it.
+            std::uint64_t mood = random() % 4; // Keeps nothing, all, or some of it.
             if (kept != Kept::Some) {
                 mood = kept == Kept::All ? 1 : 0;
             }
@@ -168,8 +168,8 @@ class Disk {
     };
     struct Name {
         std::string name;
-        std::optional<std::size_t> file;   ///< Nothing: it goes.
-        std::optional<std::string> before; ///< That the file had, in the same step.
+        std::optional<std::size_t> file;   ///< Nothing: the name is removed.
+        std::optional<std::string> before; ///< Name the file had before the step.
     };
 
     void keep_names(std::size_t count) {
@@ -196,7 +196,7 @@ class Disk {
         content.replace(operation.at, operation.bytes.size(), operation.bytes);
     }
 
-    /// A disk writes these whole or not at all.
+    /// Splits a write into sectors, which a disk writes atomically.
     [[nodiscard]] static std::vector<Operation> sectors(const Operation& operation) {
         constexpr std::uint64_t sector = 512;
         if (operation.kind != Kind::Write) {
@@ -217,7 +217,7 @@ class Disk {
 
     std::vector<File> files_;
     std::map<std::string, std::size_t> live_;
-    std::vector<Name> names_; ///< Changes that are not durable, in their order.
+    std::vector<Name> names_; ///< Changes of names that are not durable, in order.
     std::map<std::string, std::size_t> durable_names_;
 };
 
@@ -232,19 +232,19 @@ JournalResult result_of(std::uint64_t scenario) {
     return made;
 }
 
-/// What the journal did, and by which position which scenarios of job 1 were added.
+/// The journal's operations, and the scenarios of job 1 added by each position.
 struct History {
     std::vector<Operation> operations;
     std::vector<std::vector<std::uint64_t>> added{{}}; ///< By position.
-    std::uint64_t verdict = 0;                         ///< A scenario that was added with an alarm.
+    std::uint64_t verdict = 0;                         ///< A scenario added with an alarm.
     std::uint64_t ended_at = 0;
-    std::uint64_t dropped_at = 0; ///< Job 3, whose files went then.
+    std::uint64_t dropped_at = 0; ///< Position at which job 3 was dropped.
 };
 
 constexpr std::uint64_t verdict_group = 30;
 constexpr std::uint64_t dropped_results = 5;
 
-/// `failing_folder_syncs`: from the first results on.
+/// `failing_folder_syncs`: counted from the first results on.
 History record(const std::filesystem::path& directory, int failing_folder_syncs = 0) {
     History history;
     Recorder::instance().start(directory);
@@ -322,7 +322,7 @@ History record(const std::filesystem::path& directory, int failing_folder_syncs 
     return history;
 }
 
-/// The journal opens, has what was confirmed, and nothing else.
+/// Expects that the journal opens with all that was confirmed and nothing that was never added.
 void expect_kept(const std::filesystem::path& directory,
                  const History& history,
                  std::uint64_t confirmed) {
@@ -340,7 +340,7 @@ void expect_kept(const std::filesystem::path& directory,
         ASSERT_NE(find(2), recovered.jobs.end());
         ASSERT_TRUE(find(2)->end);
     }
-    // Whole, or not at all.
+    // Dropping is atomic.
     const auto dropped = find(3);
     if (confirmed >= history.dropped_at) {
         ASSERT_EQ(dropped, recovered.jobs.end());
@@ -355,9 +355,9 @@ void expect_kept(const std::filesystem::path& directory,
     }
     const RecoveredJob& job = recovered.jobs[0];
     ASSERT_TRUE(job.results->verify());
-    // With the alarm, or neither of them.
+    // The result and its alarm are both there, or neither is.
     ASSERT_EQ(job.merger.has(history.verdict), !recovered.alarms.quarantined.empty());
-    // Entries are committed in their order: what is there is what the first so many added.
+    // Entries are committed in order, so the journal holds a prefix of them.
     std::set<std::uint64_t> done(job.done.begin(), job.done.end());
     ASSERT_EQ(done.size(), job.done.size());
     for (std::uint64_t position = 1; position < history.added.size(); ++position) {
@@ -402,7 +402,7 @@ TEST(JournalCrash, ThePowerMayFailBehindEveryOperation) {
     EXPECT_EQ(confirmed, history.dropped_at);
 }
 
-/// The folder of the segments cannot be synced when there is a new one.
+/// The folder of the segments cannot be synced when a new segment is made.
 TEST(JournalCrash, ANameThatCouldNotBeSyncedAtOnceIsSyncedBeforeAnythingCounts) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder / "live/jobs");
@@ -427,7 +427,7 @@ TEST(JournalCrash, ANameThatCouldNotBeSyncedAtOnceIsSyncedBeforeAnythingCounts) 
 } // namespace
 } // namespace cd::tests
 
-// These stand before those of the C library, also for SQLite.
+// Replaces functions of the C library, for SQLite too.
 extern "C" {
 
 ssize_t pwrite64(int descriptor, const void* data, size_t size, off64_t at) {
@@ -510,7 +510,7 @@ int open(const char* path, int flags, ...) {
 }
 
 int mkostemp(char* name, int flags) {
-    // The names are random enough for one process.
+    // Unique names suffice within one process.
     static std::atomic<unsigned> last = 0;
     const std::string number = std::to_string(1'000'000 + ++last);
     std::copy(number.end() - 6, number.end(), name + std::strlen(name) - 6);

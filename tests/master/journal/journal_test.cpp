@@ -1,6 +1,6 @@
-// Proves that the journal gives back all that it said was on the disk, and nothing that was never
-// added; that it stops at a damaged file, names it and changes nothing; that two do not share a
-// directory; and that with a full disk it waits, and goes on when there is room.
+// Proves that the journal restores all it confirmed and nothing that was never added; that it stops
+// at a damaged file, names it and changes nothing; that two journals never share a directory; and
+// that on a full disk it waits and resumes when there is room.
 #include "master/journal/journal.hpp"
 
 #include "common/job/poses/pose_source.hpp"
@@ -159,7 +159,7 @@ TEST(Journal, GoesOnWhereItEndedAnyNumberOfTimes) {
             EXPECT_EQ(writer.recovered.jobs[0].done.size(), 10 * round);
             store = writer.recovered.jobs[0].results;
         }
-        // The destructor writes what was added.
+        // The destructor writes all added entries.
         writer.journal->add(results_of(JobId{1}, store, 10 * round, 10));
     }
 }
@@ -209,8 +209,8 @@ TEST(Journal, ASecondOneOnTheSameDirectoryIsRefused) {
 
 // ---- Damage -------------------------------------------------------------------------------------
 
-/// A directory with a job whose results stand in several commits, as a killed master leaves it: the
-/// write-ahead log is there.
+/// Fills a directory with a job whose results are in several commits, as a killed master leaves it,
+/// write-ahead log included.
 void fill(const std::filesystem::path& directory) {
     Writer writer(directory / "live");
     const auto store = writer.accept(JobId{1}, 500);
@@ -269,7 +269,7 @@ TEST(Journal, FlippedBytesAreFoundNamedAndLeftAsTheyAre) {
             write_text(hit, bad);
             const auto opened = Journal::open({.directory = copy, .synced = false});
             if (opened) {
-                // Only what nothing depends on: no result may be lost or changed.
+                // The damage may affect only bytes without meaning: no result is lost or changed.
                 const Recovered recovered = opened.value()->take_recovered();
                 ASSERT_EQ(recovered.jobs.size(), 1u) << which << " byte " << byte;
                 ASSERT_EQ(recovered.jobs[0].done.size(), 100u) << which << " byte " << byte;
@@ -295,14 +295,14 @@ TEST(Journal, MissingFilesAreNamed) {
         ASSERT_FALSE(opened) << gone;
         EXPECT_NE(opened.error().detail.find(gone), std::string::npos) << opened.error().detail;
         expect_way_out(opened.error().detail);
-        // SQLite makes an empty log where there is none; that says nothing.
+        // SQLite creates an empty log if none exists; ignore it.
         std::error_code none;
         const auto size = std::filesystem::file_size(folder / "left" / gone, none);
         EXPECT_TRUE(none || size == 0) << "it was made anew: " << gone;
     }
 }
 
-/// All that a journal owns but these is gone.
+/// Removes all of a journal's files except those of the job.
 TEST(Journal, WhatLooksNewBesideFilesOfAJobIsRefusedAndTheyStay) {
     using Names = std::vector<std::string>;
     for (const Names& left :
@@ -334,7 +334,7 @@ TEST(Journal, WhatLooksNewBesideFilesOfAJobIsRefusedAndTheyStay) {
     }
 }
 
-/// Killed while it was made, before anything was written.
+/// The process was killed while it made the journal, before it wrote anything.
 TEST(Journal, AnEmptyOneWithoutAMarkGetsOne) {
     for (const bool is_empty : {false, true}) {
         const TemporaryFolder folder;
@@ -358,7 +358,7 @@ TEST(Journal, AFirstGroupThatIsNotTheFirstIsDamage) {
         writer.wait_for(writer.journal->add(AcceptJob{job_record(JobId{1}, 100)}));
     }
     {
-        // Two records, of which the first is in no group.
+        // Two records; the first is in no group.
         auto database = std::move(JournalDatabase::open(folder.path(), {}).value());
         const auto store = ResultStore::create(folder / "jobs/2.results", JobId{2}, 100);
         const JournalResult first = result_of(49);

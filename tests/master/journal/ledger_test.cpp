@@ -1,6 +1,6 @@
-// Proves that the ledger never lets anything be acknowledged before all of it is on the disk, and
-// then lets it: on long random histories it agrees with a twin that keeps every entry and looks at
-// all of them each time.
+// Proves that the ledger lets an entry be acknowledged once all of it is on disk, and never before:
+// on long random histories it agrees with a slow reference that keeps every entry and scans all of
+// them.
 #include "master/journal/ledger.hpp"
 
 #include <gtest/gtest.h>
@@ -74,9 +74,9 @@ TEST(Ledger, AWorkerThatLeftIsOwedNothing) {
     EXPECT_EQ(ledger.owed(), 0u);
 }
 
-/// Keeps all that ever happened.
+/// Keeps every entry.
 struct Twin {
-    std::map<std::pair<JobId, std::uint64_t>, std::uint64_t> written; ///< To its position.
+    std::map<std::pair<JobId, std::uint64_t>, std::uint64_t> written; ///< Position of each result.
     std::map<Delivery, std::vector<std::pair<JobId, std::uint64_t>>> owed;
     std::set<JobId> open;
     std::uint64_t committed = 0;

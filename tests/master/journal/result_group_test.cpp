@@ -1,5 +1,5 @@
-// Proves that a group of results comes back with whose each result is and what became known of
-// others, that this costs little beside the results, and that other bytes are errors.
+// Proves that a group of results restores each result's author and the remarks on others, that this
+// costs little beside the results, and that invalid bytes are errors.
 #include "master/journal/result_group.hpp"
 
 #include "tests/proto/sample_messages.hpp"
@@ -65,7 +65,7 @@ TEST(ResultGroup, WhoseRowsDoNotAddUpOrWhoseProcessIsNotThereIsAnError) {
     group.authors = {{1, 7}};
     const Bytes good = encode_group(group);
     ASSERT_TRUE(decode_group(good));
-    // From the end: no losses, no remarks, one row, of process 0, one run.
+    // Bytes from the end: no losses, no remarks, one row of process 0 with one run.
     for (const auto& [from_end, value] : {std::pair(3, 2), {3, 0}, {4, 1}, {2, 9}, {1, 1}}) {
         Bytes bad = good;
         bad[bad.size() - static_cast<std::size_t>(from_end)] = static_cast<std::byte>(value);
@@ -90,7 +90,7 @@ TEST(ResultGroup, AuthorsCostLittleBesideTheResults) {
     const std::size_t of_one = encode_group(group).size();
     group.authors.clear();
     for (std::uint64_t i = 0; i < 1000; ++i) {
-        group.authors.push_back({1, ~(i % 8)}); // The worst: by turns.
+        group.authors.push_back({1, ~(i % 8)}); // The worst case: alternating authors.
     }
     EXPECT_LE(encode_group(group).size(), of_one + 1000 * 2 + 8 * 8);
 }

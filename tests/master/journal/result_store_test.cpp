@@ -1,5 +1,5 @@
-// Proves that records come back as they were added, whatever their order and size, in runs that end
-// at the first that is missing or at the limit of bytes.
+// Proves that records return as added, whatever their order and size, in runs that end at the first
+// missing record or at the byte limit.
 
 #include "master/journal/result_store.hpp"
 
@@ -64,7 +64,7 @@ TEST_F(ResultStoreTest, GivesRecordsInTheOrderOfScenarios) {
     }
     for (const std::uint64_t i : order) {
         EXPECT_FALSE(store->has(i));
-        ASSERT_TRUE(add(*store, i, make_record(i, 1 + i % 2000))); // Over one buffer in all.
+        ASSERT_TRUE(add(*store, i, make_record(i, 1 + i % 2000))); // Exceeds one buffer in total.
         EXPECT_TRUE(store->has(i));
     }
     EXPECT_EQ(store->count(), count);
@@ -219,7 +219,7 @@ TEST_F(ResultStoreTest, EveryFlippedByteIsSeenAndNamed) {
         write_text(path(), bad);
         const auto store = ResultStore::open(path(), JobId{7}, 4, end);
         Status status = store ? Status(Done{}) : Status(store.error());
-        std::uint64_t at = 28; // The header.
+        std::uint64_t at = 28; // End of the header.
         for (std::uint64_t i = 0; status && i < 4; ++i) {
             const RecordPlace place = ResultStore::place_at(at, 10 + i);
             status = store.value()->restore(i, place);

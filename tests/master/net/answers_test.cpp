@@ -1,4 +1,4 @@
-// Proves that no answer is larger than a message: a status gets shorter, another one fails.
+// Proves that no answer exceeds the message size: a status is shortened, all else fails.
 #include "master/net/answers.hpp"
 
 #include "common/core/limits/wire.hpp"

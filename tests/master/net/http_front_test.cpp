@@ -1,5 +1,5 @@
-// Proves that the pages for machines tell how the master is, to whom they may; and that whoever
-// sends no request, or none that ends, gets nothing and does no harm.
+// Proves that the HTTP endpoints report the master's state to authorised clients, and that
+// connections without a complete request get nothing and do no harm.
 #include "master/net/http_front.hpp"
 
 #include "common/core/limits/wire.hpp"
@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-/// What comes back on one connection until the master closes it.
+/// Collects the response on one connection until the master closes it.
 class Asking {
   public:
     Asking(Master& master, std::uint16_t port, std::shared_ptr<const Tls> tls, std::string text)
@@ -131,7 +131,7 @@ TEST_F(HttpPages, AllElseIsRefusedWithAReason) {
     EXPECT_THAT(ask("what is this\r\n\r\n"), StartsWith("HTTP/1.1 400 "));
     EXPECT_THAT(ask(std::string(8, '\0')), StartsWith("HTTP/1.1 400 "));
     const std::string endless(2 * limits::http_request_bytes_max, 'x');
-    // Its answer may get lost, since the rest is not read.
+    // The answer may get lost, since the master does not read the rest.
     EXPECT_THAT(ask("GET /" + endless), Not(HasSubstr("200")));
     EXPECT_THAT(get("/healthz"), StartsWith("HTTP/1.1 200 "));
 }

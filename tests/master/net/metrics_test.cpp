@@ -1,4 +1,4 @@
-// Proves that the page for Prometheus tells what the status tells, in its text format.
+// Proves that the Prometheus page reports the values of the status, in its text format.
 #include "master/net/metrics.hpp"
 
 #include <gmock/gmock.h>

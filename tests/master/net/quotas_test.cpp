@@ -1,5 +1,5 @@
-// Proves that one client has at most its share of connections, jobs and bytes, that a share comes
-// back, and that one client's does not count for another.
+// Proves that one client has at most its share of connections, jobs and bytes, that shares are
+// freed, and that one client's use does not count for another.
 #include "master/net/quotas.hpp"
 
 #include "common/core/limits/master.hpp"
@@ -62,7 +62,7 @@ TEST(Quotas, BytesLeakAwayWithTimeAndItIsSaidHowMuchThatTakes) {
     EXPECT_EQ(more.error().code, ErrorCode::Refused);
     EXPECT_THAT(more.error().detail, testing::HasSubstr("retry after 10 s"));
     EXPECT_TRUE(quotas.take_bytes("bob", 1000, start));
-    // Ten a second; what was refused did not count.
+    // The rate is ten a second; refused bytes do not count.
     EXPECT_FALSE(quotas.take_bytes("ann", 101, start + 10s));
     EXPECT_TRUE(quotas.take_bytes("ann", 100, start + 10s));
     EXPECT_FALSE(quotas.take_bytes("ann", 1, start + 10s));

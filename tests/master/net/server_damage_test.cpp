@@ -1,5 +1,5 @@
-// Proves that a file which is damaged while a job runs fails neither the job nor anybody else: the
-// job waits, says for which file, and goes on when that is mended.
+// Proves that a file damaged while a job runs fails neither the job nor anything else: the job
+// waits, names the file, and resumes once it is mended.
 #include "common/core/limits/master.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
@@ -10,7 +10,7 @@
 namespace cd::tests {
 namespace {
 
-/// A file with one bit less sense, until it is mended.
+/// Flips a bit of a file until it is mended.
 class Damage {
   public:
     explicit Damage(std::filesystem::path path) : path_(std::move(path)), whole_(read_text(path_)) {
@@ -28,7 +28,7 @@ class Damage {
     std::string whole_;
 };
 
-/// A master with a job that is accepted and not prepared.
+/// A master with a job that is accepted but not prepared.
 class DamagedMaster : public Master {
   public:
     explicit DamagedMaster(AnalysisMode mode, const Stage& stage = {})
@@ -112,7 +112,7 @@ TEST(ServerDamage, ADisputeWaitsForThePosesToJudgeIt) {
     master.run_until([&] { return master.coordinator.analysis_input(master.job).has_value(); });
     std::latch released(1);
     for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
-        master.blocking.post([&] { released.wait(); }); // So that nothing is judged.
+        master.blocking.post([&] { released.wait(); }); // Blocks the master's runs.
     }
     {
         const FakeWorker liar(master, {.lies_second = true, .batches_max = 1});
@@ -155,7 +155,7 @@ TEST(ServerDamage, WhatCannotBeSetAsideIsTakenOneByOneAndNothingIsDropped) {
     master.expect_right_end();
 }
 
-/// Over one connection, and over the next.
+/// Results repeat over one connection, and over the next.
 TEST(ServerDamage, WhatIsSetAsideIsSetAsideOnce) {
     DamagedMaster master(AnalysisMode::Always);
     const Damage damage(master.poses());
@@ -169,7 +169,7 @@ TEST(ServerDamage, WhatIsSetAsideIsSetAsideOnce) {
     EXPECT_EQ(worker.kept_of_before, 1u);
 }
 
-/// As of an earlier session: the master looks their poses up.
+/// Results come as from an earlier session, so the master must read their poses.
 TEST(ServerDamage, NobodyIsCutOffForPosesThatCannotBeRead) {
     DamagedMaster master(AnalysisMode::Always);
     const Damage damage(master.poses());

@@ -1,5 +1,5 @@
-// Proves that whatever workers do, the digest is that of the same scenarios without a cluster: they
-// die, forget, lie, take too long or send what is none.
+// Proves that the digest is that of the same scenarios without a cluster, whatever workers do: they
+// die, forget, lie, are too slow or send invalid messages.
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "master/results/record_size.hpp"
@@ -39,7 +39,7 @@ TEST(Server, AWorkerThatDiesHasItsScenariosDoneByAnother) {
     EXPECT_TRUE(mortal.ended);
 }
 
-/// As when the master stood still while a worker connected again and again.
+/// Simulates a master that stood still while a worker reconnected repeatedly.
 TEST(Server, ConnectionsThatOneProcessHasLeftAreNoEvidenceAgainstAScenario) {
     Master master;
     Client client(master);
@@ -136,7 +136,7 @@ TEST(Server, AScenarioThatTakesItsWorkersDownFailsAndTheJobGoesOn) {
     }
 }
 
-/// Its result is there, of a worker that is not trusted any more, and takes down whoever checks it.
+/// The scenario's result comes from a distrusted worker, and it kills every worker that checks it.
 TEST(Server, AScenarioInDoubtThatTakesItsWorkersDownFailsAndTheMasterDoesNotRunIt) {
     Master master;
     Client client(master);
@@ -252,7 +252,7 @@ TEST(Server, AScenarioMayBeCancelledWhileAWorkerHasItAndAnAnswerThatComesLaterIs
     EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
 }
 
-/// A worker's connection of many messages of results of an earlier session, until it is closed.
+/// A worker's connection that sends many results of an earlier session until it is closed.
 struct Pour {
     std::shared_ptr<Channel> channel;
     WorkerId worker;
@@ -283,7 +283,7 @@ asio::awaitable<void> pour(Master& master, JobId job, Pour& state) {
     }
 }
 
-/// The journal is full, or the disk: nothing gets any further.
+/// The journal or the disk is full, so no result can be acknowledged.
 TEST(Server, WhoConnectsAgainAndAgainHasNoMoreResultsInHandAndLeavesNothingBehind) {
     std::latch released(1);
     Master master({.heartbeat = std::chrono::milliseconds(20),
@@ -291,7 +291,7 @@ TEST(Server, WhoConnectsAgainAndAgainHasNoMoreResultsInHandAndLeavesNothingBehin
     FakeWorker other(master, {.batches_max = 1});
     Client client(master);
     client.start_submitting(reference().submission());
-    // So that the job is prepared.
+    // Waits until the job is prepared.
     master.run_until([&] { return client.done && other.batches != 0; });
     for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
         master.blocking.post([&] { released.wait(); });
@@ -311,7 +311,7 @@ TEST(Server, WhoConnectsAgainAndAgainHasNoMoreResultsInHandAndLeavesNothingBehin
     released.count_down();
 }
 
-/// The master has the meshes, and no room for more.
+/// A master that has the meshes, and no room for more.
 struct FullMaster : Master {
     FullMaster() {
         {
@@ -326,10 +326,10 @@ struct FullMaster : Master {
 
     [[nodiscard]] static Submit other_submission() {
         Submit submit = reference().submission();
-        submit.cluster.set_depth(0, 5); // So that there are no such blocks.
+        submit.cluster.set_depth(0, 5); // No blocks of this depth exist.
         return submit;
     }
-    /// Until the job waits for room.
+    /// Waits until the job is paused for lack of room.
     JobStatus wait_until_paused(JobId job) {
         const auto status = [&] { return coordinator.job_status(job).value(); };
         run_until([&] { return status().state != JobState::Running || !status().paused.empty(); });
@@ -385,12 +385,12 @@ TEST(Server, AJobThatWaitsForRoomMayBeCancelledAndTheMasterEnded) {
         EXPECT_EQ(client.statuses.back().state, JobState::Cancelled);
         EXPECT_TRUE(client.statuses.back().paused.empty());
     }
-    // Nothing is left to be done once the master ends, although a job still waits.
+    // The master can end without pending work, although a job still waits.
     master.end();
     EXPECT_TRUE(master.context.stopped());
 }
 
-/// As with one that takes hours.
+/// Stands for a scenario whose check takes hours.
 TEST(Server, AScenarioInDisputeMayBeCancelledAndThenNobodyIsToBlame) {
     Master master;
     Client client(master);
@@ -398,7 +398,7 @@ TEST(Server, AScenarioInDisputeMayBeCancelledAndThenNobodyIsToBlame) {
     master.run_until([&] { return client.job && master.coordinator.analysis_input(*client.job); });
     std::latch released(1);
     for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
-        master.blocking.post([&] { released.wait(); }); // So that nothing is judged.
+        master.blocking.post([&] { released.wait(); }); // Blocks the master's runs.
     }
     auto liar = std::make_unique<FakeWorker>(
         master, FakeWorker::Habits{.lies_second = true, .instance = 7, .batches_max = 1});
@@ -415,7 +415,7 @@ TEST(Server, AScenarioInDisputeMayBeCancelledAndThenNobodyIsToBlame) {
     }
     EXPECT_GT(cancelled, 0u);
     released.count_down();
-    liar.reset(); // What it has besides is done by the other.
+    liar.reset(); // The other worker takes over its remaining work.
     FakeWorker good(master, {});
     master.run_until([&] { return client.done; });
     EXPECT_EQ(client.statuses.back().state, JobState::Done);

@@ -1,5 +1,5 @@
-// Proves that quarantine holds for who holds the certificate, and for nobody who is named like a
-// process of another one: a new number does not end it, nor does a restart of the master.
+// Proves that quarantine applies to the certificate's holder, and not to another holder with a
+// process of equal number: neither a new number nor a restart of the master ends it.
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
@@ -16,7 +16,7 @@ std::optional<WorkerStatus> alive_at(Master& master) {
     return here == workers.end() ? std::nullopt : std::optional(*here);
 }
 
-/// Joins, and leaves again.
+/// Joins and leaves; returns whether the worker was in quarantine.
 bool joins_in_quarantine(Master& master, const std::string& holder, std::uint64_t instance) {
     std::optional<WorkerStatus> found;
     {
@@ -44,7 +44,7 @@ TEST(ServerHolder, WhoWasWrongIsInQuarantineWithItsNextProcess) {
         EXPECT_TRUE(joins_in_quarantine(master, "liar", 1));
         EXPECT_TRUE(joins_in_quarantine(master, "liar", 2));
         {
-            // Nor is what such a one says taken, be it right.
+            // Results of a quarantined worker are rejected, even right ones.
             Results results = right_results(*client.job, 89);
             results.sequence = 1;
             const FakeWorker again(master,

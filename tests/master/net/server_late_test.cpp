@@ -1,5 +1,5 @@
-// Proves that what comes after the end of its job is compared with what was kept, that whoever was
-// wrong is found out, and that the master remembers it.
+// Proves that results arriving after the end of their job are compared with the stored ones, that a
+// wrong worker is exposed, and that the master remembers it.
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
@@ -74,7 +74,7 @@ TEST(LateServer, AWrongResultThatWasKeptIsItsAuthorsFault) {
     EXPECT_EQ(master.coordinator.quarantined(), std::set{liars_process});
 }
 
-/// Of a job that need not be there for ever: whoever asks is told once that it is to be repeated.
+/// Wrong results of an ended job raise one alarm, which asks to submit the job again.
 TEST(LateServer, AJobThatIsWrongIsNamedOnce) {
     Master master(no_return);
     const JobId job = run_job(master, {.lies_alone = 1000, .instance = liars_process});
@@ -92,10 +92,10 @@ TEST(LateServer, AJobThatIsWrongIsNamedOnce) {
               1);
 }
 
-/// The only result of a job is told twice, and differently.
+/// The only result of a job arrives twice, with different content.
 TEST(LateServer, WhatComesWhileTheEndIsWrittenIsComparedToo) {
     Master master;
-    run_job(master, {.instance = good_process}); // The meshes are there.
+    run_job(master, {.instance = good_process}); // Stores the meshes.
     Grid grid;
     grid.position = {GridAxis{1, 1, 1}, GridAxis{0, 0, 1}, GridAxis{0, 0, 1}};
     Submit submit = reference().submission();

@@ -1,4 +1,4 @@
-// Proves that workers are sent to those alone whose port the master has reached.
+// Proves that workers are directed only to peers whose port the master has reached.
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
@@ -7,8 +7,8 @@ namespace cd::tests {
 namespace {
 
 struct ServerPeers : testing::Test {
-    /// How often the second of two workers is sent to the first, which has blocks and says that it
-    /// serves others at that port.
+    /// Counts directions of the second of two workers to the first, which holds blocks and claims
+    /// to serve peers at that port.
     std::uint64_t times_sent_to(std::uint16_t at) {
         Master master;
         Client client(master);

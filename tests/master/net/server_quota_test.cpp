@@ -1,6 +1,5 @@
-// Proves that the master asks its quotas wherever a client may take more than its share, says which
-// one there is too much of, and lets others go on; and that what a client has begun and does not go
-// on with ends.
+// Proves that the master applies its quotas wherever a client may exceed its share, names the
+// exceeded quota, and serves others; and that abandoned operations end.
 #include "common/core/limits/master.hpp"
 #include "master/jobs/submission.hpp"
 #include "tests/master/fake_client.hpp"
@@ -24,7 +23,7 @@ Message first_answer(Master& master, std::vector<Message> messages) {
     return client.answer->has_value() ? client.answer->value() : Message{};
 }
 
-/// The same, once the master has noticed who has left.
+/// As `answer`, but repeats until the master has noticed all departed clients.
 Message answer_in_the_end(Master& master, const std::vector<Message>& messages) {
     for (;;) {
         Message answer = first_answer(master, messages);
@@ -65,7 +64,7 @@ JobId accepted(Master& master, std::vector<Message> messages) {
     return job == nullptr ? JobId{} : job->job;
 }
 
-/// A grid of so many steps about one axis.
+/// A submission of a grid of so many steps about one axis.
 Submit grid_submission(std::uint32_t steps) {
     Grid grid;
     for (int axis = 0; axis < 3; ++axis) {
@@ -139,7 +138,7 @@ TEST(ServerQuota, WhatIsQueuedComesBackWithItsJobAndItsConnection) {
     const JobId job = accepted(master, submission_of(90));
     EXPECT_THAT(refusal_of(master, submission_of(1)), HasSubstr("bytes of poses not yet done"));
     ASSERT_TRUE(std::holds_alternative<JobStatus>(first_answer(master, {Cancel{job}})));
-    // What is begun and left, or refused, does not count.
+    // Abandoned or refused submissions do not count.
     std::vector<Message> left = submission_of(90);
     left.back() = StatusQuery{};
     ASSERT_TRUE(std::holds_alternative<ClusterStatus>(first_answer(master, left)));
@@ -160,7 +159,7 @@ TEST(ServerQuota, OneClientHasItsShareOfBegunMeshes) {
         master.run_until([&] { return first.done; });
         EXPECT_THAT(refusal_of(master, {half}), HasSubstr("1 meshes begun"));
     }
-    // The share comes back with the connection, and with a mesh that is complete.
+    // The share is freed with the connection, and with a complete mesh.
     for (const Mesh* mesh : {&reference().a, &reference().b}) {
         const Bytes all = mesh->canonical_bytes();
         const MeshPart part{mesh->hash(), "mesh", all.size(), 0, all};

@@ -1,6 +1,6 @@
-// Proves that a master tells and removes what a client names: a job's description, meshes and poses
-// with their labels, to whoever asks; removal to the owner and to an admin alone; and that files
-// whose job or mesh is gone are removed at the next start.
+// Proves that a master returns a job's description, meshes and poses with labels to any client;
+// removes them for the owner and admins only; and at its next start removes files whose job or mesh
+// is gone.
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What the master answers to the messages, of which all but the last need no answer.
+/// Returns the answer to the last message; the others need none.
 Message answer_to(Master& master, std::vector<Message> messages) {
     Client client(master);
     client.start_asking(std::move(messages));
@@ -44,7 +44,7 @@ std::vector<Message> parts_with_labels(const Submit& submit) {
             PosesEnd{}};
 }
 
-/// A job has been done, so that its meshes are there.
+/// Runs a job, so that its meshes are stored.
 void do_a_job(Master& master) {
     FakeWorker worker(master, {});
     Client client(master);
@@ -84,7 +84,7 @@ TEST(Removal, LabelsThatWereNotAnnouncedAreRefused) {
     EXPECT_THAT(refused.detail, HasSubstr("not announced"));
 }
 
-/// Files of jobs that this process holds open below the folder.
+/// Counts job files below the folder that this process holds open.
 std::size_t open_job_files(const std::filesystem::path& folder) {
     std::size_t count = 0;
     for (const auto& descriptor : std::filesystem::directory_iterator("/proc/self/fd")) {
@@ -138,7 +138,7 @@ TEST(Removal, AMeshOfASubmissionUnderWayStays) {
     Master master;
     do_a_job(master);
     Client submitting(master);
-    submitting.start_asking({labelled_submission()}); // Its poses do not come.
+    submitting.start_asking({labelled_submission()}); // Sends no poses.
     master.run_until([&] {
         const std::filesystem::directory_iterator files(master.directory / "jobs");
         return std::any_of(begin(files), end(files), [](const auto& file) {

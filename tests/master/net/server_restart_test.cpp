@@ -1,7 +1,6 @@
-// Proves that trust outlives the master: after a restart it still knows who is in quarantine, whose
-// each result is, which of them are in doubt or in dispute, and which alarms there were; no job
-// ends with what a worker that was wrong has answered; and what takes workers down does not begin
-// anew.
+// Proves that trust survives a restart: the master still knows quarantined workers, each result's
+// author, suspect results, disputes and alarms; no job ends with an exposed worker's answers; and
+// losses caused by a scenario keep counting.
 #include "common/core/limits/master.hpp"
 #include "master/geometry/mesh_file.hpp"
 #include "tests/master/fake_client.hpp"
@@ -18,7 +17,7 @@ constexpr FailureTimes no_return{.return_within = std::chrono::milliseconds(0)};
 constexpr std::uint64_t liars_process = 7;
 constexpr std::uint64_t good_process = 8;
 
-/// The job is accepted, and nobody waits for its end.
+/// Returns once the job is accepted; does not wait for its end.
 JobId submit_to(Master& master, AnalysisMode mode) {
     Client client(master);
     Submit submit = reference().submission();
@@ -42,7 +41,7 @@ std::size_t quarantined_in(const ClusterStatus& status) {
         status.workers, [](const WorkerStatus& worker) { return worker.quarantined; }));
 }
 
-/// The master has noticed that its workers are.
+/// Waits until the master has noticed that its workers are gone.
 void wait_until_gone(Master& master) {
     master.run_until([&] {
         return std::ranges::all_of(
@@ -51,7 +50,7 @@ void wait_until_gone(Master& master) {
     });
 }
 
-/// It comes again, and behaves well.
+/// The worker returns and behaves well.
 void expect_in_quarantine(Master& master, std::uint64_t process) {
     const FakeWorker again(master, {.instance = process});
     master.run_until([&] { return quarantined_in(master.coordinator.cluster_status()) == 1; });
@@ -63,8 +62,7 @@ void expect_in_quarantine(Master& master, std::uint64_t process) {
     EXPECT_EQ(again.batches + again.ranges, 0u);
 }
 
-/// A worker is wrong and found to be. What it has answered besides is in doubt when the master
-/// ends.
+/// Exposes a wrong worker. Its other answers are suspect when the master ends.
 ClusterStatus run_to_the_alarm(Master& master, AnalysisMode mode) {
     submit_to(master, mode);
     const FakeWorker liar(master, {.lies_first = true, .lies_alone = 3, .instance = liars_process});
@@ -73,7 +71,7 @@ ClusterStatus run_to_the_alarm(Master& master, AnalysisMode mode) {
     return master.coordinator.cluster_status();
 }
 
-/// Each life of the master sees one worker die of it.
+/// One worker dies of the scenario in each incarnation of the master.
 TEST(ServerRestart, AScenarioThatTakesItsWorkersDownFailsAfterAsManyAsWithoutARestart) {
     const std::uint64_t deadly = scenario_with_contact();
     for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
@@ -124,7 +122,7 @@ TEST(ServerRestart, AJobWhoseMeshIsDamagedWaitsUntilThatIsMended) {
     expect_right_end(master, job);
 }
 
-/// It comes back by hand, or with another job.
+/// The mesh returns by hand, or with another job.
 TEST(ServerRestart, AJobWhoseMeshIsMissingWaitsUntilItIsThereAgain) {
     for (const bool by_hand : {true, false}) {
         const TemporaryFolder state;
@@ -151,7 +149,7 @@ TEST(ServerRestart, AJobWhoseMeshIsMissingWaitsUntilItIsThereAgain) {
     }
 }
 
-/// As the message about a damaged mesh says.
+/// Follows the advice of the message about a damaged mesh.
 TEST(ServerRestart, ADamagedMeshMayBeMovedAwayAndSubmittedAgain) {
     const TemporaryFolder state;
     JobId job;
@@ -192,8 +190,8 @@ TEST(ServerRestart, QuarantineAlarmsAndDoubtsAreAsTheyWere) {
     }
 }
 
-/// In the next life of the master its analysis begins with all scenarios of the job. Until then a
-/// worker has answered some, and another was lost with all the others.
+/// The job's analysis in the next incarnation starts with all scenarios. Before, one worker has
+/// answered some, and another was lost with all the others.
 JobId job_to_be_analysed(const std::filesystem::path& state) {
     JobId job;
     {
@@ -217,7 +215,7 @@ TEST(ServerRestart, WhatAWorkerBringsBackIsNotAnalysed) {
     master.run_until([&] { return master.coordinator.analysis_input(job).has_value(); });
     const AnalysisInput input = master.coordinator.analysis_input(job).value();
     const auto results = master.coordinator.results_of(job);
-    std::optional<Analysis> separate; // The only scenario that the worker does not bring.
+    std::optional<Analysis> separate; // The only scenario missing from the worker's results.
     std::vector<Results> brought;
     for (const Scenario& scenario : reference().scenarios) {
         Analysis analysis = analyse(input, scenario);
@@ -286,13 +284,14 @@ TEST(ServerRestart, AWrongResultOfBeforeIsItsAuthorsAndAllOfThatAuthorIsDoubted)
             master.run_until([&] { return liar.kept == 3; });
         }
         wait_until_gone(master);
-        wrong = wrong_scenario(*master.coordinator.results_of(job)); // All that is there.
+        wrong = wrong_scenario(*master.coordinator.results_of(job)); // All results so far.
     }
     ASSERT_TRUE(wrong);
     Master master(no_return, state.path());
     EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
-    // Nobody of the earlier life is here. One comes with what contradicts it, as after a copy.
-    std::uint64_t missing = 0; // The job does not end before the two are compared.
+    // No earlier worker is here. A new one brings a contradicting result, as after a speculative
+    // copy.
+    std::uint64_t missing = 0; // The job waits for it.
     while (master.coordinator.results_of(job)->has(missing)) {
         ++missing;
     }
@@ -311,8 +310,7 @@ TEST(ServerRestart, AWrongResultOfBeforeIsItsAuthorsAndAllOfThatAuthorIsDoubted)
     expect_in_quarantine(master, liars_process);
 }
 
-/// The master dies between the moment in which it sees that two results differ, and says that it
-/// has both, and its verdict.
+/// The master dies after it has recorded two differing results and before its verdict.
 TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
     for (const FakeWorker::Habits& habits :
          {FakeWorker::Habits{.lies_first = true, .instance = liars_process, .batches_max = 1},
@@ -325,7 +323,7 @@ TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
             master.run_until([&] { return master.coordinator.analysis_input(job).has_value(); });
             std::latch released(1);
             for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
-                master.blocking.post([&] { released.wait(); }); // So that nothing is judged.
+                master.blocking.post([&] { released.wait(); }); // Blocks the master's runs.
             }
             {
                 const FakeWorker liar(master, habits);
@@ -333,7 +331,7 @@ TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
             }
             wait_until_gone(master);
             EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
-            // All that there is is acknowledged, so nothing is being written.
+            // All results are acknowledged, so no write is in progress.
             std::filesystem::copy(
                 master.directory, at_death.path(), std::filesystem::copy_options::recursive);
             released.count_down();

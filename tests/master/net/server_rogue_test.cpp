@@ -1,6 +1,5 @@
-// Proves that a worker with a good certificate and bad intentions neither brings the master down
-// nor fails scenarios, takes no memory without bound, and keeps nobody else from serving or
-// joining.
+// Proves that a malicious worker with a good certificate neither crashes the master nor fails
+// scenarios, takes only bounded memory, and keeps no other worker from serving or joining.
 #include "common/core/limits/master.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
@@ -16,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Joins, sends heartbeats, and does with each message what it is told.
+/// Joins, sends heartbeats, and handles each message as the test says.
 class Rogue {
   public:
     using Answer = std::function<void(Channel&, const Message&)>;
@@ -132,7 +131,7 @@ TEST(Rogue, WhoHoldsWithoutEndIsCutOff) {
 TEST(Rogue, WhoWasNotSentToASourceCannotAccuseIt) {
     const Logged logged;
     Master master;
-    const std::uint16_t port = master.endpoint().port; // The probe finds somebody there.
+    const std::uint16_t port = master.endpoint().port; // The master's probe of this port succeeds.
     const FakeWorker holder(master, {.only_takes = true, .peer_port = port});
     Client client(master);
     client.start_submitting(reference().submission());

@@ -1,5 +1,5 @@
-// Proves that who connects and does not go on takes no others' places: not from another address,
-// and not by saying that it joins.
+// Proves that peers that connect and stay silent take no connection slots of other addresses, not
+// even by announcing a join.
 #include "common/core/limits/master.hpp"
 #include "master/identity/identity.hpp"
 #include "tests/master/fake_client.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// One more than a host gets while nobody else is there.
+/// One more than a host gets while no other is connected.
 constexpr std::size_t too_many = limits::greetings_max / 2 + 1;
 
 asio::ip::tcp::socket connect_from(Master& master, const char* address, std::uint16_t port) {
@@ -67,7 +67,7 @@ TEST(Strangers, SilentOnesOfOneHostDoNotLockOthersOut) {
         silent.push_back(connect_from(master, "127.0.0.1", master.server->port()));
         master.context.poll();
     }
-    // The last one is closed at once.
+    // The master closes the last connection at once.
     std::array<char, 1> nothing{};
     bool is_closed = false;
     silent.back().async_read_some(asio::buffer(nothing),
@@ -104,7 +104,7 @@ TEST(Strangers, WhoGoesOnLeavesItsPlace) {
                        i % 2 == 0 ? Role::Worker : Role::Peer,
                        greeting);
         master.run_until([&] { return greeting.answer.has_value(); });
-        // The others are refused, and have a place until they are gone.
+        // The others are refused, and keep their slots until they leave.
         EXPECT_EQ(greeting.answer->has_value(), i % 2 == 0);
         greeting.channel->close();
     }
@@ -138,7 +138,7 @@ TEST(Strangers, JoinersHaveAPlaceUntilTheyAreAdmitted) {
         }
     }
     server->close();
-    master.end(); // Before the second server goes.
+    master.end(); // Must end before the second server.
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// Proves that a master in this process does whole jobs over loopback: the digest is that of the
-// same scenarios without a cluster, and what clients send wrong is refused.
+// Proves that a master in this process completes jobs over loopback with the digest of the same
+// scenarios without a cluster, and refuses invalid client messages.
 #include "common/core/limits/master.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
@@ -9,7 +9,7 @@ namespace cd::tests {
 namespace {
 
 TEST(Server, AJobHasTheDigestOfTheSameScenariosWithoutACluster) {
-    // Every kind of answer occurs, or agreement would mean little.
+    // Every class must occur, or agreement proves little.
     ASSERT_GT(reference().summary.cross, 10u);
     ASSERT_GT(reference().summary.separate, 10u);
     for (const Strategy strategy : {Strategy::BestMatch,
@@ -31,7 +31,7 @@ TEST(Server, AJobHasTheDigestOfTheSameScenariosWithoutACluster) {
         EXPECT_EQ(client.meshes_sent, 2u);
         EXPECT_GT(client.statuses.back().answered_by_master, 0u);
         EXPECT_GT(client.statuses.back().statistics.search.box_tests, 0u);
-        // Nothing uses the trees any more.
+        // No job uses the trees any more.
         master.run_until([&] { return one.trees_removed + two.trees_removed >= 2; });
     }
 }
@@ -63,8 +63,8 @@ TEST(Server, AWorkerMayComeAfterTheJob) {
     expect_right(client);
 }
 
-/// Seconds of the link that the worker of a master, which has done one job, has to expect for the
-/// first blocks of the next.
+/// Returns the link seconds a worker must expect for the first blocks of a job after it has done
+/// one.
 double expected_transfer(bool says_what_it_holds) {
     Master master;
     FakeWorker worker(master, {.says_what_it_holds = says_what_it_holds});
@@ -142,7 +142,7 @@ TEST(Server, AGridNeedsNoPoses) {
 
 TEST(Server, ACancelledJobEndsAndSaysSo) {
     Master master;
-    Client client(master); // No worker: it would run for ever.
+    Client client(master); // Without workers, the job never ends.
     client.start(reference().submission());
     master.run_until([&] { return !client.statuses.empty(); });
     Client other(master);
@@ -205,7 +205,7 @@ TEST(Server, WhatIsSubmittedWrongIsRefusedWithAReason) {
     expect_failure({Watch{JobId{99}}}, "no such job");
     expect_failure({ResultsQuery{JobId{99}, 0, 1}}, "no such job");
     expect_failure({EndOfTask{}}, "does not send");
-    // A mesh whose bytes are not what its name says, and one that starts in the middle.
+    // One mesh whose bytes do not match its hash, and one whose upload starts in the middle.
     const Bytes bytes(100);
     expect_failure({MeshPart{Sha256{}, "x", 100, 0, bytes}}, "");
 }

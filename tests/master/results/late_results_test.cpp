@@ -1,5 +1,5 @@
-// Proves which late results are taken for what was kept: settling may have changed the class, and
-// nothing else may differ.
+// Proves which late results equal the stored ones: settling may change the class, and nothing else
+// may differ.
 #include "master/results/late_results.hpp"
 
 #include "common/core/files/disk_file.hpp"
@@ -97,7 +97,7 @@ TEST_F(LateDifferenceTest, OfRubbishIsAnError) {
     EXPECT_FALSE(late_difference(*store_, cut));
 }
 
-/// Each is looked up on the disk, and millions of them would compress to nothing.
+/// Lookups read the disk, and millions of repeated scenarios compress to nothing.
 TEST_F(LateDifferenceTest, AScenarioIsLookedUpOnce) {
     keep(touching(1));
     EXPECT_EQ(difference({touching(1), touching(1)}).error().code, ErrorCode::BadFrame);

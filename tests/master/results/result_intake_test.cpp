@@ -1,6 +1,6 @@
-// Proves that the master takes only results that a worker could rightly send: of the task's
-// scenarios, at the level and of the bodies asked for, with triangles that the bodies have; that it
-// settles them, and counts what they cost.
+// Proves that the master accepts only results a worker could rightly send: of the task's scenarios,
+// at the requested level and bodies, with existing triangles; that it settles them and counts their
+// cost.
 #include "master/results/result_intake.hpp"
 
 #include "common/job/result/packed_map.hpp"
@@ -38,7 +38,7 @@ class ResultIntake : public testing::Test {
         }
     }
 
-    /// As a worker finds it.
+    /// Returns the result as a worker computes it.
     [[nodiscard]] ScenarioResult result_of(std::size_t scenario) const {
         const SubtreePair whole{material_->a->view(), material_->b->view()};
         return run_on_subtrees({&whole, 1}, task_.scenarios[scenario]->scenario, material_->query)
@@ -87,7 +87,7 @@ TEST_F(ResultIntake, SettlesAndCountsWhatAWorkerFound) {
         EXPECT_EQ(one.result.kind, whole.result.kind);
         EXPECT_EQ(one.record, encode_result(whole.result));
         EXPECT_EQ(one.digest, digest_of(whole.result));
-        EXPECT_EQ(one.cost.search.box_tests, 100u); // Of the analysis.
+        EXPECT_EQ(one.cost.search.box_tests, 100u); // Cost of the analysis.
         EXPECT_EQ(one.cost.inside.scenarios, whole.inside.scenarios);
         EXPECT_EQ(one.cost.inside.work, whole.inside.work);
     }

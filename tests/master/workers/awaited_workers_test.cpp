@@ -1,5 +1,5 @@
-// Proves that after a restart a job is held back just until all who may bring results of it have
-// told all, and these have been checked; and never for longer than may be waited.
+// Proves that after a restart a job waits exactly until all workers that may bring its results have
+// reported and these are checked; and never beyond the time limit.
 #include "master/workers/awaited_workers.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Proves that what is known of a session stays while a result may be of it, and that a worker that
-// comes again and again does not make the list grow.
+// Proves that a session's record stays while results of it may arrive, and that a worker that
+// reconnects repeatedly does not make the list grow.
 #include "master/workers/worker_sessions.hpp"
 
 #include "common/core/limits/master.hpp"

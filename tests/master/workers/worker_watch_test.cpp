@@ -1,5 +1,5 @@
 // Proves when a worker counts as alive, silent, lost and forgotten: events and times in, states
-// out, with no clock.
+// out, without a clock.
 #include "master/workers/worker_watch.hpp"
 
 #include "common/core/limits/master.hpp"
@@ -118,7 +118,7 @@ TEST(WorkerWatch, WhateverHappensStatesFollowFromTheLastWord) {
         WorkerWatch watch(times);
         watch.joined(one, at(0s));
         Time now = at(0s);
-        Time last = now; // Its last word, as long as it has a connection.
+        Time last = now; // Time of its last message while it has a connection.
         bool is_lost = false;
         for (int step = 0; step < 300 && !is_lost; ++step) {
             now += std::chrono::milliseconds(random() % 2500);

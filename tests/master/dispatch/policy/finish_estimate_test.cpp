@@ -1,4 +1,4 @@
-// Proves that an estimate counts each thing once, in seconds, and nothing that costs nothing.
+// Proves that an estimate counts each cost once, in seconds, and nothing that is free.
 #include "master/dispatch/policy/finish_estimate.hpp"
 
 #include "common/core/limits/master.hpp"
@@ -25,13 +25,13 @@ TEST(FinishEstimate, IsTheSumOfItsTerms) {
     needs.missing_bytes = 250'000;
     needs.missing_blocks = 10;
     needs.coming_bytes = 100'000;
-    needs.bytes_of_memory = 50; // So that it takes 5,000 in the cache, which has room for 1,000.
+    needs.bytes_of_memory = 50; // The blocks take 5,000 in the cache, which has room for 1,000.
     const FinishTerms terms = estimate_finish(some_powers(), needs);
     EXPECT_DOUBLE_EQ(terms.backlog, 1);
     EXPECT_DOUBLE_EQ(terms.coming, 0.1);
     EXPECT_DOUBLE_EQ(terms.transfer, 0.25);
     EXPECT_DOUBLE_EQ(terms.blocks, 10 * limits::block_seconds);
-    EXPECT_DOUBLE_EQ(terms.eviction, 0.2); // What takes the place of 4,000 comes again.
+    EXPECT_DOUBLE_EQ(terms.eviction, 0.2); // The evicted 4,000 must be sent again.
     EXPECT_DOUBLE_EQ(terms.work, 1.5);     // On one thread.
     EXPECT_DOUBLE_EQ(terms.total(), 3.05 + 10 * limits::block_seconds);
 }

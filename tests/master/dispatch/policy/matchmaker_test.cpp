@@ -1,5 +1,5 @@
-// Proves that each strategy picks the worker that the paper's words ask for: worked examples on the
-// vectors of its Table 1, ties, and the random draw.
+// Proves that each strategy picks the worker the paper prescribes: worked examples on the vectors
+// of its Table 1, ties, and the random draw.
 #include "master/dispatch/policy/matchmaker.hpp"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 namespace cd::tests {
 namespace {
 
-/// The two lists of Table 1: the roots that a scenario touches, with their triangles. (The column
-/// BB3 of its first list is empty in print.)
+/// The two lists of the paper's Table 1: a scenario's roots with their triangles. (The first list's
+/// column BB3 is empty in print.)
 ScenarioRoots table_1(int scenario) {
     switch (scenario) {
     case 1:
@@ -27,7 +27,7 @@ ScenarioRoots table_1(int scenario) {
     }
 }
 
-/// Workers of which each was allocated some scenarios of the table.
+/// Workers with some scenarios of the table allocated to each.
 class Cluster {
   public:
     explicit Cluster(const std::vector<std::set<int>>& allocated) {
@@ -46,7 +46,7 @@ class Cluster {
             }
         }
     }
-    /// The workers' scores, by their numbers.
+    /// Returns the workers' scores in order of their ids.
     [[nodiscard]] std::vector<std::uint64_t> scores(int scenario) const {
         std::vector<std::uint64_t> sums(a_.sum_count(), 0);
         const ScenarioRoots roots = table_1(scenario);
@@ -55,7 +55,7 @@ class Cluster {
         sums.resize(a_.holder_count());
         return sums;
     }
-    /// Ids are the numbers from 1 on.
+    /// Worker ids count from 1.
     [[nodiscard]] std::vector<WorkerCandidate> candidates(int scenario,
                                                           std::vector<double> loads = {}) const {
         const std::vector<std::uint64_t> held = scores(scenario);
@@ -82,7 +82,7 @@ TEST(Matchmaker, TheScoreIsTheSumOverBothTreesOfTrianglesAlreadyHeld) {
     // Scenarios 1 and 2 share BB5 of the first tree; BB1, BB3 and BB4 of the second.
     EXPECT_EQ(cluster.scores(2),
               (std::vector<std::uint64_t>{0, 1 + 2 + 14 + 6, 1, 11 + 1 + 1 + 2 + 1 + 14 + 6}));
-    // And 5 shares with 1: BB5, and BB4 of the second.
+    // Scenarios 5 and 1 share BB5 of the first tree and BB4 of the second.
     EXPECT_EQ(cluster.scores(5)[1], 1u + 6u);
     EXPECT_EQ(cluster.scores(3)[3], 1u + 11u + 1u + 4u + 14u + 6u);
 }
@@ -95,7 +95,7 @@ TEST(Matchmaker, BestMatchTakesTheHighestScore) {
 
 TEST(Matchmaker, BestMatchLoadWeighsTheScoreByTheFreeShareOfTheBuffer) {
     const Cluster cluster({{1}, {3}});
-    // 7 x (1 - 0) against 18 x (1 - load): even at a load of 11/18.
+    // 7 x (1 - 0) equals 18 x (1 - load) at a load of 11/18.
     EXPECT_EQ(pick(Strategy::BestMatchLoad, cluster.candidates(5, {0, 0.60})), WorkerId{2});
     EXPECT_EQ(pick(Strategy::BestMatchLoad, cluster.candidates(5, {0, 0.65})), WorkerId{1});
 }

@@ -1,6 +1,6 @@
-// Proves that the dispatcher's choices, which it reads from an index of roots, are those of the
-// slow twin, which asks worker by worker: over random holdings, evictions, joins and losses, for
-// each of the paper's strategies.
+// Proves that the dispatcher, which uses an index of roots, chooses as a slow reference that scores
+// worker by worker: over random holdings, evictions, joins and losses, for each of the paper's
+// strategies.
 #include "master/dispatch/dispatcher.hpp"
 #include "tests/master/slow_matchmaker.hpp"
 
@@ -17,9 +17,9 @@ constexpr JobId job{1};
 constexpr TreeId tree_a{1};
 constexpr TreeId tree_b{2};
 constexpr std::uint32_t q =
-    5000; // Nothing is sent before the end, so that buffers tell the choices.
+    5000; // Nothing is sent before the end, so the buffers show the choices.
 
-/// The same events go to both sides.
+/// Feeds both implementations identical events.
 class Twins {
   public:
     Twins(std::uint64_t seed, const ClusterOptions& options)
@@ -28,7 +28,7 @@ class Twins {
           triangles_a_(random_triangles(40)),
           triangles_b_(random_triangles(23)) {
         keep(dispatcher_.job_opened(job, options, {tree_a, triangles_a_}, {tree_b, triangles_b_}));
-        feed(); // From now on input goes on, and no worker gets a part of a buffer.
+        feed(); // More input follows, and no worker gets part of a buffer.
         for (int i = 0; i < 3; ++i) {
             join();
         }
@@ -47,7 +47,7 @@ class Twins {
         }
     }
 
-    /// What each worker's buffer holds, as the dispatcher shows it at last.
+    /// Returns the content of each worker's buffer, as the dispatcher finally shows it.
     [[nodiscard]] std::map<WorkerId, std::vector<std::uint64_t>> sent() {
         keep(dispatcher_.input_paused());
         return sent_;
@@ -68,7 +68,7 @@ class Twins {
     std::vector<std::uint32_t> random_triangles(std::size_t roots) {
         std::vector<std::uint32_t> triangles(roots);
         for (std::uint32_t& count : triangles) {
-            // Few different ones, so that there are ties; and some beyond sixteen bits.
+            // Few distinct counts cause ties; some need more than sixteen bits.
             count = random_() % 5 == 0 ? 70'000 : static_cast<std::uint32_t>(1 + random_() % 3);
         }
         return triangles;
