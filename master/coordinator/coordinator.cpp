@@ -1,4 +1,4 @@
-// The dispatcher's actions, and what is asked of the whole.
+// Performs the dispatcher's actions and reports the status of the cluster.
 #include "master/coordinator/coordinator.hpp"
 
 #include "common/core/check.hpp"
@@ -45,7 +45,7 @@ Dispatcher& Coordinator::dispatcher() {
 
 void Coordinator::act(Actions actions) {
     std::move(actions.begin(), actions.end(), std::back_inserter(actions_));
-    // What an action sets off may bring further ones; they wait for their turn.
+    // An action may cause further ones; they queue up behind it.
     if (acting_) {
         return;
     }
@@ -61,7 +61,7 @@ void Coordinator::act(Actions actions) {
 void Coordinator::perform(const SendBatch& action) {
     const auto link = workers_.find(action.worker);
     if (link == workers_.end()) {
-        return; // It left; the dispatcher knows.
+        return; // The worker has left; the dispatcher knows.
     }
     MasterJob* job = jobs_.find_running(action.job);
     if (job == nullptr) {

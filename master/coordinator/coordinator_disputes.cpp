@@ -1,8 +1,9 @@
-// Two results of one scenario that differ: a free test of memory and code.
+// Disputes: two results of one scenario differ. Each duplicate result is a free test of memory and
+// code.
 //
-// That they do is in the journal before it is acknowledged, and the verdict is one entry of it: the
-// right result, the alarm, the quarantine, and that nothing is in dispute any more. So a master
-// that ends anywhere between begins with the same question, or with all of the answer.
+// A dispute is journaled before the result is acknowledged. The verdict is one journal entry: right
+// result, alarm, quarantine and end of the dispute. A restarted master therefore finds either the
+// open dispute or the whole verdict.
 #include "common/core/host/log.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/job/run_scenario.hpp"
@@ -14,26 +15,26 @@
 
 namespace cd {
 
-/// What a dispute is settled by.
+/// The evidence that settles a dispute.
 struct Coordinator::Evidence {
     TakenResult right;
-    ScenarioFacts first;       ///< Of the result that was merged.
-    bool is_cancelled = false; ///< Nobody knows what is right, and nobody is to blame.
+    ScenarioFacts first;       ///< Facts of the merged result.
+    bool is_cancelled = false; ///< The right result is unknown; nobody is blamed.
 
     struct Case {
         std::shared_ptr<const JobMaterial> material;
         std::shared_ptr<PoseSource> poses;
         std::shared_ptr<const ResultStore> results;
         std::uint64_t scenario = 0;
-        bool is_masters = false; ///< What was merged, as far as is known.
+        bool is_masters = false; ///< As far as is known, the merged result is the master's.
     };
     [[nodiscard]] static Result<std::optional<Evidence>> find(const Case& dispute,
                                                               const StopCheck& stop);
 };
 
-/// Nothing when a failure of the master's was merged: it stands. The scenario may be one that takes
-/// down whoever runs it, or that somebody has cancelled, and it would run here. A worker that says
-/// of a scenario that it fails may be as wrong as with any other answer.
+/// Returns nothing if the merged result is a failure recorded by the master: it stays. Such a
+/// scenario may kill its runner or was cancelled, so the master must not run it. A failure reported
+/// by a worker is checked like any other answer.
 Result<std::optional<Coordinator::Evidence>> Coordinator::Evidence::find(const Case& dispute,
                                                                          const StopCheck& stop) {
     const Result<ScenarioResult> first = kept_result(*dispute.results, dispute.scenario);
@@ -92,7 +93,7 @@ asio::awaitable<void> Coordinator::settle_dispute(Dispute dispute) {
     std::optional<Evidence> evidence;
     while (job != nullptr && !is_over) {
         if (job->given_up.contains(index)) {
-            break; // It fails, and to be judged it would run here.
+            break; // The scenario fails; judging it would run it here.
         }
         const bool is_masters = index >= job->authors.size() || job->authors[index] == 0;
         const Sha256 merged = job->merger.digest_of(index);
@@ -102,11 +103,11 @@ asio::awaitable<void> Coordinator::settle_dispute(Dispute dispute) {
         Result<std::optional<Evidence>> found = co_await run_on(parts_.blocking, look);
         job = closed_ ? nullptr : jobs_.find_running(dispute.job);
         if (job == nullptr) {
-            break; // The next life of the master begins with it.
+            break; // The next incarnation of the master judges it.
         }
         if (!found) {
             job = co_await wait_until_mended(dispute.job, found.error());
-        } else if (job->merger.digest_of(index) == merged) { // Else it was corrected meanwhile.
+        } else if (job->merger.digest_of(index) == merged) { // Not corrected meanwhile.
             disk_gives(*job);
             evidence = std::move(found.value());
             is_over = true;
@@ -131,7 +132,7 @@ void Coordinator::settle(MasterJob& job, const Dispute& dispute, std::optional<E
     }
     verdict.progress = job.progress(Clock::now());
     write(std::move(verdict));
-    doubt_ends(job, dispute.scenario, WorkerId{}); // Its author may be in quarantine meanwhile.
+    doubt_ends(job, dispute.scenario, WorkerId{}); // Its author may be quarantined by now.
     --job.disputes;
     ++job.changes;
     if (!fits) {
@@ -160,10 +161,10 @@ Coordinator::judge(MasterJob& job, const Dispute& dispute, Evidence evidence, Ad
     const bool first_is_right = job.merger.digest_of(index) == evidence.right.digest;
     const bool second_is_right = dispute.digest == evidence.right.digest;
     if (author != WorkerId{}) {
-        job.authors[index] = 0; // The master's own stands for it.
+        job.authors[index] = 0; // The master's own result replaces it.
     }
     if (evidence.is_cancelled) {
-        if (!first_is_right) { // It was not cancelled by another dispute before.
+        if (!first_is_right) { // False if another dispute cancelled it before.
             correct(job,
                     std::move(evidence.right),
                     evidence.first,
@@ -188,7 +189,7 @@ Coordinator::judge(MasterJob& job, const Dispute& dispute, Evidence evidence, Ad
                 "a result of the job was wrong and has been corrected",
                 verdict);
     }
-    // What came again, as after a restart, tells nothing new.
+    // A repeated message, for example after a restart, proves nothing new.
     if (!second_is_right && dispute.second != WorkerId{} && !is_quarantined(dispute.second)) {
         alarm(where + " differ, and the master's own says that " + name_of(dispute.second) +
               " is wrong");

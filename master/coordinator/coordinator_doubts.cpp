@@ -1,7 +1,8 @@
-// A worker that was wrong once is trusted in nothing: what it gets, and what it has answered.
+// Quarantine and suspect results. A worker that was wrong once gets no work, and all its answers
+// become suspect.
 //
-// Doubts are not written down: they follow from the quarantine, from whose each result is, and from
-// who else vouches for it, which the journal has.
+// Suspect results are not journaled: they follow from the quarantine, from each result's author and
+// from the workers that vouch for it, and the journal has all three.
 #include "common/core/host/log.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/job/run_scenario.hpp"
@@ -13,7 +14,7 @@
 
 namespace cd {
 
-// ---- Who is who ---------------------------------------------------------------------------------
+// ---- Identities ---------------------------------------------------------------------------------
 
 bool Coordinator::is_distrusted(WorkerId worker) const {
     const auto link = workers_.find(worker);
@@ -36,7 +37,7 @@ std::string Coordinator::name_of(WorkerId worker) const {
         return name + " (w-" + std::to_string(id.value) +
                (holder.empty() ? ")" : ", certified as " + holder + ")");
     };
-    // It may have left, and come back as another.
+    // The process may have left and rejoined under another id.
     for (const auto& [id, link] : workers_) {
         if (is_its(id)) {
             return named(link.name, id);
@@ -63,9 +64,9 @@ WorkerId Coordinator::earlier_worker(WorkerProcess process) {
 void Coordinator::forget_sessions() {
     const std::set<JobId>& running = jobs_.running();
     if (std::ranges::any_of(running, [this](JobId id) { return jobs_.find(id)->disputes != 0; })) {
-        return; // Who may be wrong is being looked for.
+        return; // A dispute may still need any session.
     }
-    std::unordered_set<std::uint64_t> needed; // For results that may come to be in doubt.
+    std::unordered_set<std::uint64_t> needed; // Their results may become suspect.
     for (const JobId id : running) {
         const std::vector<std::uint32_t>& authors = jobs_.find(id)->authors;
         needed.insert(authors.begin(), authors.end());
@@ -127,12 +128,12 @@ void Coordinator::quarantine(WorkerId worker) {
     quarantine_holder(worker);
     quarantined_ = {alarms_.quarantined.begin(), alarms_.quarantined.end()};
     doubt_results_of(worker);
-    // It may have left, and come back as another.
+    // The process may have left and rejoined under another id.
     for (auto& [id, link] : workers_) {
         if (sessions_.process_of(id) == process) {
             link.quarantined = true;
             blocks_.worker_left(id);
-            take_all_back(id); // It lives: nothing is lost with it.
+            take_all_back(id); // The process is alive, so the work is not lost with it.
             forget_tasks(id);
             act(dispatcher().worker_lost(id));
         }
@@ -166,7 +167,7 @@ void Coordinator::doubt_results_of(WorkerId worker) {
     }
 }
 
-// ---- Doubt --------------------------------------------------------------------------------------
+// ---- Suspect results ----------------------------------------------------------------------------
 
 void Coordinator::doubt(MasterJob& job, const std::vector<std::uint64_t>& scenarios) {
     std::vector<std::uint64_t> doubted;
@@ -182,7 +183,7 @@ void Coordinator::doubt(MasterJob& job, const std::vector<std::uint64_t>& scenar
         "results in doubt are recomputed: job={} scenarios={}", job.id.value, doubted.size());
     withdraw_map(job, "a worker that has contributed to it was wrong elsewhere");
     ++job.changes;
-    if (job.order != nullptr) { // Else it is done when the geometry is there.
+    if (job.order != nullptr) { // Otherwise this happens once the geometry is loaded.
         answer_again(job, doubted);
     }
 }
@@ -194,7 +195,7 @@ void Coordinator::answer_again(MasterJob& job, std::span<const std::uint64_t> sc
     }
     for (auto& [window, indices] : by_window) {
         if (job.order->grid() != nullptr) {
-            do_again(job, std::move(indices)); // On a grid a place is an index.
+            do_again(job, std::move(indices)); // On a grid the order position equals the index.
             continue;
         }
         parts_.blocking.post([this,
@@ -239,7 +240,7 @@ void Coordinator::do_again(MasterJob& job, std::vector<std::uint64_t> places) {
     }
 }
 
-/// Another worker has answered it, or the master will.
+/// Another worker has answered the scenario, or the master will.
 bool Coordinator::doubt_ends(MasterJob& job, std::uint64_t scenario, WorkerId by) {
     if (job.doubted.erase(scenario) == 0) {
         return false;
@@ -253,7 +254,7 @@ bool Coordinator::doubt_ends(MasterJob& job, std::uint64_t scenario, WorkerId by
 void Coordinator::give_up_doubt(MasterJob& job, const Scenario& scenario, const std::string& why) {
     doubt_ends(job, scenario.index, WorkerId{});
     job.given_up.insert(scenario.index);
-    ++job.disputes; // The job does not end before it has failed.
+    ++job.disputes; // Keeps the job open until the scenario has failed.
     spawn(parts_.executor, "scenario in doubt given up", fail_doubted(job.id, scenario, why));
 }
 
@@ -262,10 +263,10 @@ asio::awaitable<void> Coordinator::fail_doubted(JobId id, Scenario scenario, std
     const std::uint64_t index = scenario.index;
     for (;;) {
         if (job == nullptr) {
-            co_return; // Or the next life of the master has the same doubt.
+            co_return; // The next incarnation of the master restores the suspicion.
         }
         if (job->authors[index] == 0) {
-            break; // A dispute was settled meanwhile: the master's own word stands.
+            break; // A settled dispute has already put the master's result in.
         }
         auto look = [results = job->results, index] { return kept_result(*results, index); };
         const Result<ScenarioResult> kept = co_await run_on(parts_.blocking, look);

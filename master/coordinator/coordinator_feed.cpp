@@ -1,4 +1,4 @@
-// What of the jobs is handed out next: analyses to be made, or places that go out without one.
+// Chooses the jobs' next work: analyses to start, or ranges sent without analysis.
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
@@ -25,7 +25,7 @@ void Coordinator::feed() {
             jobs.push_back(&job);
         }
     }
-    // In turns: first the job after the one that was fed last.
+    // Round robin: start after the job that was fed last.
     std::rotate(jobs.begin(),
                 std::find_if(jobs.begin(),
                              jobs.end(),
@@ -37,7 +37,7 @@ void Coordinator::feed() {
             return false;
         }
         give_places(*job);
-        // What was lost is analysed all the same.
+        // Lost scenarios are analysed even if the job prefers ranges.
         return job->todo.empty() || job->todo.front().losses.none();
     });
     for (bool any_started = true; any_started;) {
@@ -62,7 +62,7 @@ void Coordinator::feed() {
 }
 
 bool Coordinator::has_room_for_analysis(std::uint64_t under_way) const {
-    // As many blocks as keep the pool busy; more would only keep results waiting.
+    // Enough blocks to keep the pool busy; more would only delay results.
     return journal_has_room() && under_way < parts_.compute.size() + 2 &&
            open_bytes_ < limits::open_analyses_bytes_max &&
            dispatcher_.unsent() + under_way * limits::analysis_block_scenarios <
@@ -224,7 +224,7 @@ void Coordinator::give_again(MasterJob& job, const GivenPlaces& ended, LostWith 
     std::vector<PlaceRange> runs = unmerged(job, ended);
     for (const auto& [id, task] : tasks_) {
         if (task.content->job == job.id && task.places) {
-            runs = without(runs, *task.places); // A copy of them, or what they are a copy of.
+            runs = without(runs, *task.places); // A speculative copy, or its original.
         }
     }
     Losses losses;
@@ -248,7 +248,7 @@ void Coordinator::perform(const ScenariosLost& action) {
     }
     std::vector<LostPlaces> lost;
     for (const std::uint64_t index : action.scenarios) {
-        // What was given up has its result.
+        // A scenario that was given up already has its result.
         if (const auto open = job->open.find(index); open != job->open.end()) {
             lost.push_back({{open->second->place, 1}, action.process});
         }

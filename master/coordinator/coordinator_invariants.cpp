@@ -1,4 +1,4 @@
-// What is always true between two events of the coordinator.
+// Invariants of the coordinator, which hold between two events.
 #include "common/core/check.hpp"
 #include "master/coordinator/coordinator.hpp"
 
@@ -28,8 +28,8 @@ std::set<BlockKey> Coordinator::blocks_held_by(WorkerId worker) const {
     return is_known ? blocks_.held_by(worker) : std::set<BlockKey>{};
 }
 
-/// Whatever goes out is at a worker that is here, and watched, so that it ends some time; the
-/// dispatcher and the sessions agree on it.
+/// Every task belongs to a known, watched worker, so it ends eventually. Dispatcher and sessions
+/// agree on it.
 void Coordinator::check_leases() const {
     std::size_t tasks = 0;
     for (const WorkerId worker : dispatcher_.workers()) {
@@ -59,11 +59,11 @@ void Coordinator::check_job(const MasterJob& job) const {
     if (job.analyses_under_way() != 0 || job.places_loading != 0) {
         return;
     }
-    // None is lost: each is merged, at the dispatcher, or still to be handed out.
+    // No scenario is lost: each is merged, at the dispatcher, or still to be handed out.
     const std::vector<bool> in_ranges = scenarios_in_ranges(job);
     for (std::uint64_t index = 0; index < job.submit.scenarios; ++index) {
-        // Where a list's doubted scenarios stand is looked up on a thread, and then they are to be
-        // handed out; until they have been, the job does not end.
+        // The order positions of a list's suspect scenarios are looked up on a thread and then
+        // queued; the job does not end before.
         const bool may_be_looked_up = job.order->grid() == nullptr && job.merger.has(index);
         CD_CHECK(!job.lacks(index) || in_ranges[index] || job.open.contains(index) ||
                  may_be_looked_up);
@@ -74,7 +74,7 @@ std::vector<bool> Coordinator::scenarios_in_ranges(const MasterJob& job) const {
     std::vector<bool> found(job.submit.scenarios);
     const auto add = [&](const PlaceRange& places) {
         if (places.count == 0) {
-            return; // All of it was given back.
+            return; // All of it was returned.
         }
         const Result<std::vector<Scenario>> scenarios = job.order->read(places.first, places.count);
         CD_CHECK(scenarios.has_value());

@@ -1,4 +1,4 @@
-// The life of a job in the coordinator: prepared, fed, ended.
+// Job life cycle in the coordinator: prepare, start, end, cancel.
 #include "common/core/host/log.hpp"
 #include "common/core/host/wall_clock.hpp"
 #include "common/core/limits/master.hpp"
@@ -15,7 +15,7 @@ namespace cd {
 
 namespace {
 
-/// The scenarios that have a result, by index. Null: none has.
+/// Marks the scenarios that have a result, by index. Null if none has.
 std::shared_ptr<const std::vector<bool>> done_scenarios(const ResultMerger& merger) {
     if (merger.summary().merged() == 0) {
         return nullptr;
@@ -141,14 +141,14 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
 asio::awaitable<void> Coordinator::prepare_job(JobId id) {
     const MasterJob* accepted = jobs_.find(id);
     if (accepted == nullptr) {
-        co_return; // Removed meanwhile.
+        co_return; // The job was removed meanwhile.
     }
     const Submit submit = accepted->submit;
     auto make = [&store = parts_.geometry, &submit] { return make_job_geometry(store, submit); };
     const StoreResult<JobGeometry> made = co_await run_on(parts_.blocking, make);
     MasterJob* job = jobs_.find_running(id);
     if (job == nullptr) {
-        co_return; // Cancelled meanwhile.
+        co_return; // The job was cancelled meanwhile.
     }
     if (made) {
         job_paused(*job, "");
@@ -184,7 +184,7 @@ void Coordinator::start_job(MasterJob& job, const JobGeometry& made) {
                                 dispatch_tree(job.tree_b, *made.cut_b)));
     look_at_late_results(job.id);
     take_up_doubts(job);
-    end_if_complete(job); // A job without scenarios, or without any that were left.
+    end_if_complete(job); // The job may have no scenarios, or none left.
     feed();
 }
 
@@ -192,7 +192,7 @@ void Coordinator::begin_analysis(MasterJob& job) {
     AnalysisInput input = *job.analysis_input;
     input.poses = job.order;
     input.done = done_scenarios(job.merger);
-    // On a thread of the pool; the records are made there, too.
+    // Runs on a pool thread and makes the records there.
     auto deliver = [this, executor = parts_.executor, id = job.id](AnalysedBlock came) {
         auto finished = std::make_shared<std::vector<TakenResult>>();
         for (Analysis& analysis : came.scenarios) {
@@ -223,7 +223,7 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
     const auto begin = Clock::now();
     std::uint64_t handed_out = 0;
     for (Analysis& analysis : block.scenarios) {
-        // Of what came back, or from before a restart, the answer may have come meanwhile.
+        // A requeued or restored scenario may have been answered meanwhile.
         if (analysis.finished || !job->lacks(analysis.scenario.index) ||
             job->open.contains(analysis.scenario.index)) {
             continue;
@@ -298,7 +298,7 @@ void Coordinator::release_tree(TreeId tree) {
     }
 }
 
-// ---- Questions ----------------------------------------------------------------------------------
+// ---- Requests -----------------------------------------------------------------------------------
 
 asio::awaitable<Result<JobStatus>> Coordinator::cancel_job(JobId id) {
     MasterJob* job = jobs_.find(id);
@@ -310,7 +310,7 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_job(JobId id) {
         feed();
     }
     if (job->state == JobState::Running) {
-        // Nobody hears of an end that is not on the disk; nor waits for ever where it is full.
+        // Clients see only a durable end; the wait is bounded in case the disk is full.
         const auto ended =
             std::make_shared<asio::steady_timer>(parts_.executor, limits::cancel_wait_max);
         notify_at_end(id, ended);
@@ -381,7 +381,7 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::u
     if (!poses) {
         co_return poses.error();
     }
-    job = running(); // Much may have happened meanwhile.
+    job = running(); // The job may have changed meanwhile.
     if (!job) {
         co_return job.error();
     }
@@ -424,7 +424,7 @@ std::uint64_t Coordinator::job_changes(JobId id) {
 void Coordinator::notify_at_end(JobId job, const std::shared_ptr<asio::steady_timer>& timer) {
     if (const MasterJob* found = jobs_.find(job);
         found == nullptr || found->state != JobState::Running) {
-        return; // Nothing would ever take it away.
+        return; // Nothing would ever cancel the timer.
     }
     std::erase_if(waiting_for_end_, [](const auto& waiting) { return waiting.second.expired(); });
     waiting_for_end_.emplace(job, timer);

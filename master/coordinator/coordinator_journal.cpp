@@ -1,4 +1,4 @@
-// What of the coordinator's work is on the disk, and who hears of it then.
+// Durability: writes to the journal and acts on its commits.
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
 #include "common/core/limits/master.hpp"
@@ -9,7 +9,7 @@ namespace cd {
 namespace {
 
 void remove_file(const std::filesystem::path& path) {
-    std::error_code ignored; // One that stays behind is of no account.
+    std::error_code ignored; // A leftover file does no harm.
     std::filesystem::remove(path, ignored);
 }
 

@@ -1,6 +1,6 @@
-// Results of no task: what a worker sends again in another session, and what comes when its job has
-// ended. Such a job is not corrected any more, for its digest has been told; but who was wrong is
-// found out, and whoever has the results learns of it.
+// Late results: resent in another session, or received after their job has ended. An ended job is
+// not corrected, since its digest is published. The master still finds out who was wrong, and
+// raises an alarm for those who hold the results.
 #include "common/core/host/log.hpp"
 #include "common/job/run_scenario.hpp"
 #include "master/base/run_on.hpp"
@@ -34,7 +34,7 @@ void Coordinator::late_results_came(LateResults late) {
     const JobId id = late.message->job;
     const MasterJob* job = jobs_.find(id);
     if (job == nullptr) {
-        // Of a job that nobody was ever told of, or whose results are gone: nobody wants them.
+        // The job was never acknowledged to a client, or its results are dropped: discard.
         ledger_.promise(Delivery{late.worker, late.message->sequence}, written_);
         keep_promises();
         late.done();
@@ -53,7 +53,7 @@ void Coordinator::put_away(LateResults late) {
     if (is_new) {
         set_aside(*place->second.message, place->second.done);
     } else {
-        late.done(); // It came before, over another connection.
+        late.done(); // Duplicate of a message received over another connection.
     }
 }
 
@@ -85,7 +85,7 @@ void Coordinator::forget_late_results(WorkerId worker) {
     });
 }
 
-// ---- Of a job that runs -----------------------------------------------------------------------
+// ---- Late results of a running job ------------------------------------------------------------
 
 void Coordinator::check_late_results(const MasterJob& job, LateResults late) {
     awaited_.check_begins(job.id);
@@ -113,7 +113,7 @@ void Coordinator::late_results_checked(std::shared_ptr<ResultsInHand> hand) {
         take_in(std::move(hand));
         return feed();
     }
-    // That their poses cannot be read is not the worker's fault.
+    // The worker is not to blame if the poses cannot be read.
     LateResults late{hand->worker, hand->message, hand->done};
     if (job == nullptr) {
         return late_results_came(std::move(late));
@@ -130,7 +130,7 @@ void Coordinator::late_results_checked(std::shared_ptr<ResultsInHand> hand) {
     }
 }
 
-// ---- Of a job that has ended --------------------------------------------------------------------
+// ---- Late results of an ended job ---------------------------------------------------------------
 
 asio::awaitable<void> Coordinator::compare_late_results(LateResults late,
                                                         std::shared_ptr<const ResultStore> kept) {
@@ -140,7 +140,7 @@ asio::awaitable<void> Coordinator::compare_late_results(LateResults late,
     };
     Result<std::optional<LateDifference>> found = co_await run_on(parts_.blocking, compare);
     if (closed_) {
-        co_return; // It comes again in the next life of the master.
+        co_return; // The worker resends it to the next incarnation of the master.
     }
     if (!found && found.error().code != ErrorCode::Io) {
         cut_off(late.worker, found.error());
@@ -163,14 +163,14 @@ void Coordinator::finish(const LateResults& late) {
     go_on(late.done);
 }
 
-/// A scenario of a job that has ended, to be run once more.
+/// Runs one scenario of an ended job again.
 struct Coordinator::EndedRun {
     GeometryStore& store;
     Submit submit;
     std::filesystem::path poses;
     std::uint64_t scenario = 0;
 
-    /// May take long. Errors: those of what is gone; Interrupted.
+    /// May take long. Errors: those of missing meshes or poses; Interrupted.
     [[nodiscard]] Result<ScenarioResult> run(const StopCheck& stop) const {
         const auto a = store.tree(submit.bodies[0].mesh);
         const auto b = store.tree(submit.bodies[1].mesh);
@@ -197,8 +197,8 @@ struct Coordinator::EndedRun {
     }
 };
 
-/// One at a time: each may run long, and the first that is wrong is the last that is heard of its
-/// worker.
+/// Judges one case at a time: a run may take long, and the first wrong result discards all further
+/// cases of that worker.
 asio::awaitable<void> Coordinator::judge_late_cases() {
     while (!late_cases_.empty() && !closed_) {
         const LateCase& next = late_cases_.front();
@@ -231,7 +231,7 @@ void Coordinator::judge(const LateCase& late, const Result<ScenarioResult>& righ
     const std::uint64_t index = late.difference.late.index;
     MasterJob* job = jobs_.find(late.late.message->job);
     if (job == nullptr || is_distrusted(worker)) {
-        return; // Its results are gone; or others have told who is wrong.
+        return; // The results are dropped, or another case has judged the worker.
     }
     const std::uint64_t alarms_before = alarms_.count;
     const std::string where = "results of job " + std::to_string(job->id.value) +

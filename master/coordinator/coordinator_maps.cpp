@@ -1,6 +1,5 @@
-// Maps of contacts. The map of a message is of all its scenarios together, so it counts when all of
-// them are new. Where some have been merged before, from another worker, the map of the others is
-// made here.
+// Contact maps. A message has one map for all its scenarios, so it counts only if all are new. If
+// some were merged before from another worker, the master recomputes the map of the others.
 #include "common/job/run_scenario.hpp"
 #include "master/base/run_on.hpp"
 #include "master/coordinator/coordinator.hpp"

@@ -1,5 +1,5 @@
-// Jobs that wait for the disk. What cannot be written, for want of room, or cannot be read, since
-// it is damaged, may be mended; nothing is lost by waiting, and nothing is deleted.
+// Jobs that wait for the disk. A full or damaged disk may be mended; waiting loses nothing, and
+// nothing is deleted.
 #include "common/core/host/log.hpp"
 #include "common/core/limits/master.hpp"
 #include "master/coordinator/coordinator.hpp"
@@ -22,7 +22,7 @@ void Coordinator::job_paused(MasterJob& job, const std::string& why) {
 }
 
 void Coordinator::wait_for_disk(MasterJob& job, const Error& why, std::function<void()> again) {
-    // From now on, and not from when the other end of this is reached.
+    // Pauses the job at once, not when the coroutine starts.
     spawn(
         parts_.executor, "a job that waits", try_again(begin_to_wait(job, why), std::move(again)));
 }
@@ -47,7 +47,7 @@ asio::awaitable<MasterJob*> Coordinator::wait_until_mended(JobId id, Error why) 
     if (job == nullptr) {
         co_return nullptr;
     }
-    feed(); // What comes next may take long.
+    feed(); // Other jobs proceed, since the caller's next step may take long.
     co_return jobs_.find_running(id);
 }
 

@@ -1,4 +1,4 @@
-// Which workers are here: joining, coming back, falling silent, and leaving.
+// Worker presence: joining, returning, silence and leaving.
 #include "common/core/check.hpp"
 #include "common/core/files/bytes.hpp"
 #include "common/core/files/hash.hpp"
@@ -33,8 +33,8 @@ WorkerProcess number_of(const std::string& text) {
     return number_in(sha256(std::as_bytes(std::span(text))));
 }
 
-/// One that does not say what process it is is taken for a process of its own. A certified one is
-/// so by its holder, too: who says another's number is not taken for that one.
+/// A worker that sends no instance id gets a random one. For a certified worker the id is hashed
+/// with its certificate holder, so nobody can impersonate another holder's process.
 WorkerProcess process_that_greets(const Hello& hello, const std::string& holder) {
     if (hello.instance == 0) {
         return random_process();
@@ -154,7 +154,7 @@ void Coordinator::end_earlier_sessions(std::uint64_t instance) {
         }
     }
     for (const WorkerId id : earlier) {
-        // The process lives: what it was given did not end it, and may never have come to it.
+        // The process is alive, so its tasks did not kill it; they may never have arrived.
         take_all_back(id);
         worker_lost(id, "it has begun another session");
     }
@@ -175,7 +175,7 @@ void Coordinator::take_all_back(WorkerId worker) {
             given.push_back(task);
         }
     }
-    act(dispatcher().worker_draining(worker)); // Or it would get some of it again.
+    act(dispatcher().worker_draining(worker)); // Otherwise the worker would get some of it again.
     for (const TaskId task : given) {
         act(dispatcher().task_unbegun(worker, task));
     }
@@ -195,7 +195,7 @@ void Coordinator::worker_returned(WorkerId worker, std::shared_ptr<Channel> chan
     link->second.channel = channel;
     link->second.is_settled = false;
     watch_.heard(worker, Clock::now());
-    act(dispatcher().worker_silent(worker)); // Until it has said how it stands.
+    act(dispatcher().worker_silent(worker)); // Ends when its Standing arrives.
     blocks_.worker_returned(worker, std::move(channel));
 }
 
@@ -204,7 +204,7 @@ void Coordinator::worker_stands(WorkerId worker, const Standing& standing) {
     if (link == workers_.end()) {
         return;
     }
-    if (link->second.is_settled) { // It has begun a session.
+    if (link->second.is_settled) { // The session is new.
         awaited_.has_told_all(sessions_.process_of(worker));
         return feed();
     }
@@ -232,8 +232,8 @@ Status Coordinator::check_standing(const Standing& standing) const {
     return Done{};
 }
 
-/// What the worker does not have has to be sent again, when it is needed; what it should not have
-/// has to go.
+/// Compares the worker's trees with the master's record. Missing ones are sent again when needed;
+/// unexpected ones are removed.
 void Coordinator::take_lost_trees(WorkerId worker, WorkerLink& link, const Standing& standing) {
     std::set<TreeId> there;
     for (const StandingTree& tree : standing.trees) {
@@ -263,8 +263,8 @@ void Coordinator::take_lost_jobs(WorkerLink& link, const Standing& standing) {
     std::erase_if(link.jobs, [&](JobId job) { return !names(standing.jobs, job); });
 }
 
-/// A task that is not there never came, or has ended: its results came before this. Of one that is
-/// there, what was given back may not have come.
+/// A missing task never arrived or has ended; in the latter case its results arrived before. For a
+/// present task, a return of work may have been lost, so it is processed again.
 void Coordinator::take_lost_tasks(WorkerId worker, const Standing& standing) {
     for (const Recalled& task : standing.tasks) {
         task_recalled(worker, task);
@@ -309,7 +309,7 @@ void Coordinator::note_life(WorkerId worker) {
     }
 }
 
-/// A message that takes long on its way is a sign of life, too.
+/// Counts received bytes as a sign of life, since a large message arrives slowly.
 void Coordinator::hear_bytes() {
     std::vector<WorkerId> heard;
     for (auto& [id, link] : workers_) {
@@ -370,7 +370,7 @@ asio::awaitable<void> Coordinator::watch_workers() {
             check_workers();
         }
         if (!closed_ && is_at_end) {
-            feed(); // Somebody may be late.
+            feed(); // A straggler may need a speculative copy.
         }
     }
     watch_timer_.reset();
@@ -429,7 +429,7 @@ std::vector<WorkerId> Coordinator::workers_here() const {
 void Coordinator::drain_worker(WorkerId worker) {
     const auto channel = workers_.at(worker).channel;
     worker_draining(worker);
-    channel->send(Drain{}); // After all that is on its way to it.
+    channel->send(Drain{}); // Sent after everything queued for the worker.
 }
 
 void Coordinator::terminate_worker(WorkerId worker) {
@@ -453,7 +453,7 @@ void Coordinator::cut_off(WorkerId worker, const Error& why) {
     }
     log_error("worker cut off: worker={} error=\"{}\"", worker.value, why.detail);
     link->second.is_cut_off = true;
-    // Its conversation ends with that, if it has not already, and it is lost.
+    // Closing ends the conversation, and the worker is lost.
     if (link->second.channel->is_open()) {
         link->second.channel->close();
     } else {

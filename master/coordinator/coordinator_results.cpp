@@ -1,4 +1,4 @@
-// Results, from their coming to the job that they are merged into and the journal.
+// Ingests results: from arrival to merging and journaling.
 #include "common/core/host/log.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "master/base/mutation.hpp"
@@ -27,7 +27,8 @@ measured_work(const MasterJob& job, const Results& results, std::span<const Take
 
 void Coordinator::results_came(WorkerId worker, Results results, std::function<void()> done) {
     if (is_distrusted(worker)) {
-        ledger_.promise(Delivery{worker, results.sequence}, written_); // It may forget them.
+        // Acknowledge: the worker may forget the ignored results.
+        ledger_.promise(Delivery{worker, results.sequence}, written_);
         keep_promises();
         return done();
     }
@@ -75,14 +76,14 @@ bool Coordinator::results_taken(WorkerId worker,
         job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;
         job->traffic.result_bytes += results.records.size() + results.map.size();
-        // What is sent again, and was counted already, brings nothing new.
+        // A resent message that was counted already adds no traffic.
         if (task != nullptr || !new_scenarios(*job, taken.value().results).empty()) {
             job->traffic.blocks += results.traffic;
         }
         const std::size_t count = taken.value().results.size();
         job->work_seconds.add(results.compute_seconds, static_cast<double>(count));
         if (task == nullptr) {
-            // Of an earlier session: no task's measure.
+            // Late results measure no task.
         } else if (task->range) {
             act(dispatcher().places_answered(worker, results.task, count, results.compute_seconds));
         } else {
@@ -93,7 +94,7 @@ bool Coordinator::results_taken(WorkerId worker,
         const bool has_analysed = dispatcher_.unanswered(id) != 0;
         for (const TakenResult& one : taken.value().results) {
             scenarios.push_back(one.result.index);
-            // Those of a range, too: it may have been lost, and they analysed, meanwhile.
+            // Range answers too: the range may have been lost and its scenarios analysed since.
             if (has_analysed) {
                 act(dispatcher().scenario_answered(worker, id, one.result.index));
             }
@@ -113,14 +114,15 @@ bool Coordinator::results_taken(WorkerId worker,
         if (job->disputes == disputes_before) {
             ledger_.promise(delivery, id, scenarios);
         } else {
-            ledger_.promise(delivery, written_); // Or nobody would know of the dispute any more.
+            // The dispute must be durable before the worker forgets the results.
+            ledger_.promise(delivery, written_);
         }
         end_if_complete(*job);
     } else if (!is_late) {
         ledger_.promise(delivery, written_);
     }
     keep_promises();
-    // The task is gone already if its worker is.
+    // The task is gone if its worker is.
     if (const auto running = tasks_.find(results.task);
         task != nullptr && running != tasks_.end()) {
         --running->second.in_hand;
@@ -171,7 +173,7 @@ bool Coordinator::merge_one(MasterJob& job,
         break;
     case ResultMerger::Outcome::Repeated:
         if (doubt_ends(job, index, worker)) {
-            job.authors[index] = 0; // The author's word is not all that stands for it.
+            job.authors[index] = 0; // The result no longer rests on its author alone.
             add.remarks.push_back({Remark::Kind::Vouched, index, {}, 0});
         }
         return mutated(Mutation::SecondAnswerMerged);

@@ -1,4 +1,4 @@
-// What workers do to the coordinator.
+// Handles messages from workers and sends them trees and jobs.
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
 #include "common/core/limits/master.hpp"
@@ -6,7 +6,7 @@
 
 namespace cd {
 
-/// Ranges are still to be handed back.
+/// Keeps ranges: the dispatcher still has to return them.
 void Coordinator::forget_tasks(WorkerId worker) {
     std::erase_if(tasks_, [&](const auto& task) {
         return task.second.worker == worker && !task.second.content->range;
@@ -29,7 +29,7 @@ void Coordinator::evicted(WorkerId worker, const Evicted& evicted) {
 
 void Coordinator::blocks_wanted(WorkerId worker, const WantSubtrees& want) {
     if (!blocks_.knows(worker, want.tree)) {
-        return; // It is in quarantine, or the tree is gone.
+        return; // The worker is quarantined, or the tree is gone.
     }
     if (const Status known = blocks_.wanted(worker, want); !known) {
         return cut_off(worker, known.error());
@@ -74,7 +74,7 @@ void Coordinator::cuts_held(WorkerId worker, const Holding& holding) {
 
 void Coordinator::add_held_trees(WorkerLink& link) {
     if (!link.is_settled) {
-        return; // Then it is done when that is known.
+        return; // Runs again when the worker's inventory is known.
     }
     for (const TreeId tree : trees_.all()) {
         if (link.cuts.contains(trees_.cut(tree))) {
@@ -119,7 +119,7 @@ void Coordinator::end_task_if_complete(TaskId id) {
     act(unbegun ? dispatcher().task_unbegun(worker, id) : dispatcher().task_ended(worker, id));
     note_work(worker);
     if (left != 0) {
-        // It is here: nothing that it was given has ended it.
+        // The process is alive, so its tasks did not kill it.
         take_all_back(worker);
         cut_off(worker,
                 {ErrorCode::BadFrame,

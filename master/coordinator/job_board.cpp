@@ -37,7 +37,7 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
 }
 
 GivenPlaces MasterJob::take_given(const PlaceRange& places) {
-    // The first of it may come back and be given again before the rest is taken.
+    // The leading part may be returned and given again before the rest is taken.
     auto found = given.extract(places.first);
     CD_CHECK(!found.empty());
     GivenPlaces& left = found.mapped();
@@ -183,7 +183,7 @@ std::vector<JobId> JobBoard::announce(MasterJob& job) {
     CD_CHECK(!job.is_running());
     job.state = job.end->state;
     ++job.changes;
-    // Which one is the oldest, its end says, and not its number.
+    // The oldest job is the one that ended first, not the one with the lowest id.
     std::vector<std::tuple<Clock::time_point, JobId, std::uint64_t>> ended;
     std::uint64_t results = 0;
     for (const auto& [id, one] : jobs_) {

@@ -1,4 +1,4 @@
-// The jobs that the master knows, from their acceptance until their results are dropped.
+// Jobs known to the master, from acceptance until their results are dropped.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -35,13 +35,13 @@ namespace cd {
 
 using Clock = std::chrono::steady_clock;
 
-/// Places that go out in ranges, and their window; null for a grid.
+/// Order positions handed out as a range, and their pose window; null for a grid.
 struct GivenPlaces {
     PlaceRange places;
     std::shared_ptr<const PoseWindow> window;
 };
 
-/// One job. While it runs, `open` holds what was analysed for the workers and is not merged yet.
+/// One job. While it runs, `open` holds the analyses for workers whose results are not merged yet.
 struct MasterJob {
     MasterJob(JobId job,
               Submit submission,
@@ -52,24 +52,24 @@ struct MasterJob {
           started(now),
           merger(submit.scenarios),
           results(std::move(store)) {}
-    /// A job from before a restart of the master.
+    /// Restores a job from before a restart of the master.
     MasterJob(RecoveredJob recovered, Clock::time_point now);
 
     JobId id;
-    Submit submit;           ///< Without its bulk once it has ended (`drop_bulk`).
-    std::uint64_t began = 0; ///< In seconds since 1970.
+    Submit submit;           ///< Without its bulk after the end (`drop_bulk`).
+    std::uint64_t began = 0; ///< Seconds since 1970.
     Clock::time_point started;
-    double seconds_before = 0;              ///< Before the last restart of the master.
-    JobState state = JobState::Running;     ///< As shown to clients.
-    std::shared_ptr<const MeshHold> meshes; ///< Keeps them from being removed.
+    double seconds_before = 0;              ///< Run time before the last restart of the master.
+    JobState state = JobState::Running;     ///< State as shown to clients.
+    std::shared_ptr<const MeshHold> meshes; ///< Prevents their removal.
     ResultMerger merger;
     std::shared_ptr<ResultStore> results;
-    std::uint64_t changes = 0; ///< Grows when the status changes, except for its times.
+    std::uint64_t changes = 0; ///< Incremented when the status changes, except for its times.
 
     std::shared_ptr<PoseSource> poses; ///< Set only while the job runs.
-    std::string paused;                ///< The error of the disk that it waits for; or empty.
+    std::string paused;                ///< Disk error that pauses the job; empty if none.
 
-    // Only while it runs, and only after its geometry is there.
+    // The members below are set only while the job runs, once its geometry is loaded.
     std::shared_ptr<const JobMaterial> material;
     TreeId tree_a;
     TreeId tree_b;
@@ -77,104 +77,103 @@ struct MasterJob {
     std::optional<AnalysisInput> analysis_input;
     std::unordered_map<std::uint64_t, std::shared_ptr<const Analysis>> open;
     std::shared_ptr<OrderedPoses> order;
-    std::vector<LostPlaces> losses_before; ///< From before a restart, until `todo` is set.
+    std::vector<LostPlaces> losses_before; ///< Losses from before a restart, until `todo` is set.
     PlaceQueue todo;
-    /// Places that the dispatcher has been given and has not sent, by their first place.
+    /// Positions that the dispatcher has but has not sent, by their first position.
     std::map<std::uint64_t, GivenPlaces> given;
-    std::uint64_t places_loading = 0; ///< Taken from `todo` to be given.
-    LearnedRate analysis_seconds;     ///< Analysing one scenario.
-    LearnedRate matching_seconds;     ///< Matching and sending one analysed scenario.
-    LearnedRate work_seconds;         ///< A worker's time for one scenario.
-    /// The worker whose result was merged, by scenario; 0 for the master or an unknown one. A job
-    /// that has ended keeps at most `limits::authors_kept_max`.
+    std::uint64_t places_loading = 0; ///< Taken from `todo`, poses still loading.
+    LearnedRate analysis_seconds;     ///< Analysis time per scenario.
+    LearnedRate matching_seconds;     ///< Time to match and send one analysed scenario.
+    LearnedRate work_seconds;         ///< Worker time per scenario.
+    /// Worker whose result was merged, by scenario; 0 is the master or unknown. An ended job keeps
+    /// at most `limits::authors_kept_max`.
     std::vector<std::uint32_t> authors;
-    /// All authors of its results, kept when it has ended.
+    /// All authors of its results; filled at the end.
     std::set<WorkerProcess> contributors;
-    /// Scenarios with a merged result of a worker that was wrong elsewhere: they are repeated and
-    /// compared.
+    /// Scenarios whose merged result is suspect: its worker was wrong elsewhere. They are repeated
+    /// and compared.
     std::set<std::uint64_t> doubted;
-    /// Scenarios in doubt that were lost with too many workers, and fail.
+    /// Suspect scenarios lost with too many workers; they fail.
     std::set<std::uint64_t> given_up;
-    std::vector<std::uint64_t> cancelled; ///< Scenarios that were cancelled singly.
-    std::uint64_t disputes = 0;           ///< Results that are to be judged.
-    /// Disputes from before a restart, until the geometry to judge them is there.
+    std::vector<std::uint64_t> cancelled; ///< Scenarios cancelled one by one.
+    std::uint64_t disputes = 0;           ///< Number of results to be judged.
+    /// Disputes from before a restart, until the geometry to judge them is loaded.
     std::vector<Dispute> disputes_left;
 
-    // Set when the job has ended. Clients see it once the journal has it.
+    // Set at the end; clients see it once the journal has committed it.
     std::optional<JobEnd> end;
     Clock::time_point ended;
-    bool has_dropped_bulk = false;  ///< Its scenarios cannot be run any more.
-    bool is_to_be_repeated = false; ///< An alarm has said so.
+    bool has_dropped_bulk = false;  ///< Its scenarios can no longer be run.
+    bool is_to_be_repeated = false; ///< An alarm has asked to submit the job again.
 
     std::uint64_t answered_by_master = 0;
     JobStatistics statistics;
     double compute_seconds = 0;
     JobTraffic traffic;
     HelpAtEnd help;
-    std::vector<std::uint32_t> depths; ///< Of each body's cut; empty before that.
-    JobMap map;                        ///< Used if the query asks for maps.
+    std::vector<std::uint32_t> depths; ///< Cut depth of each body; empty before the cut.
+    JobMap map;                        ///< Used only if the query asks for maps.
 
     [[nodiscard]] bool is_running() const { return !end; }
-    /// The scenario has no result, or one that is in doubt.
+    /// The scenario has no result, or a suspect one.
     [[nodiscard]] bool lacks(std::uint64_t scenario) const {
         return !merger.has(scenario) || doubted.contains(scenario);
     }
-    /// Blocks that the submitter has started and not yet delivered.
+    /// Blocks the submitter has started but not delivered.
     [[nodiscard]] std::uint64_t analyses_under_way() const {
         return submitter == nullptr ? 0 : submitter->under_way();
     }
-    /// Takes the first part of an entry out of `given`.
+    /// Removes the leading part of an entry from `given`.
     [[nodiscard]] GivenPlaces take_given(const PlaceRange& places);
-    /// For the journal.
+    /// Progress record for the journal.
     [[nodiscard]] JobProgress progress(Clock::time_point now) const;
     [[nodiscard]] JobStatus status(Clock::time_point now) const;
 };
 
 [[nodiscard]] Error no_job();
 
-/// Jobs by id. Keeps those that have ended, with their results, as `retention` says, or fewer of
-/// them if they have many results.
+/// Jobs by id. Keeps ended jobs and their results as `retention` says, or fewer if they have many
+/// results.
 class JobBoard {
   public:
     explicit JobBoard(std::uint64_t results_kept = limits::results_ended_kept_max,
                       JobRetention retention = {})
         : results_kept_(results_kept), retention_(retention) {}
 
-    /// The number of a new job, which counts among those that run until it is added or given up.
-    /// Errors: Refused with too many jobs, or scenarios, running.
+    /// Allocates a job id. It counts as running until the job is added or given up. Errors: Refused
+    /// when too many jobs or scenarios are running.
     [[nodiscard]] Result<JobId> next(std::uint64_t scenarios);
     void give_up(JobId job) { begun_.erase(job); }
-    /// The number is new.
+    /// The job's id must be new.
     MasterJob& add(MasterJob job);
-    /// No job gets this number, or a lesser one, any more.
+    /// Prevents new jobs from getting ids up to `last`.
     void reserve(JobId last) { last_ = std::max(last_, last.value); }
-    /// Null where there is none.
+    /// Null if there is no such job.
     [[nodiscard]] MasterJob* find(JobId job);
-    /// The job is here.
+    /// The job must exist.
     [[nodiscard]] const MasterJob& at(JobId job) const { return jobs_.at(job); }
-    /// Null also when it has ended.
+    /// Null also if the job has ended.
     [[nodiscard]] MasterJob* find_running(JobId job);
 
-    /// Writes down how it ended and frees what only a running job needs. Done takes a digest.
+    /// Records the job's end and frees the data only a running job needs. JobState::Done computes
+    /// the digest.
     void end(MasterJob& job, JobState state, const std::string& failure, Clock::time_point now);
-    /// From now on clients see that it has ended. The jobs that are dropped for it, those first
-    /// that ended first.
+    /// Makes the end visible to clients. Returns the jobs dropped to make room, oldest end first.
     [[nodiscard]] std::vector<JobId> announce(MasterJob& job);
 
-    /// Forgets the jobs whose retention is over and returns their ids. `now` is in seconds since
+    /// Forgets jobs whose retention has expired and returns their ids. `now` is in seconds since
     /// 1970.
     [[nodiscard]] std::vector<JobId> drop_expired(std::uint64_t now);
-    /// Forgets a job that has ended.
+    /// Forgets an ended job.
     void drop(JobId job);
 
-    /// Those that run.
     [[nodiscard]] const std::set<JobId>& running() const { return running_; }
     [[nodiscard]] std::vector<JobStatus> statuses(Clock::time_point now) const;
 
   private:
     std::map<JobId, MasterJob> jobs_;
     std::set<JobId> running_;
-    std::map<JobId, std::uint64_t> begun_; ///< Their scenarios.
+    std::map<JobId, std::uint64_t> begun_; ///< Scenarios of each id allocated but not added.
     std::uint64_t last_ = 0;
     std::uint64_t results_kept_;
     JobRetention retention_;
