@@ -20,7 +20,7 @@ struct Library {
     std::string_view version;
 };
 
-/// As CMake found them: "name version|name version".
+/// CMake fills this in as "name version|name version".
 constexpr std::string_view library_list = CD_LIBRARIES;
 
 std::vector<Library> libraries() {

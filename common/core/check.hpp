@@ -1,9 +1,9 @@
-// A broken invariant of our own ends the process; work in flight is redone elsewhere.
+// A broken internal invariant aborts the process; its work in flight is redone elsewhere.
 #pragma once
 
 namespace cd {
 
-/// Logs the condition and its place, then aborts.
+/// Logs the condition, file and line, then aborts.
 [[noreturn]] void check_failed(const char* condition, const char* file, int line);
 
 } // namespace cd

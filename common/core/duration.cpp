@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t seconds_max = 100ull * 365 * 24 * 3600;
 
-/// 0: no unit.
+/// Returns 0 if `unit` is no unit.
 std::uint64_t seconds_of(char unit) {
     switch (unit) {
     case 's':

@@ -1,4 +1,4 @@
-// Durations as people write them.
+// Parses durations in human notation.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// "45s", "30m", "24h" or "7d". Errors: BadInput saying what is expected; also above 100 years.
+/// Parses "45s", "30m", "24h" or "7d". Errors: BadInput if malformed or above 100 years.
 [[nodiscard]] Result<std::chrono::seconds> parse_duration(std::string_view text);
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// Numbers that name things, not interchangeable at compile time.
+// Numeric identifiers; each kind has its own type.
 #pragma once
 
 #include <compare>
@@ -7,7 +7,7 @@
 
 namespace cd {
 
-/// A number that names one thing of kind Tag.
+/// Identifies one object of kind Tag.
 template <class Tag>
 struct Id {
     std::uint64_t value = 0;

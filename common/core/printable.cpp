@@ -14,8 +14,8 @@ struct Character {
     bool is_valid = true;
 };
 
-/// What the text, which is not empty, begins with. Of what is no UTF-8 (RFC 3629: also longer than
-/// need be, a surrogate, beyond U+10FFFF) each byte is a character of its own.
+/// Decodes the first character of a non-empty text. Each byte of invalid UTF-8 counts as one
+/// character (RFC 3629: also overlong forms, surrogates and values beyond U+10FFFF).
 Character first_of(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);

@@ -1,4 +1,4 @@
-// Texts from others, before people see them.
+// Checks and escapes foreign text before it is shown to people.
 #pragma once
 
 #include <cstddef>
@@ -7,18 +7,18 @@
 
 namespace cd {
 
-/// Valid UTF-8, and without anything that ends a line or steers a terminal: control characters of
-/// ASCII, and those of Unicode's second block (U+0080 to U+009F).
+/// Tests for valid UTF-8 without control characters: those of ASCII, which end lines or steer a
+/// terminal, and C1 (U+0080 to U+009F).
 [[nodiscard]] bool is_printable(std::string_view text);
-/// Of a holder of a certificate: printable, 1 to 64 bytes. No blank begins or ends it, which nobody
-/// would see: so it could pass for another's.
+/// Tests the name of a certificate's holder: printable, 1 to 64 bytes. Leading or trailing blanks
+/// are refused: they are invisible, so the name could pass for another.
 [[nodiscard]] bool is_good_name(std::string_view name);
-/// With what is not printable as \n, \t or \x1b in its place.
+/// Writes each unprintable byte as an escape such as \n, \t or \x1b.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// The text with U+FFFD in place of each byte that is not valid UTF-8.
+/// Replaces each byte that is not valid UTF-8 by U+FFFD.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
-/// The longest prefix of at most `bytes_max` bytes that ends at the end of a character.
+/// Returns the longest prefix of at most `bytes_max` bytes that splits no character.
 [[nodiscard]] std::string_view utf8_prefix(std::string_view text, std::size_t bytes_max);
 
 } // namespace cd

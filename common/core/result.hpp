@@ -1,4 +1,4 @@
-// Errors that a caller is expected to handle travel in the return value.
+// Return types for errors that a caller is expected to handle.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 namespace cd {
 
 enum class ErrorCode {
-    BadInput,     ///< A file, option or field is not what it has to be. Exit code 2.
-    BadFrame,     ///< Bytes that are not a message of this protocol.
-    TooLarge,     ///< Over a limit of `limits.hpp`.
+    BadInput,     ///< A file, option or field is invalid. Exit code 2.
+    BadFrame,     ///< The bytes are not a message of this protocol.
+    TooLarge,     ///< A limit of `common/core/limits/` is exceeded.
     Timeout,      ///< The peer did not answer before the deadline.
     Disconnected, ///< The peer cannot be reached, or closed or reset the connection. Exit code 4.
     Refused,      ///< The peer understood and said no (version, authorisation). Exit code 5.
-    NotFound,     ///< No job, mesh or file of that name.
+    NotFound,     ///< No job, mesh or file has that name.
     Io,           ///< The operating system failed a read or write.
     Incomplete,   ///< The job ended without an answer for some scenario. Exit code 3.
     Interrupted,  ///< The user or the operator ended it.
@@ -22,10 +22,10 @@ enum class ErrorCode {
 
 struct Error {
     ErrorCode code;
-    std::string detail; ///< One sentence for a person: what, where, and the way out. Never parsed.
+    std::string detail; ///< One sentence for a person: cause, location and remedy. Never parsed.
 };
 
-/// A value, or the reason why there is none.
+/// Holds a value or an error.
 template <class T>
 class [[nodiscard]] Result {
   public:
@@ -43,7 +43,7 @@ class [[nodiscard]] Result {
     std::variant<T, Error> state_;
 };
 
-/// The result of something done for its effect.
+/// The value of a function that returns only success or an error.
 struct Done {};
 using Status = Result<Done>;
 

@@ -1,4 +1,4 @@
-// Unsigned numbers that cost as many bytes as they need: seven bits a byte, lowest first.
+// Encodes unsigned integers in a variable number of bytes: seven bits a byte, lowest first.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -16,8 +16,7 @@ inline void put_varint(ByteWriter& out, std::uint64_t value) {
     out.put(static_cast<std::uint8_t>(value));
 }
 
-/// Nothing where the bytes end early, the value does not fit, or it is not written in its shortest
-/// form.
+/// Returns nothing if the bytes end early, the value overflows or its encoding is not the shortest.
 [[nodiscard]] inline std::optional<std::uint64_t> get_varint(ByteReader& in) {
     std::uint64_t value = 0;
     for (unsigned shift = 0; shift < 64; shift += 7) {
@@ -36,7 +35,7 @@ inline void put_varint(ByteWriter& out, std::uint64_t value) {
     return std::nullopt;
 }
 
-/// Small magnitudes of either sign as small numbers: 0, -1, 1, -2 become 0, 1, 2, 3.
+/// Maps small magnitudes of either sign to small numbers: 0, -1, 1, -2 become 0, 1, 2, 3.
 [[nodiscard]] inline std::uint64_t zigzag(std::int64_t value) {
     return (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
 }

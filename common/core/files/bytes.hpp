@@ -1,4 +1,4 @@
-// Values to little-endian bytes and back, for every format of ours that is hashed or stored.
+// Converts values to and from little-endian bytes, for all our hashed or stored formats.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -41,7 +41,7 @@ class ByteWriter {
         std::memcpy(bytes_.data() + end, bytes.data(), bytes.size());
     }
 
-    /// Length as u32, then the characters.
+    /// Writes the length as u32, then the characters.
     void put_text(std::string_view text) {
         put(static_cast<std::uint32_t>(text.size()));
         put_array(std::span<const char>(text.data(), text.size()));
@@ -55,8 +55,8 @@ class ByteWriter {
     Bytes bytes_;
 };
 
-/// Takes values from bytes of foreign origin. After the first value that is not there whole, the
-/// reader has failed: it returns zeros and empty arrays, and `complete` says so at the end.
+/// Reads values from untrusted bytes. After the first incomplete value the reader has failed: it
+/// returns zeros and empty arrays, and `complete` is false at the end.
 class ByteReader {
   public:
     explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -71,7 +71,7 @@ class ByteReader {
         return value;
     }
 
-    /// `count` may be hostile: nothing is allocated unless the bytes are really there.
+    /// `count` may be hostile: memory is allocated only for bytes that are present.
     template <Scalar T>
     [[nodiscard]] std::vector<T> get_array(std::uint64_t count) {
         if (count > rest_.size() / sizeof(T) || failed_) {
@@ -86,7 +86,7 @@ class ByteReader {
         return values;
     }
 
-    /// The next bytes where they stand.
+    /// Returns a view of the next bytes, without a copy.
     [[nodiscard]] std::span<const std::byte> get_bytes(std::uint64_t count) {
         if (!claim(count)) {
             return {};
@@ -103,7 +103,7 @@ class ByteReader {
 
     [[nodiscard]] std::size_t remaining() const { return rest_.size(); }
     [[nodiscard]] bool failed() const { return failed_; }
-    /// True when everything asked for was there and nothing is left over.
+    /// True if every read succeeded and no bytes are left.
     [[nodiscard]] bool complete() const { return !failed_ && rest_.empty(); }
 
   private:

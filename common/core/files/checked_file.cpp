@@ -1,4 +1,4 @@
-// Files with a kind, a version and a checksum, and what stands in them.
+// Reads and writes files with a kind, a version and a checksum.
 #include "common/core/files/disk_file.hpp"
 
 namespace cd {

@@ -20,10 +20,10 @@ Bytes compress(std::span<const std::byte> bytes, int level) {
 
 namespace {
 
-/// What compresses better than so is copied once more.
+/// Above this compression ratio the output is copied once more.
 constexpr std::size_t believed_ratio = 64;
 
-/// False: it has another size, or is damaged.
+/// Returns false if the data is damaged or its size differs.
 bool decompress_into(std::span<std::byte> out, std::span<const std::byte> bytes) {
     return ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size()) == out.size();
 }
@@ -49,7 +49,7 @@ Result<Bytes> decompress(std::span<const std::byte> bytes, std::size_t size_max)
         Bytes out(size);
         return decompress_into(out, bytes) ? Result<Bytes>(std::move(out)) : Result<Bytes>(damaged);
     }
-    // Of memory that nobody has written to, only what really comes takes any.
+    // Untouched pages of uninitialised memory cost nothing, so only the actual output does.
     const auto unwritten = std::make_unique_for_overwrite<std::byte[]>(size);
     const std::span<std::byte> out(unwritten.get(), size);
     return decompress_into(out, bytes) ? Result<Bytes>(Bytes(out.begin(), out.end()))

@@ -31,7 +31,7 @@ Error damaged(const std::filesystem::path& path, const std::string& why) {
     return {ErrorCode::Io, path.string() + " is damaged: " + why};
 }
 
-/// A new file called `stem` and a few letters. Sets `stem` to its name.
+/// Creates a file named `stem` plus a random suffix. Sets `stem` to its name.
 int make_unique(std::string& stem) {
     stem += std::string(temporary_marker) + "XXXXXX";
     return ::mkostemp(stem.data(), O_CLOEXEC);
@@ -41,7 +41,7 @@ int make_unique(std::string& stem) {
 
 FileMapping::~FileMapping() {
     if (!bytes_.empty()) {
-        // The function takes memory that is not constant, and leaves it as it is.
+        // munmap takes a non-const pointer but does not change the memory.
         ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
     }
 }
@@ -78,7 +78,7 @@ void DiskFile::close() {
 }
 
 Result<DiskFile> DiskFile::open(const std::filesystem::path& path) {
-    // A FIFO would hold up the open until somebody writes.
+    // Without O_NONBLOCK, opening a FIFO would block until it has a writer.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0) {
         return system_failure("open", path);

@@ -14,15 +14,15 @@ namespace cd {
 
 namespace {
 
-/// Looked up once: OpenSSL 3 otherwise does so for each hash, which takes longer than hashing a
-/// record.
+/// Fetches SHA-256 once: OpenSSL 3 otherwise looks it up for each hash, which takes longer than
+/// hashing a record.
 const EVP_MD* sha256_method() {
     static const EVP_MD* const method = EVP_MD_fetch(nullptr, "SHA256", nullptr);
     CD_CHECK(method != nullptr);
     return method;
 }
 
-/// One hash after the other.
+/// Computes one hash after the other.
 class Hashing {
   public:
     Hashing() { CD_CHECK(context_ != nullptr); }

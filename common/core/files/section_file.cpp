@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t alignment = 64;
 
-/// Where a section of this size stands, when all before takes `end` bytes.
+/// Returns the offset of a section of `size` bytes when the preceding ones end at `end`.
 constexpr std::uint64_t begin_of_section(std::uint64_t end, std::uint64_t size) {
     return size == 0 ? end : (end + alignment - 1) / alignment * alignment;
 }
@@ -57,7 +57,7 @@ Status write_section_file(const std::filesystem::path& path,
     if (!file) {
         return file.error();
     }
-    // What is passed over reads as zeros.
+    // Skipped gaps between sections read as zeros.
     if (Status written = file.value().write_at(0, header.bytes()); !written) {
         return written;
     }

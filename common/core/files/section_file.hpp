@@ -1,4 +1,4 @@
-// A file of arrays that is read in place: mapped into memory, and checked as a whole before use.
+// A memory-mapped file of arrays that is checked as a whole before use.
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
@@ -19,38 +19,37 @@ namespace cd {
 /// The bytes of one array.
 using Section = std::span<const std::byte>;
 
-/// What a file holds, and for what it was made: what was made for anything else is not opened.
+/// Identifies a file's kind and the input that it was made from. Only a match can be opened.
 struct SectionFileName {
     FileKind kind;
     Sha256 key;
 };
 
-/// Little-endian:
+/// Writes a little-endian file:
 ///
 ///     u64 magic    u32 version    u32 sections    u64 bytes of the file    32 bytes key
-///     of each section: u64 offset    u64 bytes    u64 checksum
-///     u64 checksum of all before
-///     the sections, each at the next multiple of 64 after what is before, zeros between
+///     per section: u64 offset    u64 bytes    u64 checksum
+///     u64 checksum of all the above
+///     the sections, each aligned to 64 bytes, zeros between
 ///
-/// The file appears under its name when it is whole.
+/// The file appears under its name only when it is complete.
 [[nodiscard]] Status write_section_file(const std::filesystem::path& path,
                                         const SectionFileName& name,
                                         std::span<const Section> sections,
                                         Durability durability);
 
-/// An open file of sections. Its pages are shared with other processes that map it, and come from
-/// the disk as they are read. It may be renamed and removed meanwhile, but not written to.
+/// An open file of sections. Its pages are loaded on demand and shared with other processes that
+/// map it. It may be renamed and removed meanwhile, but not written to.
 class SectionFile {
   public:
-    /// Reads all of the file and checks it. Errors: NotFound when there is no such file; Io naming
-    /// it where it is damaged, or is of another kind, version or key, or has another number of
-    /// sections.
+    /// Reads and checks the whole file. Errors: NotFound when there is no such file; Io naming it
+    /// if it is damaged or its kind, version, key or number of sections differs.
     [[nodiscard]] static Result<std::shared_ptr<const SectionFile>>
     open(const std::filesystem::path& path, const SectionFileName& name, std::size_t sections);
 
     [[nodiscard]] Section section(std::size_t i) const { return sections_[i]; }
 
-    /// The section as an array of `T`. Errors: Io if its size is no multiple of that of `T`.
+    /// Views the section as an array of `T`. Errors: Io if its size is no multiple of `sizeof(T)`.
     template <class T>
     [[nodiscard]] Result<std::span<const T>> array(std::size_t i) const {
         static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 64);

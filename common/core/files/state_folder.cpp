@@ -21,7 +21,7 @@ std::filesystem::path state_folder() {
 Status make_private_folder(const std::filesystem::path& folder) {
     std::error_code error;
     const std::filesystem::path whole = std::filesystem::absolute(folder, error);
-    // A name may end with a slash.
+    // The path may end with a slash.
     const std::filesystem::path last = whole.has_filename() ? whole : whole.parent_path();
     if (!error) {
         std::filesystem::create_directories(last.parent_path(), error);

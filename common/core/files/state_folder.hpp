@@ -1,4 +1,4 @@
-// Where programs keep what must outlast them, unless they are told.
+// The default folder for persistent state.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -7,11 +7,11 @@
 
 namespace cd {
 
-/// The folder `cdcluster` under $XDG_STATE_HOME, or ~/.local/state, or, without a home, here.
+/// Returns `cdcluster` in $XDG_STATE_HOME or ~/.local/state; without a home ./cdcluster-state.
 [[nodiscard]] std::filesystem::path state_folder();
 
-/// Makes a folder for its user alone (0700), and those above it as usual. One that is there stays
-/// as it is. Errors: Io.
+/// Creates a folder with mode 0700, and its parents with the default mode. Leaves an existing
+/// folder unchanged. Errors: Io.
 [[nodiscard]] Status make_private_folder(const std::filesystem::path& folder);
 
 } // namespace cd

@@ -1,5 +1,5 @@
-// What the options of both daemons have in common: a TOML file, the environment, and help that
-// opens with examples.
+// Shared option handling of both daemons: a TOML file, the environment, and help that opens with
+// examples.
 #pragma once
 
 #include <memory>
@@ -12,14 +12,14 @@ class FormatterBase;
 
 namespace cd {
 
-/// The environment variable of an option: "CDWORKER_" and "connect-for" give CDWORKER_CONNECT_FOR.
+/// Names an option's environment variable: "CDWORKER_" and "connect-for" give CDWORKER_CONNECT_FOR.
 [[nodiscard]] std::string environment_name(const std::string& prefix, std::string option);
 
-/// Reads the flat TOML file of --config. What stands in the environment (under `prefix`) goes
-/// before the file. Throws CLI::ConfigError naming the line.
+/// Reads the flat TOML file of --config. Environment variables (with `prefix`) override the file.
+/// Throws CLI::ConfigError naming the line.
 [[nodiscard]] std::shared_ptr<CLI::Config> make_toml_config(std::string prefix);
 
-/// Help that opens with the description, where the examples stand.
+/// Formats help so that it opens with the description, which holds the examples.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> make_examples_first();
 
 } // namespace cd

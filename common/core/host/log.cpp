@@ -10,7 +10,7 @@ namespace cd {
 
 namespace {
 
-/// What is logged, whoever it came from: no text makes a line of its own.
+/// Escapes the logged text, so that foreign text cannot forge a log line.
 class EscapedText : public spdlog::custom_flag_formatter {
   public:
     void format(const spdlog::details::log_msg& message,

@@ -1,5 +1,5 @@
-// Logging of the three programs: one fact a line, with fields, on stderr. Cheap to include: only
-// log.cpp sees spdlog and the code that formats.
+// Logs to stderr, one fact a line, with fields. Cheap to include: only log.cpp includes spdlog and
+// the formatting code.
 #pragma once
 
 #include <fmt/core.h>
@@ -19,13 +19,13 @@ enum class LogLevel : std::uint8_t { Trace, Debug, Info, Warning, Error, Critica
 /// Sends the log to stderr. `level` is one of trace, debug, info, warning, error, off.
 void start_logging(const std::string& program, const std::string& level);
 
-/// How a line is written. Control characters of its text are escaped.
+/// Makes the formatter of log lines; it escapes control characters of the text.
 [[nodiscard]] std::unique_ptr<spdlog::formatter> log_formatter();
 
-/// A warning that no level hides.
+/// Logs a warning at every log level.
 void warn_always(const std::string& text);
 
-/// Writes a line, unless its level is hidden. A critical one is on stderr when this returns.
+/// Writes a line unless its level is hidden. A critical line has reached stderr on return.
 void log_formatted(LogLevel level, fmt::string_view format, fmt::format_args arguments);
 
 template <typename... Arguments>

@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
-/// The first number in a file; unlimited where there is none, as in "max".
+/// Reads the first number in a file; without one, as in "max", there is no limit.
 std::uint64_t number_in(const std::filesystem::path& path) {
     std::ifstream file(path);
     std::uint64_t number = 0;
     return file >> number ? number : unlimited;
 }
 
-/// The limits in a group's folder and in those that it lies in, up to `top`.
+/// Returns the least limit of a group's folder and its parents, up to `top`.
 std::uint64_t
 limit_up_to(const std::filesystem::path& top, const std::string& group, const char* file) {
     std::filesystem::path place = top / std::filesystem::path(group).relative_path();
@@ -35,7 +35,7 @@ std::uint64_t limit_of_groups(const std::filesystem::path& root) {
     const std::filesystem::path groups = root / "sys/fs/cgroup";
     std::uint64_t limit = unlimited;
     std::ifstream file(root / "proc/self/cgroup");
-    // Lines such as "0::/a/b" (version 2) and "4:memory:/a/b" (version 1).
+    // Lines look like "0::/a/b" (version 2) or "4:memory:/a/b" (version 1).
     for (std::string line; std::getline(file, line);) {
         const std::size_t first = line.find(':');
         const std::size_t second = line.find(':', first + 1);

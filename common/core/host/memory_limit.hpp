@@ -1,4 +1,4 @@
-// How much memory this process may use.
+// Finds the memory limit of this process.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace cd {
 
-/// The least of the host's memory and the limits of the control groups (version 2, or 1) that the
-/// process is in, as a container or a batch system sets them. `root` is /, but for tests.
+/// Returns the minimum, in bytes, of the host's memory and the limits of the process's control
+/// groups (version 1 or 2), which containers and batch systems set. Only tests change `root`.
 [[nodiscard]] std::uint64_t memory_limit(const std::filesystem::path& root = "/");
 
 } // namespace cd

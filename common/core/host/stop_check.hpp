@@ -1,4 +1,4 @@
-// How long work learns that nobody waits for its answer any more.
+// Lets long computations stop when their answer is no longer needed.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -7,10 +7,10 @@
 
 namespace cd {
 
-/// Asked now and then, on the thread that works; cheap. Once it is true, it stays so. Empty: never.
+/// The working thread polls it, so it is cheap. Once true, it stays true. Empty means never.
 using StopCheck = std::function<bool()>;
 
-/// The error with which stopped work ends.
+/// Returns the error of stopped work.
 [[nodiscard]] inline Error interrupted() {
     return {ErrorCode::Interrupted, "interrupted"};
 }

@@ -1,4 +1,4 @@
-// Threads that are made once and handed in to whatever can use them.
+// A thread pool that its users share.
 #pragma once
 
 #include <atomic>
@@ -15,11 +15,11 @@ namespace cd {
 /// A fixed number of threads that run posted functions in the order of posting.
 class ThreadPool {
   public:
-    /// 0 threads means one for each core that this process may use.
+    /// 0 threads means one per core that this process may use.
     explicit ThreadPool(unsigned threads = 0);
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
-    /// Runs what was posted, then joins.
+    /// Runs all posted functions, then joins the threads.
     ~ThreadPool();
 
     /// The function must not throw.
@@ -37,13 +37,13 @@ class ThreadPool {
     std::vector<std::thread> threads_;
 };
 
-/// Calls `function(i)` once for each i in [0, count), on the pool's threads and the caller's, and
-/// returns when all calls have. Must not be called from a function that runs on the same pool.
+/// Calls `function(i)` once for each i in [0, count), on the pool's threads and the caller's.
+/// Returns when all calls have. Must not be called from a function that runs on the same pool.
 void parallel_for(ThreadPool& pool,
                   std::size_t count,
                   const std::function<void(std::size_t)>& function);
 
-/// On the caller's thread alone where there is no pool.
+/// Runs on the caller's thread alone if `pool` is null.
 void parallel_for(ThreadPool* pool,
                   std::size_t count,
                   const std::function<void(std::size_t)>& function);

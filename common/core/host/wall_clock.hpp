@@ -1,4 +1,4 @@
-// The time of day, for people and for what outlives a process. Decisions about work do not use it.
+// Wall-clock time, for display and stored data. Scheduling decisions do not use it.
 #pragma once
 
 #include <chrono>
