@@ -1,4 +1,4 @@
-// A worker that gives blocks to others, as far as a test lets it hold them.
+// A worker that serves blocks to others, up to the limit a test sets.
 #pragma once
 
 #include "tests/worker/cut_body.hpp"
@@ -11,7 +11,7 @@
 
 namespace cd::tests {
 
-/// It holds some blocks of one body; with what another one needs to fetch them.
+/// Holds some blocks of one body, and makes the directions to fetch them.
 struct BlockSource {
     BlockSource(const asio::any_io_executor& executor, const CutBody& of, TreeId id)
         : held_body(of),
@@ -32,13 +32,13 @@ struct BlockSource {
         }
     }
 
-    /// A ticket of the master's for these roots; 0: the source's own port.
+    /// Makes a source with the master's ticket for these roots; 0: the source's own port.
     PeerSource
     ticket_for(const std::vector<RootIndex>& roots, WorkerId worker, std::uint16_t port = 0) {
         const Sha256 proof = ticket_proof(key, ++ticket, held_tree, roots);
         return {worker, "127.0.0.1", port == 0 ? server->port() : port, ticket, proof};
     }
-    /// Without a source.
+    /// Makes directions without a source.
     [[nodiscard]] FetchFromPeers question(std::vector<RootIndex> roots) const {
         FetchFromPeers made;
         made.tree = held_tree;

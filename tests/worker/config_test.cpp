@@ -1,5 +1,5 @@
-// Proves that a worker takes its options from the command line before the environment before the
-// file, and says in one line, with exit code 2, what is wrong with them.
+// Proves that a worker's command line overrides the environment, which overrides the file, and that
+// invalid options give a one-line message and exit code 2.
 #include "worker/config.hpp"
 
 #include "common/core/host/memory_limit.hpp"
@@ -24,7 +24,7 @@ WorkerCommandLine parse(std::vector<const char*> arguments) {
     return parse_worker_command_line(static_cast<int>(arguments.size()), arguments.data());
 }
 
-/// Set for a test's time.
+/// An environment variable, set during a test.
 class Environment {
   public:
     Environment(const char* name, const char* value) : name_(name) { ::setenv(name, value, 1); }
@@ -36,7 +36,7 @@ class Environment {
     const char* name_;
 };
 
-/// A file for a test's time.
+/// A file that exists during a test.
 class File {
   public:
     explicit File(const std::string& content)

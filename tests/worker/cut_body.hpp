@@ -1,4 +1,4 @@
-// A mesh as a master holds it: built, cut, and the top and each root's subtree encoded.
+// A mesh as a master holds it: built, cut, with the upper tree and each root's subtree encoded.
 #pragma once
 
 #include "common/core/files/compress.hpp"
@@ -25,7 +25,7 @@ struct CutBody {
     [[nodiscard]] const SubtreeBlock& block(RootIndex root) const {
         return root == top_root ? top_block : blocks.at(root);
     }
-    /// What a worker is told of it.
+    /// Returns the message that announces the tree to a worker.
     [[nodiscard]] AddTree add(TreeId id) const {
         AddTree message;
         message.tree = id;

@@ -1,5 +1,5 @@
-// A worker's session over a real connection, the master that the test plays, and what one process
-// says to the same scenarios.
+// A worker's session over a real connection, a master played by the test, and the results of one
+// process for the same scenarios.
 #pragma once
 
 #include "common/core/limits/engine.hpp"
@@ -19,7 +19,7 @@ namespace cd::tests {
 
 inline constexpr TreeId tree_a{3};
 inline constexpr TreeId tree_b{4};
-/// So that several heartbeats come soon; nothing hangs on how soon.
+/// Several heartbeats come soon; no result depends on their timing.
 inline constexpr SessionTimes quick_times{std::chrono::milliseconds(10), patience};
 inline constexpr std::uint64_t unlimited = std::uint64_t{1} << 40;
 
@@ -64,13 +64,13 @@ inline ScenarioRange make_range(TaskId task, std::span<const Scenario> scenarios
     return {task, JobId{1}, 0, scenarios.size(), pack_scenarios(scenarios)};
 }
 
-/// What one process says, before `inside` is settled: that takes whole bodies.
+/// Returns the result of one process before `inside` is settled, which takes whole bodies.
 inline Bytes expected_record(const Scenario& scenario) {
     const std::vector<SubtreePair> whole{{bodies().a.tree.view(), bodies().b.tree.view()}};
     return encode_result(run_on_subtrees(whole, scenario, Query{}).result);
 }
 
-/// Plays the master: sends what is wanted, and keeps what comes.
+/// Plays the master: sends requested blocks, and records what it receives.
 class FakeMaster {
   public:
     explicit FakeMaster(std::shared_ptr<Channel> to_worker) : channel(std::move(to_worker)) {}
@@ -81,7 +81,7 @@ class FakeMaster {
         channel->send(AddJob{JobId{1}, {tree_a, tree_b}, {}, std::move(grid)});
     }
 
-    /// Serves until it is so, or the connection has ended.
+    /// Serves until the condition holds or the connection has ended.
     asio::awaitable<void> serve_until(const std::function<bool()>& is_enough) {
         while (!is_enough()) {
             Result<Message> message = co_await channel->receive(patience);
@@ -167,24 +167,24 @@ class FakeMaster {
 
     std::shared_ptr<Channel> channel;
     std::set<SubtreeKey> held;
-    /// Also over connections of before: a block that came shortly before the end counts later.
+    /// Spans earlier connections: a block sent shortly before the end counts later.
     std::set<SubtreeKey> given;
     std::map<std::uint64_t, Bytes> records;
     std::set<TaskId> ended;
     std::set<TaskId> tasks_of_results;
-    std::vector<Sha256> cuts_held; ///< That it named at its start.
+    std::vector<Sha256> cuts_held; ///< Cuts the worker named at its start.
     std::optional<Standing> standing;
     std::vector<Recalled> recalled;
     bool acknowledges = true;
     bool answers_drain = true;
-    const CutBody* other_body = nullptr; ///< Of trees that are none of the two.
+    const CutBody* other_body = nullptr; ///< For trees other than tree_a and tree_b.
     std::size_t subtrees_sent = 0;
     std::size_t subtrees_evicted = 0;
     std::size_t results_messages = 0;
     std::size_t heartbeats = 0;
-    std::uint64_t bytes_sent = 0; ///< Of blocks.
-    BlockTraffic traffic;         ///< As the results told.
-    CacheTraffic last_traffic;    ///< As the last heartbeat did.
+    std::uint64_t bytes_sent = 0; ///< Bytes of blocks.
+    BlockTraffic traffic;         ///< Sum over the results.
+    CacheTraffic last_traffic;    ///< From the last heartbeat.
     std::optional<RunningScenario> last_longest;
     bool worker_drains = false;
     std::string complaint;
@@ -199,7 +199,7 @@ inline asio::awaitable<void> run_session(std::shared_ptr<Session> session,
     }
 }
 
-/// A session with its threads, and the master that the test plays.
+/// A session with its threads, and a master played by the test.
 struct Stage {
     std::shared_ptr<Session> session;
     FakeMaster master;
@@ -230,7 +230,7 @@ inline asio::awaitable<void> play_on(asio::io_context& context,
     stage.master.channel->close();
 }
 
-/// Runs to the end of the play and of the session; says how the session ended.
+/// Runs the play and the session to their ends; returns how the session ended.
 inline std::optional<SessionEnd> perform(std::uint64_t cache_bytes,
                                          unsigned threads,
                                          const Play& play,

@@ -1,5 +1,5 @@
-// Proves that the cache keeps to its limit, lets the longest unused go first, never lets go what is
-// pinned, says what went, and takes in nothing whose hash or shape is wrong.
+// Proves that the cache keeps its limit, evicts the least recently used subtree first, never evicts
+// pinned ones, reports evictions, and rejects subtrees with a wrong hash or shape.
 #include "worker/cache/subtree_cache.hpp"
 
 #include "tests/worker/cut_body.hpp"
@@ -19,13 +19,13 @@ Sha256 some_name(unsigned char number) {
     return name;
 }
 
-/// Eight or so subtrees of about the same size.
+/// Makes about eight subtrees of about equal size.
 class SubtreeCacheTest : public testing::Test {
   protected:
     [[nodiscard]] std::shared_ptr<const Subtree> subtree(RootIndex root) const {
         return std::get<std::shared_ptr<const Subtree>>(open_block(body.blocks[root]).value());
     }
-    /// The tree under this number and name.
+    /// Returns the tree with this id and cut hash.
     [[nodiscard]] AddTree add(TreeId id, const Sha256& cut = {}) const {
         AddTree add = body.add(id);
         add.cut = cut;
@@ -65,7 +65,7 @@ TEST_F(SubtreeCacheTest, BeyondTheLimitTheLongestUnusedLeaves) {
     insert(cache, 0);
     insert(cache, 1);
     insert(cache, 2);
-    cache.pin({tree, 0}); // A use: now 1 is the longest unused.
+    cache.pin({tree, 0}); // Uses 0: now 1 is least recently used.
     cache.unpin({tree, 0});
     insert(cache, 3);
     EXPECT_EQ(cache.at({tree, 1}), nullptr);
@@ -88,14 +88,14 @@ TEST_F(SubtreeCacheTest, WhenMemoryIsShortTheLongestUnusedLeavesButNothingPinned
     EXPECT_EQ(cache.let_go(0), 1u);
     EXPECT_NE(cache.at({tree, 0}), nullptr);
     EXPECT_EQ(cache.take_evicted(), (std::vector{SubtreeKey{tree, 1}, SubtreeKey{tree, 2}}));
-    insert(cache, 1); // For once: there is room again.
+    insert(cache, 1); // This time there is room again.
     EXPECT_NE(cache.at({tree, 1}), nullptr);
 }
 
 TEST_F(SubtreeCacheTest, WhatIsPinnedStaysEvenBeyondTheLimit) {
     SubtreeCache cache = cache_for(1);
     for (RootIndex root = 0; root < 3; ++root) {
-        cache.pin({tree, root}); // Before it comes.
+        cache.pin({tree, root}); // Pins it before it arrives.
         insert(cache, root);
     }
     EXPECT_EQ(cache.bytes(), bytes_of({0, 1, 2}));
@@ -131,7 +131,7 @@ TEST_F(SubtreeCacheTest, RemovingATreeFreesItsBlocksAndNoOthers) {
     EXPECT_EQ(cache.find(tree), nullptr);
     EXPECT_EQ(cache.at({tree, 0}), nullptr);
     EXPECT_TRUE(cache.take_evicted().empty());
-    // What still arrives or ends for it does no harm.
+    // Blocks that still arrive and scenarios that still end do no harm.
     insert(cache, 3);
     cache.unpin({tree, 1});
     cache.remove_tree(tree);

@@ -1,5 +1,5 @@
-// Proves that a worker's thread answers a scenario from its subtrees, and that it stops when nobody
-// waits for the answer any more.
+// Proves that a worker's thread answers a scenario from its subtrees, and stops once the scenario
+// is cancelled.
 #include "worker/execution/executor.hpp"
 
 #include "tests/worker/cut_body.hpp"
@@ -15,7 +15,7 @@
 namespace cd::tests {
 namespace {
 
-/// Two spheres of one mesh in one place, each as one subtree.
+/// Two spheres of one mesh at one position, each as one subtree.
 ReadyScenario spheres_in_one_place(const ObbTree& tree, SubtreeForm form = SubtreeForm::Wide) {
     ReadyScenario ready;
     ready.query = std::make_shared<const Query>();
@@ -42,8 +42,8 @@ TEST(Executor, AnswersAScenarioOrStopsWhenTold) {
     EXPECT_FALSE(execute(ready, [] { return true; }));
 }
 
-/// The search asks whether it must stop; there the thread is held until the scenario is cancelled,
-/// so that it certainly is inside.
+/// The search polls for cancellation. The test blocks that poll until the scenario is cancelled, so
+/// the thread is certainly inside the run.
 TEST(Executor, AScenarioThatIsCancelledInsideItsRunStopsThereAndFreesItsThread) {
     const CutBody body = cut_body(make_sphere(5), 0);
     const ReadyScenario ready = spheres_in_one_place(body.tree);
@@ -156,7 +156,7 @@ TEST_F(TaskTest, OfARangeIsWalkedOnceInOrderWithAShareForEachThread) {
         next = part.end;
         FinishedScenarios finished;
         finished.count = static_cast<std::uint32_t>(part.end - part.begin);
-        finished.seconds = 1e-7 * finished.count; // Quick ones: more go together.
+        finished.seconds = 1e-7 * finished.count; // Fast scenarios: larger groups follow.
         task.add(finished);
     }
     EXPECT_EQ(next, 900u);

@@ -1,5 +1,5 @@
-// Proves that a worker that is told to end hands over all that it has, also when its connection, or
-// its master, is away at that moment, and ends in its time all the same.
+// Proves that a worker told to stop hands over all it has, even if its connection or master is away
+// at that moment, and ends within its time limit in any case.
 #include "worker/membership/membership.hpp"
 
 #include "tests/worker/session_stage.hpp"
@@ -12,14 +12,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A worker's bond, and the masters that the test plays one after the other.
+/// A worker's membership, and the masters that the test plays one after the other.
 struct Bond {
     explicit Bond(asio::io_context& context)
         : executor(context.get_executor(), 1), membership(executor, unlimited) {}
 
     Executor executor;
     Membership membership;
-    std::optional<SessionEnd> how; ///< Of the last connection.
+    std::optional<SessionEnd> how; ///< How the last connection ended.
 };
 
 asio::awaitable<void> serve(Bond& bond, std::shared_ptr<Channel> channel) {
@@ -33,9 +33,9 @@ asio::awaitable<void> serve(Bond& bond, std::shared_ptr<Channel> channel) {
     bond.how = served ? served.value().how : SessionEnd::Lost;
 }
 
-/// Another connection, past the greeting. `epoch`: of the master's process; the session goes on in
-/// the same one. `heartbeat`: its period, which the master does not keep to: it sends none. So long
-/// a one that it does not seem silent, however slow the machine is.
+/// Accepts another connection and greets. Equal `epoch` (of the master's process) resumes the
+/// session. `heartbeat` is the announced period; the master sends none, so it must be long enough
+/// that a slow machine does not declare the master silent.
 asio::awaitable<FakeMaster>
 welcome(Bond& bond, std::uint64_t epoch, std::chrono::milliseconds heartbeat = patience) {
     Ends ends = co_await connect_ends();
@@ -65,7 +65,7 @@ asio::awaitable<void> end_of_connection(Bond& bond, const FakeMaster& master) {
     co_await end_of_connection(bond);
 }
 
-/// Results that the first master did not acknowledge.
+/// Leaves results that the first master did not acknowledge.
 asio::awaitable<void> leave_unacknowledged(Bond& bond, std::span<const Scenario> scenarios) {
     FakeMaster master = co_await welcome(bond, 1);
     master.acknowledges = false;
@@ -88,7 +88,7 @@ void perform_bond(const BondPlay& play) {
 }
 
 TEST(Membership, ToldToEndWithoutAConnectionItHandsOverWhatItHasOverTheNextOne) {
-    for (const std::uint64_t epoch : {1u, 2u}) { // The same master, and one that has started anew.
+    for (const std::uint64_t epoch : {1u, 2u}) { // First a resumed master, then a new one.
         const auto scenarios = make_scenarios(600, 20);
         perform_bond([&](Bond& bond) -> asio::awaitable<void> {
             co_await leave_unacknowledged(bond, scenarios);
@@ -128,7 +128,7 @@ TEST(Membership, ThatNobodyRelievesEndsAtItsTime) {
 }
 
 TEST(Membership, BearsTwiceTheSilenceWhenItMeetsItAgainAndAgain) {
-    // Three heartbeats, twice that, and what the master waits for this worker in any case.
+    // Three heartbeats, six heartbeats, and the time the master waits for this worker in any case.
     static constexpr std::array<std::chrono::milliseconds, 4> times{60ms, 120ms, 200ms, 200ms};
     perform_bond([](Bond& bond) -> asio::awaitable<void> {
         for (std::size_t i = 0; i + 1 < times.size(); ++i) {

@@ -1,6 +1,6 @@
-// Proves that every scenario becomes ready exactly once, when its last subtree is here and never
-// before; that a missing subtree is asked for once; that nothing that a ready scenario needs
-// leaves; and that no order of events gets stuck, however small the cache.
+// Proves that every scenario becomes ready exactly once, when its last subtree has arrived; that a
+// missing subtree is requested once; that no subtree a ready scenario needs is evicted; and that no
+// order of events deadlocks, however small the cache.
 #include "worker/peers/fetcher.hpp"
 
 #include "tests/worker/cut_body.hpp"
@@ -36,7 +36,7 @@ const Bodies& bodies() {
     return made;
 }
 
-/// A cache with both trees, its fetcher, and what the master sends.
+/// A cache with both trees, its fetcher, and the master's messages.
 struct Bench {
     explicit Bench(std::uint64_t bytes) : cache(bytes), fetcher(cache) {
         EXPECT_TRUE(cache.add_tree(bodies().a.add(tree_a)));
@@ -80,8 +80,8 @@ TEST(Fetcher, ScenariosDoNotWaitForEachOther) {
 TEST(Fetcher, WhatIsHintedIsAskedForOnceAndWhenNothingIsNeeded) {
     Bench bench(unlimited);
     bench.deliver({tree_a, 2});
-    bench.fetcher.hint({JobId{1}, {tree_a, 2}}); // It is here.
-    bench.fetcher.hint({JobId{1}, {tree_a, 0}}); // A scenario needs it.
+    bench.fetcher.hint({JobId{1}, {tree_a, 2}}); // Already present.
+    bench.fetcher.hint({JobId{1}, {tree_a, 0}}); // Already requested by a scenario.
     bench.fetcher.hint({JobId{7}, {tree_a, 1}});
     bench.fetcher.hint({JobId{1}, {tree_a, 1}});
     bench.fetcher.add(1, {{tree_a, 0}});
@@ -96,7 +96,7 @@ TEST(Fetcher, WhatIsHintedIsAskedForOnceAndWhenNothingIsNeeded) {
     EXPECT_EQ(step.hinted[0].key, (SubtreeKey{tree_a, 1}));
     EXPECT_EQ(step.hinted[0].job, JobId{7});
 
-    // Whoever needs it waits for it, and does not ask again.
+    // A scenario that needs a hinted block waits for it and does not request it again.
     bench.fetcher.add(2, {{tree_a, 1}});
     EXPECT_TRUE(bench.fetcher.advance().want.empty());
     bench.deliver({tree_a, 1});
@@ -110,9 +110,9 @@ TEST(Fetcher, AHintIsForgottenWhereSomethingWouldHaveToLeave) {
     Bench bench(large.cache.bytes() + large.cache.bytes_expected({tree_a, 1}));
     bench.deliver({tree_a, 0});
     bench.fetcher.hint({JobId{1}, {tree_a, 1}});
-    bench.fetcher.hint({JobId{1}, {tree_a, 2}}); // The one before it will take the room.
+    bench.fetcher.hint({JobId{1}, {tree_a, 2}}); // The earlier block will take the room.
     EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_a, 1}}));
-    bench.fetcher.add(1, {{tree_a, 2}}); // It is only a hint that needs room.
+    bench.fetcher.add(1, {{tree_a, 2}}); // Only the hint needs room.
     EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_a, 2}}));
 }
 
@@ -130,7 +130,7 @@ TEST(Fetcher, WhatIsUnderWayIsNotAskedForAgain) {
     EXPECT_EQ(bench.fetcher.advance().want.size(), 2u);
     bench.fetcher.add(2, {{tree_a, 0}, {tree_b, 1}});
     EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_b, 1}}));
-    bench.fetcher.finished(1); // Given up; its requests are still under way.
+    bench.fetcher.finished(1); // The scenario is cancelled; its requests are in flight.
     bench.fetcher.add(3, {{tree_b, 0}});
     EXPECT_TRUE(bench.fetcher.advance().want.empty());
     bench.deliver({tree_b, 0});
@@ -177,15 +177,14 @@ TEST(Fetcher, ARemovedTreeLeavesTheOthersAlone) {
     bench.fetcher.finished(1);
     bench.fetcher.forget_requests(tree_a);
     bench.cache.remove_tree(tree_a);
-    bench.deliver({tree_a, 0}); // Was under way.
+    bench.deliver({tree_a, 0}); // It was in flight.
     bench.deliver({tree_b, 1});
     EXPECT_EQ(bench.fetcher.advance().ready, Tokens{2});
     bench.fetcher.finished(2);
     EXPECT_EQ(bench.fetcher.size(), 0u);
 }
 
-/// Some scenarios in random order of all that can happen, with a master that answers late and in
-/// any order.
+/// Plays scenarios and random events, with a master that answers late and in any order.
 class Random {
   public:
     explicit Random(std::uint64_t seed)
@@ -284,7 +283,7 @@ TEST(Fetcher, ATopIsAskedForOnceAndStays) {
     EXPECT_TRUE(bench.cache.has({tree_b, top_root})) << "whatever the limit";
     EXPECT_FALSE(bench.fetcher.want_top(tree_b));
     EXPECT_TRUE(bench.fetcher.awaited().empty());
-    // One whose tree goes is forgotten, and asked for again of the next tree of that number.
+    // A removed tree's request is forgotten, and repeated for the next tree of that id.
     EXPECT_TRUE(bench.fetcher.want_top(tree_a));
     bench.fetcher.forget_requests(tree_a);
     EXPECT_TRUE(bench.fetcher.advance().want.empty());

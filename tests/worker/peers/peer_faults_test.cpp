@@ -1,5 +1,5 @@
-// Proves that blocks that travel between workers over a network that damages, cuts or swallows them
-// come from the next source, or from the master, and that no result is another for it.
+// Proves that blocks sent between workers over a network that damages, cuts or swallows them come
+// from the next source or from the master instead, and that no result changes.
 #include "tests/cluster/faulty_proxy.hpp"
 #include "tests/worker/block_source.hpp"
 #include "tests/worker/session_stage.hpp"
@@ -33,7 +33,7 @@ asio::awaitable<void> strike(FaultyProxy& proxy, std::uint64_t pieces, Fault fau
 
 // ---- One fetch ------------------------------------------------------------------------------
 
-/// How a fetch ends whose one large block is struck midway; and that the next one is served.
+/// Returns how a fetch ends if its one large block suffers the fault; the next fetch must succeed.
 asio::awaitable<PeerOutcome> fetch_struck(Fault fault) {
     const auto executor = co_await asio::this_coro::executor;
     BlockSource source(executor, bodies().a, tree_a);
@@ -48,7 +48,7 @@ asio::awaitable<PeerOutcome> fetch_struck(Fault fault) {
         ++blocks;
         EXPECT_EQ(block.compressed, large.compressed);
     };
-    spawn(executor, "strike", strike(proxy, 8, fault)); // The greeting and the question are three.
+    spawn(executor, "strike", strike(proxy, 8, fault)); // Greeting and request take three pieces.
     std::vector<RootIndex> roots(1);
     FetchFromPeers asked = source.directions(roots, proxy.port());
     const PeerOutcome outcome = co_await links.fetch(asked.sources[0], asked, on_block);
@@ -86,7 +86,7 @@ TEST(PeerFaults, APeerThatFallsSilentIsWaitedForNoLongerThanAnAnswerMayTake) {
 constexpr WorkerId far_worker{7};
 constexpr WorkerId near_worker{8};
 
-/// Two workers that hold the blocks of one body: one behind the proxy, and one that is not.
+/// Two workers that hold the blocks of one body; only the first is behind the proxy.
 struct Sources {
     explicit Sources(const asio::any_io_executor& executor)
         : far(executor, bodies().a, tree_a), near(executor, bodies().a, tree_a) {
@@ -112,7 +112,7 @@ struct Story {
     std::size_t given_by_master = 0; ///< Roots of this body.
 };
 
-/// A task, for which the session is sent to the sources once. Its results are right.
+/// Runs a task for which the master names the sources once. Expects right results.
 asio::awaitable<Story> do_task(Stage& stage, Sources& sources, bool has_next) {
     FakeMaster& master = stage.master;
     const auto scenarios = make_scenarios(0, 40);
@@ -143,7 +143,7 @@ asio::awaitable<Story> do_task(Stage& stage, Sources& sources, bool has_next) {
     co_return story;
 }
 
-/// The far source is struck after so many pieces: 1 in the greeting, 3 when it is asked for blocks.
+/// The fault hits the proxied source after so many pieces: 1 is in the greeting, 3 in the request.
 void expect_others_serve(std::uint64_t pieces, const Fault& fault, bool has_next = true) {
     perform(unlimited, 1, [&](Stage& stage) -> asio::awaitable<void> {
         const auto executor = co_await asio::this_coro::executor;

@@ -1,6 +1,6 @@
-// Proves that a worker gives others just the blocks that it holds and that their tickets are for,
-// not to more at a time than it may; and that whoever fetches tells every way of failing apart and
-// never takes a block that is not the one that the master named.
+// Proves that a worker serves only blocks that it holds and a ticket allows, to a bounded number of
+// peers at once; and that a fetching worker distinguishes all failures and never accepts a block
+// other than the one the master named.
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
 #include "tests/proto/loopback.hpp"
@@ -23,7 +23,7 @@ const CutBody& body() {
     return made;
 }
 
-/// As a list in braces, which GCC 12 does not take in a coroutine.
+/// Replaces a braced list, which GCC 12 rejects in a coroutine.
 template <class... Roots>
 std::vector<RootIndex> list_of(Roots... roots) {
     return {static_cast<RootIndex>(roots)...};
@@ -63,7 +63,7 @@ TEST(Peers, GiveWhatTheyHold) {
         EXPECT_EQ(source.server->uploaded_bytes(),
                   body().blocks[0].compressed.size() + body().blocks[2].compressed.size() +
                       body().blocks[5].compressed.size());
-        // The next fetch goes over the same connection.
+        // The next fetch uses the same connection.
         asked = source.directions(list_of(2));
         fetched = co_await fetch(links, asked);
         EXPECT_EQ(fetched.outcome, PeerOutcome::Given);
@@ -111,7 +111,7 @@ TEST(Peers, ThatCannotBeReachedAreToldFromOthers) {
             Source gone(executor);
             asked = gone.directions(list_of(1));
         }
-        // The listener's end is an event of its own.
+        // The end of the listener is a separate event.
         co_await asio::post(executor, asio::use_awaitable);
         EXPECT_EQ((co_await fetch(links, asked)).outcome, PeerOutcome::Unreachable);
     });
@@ -136,7 +136,7 @@ TEST(Peers, ServeNoMoreAtATimeThanTheyMay) {
     run_conversation([]() -> asio::awaitable<void> {
         const auto executor = co_await asio::this_coro::executor;
         Source source(executor);
-        // Too much for the buffers of a connection that nobody reads.
+        // The block exceeds the buffers of an unread connection.
         SubtreeBlock large = body().blocks[1];
         large.compressed.resize(64u << 20);
         source.blocks[1] = std::make_shared<const SubtreeBlock>(large);
@@ -154,7 +154,7 @@ TEST(Peers, ServeNoMoreAtATimeThanTheyMay) {
         PeerLinks links("a test");
         FetchFromPeers asked;
         PeerOutcome outcome = PeerOutcome::Given;
-        // Until both are being served, which nothing here tells.
+        // Wait until both are being served, which no event reports.
         while (outcome == PeerOutcome::Given) {
             source.hold(2);
             asked = source.directions(list_of(2));

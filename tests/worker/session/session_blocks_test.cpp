@@ -1,5 +1,5 @@
-// Proves that a session asks only for the blocks that it lacks, tells what they cost, and goes on
-// serving its connection while they wait to be opened.
+// Proves that a session requests only blocks it lacks, reports their cost, and keeps serving its
+// connection while blocks wait to be opened.
 #include "tests/worker/session_stage.hpp"
 
 #include <gmock/gmock.h>
@@ -49,7 +49,7 @@ TEST(Session, WhatIsHintedComesBeforeAScenarioNeedsIt) {
         const std::vector<RootIndex> roots_b = roots_of_b(batch.pairs);
         master.channel->send(Hint{JobId{1}, tree_a, roots_a});
         master.channel->send(Hint{JobId{1}, tree_b, roots_b});
-        master.channel->send(Hint{JobId{1}, tree_a, roots_a}); // Under way.
+        master.channel->send(Hint{JobId{1}, tree_a, roots_a}); // In flight.
         const std::size_t count = roots_a.size() + roots_b.size();
         const std::function<bool()> are_asked = [&] { return master.subtrees_sent == count; };
         co_await master.serve_until(are_asked);
@@ -75,7 +75,7 @@ TEST(Session, OnlyWhoFindsTheRootsItselfAsksForTops) {
         master.channel->send(make_range(TaskId{2}, std::span(scenarios).subspan(20, 20)));
         master.channel->send(make_range(TaskId{3}, std::span(scenarios).subspan(40)));
         co_await master.serve_until_ended(3);
-        // Once each: `held` knows them, although the cache has no room.
+        // Reports each upper tree once: the master knows of it, although the cache has no room.
         EXPECT_TRUE(master.held.contains({tree_a, top_root}));
         EXPECT_TRUE(master.held.contains({tree_b, top_root}));
         expect_all_right(master, scenarios);
@@ -99,7 +99,7 @@ TEST(Session, TheConnectionIsServedWhileBlocksWaitForAThreadToOpenThem) {
         FakeMaster& master = stage.master;
         std::latch released(1);
         stage.executor.submit([&released] {
-            released.wait(); // The only thread opens nothing meanwhile.
+            released.wait(); // The only thread opens no block meanwhile.
             return Executor::Continuation([] {});
         });
         Subtrees wrong;
@@ -108,7 +108,7 @@ TEST(Session, TheConnectionIsServedWhileBlocksWaitForAThreadToOpenThem) {
         wrong.blocks[0].hash.bytes[0] ^= std::byte{1};
         master.channel->send(wrong);
         master.channel->send(make_batch(TaskId{1}, make_scenarios(0, 2)));
-        // Whoever opened the block where the connection is served would complain before it read on.
+        // If the connection's thread opened blocks, it would report the error before reading on.
         bool wants = false;
         while (!wants && master.complaint.empty()) {
             Result<Message> message = co_await master.channel->receive(patience);

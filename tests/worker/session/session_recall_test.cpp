@@ -1,5 +1,5 @@
-// Proves that what is removed, recalled or answered elsewhere is dropped and freed where it has not
-// begun, and that all the rest is answered.
+// Proves that removed, recalled or elsewhere answered scenarios are dropped and freed if they have
+// not begun, and that all others are answered.
 #include "tests/worker/session_stage.hpp"
 
 #include <latch>
@@ -68,7 +68,7 @@ TEST(Session, WhatWaitsForARemovedTreeIsDroppedWithIt) {
         const auto scenarios = make_scenarios(300, 10);
         master.channel->send(make_batch(TaskId{1}, scenarios));
         master.channel->send(RemoveTree{tree_b});
-        // Its wants are not served: the removal comes first.
+        // The master serves no requests, so the removal comes first.
         while (!master.ended.contains(TaskId{1})) {
             Result<Message> message = co_await master.channel->receive(patience);
             EXPECT_TRUE(message);
@@ -89,7 +89,7 @@ TEST(Session, ADroppedScenarioIsNotAnsweredAndTheOthersAre) {
             FakeMaster& master = stage.master;
             const auto scenarios = make_scenarios(0, 40);
             master.channel->send(DropScenario{JobId{1}, 7});
-            master.channel->send(DropScenario{JobId{99}, 8}); // Of no job: nothing happens.
+            master.channel->send(DropScenario{JobId{99}, 8}); // An unknown job: no effect.
             if (is_range) {
                 master.channel->send(make_range(TaskId{1}, scenarios));
             } else {
@@ -102,7 +102,7 @@ TEST(Session, ADroppedScenarioIsNotAnsweredAndTheOthersAre) {
     }
 }
 
-/// Nothing begins as long as the one thread is held.
+/// Starts no scenario as long as the one thread is blocked.
 template <class Then>
 asio::awaitable<void> with_a_held_thread(Stage& stage, bool is_range, Then then) {
     std::latch released(1);
@@ -118,7 +118,7 @@ asio::awaitable<void> with_a_held_thread(Stage& stage, bool is_range, Then then)
     }
     Recall of_no_task;
     of_no_task.task = TaskId{99};
-    stage.master.channel->send(of_no_task); // Nothing happens.
+    stage.master.channel->send(of_no_task); // No effect.
     then();
     const std::function<bool()> is_told = [&] { return !stage.master.recalled.empty(); };
     co_await stage.master.serve_until(is_told);
@@ -166,7 +166,7 @@ TEST(Session, WhatAnotherWorkerHasAnsweredIsDroppedInItsTaskAlone) {
     }
 }
 
-/// What it was asked for then goes at once, since no scenario needs it and the cache is full.
+/// The returned scenario's blocks are evicted: nothing else needs them, and the cache is full.
 TEST(Session, WhatCameForWhatWasGivenBackIsAskedForAgain) {
     perform(1, 1, [](Stage& stage) -> asio::awaitable<void> {
         FakeMaster& master = stage.master;
@@ -186,7 +186,7 @@ TEST(Session, WhatCameForWhatWasGivenBackIsAskedForAgain) {
                 co_return;
             }
             if (std::holds_alternative<WantSubtrees>(message.value())) {
-                master.channel->send(recall); // It is there before the blocks.
+                master.channel->send(recall); // It arrives before the blocks.
             }
             std::visit([&](auto& content) { master.on(content); }, message.value());
         }

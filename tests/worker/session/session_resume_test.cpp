@@ -1,5 +1,5 @@
 // Proves that a session outlives its connection, and its results and subtrees outlive the session:
-// nothing is answered twice, and nothing is lost.
+// no scenario is answered twice or lost.
 #include "common/core/limits/wire.hpp"
 #include "tests/worker/session_stage.hpp"
 
@@ -27,13 +27,13 @@ TEST(Session, WhatIsNotAcknowledgedIsSentAgainAndSubtreesAreKept) {
     const Play second = [&](Stage& stage) -> asio::awaitable<void> {
         FakeMaster& master = stage.master;
         for (RootIndex root = 0; root < bodies().a.blocks.size(); ++root) {
-            master.held.insert({tree_a, root}); // So that asking for one is an error.
+            master.held.insert({tree_a, root}); // A request for it would be an error.
         }
         for (RootIndex root = 0; root < bodies().b.blocks.size(); ++root) {
             master.held.insert({tree_b, root});
         }
         master.channel->send(make_batch(TaskId{1}, scenarios));
-        // The results of before come first, and count for no task of now.
+        // Results of the earlier session come first, and count for no current task.
         while (master.records.size() < scenarios.size()) {
             Result<Message> message = co_await master.channel->receive(patience);
             EXPECT_TRUE(message);
@@ -90,7 +90,7 @@ TEST(Session, ThatHoldsMoreThanCanBeSaidAtOnceDoesNotGoOn) {
     EXPECT_TRUE(context.stopped()) << "something is still under way";
 }
 
-/// A session that outlives its connections. The master, which the test plays, keeps what it heard.
+/// Keeps a session over several connections; the master played here remembers what it received.
 asio::awaitable<void>
 lose_the_connection_again_and_again(asio::io_context& context, Executor& executor, int losses) {
     Ends ends = co_await connect_greeted_ends();
@@ -125,11 +125,11 @@ lose_the_connection_again_and_again(asio::io_context& context, Executor& executo
             master.channel = std::move(next.right);
             master.records.clear();
             master.ended.clear();
-            master.held.clear(); // What it awaits it asks for again.
+            master.held.clear(); // The session repeats its pending requests.
             master.standing.reset();
         }
         spawn(context.get_executor(), "session", serve(session, std::move(over), how));
-        // Some messages later the connection breaks, but for the last one.
+        // After some messages each connection breaks, except the last.
         const bool is_last = connection == losses;
         for (int heard = 0; is_last ? !standing.empty() : heard < 12 + 5 * connection; ++heard) {
             Result<Message> message = co_await master.channel->receive(patience);
@@ -141,12 +141,12 @@ lose_the_connection_again_and_again(asio::io_context& context, Executor& executo
             for (const TaskId task : master.ended) {
                 standing.erase(task);
             }
-            // The one that begins a session is empty.
+            // The first message of a session is an empty Standing.
             const auto* now = std::get_if<Standing>(&message.value());
             if (now != nullptr && connection > 0) {
                 EXPECT_EQ(now->trees.size(), 2u);
                 EXPECT_EQ(now->jobs, std::vector<JobId>{JobId{1}});
-                standing.clear(); // What is not named has ended; its results came before.
+                standing.clear(); // Unnamed tasks have ended; their results came before.
                 for (const Recalled& task : now->tasks) {
                     standing.insert(task.task);
                 }

@@ -1,6 +1,6 @@
-// Proves that a worker's session, over a real connection to a master that the test plays, answers
-// what it is given exactly as one process does on whole trees, and ends in every way that it may
-// end without losing or inventing a result.
+// Proves that a worker's session, over a real connection to a master played by the test, answers
+// its scenarios exactly as one process does on whole trees, and that every way of ending it neither
+// loses nor invents a result.
 #include "common/core/limits/worker.hpp"
 #include "tests/worker/session_stage.hpp"
 
@@ -24,7 +24,7 @@ TEST(Session, AnswersBatchesAsWholeTreesDo) {
         expect_all_right(master, scenarios);
         EXPECT_EQ(master.subtrees_evicted, 0u);
         EXPECT_GE(master.heartbeats, 1u);
-        // Bulk: far fewer messages than scenarios.
+        // Results are batched: far fewer messages than scenarios.
         EXPECT_LT(master.results_messages, 20u);
     });
     EXPECT_EQ(how, SessionEnd::Lost);
@@ -117,7 +117,7 @@ TEST(Session, StopHandsBackWhatItHasNotBegun) {
         FakeMaster& master = stage.master;
         const auto scenarios = make_scenarios(500, 300);
         master.channel->send(make_batch(TaskId{1}, scenarios));
-        // Some results first, so that it is in the middle of its work.
+        // Some results come first, so the session is in the middle of its work.
         const std::function<bool()> has_begun = [&] { return master.results_messages != 0; };
         co_await master.serve_until(has_begun);
         stage.session->stop();
@@ -131,7 +131,7 @@ TEST(Session, StopHandsBackWhatItHasNotBegun) {
     EXPECT_EQ(how, SessionEnd::Drained);
 }
 
-/// What the master sent before it heard of it is on its way, and would count as lost with a worker.
+/// Tasks the master sent before it received the notice are in flight, and would count as lost.
 TEST(Session, StopWaitsForTheMastersLastWordAndHandsBackWhatCameMeanwhile) {
     const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
         FakeMaster& master = stage.master;
@@ -149,8 +149,8 @@ TEST(Session, StopWaitsForTheMastersLastWordAndHandsBackWhatCameMeanwhile) {
     EXPECT_EQ(how, SessionEnd::Drained);
 }
 
-/// Until a thread is inside scenario 0 of job 2: of half a million contacts that nearly touch, it
-/// takes long.
+/// Waits until a thread is inside scenario 0 of job 2, which takes long: half a million near
+/// contacts.
 asio::awaitable<void> begin_what_takes_long(FakeMaster& master, const CutBody& dense) {
     master.other_body = &dense;
     const TreeId tree{7};
@@ -193,7 +193,7 @@ TEST(Session, WhatIsCancelledInsideItsRunStopsThereAndItsThreadIsFree) {
             const auto scenarios = make_scenarios(100, 30);
             master.channel->send(make_batch(TaskId{2}, scenarios));
             co_await master.serve_until_ended(2);
-            expect_all_right(master, scenarios); // And nothing else.
+            expect_all_right(master, scenarios); // And no others.
         });
     }
 }
@@ -212,7 +212,7 @@ TEST(Session, BeginsNothingWhileTooManyResultsAreNotAcknowledged) {
         const std::size_t then = master.heartbeats;
         const std::function<bool()> has_had_time = [&] { return master.heartbeats > then + 20; };
         co_await master.serve_until(has_had_time);
-        // What ran and what was finished when the first one was sent came, too.
+        // Scenarios running or finished when the first message was sent came, too.
         EXPECT_LE(master.results_messages, 1 + 2 * limits::jobs_per_thread_max);
         master.acknowledges = true;
         std::vector<std::uint64_t> all(keep->results.messages().size());
@@ -233,7 +233,7 @@ TEST(Session, TerminateEndsAtOnce) {
     EXPECT_EQ(how, SessionEnd::Terminated);
 }
 
-/// What the session says of it before it closes.
+/// Returns the session's error report before it closes.
 std::string complaint_about(const Message& message) {
     std::string complaint;
     const auto how = perform(unlimited, 1, [&](Stage& stage) -> asio::awaitable<void> {

@@ -1,4 +1,4 @@
-// Proves that what travelled is counted once in total, and once for the job that asked for it.
+// Proves that traffic counts once in total, and once for the job that requested it.
 #include "worker/session/traffic_book.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Proves that results are kept, in their order, until they are acknowledged, in a bounded amount,
-// and not for another cluster.
+// Proves that results are kept in order until acknowledged, in a bounded amount, and never sent to
+// another cluster.
 #include "worker/session/worker_keep.hpp"
 
 #include "common/core/limits/worker.hpp"
@@ -37,7 +37,7 @@ TEST(UnkeptResults, AreKeptInOrderUntilTheyAreAcknowledged) {
     }
     unkept.kept(std::vector<std::uint64_t>{sequences[2], sequences[0], 999});
     EXPECT_EQ(jobs_of(unkept.again()), (std::vector<std::uint64_t>{2, 4}));
-    unkept.kept(std::vector<std::uint64_t>{sequences[0]}); // Twice: nothing happens.
+    unkept.kept(std::vector<std::uint64_t>{sequences[0]}); // A repetition has no effect.
     unkept.kept(std::vector<std::uint64_t>{sequences[1], sequences[3]});
     EXPECT_TRUE(unkept.empty());
 }
@@ -46,10 +46,10 @@ TEST(UnkeptResults, OfASessionBeforeAreOfNoTaskWheneverTheyAreSentAgain) {
     UnkeptResults unkept;
     Results before = some_results(1);
     unkept.add(before);
-    ASSERT_EQ(unkept.again().size(), 1u); // A new session begins,
+    ASSERT_EQ(unkept.again().size(), 1u); // A new session begins.
     Results now = some_results(2);
     unkept.add(now);
-    std::vector<TaskId> tasks; // and goes on over another connection.
+    std::vector<TaskId> tasks; // The session resumes over another connection.
     for (const auto& [sequence, message] : unkept.messages()) {
         tasks.push_back(message.task);
     }
