@@ -1,4 +1,4 @@
-// A master on loopback that answers as a test tells it to.
+// A scripted master on loopback.
 #pragma once
 
 #include "proto/channel/channel.hpp"
@@ -12,13 +12,13 @@
 
 namespace cd::tests {
 
-/// Listens on a port that the system chooses, with a thread of its own.
+/// Listens on a port chosen by the system, on its own thread.
 class FakeMaster {
   public:
-    /// The answers to one message, in order; nothing at all closes the connection.
+    /// Returns the answers to one message, in order; nothing closes the connection.
     using Answer = std::function<std::optional<std::vector<Message>>(const Message&)>;
 
-    /// `answer` is called on the master's thread, also with the Hello of each connection.
+    /// Calls `answer` on the master's thread, also with each connection's Hello.
     explicit FakeMaster(Answer answer)
         : answer_(std::move(answer)),
           acceptor_(context_, asio::ip::tcp::endpoint(asio::ip::address_v4::loopback(), 0)) {
@@ -40,12 +40,12 @@ class FakeMaster {
     [[nodiscard]] std::string address() const {
         return "127.0.0.1:" + std::to_string(acceptor_.local_endpoint().port());
     }
-    /// Every message so far, in the order in which they came.
+    /// Returns all messages received so far, in order of arrival.
     [[nodiscard]] std::vector<Message> received() {
         const std::lock_guard lock(mutex_);
         return received_;
     }
-    /// Those of one kind.
+    /// Returns the messages of one kind.
     template <class T>
     [[nodiscard]] std::vector<T> received_of() {
         std::vector<T> found;
@@ -57,7 +57,7 @@ class FakeMaster {
         return found;
     }
 
-    /// What a master that lets everyone in says to a Hello.
+    /// Returns the answer to a Hello of a master without access control.
     [[nodiscard]] static std::vector<Message> welcome() { return {Welcome{}}; }
 
   private:

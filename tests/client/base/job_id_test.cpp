@@ -1,4 +1,4 @@
-// Proves that the ids of jobs are short, differ, and are found again by what people type of them.
+// Proves that job ids are short and distinct, and that what people type of them finds the job.
 
 #include "client/base/job_id.hpp"
 

@@ -1,5 +1,5 @@
-// Proves that mistyped words find what was meant, that numbers read well, and that units convert
-// with a single rounding.
+// Proves that mistyped words get the right suggestion, that numbers are formatted readably, and
+// that units convert with a single rounding.
 #include "client/base/words.hpp"
 
 #include "client/base/units.hpp"

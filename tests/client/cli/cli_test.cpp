@@ -1,5 +1,5 @@
-// Proves that the command line becomes the command that was meant, and that help and wrong usage
-// end with their exit codes.
+// Proves that the command line parses to the intended command, and that help and wrong usage end
+// with their exit codes.
 #include "client/cli/cli.hpp"
 
 #include "client/base/exit_code.hpp"

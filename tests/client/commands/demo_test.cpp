@@ -1,5 +1,5 @@
-// Proves that the demo finds and unpacks its vehicle, says what to install where it cannot, and
-// ends the programs that it starts.
+// Proves that the demo finds and unpacks its vehicle, otherwise names the package to install, and
+// ends the programs it starts.
 #include "client/base/child_process.hpp"
 #include "client/formats/gunzip.hpp"
 #include "client/local/local_cluster.hpp"

@@ -1,4 +1,4 @@
-// Proves that a run can be estimated however slow its poses and its scenarios are.
+// Proves that a run can be estimated however slow its poses and scenarios are.
 #include "client/commands/estimate.hpp"
 
 #include "client/spec/job_options.hpp"

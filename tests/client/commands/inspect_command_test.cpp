@@ -1,5 +1,5 @@
-// Proves that `cdctl inspect` of several meshes warns of each two whose sizes differ as units do,
-// and that it ends at the first file that is none.
+// Proves that `cdctl inspect` warns of every two meshes whose sizes differ like units, and ends at
+// the first file that is no mesh.
 #include "client/base/exit_code.hpp"
 #include "client/commands/commands.hpp"
 #include "tests/client/import/gltf_text.hpp"
@@ -22,7 +22,8 @@ using testing::Not;
 
 class Inspect : public testing::Test {
   protected:
-    /// A triangle of sides 3, 4 and 5 times `size`: the box's diagonal is 5 times `size`.
+    /// Adds a triangle with sides 3, 4 and 5 times `size`: its box has a diagonal of 5 times
+    /// `size`.
     void add(const std::string& name, double size) {
         std::ostringstream text;
         text.precision(17);

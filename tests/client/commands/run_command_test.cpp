@@ -1,5 +1,5 @@
-// Proves that `cdctl run` without a master does a whole job: inputs, ignored parts, output, exit
-// codes, and that wrong inputs end it with one clear line.
+// Proves that `cdctl run` without a master does a whole job: inputs, ignored parts, output and exit
+// codes; wrong inputs end it with one clear line.
 #include "client/base/exit_code.hpp"
 #include "client/commands/commands.hpp"
 #include "client/job/prepared_job.hpp"
@@ -27,8 +27,8 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-/// A tetrahedron with its corner at (x, 0, 0), as a group of an OBJ file; `first` is the number of
-/// its first vertex.
+/// Returns a tetrahedron with its corner at (x, 0, 0) as a group of an OBJ file; `first` is its
+/// first vertex's number.
 std::string tetrahedron(const std::string& name, double x, int first) {
     std::ostringstream text;
     text << "g " << name << "\n";
@@ -50,7 +50,7 @@ class Run : public testing::Test {
         fs::create_directories(dir_);
         write("a.obj", tetrahedron("wheel_left", 0, 1) + tetrahedron("body", 5, 5));
         write("b.obj", tetrahedron("post", 0, 1));
-        // B away from A, across its wheel, across its body, and in touch with its body at a corner.
+        // B is away from A, across its wheel, across its body, and touches its body at a corner.
         write("poses.csv",
               "x,y,z,qx,qy,qz,qw\n0,9,0,0,0,0,1\n0.25,0.1,0.1,0,0,0,1\n5.25,0.1,0.1,0,0,0,1\n"
               "6,0,0,0,0,0,1\n");
@@ -60,7 +60,7 @@ class Run : public testing::Test {
         command_.job.out = (dir_ / "out").string();
         command_.job.formats = {"csv", "json"};
         command_.folder.overwrite = true;
-        command_.folder.fresh = true; // Each run is one of its own.
+        command_.folder.fresh = true; // Each run uses a new folder.
         command_.threads = 2;
         command_.quiet = true;
     }
@@ -75,7 +75,7 @@ class Run : public testing::Test {
         return text.str();
     }
 
-    /// Runs the command and keeps what it printed.
+    /// Runs the command and keeps its output.
     int run() {
         testing::internal::CaptureStdout();
         testing::internal::CaptureStderr();
@@ -262,7 +262,7 @@ TEST_F(Run, PrecisionFloatRoundsOnceAndSaysSo) {
 }
 
 TEST_F(Run, MapCoordinatesOfAFileKeepTheirMillimetres) {
-    // UTM metres, where the step of a float is 0.5 m: a plate, and one that is 1 mm above it.
+    // In UTM metres a float's step is 0.5 m: one plate, and another 1 mm above it.
     const auto plate = [](const std::string& z) {
         return "v 500000.125 5400000.25 " + z + "\nv 500001.125 5400000.25 " + z +
                "\nv 500000.125 5400001.25 " + z + "\nf 1 2 3\n";
@@ -358,7 +358,7 @@ TEST_F(Run, ADryRunWritesNothing) {
 
 namespace {
 
-/// A pose file of quaternions all around the origin, whose numbers have all their digits.
+/// Returns a pose file of quaternions in all directions, whose numbers have all their digits.
 std::string poses_all_around(int count) {
     std::ostringstream text;
     text.precision(17);
@@ -384,8 +384,8 @@ double bytes_below(const fs::path& folder) {
 
 } // namespace
 
-/// Work is compared in place of time, which a busy machine changes (bench/estimate_bench.cpp has
-/// the time).
+/// Compares work instead of time, which a busy machine changes (bench/estimate_bench.cpp measures
+/// time).
 TEST_F(Run, ADryRunTellsWhatTheRunTakesWithinAFactorOfTwo) {
     write_obj((dir_ / "a.obj").string(), make_torus(1.5, 0.5, 60, 30));
     write("poses.csv", poses_all_around(3000));

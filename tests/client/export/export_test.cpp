@@ -1,5 +1,4 @@
-// Proves that what is written is what was found, in every format, and that files appear whole or
-// not at all.
+// Proves that every format stores exactly the results, and that files appear whole or not at all.
 #include "client/export/result_sink.hpp"
 #include "client/export/result_writer.hpp"
 #include "client/formats/npz.hpp"
@@ -67,7 +66,8 @@ class Export : public testing::Test {
         ASSERT_TRUE(write_summary(dir_, context_, report));
     }
 
-    /// Separate; two pairs of which one has points, and a third that was cut; failed; undecided.
+    /// Returns a separate one; one with two pairs, of which one has points, and a third that was
+    /// cut; a failed one; an undecided one.
     static std::vector<ScenarioResult> results() {
         ScenarioResult separate;
         separate.insides_skipped = true;

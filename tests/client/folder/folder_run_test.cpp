@@ -1,5 +1,5 @@
-// Proves what a run keeps in its folder: its inputs as far as they fit, under the same hash whether
-// they are kept or not; and that a signal ends the work before and after the scenarios, too.
+// Proves what a run keeps in its folder: its inputs if they fit, with one hash whether kept or not;
+// and that a signal ends the work before and after the scenarios, too.
 #include "client/folder/folder_run.hpp"
 
 #include "client/base/interrupt.hpp"
@@ -33,7 +33,7 @@ class FolderRunTest : public testing::Test {
         write_obj(folder_ / "b.obj", make_sphere(1));
     }
 
-    /// A job of random poses, or of a file of poses of both bodies.
+    /// Prepares a job of random poses, or of a pose file for both bodies.
     [[nodiscard]] PreparedJob prepare(std::uint64_t count, const std::string& out) {
         JobOptions options;
         options.a = folder_ / "a.obj";
@@ -49,7 +49,7 @@ class FolderRunTest : public testing::Test {
         return std::move(job.value());
     }
 
-    /// The run up to its end, or up to so many results.
+    /// Runs to the end, or up to so many results.
     [[nodiscard]] static Result<RunReport>
     run(PreparedJob& job, FolderRun& run, std::uint64_t results_max = UINT64_MAX) {
         auto done = run.done();
@@ -79,7 +79,7 @@ class FolderRunTest : public testing::Test {
         return finished ? Result<RunReport>(std::move(report)) : finished.error();
     }
 
-    /// A whole run of 300 poses.
+    /// Runs a job of 300 poses to its end.
     RunReport run_into(const std::string& out, FolderRunOptions options = {}) {
         PreparedJob job = prepare(300, out);
         auto begun = FolderRun::begin(job, std::move(options));
@@ -104,7 +104,7 @@ class FolderRunTest : public testing::Test {
 } // namespace
 
 TEST_F(FolderRunTest, InputsThatAreTooLargeAreNotKeptAndThatIsTold) {
-    // More bytes a scenario than are reckoned with before, which only the writing tells.
+    // Scenarios have more bytes than estimated, which only writing them reveals.
     std::string rows = "scenario,body,m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n";
     for (int i = 0; i < 300; ++i) {
         const std::string number = std::to_string(i);

@@ -1,5 +1,5 @@
-// Proves that run.json gives back what was said, that hostile text is refused with a reason, and
-// when two runs are of one job.
+// Proves that run.json restores its content, that hostile text is refused with a reason, and when
+// two runs belong to one job.
 #include "client/folder/run_manifest.hpp"
 
 #include "client/folder/job_text.hpp"
@@ -126,7 +126,7 @@ TEST(RunManifest, AJobIsItsMeshesPosesAndQuery) {
 
     const RunManifest random = example(PosesKind::Random);
     other = random;
-    other.poses.hash.reset(); // While they are being made.
+    other.poses.hash.reset(); // While the poses are generated.
     EXPECT_TRUE(is_same_job(random, other));
     other.poses.random->seed = 2;
     EXPECT_FALSE(is_same_job(random, other));

@@ -1,5 +1,5 @@
-// Proves that NumPy's files are read as NumPy writes them, that what we write it can read, and that
-// damaged or hostile bytes are refused without taking memory for what they only claim.
+// Proves that NumPy's files are read as written, that NumPy can read ours, and that damaged or
+// hostile bytes are refused without allocating what they only claim.
 #include "client/formats/npy.hpp"
 
 #include "client/formats/npz.hpp"
@@ -23,7 +23,7 @@ std::span<const std::byte> bytes_of(const std::string& text) {
     return std::as_bytes(std::span(text));
 }
 
-/// A file with this dictionary as its header.
+/// Returns a file with this dictionary as its header.
 std::string npy(const std::string& dictionary, const std::string& data, char version = 1) {
     std::string text = "\x93NUMPY";
     text += version;
@@ -96,7 +96,7 @@ TEST(Npy, RefusesWhatItCannotTake) {
     EXPECT_NE(error(npy(header("<f8", "False", "(-1,)"), raw<double>({1}))), "was taken");
     EXPECT_NE(error(npy(header("<f8", "False", "(2,)"), raw<double>({1}))), "was taken");
     EXPECT_NE(error(npy(header("<f8", "False", "(1,)"), raw<double>({1}) + "x")), "was taken");
-    // Sizes whose product wraps around to the right number of bytes.
+    // The product of the sizes wraps around to the right number of bytes.
     EXPECT_NE(error(npy(header("<f8", "False", "(4294967296, 4294967296)"), "")), "was taken");
     EXPECT_NE(error(npy(header("<f8", "False", "(2305843009213693953,)"), raw<double>({1}))),
               "was taken");
@@ -195,7 +195,7 @@ TEST(Npz, SurvivesTruncationDamageAndClaims) {
     bent[200] = static_cast<char>(bent[200] ^ 1);
     write_text(folder / "bent.npz", bent);
     EXPECT_FALSE(read_npz(folder / "bent.npz"));
-    // Both records of an array say that it unpacks to 4 GiB: as much is not even asked for.
+    // Both records of an array claim 4 GiB unpacked; the reader must not even request as much.
     std::string claim = good;
     for (const auto& [mark, offset] :
          {std::pair("PK\x03\x04", 22u), std::pair("PK\x01\x02", 24u)}) {

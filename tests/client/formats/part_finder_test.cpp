@@ -1,4 +1,4 @@
-// Proves that a triangle's part is found whatever was looked for before.
+// Proves that a triangle's part is found in any order of lookups.
 #include "client/formats/part_finder.hpp"
 
 #include "tests/support/shapes.hpp"

@@ -1,4 +1,4 @@
-// Proves that pieces stand one after another, and that numbers read back as what they were.
+// Proves that pieces are appended in order, and that numbers read back unchanged.
 #include "client/formats/text_buffer.hpp"
 
 #include "client/base/words.hpp"

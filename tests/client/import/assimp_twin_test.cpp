@@ -1,5 +1,5 @@
-// Proves that the readers of our own take from real models what assimp takes: the same parts, and
-// the same triangles in the same order, up to assimp's rounding of decimals.
+// Proves that our readers take the same parts and triangles from real models as assimp, in the same
+// order, up to assimp's rounding of decimals.
 #include "client/import/foreign/assimp_import.hpp"
 #include "client/import/mesh_import.hpp"
 #include "tests/support/obj_file.hpp"
@@ -29,13 +29,13 @@ void PrintTo(const Model& model, std::ostream* out) {
     *out << model.file;
 }
 
-/// Numbers the floats in their order, both zeros as 0.
+/// Numbers the floats in ascending order, both zeros as 0.
 std::int64_t float_number(double value) {
     const auto bits = std::bit_cast<std::int32_t>(static_cast<float>(value));
     return bits < 0 ? -(bits & std::numeric_limits<std::int32_t>::max()) : bits;
 }
 
-/// The largest number of float steps between two corners' coordinates.
+/// Returns the largest distance, in float steps, between two corners' coordinates.
 std::int64_t steps_between(const Vec3& left, const Vec3& right) {
     std::int64_t steps = 0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,5 @@
-// Proves of formats that assimp reads: a crash is one line, units of the file are applied once and
-// axes never, and what is not rigid is refused.
+// Proves for formats read by assimp: a crash becomes a one-line error, units of the file are
+// applied once and axes never, and transforms that are not rigid are refused.
 #include "client/import/foreign/assimp_import.hpp"
 #include "client/import/foreign/xml_frames.hpp"
 #include "client/import/import_notes.hpp"
@@ -101,7 +101,7 @@ imported_to(const std::string& unit, const std::string& name, const std::string&
     return imported_to(unit, folder / name);
 }
 
-/// The corner that stands at (0, 4, 8) of the file.
+/// Returns the corner that is at (0, 4, 8) in the file.
 Vec3 far_corner(const ImportedMesh& imported) {
     return imported.mesh ? imported.mesh->corners(0)[2] : Vec3::Zero();
 }

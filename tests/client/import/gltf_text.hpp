@@ -11,8 +11,8 @@
 
 namespace cd::tests {
 
-/// A glTF document and the bytes of its first buffer. It begins with one scene of one node with one
-/// mesh, whose first primitive a test fills.
+/// A glTF document and the bytes of its first buffer. It has one scene of one node with one mesh;
+/// tests fill the mesh's first primitive.
 class GltfText {
   public:
     using Json = nlohmann::json;
@@ -22,7 +22,7 @@ class GltfText {
         "accessors":[],"bufferViews":[],"buffers":[]})");
     Bytes bytes;
 
-    /// A view of all the values; returns its number.
+    /// Adds a view of all the values; returns its number.
     template <class T>
     std::size_t add_view(const std::vector<T>& values) {
         const auto added = std::as_bytes(std::span(values));
@@ -32,7 +32,7 @@ class GltfText {
         return json["bufferViews"].size() - 1;
     }
 
-    /// An accessor of all the values; returns its number.
+    /// Adds an accessor of all the values; returns its number.
     template <class T>
     std::size_t add(const std::vector<T>& values,
                     int component_type,
@@ -59,7 +59,7 @@ class GltfText {
 
     [[nodiscard]] Json& primitive() { return json["meshes"][0]["primitives"][0]; }
 
-    /// A triangle in the plane z = 0, with indices.
+    /// Makes a triangle in the plane z = 0, with indices.
     static GltfText triangle() {
         GltfText text;
         const auto positions = text.add_positions({0, 0, 0, 1, 0, 0, 0, 1, 0});
@@ -68,7 +68,7 @@ class GltfText {
         return text;
     }
 
-    /// The buffer as a data: URI in the file.
+    /// Returns the file with its buffer as a data: URI.
     [[nodiscard]] std::string text() const {
         Json with_buffer = json;
         with_buffer["buffers"].push_back(
@@ -77,7 +77,7 @@ class GltfText {
         return with_buffer.dump();
     }
 
-    /// The buffer as a chunk.
+    /// Returns the file with its buffer as a binary chunk.
     [[nodiscard]] std::string glb() const {
         Json with_buffer = json;
         with_buffer["buffers"].push_back({{"byteLength", bytes.size()}});

@@ -1,6 +1,6 @@
-// Proves that a whole run ends with a defined answer, and without memory beyond bounds, on meshes
-// of degenerate, denormal, huge and mixed coordinates, under poses as far as doubles reach; and
-// with one line that names the place on coordinates and poses that are not finite.
+// Proves that a whole run on degenerate, denormal, huge and mixed coordinates, under poses as far
+// as doubles reach, ends with a defined answer and bounded memory; and that coordinates and poses
+// that are not finite give one line that names their location.
 #include "client/base/exit_code.hpp"
 #include "client/commands/commands.hpp"
 #include "client/formats/npz.hpp"
@@ -31,7 +31,7 @@ const std::string far_and_near =
     still + "0.25,0.1,0.1,0.5,0.5,0.5,0.5\n1,0,0,0,0,0.6,0.8\n1e300,0,0,0,0,0,1\n"
             "-1.7e308,1.7e308,1e-320,0,0,0,1\n1e-320,0,0,0,0,0,1\n";
 
-/// A tetrahedron's open faces, two segments and a point.
+/// Writes a tetrahedron's open faces, two segments and a point.
 void write_mesh(const std::filesystem::path& path, const Vec3& factors, const Vec3& offset) {
     const std::vector<std::int64_t> faces{0, 1, 2, 0, 1, 3, 1, 2, 3, 0, 0, 1, 1, 2, 1, 2, 2, 2};
     std::vector<double> vertices;
@@ -49,7 +49,7 @@ void write_mesh(const std::filesystem::path& path, const Vec3& factors, const Ve
 
 constexpr std::size_t text_faces[4][3] = {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 0, 1}};
 
-/// Each face as `begin`, its corners as `corner` gives them, `end`.
+/// Writes each face as `begin`, its corners in the form of `corner`, `end`.
 template <class Corner>
 std::string faces_text(const std::string& begin, const Corner& corner, const std::string& end) {
     std::string text;
@@ -63,7 +63,7 @@ std::string faces_text(const std::string& begin, const Corner& corner, const std
     return text;
 }
 
-/// Three faces of a tetrahedron and a segment, in the text of a format.
+/// Returns three faces of a tetrahedron and a segment in the text of a format.
 std::string text_mesh(const std::string& extension, const std::string& size) {
     const std::array<std::string, 4> corners{
         "0 0 0\n", size + " 0 0\n", "0 " + size + " 0\n", "0 0 " + size + "\n"};
@@ -96,7 +96,7 @@ std::string text_mesh(const std::string& extension, const std::string& size) {
 
 struct Outcome {
     int code = 0;
-    std::string text; ///< All that was printed.
+    std::string text; ///< All output.
 };
 
 Outcome run(const std::filesystem::path& a,
@@ -120,7 +120,7 @@ Outcome run(const std::filesystem::path& a,
     return outcome;
 }
 
-/// One line that names the place, and nothing written.
+/// Expects one line that names the location, and no output file.
 void expect_refused(const TemporaryFolder& folder,
                     const std::string& mesh,
                     const std::string& poses,
@@ -171,7 +171,7 @@ TEST(HostileMeshes, EveryScenarioOfARunHasAnAnswer) {
             }
         }
     }
-#ifdef __SANITIZE_ADDRESS__ // Which keeps what is freed for a while.
+#ifdef __SANITIZE_ADDRESS__ // It keeps freed memory for a while.
     const long bound_kib = 1024 * 1024;
 #else
     const long bound_kib = 256 * 1024;
@@ -212,7 +212,7 @@ TEST(HostileMeshes, CoordinatesThatAreNotFiniteAreRefusedByFace) {
         write_text(folder / mesh, text_mesh(extension, "1e400"));
         expect_refused(folder, mesh, "poses.csv", "a coordinate that is not finite");
     }
-    // 2^400 is more than floats hold, which is what other formats are read in.
+    // 2^400 exceeds floats, in which other formats are read.
     write_text(folder / "bad.ac", text_mesh("ac", "2.5822498780869086e120"));
     expect_refused(folder, "bad.ac", "poses.csv", "bad.ac: face 0");
 }

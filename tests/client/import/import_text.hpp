@@ -1,4 +1,4 @@
-// Files of a few lines, for the tests of the import door.
+// Files of a few lines, for tests of the importer.
 #pragma once
 
 #include "client/import/mesh_import.hpp"
@@ -18,7 +18,7 @@ inline Result<ImportedMesh> import_text(const std::string& name, const std::stri
     return import_mesh(folder / name, {});
 }
 
-/// The mesh of a file that must have been taken.
+/// Returns the mesh of a file that must have been accepted.
 inline const Mesh& mesh_of(const Result<ImportedMesh>& imported) {
     if (!imported) {
         throw std::runtime_error(imported.error().detail);
@@ -26,7 +26,7 @@ inline const Mesh& mesh_of(const Result<ImportedMesh>& imported) {
     return *imported.value().mesh;
 }
 
-/// The one line with which the file is refused.
+/// Returns the one line with which the file is refused.
 inline std::string error_of(const std::string& name, const std::string& text) {
     const auto imported = import_text(name, text);
     if (imported) {

@@ -1,5 +1,5 @@
-// Proves that damage in text files is refused with one line, and that what only looks like damage
-// is read.
+// Proves that damaged text files are refused with one line, and that files that only look damaged
+// are read.
 #include "client/import/mesh_import.hpp"
 #include "client/report/inspect.hpp"
 #include "tests/client/import/import_text.hpp"

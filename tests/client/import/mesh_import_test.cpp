@@ -1,6 +1,5 @@
-// Proves that the import door takes a file whole or refuses it with one clear line: real models
-// with the counts known of them, each kind of damage that importers pass over, and the order of
-// triangles.
+// Proves that the importer accepts a file whole or refuses it with one clear line: real models with
+// known counts, every kind of damage that importers ignore, and the order of triangles.
 #include "client/import/mesh_import.hpp"
 
 #include "client/formats/npz.hpp"
@@ -33,7 +32,7 @@ struct Model {
     std::uint64_t edges[3]; ///< Boundary, non-manifold, inconsistent.
 };
 
-/// The name that test runners show.
+/// Prints the name that test runners show.
 void PrintTo(const Model& model, std::ostream* out) {
     *out << model.file;
 }
@@ -225,7 +224,7 @@ TEST(MeshImport, OfAnArchiveOnlyTheNeededArraysAreUnpacked) {
         ASSERT_TRUE(writer.append(other, std::span<const double>(zeros)));
     }
     ASSERT_TRUE(writer.finish());
-    const MemoryBound bound(32u << 20); // Half of what the other array takes.
+    const MemoryBound bound(32u << 20); // Half of the other array's size.
     const auto imported = import_mesh(folder / "mesh.npz", {});
     ASSERT_TRUE(imported) << imported.error().detail;
     EXPECT_EQ(imported.value().mesh->triangles().size(), 1u);

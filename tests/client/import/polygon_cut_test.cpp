@@ -1,6 +1,5 @@
-// Proves that a polygon becomes triangles of its own orientation whose areas add up to its own,
-// which for an outline that does not cross itself means that they cover it, each place once; and
-// that other outlines are refused.
+// Proves that a polygon is cut into triangles of its own orientation whose areas add up to its
+// area; for a simple outline they thus cover it exactly once. Other outlines are refused.
 #include "client/import/polygon_cut.hpp"
 
 #include <Eigen/Geometry>
@@ -24,12 +23,12 @@ std::vector<Triangle> cut(const std::vector<Vec3>& corners) {
     return {triangles.begin(), triangles.end()};
 }
 
-/// Twice the area in the plane of x and y; exact for small whole coordinates.
+/// Returns twice the area in the x-y plane; exact for small integer coordinates.
 double area(const Vec3& a, const Vec3& b, const Vec3& c) {
     return (b - a).cross(c - a).z();
 }
 
-/// Whole directions around the origin, counter-clockwise, each once.
+/// Returns distinct integer directions around the origin, counter-clockwise.
 std::vector<Vec3> directions() {
     std::vector<Vec3> all;
     for (int x = -7; x <= 7; ++x) {
@@ -45,11 +44,11 @@ std::vector<Vec3> directions() {
     return all;
 }
 
-/// A polygon that is seen whole from the origin: a random distance in each of some directions.
+/// Makes a polygon fully visible from the origin: a random distance in each of some directions.
 std::vector<Vec3> star(std::mt19937_64& random) {
     std::vector<Vec3> corners;
     for (const Vec3& direction : directions()) {
-        const bool is_axis = direction.x() == 0 || direction.y() == 0; // So the origin is inside.
+        const bool is_axis = direction.x() == 0 || direction.y() == 0; // Keeps the origin inside.
         if (is_axis || random() % 4 == 0) {
             corners.push_back(static_cast<double>(1 + random() % 20) * direction);
         }

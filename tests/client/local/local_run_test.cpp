@@ -1,5 +1,5 @@
-// Proves that a run in one process gives every result once, in order, with the same digest for any
-// number of threads, and that it ends at once when it is told to.
+// Proves that a run in one process gives every result once, in order, with one digest for any
+// number of threads, and that it stops promptly on request.
 #include "client/local/local_run.hpp"
 
 #include "common/job/run_scenario.hpp"
@@ -71,7 +71,7 @@ TEST_F(LocalRun, EveryResultComesOnceInOrder) {
     EXPECT_EQ(next, scenarios);
     EXPECT_TRUE(outcome.value().summary.is_complete());
     EXPECT_EQ(outcome.value().summary.total, scenarios);
-    // Both outcomes were exercised.
+    // Both outcomes occurred.
     EXPECT_GT(contacts, scenarios / 10);
     EXPECT_LT(contacts, scenarios * 9 / 10);
 }
@@ -89,7 +89,8 @@ TEST_F(LocalRun, TheDigestDoesNotDependOnThreads) {
 }
 
 TEST_F(LocalRun, StatisticsAreTheSumsOverAllScenarios) {
-    // (At level any they depend on the order, since a search expects what it found before.)
+    // (Level any is excluded: its pairs depend on the order, since a search tries earlier contacts
+    // first.)
     for (const Level level : {Level::Count, Level::Pairs}) {
         query_.level = level;
         QueryStatistics expected;

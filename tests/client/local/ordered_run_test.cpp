@@ -1,5 +1,5 @@
-// Proves that scenarios handed out in batches come back each once, in order, with their digests,
-// and that no more run ahead than is allowed.
+// Proves that scenarios handed out in batches return once each, in order, with their digests, and
+// that no more run ahead than allowed.
 #include "client/local/ordered_run.hpp"
 
 #include "common/core/limits/client.hpp"
@@ -16,7 +16,8 @@ namespace {
 
 class Ordered : public testing::Test {
   protected:
-    /// From far apart to deep within each other: some take a hundred times as long as others.
+    /// Positions range from far apart to deep inside each other: some take a hundred times as long
+    /// as others.
     [[nodiscard]] std::vector<Scenario> make_scenarios(std::uint64_t first, std::uint64_t count) {
         std::vector<Scenario> list(count);
         for (std::uint64_t i = 0; i < count; ++i) {
@@ -26,7 +27,7 @@ class Ordered : public testing::Test {
         return list;
     }
 
-    /// Takes what is left and looks at each.
+    /// Takes the remaining results and checks each.
     static void take_all(OrderedRun& run, std::uint64_t end, std::uint64_t& taken) {
         while (taken < end) {
             for (const DoneScenario& done : run.take(std::chrono::milliseconds(100), false)) {

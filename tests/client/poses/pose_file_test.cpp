@@ -1,5 +1,5 @@
-// Proves that poses are read as the exact numbers of their file, in every format, and that a pose
-// that is not rigid, not finite or not there is refused by its row.
+// Proves that poses of every format are read as the exact numbers of their file, and that a pose
+// that is not rigid, not finite or missing is refused by its row.
 #include "client/poses/pose_file.hpp"
 
 #include "client/formats/npz.hpp"
@@ -394,7 +394,7 @@ TEST_F(PoseFile, TooLittleMemoryNamesTheFile) {
         rows += "0\n";
     }
     write_text(folder_ / "many.csv", rows);
-    const MemoryBound bound(32u << 20); // Half of what the numbers take.
+    const MemoryBound bound(32u << 20); // Half of the numbers' size.
     EXPECT_EQ(error_of(spec("many.csv")),
               (folder_ / "many.csv").string() + ": too little memory to read it");
 }

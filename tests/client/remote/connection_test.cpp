@@ -1,5 +1,5 @@
-// Proves that a client says what the protocol wants, takes only answers that are ones, turns each
-// way to fail into its own error, and can be interrupted while it waits. The master is a fake.
+// Proves that a client follows the protocol, accepts only valid answers, maps each failure to its
+// own error, and can be interrupted while it waits. The master is a fake.
 
 #include "client/remote/connection.hpp"
 
@@ -19,14 +19,14 @@ namespace {
 using testing::HasSubstr;
 using Answers = std::optional<std::vector<Message>>;
 
-/// Welcomes; leaves all else to `rest`.
+/// Welcomes the client; leaves all other messages to `rest`.
 FakeMaster::Answer welcoming(FakeMaster::Answer rest) {
     return [rest = std::move(rest)](const Message& message) -> Answers {
         return std::holds_alternative<Hello>(message) ? FakeMaster::welcome() : rest(message);
     };
 }
 
-/// Gives always the same.
+/// Always gives one answer.
 FakeMaster::Answer always(Message answer) {
     return welcoming(
         [answer = std::move(answer)](const Message&) -> Answers { return std::vector{answer}; });
@@ -103,7 +103,7 @@ TEST(Connection, BadAddressesAndExposureAreRefusedBeforeAnythingIsSent) {
 // ---- Meshes ---------------------------------------------------------------------------------
 
 TEST(Connection, UploadsOnlyWhatIsMissingAndThatWhole) {
-    const auto large = share(make_sphere(7)); // Several pieces.
+    const auto large = share(make_sphere(7)); // It needs several pieces.
     const auto small = share(make_box({1, 2, 3}));
     FakeMaster master(welcoming([&](const Message& message) -> Answers {
         if (std::holds_alternative<MeshesQuery>(message)) {
@@ -231,7 +231,7 @@ TEST(Connection, AWatchThatIsInterruptedLeavesTheWordToCancel) {
         JobStatus status;
         status.state =
             std::holds_alternative<Cancel>(message) ? JobState::Cancelled : JobState::Running;
-        // What a watch had still to say comes before the answer to the cancel.
+        // Pending status messages of the watch precede the answer to the cancel.
         return std::vector<Message>{JobStatus{}, status};
     }));
     const auto connection = open(master, [&] { return stopped.load(); });
@@ -248,7 +248,7 @@ TEST(Connection, AWatchThatIsInterruptedLeavesTheWordToCancel) {
 
 TEST(Connection, OneScenarioIsCancelledByItsNumber) {
     FakeMaster master(welcoming([](const Message&) -> Answers {
-        return std::vector<Message>{JobStatus{}}; // The job runs on.
+        return std::vector<Message>{JobStatus{}}; // The job still runs.
     }));
     const auto status = open(master)->cancel_scenario(JobId{5}, 17);
     ASSERT_TRUE(status) << status.error().detail;

@@ -1,5 +1,5 @@
-// Proves that a mesh that a master gave once is not fetched again, and that what is wrong with the
-// folder that keeps it does no harm.
+// Proves that a mesh is fetched from a master only once, and that an unusable cache folder does no
+// harm.
 #include "client/remote/mesh_cache.hpp"
 
 #include "client/commands/fetched_job.hpp"

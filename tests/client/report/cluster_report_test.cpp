@@ -1,5 +1,5 @@
-// Proves that lists read well for people and exactly for programs, and that the status names what
-// holds the cluster up.
+// Proves that lists are readable for people and exact for programs, and that the status names what
+// delays the cluster.
 
 #include "client/report/cluster_report.hpp"
 

@@ -1,5 +1,5 @@
-// Proves that what explains a choice shows every worker, who is chosen, who may not be, and what
-// the scores are not; for people and for programs, for strategies that go by triangles and by time.
+// Proves that the explanation of a choice shows every worker, the chosen and the excluded ones, and
+// what the scores do not include; for people and programs, for strategies by triangles and by time.
 #include "client/report/explain_report.hpp"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ Explained make_explained(Strategy strategy) {
     return explained;
 }
 
-/// The line that names it.
+/// Returns the line that contains `name`.
 std::string line_with(const std::string& text, const std::string& name) {
     const auto at = text.find(name);
     if (at == std::string::npos) {

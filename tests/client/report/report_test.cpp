@@ -1,4 +1,4 @@
-// Proves that the lines around a run say what happened: sizes, progress, classes, coverage, digest.
+// Proves that a run's output reports what happened: sizes, progress, classes, coverage, digest.
 #include "client/report/report.hpp"
 
 #include "client/export/result_sink.hpp"
@@ -48,7 +48,7 @@ BodyLine body(const std::string& name, const Vec3& size) {
     return line;
 }
 
-/// Two parts of six triangles each.
+/// Makes two parts of six triangles each.
 Mesh two_parts() {
     const Mesh box = make_box({1, 1, 1});
     MeshArrays arrays{
@@ -56,7 +56,7 @@ Mesh two_parts() {
     return Mesh::create(std::move(arrays)).value();
 }
 
-/// Everything that `print` writes to a stream.
+/// Returns everything that `print` writes to a stream.
 template <class Print>
 std::string printed(const Print& print) {
     char* text = nullptr;
@@ -96,7 +96,7 @@ TEST(Report, ASizeRatioOfAUnitIsWarnedAbout) {
     EXPECT_TRUE(unit_warning(body("b", {4.0 * 25.5, 25.4, 25.4}), meters));
     EXPECT_FALSE(unit_warning(meters, body("b", {4.0 * 26, 26, 26})));
     EXPECT_FALSE(unit_warning(meters, body("b", {3, 1, 1})));
-    // The same body, turned: its longest edge differs, its diagonal does not.
+    // One body, turned: its longest edge differs, its diagonal does not.
     EXPECT_TRUE(unit_warning(body("a", {3, 4, 0}), body("b", {5000, 0, 0})));
     EXPECT_FALSE(unit_warning(meters, body("point", {0, 0, 0})));
 }
@@ -178,7 +178,7 @@ TEST(Report, CutListsGiveNoShareOfTriangles) {
     EXPECT_THAT(text,
                 HasSubstr("1 triangle of A and 0 of B were in contact, of the first 3 pairs a "
                           "scenario; digest "));
-    report.maps_all_pairs = true; // But not those that parts are counted by.
+    report.maps_all_pairs = true; // Counts by part stay limited.
     text = summary_text(report);
     EXPECT_THAT(text, HasSubstr("1 triangle of A and 0 of B were in contact; digest "));
     EXPECT_THAT(text, HasSubstr("door 7, of the first 3 pairs a scenario"));
@@ -376,11 +376,12 @@ TEST(Progress, OnANarrowTerminalALineIsCut) {
     {
         ProgressPrinter printer(ProgressPrinter::Style::Bar, stream);
         ProgressState state = at(1);
-        state.name = "caf\xc3\xa9-caf\xc3\xa9-caf\xc3\xa9-x"; // Its 19th byte ends no character.
+        state.name = "caf\xc3\xa9-caf\xc3\xa9-caf\xc3\xa9-x"; // Its 19th byte is inside a
+                                                              // character.
         state.note = {"no worker is here: start cdworker", true};
         printer.update(state);
     }
-    std::string text; // A terminal hands over what was written to it in as many parts as it likes.
+    std::string text; // A terminal splits written text at will.
     const std::string note = "\nno worker is here: \x1b[K";
     pollfd ready{screen, POLLIN, 0};
     while (text.find(note) == std::string::npos && ::poll(&ready, 1, 10'000) == 1) {

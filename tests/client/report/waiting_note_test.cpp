@@ -1,4 +1,4 @@
-// Proves that a job that does not go on as it might says what it waits for, the worst first.
+// Proves that a delayed job names what it waits for, the worst first.
 #include "client/report/waiting_note.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Proves that a job file means what it says, and that everything wrong in one is refused with the
-// line, the key and the way out.
+// Proves that a job file is interpreted as documented, and that every error in one is refused with
+// line, key and remedy.
 #include "client/spec/job_file.hpp"
 
 #include "client/spec/job_options.hpp"
@@ -55,7 +55,7 @@ Result<JobSpec> parse(const std::string& text) {
     return parse_job(text, "folder/job.toml");
 }
 
-/// The error of a document that starts with the two bodies (4 lines).
+/// Returns the error of a document that starts with the two bodies (4 lines).
 std::string problem_with(const std::string& rest) {
     const auto spec = parse(minimal + rest);
     return spec ? "none" : spec.error().detail;

@@ -1,6 +1,6 @@
-// Proves that trees which are kept are found again and stay within the bound, the longest unused
-// leaving first; that whatever is wrong with the folder costs a warning and nothing else; and that
-// a job gets its bodies' trees in the forms that it walks.
+// Proves that cached trees are found again and stay within the bound, least recently used evicted
+// first; that an unusable folder costs only a warning; and that a job gets its bodies' trees in the
+// forms it searches.
 #include "client/trees/tree_cache.hpp"
 
 #include "client/trees/body_trees.hpp"
@@ -51,7 +51,7 @@ class TreeCacheTest : public testing::Test {
     std::shared_ptr<const Mesh> closed_ = share(make_sphere(3));
     std::shared_ptr<const Mesh> open_ =
         share(make_mesh({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}));
-    /// Beyond what a wide tree can hold.
+    /// Exceeds the range of a wide tree.
     std::shared_ptr<const Mesh> huge_ = share(make_box({0x1p60, 0x1p60, 0x1p60}));
 };
 
@@ -104,13 +104,13 @@ TEST_F(TreeCacheTest, BeyondTheBoundTheLongestUnusedLeaves) {
     TreeCache cache(folder_, 3 * one + one / 2);
     cache.keep(TreeForm::Wide, build(meshes[1]));
     cache.keep(TreeForm::Wide, build(meshes[2]));
-    // All unused for long, then two of them used.
+    // All files are old, then two of them are used.
     for (const fs::path& file : files()) {
         fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(9));
     }
     EXPECT_NE(cache.find(TreeForm::Wide, meshes[0]), nullptr);
     EXPECT_NE(cache.find(TreeForm::Wide, meshes[1]), nullptr);
-    write_text(folder_ / "notes.txt", std::string(4 * one, 'x')); // Not ours.
+    write_text(folder_ / "notes.txt", std::string(4 * one, 'x')); // A foreign file.
     cache.keep(TreeForm::Wide, build(meshes[3]));
     EXPECT_EQ(cache.find(TreeForm::Wide, meshes[2]), nullptr);
     for (const std::size_t kept : {0u, 1u, 3u}) {
@@ -168,7 +168,7 @@ TEST_F(TreeCacheTest, AFolderThatMayOnlyBeReadStillGivesItsTrees) {
     EXPECT_NE(cache.find(TreeForm::Wide, closed_), nullptr);
     EXPECT_THAT(cache.take_warnings(), IsEmpty());
     cache.keep(TreeForm::Wide, build(open_));
-    // Permissions do not bind who may do everything.
+    // Root ignores permissions.
     EXPECT_THAT(cache.take_warnings(), testing::SizeIs(::geteuid() == 0 ? 0 : 1));
     fs::permissions(folder_, fs::perms::owner_all);
 }
@@ -177,7 +177,7 @@ class BodyTreesTest : public TreeCacheTest {
   protected:
     using Trees = std::array<std::shared_ptr<const ObbTree>, 2>;
 
-    /// The same from nothing, from what that left, and without a cache.
+    /// Makes the trees from scratch, from the resulting cache, and without a cache.
     [[nodiscard]] std::vector<Trees> make(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
                                           const TreeUse& use) {
         fs::remove_all(folder_);

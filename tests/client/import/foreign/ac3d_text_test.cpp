@@ -1,5 +1,5 @@
-// Proves that an AC3D file is taken as it says or refused by line: numbers read halfway, indices
-// out of range, lines out of place, counts and depths without a bound.
+// Proves that an AC3D file is read exactly or refused by line: partly readable numbers, indices out
+// of range, misplaced lines, unbounded counts and depths.
 #include "client/import/foreign/ac3d_text.hpp"
 
 #include "tests/client/import/import_text.hpp"
@@ -14,11 +14,11 @@ using testing::HasSubstr;
 
 const std::string head = "AC3Db\nMATERIAL \"\" rgb 1 1 1  amb 1 1 1  emis 0 0 0  spec 0 0 0  shi 0"
                          "  trans 0\nOBJECT world\nkids 1\n";
-/// From line 5; the vertices stand on the lines 8 to 10, the corners on 15 to 17.
+/// Starts at line 5; the vertices are on lines 8 to 10, the corners on 15 to 17.
 const std::string body = "OBJECT poly\nname \"a\"\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\nnumsurf 1\n"
                          "SURF 0x10\nmat 0\nrefs 3\n0 0 0\n1 0 0\n2 0 0\nkids 0\n";
 
-/// The triangle with one part of its text replaced.
+/// Returns the triangle with one part of its text replaced.
 std::string with(const std::string& part, const std::string& other) {
     std::string text = head + body;
     const std::size_t at = text.rfind(part);
@@ -132,10 +132,10 @@ TEST(Ac3dText, SurfacesOfTooFewCornersAreRefused) {
 }
 
 TEST(Ac3dText, ObjectsOutOfPlaceAreNamedByLine) {
-    // The importer would put the second object's vertices into the first.
+    // The importer would add the second object's vertices to the first.
     EXPECT_THAT(error_of("open.ac", head + body.substr(0, body.find("kids")) + body),
                 HasSubstr("open.ac:18: 'OBJECT' before"));
-    // And would leave out the transforms of the objects around it.
+    // The importer would omit the transforms of enclosing objects.
     EXPECT_THAT(error_of("far.ac", head + "crease 45\n" + body), HasSubstr("far.ac:5: 'OBJECT'"));
 }
 

@@ -1,5 +1,5 @@
-// Proves that whatever happens in a child process ends as an answer or as one word for its end, and
-// that no process is left behind.
+// Proves that every end of a child process becomes an answer or a word for it, and that no process
+// is left behind.
 #include "client/import/foreign/child_call.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ ChildEnd end_of(const std::function<Bytes()>& work, const StopCheck& is_stopped 
     const auto answer = call_in_child(work, limits, is_stopped);
     EXPECT_TRUE(answer) << answer.error().detail;
     EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
-    EXPECT_EQ(errno, ECHILD); // No zombie.
+    EXPECT_EQ(errno, ECHILD); // There is no zombie.
     return answer ? answer.value().end : ChildEnd::Crashed;
 }
 

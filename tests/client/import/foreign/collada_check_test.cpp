@@ -1,5 +1,5 @@
-// Proves that a COLLADA file is refused by line where the importer would read a number halfway,
-// read on without end, or take a part of a text for the whole.
+// Proves that a COLLADA file is refused by line if the importer would read part of a number, read
+// on without end, or take part of a text for the whole.
 #include "client/import/foreign/collada_check.hpp"
 
 #include "tests/client/import/import_text.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A triangle, whose parts a test replaces.
+/// A triangle, in which a test replaces parts.
 struct Document {
     std::string meter = "1";
     std::string count = "9";
@@ -90,13 +90,13 @@ TEST(ColladaCheck, CoordinatesReadHalfwayAreNamedByLine) {
     }
     EXPECT_THAT(error_with(&Document::positions, "0 0 0 1 0 0 0 1 1.#INF"),
                 HasSubstr("half.dae:5: "));
-    // What is not finite is named by its face.
+    // A coordinate that is not finite is reported by its face.
     EXPECT_THAT(error_with(&Document::positions, "0 0 0 1 0 0 0 1 NaN"), HasSubstr("face 0"));
     EXPECT_THAT(error_with(&Document::positions, "0 0 0 1 0 0 0 1 1e39"), HasSubstr("face 0"));
 }
 
 TEST(ColladaCheck, IndicesThatAreNoneAreNamedByLine) {
-    // From a letter the importer would not get on, and would fill the memory with zeros.
+    // The importer would stop at a letter and fill the memory with zeros.
     for (const std::string index : {"2d", "x", "-2", "1.5", "0x2", "4294967298"}) {
         SCOPED_TRACE(index);
         EXPECT_THAT(error_with(&Document::indices, "0 1\n" + index),

@@ -1,4 +1,5 @@
-// Proves that CAD models and archives are told from meshes, with what to do.
+// Proves that CAD models and archives are distinguished from meshes, and the message says what to
+// do.
 #include "client/import/foreign/foreign_format.hpp"
 
 #include <gmock/gmock.h>

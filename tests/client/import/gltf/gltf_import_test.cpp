@@ -1,5 +1,5 @@
-// Proves that a glTF file becomes the triangles that the specification says, or is refused by the
-// object of the file that is wrong.
+// Proves that a glTF file gives the triangles the specification prescribes, or is refused with the
+// name of the invalid object.
 #include "client/import/gltf/gltf_import.hpp"
 
 #include "client/import/foreign/assimp_import.hpp"
@@ -37,7 +37,7 @@ std::string refused(const GltfText& text) {
     return error_of("refused.gltf", text.text());
 }
 
-/// One triangle of integers, each corner on another axis.
+/// Makes one triangle of integers, each corner on another axis.
 template <class T>
 std::shared_ptr<const Mesh>
 quantised(T at_x, T at_y, T at_z, int component_type, bool is_normalized) {
@@ -233,7 +233,7 @@ TEST(GltfImport, InstancesArePlacedEach) {
     ASSERT_EQ(mesh->triangles().size(), 2u);
     EXPECT_EQ(mesh->corners(0)[1], Vec3(1, 0, 7));
     EXPECT_EQ(mesh->corners(1)[0], Vec3(10, 0, 7));
-    EXPECT_EQ(mesh->corners(1)[1], Vec3(10, 2, 7)); // x turned to y, exactly.
+    EXPECT_EQ(mesh->corners(1)[1], Vec3(10, 2, 7)); // x is turned to y, exactly.
     EXPECT_EQ(mesh->parts().size(), 2u);
 
     text.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"] =

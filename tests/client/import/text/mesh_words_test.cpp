@@ -1,4 +1,4 @@
-// Proves that a decimal number becomes the double nearest to it, however it is spelled.
+// Proves that a decimal number becomes the nearest double, however it is spelled.
 #include "client/import/text/mesh_words.hpp"
 
 #include "client/import/text/text_reader.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Digits with a point somewhere, and perhaps an exponent.
+/// Returns digits with a point somewhere, and perhaps an exponent.
 std::string random_decimal(std::mt19937_64& random) {
     std::string text = random() % 2 == 0 ? "-" : "";
     const std::uint64_t digits = 1 + random() % 30;

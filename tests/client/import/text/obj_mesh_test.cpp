@@ -1,4 +1,4 @@
-// Proves that the polygons of an OBJ file are read whole, or are refused by line.
+// Proves that the polygons of an OBJ file are read completely, or refused by line.
 #include "client/import/text/obj_mesh.hpp"
 
 #include "tests/client/import/import_text.hpp"

@@ -1,4 +1,4 @@
-// Proves that an OFF file is read whole, or is refused by line, vertex or face.
+// Proves that an OFF file is read completely, or refused by line, vertex or face.
 #include "client/import/text/off_mesh.hpp"
 
 #include "tests/client/import/import_text.hpp"

@@ -1,5 +1,5 @@
-// Proves that a PLY file, in text or binary, is read whole, or is refused by line or byte, and that
-// no count in its header is believed.
+// Proves that a PLY file, text or binary, is read completely or refused by line or byte, and that
+// no count in its header is trusted.
 #include "client/import/text/ply_mesh.hpp"
 
 #include "tests/client/import/import_text.hpp"
@@ -31,7 +31,7 @@ std::string text(const std::string& described, const std::string& data) {
     return "ply\nformat ascii 1.0\ncomment made\n" + described + "end_header\n" + data;
 }
 
-/// Bytes of numbers in a byte order.
+/// Bytes of numbers in a given byte order.
 class Data {
   public:
     explicit Data(bool is_big_endian) : is_big_endian_(is_big_endian) {}

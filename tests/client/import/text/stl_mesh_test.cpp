@@ -1,5 +1,5 @@
-// Proves that an STL file, in text or binary, is read whole, each coordinate as the double nearest
-// to its text, or is refused by line or facet.
+// Proves that an STL file, text or binary, is read completely, each coordinate as the double
+// nearest to its text, or refused by line or facet.
 #include "client/import/text/stl_mesh.hpp"
 
 #include "tests/client/import/import_text.hpp"
@@ -27,7 +27,7 @@ std::string solid(const std::string& facets, const std::string& name = "a") {
     return "solid " + name + "\n" + facets + "endsolid " + name + "\n";
 }
 
-/// A binary file of so many facets, the last corner at `last`.
+/// Makes a binary file of so many facets, the last corner at `last`.
 std::string binary(std::uint32_t counted,
                    std::uint32_t facets,
                    const std::string& header = "made",
