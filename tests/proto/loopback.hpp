@@ -1,4 +1,4 @@
-// Two ends of a connection on this machine, for tests of what talks over it.
+// Two ends of a connection on this machine, for tests of protocols.
 #pragma once
 
 #include "proto/channel/channel.hpp"
@@ -11,7 +11,7 @@
 
 namespace cd::tests {
 
-/// Longer than any test takes, even under a sanitizer; a test that hangs ends here and fails.
+/// Longer than any test takes, even under a sanitizer; a hanging test fails after it.
 inline constexpr std::chrono::seconds patience{60};
 
 /// Both ends of a connection before there are channels.
@@ -35,7 +35,7 @@ struct Ends {
     std::shared_ptr<Channel> right;
 };
 
-/// Both ends on a port that the system chooses.
+/// Connects two channels over a port chosen by the system.
 inline asio::awaitable<Ends> connect_ends() {
     const auto executor = co_await asio::this_coro::executor;
     const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
@@ -49,7 +49,7 @@ inline asio::awaitable<Ends> connect_ends() {
     co_return ends;
 }
 
-/// The same, past the greeting.
+/// Connects two channels that have greeted each other.
 inline asio::awaitable<Ends> connect_greeted_ends() {
     Ends ends = co_await connect_ends();
     Hello hello;
@@ -63,7 +63,7 @@ inline asio::awaitable<Ends> connect_greeted_ends() {
     co_return ends;
 }
 
-/// Runs the conversation, and whatever it spawns, to the end.
+/// Runs the conversation, and everything it spawns, to the end.
 inline void run_conversation(const std::function<asio::awaitable<void>()>& conversation) {
     asio::io_context context;
     bool ended = false;

@@ -1,4 +1,4 @@
-// One message of each type with every member set, so that a forgotten or swapped one shows.
+// One message of each type with every member set, so that a forgotten or swapped member shows.
 #pragma once
 
 #include "proto/codec/message.hpp"
@@ -137,7 +137,7 @@ inline Submit some_submit() {
     return submit;
 }
 
-/// In the order of their numbers.
+/// Returns them in order of message number.
 inline std::vector<Message> sample_messages() {
     return {
         Hello{9, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321, 1.5, 99, 7, 8, "ilan@node-1"},

@@ -1,5 +1,5 @@
-// Proves that a credential comes back from its file as it went in, is for its owner's eyes alone,
-// and that a file which is none, or which others may read, is not used.
+// Proves that a credential is read back as written, is readable by its owner only, and that an
+// invalid file, or one that others may read, is not used.
 #include "proto/access/credential_file.hpp"
 
 #include "common/core/limits/wire.hpp"
@@ -63,7 +63,7 @@ TEST(CredentialFile, WhatBelongsToAnotherIsNotUsed) {
     EXPECT_EQ(read_credential(folder.path()).error().code, ErrorCode::Io) << "no file";
 }
 
-/// While alive, this folder is where names without one are looked for.
+/// Sets the folder for relative names while it lives.
 class WorkingFolder {
   public:
     explicit WorkingFolder(const fs::path& folder) { fs::current_path(folder); }

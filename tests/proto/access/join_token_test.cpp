@@ -1,5 +1,5 @@
-// Proves that a token is read as it was written and nothing else is, and that a proof of it holds
-// on its connection, for its request, with its secret alone.
+// Proves that exactly the written form of a token is read, and that its proof holds only on its
+// connection, for its request, with its secret.
 #include "proto/access/join_token.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(JoinToken, AProofHoldsOnItsConnectionForItsRequestAlone) {
     EXPECT_FALSE(is_join_proof(proof, stored, binding, "requests"));
     EXPECT_FALSE(is_join_proof(proof, stored_secret(some_token()), binding, "request"));
     EXPECT_FALSE(is_join_proof(Sha256{}, stored, binding, "request"));
-    // Neither what the master keeps, nor what travels, is the secret or proves it.
+    // Neither the master's stored value nor the transmitted one is the secret or proves it.
     EXPECT_NE(stored, token.secret);
     EXPECT_NE(proof, token.secret);
     EXPECT_FALSE(is_join_proof(join_proof({token.id, stored, token.authority}, binding, "request"),

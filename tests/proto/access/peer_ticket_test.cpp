@@ -1,4 +1,4 @@
-// Proves that a ticket is good once, for what it was made for, with the key that it was made with.
+// Proves that a ticket is valid once, for its purpose, with the key that made it.
 #include "proto/access/peer_ticket.hpp"
 
 #include "common/core/limits/wire.hpp"

@@ -1,4 +1,4 @@
-// Proves that who is refused often does not fill the log, and that the log tells how often.
+// Proves that repeated refusals of a peer do not fill the log, and that the log gives their number.
 #include "proto/access/refusals.hpp"
 
 #include "common/core/limits/wire.hpp"
@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 constexpr Refusals::Time start{1h};
 
-/// So many lines that more are left out.
+/// Causes so many lines that more are suppressed.
 void write_all(Refusals& refusals, const std::string& host, Refusals::Time now) {
     for (std::size_t i = 0; i < limits::refusal_lines_max; ++i) {
         EXPECT_EQ(refusals.admit(host, now), 0u);
@@ -38,7 +38,7 @@ TEST(Refusals, HostsWithoutEndAreOne) {
     }
     write_all(refusals, "one more", start);
     EXPECT_FALSE(refusals.admit("and another", start));
-    // Who has not been refused again is forgotten.
+    // A peer that is not refused again is forgotten.
     write_all(refusals, "late", start + 1s);
     EXPECT_EQ(refusals.admit("later", start + 1s), 0u);
 }

@@ -1,6 +1,6 @@
-// Proves what the channel promises over a real connection: whole messages in order, control before
-// data, bounded memory for a slow reader, an error for every way in which a peer can misbehave, and
-// a close that loses nothing that was queued.
+// Proves the channel's promises over a real connection: whole messages in order, control before
+// data, bounded memory for a slow reader, an error for every misbehaviour of a peer, and a close
+// that sends everything queued.
 #include "proto/channel/channel.hpp"
 
 #include "common/core/limits/wire.hpp"
@@ -76,7 +76,7 @@ TEST(Channel, AReaderThatDoesNotReadStopsTheSender) {
         for (std::uint64_t i = 0; i < 48; ++i) {
             ends.left->send(results_of(i, 1u << 20));
         }
-        // Time passes; what the two sockets buffer is far less than what is queued.
+        // Let time pass; the two sockets buffer far less than what is queued.
         const Result<Message> nothing = co_await ends.left->receive(100ms);
         EXPECT_EQ(nothing.error().code, ErrorCode::Timeout);
         EXPECT_GT(ends.left->queued_bytes(), 16u << 20);
@@ -160,7 +160,7 @@ TEST(Channel, DroppingItClosesTheConnection) {
     });
 }
 
-/// Sends the bytes and closes; returns what the channel at the other end makes of them.
+/// Sends the bytes and closes; returns the other channel's error.
 asio::awaitable<ErrorCode> verdict_on(Bytes bytes) {
     const auto executor = co_await asio::this_coro::executor;
     const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
@@ -224,7 +224,7 @@ TEST(Channel, WhatThePeerMayNotSendIsRefusedBeforeItHasCome) {
         co_await asio::async_write(raw, asio::buffer(hello), asio::use_awaitable);
         const Result<Hello> greeted = co_await accept_hello(channel);
         EXPECT_TRUE(greeted);
-        // Of the largest message there is, the first header and no byte more.
+        // The first header of the largest message, and not one byte more.
         FrameHeader header;
         header.type = message_type(Subtrees{});
         header.has_more = true;
@@ -235,7 +235,7 @@ TEST(Channel, WhatThePeerMayNotSendIsRefusedBeforeItHasCome) {
         EXPECT_EQ(refused.error().code, ErrorCode::BadFrame);
         EXPECT_THAT(refused.error().detail, testing::HasSubstr("does not send 'subtrees'"));
         EXPECT_FALSE(channel->is_open());
-        // It is told why, and the connection ends when it has had the time to read that.
+        // The channel sends the reason, and the connection ends after the peer had time to read it.
         const Bytes told = frame_of(Failure{refused.error().code, refused.error().detail});
         Bytes came(told.size());
         co_await asio::async_read(raw, asio::buffer(came), asio::use_awaitable);
@@ -245,7 +245,7 @@ TEST(Channel, WhatThePeerMayNotSendIsRefusedBeforeItHasCome) {
     });
 }
 
-/// Connects, says these bytes and no more, and waits until the other end has had enough.
+/// Connects, sends only these bytes, and waits until the other end gives up.
 asio::awaitable<Error> verdict_on_standstill_after(Bytes bytes, bool is_greeted = false) {
     const auto executor = co_await asio::this_coro::executor;
     const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);

@@ -1,5 +1,5 @@
-// Proves that a deadline holds for all that is done while it lives, whenever it is begun, and so
-// that nobody who sends little by little gets more time than who sends nothing.
+// Proves that a deadline bounds all operations during its life, whenever they begin, so that a peer
+// that sends little by little gets no more time than a silent one.
 #include "proto/channel/deadline.hpp"
 
 #include "proto/channel/channel.hpp"
@@ -17,7 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 using boost::system::error_code;
 
-/// Something that takes until it is cancelled.
+/// An operation that lasts until it is cancelled.
 using Operation = asio::steady_timer;
 
 asio::awaitable<error_code> run(Operation& operation) {
@@ -32,7 +32,7 @@ TEST(Deadline, WhatIsBegunAfterItsEndIsCancelledToo) {
         Operation operation(co_await asio::this_coro::executor);
         asio::steady_timer meanwhile(co_await asio::this_coro::executor);
         const Deadline deadline(operation, 1ms);
-        // Nothing is under way when it ends.
+        // No operation is pending when the deadline ends.
         while (!deadline.expired()) {
             meanwhile.expires_after(1ms);
             co_await meanwhile.async_wait(asio::use_awaitable);
@@ -52,7 +52,7 @@ TEST(Deadline, ItsEndIsThatOfItsOwner) {
             const error_code error = co_await run(operation);
             EXPECT_EQ(error, asio::error::operation_aborted);
         }
-        // Several of its periods later.
+        // Several of the deadline's periods later.
         operation.expires_after(200ms);
         error_code error;
         co_await operation.async_wait(asio::redirect_error(asio::use_awaitable, error));
@@ -60,8 +60,8 @@ TEST(Deadline, ItsEndIsThatOfItsOwner) {
     });
 }
 
-/// A connection on which these bytes have come already, and no others ever will. They take several
-/// reads, so that none of them waits when a deadline that ends at once does.
+/// A connection on which these bytes have arrived, and no others ever will. They take several
+/// reads, none of which waits when an expired deadline cancels.
 struct Flooded {
     asio::ip::tcp::socket silent;
     std::unique_ptr<Stream> stream;
@@ -80,7 +80,7 @@ TEST(Deadline, AHandshakeThatIsReadWhenItEndsEndsWithIt) {
         const WallTime now = std::chrono::system_clock::now();
         const Identity master{CertifiedRole::Master, "master", now - 1min, now + 1h};
         const auto tls = Tls::make(CertificateAuthority::make(now).issue(master)).value();
-        // A ClientHello of 128 KiB, of which each record carries one byte.
+        // A ClientHello of 128 KiB in records of one byte each.
         std::string bytes;
         for (const char byte : std::string("\x01\x02\x00\x00", 4) + std::string(8000, 'x')) {
             bytes += std::string("\x16\x03\x01\x00\x01", 5) + byte;

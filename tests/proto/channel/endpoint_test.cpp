@@ -1,4 +1,5 @@
-// Proves that endpoints are read as people write them, and that nothing leaves loopback unasked.
+// Proves that endpoints are parsed as people write them, and that by default nothing leaves
+// loopback.
 #include "proto/channel/channel.hpp"
 #include "tests/support/logged.hpp"
 
@@ -57,7 +58,7 @@ TEST(Endpoint, BeyondLoopbackTheOptionIsNeeded) {
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().code, ErrorCode::Refused);
         EXPECT_THAT(refused.error().detail, testing::HasSubstr("--insecure"));
-        // Whatever is logged else.
+        // Suppresses all other logging.
         const Logged logged(LogLevel::Off);
         EXPECT_TRUE(check_exposure({"0.0.0.0", 7600}, {false, true, listening}));
         EXPECT_THAT(logged.text(), testing::HasSubstr("warning test insecure: "));

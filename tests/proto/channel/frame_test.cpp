@@ -1,4 +1,4 @@
-// Proves that frames carry messages whole, in pieces and side by side, and that a damaged, hostile
+// Proves that frames carry messages whole, in pieces and interleaved, and that a damaged, hostile
 // or endless stream of frames ends in an error with bounded memory.
 #include "proto/channel/frame.hpp"
 
@@ -29,7 +29,7 @@ FrameHeader header_of(std::uint16_t type, std::span<const std::byte> payload) {
 
 using HeaderBytes = std::array<std::byte, frame_header_bytes>;
 
-/// With a value changed and the checksum made right again.
+/// Returns the header with a value changed and the checksum corrected.
 HeaderBytes
 forged(const FrameHeader& header, std::size_t place, std::uint32_t value, std::size_t n) {
     HeaderBytes bytes = encode_header(header);
@@ -148,7 +148,7 @@ TEST(MessageAssembler, AMessageMayNotChangeItsType) {
     EXPECT_FALSE(assembler.add(header, piece));
 }
 
-// ---- Who sends what -------------------------------------------------------------------------
+// ---- Permitted senders ----------------------------------------------------------------------
 
 constexpr std::array<Party, 8> parties{Party::Stranger,
                                        Party::Joiner,
@@ -174,7 +174,7 @@ std::vector<std::uint16_t> types_from(Party party) {
     return types;
 }
 
-/// The most memory for what has come of messages that are not whole.
+/// Returns the memory bound for incomplete messages.
 std::uint64_t begun_bytes_max(Party party) {
     std::uint64_t largest = 0;
     for (const std::uint16_t type : types_from(party)) {
@@ -263,7 +263,7 @@ TEST(MessageAssembler, WhatIsTooLargeIsRefusedByItsHeader) {
     FrameHeader over = header;
     over.payload_bytes += 1;
     EXPECT_EQ(stranger.check(over).error().code, ErrorCode::TooLarge);
-    // What has come of it counts; and it may not begin a second one.
+    // The incomplete message counts, and the stranger may not begin a second one.
     ASSERT_TRUE(stranger.add(header, piece));
     FrameHeader next = header;
     next.payload_bytes = 1;

@@ -1,4 +1,4 @@
-// Proves that no host takes all the places for those who have not said who they are.
+// Proves that no host takes all connection slots of unidentified peers.
 #include "proto/channel/seats.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ asio::ip::address address(const char* text) {
     return asio::ip::make_address(text);
 }
 
-/// As many as it gets.
+/// Takes as many slots as the host gets.
 std::vector<Seats::Seat> take_all(Seats& seats, const asio::ip::address& from) {
     std::vector<Seats::Seat> taken;
     while (auto seat = seats.take(from)) {
@@ -31,7 +31,7 @@ TEST(Seats, AHostAloneGetsHalfOfThem) {
 
 TEST(Seats, SeveralThatWantAllLeaveSomeForTheNext) {
     Seats seats(512);
-    // They take turns, so each gets the same.
+    // The hosts take turns, so each gets equally many.
     std::vector<Seats::Seat> taken;
     for (bool any = true; any;) {
         any = false;
@@ -69,7 +69,7 @@ TEST(Seats, ASeatMayOutliveThem) {
 
 TEST(Seats, AllAreTakenWhenAllAreTaken) {
     Seats seats(3);
-    // Of connections that have gone already nobody knows where they came from.
+    // The address of a closed connection is unknown.
     const auto gone = take_all(seats, asio::ip::address());
     EXPECT_EQ(gone.size(), 3u);
     EXPECT_FALSE(seats.take(address("10.0.0.1")));

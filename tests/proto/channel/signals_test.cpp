@@ -1,4 +1,4 @@
-// Proves that signals are counted, and that they end a process that no longer listens to them.
+// Proves that signals are counted, and that they end a process that no longer handles them.
 #include "proto/channel/signals.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Proves that no damaged bit of a TLS connection's beginning is taken, and that hardly one looks
-// like a refusal, after which a worker does not come again.
+// Proves that no damaged bit of a TLS handshake is accepted, and that hardly one looks like a
+// refusal, after which a worker does not return.
 #include "proto/channel/tls.hpp"
 #include "tests/proto/loopback.hpp"
 
@@ -15,16 +15,16 @@ namespace {
 using asio::ip::tcp;
 using boost::system::error_code;
 
-/// Coprime to what lengths and alignments there are.
+/// Coprime to the usual lengths and alignments.
 constexpr std::size_t places_apart = 13;
 constexpr std::size_t nowhere = SIZE_MAX;
 
-/// One connection that passes through the test.
+/// A connection that passes through the test.
 struct Relay {
-    std::optional<tcp::socket> front; ///< Of who connects.
+    std::optional<tcp::socket> front; ///< The connecting end.
     std::optional<tcp::socket> back;
     std::array<std::size_t, 2> damaged_place{nowhere,
-                                             nowhere}; ///< Towards the back; towards the front.
+                                             nowhere}; ///< First towards the back, then the front.
     std::array<std::size_t, 2> bytes{};
 };
 
@@ -73,7 +73,7 @@ accept(tcp::acceptor& acceptor, std::shared_ptr<Relay> relay, std::shared_ptr<co
     spawn(executor, "back", carry(relay, 1));
 }
 
-/// What who connects makes of it.
+/// Returns the connecting end's outcome.
 asio::awaitable<Result<Welcome>> meet(std::shared_ptr<const Tls> worker,
                                       std::shared_ptr<const Tls> master,
                                       std::shared_ptr<Relay> relay) {

@@ -1,6 +1,5 @@
-// Proves that a secured connection carries the same messages, that both ends know each other by
-// their certificates, and that who is not of the cluster, or speaks less than TLS 1.3, is refused
-// with a reason at both ends.
+// Proves that a secured connection carries the same messages, that certificates identify both ends,
+// and that a peer outside the cluster, or without TLS 1.3, is refused with a reason at both ends.
 #include "proto/channel/tls.hpp"
 
 #include "proto/channel/asio_tls.hpp"
@@ -21,7 +20,7 @@ WallTime now() {
     return std::chrono::system_clock::now();
 }
 
-/// A cluster's authority, and credentials of it.
+/// A cluster's authority, which issues credentials.
 struct Cluster {
     CertificateAuthority authority = CertificateAuthority::make(now());
 
@@ -37,7 +36,7 @@ using Channels = Result<std::shared_ptr<Channel>>;
 
 constexpr const char* not_yet = "not yet";
 
-/// Both ends of one attempt to connect.
+/// Both ends of one connection attempt.
 struct Attempt {
     Channels left = Error{ErrorCode::Timeout, not_yet};
     Channels right = Error{ErrorCode::Timeout, not_yet};
@@ -52,8 +51,8 @@ asio::awaitable<void> accept_right(asio::ip::tcp::acceptor& acceptor,
     done.cancel();
 }
 
-/// Connects, and says hello as all do. A refusal may come with the answer only: an end that shows a
-/// certificate does not wait until it is taken.
+/// Connects and sends a Hello. A refusal may come only with the answer: an end that shows a
+/// certificate does not wait for its verification.
 asio::awaitable<Attempt> try_to_connect(std::shared_ptr<const Tls> left,
                                         std::shared_ptr<const Tls> right,
                                         CertifiedRole expected = CertifiedRole::Master) {
@@ -72,7 +71,7 @@ asio::awaitable<Attempt> try_to_connect(std::shared_ptr<const Tls> left,
     const auto is_decided = [&] {
         return attempt.right || attempt.right.error().detail != not_yet;
     };
-    // The refused end is waited for, so it goes on reading.
+    // The accepting end waits for the refused one, so keep reading.
     while (attempt.left && !attempt.right) {
         const Result<Message> answer = co_await attempt.left.value()->receive(10ms);
         if (answer) {
@@ -201,7 +200,7 @@ TEST(Tls, ACertificateOfAnotherAuthorityIsRefusedByWhicheverEnd) {
                                                     cluster.tls(CertifiedRole::Master));
         EXPECT_EQ(strangers.left.error().code, ErrorCode::Refused);
         EXPECT_EQ(strangers.right.error().code, ErrorCode::Refused);
-        // It trusts the cluster, and shows what another authority has signed.
+        // Trusts the cluster, but shows a certificate of another authority.
         const Identity identity{CertifiedRole::Worker, "spy", now() - 1min, now() + 1h};
         Credential mixed = other.authority.issue(identity);
         mixed.authority = cluster.authority.certificate();
@@ -240,7 +239,7 @@ TEST(Tls, NobodyButAMasterIsTakenForOne) {
         EXPECT_THAT(ends.left.error().detail, HasSubstr("of a worker, not of a master"));
         Attempt peers = co_await try_to_connect(worker, worker, CertifiedRole::Worker);
         EXPECT_TRUE(peers.left && peers.right);
-        // By its use already, it may not accept connections.
+        // The key usage of a submitter's certificate does not permit accepting connections.
         Attempt submitter = co_await try_to_connect(
             worker, cluster.tls(CertifiedRole::Submitter), CertifiedRole::Submitter);
         EXPECT_EQ(submitter.left.error().code, ErrorCode::Refused);
@@ -300,7 +299,7 @@ TEST(Tls, WhoNeverEndsTheHandshakeIsDropped) {
         const auto executor = co_await asio::this_coro::executor;
         const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
         asio::ip::tcp::acceptor acceptor(executor, any_port);
-        // Nothing at all; and the beginning of a record that promises more.
+        // Nothing at all, and the beginning of a record that promises more.
         for (const std::string& said :
              {std::string(), std::string("\x16\x03\x01\x02\x00\x01", 6)}) {
             asio::ip::tcp::socket slow(executor);

@@ -1,5 +1,5 @@
-// Proves that a peer that stops reading is given up in time, whoever waits for it, and that one
-// that is only slow is not.
+// Proves that a peer that stops reading is given up in time, whatever operation waits for it, and
+// that a merely slow one is not.
 #include "proto/channel/channel.hpp"
 #include "tests/proto/loopback.hpp"
 
@@ -14,7 +14,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t piece_bytes = 1u << 20;
 
-/// One end sends, and nothing but the test reads the other.
+/// One end sends; only the test reads from the other.
 struct OneWay {
     std::shared_ptr<Channel> sender;
     asio::ip::tcp::socket reader;
@@ -28,7 +28,7 @@ struct OneWay {
     }
 };
 
-/// Small buffers, so that what is read and what is written keep step.
+/// Small buffers keep reading and writing in step.
 asio::awaitable<OneWay> connect_one_way(StallBounds stalls) {
     SocketEnds ends = co_await connect_sockets();
     ends.left.set_option(asio::socket_base::receive_buffer_size(128 << 10));

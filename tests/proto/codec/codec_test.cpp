@@ -1,6 +1,6 @@
-// Proves that every message survives the wire, that its bytes do not change unnoticed, and that no
-// bytes, however wrong, do more than end in an error: no crash, no large allocation, and whatever
-// is accepted is exactly what the encoder would have written.
+// Proves that every message survives the wire, that its bytes do not change unnoticed, and that
+// invalid bytes only end in an error: no crash, no large allocation; accepted bytes are exactly
+// what the encoder would write.
 #include "proto/codec/codec.hpp"
 
 #include "common/core/files/hash.hpp"
@@ -21,7 +21,7 @@
 namespace cd::tests {
 namespace {
 
-// What version 9 writes for `sample_messages`. A change here is a new protocol version.
+// Bytes that version 9 writes for `sample_messages`. A change here is a new protocol version.
 struct Golden {
     std::string_view name;
     std::size_t bytes;
@@ -98,10 +98,10 @@ void expect_refused(std::uint16_t type, std::span<const std::byte> payload) {
     const auto decoded = decode_message(type, payload);
     const auto* hello = decoded ? std::get_if<Hello>(&decoded.value()) : nullptr;
     if (hello != nullptr && hello->version != protocol_version) {
-        return; // Nothing but the version was read.
+        return; // Only the version was read.
     }
     if (decoded) {
-        // Bytes that are accepted say nothing that is not in the message.
+        // Accepted bytes contain nothing beyond the message.
         const Bytes again = encode_message(decoded.value());
         EXPECT_TRUE(std::equal(again.begin(), again.end(), payload.begin(), payload.end()))
             << message_name(type);
@@ -227,7 +227,7 @@ TEST(Codec, RandomBytesOfAnyTypeAreRefusedOrMeanExactlyWhatTheySay) {
 }
 
 TEST(Codec, AnAbsurdSizeAllocatesNothing) {
-    // Anything but a refusal before the allocation ends in bad_alloc or in gigabytes.
+    // Without a refusal before the allocation, this ends in bad_alloc or gigabytes.
     for (const std::uint64_t size : {std::uint64_t{1} << 60,
                                      std::uint64_t{1} << 33,
                                      std::numeric_limits<std::uint64_t>::max(),
@@ -251,18 +251,18 @@ TEST(Codec, AnAbsurdSizeAllocatesNothing) {
 
 TEST(Codec, ValuesOutOfRangeAreRefused) {
     Bytes hello = encode_message(Hello{});
-    hello[4] = std::byte{5}; // The role, behind the two versions.
+    hello[4] = std::byte{5}; // The role, after the two versions.
     EXPECT_FALSE(decode_message(message_type(Hello{}), hello));
 
     Bytes results = encode_message(Results{TaskId{1}, JobId{1}, 0, {}, {}, 1.0, 0, {}, {}});
-    // Before the sequence, what the job cost and the map's length, 1.0 becomes a NaN.
+    // The value of 1.0 before the sequence, the job's cost and the map's length becomes a NaN.
     const std::size_t behind = 2 * sizeof(std::uint64_t) + sizeof(BlockTraffic);
     results[results.size() - behind - 1] = std::byte{0x7f};
     results[results.size() - behind - 2] = std::byte{0xff};
     EXPECT_FALSE(decode_message(message_type(Results{}), results));
 }
 
-// The encoder takes a broken message for a bug, so these are broken on the wire.
+// The encoder asserts valid messages, so these are broken on the wire.
 struct BatchBytes {
     Bytes bytes = encode_message(some_batch());
     std::size_t pairs = bytes.size() - 3 * 8;
@@ -299,7 +299,7 @@ TEST(Codec, ABatchWhoseOffsetsDoNotFitItsPairsIsRefused) {
 
 TEST(Codec, AToleranceIsANumberOfAtLeastZero) {
     Bytes bytes = encode_message(AddJob{JobId{2}, {TreeId{3}, TreeId{4}}, some_query(), {}});
-    // Behind the job, two trees with their number, and the level; the highest byte.
+    // The tolerance's highest byte, after the job, two trees with their number, and the level.
     const std::size_t sign = 4 * 8 + 1 + 7;
     const auto refusal = [&] {
         const auto decoded = decode_message(message_type(AddJob{}), bytes);
@@ -314,7 +314,7 @@ TEST(Codec, AToleranceIsANumberOfAtLeastZero) {
 
 TEST(Codec, ARangeIsOfSomeScenariosAndOfABoundedNumber) {
     Bytes bytes = encode_message(ScenarioRange{TaskId{1}, JobId{2}, 0, 4, {}});
-    const std::size_t count = 3 * 8; // Behind two ids and the first place.
+    const std::size_t count = 3 * 8; // After two ids and the first position.
     EXPECT_TRUE(decode_message(message_type(ScenarioRange{}), bytes));
     bytes[count] = std::byte{0};
     EXPECT_FALSE(decode_message(message_type(ScenarioRange{}), bytes));
@@ -335,7 +335,7 @@ TEST(Codec, AMeshPartLiesWithinItsMesh) {
     EXPECT_FALSE(decode_message(message_type(MeshPart{}), bytes));
 }
 
-/// Whether a message is taken in which these eight bytes stand for another number.
+/// Returns whether a message is accepted if these eight bytes are replaced by another number.
 template <class T>
 bool is_taken_with(const Message& message, T marker, T number) {
     Bytes bytes = encode_message(message);
@@ -371,8 +371,8 @@ TEST(Codec, AWeightIsAboveZeroAndBounded) {
         hello.weight = weight;
         EXPECT_TRUE(decode_message(message_type(hello), encode_message(hello)));
     }
-    // A refused message cannot be encoded either; its weight stands before three numbers and the
-    // length of a text.
+    // A refused message cannot be encoded either; its weight precedes three numbers and a text's
+    // length.
     Bytes bytes = encode_message(hello);
     for (const double weight : {0.0, -1.0, 1001.0}) {
         std::memcpy(bytes.data() + bytes.size() - 5 * sizeof(weight), &weight, sizeof(weight));
@@ -401,7 +401,7 @@ TEST(Codec, RecordsOfResultsAreOfAscendingScenariosOfTheirRange) {
     const auto refusal = [](std::vector<ScenarioInterval> held, std::uint32_t count) {
         ResultsPart good{JobId{1}, 10, 20, {{10, 2}, {15, 5}}, 7, {}};
         Bytes bytes = encode_message(good);
-        const std::size_t runs = 3 * 8 + 8; // Behind the job, the range and the number of runs.
+        const std::size_t runs = 3 * 8 + 8; // After the job, the range and the number of runs.
         const auto set = [&](std::size_t at, const auto& value) {
             std::memcpy(bytes.data() + at, &value, sizeof value);
         };

@@ -1,5 +1,5 @@
-// Proves that certificates say what they were signed to say, that a request is believed only with a
-// proof of its key, and that texts which are no certificates are refused, not read.
+// Proves that certificates contain what was signed, that a request is trusted only with a proof of
+// its key, and that invalid texts are refused.
 #include "proto/identity/certificate.hpp"
 
 #include "common/core/limits/wire.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Certificates count in whole seconds.
+/// Certificates have a resolution of a second.
 WallTime this_second() {
     return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
 }
@@ -76,7 +76,7 @@ TEST(Certificate, ARequestThatIsDamagedAnywhereIsNotSigned) {
         damaged[i] = damaged[i] == 'A' ? 'B' : 'A';
         refused += authority.sign(damaged, identity) ? 0u : 1u;
     }
-    // The last character may carry bits that are not used.
+    // The last character may carry unused bits.
     EXPECT_GE(refused + 1, end - begin);
     for (const std::string& text : {std::string(),
                                     std::string("hello"),
