@@ -1,7 +1,7 @@
-// The targets that SIMD code is compiled for. Include it before anything of Highway.
+// Selects the targets that SIMD code is compiled for. Include it before any Highway header.
 #pragma once
 
-// Left out: SSSE3, which saves nothing over the baseline on a host of today; SVE, because vectors
-// without a size cannot be members; all of POWER and RISC-V, which nobody could try.
+// Excludes SSSE3, which gains nothing over the baseline on current hosts; SVE, because its sizeless
+// vectors cannot be members; POWER and RISC-V, which nobody could test.
 #define HWY_DISABLED_TARGETS                                                                       \
     (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_PPC8 | HWY_RVV)

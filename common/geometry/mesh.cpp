@@ -103,7 +103,7 @@ Bytes encode(const MeshArrays& arrays) {
     return out.take();
 }
 
-/// Minus zero and zero are one number, and so one mesh.
+/// Replaces -0 by 0: equal meshes then have equal hashes.
 void drop_negative_zeros(MeshArrays& arrays) {
     for (Vec3& vertex : arrays.vertices) {
         vertex.array() += 0.0;

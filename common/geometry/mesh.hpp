@@ -1,4 +1,4 @@
-// A triangle mesh that has been checked once and never changes.
+// An immutable, validated triangle mesh.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -13,13 +13,13 @@
 
 namespace cd {
 
-/// What the coordinates of a mesh are: its file's doubles, or the floats that an importer made.
+/// The coordinate type: floats if the importer made floats, else the file's doubles.
 enum class Precision : std::uint8_t { Float = 0, Double = 1 };
 
-/// Float where every coordinate is one.
+/// Returns Float if every coordinate is exactly a float.
 [[nodiscard]] Precision precision_of(std::span<const Vec3> vertices);
 
-/// A named run of consecutive triangles. Parts do not overlap and come in ascending order.
+/// A named range of consecutive triangles. Parts do not overlap and are in ascending order.
 struct Part {
     std::string name;
     std::uint32_t triangles_begin = 0;
@@ -31,13 +31,14 @@ struct Part {
 /// The arrays of a mesh, not yet checked.
 struct MeshArrays {
     std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles; ///< In the canonical order; a triangle's place is its id.
+    std::vector<Triangle> triangles; ///< In canonical order; a triangle's index is its id.
     std::vector<Part> parts;
     Precision precision = Precision::Double;
 };
 
-/// A valid mesh: at least one triangle, indices in range, finite coordinates (floats where it says
-/// so), parts in order and in range. Degenerate and duplicate triangles are legal and kept.
+/// A valid mesh: at least one triangle, indices in range, finite coordinates (all floats if
+/// `precision` is Float), parts in order and in range. Degenerate and duplicate triangles are legal
+/// and kept.
 class Mesh {
   public:
     /// Errors: BadInput naming the first bad vertex, triangle (both counted from 0) or part;
@@ -51,9 +52,9 @@ class Mesh {
 
     [[nodiscard]] Corners corners(std::uint32_t triangle) const;
 
-    /// The bytes that name and carry a mesh: precision, vertices, triangles, parts, little-endian.
+    /// Serialises, little-endian: precision, vertices, triangles, parts. The bytes name the mesh.
     [[nodiscard]] Bytes canonical_bytes() const;
-    /// The inverse. The bytes may be hostile: everything is checked as in `create`.
+    /// Inverts `canonical_bytes`. The bytes may be hostile: everything is checked as in `create`.
     [[nodiscard]] static Result<Mesh> from_canonical_bytes(std::span<const std::byte> bytes);
 
     /// SHA-256 of the canonical bytes.

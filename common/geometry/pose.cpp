@@ -15,11 +15,10 @@ namespace {
 constexpr double u = 0x1p-53; // Unit roundoff.
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// M(q) / q.q in doubles. Each entry is within 10 u, and `quaternion_entry_error` says 16: with q
-/// scaled by an exact power of two so that its largest component is in [0.5, 1), an entry of M is a
-/// sum of at most four products, each at most n = q.q, so it is within 5 u n; n is within 4 u of
-/// itself; the division adds u, and entries are at most 1. What underflows in the scaling is below
-/// 2^-1000.
+/// Computes M(q) / q.q in doubles. Each entry is within 10 u; `quaternion_entry_error` says 16. An
+/// exact power of two scales q so that its largest component is in [0.5, 1). An entry of M sums at
+/// most four products, each at most n = q.q, so it is within 5 u n. n is within 4 u of itself; the
+/// division adds u, and entries are at most 1. Underflow in the scaling is below 2^-1000.
 Mat3 rotation_of(const Quaternion& given) {
     const double largest =
         std::max({std::abs(given.w), std::abs(given.x), std::abs(given.y), std::abs(given.z)});
@@ -39,10 +38,10 @@ Mat3 rotation_of(const Quaternion& given) {
 
 constexpr double quaternion_entry_error = 16 * u;
 
-/// A matrix in doubles, with bounds on it.
+/// A matrix in doubles with bounds.
 struct BoundedMatrix {
     Mat3 value;
-    double error = 0;   ///< Of each entry.
+    double error = 0;   ///< Bounds the error of each entry.
     double largest = 0; ///< Bounds every entry, computed or true.
 };
 
@@ -67,16 +66,16 @@ double skew_of(const Pose& pose) {
     return residual(part.value.transpose(), part.largest, part.value, part.largest);
 }
 
-/// |(I + F)^-1 - I| in the spectral norm for a matrix F whose entries are at most `entry`: with
-/// |F| <= 3 entry = s, the series gives s / (1 - s). Nothing is known from s = 1/2 on.
+/// Bounds |(I + F)^-1 - I| in the spectral norm for a matrix F whose entries are at most `entry`:
+/// with |F| <= 3 entry = s, the series gives s / (1 - s). From s = 1/2 on it returns infinity.
 double inverse_spread(double entry) {
     const double s = 3 * entry;
     return s < 0.5 ? s / (1 - s) : infinity;
 }
 
-/// The inverse by cofactors, whatever they round to, and then what it is worth: if X R = I + F,
-/// then R^-1 = (I + F)^-1 X, which is within inverse_spread(F) |X| of X, and |X| <= 3 times its
-/// largest entry. The inverse of a quaternion's rotation is its transpose.
+/// Inverts by cofactors and bounds the result: if X R = I + F, then R^-1 = (I + F)^-1 X, which is
+/// within inverse_spread(F) |X| of X, and |X| <= 3 times its largest entry. The inverse of a
+/// quaternion's rotation is its transpose.
 BoundedMatrix inverse_of(const Pose& pose) {
     const BoundedMatrix part = linear_part(pose);
     if (pose.kind() == Pose::Kind::Quaternion) {
@@ -99,7 +98,7 @@ BoundedMatrix inverse_of(const Pose& pose) {
     return inverse;
 }
 
-/// A bound that overflowed on the way is none.
+/// Maps a bound that overflowed to infinity.
 double bound(double value) {
     return value >= 0 ? value : infinity;
 }
@@ -172,19 +171,19 @@ RelativePose relative_pose(const PosePair& poses) {
     const BoundedMatrix b = linear_part(poses.b);
     const Vec3 offset = poses.b.translation() - poses.a.translation();
     const double reach = offset.cwiseAbs().maxCoeff();
-    // Each bound is raised by this for the roundings of its own computation, and by what underflow
-    // can lose in products of entries below 2^20, beyond which nothing is near rigid.
+    // `slack` covers the roundings of the bounds' own computation. `underflow` covers what products
+    // of entries below 2^20 can lose; larger entries are far from rigid.
     constexpr double slack = 1.01;
     constexpr double underflow = 0x1p-1000;
 
     RelativePose relative;
     relative.rotation = a.value * b.value;
-    // Three products of factors with their errors, and three roundings of each.
+    // Sums three products of factors with errors, each rounded three times.
     relative.rotation_error = bound(
         slack * 3 * (a.error * b.largest + a.largest * b.error + 4 * u * a.largest * b.largest) +
         underflow);
     relative.translation = a.value * offset;
-    // The difference is within u of itself, and each product goes through three roundings.
+    // The difference is within u of itself; each product is rounded three times.
     relative.translation_error =
         bound(slack * 3 * reach * (a.error + 5 * u * a.largest) + underflow);
     // R = A^-1 B, so R'R - I = (B'B - I) + B' ((AA')^-1 - I) B, where AA' - I has the singular

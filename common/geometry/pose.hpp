@@ -1,4 +1,4 @@
-// Rigid poses, kept as the exact numbers that they were given as (NUMERICS: the contract).
+// Rigid poses, stored as exactly the numbers given (contract: NUMERICS).
 #pragma once
 
 #include "common/geometry/types.hpp"
@@ -7,7 +7,7 @@
 
 namespace cd {
 
-/// A quaternion as given: it need not have norm 1. Rotates by M(q) / q.q, which is exactly rigid.
+/// A quaternion that need not be normalised. It rotates by M(q) / q.q, which is exactly rigid.
 struct Quaternion {
     double w = 1;
     double x = 0;
@@ -17,21 +17,21 @@ struct Quaternion {
     friend bool operator==(const Quaternion&, const Quaternion&) = default;
 };
 
-/// The product: rotating by `left * right` rotates by `right` first. Only + - *, in a fixed order.
+/// Multiplies: `left * right` rotates by `right` first. Uses only + - *, in a fixed order.
 [[nodiscard]] Quaternion operator*(const Quaternion& left, const Quaternion& right);
 
 /// Maps a body's coordinates into the world: x' = R x + t, column vectors.
 ///
-/// Two exact kinds: twelve doubles taken literally, or a quaternion with a translation. A pose
-/// stays what it was given as, on the wire and on disk.
+/// It is exactly what was given, also on the wire and on disk: twelve doubles taken literally, or a
+/// quaternion with a translation.
 class Pose {
   public:
     enum class Kind : std::uint8_t { Matrix = 0, Quaternion = 1 };
 
-    /// The identity, as a matrix.
+    /// Makes the identity, of kind Matrix.
     Pose() = default;
     [[nodiscard]] static Pose from_matrix(const Mat3& rotation, const Vec3& translation);
-    /// The quaternion is not zero.
+    /// The quaternion must not be zero.
     [[nodiscard]] static Pose from_quaternion(const Quaternion& quaternion,
                                               const Vec3& translation);
 
@@ -46,7 +46,7 @@ class Pose {
     [[nodiscard]] Mat3 rotation() const;
     /// Bounds the error of each entry of `rotation`: 0 for a matrix.
     [[nodiscard]] double rotation_error() const;
-    /// R x + t, rounded: for filters, pictures and generators, never for a decision.
+    /// Computes R x + t, rounded: for filters, pictures and generators, never for a decision.
     [[nodiscard]] Vec3 apply(const Vec3& point) const;
 
     [[nodiscard]] bool is_finite() const;
@@ -60,7 +60,7 @@ class Pose {
     Vec3 translation_ = Vec3::Zero();
 };
 
-/// Each body's own pose in the world.
+/// The poses of both bodies in the world.
 struct PosePair {
     Pose a;
     Pose b;
@@ -68,11 +68,11 @@ struct PosePair {
     friend bool operator==(const PosePair&, const PosePair&) = default;
 };
 
-/// B's coordinates expressed in A's, rounded, with bounds on what the rounding can do and on how
-/// far the matrices are from rigid. A filter's value: decisions take each body's own pose.
+/// The rounded map from B's coordinates to A's, with bounds on its rounding errors and on the
+/// matrices' deviation from rigid. It serves filters only: decisions use each body's own pose.
 ///
-/// The bounds are small wherever A's matrix is well-conditioned, rigid or not; infinite, never NaN,
-/// where numbers overflow or A's matrix is far from rigid.
+/// The bounds are small wherever A's matrix is well-conditioned, rigid or not. They are infinite,
+/// never NaN, where numbers overflow or A's matrix is far from rigid.
 struct RelativePose {
     Mat3 rotation;                ///< Approximates Ra^-1 Rb.
     Vec3 translation;             ///< Approximates Ra^-1 (tb - ta).

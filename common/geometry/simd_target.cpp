@@ -16,7 +16,7 @@ namespace {
 struct Name {
     SimdTarget target;
     std::string_view text;
-    std::int64_t bits; ///< Highway's.
+    std::int64_t bits; ///< Highway's target bits.
 };
 
 constexpr std::int64_t avx512_bits = HWY_AVX3 | HWY_AVX3_DL;
@@ -36,8 +36,8 @@ const Name& name_of(SimdTarget target) {
 
 std::vector<SimdTarget> find_available() {
     std::vector<SimdTarget> found;
-    // What the whole program is compiled for runs, though Highway says no of NEON where there are
-    // no instructions for AES, which nothing here uses.
+    // The static target always runs. Highway denies NEON on processors without AES instructions,
+    // which nothing here uses.
     const std::int64_t bits = (hwy::SupportedTargets() | HWY_STATIC_TARGET) & HWY_TARGETS;
     for (const Name& name : names) {
         if ((bits & name.bits) != 0) {
@@ -66,13 +66,13 @@ void use(SimdTarget target) {
     hwy::GetChosenTarget().Update(name_of(target).bits);
 }
 
-/// "auto" where it is not set.
+/// Returns CD_SIMD, or "auto" if it is unset.
 std::string_view setting() {
     const char* text = std::getenv("CD_SIMD"); // NOLINT(concurrency-mt-unsafe): nobody sets it.
     return text != nullptr && *text != 0 ? text : automatic;
 }
 
-/// Highway's own first choice knows nothing of the environment, so ours comes before it.
+/// Chooses before Highway does: its own default ignores CD_SIMD.
 void choose_once() {
     [[maybe_unused]] static const bool chosen = [] {
         const auto wanted = find_target(setting());

@@ -1,4 +1,4 @@
-// Which instructions the SIMD code uses on this host, and a way to force others.
+// Selects the instruction set of the SIMD code on this host.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -9,25 +9,25 @@
 
 namespace cd {
 
-/// Best first. Every target gives the same bits.
+/// Instruction sets, best first. Every target gives the same bits.
 enum class SimdTarget : std::uint8_t { Avx512, Avx2, Sse4, Neon, Scalar };
 
-/// "avx512", "avx2", "sse4", "neon", "scalar".
+/// Returns "avx512", "avx2", "sse4", "neon" or "scalar".
 [[nodiscard]] std::string_view to_text(SimdTarget target);
 
-/// Those that this program was compiled for and that this processor runs, best first; never empty.
+/// Lists the compiled targets that this processor supports, best first. Never empty.
 [[nodiscard]] std::span<const SimdTarget> available_simd_targets();
 
-/// The one in use: at first that which the environment variable CD_SIMD names, or else the best.
+/// Returns the target in use: the one named by environment variable CD_SIMD, or the best.
 [[nodiscard]] SimdTarget simd_target();
 
-/// Uses the target of that name in the whole process from now on; "auto" is the best one. Errors:
-/// BadInput naming those available; the target then stays as it was. Safe at any time, since every
-/// target gives the same answers.
+/// Switches the whole process to the named target; "auto" is the best one. Errors: BadInput naming
+/// the available targets; the target then stays unchanged. Safe at any time, since every target
+/// gives the same answers.
 [[nodiscard]] Status force_simd_target(std::string_view name);
 
-/// An error where CD_SIMD names no target of this host, which `simd_target` passes over. For
-/// programs to call when they start.
+/// Fails if CD_SIMD names no target of this host; `simd_target` ignores such a name. Programs call
+/// this at startup.
 [[nodiscard]] Status check_simd_environment();
 
 } // namespace cd

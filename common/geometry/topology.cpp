@@ -17,10 +17,10 @@ namespace cd {
 
 namespace {
 
-/// Things in buckets, which stand one behind the other.
+/// Items grouped into buckets, stored contiguously.
 template <class T>
 struct Buckets {
-    std::vector<std::size_t> begins; ///< One more than buckets.
+    std::vector<std::size_t> begins; ///< Bucket i spans begins[i] to begins[i + 1].
     std::vector<T> items;
 
     [[nodiscard]] std::size_t count() const { return begins.size() - 1; }
@@ -29,14 +29,14 @@ struct Buckets {
     }
 };
 
-/// `for_each` calls what it is given with a bucket and an item, for each item, the same both times.
-/// Items of a bucket stand in the opposite order.
+/// `for_each` calls its argument with (bucket, item) for each item, identically in both passes. The
+/// items of a bucket end up in reverse order.
 template <class T, class ForEach>
 Buckets<T> make_buckets(std::size_t count, const ForEach& for_each) {
     Buckets<T> buckets;
     buckets.begins.assign(count + 1, 0);
     for_each([&](std::size_t bucket, const T&) { ++buckets.begins[bucket]; });
-    // From the counts to where the buckets end; putting an item in moves that to the begin.
+    // Turns counts into bucket ends; each insertion moves an end towards the bucket's begin.
     std::partial_sum(buckets.begins.begin(), buckets.begins.end(), buckets.begins.begin());
     buckets.items.resize(buckets.begins.back());
     for_each(
@@ -44,7 +44,7 @@ Buckets<T> make_buckets(std::size_t count, const ForEach& for_each) {
     return buckets;
 }
 
-/// std::sort, fast for the few items that a bucket mostly has.
+/// Sorts; insertion sort is faster for the few items of most buckets.
 template <class T>
 void sort_bucket(std::span<T> items) {
     constexpr std::size_t few = 16;
@@ -62,18 +62,18 @@ void sort_bucket(std::span<T> items) {
     }
 }
 
-/// Equal for equal vertices. What it is plays no part in any result.
+/// Hashes a vertex. No result depends on its values.
 std::uint64_t hash_of(const Vec3& v) {
     std::uint64_t hash = 0;
     for (int k = 0; k < 3; ++k) {
-        // -0 equals 0; the sum is 0 for both.
+        // -0 equals 0; adding 0 makes both 0.
         hash = (hash ^ std::bit_cast<std::uint64_t>(v[k] + 0.0)) * 0x9e3779b97f4a7c15u;
         hash ^= hash >> 32;
     }
     return hash;
 }
 
-/// For each vertex the smallest index of a vertex with the same coordinates.
+/// Returns for each vertex the smallest index of a vertex with equal coordinates.
 std::vector<std::uint32_t> joined_vertices(const std::vector<Vec3>& vertices) {
     const std::size_t bucket_count = std::bit_ceil(vertices.size());
     auto buckets = make_buckets<std::uint32_t>(bucket_count, [&](const auto& put) {
@@ -133,11 +133,11 @@ std::uint64_t count_duplicates(const std::vector<Triangle>& triangles, std::size
     return duplicates;
 }
 
-/// The higher end of an edge, doubled, and 1 more where the triangle runs up to it. Vertices are
-/// fewer than 2^31 (limits::mesh_vertices_max).
+/// Twice the higher vertex of an edge, plus 1 if the triangle runs towards it. Vertex indices are
+/// below 2^31 (limits::mesh_vertices_max).
 using EdgeUse = std::uint32_t;
 
-/// What the uses of the edges with one and the same lower end say.
+/// Counts defects among the uses of all edges that share a lower vertex.
 void count_edges(std::span<EdgeUse> uses, Topology& topology) {
     sort_bucket(uses);
     for (std::size_t begin = 0; begin < uses.size();) {
@@ -171,7 +171,7 @@ void count_edges(const std::vector<Triangle>& triangles, std::size_t vertices, T
     }
 }
 
-/// Sets that grow together: union by the smaller index, with path halving.
+/// Union-find: union by smaller index, with path halving.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent_(count) {

@@ -1,5 +1,4 @@
-// Triangles in blocks whose corners lie together: the leaves of a wide tree, and what pair tests
-// read.
+// Triangle blocks: the leaves of a wide tree and the input of pair tests.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -13,43 +12,40 @@
 
 namespace cd {
 
-/// The most triangles of a block. Block k has the places from block_size * k on; places that it
-/// does not fill hold nothing.
+/// Most triangles of a block. Block k has the slots from block_size * k on; unused slots are empty.
 inline constexpr std::uint32_t block_size = 16;
 
-/// The most vertices of a block.
 inline constexpr std::size_t block_vertices_max = 3 * std::size_t{block_size};
 
-/// Numbers that may be read after the last vertex of all blocks.
+/// Count of numbers that may be read past the last vertex of all blocks.
 inline constexpr std::size_t spare_numbers = 3 * block_vertices_max;
 
-/// The corners of a triangle as places among its block's vertices, and one number that is not used.
+/// A triangle's corners as indices into its block's vertices; the fourth number is unused.
 using BlockCorners = std::array<std::uint8_t, 4>;
 
-/// Blocks of a body's triangles in its own coordinates, wherever the arrays live. A triangle is
-/// named by its place.
+/// A view of a body's triangle blocks, in its own coordinates. A slot number identifies a triangle.
 struct TriangleBlocks {
-    /// Three coordinates a vertex, in one of these, as the mesh's precision says. After the last
-    /// come `spare_numbers` that mean nothing: as many as a block can have may be read from any
-    /// vertex on.
+    /// Three coordinates per vertex; the mesh's precision decides which span is used.
+    /// `spare_numbers` meaningless numbers follow the last vertex, so that block_vertices_max
+    /// vertices can be read from any vertex on.
     std::span<const float> floats;
     std::span<const double> doubles;
-    std::span<const std::uint32_t> vertex_begin; ///< The first vertex of each block, and the end.
-    std::span<const BlockCorners> corners;       ///< Of each place.
-    std::span<const std::uint32_t> ids; ///< Of each place: the triangle's place in its mesh.
-    double reach = 0;                   ///< No coordinate is larger.
+    std::span<const std::uint32_t> vertex_begin; ///< First vertex of each block, then the end.
+    std::span<const BlockCorners> corners;       ///< Per slot.
+    std::span<const std::uint32_t> ids;          ///< Triangle index in the mesh, per slot.
+    double reach = 0;                            ///< Bounds every coordinate's magnitude.
 
     [[nodiscard]] Corners corners_at(std::uint32_t place) const;
     [[nodiscard]] Vec3 vertex(std::size_t number) const;
 };
 
-/// Holds blocks, added one after the other.
+/// Builds and owns triangle blocks.
 class TriangleBlockArrays {
   public:
     explicit TriangleBlockArrays(Precision precision);
 
-    /// Adds a block of 1 to `block_size` triangles, each with its id. With Precision::Float all
-    /// vertices are floats. Returns the block's number.
+    /// Adds a block of 1 to `block_size` triangles with their ids. With Precision::Float all
+    /// vertices must be floats. Returns the block's number.
     std::uint32_t add(std::span<const Triangle> triangles,
                       std::span<const std::uint32_t> ids,
                       std::span<const Vec3> vertices);

@@ -1,4 +1,4 @@
-// The vectors and matrices of this project, and the small values made of them.
+// Vector, matrix and triangle types.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +11,10 @@ namespace cd {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// The three vertices of a mesh's triangle, as indices into its vertices.
+/// A triangle as three vertex indices of its mesh.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The three corners of a triangle, in its body's coordinates.
+/// The corners of a triangle, in its body's coordinates.
 using Corners = std::array<Vec3, 3>;
 
 } // namespace cd
