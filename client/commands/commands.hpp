@@ -1,4 +1,4 @@
-// The verbs of cdctl that need no connection of their own. Each returns the exit code.
+// The verbs of cdctl that work without a master. Each returns the exit code.
 #pragma once
 
 #include "client/cli/cli.hpp"

@@ -18,8 +18,8 @@ namespace {
 
 constexpr unsigned demo_workers = 2;
 
-/// The paper's kind of job (section 7): random directions and orientations, pushed in to a small or
-/// medium penetration.
+/// A job as in the paper (section 7): random directions and orientations, with a small or medium
+/// penetration.
 RunCommand demo_run(const DemoCommand& command, const std::filesystem::path& cache) {
     RunCommand run;
     run.job.a = command.a;
@@ -30,7 +30,7 @@ RunCommand demo_run(const DemoCommand& command, const std::filesystem::path& cac
     run.job.penetration = {0.005, 0.05};
     run.job.out = command.out.empty() ? (cache / "demo-results").string() : command.out;
     run.folder.fresh = true;
-    run.folder.overwrite = command.out.empty(); // Then the folder is the demo's own.
+    run.folder.overwrite = command.out.empty(); // The default folder belongs to the demo.
     run.quiet = command.quiet;
     return run;
 }

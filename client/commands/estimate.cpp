@@ -27,17 +27,17 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Samples that take microseconds are run again until so much time has passed: then they are warm.
+/// Short samples are repeated for this long, to measure them with warm caches.
 constexpr double warm_seconds = 0.02;
 constexpr int passes_max = 8;
-/// Results of samples are kept until they are written, so their pairs are bounded.
+/// Results of samples stay in memory until they are written, so their pairs are bounded.
 constexpr std::uint64_t sampled_pairs_max = 4'000'000;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Evenly spread over [0, count), ascending, each once.
+/// Distinct indices, ascending, evenly spread over [0, count).
 std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t samples) {
     const std::uint64_t size = std::min(count, samples);
     std::vector<std::uint64_t> indices(size);
@@ -51,12 +51,12 @@ std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t samples) {
 
 struct Sample {
     Scenario scenario;
-    std::optional<DoneScenario> done; ///< Nothing where time was over before.
+    std::optional<DoneScenario> done; ///< Empty if the time ran out before.
     QueryStatistics work;
-    double seconds = 0; ///< Of one thread.
+    double seconds = 0; ///< Thread time.
 };
 
-/// With a stride, so that the samples that were run when time is over are spread over the job.
+/// Orders samples with a stride, so that those run before the time limit cover the whole job.
 std::vector<std::size_t> visiting_order(std::size_t size) {
     constexpr std::size_t stride = 16;
     std::vector<std::size_t> order;
@@ -68,7 +68,7 @@ std::vector<std::size_t> visiting_order(std::size_t size) {
     return order;
 }
 
-/// Runs each sample once on the pool's threads, as a run would, and at least one.
+/// Runs each sample once on the pool's threads, as a run would; at least one sample.
 void run_samples(const ScenarioRunner& runner,
                  ThreadPool& pool,
                  Clock::time_point end,
@@ -105,13 +105,13 @@ double sum_of(const std::vector<Sample>& samples) {
                            [](double sum, const Sample& sample) { return sum + sample.seconds; });
 }
 
-/// What samples leave in a results folder.
+/// Sizes of the files in a results folder.
 struct FolderBytes {
-    std::uint64_t scenarios = 0; ///< Of files that have something of each scenario,
-    std::uint64_t maps = 0;      ///< and of those that have something of each triangle in contact.
+    std::uint64_t scenarios = 0; ///< Size of files that grow with the scenarios.
+    std::uint64_t maps = 0;      ///< Size of files that grow with the triangles in contact.
 };
 
-/// A folder that is gone with the object.
+/// A temporary folder; the destructor removes it.
 class TemporaryFiles {
   public:
     TemporaryFiles()
@@ -123,7 +123,7 @@ class TemporaryFiles {
         fs::remove_all(folder_, ignored);
     }
 
-    /// Writes what a run keeps of these results, the job's formats and the kept poses among it.
+    /// Writes the files of a run with these results: the job's formats and the kept poses.
     Result<FolderBytes>
     write(const PreparedJob& job, bool keeps_inputs, const std::vector<Sample>& samples) {
         std::error_code ignored;
@@ -188,7 +188,7 @@ class TemporaryFiles {
     fs::path folder_;
 };
 
-/// Triangles of both bodies that are in contact in some of each `step`-th sample.
+/// The number of triangles of both bodies in contact in each `step`-th sample.
 double triangles_touched(const std::vector<Sample>& samples, std::size_t step) {
     ContactMapSum sum;
     for (std::size_t i = 0; i < samples.size(); i += step) {
@@ -199,9 +199,9 @@ double triangles_touched(const std::vector<Sample>& samples, std::size_t step) {
     return static_cast<double>(map.bodies[0].size() + map.bodies[1].size());
 }
 
-/// How many times more triangles are in contact in all scenarios than in the samples. The number
-/// grows as a power of the scenarios, by what it does from half of the samples to all, up to that
-/// of all triangles.
+/// The ratio of triangles in contact over all scenarios to those over the samples. The number is
+/// taken to grow as a power of the scenarios. The exponent comes from half of the samples against
+/// all; the number of all triangles bounds it.
 double triangles_factor(const PreparedJob& job, const std::vector<Sample>& samples) {
     const double all = triangles_touched(samples, 1);
     const double some = triangles_touched(samples, 2);
@@ -215,7 +215,8 @@ double triangles_factor(const PreparedJob& job, const std::vector<Sample>& sampl
     return std::min(std::pow(times, std::log2(std::max(1.0, all / some))), most / all);
 }
 
-/// Ascending; as many as are read before `end`, and at least one. Errors: those of the poses.
+/// Samples in ascending order: as many as can be read before `end`, at least one. Errors: those of
+/// `poses`.
 Result<std::vector<Sample>>
 read_samples(PoseSource& poses, std::uint64_t samples_max, Clock::time_point end) {
     const std::vector<std::uint64_t> indices = spread(poses.count(), samples_max);
@@ -234,8 +235,8 @@ read_samples(PoseSource& poses, std::uint64_t samples_max, Clock::time_point end
     return samples;
 }
 
-/// The seconds that samples of these times stand for, and their range. Samples are for all threads,
-/// what is done besides is for one.
+/// Extrapolates the samples' times to the job, with a range. Samples are spread over all threads;
+/// `more_per_scenario` (s) is the time of one thread.
 void put_times(const std::vector<Sample>& samples,
                double more_per_scenario,
                unsigned threads,
@@ -255,7 +256,7 @@ void put_times(const std::vector<Sample>& samples,
     estimate.seconds_high = seconds(mean + 2 * error);
 }
 
-/// Box and triangle tests of the whole job.
+/// Extrapolates box and triangle tests to the whole job.
 void put_work(const std::vector<Sample>& samples, RunEstimate& estimate) {
     const auto count = static_cast<double>(samples.size());
     const double times = static_cast<double>(estimate.scenarios) / count;
@@ -265,7 +266,7 @@ void put_work(const std::vector<Sample>& samples, RunEstimate& estimate) {
     }
 }
 
-/// The bytes of the job's results folder. Returns the seconds that writing a scenario takes.
+/// Extrapolates the size of the results folder. Returns the seconds to write one scenario.
 Result<double> put_bytes(const PreparedJob& job,
                          const EstimateOptions& options,
                          const std::vector<Sample>& samples,
@@ -296,7 +297,7 @@ Result<double> put_bytes(const PreparedJob& job,
     estimate.bytes = base.value().scenarios + base.value().maps +
                      (keeps_inputs ? bytes_beside_poses(job) : 0) +
                      static_cast<std::uint64_t>(grown);
-    // Each file is synchronised to the disk once a run, not once a scenario.
+    // Each file is synced once per run, not once per scenario.
     return std::max(0.0, seconds - base_seconds) / size;
 }
 
@@ -308,7 +309,7 @@ std::string size_text(std::uint64_t bytes) {
     return fixed_text(size / 1e9, size < 10e9 ? 1 : 0) + " GB";
 }
 
-/// Without a unit.
+/// The number without its unit.
 std::string seconds_text(double seconds) {
     return fixed_text(seconds, seconds < 1 ? 2 : seconds < 10 ? 1 : 0);
 }
@@ -335,7 +336,7 @@ estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& op
     std::vector<Sample>& samples = read.value();
     RunEstimate estimate;
     estimate.scenarios = job.poses->count();
-    // Random poses are made on all threads, others are read on one.
+    // Random poses are generated on all threads; others are read on one.
     const bool is_random = std::holds_alternative<RandomPoses>(job.spec.poses);
     const auto reads = static_cast<double>(samples.size() * (is_random ? pool.size() : 1));
     const double read_seconds = seconds_since(start) / reads;

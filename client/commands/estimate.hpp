@@ -1,4 +1,4 @@
-// Estimates time and size of a run from scenarios sampled evenly over its job.
+// Estimates the time and size of a run from scenarios sampled evenly over its job.
 #pragma once
 
 #include "client/job/prepared_job.hpp"
@@ -14,9 +14,9 @@ namespace cd {
 struct RunEstimate {
     std::uint64_t scenarios = 0; ///< Scenarios of the job.
     std::uint64_t sampled = 0;   ///< Scenarios that were run for the estimate.
-    double seconds = 0;          ///< On this machine's threads, without reading and building.
-    double seconds_low = 0;      ///< Two standard errors of the mean below and above.
-    double seconds_high = 0;
+    double seconds = 0;          ///< Expected run time here, without reading and building.
+    double seconds_low = 0;      ///< Two standard errors below `seconds`.
+    double seconds_high = 0;     ///< Two standard errors above `seconds`.
     double box_tests = 0;
     double triangle_tests = 0;
     std::uint64_t bytes = 0; ///< Size of the results folder; 0 without one.
@@ -24,25 +24,26 @@ struct RunEstimate {
 
 struct EstimateOptions {
     std::uint64_t samples_max = 200;
-    std::chrono::milliseconds time_max{5000}; ///< Half of it at most to read the samples.
+    std::chrono::milliseconds time_max{5000}; ///< Time limit; reading samples takes at most half.
     PairStage first_stage = PairStage::Float;
-    bool keeps_inputs = true; ///< The results folder gets the meshes and poses.
+    bool keeps_inputs = true; ///< Copy the meshes and poses to the results folder.
 };
 
-/// Runs samples of a job with trees on the pool's threads, and writes what a run would keep of them
-/// to a temporary folder that is removed. Where time is over, one sample is read and run all the
-/// same. Errors: those of the poses and of the files.
+/// Runs samples of a job with trees on the pool's threads, and writes their results to a temporary
+/// folder, which it removes. Reads and runs at least one sample, even past the time limit. Errors:
+/// those of the poses and of the files.
 [[nodiscard]] Result<RunEstimate>
 estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& options);
 
-/// "about 52 s here (731/s), 0.4 GB", or "about 40 to 75 s here ..." where samples differ much.
+/// "about 52 s here (731/s), 0.4 GB", or "about 40 to 75 s here ..." if samples differ much.
 [[nodiscard]] std::string estimate_text(const RunEstimate& estimate);
-/// An object with the keys scenarios, sampled, seconds {low, expected, high}, scenarios_per_second,
-/// box_tests, triangle_tests, bytes, and refused: what `check_room` says, or null.
+/// A JSON object with the keys scenarios, sampled, seconds {low, expected, high},
+/// scenarios_per_second, box_tests, triangle_tests, bytes, and refused: the error of `check_room`,
+/// or null.
 [[nodiscard]] std::string estimate_json(const RunEstimate& estimate, const Status& room);
 
-/// More than `bytes_max`, or more than half of what is free where the folder is to be, wants a
-/// user's word. Errors: BadInput with time, size and the ways out.
+/// Refuses results larger than `bytes_max` or than half of the free space at the output folder,
+/// until the user confirms. Errors: BadInput with time, size and remedies.
 [[nodiscard]] Status
 check_room(const RunEstimate& estimate, const OutputSpec& output, std::uint64_t bytes_max);
 

@@ -1,4 +1,4 @@
-// The verb `extract`: scenarios of a run as a job of their own.
+// The verb `extract`: turns scenarios of a run into a separate job.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/words.hpp"
@@ -16,7 +16,7 @@ namespace cd {
 
 namespace {
 
-constexpr std::uint64_t scenarios_max = 100'000; ///< Of one case; their results stand in memory.
+constexpr std::uint64_t scenarios_max = 100'000; ///< Limit per case; the results are in memory.
 
 struct Range {
     std::uint64_t first = 0;
@@ -30,7 +30,7 @@ std::optional<std::uint64_t> whole_number(std::string_view text) {
                                                                     : std::nullopt;
 }
 
-/// Of "N" or "N-M".
+/// Parses "N" or "N-M".
 Result<Range> parse_range(const std::string& text, std::uint64_t count) {
     const std::size_t dash = text.find('-');
     const auto first = whole_number(std::string_view(text).substr(0, dash));
@@ -105,7 +105,7 @@ int execute(const ExtractCommand& command) {
     if (!found) {
         return fail(found.error());
     }
-    InterruptGuard::begin_to_flag(); // No half of a file is left.
+    InterruptGuard::begin_to_flag(); // A signal must not leave partial files.
     const std::string dir = command.out.empty() ? "scenario-" + command.scenarios : command.out;
     const Status written = write_case(
         job.value(), found.value(), {command.minimal, &InterruptGuard::has_come}, dir, pool);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t poses_at_once = 1u << 16;
 
-/// The poses of a job, fetched in runs.
+/// The poses of a job on a master, fetched in runs.
 class RemotePoses final : public PoseSource {
   public:
     RemotePoses(Connection& connection, JobId job, std::uint64_t count)
@@ -34,7 +34,7 @@ class RemotePoses final : public PoseSource {
     std::uint64_t count_;
 };
 
-/// Errors: those of the connection.
+/// The mesh from the cache, or else from the master. Errors: those of the connection.
 Result<std::shared_ptr<const Mesh>>
 get_mesh(Connection& connection, const Sha256& mesh, const MeshCache& cache) {
     if (auto kept = cache.find(mesh)) {
@@ -186,7 +186,7 @@ Result<RunReport> FetchedJob::write(FolderRunOptions options, const std::string&
     const JobStatus& job = known_.status;
     options.started = iso_time(job.began);
     options.ended = iso_time(job.began + static_cast<std::uint64_t>(std::max(0.0, job.seconds)));
-    options.folder.fresh = true; // The job may have more results by now.
+    options.folder.fresh = true; // The job may have got more results since.
     auto run = FolderRun::begin(*prepared_, std::move(options));
     if (!run) {
         return run.error();

@@ -16,19 +16,19 @@
 
 namespace cd {
 
-/// Gives a submitted job the state that `run --master` has when its job ends.
+/// A submitted job in the state that `run --master` has at its end.
 class FetchedJob {
   public:
-    /// Fetches the description, and the meshes that are not in the cache; poses are fetched as they
-    /// are read. `text` is a job's id as users write it, `tree_cache` as for `MeshCache`.
-    /// Errors: those of the connection; NotFound.
+    /// Fetches the description and the meshes that are not cached; poses are fetched on demand.
+    /// `text` is a job id as users write it, `tree_cache` as for `MeshCache`. Errors: those of the
+    /// connection; NotFound.
     [[nodiscard]] static Result<FetchedJob> open(const MasterOptions& master,
                                                  const std::string& text,
                                                  const std::filesystem::path& tree_cache);
 
     [[nodiscard]] PreparedJob& prepared() { return *prepared_; }
     [[nodiscard]] const KnownJob& known() const { return known_; }
-    /// How many scenarios have a result; empty if all have.
+    /// `coverage_text` of the job: empty if every scenario has a result.
     [[nodiscard]] std::string coverage() const { return coverage_text(known_.status, fetched_); }
 
     /// Writes the results to stdout. Errors: those of the connection and of writing.
@@ -49,7 +49,7 @@ class FetchedJob {
     std::unique_ptr<Connection> connection_;
     KnownJob known_;
     std::unique_ptr<PreparedJob> prepared_;
-    LabelColumns labels_;       ///< Labels that the job has.
+    LabelColumns labels_;       ///< The job's label columns.
     std::uint64_t fetched_ = 0; ///< Results fetched so far.
 };
 

@@ -1,4 +1,4 @@
-// The verbs that get credentials, for oneself and for others.
+// The verbs that obtain credentials: `join` and `token create`.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
@@ -19,7 +19,7 @@ namespace cd {
 
 namespace {
 
-/// The user at the host, as people write it.
+/// The default name of a client: USER@HOST.
 std::string default_name() {
     std::array<char, 256> host{};
     if (::gethostname(host.data(), host.size() - 1) != 0) {

@@ -20,7 +20,7 @@ int exit_code_of(const Summary& summary, FailOn fail_on) {
     if (asked != 0) {
         return exit_contacts;
     }
-    // Whether there are contacts was asked, and is not known.
+    // The user asked whether there are contacts, and undecided scenarios leave this open.
     return fail_on != FailOn::Never && summary.undecided != 0 ? exit_incomplete : exit_done;
 }
 

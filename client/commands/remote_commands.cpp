@@ -1,4 +1,4 @@
-// The verbs that look at a master and at its jobs.
+// The verbs that show a master and its jobs.
 #include "client/commands/remote_commands.hpp"
 
 #include "client/base/exit_code.hpp"
@@ -14,10 +14,10 @@ namespace cd {
 
 namespace {
 
-/// Between the two statuses that rates and the bottleneck are judged by.
+/// Time between the two statuses that give rates and the bottleneck.
 constexpr std::chrono::milliseconds sample_time{500};
 
-/// A status does not tell what was asked, but its classes do, where it matters.
+/// A job's status lacks its level; its classes reveal it where it matters.
 Level level_of(const Summary& summary) {
     return summary.contact != 0 ? Level::Any : Level::Pairs;
 }
@@ -27,7 +27,7 @@ struct Statuses {
     ClusterStatus after;
 };
 
-/// Two statuses, a moment apart where something goes on.
+/// Gets two statuses, `sample_time` apart if a job is running.
 Result<Statuses> sample(Connection& connection) {
     const Result<ClusterStatus> before = connection.status();
     if (!before) {

@@ -1,4 +1,4 @@
-// The verbs of cdctl that speak with a master. Each returns the exit code.
+// The verbs of cdctl that connect to a master. Each returns the exit code.
 #pragma once
 
 #include "client/cli/cli.hpp"
@@ -21,8 +21,8 @@ namespace cd {
 [[nodiscard]] int execute(const JoinCommand& command);
 [[nodiscard]] int execute(const TokenCommand& command);
 
-/// `run --master`: submits, watches, fetches, reports. The job's header has been printed, and an
-/// InterruptGuard lives; an interrupt cancels the job.
+/// `run --master`: submits, watches, fetches, reports. The caller has printed the job's header and
+/// holds an InterruptGuard; an interrupt cancels the job.
 [[nodiscard]] int
 run_on_master(const RunCommand& command, PreparedJob& job, std::unique_ptr<Connection> connection);
 

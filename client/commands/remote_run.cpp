@@ -1,4 +1,4 @@
-// run --master and submit: a prepared job on its way to a master, and its results back.
+// run --master and submit: sends a prepared job to a master and fetches its results.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/job_id.hpp"
@@ -21,7 +21,7 @@ namespace cd {
 
 namespace {
 
-/// Who interrupts `run` does not want its job to go on. What was answered stays at the master.
+/// Cancels the job after an interrupt. The master keeps the results so far.
 int fail_and_cancel(Connection& connection, JobId job, const Error& error) {
     if (error.code == ErrorCode::Interrupted && connection.cancel(job)) {
         const std::string id = job_id_text(job);
@@ -33,7 +33,7 @@ int fail_and_cancel(Connection& connection, JobId job, const Error& error) {
     return fail(error);
 }
 
-/// The job is done, and its results have not come.
+/// Reports an error while fetching the results of a completed job.
 int fail_to_fetch(const std::string& job, const Error& error) {
     std::fprintf(stderr,
                  "cdctl: job %s is done; `cdctl results %s` fetches its results\n",
@@ -117,7 +117,7 @@ std::string submitted_text(const SubmitCommand& command, const PreparedJob& job,
            "; `cdctl watch " + text + "` shows how it goes\n";
 }
 
-/// With a folder where there is an output folder.
+/// Runs the job on a master. `folder` is null without an output folder.
 int run_there(const RunCommand& command,
               PreparedJob& job,
               std::unique_ptr<Connection> connection,

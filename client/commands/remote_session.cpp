@@ -31,7 +31,7 @@ std::string mesh_name(const ClusterStatus& status, const Sha256& mesh) {
     return found == status.meshes.end() || found->name.empty() ? to_short_hex(mesh) : found->name;
 }
 
-/// Ends a connection, and not the master: one that broke, stands still, or brings damaged bytes.
+/// True for errors that call for a new connection: broken, silent, or damaged bytes.
 bool is_of_the_network(const Error& error) {
     return error.code == ErrorCode::Disconnected || error.code == ErrorCode::Timeout ||
            error.code == ErrorCode::BadFrame;
@@ -142,7 +142,7 @@ Result<JobStatus> watch_job(const MasterOptions& master,
                             const std::string& id,
                             ProgressPrinter::Style progress) {
     ProgressPrinter printer(progress);
-    int damaged = 0; // Connections, one after the other.
+    int damaged = 0; // Consecutive connections with damaged bytes.
     JobStatus last;
     ClusterStatus cluster;
     bool has_looked = false;
@@ -173,7 +173,7 @@ Result<JobStatus> watch_job(const MasterOptions& master,
         Result<JobStatus> status = connection->watch(
             job, show, tells ? look : std::function<void(const ClusterStatus&)>());
         if (!status && status.error().code == ErrorCode::Refused && renewal.count() != renewals) {
-            // The certificate of the connection has expired, and another one has been got.
+            // The connection's certificate has expired and has been renewed.
             renewals = renewal.count();
             auto again = open_again(master);
             if (!again) {
@@ -185,7 +185,7 @@ Result<JobStatus> watch_job(const MasterOptions& master,
         if (status || !is_of_the_network(status.error())) {
             return status;
         }
-        // Whose every word is damaged is not asked for ever.
+        // A master that sends only damaged bytes is not retried for ever.
         if (status.error().code == ErrorCode::BadFrame &&
             ++damaged >= limits::damaged_connections_max) {
             return status;
@@ -205,7 +205,7 @@ Result<JobStatus> watch_job(const MasterOptions& master,
 Status fetch_results(Connection& connection,
                      const JobStatus& job,
                      const std::function<Status(const ScenarioResult&)>& take) {
-    // The same code that the master merges with: a result lost or changed on the way shows.
+    // The master uses this merger too, so a result lost or changed in transit changes the digest.
     ResultMerger merger(job.summary.total);
     const Status fetched =
         connection.fetch(job.job, 0, job.summary.total, [&](const ScenarioResult& result) {
@@ -230,7 +230,7 @@ Status fetch_map(Connection& connection, JobId job, RunReport& report) {
     if (!answer.value().is_asked || !report.map_withdrawn.empty()) {
         return Done{};
     }
-    // The meshes need not be here.
+    // The meshes need not be loaded here.
     const ContactMapBounds bounds{
         limits::mesh_triangles_max, limits::mesh_triangles_max, report.summary.total};
     Result<ContactMap> map = unpack_map(answer.value().map, bounds);

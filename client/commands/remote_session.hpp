@@ -1,4 +1,4 @@
-// Shared parts of the verbs that connect to a master.
+// Functions shared by the verbs that connect to a master.
 #pragma once
 
 #include "client/cli/cli.hpp"
@@ -16,10 +16,10 @@
 
 namespace cd {
 
-/// Connects to a master; the connection stops at a signal (`InterruptGuard`).
+/// Connects to a master; a signal (`InterruptGuard`) interrupts the connection's calls.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options);
-/// Connects for a job that could also run here; an error of the network says so. Called before the
-/// inputs are read, which may take long.
+/// Connects for a job that could also run here; a network error says so. Called before the inputs
+/// are read, which may take long.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& options);
 
 /// The number of workers that are not lost.
@@ -27,45 +27,43 @@ namespace cd {
 /// `worker_count` as text: "12 workers".
 [[nodiscard]] std::string workers_text(const ClusterStatus& cluster);
 
-/// Uploads what is missing, with a line on stderr for each mesh unless quiet, and submits.
+/// Uploads missing meshes, each with a line on stderr unless quiet, and submits the job.
 [[nodiscard]] Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet);
 
-/// A job that the master knows, as the user wrote it, with its name among the others.
+/// A job on the master, found by the user's text.
 struct KnownJob {
     JobStatus status;
-    std::string id;                    ///< "j-4f2a"
-    std::array<std::string, 2> bodies; ///< Names of the meshes, as far as they are known.
+    std::string id;                    ///< Short unique id: "j-4f2a".
+    std::array<std::string, 2> bodies; ///< Names of the meshes; short hashes of unnamed ones.
 };
 /// Errors: those of `find_job`.
 [[nodiscard]] Result<KnownJob> find_known_job(Connection& connection, const std::string& text);
 
-/// Watches the job to its end, with progress on stderr. When the master goes away, or the
-/// connection is good for nothing any more, waits for it to come back, for a minute, with a new
-/// connection.
+/// Watches the job to its end, with progress on stderr. After a network error it reconnects, and
+/// gives up after a minute.
 [[nodiscard]] Result<JobStatus> watch_job(const MasterOptions& master,
                                           std::unique_ptr<Connection>& connection,
                                           JobId job,
                                           const std::string& id,
                                           ProgressPrinter::Style progress);
 
-/// Pulls all results that there are of a job into `take`. Errors: those of `take`; BadFrame when
-/// what came does not have the digest that the master states of a job that is done.
+/// Fetches all existing results of a job into `take`. Errors: those of `take`; BadFrame when the
+/// results do not match the digest that the master states for a completed job.
 [[nodiscard]] Status fetch_results(Connection& connection,
                                    const JobStatus& job,
                                    const std::function<Status(const ScenarioResult&)>& take);
 
-/// Puts the job's map into its report, where one was asked for. Errors: BadFrame for a map that is
-/// none.
+/// Adds the job's map, if requested, to its report. Errors: BadFrame for an invalid map.
 [[nodiscard]] Status fetch_map(Connection& connection, JobId job, RunReport& report);
 
-/// Nothing of a job that is done; otherwise why there are no results of it: Incomplete.
+/// Errors: Incomplete with the reason, unless the job is done.
 [[nodiscard]] Status check_done(const JobStatus& job, const std::string& id);
 
-/// How many scenarios of a job have a result: "incomplete: 12 of 90 scenarios ...". Empty for a job
-/// that is done.
+/// The number of scenarios with a result: "incomplete: 12 of 90 scenarios ...". Empty for a
+/// completed job.
 [[nodiscard]] std::string coverage_text(const JobStatus& job, std::uint64_t answered);
 
-/// The report of a job that has ended. `level` is the level of its results, if known.
+/// The report of an ended job. `level` is the level of its results, if known.
 [[nodiscard]] RunReport report_of(const JobStatus& job, Level level);
 
 } // namespace cd

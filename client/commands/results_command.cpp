@@ -1,4 +1,4 @@
-// The verb `results`: of a folder, or of a job on a master.
+// The verb `results`, for a results folder or a job on a master.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/words.hpp"
@@ -25,13 +25,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What has not been answered is no contact, and no failure of this command.
+/// The exit code of a job: contacts are no failure here, missing results are.
 int exit_code_of_job(const KnownJob& job) {
     return job.status.state == JobState::Done ? exit_code_of(job.status.summary, FailOn::Never)
                                               : exit_incomplete;
 }
 
-/// The summary, but where the results are printed for people.
+/// Prints the summary, unless the results are printed for people.
 Status tell(const ResultsCommand& command, const RunReport& report, bool prints) {
     return prints
                ? Status(Done{})
@@ -65,7 +65,7 @@ int results_of_job(const ResultsCommand& command) {
     return told ? exit_code_of_job(job.value().known()) : fail(told.error());
 }
 
-/// What an earlier version left of a run.
+/// Results of a folder that has only a summary, as an earlier version wrote it.
 int results_of_summary(const ResultsCommand& command, const Error& no_run) {
     if (!command.formats.empty() || command.output == "csv") {
         return fail(no_run);
@@ -86,7 +86,7 @@ int results_of_summary(const ResultsCommand& command, const Error& no_run) {
     return told ? exit_code_of(report.value().summary, FailOn::Never) : fail(told.error());
 }
 
-/// Without formats the results go to stdout, and nothing is written.
+/// Results of a folder. Without formats they go to stdout, and no file is written.
 int results_of_folder(const ResultsCommand& command) {
     if (!command.out.empty()) {
         return fail({ErrorCode::BadInput,
@@ -103,7 +103,7 @@ int results_of_folder(const ResultsCommand& command) {
         return fail(context.error());
     }
     context.value().exact_points = command.exact_points;
-    InterruptGuard::begin_to_flag(); // No half of a file is left.
+    InterruptGuard::begin_to_flag(); // A signal must not leave partial files.
     std::optional<RunFolder> folder;
     if (!command.formats.empty()) {
         auto opened = RunFolder::open_finished(run.value().dir());

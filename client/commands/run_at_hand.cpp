@@ -25,7 +25,7 @@ Status fetch_into(const std::filesystem::path& dir,
     job.value().prepared().spec.output.dir = dir;
     job.value().prepared().spec.output.formats.clear();
     FolderRunOptions options = folder_options({}, master);
-    options.inputs_bytes_max = UINT64_MAX; // Nowhere else are they at hand.
+    options.inputs_bytes_max = UINT64_MAX; // The inputs have no other local copy.
     const auto written = job.value().write(std::move(options), "text");
     return written ? Status(Done{}) : written.error();
 }

@@ -1,4 +1,4 @@
-// The run that an argument names: a results folder, or a job of a master.
+// The run that an argument names: a results folder or a job on a master.
 #pragma once
 
 #include "client/cli/cli.hpp"
@@ -11,15 +11,14 @@
 
 namespace cd {
 
-/// An opened run and its inputs. The folder of a job's run no longer exists.
+/// An opened run and its inputs. The temporary folder of a job's run no longer exists.
 struct RunAtHand {
     OpenedRun run;
     JobInputs inputs;
 
     /// Opens a folder, or fetches a job into a temporary folder, which is removed even after a
-    /// signal. Needs an `InterruptGuard`; from then on a signal ends the process.
-    /// `tree_cache` as for `FetchedJob`. Errors: those of `OpenedRun::open`, `read_inputs` and
-    /// `FetchedJob`.
+    /// signal. Needs an `InterruptGuard`; once open, a signal ends the process. `tree_cache` is as
+    /// for `FetchedJob`. Errors: those of `OpenedRun::open`, `read_inputs` and `FetchedJob`.
     [[nodiscard]] static Result<RunAtHand> open(const std::string& argument,
                                                 const MasterOptions& master,
                                                 const std::filesystem::path& tree_cache);

@@ -27,7 +27,7 @@ namespace cd {
 
 namespace {
 
-/// A prepared job with all that a run of it here needs.
+/// A prepared job and the resources to run it in this process.
 struct LocalJob {
     const RunCommand& command;
     PreparedJob& job;
@@ -50,7 +50,7 @@ RunReport report_of(const LocalJob& local, const RunOutcome& outcome) {
     return report;
 }
 
-/// Runs the job with a progress line; `take` gets each result, `tick` is called now and then.
+/// Runs the job with a progress line. Passes each result to `take`; calls `tick` periodically.
 Result<RunOutcome> run_with_progress(const LocalJob& local,
                                      LocalRunOptions options,
                                      const std::function<Status(const DoneScenario&)>& take,
@@ -116,7 +116,7 @@ int run_without_folder(const LocalJob& local) {
     return told ? exit_code_of(report.summary, command.fail_on) : fail(told.error());
 }
 
-/// After a run that ended early: what of it is kept.
+/// Saves the results of an interrupted run and reports the error.
 int fail_and_keep(const LocalJob& local, FolderRun& run, const Error& error) {
     const Status kept = run.keep();
     if (!kept) {
@@ -175,10 +175,10 @@ int run_into_folder(const LocalJob& local) {
     return told ? exit_code_of(report.summary, command.fail_on) : fail(told.error());
 }
 
-/// What the command line asks for: the job of a job file, of options, or of a results folder.
+/// The job of the command line: from a job file, options, or a results folder.
 struct AskedJob {
     JobSpec spec;
-    std::optional<OpenedRun> run; ///< Of a results folder.
+    std::optional<OpenedRun> run; ///< Set for a results folder.
 };
 
 /// Reads the job, but none of its inputs. Errors: those of `make_job_spec` and `OpenedRun::open`.
@@ -226,7 +226,7 @@ prepare(AskedJob asked, Trees trees, TreeCache& cache, ThreadPool& pool, bool qu
                   : inputs.error();
 }
 
-/// The first line of a run: where it runs. `connection` is null for a run on this machine.
+/// The first line of a run: its location. `connection` is null for a run on this machine.
 std::string where_text(const RunCommand& command, Connection* connection, const ThreadPool& pool) {
     if (connection == nullptr) {
         const char* master = std::getenv("CDCTL_MASTER");
@@ -248,7 +248,7 @@ EstimateOptions estimate_options(const RunCommand& command) {
     return options;
 }
 
-/// The answer to --dry-run.
+/// Prints the answer to --dry-run.
 int tell_estimate(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
     const auto estimate = estimate_run(job, pool, estimate_options(command));
     if (!estimate) {
@@ -266,13 +266,13 @@ int tell_estimate(const RunCommand& command, const PreparedJob& job, ThreadPool&
     return exit_done;
 }
 
-/// Whether a run is to look how large its results would be.
+/// True if the size of the results must be checked before the run.
 bool checks_size(const RunCommand& command, const JobSpec& spec) {
     return !command.yes && !spec.output.dir.empty();
 }
 
-/// Refuses results that are too large. Samples so few scenarios that this takes some percent of
-/// the run. Errors: those of `check_room`.
+/// Refuses results that are too large. Samples at most 5 % of the scenarios, so the check is cheap.
+/// Errors: those of `check_room`.
 Status check_size(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
     EstimateOptions options = estimate_options(command);
     options.samples_max = std::min(options.samples_max, job.poses->count() / 20);
@@ -281,7 +281,7 @@ Status check_size(const RunCommand& command, const PreparedJob& job, ThreadPool&
         return Done{};
     }
     const auto estimate = estimate_run(job, pool, options);
-    // A run that cannot be estimated is no reason to refuse it.
+    // A failed estimate is no reason to refuse the run.
     return estimate ? check_room(estimate.value(), job.spec.output, command.results_bytes_max)
                     : Status(Done{});
 }

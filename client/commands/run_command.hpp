@@ -1,4 +1,4 @@
-// The verb `run`, in parts that other verbs use.
+// Parts of the verb `run` that other verbs use.
 #pragma once
 
 #include "client/cli/cli.hpp"
@@ -9,10 +9,10 @@
 
 namespace cd {
 
-/// The verb `run` without its handling of signals; whoever calls it has an `InterruptGuard`.
+/// The verb `run` without signal handling; the caller holds an `InterruptGuard`.
 [[nodiscard]] int run_job(const RunCommand& command);
 
-/// Header and warnings on stderr; warnings also when quiet.
+/// Prints header and warnings on stderr; if quiet, only the warnings.
 void print_header(const PreparedJob& job, bool quiet);
 
 /// Fills `report.hint`; reads all poses again if every scenario is separate. Errors: Interrupted.
@@ -20,7 +20,7 @@ void print_header(const PreparedJob& job, bool quiet);
 
 /// The folder options of a local run.
 [[nodiscard]] FolderRunOptions folder_options(const FolderFlags& flags);
-/// The folder options for the results of a master's job.
+/// The folder options for the results of a job on a master.
 [[nodiscard]] FolderRunOptions folder_options(const FolderFlags& flags,
                                               const MasterOptions& master);
 

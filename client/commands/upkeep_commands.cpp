@@ -1,4 +1,4 @@
-// The verbs that keep a cluster in order: removing jobs and meshes, sending workers away.
+// The verbs that maintain a cluster: removing jobs and meshes, draining workers.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/job_id.hpp"
@@ -17,13 +17,13 @@ namespace cd {
 
 namespace {
 
-/// Something that `rm` removes, and how it is called.
+/// A job or mesh that `rm` removes, and its name in messages.
 struct Removable {
     std::variant<JobId, Sha256> what;
     std::string name;
 };
 
-/// Errors: NotFound; BadInput for a beginning that several have.
+/// Finds a job or mesh by its id. Errors: NotFound; BadInput for an ambiguous prefix.
 Result<Removable>
 find_removable(const ClusterStatus& status, const std::string& text, const std::string& owner) {
     const Result<JobId> job = find_job(text, status.jobs, owner);
@@ -53,7 +53,7 @@ Result<Removed> remove(Connection& connection, const Removable& target, bool can
                           : connection.remove_mesh(std::get<Sha256>(target.what));
 }
 
-/// Errors: NotFound; BadInput for a name that several workers have.
+/// Finds a worker. Errors: NotFound; BadInput for an ambiguous name.
 Result<WorkerId> find_worker(const ClusterStatus& status, const std::string& text) {
     std::vector<WorkerId> named;
     for (const WorkerStatus& worker : status.workers) {

@@ -1,4 +1,4 @@
-// The verb `verify`: runs a sample of a run's scenarios again here.
+// The verb `verify`: repeats a sample of a run's scenarios here.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/words.hpp"
@@ -19,7 +19,7 @@ namespace cd {
 
 namespace {
 
-/// `count` different numbers below `total`, ascending, drawn by the seed (Floyd).
+/// `count` distinct numbers below `total`, ascending, drawn from the seed (Floyd).
 std::vector<std::uint64_t> sample(std::uint64_t total, std::uint64_t count, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::vector<std::uint64_t> drawn;
@@ -46,7 +46,7 @@ struct Counts {
 
 enum class Outcome : std::uint8_t { Same, Different, NotRun };
 
-/// Whether a scenario that is run again gives the record that is kept.
+/// Repeats a scenario and compares its record with the stored one.
 Result<Outcome>
 compare(OpenedRun& run, PreparedJob& job, const ScenarioRunner& runner, std::uint64_t index) {
     const auto kept = run.records().find(index);
@@ -64,7 +64,7 @@ compare(OpenedRun& run, PreparedJob& job, const ScenarioRunner& runner, std::uin
     return encode_result(again.result) == kept.value()->bytes ? Outcome::Same : Outcome::Different;
 }
 
-/// Names the first few that differ.
+/// Prints a differing scenario; only the first few.
 void tell_difference(std::uint64_t index, std::uint64_t number) {
     constexpr std::uint64_t shown_max = 10;
     if (number < shown_max) {

@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t poses_together = 4096;
 
-/// The master could not write `what` to its disk.
+/// The error when the master cannot write `what` to its disk.
 Error no_room(const std::string& what, const Error& error) {
     return {ErrorCode::Incomplete, "the master has no room for " + what + ": " + error.detail};
 }
@@ -39,7 +39,7 @@ std::string host_name() {
     return escaped(std::string(host.data())).substr(0, 150);
 }
 
-/// By the account, whose name the environment need not tell.
+/// The name of the effective user's account. The environment may lack it.
 std::string user_name() {
     std::array<char, 4096> texts{};
     passwd entry{};
@@ -64,7 +64,7 @@ Error other_poses() {
     return {ErrorCode::BadFrame, "the master sent other poses than were asked for"};
 }
 
-/// Appends what came for scenarios `next` and on, at most `left`.
+/// Appends poses received for scenarios from `next` on, at most `left`.
 Status take_poses(const JobPoses& part, std::uint64_t next, std::uint64_t left, FetchedPoses& all) {
     if (part.first != next || part.count == 0 || part.count > left) {
         return other_poses();
@@ -121,13 +121,13 @@ struct Connection::State {
 
 // ---- Waiting --------------------------------------------------------------------------------
 
-/// The handler of co_spawn would need a result that can be nothing.
+/// A result without a default constructor cannot be passed to co_spawn's completion handler.
 template <class T>
 asio::awaitable<void> keep(asio::awaitable<Result<T>> coroutine, std::optional<Result<T>>& result) {
     result = co_await std::move(coroutine);
 }
 
-/// Runs the coroutine to its end on this thread.
+/// Runs the coroutine to completion on this thread.
 template <class T>
 Result<T> Connection::State::run(asio::awaitable<Result<T>> coroutine) {
     std::optional<Result<T>> result;
@@ -139,15 +139,14 @@ Result<T> Connection::State::run(asio::awaitable<Result<T>> coroutine) {
                            std::rethrow_exception(thrown);
                        }
                        done = true;
-                       context.stop(); // The channel reads on, and would be waited for.
+                       context.stop(); // Otherwise `run` would wait for the channel's pending read.
                    });
     run_until(done);
     return done ? std::move(*result) : Result<T>(interrupted());
 }
 
-/// Waits themselves look whether they are stopped. Where one does not, closing the channel ends it
-/// (a peer that does not read); before there is a channel, whatever goes on is left to the
-/// destructor.
+/// Most waits poll `stopped`. Closing the channel ends the others (a peer that does not read).
+/// Before a channel exists, the destructor abandons pending operations.
 void Connection::State::run_until(const bool& done) {
     std::optional<Clock::time_point> stopped_at;
     while (!done) {
@@ -184,7 +183,7 @@ asio::awaitable<Result<Message>> Connection::State::receive(Clock::duration time
     }
 }
 
-/// Before more is sent.
+/// Waits for room in the send queue.
 asio::awaitable<Status> Connection::State::make_room() {
     if (is_stopped()) {
         co_return interrupted();
@@ -312,9 +311,8 @@ Connection::State::submit(Submit submit, PoseSource* poses, const PoseLabels& la
     co_return accepted.value().job;
 }
 
-/// A job may stand still for long, and then there is nothing to say about it. So the master is
-/// asked about the cluster after each silence, and now and then besides; a master that is gone does
-/// not answer.
+/// A job may send no status for long. The client therefore queries the cluster's status after each
+/// silence and periodically. An unanswered query reveals a dead master.
 asio::awaitable<Result<JobStatus>>
 Connection::State::watch(JobId job,
                          const std::function<void(const JobStatus&)>& changed,
@@ -361,7 +359,7 @@ Connection::State::watch(JobId job,
     }
 }
 
-/// A watch that was interrupted may still be answered before the cancel is.
+/// The status of an interrupted watch may arrive before the answer to the cancel.
 asio::awaitable<Result<JobStatus>> Connection::State::cancel(JobId job) {
     channel->send(Cancel{job});
     while (true) {
@@ -377,7 +375,8 @@ asio::awaitable<Result<JobStatus>> Connection::State::cancel(JobId job) {
 Connection::Connection(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Connection::~Connection() {
-    // What has been sent is on its way; the master forgets this client when the socket closes.
+    // Queued messages are already on their way. The master drops this client when the socket
+    // closes.
     if (state_->channel != nullptr) {
         state_->channel->close();
     }
@@ -513,7 +512,7 @@ Result<ClusterStatus> Connection::status() {
 }
 
 Result<JobStatus> Connection::cancel(JobId job) {
-    // The one thing that is still done after a stop.
+    // A cancel must also work after a stop.
     state_->heeds_stop = false;
     Result<JobStatus> status = state_->run(state_->cancel(job));
     state_->heeds_stop = true;
@@ -556,7 +555,7 @@ Status Connection::pause(std::chrono::milliseconds time) {
             std::min<Clock::duration>(limits::stop_check_period, end - Clock::now()));
         bool is_over = false;
         timer.async_wait([&is_over](const boost::system::error_code&) { is_over = true; });
-        // Not until there is nothing to do: the channel's own deadlines may be far away.
+        // Does not wait for an idle context: the channel's own deadlines may be far away.
         while (!is_over) {
             state_->context.run_one();
         }

@@ -1,4 +1,4 @@
-// Renews a user's credential while a verb waits for long.
+// Renews a user's credential during a long command.
 #pragma once
 
 #include "client/cli/cli.hpp"
@@ -13,8 +13,8 @@
 
 namespace cd {
 
-/// Renews the credential for a master, and its file, after each half of its lifetime, on its own
-/// thread. Does nothing without a credential.
+/// Renews the credential for a master and its file at each half of its lifetime, on a thread of its
+/// own. Does nothing without a credential.
 class CredentialRenewal {
   public:
     CredentialRenewal(MasterOptions options, Endpoint master);

@@ -19,7 +19,7 @@ asio::awaitable<void> keep(asio::awaitable<Result<Credential>> coroutine,
     result = co_await std::move(coroutine);
 }
 
-/// Runs the conversation on this thread to its end, or until it is stopped. Each of its waits has a
+/// Runs the conversation on this thread until it ends or is stopped. Each of its waits has a
 /// deadline. Errors: also Interrupted.
 Result<Credential> run(asio::awaitable<Result<Credential>> conversation,
                        const std::stop_token& stop = {}) {
@@ -82,7 +82,7 @@ client_tls(const MasterOptions& options, const Endpoint& master, const std::stop
         return tls;
     }
     if (!next) {
-        // The old one may still be good; if it is not, the master says so.
+        // The old credential may still be valid; otherwise the master refuses it.
         std::fprintf(stderr,
                      "cdctl: warning: the credential %s was not renewed: %s\n",
                      path.c_str(),
@@ -108,7 +108,7 @@ Result<Identity> join_as_client(const Endpoint& master,
                                 const JoinToken& token,
                                 const std::string& name,
                                 const std::filesystem::path& path) {
-    // A token's use is spent when there is a credential to be written.
+    // A join consumes a use of the token, so check first that the credential can be written.
     if (const Status can_write = check_can_write(path); !can_write) {
         return can_write.error();
     }

@@ -1,4 +1,4 @@
-// What cdctl shows to masters: joined with a token, kept in a file, renewed when it is used.
+// The credential of a user: obtained with a token, kept in a file, and renewed.
 #pragma once
 
 #include "client/cli/cli.hpp"
@@ -14,22 +14,22 @@
 
 namespace cd {
 
-/// Where the credential for this master is: where the user says, or in the folder of the user's
-/// state. Empty where the user wants none.
+/// The path of the credential for this master: as `options` say, or in the user's state folder.
+/// Empty if the options say "none".
 [[nodiscard]] std::filesystem::path client_credential_path(const MasterOptions& options,
                                                            const Endpoint& master);
 
-/// With what to connect; null where there is no credential, and none was named. One that has lived
-/// half of its time is renewed, or else a warning printed. Errors: those of `read_credential`.
-/// `stop` ends a renewal that goes on.
+/// The TLS settings of a connection; null if no credential exists and none was named. Renews a
+/// credential past half of its lifetime, and prints a warning if this fails. `stop` aborts the
+/// renewal. Errors: those of `read_credential`.
 [[nodiscard]] Result<std::shared_ptr<const Tls>>
 client_tls(const MasterOptions& options, const Endpoint& master, const std::stop_token& stop = {});
 
-/// When the credential for this master is due to be renewed; nothing where there is none.
+/// The time at which the credential for this master is due for renewal; nothing without one.
 [[nodiscard]] std::optional<std::chrono::system_clock::time_point>
 renewal_time(const MasterOptions& options, const Endpoint& master);
 
-/// Gets a credential and writes it to the file. Returns what it says. Errors: those of
+/// Obtains a credential and writes it to the file. Returns its identity. Errors: those of
 /// `join_cluster` and `write_credential`.
 [[nodiscard]] Result<Identity> join_as_client(const Endpoint& master,
                                               const JoinToken& token,

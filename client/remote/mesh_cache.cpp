@@ -57,7 +57,7 @@ std::shared_ptr<const Mesh> MeshCache::find(const Sha256& mesh) const {
     if (!found) {
         return nullptr;
     }
-    // Marks the file as used now. In a read-only folder the order stays as it is.
+    // Marks the file as just used. In a read-only folder the order does not change.
     std::error_code ignored;
     std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), ignored);
     return found.value();
@@ -68,7 +68,7 @@ void MeshCache::keep(const Mesh& mesh) const {
         return;
     }
     const std::filesystem::path path = mesh_file_path(folder_, mesh.hash());
-    // Not synced: a mesh lost in a power failure is fetched again, and syncing costs more.
+    // Not synced: a mesh lost in a power failure is fetched again, which costs less than syncing.
     if (write_mesh_file(path, mesh, Durability::Unsynced)) {
         keep_within(folder_, std::array{mesh_suffix}, bytes_max_, path);
     }

@@ -25,16 +25,16 @@ namespace cd {
 [[nodiscard]] Result<std::shared_ptr<const Mesh>> read_mesh_file(const std::filesystem::path& path,
                                                                  const Sha256& expected);
 
-/// The folder `meshes` in the tree cache, which several processes may share. Problems are never
-/// errors: an unusable file counts as missing, and a mesh that cannot be written is not kept.
+/// The folder `meshes` in the tree cache, shared by processes. No problem is an error: an unusable
+/// file counts as missing, and a mesh that cannot be written is not kept.
 class MeshCache {
   public:
-    /// With an empty path nothing is kept or found.
+    /// An empty path disables the cache.
     explicit MeshCache(const std::filesystem::path& tree_cache,
                        std::uint64_t bytes_max = limits::tree_cache_bytes_max)
         : folder_(tree_cache.empty() ? tree_cache : tree_cache / "meshes"), bytes_max_(bytes_max) {}
 
-    /// The mesh, checked against its hash; or null.
+    /// The mesh, checked against its hash; null if it is not cached.
     [[nodiscard]] std::shared_ptr<const Mesh> find(const Sha256& mesh) const;
     /// Keeps a mesh, and removes the least recently used ones until the cache is within its bound.
     void keep(const Mesh& mesh) const;

@@ -1,4 +1,4 @@
-// Results as they come from a master, back into values.
+// Decodes results that a master sends.
 #pragma once
 
 #include "common/core/result.hpp"
