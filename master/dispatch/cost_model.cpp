@@ -5,7 +5,7 @@
 
 namespace cd {
 
-// Two surfaces meet along curves, and a subtree of n triangles has some sqrt(n) of them along one.
+// Two surfaces meet along curves, and about sqrt(n) of a subtree's n triangles lie along one.
 // Levels, pairs, box tests of the analysis, and other powers predict no better.
 double meeting_size(const TreeTop& a, const TreeTop& b, std::span<const RootPair> pairs) {
     double size = 0;
@@ -18,9 +18,9 @@ double meeting_size(const TreeTop& a, const TreeTop& b, std::span<const RootPair
 }
 
 std::uint64_t predicted_ns(double meeting_size) {
-    // From `bench/cluster/fit_costs` over the traces of bench/cluster/run. The sum over a job is
-    // then right within 0.3 to 1 of what is measured at depths 2 to 14, best at 4 to 10; a
-    // scenario's deviation from its job's ratio is a factor of e^0.27 (large depths) to e^0.77.
+    // Fitted by `bench/cluster/fit_costs` to the traces of bench/cluster/run. A job's sum is within
+    // 0.3 to 1 of the measured time at depths 2 to 14, best at 4 to 10. A scenario deviates from
+    // its job's ratio by a factor of e^0.27 (large depths) to e^0.77.
     constexpr double scenario_ns = 10'000;
     constexpr double size_ns = 84;
     return static_cast<std::uint64_t>(scenario_ns + size_ns * meeting_size);

@@ -1,4 +1,4 @@
-// How long a scenario will take a thread of a worker, guessed from its analysis.
+// Predicts a scenario's time on one worker thread from its analysis.
 #pragma once
 
 #include "common/tree/cut.hpp"
@@ -8,12 +8,13 @@
 
 namespace cd {
 
-/// How much meets: over the pairs, the square roots of the smaller subtree's triangles.
+/// Size of the contact region: over the pairs, the sum of the square roots of the smaller subtree's
+/// triangle count.
 [[nodiscard]] double
 meeting_size(const TreeTop& a, const TreeTop& b, std::span<const RootPair> pairs);
 
-/// For matching by time, where mostly how scenarios compare matters: what a worker makes of it is
-/// measured. Never 0.
+/// Prediction for matching by time. Mostly the ratios between scenarios matter, since each worker's
+/// speed is measured. Never 0.
 [[nodiscard]] std::uint64_t predicted_ns(double meeting_size);
 
 } // namespace cd

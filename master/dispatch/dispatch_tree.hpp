@@ -1,4 +1,4 @@
-// What the dispatcher knows of a job's tree.
+// The dispatcher's view of a job's tree.
 #pragma once
 
 #include "proto/messages/work_messages.hpp"
@@ -10,8 +10,8 @@ namespace cd {
 
 struct DispatchTree {
     TreeId tree;
-    std::vector<std::uint32_t> root_triangles; ///< Of each distribution root.
-    /// Of each root's block as it travels. Empty: not known, and guessed from the triangles.
+    std::vector<std::uint32_t> root_triangles; ///< Per distribution root.
+    /// Wire size of each root's block. Empty: unknown, and estimated from the triangles.
     std::vector<std::uint64_t> root_bytes = {};
 };
 

@@ -1,4 +1,4 @@
-// The dispatcher's events.
+// Events of the dispatcher.
 #include "master/dispatch/dispatcher.hpp"
 
 #include "common/core/check.hpp"
@@ -58,7 +58,7 @@ Actions Dispatcher::worker_lost(WorkerId worker) {
     }
     Actions actions;
     state_->take_back_buffers(*proxy);
-    // The newest task first, so that the oldest ends up first in line.
+    // Newest task first, so that the oldest ends up first in the queue.
     while (!proxy->tasks().empty()) {
         const TaskId task = proxy->tasks().rbegin()->first;
         state_->end_task(task, proxy->end_task(task), proxy->facts().process, actions);
@@ -90,7 +90,7 @@ Actions Dispatcher::worker_silent(WorkerId worker) {
         return {};
     }
     proxy->set_silent(true);
-    state_->recalls.erase(worker); // What was asked, or its answer, may be lost.
+    state_->recalls.erase(worker); // The recall or its answer may be lost.
     state_->take_back_buffers(*proxy);
     Actions actions;
     state_->settle(actions);
@@ -138,7 +138,7 @@ Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
     const ProxyTask ended = proxy->end_task(task);
     proxy->judge_batch(ended, state_->now);
     Actions actions;
-    // A worker that is here was not killed by what it has not answered.
+    // The worker is alive, so the unanswered scenarios did not kill it.
     state_->end_task(task, ended, std::nullopt, actions);
     if (state_->is_due(state_->settled) || state_->something_waits()) {
         state_->settle(actions);
@@ -174,10 +174,10 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     DispatchScenario scenario = make_dispatch_scenario(*job, analysed);
     scenario.losses = analysed.losses;
     if (State::is_lost_for_good(scenario)) {
-        return {GiveUp{job_id, analysed.index}}; // The master ended before it was told.
+        return {GiveUp{job_id, analysed.index}}; // The last incarnation ended before it was told.
     }
     job->work_ns += scenario.weight.cost_ns;
-    job->places_after = 0; // They are analysed instead, or come with the next places.
+    job->places_after = 0; // They are analysed instead, or come with the next range.
     state_->mean_cost_ns.add(static_cast<double>(scenario.weight.cost_ns), 1);
     const auto [place, is_new] = job->scenarios.emplace(analysed.index, std::move(scenario));
     CD_CHECK(is_new);
@@ -190,13 +190,13 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     } else {
         job->waiting.push_back(analysed.index);
     }
-    // Others wait before it: then nobody can take a scenario of this job now, and nothing changed,
-    // unless a task's worth is taken together.
+    // If others wait before it, no worker can take a scenario of this job now, and nothing has
+    // changed; a pulled job, however, may now have a whole task's worth.
     if (job->waiting.size() == 1 || job->is_pulled()) {
         state_->allocate_one(*job, actions);
     }
     if (resumes) {
-        // What is kept back at the end, of whatever job, may go now.
+        // Buffers held back at the end of a job may go now.
         for (auto& [id, proxy] : state_->pool.all()) {
             state_->flush_ripe(proxy, actions);
         }
@@ -275,7 +275,7 @@ Actions Dispatcher::scenario_answered(WorkerId worker, JobId job_id, std::uint64
     return actions;
 }
 
-// ---- Measures -----------------------------------------------------------------------------------
+// ---- Measurements -------------------------------------------------------------------------------
 
 void Dispatcher::time_is(double seconds) {
     CD_CHECK(seconds >= state_->now);
@@ -304,7 +304,7 @@ void Dispatcher::roots_arrived(WorkerId worker, TreeId tree, std::span<const Roo
     }
 }
 
-// ---- Questions ----------------------------------------------------------------------------------
+// ---- Queries ------------------------------------------------------------------------------------
 
 std::uint64_t Dispatcher::unsent() const {
     return state_->unsent;
@@ -317,7 +317,7 @@ std::uint64_t Dispatcher::unsent_enough() const {
         enough =
             std::max(enough, job.is_by_time() ? state_->enough_by_time() : job.options.q * workers);
     }
-    // Buffers may fill everywhere without keeping others from getting something.
+    // Leaves enough for other jobs and workers when all buffers are full.
     return limits::unsent_scenarios_max + enough;
 }
 

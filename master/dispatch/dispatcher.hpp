@@ -22,31 +22,31 @@
 
 namespace cd {
 
-/// Send these scenarios to this worker as one task.
+/// Asks to send these scenarios to this worker as one task.
 struct SendBatch {
     WorkerId worker;
     TaskId task;
     JobId job;
     std::vector<std::uint64_t> scenarios;
-    bool is_copy = false; ///< They are at another worker, too.
+    bool is_copy = false; ///< Speculative copy: another worker has them too.
 
     friend bool operator==(const SendBatch&, const SendBatch&) = default;
 };
 
-/// Send these places of the job's order to this worker as one task; it finds the colliding roots
-/// itself.
+/// Asks to send these positions of the job's order to this worker as one task. The worker finds the
+/// colliding roots itself.
 struct SendRange {
     WorkerId worker;
     TaskId task;
     JobId job;
     PlaceRange places;
-    TaskId copy_of = {}; ///< Another worker's task, which has these places, too.
+    TaskId copy_of = {}; ///< Task of another worker with these positions; none if not a copy.
 
     friend bool operator==(const SendRange&, const SendRange&) = default;
 };
 
-/// Ask the worker for what it has not begun of the task: of a batch these scenarios, of a range all
-/// places but the first so many.
+/// Asks the worker to return what it has not begun of the task: of a batch these scenarios, of a
+/// range all but its first `places` positions.
 struct AskBack {
     WorkerId worker;
     TaskId task;
@@ -56,17 +56,17 @@ struct AskBack {
     friend bool operator==(const AskBack&, const AskBack&) = default;
 };
 
-/// A worker has given back part of a task. Unanswered places are to be queued again.
+/// A worker has returned part of a task. The unanswered positions must be queued again.
 struct GivenBack {
     TaskId task;
     JobId job;
-    std::uint64_t scenarios = 0; ///< For batches.
-    PlaceRange places;           ///< For ranges.
+    std::uint64_t scenarios = 0; ///< Number returned of a batch.
+    PlaceRange places;           ///< Positions returned of a range.
 
     friend bool operator==(const GivenBack&, const GivenBack&) = default;
 };
 
-/// Another worker has answered the scenario: this one need not.
+/// Cancels the scenario at this worker: another one has answered it.
 struct CallOff {
     WorkerId worker;
     TaskId task;
@@ -76,11 +76,11 @@ struct CallOff {
     friend bool operator==(const CallOff&, const CallOff&) = default;
 };
 
-/// The process with which a task was lost; empty if its unanswered rest was handed back.
+/// Process whose loss ended a task; empty if the unanswered rest was returned.
 using LostWith = std::optional<WorkerProcess>;
 
-/// The task of a range has ended. Its unanswered places are to be done again, and analysed first if
-/// they were lost.
+/// The task of a range has ended. Its unanswered positions must be repeated, and are analysed first
+/// if they were lost.
 struct RangeEnded {
     TaskId task;
     JobId job;
@@ -90,7 +90,7 @@ struct RangeEnded {
     friend bool operator==(const RangeEnded&, const RangeEnded&) = default;
 };
 
-/// The worker will need these blocks for scenarios that wait in its buffer.
+/// Tells the worker which blocks the scenarios in its buffer will need.
 struct SendHint {
     WorkerId worker;
     JobId job;
@@ -100,8 +100,8 @@ struct SendHint {
     friend bool operator==(const SendHint&, const SendHint&) = default;
 };
 
-/// Scenarios of a batch that were lost with a worker and go to another one. Comes before any of
-/// them is sent again.
+/// Reports scenarios of a batch that were lost with a worker. Precedes any action that resends one
+/// of them.
 struct ScenariosLost {
     JobId job;
     std::vector<std::uint64_t> scenarios;
@@ -110,7 +110,7 @@ struct ScenariosLost {
     friend bool operator==(const ScenariosLost&, const ScenariosLost&) = default;
 };
 
-/// This scenario has been lost with `limits::scenario_losses_max` workers' processes; it fails.
+/// Fails a scenario that was lost with `limits::scenario_losses_max` worker processes.
 struct GiveUp {
     JobId job;
     std::uint64_t scenario = 0;
@@ -134,14 +134,14 @@ struct AnalysedScenario {
     std::uint64_t index = 0;
     std::vector<RootIndex> roots_a; ///< Ascending.
     std::vector<RootIndex> roots_b;
-    std::uint64_t bytes = 0; ///< Added to a batch on the wire.
-    /// Predicted time on one thread; only ratios between scenarios matter. 0 if not known.
+    std::uint64_t bytes = 0; ///< Size it adds to a batch on the wire.
+    /// Predicted time on one thread, 0 if unknown; only ratios between scenarios matter.
     std::uint64_t predicted_ns = 0;
-    /// Earlier losses: with ranges, or before the master was restarted.
+    /// Losses in ranges or before a restart of the master.
     Losses losses = {};
 };
 
-/// The work of a worker's threads on answered scenarios of a task.
+/// Time that a worker's threads spent on answered scenarios of a task.
 struct MeasuredWork {
     TaskId task;
     std::uint64_t predicted_ns = 0; ///< Sum of the scenarios' predictions.
@@ -149,18 +149,21 @@ struct MeasuredWork {
 };
 
 struct DispatcherOptions {
-    bool helps_at_end = true; ///< False: nothing is recalled or copied.
-    /// With more workers than `workers_few`, the others are re-examined after a change only every
-    /// `look_seconds_each` seconds for each worker beyond them.
+    bool helps_at_end = true; ///< False: never recall or copy work.
+    /// With more than `workers_few` workers, a change triggers a check of all workers at most every
+    /// `look_seconds_each` seconds per worker above that number.
     std::size_t workers_few = limits::workers_few;
     double look_seconds_each = limits::look_seconds_each;
 };
 
-/// Every scenario that came in is, at any time, in exactly one place: waiting, in one worker's
-/// buffer, in one task at one worker, or answered. Places that came in wait, are in one task, or
-/// have ended with it. But at the end of a job a scenario, or places, in a task may have one copy,
-/// in a task of its own at another worker; and what is recalled stays in its task until the worker
-/// says that it has given it back. Each event returns what has to be done now.
+/// Each unanswered scenario is in exactly one state: waiting, in one worker's buffer, or in one
+/// task. Order positions wait, are in one task, or ended with it.
+///
+/// Two exceptions exist. At the end of a job a scenario or range in a task may have one speculative
+/// copy in a task of another worker. A recalled part stays in its task until the worker confirms
+/// its return.
+///
+/// Each event returns the actions to perform now.
 class Dispatcher {
   public:
     explicit Dispatcher(const DispatcherOptions& options = {});
@@ -169,86 +172,86 @@ class Dispatcher {
     Dispatcher& operator=(const Dispatcher&) = delete;
 
     Actions worker_joined(WorkerId worker, const WorkerFacts& facts);
-    /// Its buffer and its tasks go back to the waiting scenarios, first in line.
+    /// Returns the worker's buffer and tasks to the head of the queue.
     Actions worker_lost(WorkerId worker);
-    /// The worker gets nothing more and finishes what it has.
+    /// Gives the worker nothing more; it finishes its current work.
     Actions worker_draining(WorkerId worker);
     /// The worker may be lost: its buffer is returned, and it gets nothing until it is heard again.
-    /// Sent work stays with it.
+    /// It keeps the work sent to it.
     Actions worker_silent(WorkerId worker);
     Actions worker_heard(WorkerId worker);
 
     Actions job_opened(JobId job, const ClusterOptions& options, DispatchTree a, DispatchTree b);
     Actions scenario_analysed(JobId job, AnalysedScenario scenario);
-    /// No more scenarios come for now: workers that would run dry get the scenarios in their
+    /// No more scenarios arrive for now: workers about to run dry get the scenarios in their
     /// buffers.
     Actions input_paused();
-    /// These places of the job may go out without an analysis, to whoever runs dry first; after
-    /// them come `after` more scenarios of the job.
+    /// These order positions may go out without analysis, to the first workers that run dry.
+    /// `after` more scenarios of the job follow them.
     Actions places_given(JobId job, const PlaceRange& places, std::uint64_t after);
-    /// Returns the places that were given and not sent.
+    /// Takes back the positions that were given and not sent.
     [[nodiscard]] std::vector<PlaceRange> take_places(JobId job);
-    /// Forgets the job's scenarios, wherever they are. Late results of it are ignored.
+    /// Forgets the job and all its scenarios. Late results of it are ignored.
     Actions job_closed(JobId job);
 
-    /// The scenario is answered, by whichever worker. Of a scenario already answered: nothing.
+    /// Records that some worker answered the scenario. Ignored if it was answered before.
     Actions scenario_answered(WorkerId worker, JobId job, std::uint64_t scenario);
-    /// So many scenarios of a range are answered; they took its threads that long. Of a task that
-    /// is not here: nothing.
+    /// Records `count` answers of a range, which took the worker's threads `busy_seconds`. Ignored
+    /// if the task does not exist.
     Actions places_answered(WorkerId worker, TaskId task, std::uint64_t count, double busy_seconds);
-    /// The worker has sent all results of the task. Scenarios of it that are not answered go back,
-    /// and do not count as lost.
+    /// The worker has sent all results of the task. Unanswered scenarios return to the queue, not
+    /// counted as lost.
     Actions task_ended(WorkerId worker, TaskId task);
-    /// The task got lost on its way to the worker, which is well: what of it is not answered goes
-    /// back, and does not count as lost.
+    /// The task was lost on its way to the worker, which is alive. Unanswered scenarios return to
+    /// the queue, not counted as lost.
     Actions task_unbegun(WorkerId worker, TaskId task);
-    /// This was given back of the task, in answer to AskBack or as the worker stands: it waits
-    /// again, and is not lost. What was given back before, or is not in the task: nothing.
+    /// The worker has returned this part of the task, in answer to AskBack or in its Standing. It
+    /// waits again and is not counted as lost. Parts that are not in the task are ignored.
     Actions task_recalled(WorkerId worker, const Recalled& recalled);
-    /// The worker asks for these blocks; from now on it counts as holding them.
+    /// The worker requests these blocks and counts as holding them from now on.
     void roots_wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
     Actions roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
 
-    // ---- Measurements for matching by time, which else uses its defaults ----
+    // ---- Measurements for matching by time, which has defaults without them ----
     /// Sets the time, in seconds since any fixed point; it never decreases.
     void time_is(double seconds);
     void work_measured(WorkerId worker, const MeasuredWork& work);
-    /// `bytes` of blocks reached the worker in `seconds`.
+    /// Records that `bytes` of blocks reached the worker in `seconds`.
     void transfer_measured(WorkerId worker, std::uint64_t bytes, double seconds);
-    /// The worker has these blocks.
+    /// Records that these blocks have reached the worker.
     void roots_arrived(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
 
-    /// Scenarios that wait or are buffered, not yet sent: what limits the submitter.
+    /// Scenarios that wait or are buffered; this number throttles the submitter.
     [[nodiscard]] std::uint64_t unsent() const;
-    /// Nothing waits, and some workers have nothing to do while others work: from time to time
-    /// `input_paused` finds out who is late.
+    /// True if nothing waits and some workers are idle while others work. Call `input_paused` from
+    /// time to time then, to find stragglers.
     [[nodiscard]] bool is_at_end() const;
-    /// How many unsent scenarios are enough to choose from; more only take memory.
+    /// Number of unsent scenarios that gives enough choice; more only take memory.
     [[nodiscard]] std::uint64_t unsent_enough() const;
-    /// Places given and not sent, and how many are enough for all workers. The job is open.
+    /// Positions given and not sent, and the number that suffices for all workers. The job must be
+    /// open.
     [[nodiscard]] std::uint64_t places_unsent(JobId job) const;
     [[nodiscard]] std::uint64_t places_enough(JobId job) const;
-    /// What analysed scenarios of the job lack where they are sent, and what would be lacking with
-    /// any worker, in seconds each; and what it takes until all hold all. The job is open.
+    /// Cost of the blocks that analysed scenarios lack at their chosen worker and at an average
+    /// one, in seconds per scenario, and of filling every cache. The job must be open.
     [[nodiscard]] MissingCosts missing_costs(JobId job) const;
-    /// The parts of a WorkerStatus that the dispatcher knows (claimed, draining, buffered, working,
-    /// tasks, scenarios).
+    /// The parts of a WorkerStatus that the dispatcher knows: claimed, draining, buffered, working,
+    /// tasks, scenarios.
     [[nodiscard]] WorkerStatus worker_status(WorkerId worker) const;
     [[nodiscard]] std::vector<WorkerId> workers() const;
-    /// The tasks at the worker, which is here.
+    /// Tasks at the worker, which must exist.
     [[nodiscard]] std::vector<TaskId> tasks_of(WorkerId worker) const;
-    /// Scenarios of the task that would have to be answered before it ends: 0 of a worker that
-    /// drains, or is not here.
+    /// Scenarios of the task that must be answered before it ends; 0 if the worker drains or does
+    /// not exist.
     [[nodiscard]] std::uint64_t owed(WorkerId worker, TaskId task) const;
-    /// Scenarios that were analysed and are not answered: 0 of a job that is not open. The places
-    /// that were given and not sent; the job is open.
+    /// Scenarios analysed but not answered; 0 if the job is not open.
     [[nodiscard]] std::uint64_t unanswered(JobId job) const;
     [[nodiscard]] std::vector<PlaceRange> places_of(JobId job) const;
-    /// How each worker scores for the scenario as things stand, and which would be chosen. Changes
-    /// nothing. The job is open.
+    /// Scores every worker for the scenario as of now, and tells which would be chosen. Changes
+    /// nothing. The job must be open.
     [[nodiscard]] Explained explain(JobId job, const AnalysedScenario& scenario) const;
 
-    /// Aborts when an invariant is broken; for tests, after each event.
+    /// Aborts if an invariant is broken. For tests; call it after each event.
     void check_invariants() const;
 
   private:

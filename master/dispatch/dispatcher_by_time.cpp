@@ -1,8 +1,8 @@
-// The strategy `earliest-finish`: every scenario goes at once to the buffer of the worker on which
-// it would be done first, in seconds. That worker may be busy: the scenario waits for who holds its
-// blocks. A worker that runs dry takes over what it would finish sooner, transfers included; so
-// nothing waits for longer than its transfer would take, and at a job's end a slow worker gets
-// nothing that the others would finish before it.
+// The strategy `earliest-finish`. Each scenario goes at once to the buffer of the worker with the
+// earliest estimated finish, even a busy one that holds its blocks. A worker that runs dry takes
+// over scenarios it would finish earlier, transfers included. So no scenario waits longer than its
+// transfer would take, and at the end of a job a slow worker gets nothing that others would finish
+// earlier.
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "master/dispatch/dispatcher_state.hpp"
@@ -14,10 +14,10 @@ namespace cd {
 
 namespace {
 
-constexpr std::uint64_t bytes_unit = 64; ///< Of `PooledTree::bytes_64`.
+constexpr std::uint64_t bytes_unit = 64; ///< Unit of `PooledTree::bytes_64`.
 
-/// Sums over both trees of what each worker has of a scenario, by slot. What all workers hold is
-/// left out: it cancels.
+/// Sums, by slot, of the scenario's blocks that each worker holds, over both trees. Roots held by
+/// all workers are left out, since they cancel.
 class HeldSums {
   public:
     explicit HeldSums(std::size_t count)
@@ -118,7 +118,7 @@ WorkerProxy* Dispatcher::State::earliest(const DispatchJob& job, const DispatchS
         }
         sums.tell(proxy->slot(), needs);
         const double seconds = estimate_finish(powers_of(*proxy), needs).total();
-        // Equals go to the worker with the fewest scenarios, then to the smallest id.
+        // Ties go to the worker with the fewest scenarios, then to the smallest id.
         const std::uint64_t scenarios = proxy->buffered() + proxy->working();
         if (best == nullptr || std::tuple(seconds, scenarios) <
                                    std::tuple(best_seconds, best->buffered() + best->working())) {
@@ -160,8 +160,8 @@ void Dispatcher::State::set_batches() {
         unsent_ns += proxy->backlog_ns() - proxy->working_ns();
         power += proxy->takes_work() ? power_of(*proxy) : 0;
     }
-    // What is left, in 2 W parts, of which a faster worker gets a larger one. Before anything has
-    // come, nothing is known of what is left.
+    // Splits the rest into 2 W parts, proportional to speed. Before any scenario has arrived, the
+    // rest is unknown.
     const double share = power > 0 && unsent_ns > 0
                              ? 1e-9 * static_cast<double>(unsent_ns) / (2 * power)
                              : limits::batch_seconds_max;
@@ -175,7 +175,7 @@ void Dispatcher::State::set_batches() {
 }
 
 std::uint64_t Dispatcher::State::enough_by_time() const {
-    // Two batches for each worker, and as many again to choose from.
+    // Two batches per worker, and as many again to choose from.
     double wanted_ns = 0;
     for (const WorkerProxy* proxy : pool.in_order()) {
         wanted_ns += 4e9 * proxy->batch_seconds() * power_of(*proxy);
@@ -185,8 +185,7 @@ std::uint64_t Dispatcher::State::enough_by_time() const {
         std::min(wanted_ns / mean_ns, static_cast<double>(limits::unsent_by_time_max)));
 }
 
-// At the end nothing waits at a worker behind a long scenario, where another worker, which has
-// nothing to do, could not have it.
+// At the end no scenario waits behind a long one at a busy worker: an idle worker could take it.
 bool Dispatcher::State::has_room_by_time(const WorkerProxy& proxy, const DispatchJob& job) const {
     if (proxy.is_claimed()) {
         return false;
@@ -209,7 +208,7 @@ bool Dispatcher::State::ends_with_long_ones(const WorkerProxy& proxy,
 std::vector<std::uint64_t> Dispatcher::State::take_batch(WorkerProxy& proxy,
                                                          const DispatchJob& job) {
     if (ends_with_long_ones(proxy, job)) {
-        // The long ones first, so that the workers end together.
+        // Longest first, so that the workers finish together.
         proxy.order_buffer(job.id, [&](std::uint64_t one, std::uint64_t other) {
             return job.at(one).weight.cost_ns > job.at(other).weight.cost_ns;
         });
@@ -227,7 +226,7 @@ std::vector<std::uint64_t> Dispatcher::State::take_batch(WorkerProxy& proxy,
         cost_ns += weight.cost_ns;
         bytes += weight.bytes;
     }
-    // At least one, whatever the measures say.
+    // Take at least one scenario, whatever the estimates are.
     if (batch.empty()) {
         batch.push_back(proxy.buffer(job.id).scenarios.front());
     }
@@ -251,7 +250,7 @@ void Dispatcher::State::rebalance(Actions& actions) {
             jobs.begin(), jobs.end(), [](const auto& job) { return job.second.is_by_time(); })) {
         return;
     }
-    std::vector<Backlog> full; // A heap: the one that ends last first.
+    std::vector<Backlog> full; // Heap; latest finish on top.
     for (WorkerProxy* proxy : pool.in_order()) {
         add_backlog(full, *proxy);
     }
@@ -301,7 +300,7 @@ bool Dispatcher::State::move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob
             return true;
         }
     }
-    // The last one: it would be done when all that `from` has is done.
+    // The last scenario would finish only after everything else `from` has.
     return move_if_earlier(from, to, job, buffer.scenarios.back());
 }
 

@@ -1,11 +1,10 @@
-// The end of a job: nothing waits, and some workers have nothing to do while others still have
-// work. What has not begun is asked back, and goes to whoever does it first. What has begun, or is
-// not given back in time, gets a copy elsewhere, if that ends clearly sooner; only so much is done
-// twice. When a worker will have done what it has follows from its measured speed and from how long
-// nothing came from it (LATE: Zaharia et al., Improving MapReduce Performance in Heterogeneous
-// Environments, 2008).
+// The end of a job: nothing waits, and some workers are idle while others still work. Unbegun work
+// is recalled and goes to the worker that finishes it first. Begun or unreturned work gets a
+// speculative copy elsewhere if that finishes clearly earlier; the share of copied work is bounded.
+// The finish estimate follows from a worker's measured speed and its time without answers (LATE:
+// Zaharia et al., Improving MapReduce Performance in Heterogeneous Environments, 2008).
 //
-// For matching by time, and for ranges; the paper's strategies hand out as the paper has it.
+// Used for matching by time and for ranges; the paper's strategies follow the paper.
 #include "common/core/limits/master.hpp"
 #include "master/base/mutation.hpp"
 #include "master/dispatch/dispatcher_state.hpp"
@@ -29,7 +28,7 @@ bool Dispatcher::is_at_end() const {
                                [](const WorkerProxy* proxy) { return proxy->working() != 0; });
 }
 
-// ---- Who helps whom -----------------------------------------------------------------------------
+// ---- Helpers and stragglers ---------------------------------------------------------------------
 
 bool Dispatcher::State::can_help(const WorkerProxy& proxy) const {
     const bool is_expecting = std::ranges::any_of(recalls, [&](const auto& recall) {
@@ -56,7 +55,7 @@ double Dispatcher::State::ends_in(const WorkerProxy& proxy) const {
     if (proxy.working() == 0) {
         return 0;
     }
-    double seconds = 0; // Of one thread.
+    double seconds = 0; // For one thread.
     for (const auto& [id, task] : proxy.tasks()) {
         if (!task.is_range()) {
             seconds += 1e-9 * static_cast<double>(task.cost_ns) / speed_of(proxy);
@@ -66,7 +65,7 @@ double Dispatcher::State::ends_in(const WorkerProxy& proxy) const {
         }
     }
     seconds /= static_cast<double>(std::min<std::uint64_t>(proxy.working(), proxy.facts().threads));
-    // Who is late is taken to need as long again as it is late.
+    // An overdue worker is assumed to need as long again as it is overdue.
     return std::abs(std::max(proxy.progressed(), proxy.transfers_end()) + seconds - now);
 }
 
@@ -78,7 +77,7 @@ void Dispatcher::State::help_at_end(Actions& actions) {
     std::vector<WorkerProxy*> free = helpers();
     for (WorkerProxy* from : free.empty() ? std::vector<WorkerProxy*>{} : late_workers()) {
         from->note_looked_at(now);
-        // The mightiest, or another one of the first few, which may have the blocks.
+        // Tries the fastest helpers first; another of the first few may hold the blocks.
         for (std::size_t i = 0; i < std::min(free.size(), limits::helpers_tried_max);) {
             WorkerProxy& helper = *free[i];
             if (&helper == from || !helps(*from, helper, actions)) {
@@ -147,10 +146,10 @@ bool Dispatcher::State::helps(WorkerProxy& from, WorkerProxy& helper, Actions& a
     return !may_answer_recall(from) && copy(from, helper, actions);
 }
 
-// ---- What has not begun ---------------------------------------------------------------------
+// ---- Recalls --------------------------------------------------------------------------------
 
 bool Dispatcher::State::ask_back(WorkerProxy& from, const WorkerProxy& helper, Actions& actions) {
-    // What was sent last begins last.
+    // The newest task begins last.
     for (const auto& [id, task] : std::views::reverse(from.tasks())) {
         if (task.left() == 0 || task.is_copy || task.has_begun) {
             continue;
@@ -219,7 +218,7 @@ std::uint64_t Dispatcher::State::places_to_move(const WorkerProxy& from,
     if (gain * (begins + one) > seconds_here) {
         return 0;
     }
-    // So many that both end together.
+    // Chosen so that both finish together.
     const double count = (seconds_here - begins) / (1 / rate_here + 1 / rate_there);
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(count));
 }
@@ -233,7 +232,7 @@ void Dispatcher::State::take_recalled(WorkerProxy& proxy,
     if (job != nullptr && task.is_range()) {
         const std::uint64_t before = task.cost_ns;
         given.places = proxy.cut_places(recalled.task, recalled.places);
-        job->work_ns -= std::min(job->work_ns, before - task.cost_ns); // It goes out again.
+        job->work_ns -= std::min(job->work_ns, before - task.cost_ns); // It is sent again.
     } else if (job != nullptr) {
         given.scenarios = take_recalled_scenarios(proxy, *job, recalled);
     }
@@ -258,7 +257,7 @@ std::uint64_t Dispatcher::State::take_recalled_scenarios(WorkerProxy& proxy,
     for (const std::uint64_t index : recalled.scenarios) {
         const auto found = job.scenarios.find(index);
         if (found == job.scenarios.end() || !found->second.is_in(recalled.task)) {
-            continue; // Given back before, or answered by another worker.
+            continue; // Returned before, or answered by another worker.
         }
         DispatchScenario& scenario = found->second;
         ++count;
@@ -287,7 +286,7 @@ bool Dispatcher::State::leave_task(DispatchScenario& scenario, TaskId task) {
     return true;
 }
 
-// ---- What has begun -----------------------------------------------------------------------------
+// ---- Speculative copies -------------------------------------------------------------------------
 
 std::uint64_t Dispatcher::State::copies_left_ns(const DispatchJob& job) {
     const auto most =
@@ -349,7 +348,7 @@ bool Dispatcher::State::copy_places(WorkerProxy& from,
                                     Actions& actions) {
     const ProxyTask& content = from.tasks().at(task);
     DispatchJob& job = jobs.at(content.job);
-    // Ranges are walked from their first place on: what is left are mostly the last ones.
+    // Workers process ranges from the front, so mostly the last positions are left.
     if (content.places_left <= content.places_copied) {
         return false;
     }

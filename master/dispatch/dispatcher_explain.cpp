@@ -1,4 +1,4 @@
-// Why a scenario would go where it goes.
+// Explains how the dispatcher would place a scenario.
 #include "common/core/check.hpp"
 #include "master/dispatch/dispatcher_state.hpp"
 
@@ -83,7 +83,7 @@ WorkerId Dispatcher::State::would_choose(DispatchJob& job, const DispatchScenari
     if (job.is_by_time()) {
         chosen = earliest(job, scenario);
     } else {
-        const Matchmaker before = job.matchmaker; // A draw would change what comes next.
+        const Matchmaker before = job.matchmaker; // A random draw would change later choices.
         chosen = choose(job, scenario);
         job.matchmaker = before;
     }

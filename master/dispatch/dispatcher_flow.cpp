@@ -1,4 +1,4 @@
-// How scenarios get from the queues through the buffers to the workers, and back.
+// Moves scenarios from the queues through the buffers to the workers, and back.
 #include "common/core/check.hpp"
 #include "common/core/limits/master.hpp"
 #include "master/base/mutation.hpp"
@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-/// A scenario that was lost so often is given up.
+/// Number of losses after which a scenario is given up.
 std::uint32_t losses_max() {
     return mutated(Mutation::PoisonToleratedTooLong)  ? ~0u
            : mutated(Mutation::PoisonGivenUpTooEarly) ? limits::scenario_losses_max - 1
@@ -61,7 +61,7 @@ void Dispatcher::State::settle(Actions& actions) {
     }
     while (allocate_next(actions)) {
     }
-    // Only now is it known that nothing more comes for these workers.
+    // Only now is it certain that nothing more comes for these workers.
     for (WorkerProxy* proxy : pool.in_order()) {
         flush_ripe(*proxy, actions);
     }
@@ -71,7 +71,7 @@ void Dispatcher::State::settle(Actions& actions) {
 }
 
 bool Dispatcher::State::allocate_next(Actions& actions) {
-    // Round robin: the jobs after the one served last, then those before and it.
+    // Round robin: first the jobs after the one served last, then those up to it.
     const auto next = jobs.upper_bound(served_last);
     for (auto place = next; place != jobs.end(); ++place) {
         if (allocate_one(place->second, actions)) {
@@ -105,7 +105,7 @@ bool Dispatcher::State::allocate_one(DispatchJob& job, Actions& actions) {
     scenario.worker = proxy->id();
     MissingOfJob missing = hold_roots(job, scenario, *proxy);
     proxy->add_to_buffer(job.id, index, scenario.weight);
-    // By time, only a part of a buffer goes together.
+    // In matching by time, a batch takes only part of a buffer.
     while (is_full(*proxy, job) && has_room_for_task(*proxy, job)) {
         flush(*proxy, job, actions);
     }
@@ -323,7 +323,7 @@ void Dispatcher::State::end_task(TaskId task,
     std::erase_if(recalls, [&](const auto& asked) { return asked.second.task == task; });
     if (ended.is_range()) {
         if (DispatchJob* job = find_job(ended.job)) {
-            job->work_ns -= std::min(job->work_ns, ended.cost_ns); // It goes out again.
+            job->work_ns -= std::min(job->work_ns, ended.cost_ns); // It is sent again.
         }
         actions.push_back(RangeEnded{task, ended.job, *ended.places, lost_with});
     } else {
@@ -348,7 +348,7 @@ void Dispatcher::State::take_back(TaskId task,
             continue;
         }
         DispatchScenario& scenario = job->at(index);
-        // As long as the first one is at work, a copy that is lost is no loss.
+        // Losing a copy does not count while the original is still running.
         const bool is_copy = scenario.copy && scenario.copy->task == task;
         if (lost_with && !is_copy) {
             scenario.losses.add(*lost_with);

@@ -1,4 +1,4 @@
-// What is always true between two events of the dispatcher.
+// Invariants of the dispatcher, which hold between two events.
 #include "common/core/check.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
@@ -40,7 +40,8 @@ void Dispatcher::State::check_counts() const {
         }
         not_sent += proxy.buffered();
     }
-    // Each is somewhere, its copy too (check_job), and there are no more places taken than these.
+    // Each scenario and copy is somewhere (check_job), and the counts match, so nothing is
+    // duplicated.
     CD_CHECK(known == placed);
     CD_CHECK(unsent == not_sent);
 }
@@ -50,7 +51,7 @@ void Dispatcher::State::check_job(const DispatchJob& job) const {
         return std::count(list.begin(), list.end(), index) == 1;
     };
     std::vector<std::uint64_t> waiting(job.waiting.begin(), job.waiting.end());
-    std::ranges::sort(waiting); // Or it would cost their number squared.
+    std::ranges::sort(waiting); // Linear search would cost quadratic time.
     CD_CHECK(std::ranges::adjacent_find(waiting) == waiting.end());
     std::uint64_t unsent_places = 0;
     for (const PlaceRange& range : job.places) {
@@ -124,7 +125,7 @@ void Dispatcher::State::check_worker(const WorkerProxy& proxy) const {
         CD_CHECK(!job.is_pulled());
         CD_CHECK(buffer.cost_ns == cost_of(job, buffer.scenarios));
         cost_ns += buffer.cost_ns;
-        // A buffer that is ripe has been flushed.
+        // Ripe buffers must have been flushed.
         CD_CHECK(!is_ripe(proxy, jobs.at(id)));
         buffered += buffer.scenarios.size();
     }
@@ -154,13 +155,13 @@ void Dispatcher::State::check_worker(const WorkerProxy& proxy) const {
     CD_CHECK((claiming == 1) == proxy.is_claimed());
 }
 
-/// What stands at a worker is bounded: of each job so many tasks with something left to do as may
-/// be sent to it, or, where it gets more because it has less to do than threads, as it has threads.
+/// Bounds the work at a worker: for each job the allowed number of unanswered tasks or, where a
+/// worker has less work than threads, as many as it has threads.
 void Dispatcher::State::check_flight(const WorkerProxy& proxy) const {
     std::map<JobId, std::size_t> unanswered;
     for (const auto& [id, task] : proxy.tasks()) {
         if (task.left() == 0) {
-            continue; // Its end is on the way.
+            continue; // Its end message is under way.
         }
         const DispatchJob& job = jobs.at(task.job);
         const std::uint64_t batch_max = job.is_by_time() ? limits::q_max : job.options.q;
@@ -184,7 +185,7 @@ void Dispatcher::State::check_progress() const {
         }
         CD_CHECK(suspects.empty() || !proxy.is_idle());
         for (const auto& [job_id, job] : jobs) {
-            // How many places go to it at once, if any, depends on what others do; but they do it.
+            // Range sizes depend on other workers' load, but some worker must be working.
             CD_CHECK(!takes_places(proxy, job) ||
                      std::ranges::any_of(
                          pool.all(), [](const auto& one) { return !one.second.tasks().empty(); }));

@@ -1,4 +1,4 @@
-// The strategy `best-match-pull`: a free worker takes from those that wait (paper, 5.1).
+// The strategy `best-match-pull`: a free worker takes from the waiting scenarios (paper, 5.1).
 #include "master/dispatch/dispatcher_state.hpp"
 
 namespace cd {
@@ -19,7 +19,7 @@ bool Dispatcher::State::can_pull(const WorkerProxy& proxy, const DispatchJob& jo
         !proxy.has_room_for_task(job.id, job.options)) {
         return false;
     }
-    // Less than a task's worth: only if nothing more comes, and the worker needs it.
+    // Takes less than a task's worth only if nothing more comes and the worker needs it.
     return job.waiting.size() >= job.options.q ||
            (input_is_paused && proxy.would_run_dry(job.options));
 }
@@ -37,7 +37,7 @@ void Dispatcher::State::pull(WorkerProxy& proxy, DispatchJob& job, Actions& acti
     std::uint64_t bytes = 0;
     std::vector<bool> is_taken(job.waiting.size(), false);
     for (const std::size_t place : Matchmaker::most_similar(scores, job.options.q)) {
-        // Paper, 6.4.3: as soon as it is more than V kB, it goes.
+        // Paper, 6.4.3: a task ends as soon as it exceeds V kB.
         if (bytes > std::uint64_t{job.options.v_kb} * 1000) {
             break;
         }

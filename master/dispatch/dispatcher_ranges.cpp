@@ -1,5 +1,6 @@
-// Ranges of places: no analysis, no matching. Whoever runs dry first gets the next ones, as many
-// as last for a batch's time at its measured rate, and fewer towards the end of a job.
+// Ranges of order positions, without analysis or matching. The first worker to run dry gets the
+// next range, sized for a batch's duration at its measured rate, and smaller towards the end of a
+// job.
 #include "common/core/check.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
@@ -13,7 +14,7 @@ namespace cd {
 
 namespace {
 
-/// How many scenarios are measured once for what they would lack with any worker.
+/// One scenario in this many is measured for the blocks an average worker lacks.
 constexpr std::uint64_t missing_period = 16;
 
 } // namespace
@@ -114,7 +115,7 @@ MissingCosts Dispatcher::missing_costs(JobId job_id) const {
     return costs;
 }
 
-// ---- Handing out --------------------------------------------------------------------------------
+// ---- Sending ------------------------------------------------------------------------------------
 
 void Dispatcher::State::give_places(Actions& actions) {
     if (std::none_of(
@@ -187,7 +188,7 @@ bool Dispatcher::State::takes_places(const WorkerProxy& proxy, const DispatchJob
         proxy.tasks_of(job.id) >= limits::batches_at_worker) {
         return false;
     }
-    // The next ones wait there before those under way are done.
+    // Sends the next range before the current one is finished.
     return proxy.working() < places_at_once(proxy, job) && !would_be_late(proxy, job);
 }
 
@@ -198,7 +199,7 @@ bool Dispatcher::State::would_be_late(const WorkerProxy& proxy, const DispatchJo
     if (quickest <= 0) {
         return false;
     }
-    // One scenario on one thread, against all that is left on the others.
+    // Compares one scenario on one thread with everything left on the other workers.
     const double rate = places_per_second(proxy, job);
     const double others = std::max(totals.unclaimed - rate, quickest);
     const auto left = static_cast<double>(totals.left - proxy.working());
@@ -222,7 +223,7 @@ std::uint64_t Dispatcher::State::places_at_once(const WorkerProxy& proxy,
     const double rate = places_per_second(proxy, job);
     const double all = place_totals(job).rate;
     const double left = static_cast<double>(job.places_unsent + job.places_after);
-    // Two such go to each worker, and what is left then is shared again.
+    // Each worker gets two such shares; the rest is divided again.
     const double share = all > 0 ? left * rate / all / 2 : left;
     const double most = std::min(proxy.batch_seconds() * rate, share);
     return static_cast<std::uint64_t>(std::clamp(most,
@@ -249,7 +250,7 @@ void Dispatcher::State::send_places(WorkerProxy& proxy, DispatchJob& job, Action
     actions.push_back(SendRange{proxy.id(), task, job.id, sent});
 }
 
-// ---- What is missing ----------------------------------------------------------------------------
+// ---- Missing blocks -----------------------------------------------------------------------------
 
 double Dispatcher::State::missing_share(const WorkerProxy& proxy, const DispatchJob& job) const {
     const PooledTree& a = pool.tree(job.a.tree);

@@ -1,4 +1,4 @@
-// The insides of the dispatcher, shared by its source files.
+// Internal state of the dispatcher, shared by its source files.
 #pragma once
 
 #include "master/dispatch/dispatcher.hpp"
@@ -16,10 +16,10 @@
 
 namespace cd {
 
-/// Where an unanswered scenario is.
+/// State of an unanswered scenario.
 enum class Whereabouts : std::uint8_t {
     Waiting,  ///< In its job's queue.
-    Suspect,  ///< In the queue of those that get one more chance, alone.
+    Suspect,  ///< In the queue for one last, separate attempt.
     Buffered, ///< In a worker's buffer.
     Sent,     ///< In a task at a worker.
 };
@@ -33,29 +33,29 @@ struct DispatchScenario {
     ScenarioRoots roots;
     ScenarioWeight weight;
     bool fetches = false; ///< Its worker lacked blocks of it.
-    Losses losses;        ///< Tasks that came to an end without its answer.
+    Losses losses;        ///< Tasks that ended without its answer.
     Whereabouts where = Whereabouts::Waiting;
-    WorkerId worker;                ///< Of Buffered and Sent.
-    TaskId task;                    ///< Of Sent.
-    std::optional<Assignment> copy; ///< Of Sent: where it is, too.
+    WorkerId worker;                ///< Set if Buffered or Sent.
+    TaskId task;                    ///< Set if Sent.
+    std::optional<Assignment> copy; ///< Speculative copy; only if Sent.
     bool was_copied = false;
-    std::uint32_t recalls = 0; ///< How often it was given back when it was recalled.
+    std::uint32_t recalls = 0; ///< Number of times it was returned after a recall.
 
-    /// One that was lost may take down whoever runs it.
+    /// A scenario that was lost may kill its worker, so it is not copied.
     [[nodiscard]] bool may_be_copied() const { return !was_copied && losses.none(); }
     [[nodiscard]] bool is_in(TaskId one) const {
         return where == Whereabouts::Sent && (task == one || (copy && copy->task == one));
     }
 };
 
-/// How quickly all workers do places of a job, and how many of them are left.
+/// How fast all workers process ranges of a job, and how much is left.
 struct PlaceTotals {
-    double rate = 0;         ///< Scenarios a second, of those that take work,
-    double unclaimed = 0;    ///< and of those of them that are not claimed.
-    double quickest = 0;     ///< Of one thread of the latter,
-    double quickest_but = 0; ///< and without that worker.
+    double rate = 0;         ///< Scenarios/s of all workers that take work.
+    double unclaimed = 0;    ///< Scenarios/s of unclaimed workers.
+    double quickest = 0;     ///< Best rate per thread, unclaimed workers.
+    double quickest_but = 0; ///< Second-best worker's rate per thread.
     WorkerId quickest_worker;
-    std::uint64_t left = 0; ///< Not answered: unsent, or at a worker that is not claimed.
+    std::uint64_t left = 0; ///< Unanswered: unsent, or at an unclaimed worker.
 };
 
 struct DispatchJob {
@@ -71,9 +71,9 @@ struct DispatchJob {
 
     [[nodiscard]] bool is_by_time() const { return options.strategy == Strategy::EarliestFinish; }
     [[nodiscard]] bool is_pulled() const { return options.strategy == Strategy::BestMatchPull; }
-    /// The strategies of the paper say nothing before a task is sent.
+    /// The paper's strategies announce nothing before they send a task.
     [[nodiscard]] bool hints() const { return is_by_time() && options.hints; }
-    /// The scenario is in some buffer, task or queue, and such hold none that is answered.
+    /// The scenario must be unanswered, as all scenarios in buffers, tasks and queues are.
     [[nodiscard]] DispatchScenario& at(std::uint64_t index);
     [[nodiscard]] const DispatchScenario& at(std::uint64_t index) const;
 
@@ -82,24 +82,24 @@ struct DispatchJob {
     DispatchTree a;
     DispatchTree b;
     Matchmaker matchmaker;
-    std::unordered_map<std::uint64_t, DispatchScenario> scenarios; ///< The unanswered ones.
+    std::unordered_map<std::uint64_t, DispatchScenario> scenarios; ///< All unanswered scenarios.
     std::deque<std::uint64_t> waiting;
 
-    std::deque<PlaceRange> places;   ///< Given, not sent.
-    std::uint64_t places_unsent = 0; ///< Of these.
-    std::uint64_t places_after = 0;  ///< Scenarios of the job that come after them.
-    LearnedRate place_rate;          ///< Scenarios of ranges that one thread does in a second,
-    std::map<WorkerId, LearnedRate> place_rates;     ///< and each worker's.
-    mutable std::optional<PlaceTotals> place_totals; ///< Worked out once in an event.
+    std::deque<PlaceRange> places;                   ///< Ranges given but not sent.
+    std::uint64_t places_unsent = 0;                 ///< Number of positions in `places`.
+    std::uint64_t places_after = 0;                  ///< Scenarios of the job that follow `places`.
+    LearnedRate place_rate;                          ///< Range scenarios per second and thread.
+    std::map<WorkerId, LearnedRate> place_rates;     ///< Rate of each worker.
+    mutable std::optional<PlaceTotals> place_totals; ///< Computed once per event.
 
-    LearnedRate missing_matched;      ///< Seconds a scenario, of those that were matched,
-    LearnedRate missing_any;          ///< and with any worker, or of ranges.
-    std::uint64_t scenarios_held = 0; ///< By workers that were chosen for them.
-    double missing_seconds = 0;       ///< Of the last of these,
-    double missing_in_ranges = 0;     ///< and of ranges, since answers came.
+    LearnedRate missing_matched;      ///< Seconds to fetch missing blocks, per matched scenario.
+    LearnedRate missing_any;          ///< Seconds per scenario on any worker.
+    std::uint64_t scenarios_held = 0; ///< Scenarios whose blocks were assigned to a worker.
+    double missing_seconds = 0;       ///< Fetch time of the matched scenarios not yet averaged.
+    double missing_in_ranges = 0;     ///< Fetch time of ranges since the last answers.
 
-    std::uint64_t work_ns = 0;   ///< Predicted, of all that came in or went out,
-    std::uint64_t copied_ns = 0; ///< and of what is, or was, done twice.
+    std::uint64_t work_ns = 0;   ///< Predicted time of all work received or sent.
+    std::uint64_t copied_ns = 0; ///< Predicted time of all work ever copied.
 };
 
 [[nodiscard]] DispatchScenario make_dispatch_scenario(const DispatchJob& job,
@@ -110,7 +110,7 @@ struct Suspect {
     std::uint64_t scenario = 0;
 };
 
-/// Of both trees of a job.
+/// Missing blocks of both trees of a job.
 struct MissingOfJob {
     WorkerPool::Missing a;
     WorkerPool::Missing b;
@@ -118,20 +118,20 @@ struct MissingOfJob {
     [[nodiscard]] bool is_nothing() const { return a.roots.empty() && b.roots.empty(); }
 };
 
-/// What a worker was asked to give back, and has not answered.
+/// An unanswered recall.
 struct PendingRecall {
     TaskId task;
-    std::uint64_t asked = 0; ///< Scenarios or places.
-    WorkerId helper;         ///< It waits for them.
+    std::uint64_t asked = 0; ///< Scenarios or positions.
+    WorkerId helper;         ///< The worker that will take them.
     double since = 0;
 };
 
-/// A worker in whose buffer something stands, and when it would be done with all that it has.
+/// A worker with buffered work, and the estimated time until it finishes everything.
 struct Backlog {
     double seconds = 0;
     WorkerProxy* worker = nullptr;
 
-    /// Equals in the order of their ids, the smallest last.
+    /// Ties are ordered by id, the smallest last.
     friend bool operator<(const Backlog& one, const Backlog& other) {
         return std::pair(one.seconds, other.worker->id()) <
                std::pair(other.seconds, one.worker->id());
@@ -141,54 +141,54 @@ struct Backlog {
 struct Dispatcher::State {
     WorkerPool pool;
     std::map<JobId, DispatchJob> jobs;
-    /// Lost so often that the next loss is the last. Each travels alone, to a worker without other
-    /// work, so that one deadly scenario does not take its neighbours with it.
+    /// Scenarios whose next loss is the last. Each travels alone, to an idle worker, so that one
+    /// deadly scenario does not take others with it.
     std::deque<Suspect> suspects;
-    std::map<WorkerId, PendingRecall> recalls; ///< One at a time of each worker.
-    /// Job that was served last; the next in order is served next.
+    std::map<WorkerId, PendingRecall> recalls; ///< At most one per worker.
+    /// The job that was served last; the next in order is served next.
     JobId served_last;
     DispatcherOptions options;
-    double settled = -1; ///< When all workers were looked at last,
-    double helped = -1;  ///< and whether they need help.
+    double settled = -1; ///< Time of the last check of all workers.
+    double helped = -1;  ///< Time of the last check for stragglers.
     bool input_is_paused = true;
     std::uint64_t unsent = 0;
     std::uint64_t task_last = 0;
     double now = 0;
-    WorkerPace general;       ///< Over all workers: stands for one that is not measured yet.
-    LearnedRate mean_cost_ns; ///< Predicted nanoseconds of a scenario, of those that came last.
-    // Scratch.
+    WorkerPace general;       ///< Average of all workers; used for unmeasured ones.
+    LearnedRate mean_cost_ns; ///< Predicted nanoseconds per scenario, recent ones.
+    // Scratch buffers.
     std::vector<WorkerCandidate> candidates;
-    std::vector<std::uint32_t> slots;          ///< Of the candidates.
-    std::vector<std::uint64_t> held_triangles; ///< By slot.
+    std::vector<std::uint32_t> slots;          ///< Slots of `candidates`.
+    std::vector<std::uint64_t> held_triangles; ///< Indexed by slot.
 
     [[nodiscard]] DispatchJob* find_job(JobId job);
 
     // ---- Handing out (dispatcher_flow.cpp) ----------------------------------------------------
-    /// Gives out what waits, as far as somebody can take it, and flushes what is ripe.
+    /// Assigns waiting scenarios as far as workers can take them, and flushes ripe buffers.
     void settle(Actions& actions);
-    /// What was done then for all workers may be done again.
+    /// True if enough time has passed since `last` to check all workers again.
     [[nodiscard]] bool is_due(double last) const;
-    /// A scenario that is in no buffer and no task.
+    /// True if some scenario is in no buffer and no task.
     [[nodiscard]] bool something_waits() const;
-    /// One waiting scenario of the next job in turn goes to a buffer. False when none can.
+    /// Buffers one waiting scenario of the next job in round robin. False if none can be placed.
     bool allocate_next(Actions& actions);
     bool allocate_one(DispatchJob& job, Actions& actions);
     [[nodiscard]] WorkerProxy* choose(DispatchJob& job, const DispatchScenario& scenario);
-    /// Who may get a scenario of the job now.
+    /// Collects the workers that may get a scenario of the job now.
     void gather_candidates(const DispatchJob& job);
     void score_candidates(const DispatchJob& job, const DispatchScenario& scenario);
-    /// What it lacked.
+    /// Returns the missing blocks.
     MissingOfJob hold_roots(DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy);
-    /// The blocks that it lacked are on their way.
+    /// Marks the roots as held; the missing blocks are under way. Returns the missing blocks.
     MissingOfJob hold_all(const DispatchJob& job, const ScenarioRoots& roots, WorkerProxy& proxy);
-    /// They are for a scenario that stays in its buffer for now.
+    /// Announces missing blocks for a scenario that stays in the buffer for now.
     static void
     hint(const WorkerProxy& proxy, const DispatchJob& job, MissingOfJob missing, Actions& actions);
     void give_suspects(Actions& actions);
-    /// The worker that is being emptied for suspects; null without suspects.
+    /// The worker being emptied for suspect scenarios; null if there are none.
     [[nodiscard]] const WorkerProxy* reserved() const;
 
-    /// Flushes the worker's buffers that are full, or that it needs now, into its free places.
+    /// Flushes the worker's buffers that are full or needed now into its free task slots.
     void flush_ripe(WorkerProxy& proxy, Actions& actions);
     [[nodiscard]] DispatchJob* next_ripe(const WorkerProxy& proxy);
     [[nodiscard]] bool is_ripe(const WorkerProxy& proxy, const DispatchJob& job) const;
@@ -196,7 +196,7 @@ struct Dispatcher::State {
     [[nodiscard]] bool has_room_for_task(const WorkerProxy& proxy, const DispatchJob& job) const;
     [[nodiscard]] bool would_run_dry(const WorkerProxy& proxy, const DispatchJob& job) const;
     void flush(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
-    /// The worker has less to do than before, and nothing else changed.
+    /// Call if the worker has less work than before and nothing else has changed.
     void refill(WorkerProxy& proxy, Actions& actions);
     void send(WorkerProxy& proxy,
               DispatchJob& job,
@@ -205,33 +205,33 @@ struct Dispatcher::State {
               Actions& actions);
 
     // ---- Ranges (dispatcher_ranges.cpp) ---------------------------------------------------------
-    /// Of this event. What is sent meanwhile changes none of it.
+    /// Totals of this event. Work sent meanwhile does not change them.
     [[nodiscard]] const PlaceTotals& place_totals(const DispatchJob& job) const;
-    /// At the start of an event, or where something else has changed.
+    /// Call at the start of an event, or after any other change.
     void forget_place_totals() const;
-    /// Workers that would run dry get places.
+    /// Sends ranges to workers that would run dry.
     void give_places(Actions& actions);
     void give_places_to(WorkerProxy& proxy, Actions& actions);
     [[nodiscard]] DispatchJob* next_with_places(const WorkerProxy& proxy);
     [[nodiscard]] bool takes_places(const WorkerProxy& proxy, const DispatchJob& job) const;
-    /// One scenario would end there long after the others have done all that is left.
+    /// True if one scenario would finish there long after the others have done all that is left.
     [[nodiscard]] bool would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const;
-    /// Scenarios of the job's ranges that the worker's threads do in a second.
+    /// Range scenarios of the job that the worker's threads finish per second.
     [[nodiscard]] double places_per_second(const WorkerProxy& proxy, const DispatchJob& job) const;
     [[nodiscard]] std::uint64_t places_at_once(const WorkerProxy& proxy,
                                                const DispatchJob& job) const;
     void send_places(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
-    /// Of the roots of both trees, what the worker does not hold.
+    /// Fraction of both trees' roots that the worker does not hold.
     [[nodiscard]] double missing_share(const WorkerProxy& proxy, const DispatchJob& job) const;
     [[nodiscard]] double missing_with_any(const DispatchJob& job, const DispatchScenario& scenario);
-    /// Before a worker holds the scenario: now and then notes what lacks.
+    /// Samples the missing blocks. Call before a worker holds the scenario.
     void measure_missing(DispatchJob& job, const DispatchScenario& scenario);
-    /// Until the blocks are there.
+    /// Estimated seconds until the blocks arrive.
     [[nodiscard]] double seconds_of(const WorkerPool::Missing& missing,
                                     const WorkerProxy& proxy) const;
 
-    // ---- A free worker takes what is most similar (dispatcher_pull.cpp) -------------------------
-    /// Some worker pulls a task's worth. False when none can.
+    // ---- Pull: a free worker takes the most similar scenarios (dispatcher_pull.cpp) -------------
+    /// Lets one worker pull a task's worth. False if none can.
     bool pull_one(DispatchJob& job, Actions& actions);
     [[nodiscard]] bool can_pull(const WorkerProxy& proxy, const DispatchJob& job) const;
     void pull(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
@@ -240,30 +240,30 @@ struct Dispatcher::State {
     [[nodiscard]] double speed_of(const WorkerProxy& proxy) const;
     [[nodiscard]] double link_of(const WorkerProxy& proxy) const;
     [[nodiscard]] WorkerPowers powers_of(const WorkerProxy& proxy) const;
-    /// Predicted seconds that all its threads do in a second.
+    /// Predicted seconds of work that all its threads do per second.
     [[nodiscard]] double power_of(const WorkerProxy& proxy) const;
     [[nodiscard]] bool takes_by_time(const WorkerProxy& proxy) const;
-    /// The worker on which the scenario would be done first. Null: nobody takes any.
+    /// The worker with the earliest finish for the scenario. Null if no worker takes any.
     [[nodiscard]] WorkerProxy* earliest(const DispatchJob& job, const DispatchScenario& scenario);
     [[nodiscard]] FinishTerms finish_on(const WorkerProxy& proxy,
                                         const DispatchJob& job,
                                         const DispatchScenario& scenario) const;
-    /// Says to each worker how much goes to it together from now on.
+    /// Sets each worker's batch size.
     void set_batches();
     [[nodiscard]] bool has_room_by_time(const WorkerProxy& proxy, const DispatchJob& job) const;
     [[nodiscard]] bool runs_dry_by_time(const WorkerProxy& proxy) const;
-    /// Its scenarios are so long that each is a batch, and all of them are known.
+    /// True if its scenarios are so long that each is a batch, and no more will arrive.
     [[nodiscard]] bool ends_with_long_ones(const WorkerProxy& proxy, const DispatchJob& job) const;
-    /// Unsent scenarios for the batches of all workers.
+    /// Number of unsent scenarios that fills the batches of all workers.
     [[nodiscard]] std::uint64_t enough_by_time() const;
-    /// The first of a buffer, as much as goes together.
+    /// Takes the head of a buffer, up to the batch size.
     [[nodiscard]] std::vector<std::uint64_t> take_batch(WorkerProxy& proxy, const DispatchJob& job);
     [[nodiscard]] ScenarioWeight sum_of_weights(const DispatchJob& job,
                                                 std::span<const std::uint64_t> scenarios) const;
-    /// Workers that run dry get what they would finish before those in whose buffers it is.
+    /// Moves buffered scenarios to workers that run dry and would finish them earlier.
     void rebalance(Actions& actions);
     void add_backlog(std::vector<Backlog>& full, WorkerProxy& proxy) const;
-    /// What `to` would finish sooner, until it has enough.
+    /// Moves scenarios that `to` would finish earlier, until it has enough.
     void move(WorkerProxy& from, WorkerProxy& to);
     [[nodiscard]] bool move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob& job);
     [[nodiscard]] bool
@@ -271,46 +271,47 @@ struct Dispatcher::State {
 
     // ---- The end of a job (dispatcher_end.cpp) --------------------------------------------------
     [[nodiscard]] bool nothing_waits() const;
-    /// Workers that have nothing to do get what others would finish later.
+    /// Gives idle workers the work that others would finish later.
     void help_at_end(Actions& actions);
-    /// The mightiest first.
+    /// Fastest first.
     [[nodiscard]] std::vector<WorkerProxy*> helpers() const;
     [[nodiscard]] bool can_help(const WorkerProxy& proxy) const;
-    /// Seconds until it has done all that stands there.
+    /// Seconds until the worker finishes all tasks sent to it.
     [[nodiscard]] double ends_in(const WorkerProxy& proxy) const;
-    /// Those that others may help, who would end last first. Of many those that were not looked at
-    /// for longest.
+    /// Stragglers that others may help, latest finish first. If there are many, those unchecked for
+    /// longest.
     [[nodiscard]] std::vector<WorkerProxy*> late_workers();
-    /// It was asked back something, and may yet give it.
+    /// True if a recall is pending and may still be answered.
     [[nodiscard]] bool may_answer_recall(const WorkerProxy& proxy) const;
-    /// It has something that can be asked back, or copied.
+    /// True if it has work that can be recalled or copied.
     [[nodiscard]] bool may_be_helped(const WorkerProxy& from) const;
     [[nodiscard]] bool can_be_copied(const ProxyTask& task) const;
-    /// False: there is nothing that would be done sooner so.
+    /// False if nothing would finish earlier that way.
     [[nodiscard]] bool helps(WorkerProxy& from, WorkerProxy& helper, Actions& actions);
     [[nodiscard]] bool ask_back(WorkerProxy& from, const WorkerProxy& helper, Actions& actions);
     [[nodiscard]] AskBack
     batch_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const;
     [[nodiscard]] AskBack
     range_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const;
-    /// So many that both end together; 0 if one would not end so many times sooner.
+    /// Number of positions to move so that both finish together; 0 if that gains less than the
+    /// factor `gain`.
     [[nodiscard]] std::uint64_t places_to_move(const WorkerProxy& from,
                                                const DispatchJob& job,
                                                const WorkerProxy& helper,
                                                double seconds_here,
                                                double gain) const;
     void take_recalled(WorkerProxy& proxy, const Recalled& recalled, Actions& actions);
-    /// How many.
+    /// Returns how many were taken.
     std::uint64_t
     take_recalled_scenarios(WorkerProxy& proxy, DispatchJob& job, const Recalled& recalled);
-    /// It leaves the task unanswered. True: it stays in its other one.
+    /// Removes the scenario, unanswered, from the task. True: its copy remains in another task.
     static bool leave_task(DispatchScenario& scenario, TaskId task);
     [[nodiscard]] bool copy(WorkerProxy& from, WorkerProxy& helper, Actions& actions);
     [[nodiscard]] bool
     copy_scenario(WorkerProxy& from, TaskId task, WorkerProxy& helper, Actions& actions);
     [[nodiscard]] bool
     copy_places(WorkerProxy& from, TaskId task, WorkerProxy& helper, Actions& actions);
-    /// So much more may be done twice.
+    /// Predicted time of the work that may still be copied.
     [[nodiscard]] static std::uint64_t copies_left_ns(const DispatchJob& job);
 
     // ---- Explaining (dispatcher_explain.cpp) ----------------------------------------------------
@@ -319,22 +320,23 @@ struct Dispatcher::State {
                                        const DispatchJob& job,
                                        const DispatchScenario& scenario) const;
     [[nodiscard]] bool may_take(const WorkerProxy& proxy, const DispatchJob& job) const;
-    /// Of those that may take it; its id is that of no worker where workers choose, or none may.
+    /// Chooses among the workers that may take it. No worker's id if none may, or if workers pull.
     [[nodiscard]] WorkerId would_choose(DispatchJob& job, const DispatchScenario& scenario);
 
     // ---- Taking back ----------------------------------------------------------------------------
-    /// Buffered scenarios wait again, first in line.
+    /// Returns buffered scenarios to the head of the queue.
     void take_back_buffers(WorkerProxy& proxy);
-    /// The scenario, which no worker has, has been lost so often that it is given up.
+    /// True if the scenario was lost too often and must be given up. No worker has it.
     [[nodiscard]] static bool is_lost_for_good(const DispatchScenario& scenario);
-    /// Whether the next loss would be the last: then it stands among the suspects.
+    /// Queues the scenario as a suspect if its next loss would be the last.
     bool suspect(JobId job, std::uint64_t index, DispatchScenario& scenario);
-    /// Scenarios of an ended task without answers wait again; where they are lost, some are
-    /// suspected or given up.
+    /// Requeues the unanswered scenarios of an ended task; lost ones may become suspects or be
+    /// given up.
     void take_back(TaskId task, const ProxyTask& ended, LostWith lost_with, Actions& actions);
-    /// What of the task, which has ended, is not answered has to be done again.
+    /// Returns the unanswered rest of an ended task to the queue.
     void end_task(TaskId task, const ProxyTask& ended, LostWith lost_with, Actions& actions);
-    /// Removes the scenario from where it is; its entry stays. Who else has a copy is told.
+    /// Removes the scenario from its buffer or task, but keeps its entry. Cancels a copy at another
+    /// worker.
     void withdraw(DispatchJob& job,
                   std::uint64_t index,
                   DispatchScenario& scenario,

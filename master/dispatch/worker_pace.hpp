@@ -1,17 +1,16 @@
-// What the dispatcher learns of a worker's pace: how fast it computes, how fast blocks reach it.
+// Learned pace of a worker: its compute speed and its transfer rate.
 #pragma once
 
 #include <cstdint>
 
 namespace cd {
 
-/// A ratio of two sums in which what was added last counts most: each addition first takes a tenth
-/// from both sums.
+/// Ratio of two sums with exponential decay: each addition first takes a tenth from both sums.
 class LearnedRate {
   public:
     void add(double done, double seconds);
     [[nodiscard]] bool is_known() const { return seconds_ > 0; }
-    /// Something has been added.
+    /// Requires `is_known()`.
     [[nodiscard]] double value() const { return done_ / seconds_; }
     [[nodiscard]] double value_or(double otherwise) const {
         return is_known() ? value() : otherwise;
@@ -23,8 +22,8 @@ class LearnedRate {
 };
 
 struct WorkerPace {
-    LearnedRate work;  ///< Predicted seconds that one thread does in a second.
-    LearnedRate bytes; ///< Of blocks, in a second.
+    LearnedRate work;  ///< Predicted seconds of work that one thread does per second.
+    LearnedRate bytes; ///< Bytes of blocks per second.
 };
 
 } // namespace cd

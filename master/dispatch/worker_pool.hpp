@@ -1,4 +1,4 @@
-// All workers that the master knows (the paper's "client manager", section 6.4.1).
+// All workers known to the master (the paper's "client manager", section 6.4.1).
 #pragma once
 
 #include "common/tree/root_holders.hpp"
@@ -11,60 +11,60 @@
 
 namespace cd {
 
-/// A tree, and who holds what of it. Workers are slots of their proxies.
+/// A tree and its holders. Workers are identified by their proxies' slots.
 struct PooledTree {
-    /// The roots that a worker holds or was allocated (paper, 5.1 and 6.4.5).
+    /// Roots that a worker holds or was allocated (paper, 5.1 and 6.4.5).
     RootHolders held;
-    /// Of those the ones whose blocks may still be on their way.
+    /// The part of `held` whose blocks may still be under way.
     RootHolders coming;
-    std::vector<std::uint32_t> triangles; ///< Of each root,
-    std::vector<std::uint32_t> bytes_64;  ///< and its block's bytes as it travels, in units of 64.
+    std::vector<std::uint32_t> triangles; ///< Per root.
+    std::vector<std::uint32_t> bytes_64;  ///< Wire size of each root's block, in units of 64 bytes.
     std::uint64_t triangles_total = 0;
     std::uint64_t bytes_total = 0;
 };
 
-/// Proxies in ascending order of id, and what they hold of each tree.
+/// Proxies in ascending order of id, and the roots each holds of each tree.
 class WorkerPool {
   public:
-    /// The id is new.
+    /// The id must be new.
     WorkerProxy& add(WorkerId worker, const WorkerFacts& facts);
-    /// The worker is here.
+    /// The worker must exist.
     void remove(WorkerId worker);
 
-    /// Null where there is none.
+    /// Null if there is no such worker.
     [[nodiscard]] WorkerProxy* find(WorkerId worker);
     [[nodiscard]] const WorkerProxy* find(WorkerId worker) const;
-    /// The worker is here.
+    /// The worker must exist.
     [[nodiscard]] WorkerProxy& at(WorkerId worker);
 
     [[nodiscard]] std::map<WorkerId, WorkerProxy>& all() { return proxies_; }
     [[nodiscard]] const std::map<WorkerId, WorkerProxy>& all() const { return proxies_; }
-    /// The same, quicker to walk.
+    /// All proxies, ascending by id; faster to iterate than `all`.
     [[nodiscard]] std::span<WorkerProxy* const> in_order() const { return in_order_; }
 
-    // ---- What they hold -----------------------------------------------------------------------
-    /// Nothing for a tree that is here.
+    // ---- Held blocks --------------------------------------------------------------------------
+    /// Ignored if the tree exists.
     void add_tree(const DispatchTree& tree);
     void remove_tree(TreeId tree);
-    /// The tree has been added.
+    /// The tree must have been added.
     [[nodiscard]] const PooledTree& tree(TreeId tree) const;
 
-    /// Blocks that have to travel.
+    /// Blocks that must be transferred.
     struct Missing {
-        std::vector<RootIndex> roots; ///< In the order asked.
+        std::vector<RootIndex> roots; ///< In the order requested.
         std::uint64_t bytes = 0;
     };
-    /// From now on the worker holds these; what it did not hold is coming.
+    /// Marks the roots as held by the worker. Those it did not hold are coming; returns them.
     Missing hold(WorkerProxy& proxy, TreeId tree, std::span<const WeightedRoot> roots);
     Missing hold(WorkerProxy& proxy, TreeId tree, std::span<const RootIndex> roots);
-    /// Its blocks of these are there. Of a tree that is not here, or roots out of range: nothing.
+    /// Marks blocks as arrived. Ignores unknown trees and roots out of range.
     void arrived(const WorkerProxy& proxy, TreeId tree, std::span<const RootIndex> roots);
     void arrived(const WorkerProxy& proxy, TreeId tree, std::span<const WeightedRoot> roots);
-    /// It holds these no longer. The same.
+    /// The worker no longer holds these roots. Ignores unknown trees and roots out of range.
     void release(WorkerProxy& proxy, TreeId tree, std::span<const RootIndex> roots);
 
-    /// No two proxies share a slot; slots without one hold nothing; what is coming is held; counts
-    /// are what they count.
+    /// Checks that slots are unique, that free slots hold nothing, that coming roots are held and
+    /// that all counters are right.
     void check() const;
 
   private:

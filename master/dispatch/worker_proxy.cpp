@@ -73,7 +73,7 @@ void WorkerProxy::remove_first(JobId job, std::size_t count, const ScenarioWeigh
 void WorkerProxy::order_buffer(JobId job,
                                const std::function<bool(std::uint64_t, std::uint64_t)>& before) {
     const auto found = buffers_.find(job);
-    // What is taken is taken from the front, so that mostly it is in order.
+    // Scenarios leave from the front, so the buffer is mostly sorted.
     if (found != buffers_.end() && !std::ranges::is_sorted(found->second.scenarios, before)) {
         std::ranges::stable_sort(found->second.scenarios, before);
     }
@@ -140,7 +140,7 @@ void WorkerProxy::answer_places(TaskId id, std::uint64_t count) {
 PlaceRange WorkerProxy::cut_places(TaskId id, std::uint64_t kept) {
     ProxyTask& task = tasks_.at(id);
     CD_CHECK(task.is_range());
-    // No more than are left, whatever the worker says.
+    // At most what is left, whatever the worker reports.
     const std::uint64_t least = task.places->count - task.places_left;
     const std::uint64_t count = std::clamp(kept, least, task.places->count);
     const PlaceRange cut{task.places->first + count, task.places->count - count};

@@ -9,12 +9,12 @@ namespace cd {
 FinishTerms estimate_finish(const WorkerPowers& worker, const ScenarioNeeds& needs) {
     FinishTerms terms;
     terms.backlog = 1e-9 * worker.backlog_ns / (worker.speed * worker.threads);
-    // Blocks come one after the other: those it needs are among what is under way.
+    // Blocks arrive one after the other, and the needed ones are among those under way.
     terms.coming = std::min(static_cast<double>(needs.coming_bytes) / worker.bytes_per_second,
                             worker.transfers_seconds);
     terms.transfer = static_cast<double>(needs.missing_bytes) / worker.bytes_per_second;
     terms.blocks = static_cast<double>(needs.missing_blocks) * limits::block_seconds;
-    // What fits into the room that is left travels without pushing anything out.
+    // Blocks that fit into the free room evict nothing.
     const double fitting = static_cast<double>(worker.room_bytes) * needs.bytes_of_memory;
     const auto missing = static_cast<double>(needs.missing_bytes);
     if (needs.bytes_of_memory > 0 && missing > fitting) {

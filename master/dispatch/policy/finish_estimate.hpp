@@ -1,4 +1,4 @@
-// When would a scenario be done on a worker? The score of the strategy `earliest-finish`, in
+// Estimates when a worker would finish a scenario: the score of the strategy `earliest-finish`, in
 // seconds from now.
 #pragma once
 
@@ -6,32 +6,32 @@
 
 namespace cd {
 
-/// What is known of the worker.
+/// State of the worker.
 struct WorkerPowers {
-    double speed = 1;            ///< Predicted seconds that one thread does in a second.
+    double speed = 1;            ///< Predicted seconds of work that one thread does per second.
     double bytes_per_second = 1; ///< Transfer rate of blocks to the worker.
     double threads = 1;
     double backlog_ns = 0;                        ///< Predicted time of its unanswered work.
-    double transfers_seconds = 0;                 ///< Until all blocks under way will be there.
+    double transfers_seconds = 0;                 ///< Until all blocks under way arrive.
     std::uint64_t room_bytes = ~std::uint64_t{0}; ///< Free in its cache.
 };
 
-/// What the scenario needs of that worker.
+/// Needs of the scenario at that worker.
 struct ScenarioNeeds {
     std::uint64_t cost_ns = 0; ///< Predicted for one thread of speed 1.
     std::uint64_t missing_bytes = 0;
     std::uint64_t missing_blocks = 0;
     std::uint64_t coming_bytes = 0; ///< Needed blocks that are under way.
-    double bytes_of_memory = 0; ///< That travel for one in the cache; 0: they take no room there.
+    double bytes_of_memory = 0; ///< Wire bytes per byte in the cache; 0: blocks take no room there.
 };
 
-/// The terms of the estimate in seconds; nothing is counted twice.
+/// Terms of the estimate in seconds; nothing is counted twice.
 struct FinishTerms {
     double backlog = 0;  ///< Its other work, over all its threads.
-    double coming = 0;   ///< The rest of the blocks under way.
-    double transfer = 0; ///< The bytes that it lacks.
-    double blocks = 0;   ///< Asking for each block, and opening it.
-    double eviction = 0; ///< What must leave its cache, and will have to come again.
+    double coming = 0;   ///< Rest of the blocks under way.
+    double transfer = 0; ///< Bytes that the worker lacks.
+    double blocks = 0;   ///< Requesting and opening each block.
+    double eviction = 0; ///< Blocks evicted now and fetched again later.
     double work = 0;     ///< The scenario, on one thread.
 
     [[nodiscard]] double total() const {

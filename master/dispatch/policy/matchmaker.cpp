@@ -8,7 +8,7 @@ namespace cd {
 
 namespace {
 
-/// What the strategy wants to be large.
+/// Score; the candidate with the highest wins.
 double worth(Strategy strategy, std::uint64_t score, double load) {
     const auto triangles = static_cast<double>(score);
     switch (strategy) {
@@ -36,7 +36,7 @@ std::optional<WorkerId> Matchmaker::choose(std::span<const WorkerCandidate> cand
         return std::nullopt;
     }
     if (strategy_ == Strategy::Random) {
-        // The bias of the remainder is below workers / 2^64.
+        // The modulo bias is below workers / 2^64.
         return candidates[random_() % candidates.size()].worker;
     }
     const WorkerCandidate* best = nullptr;

@@ -13,7 +13,7 @@
 
 namespace cd {
 
-/// The roots of both trees that a scenario touches, ascending, each with its triangles.
+/// Roots of both trees that a scenario touches, ascending, each with its triangle count.
 struct ScenarioRoots {
     std::vector<WeightedRoot> a;
     std::vector<WeightedRoot> b;
@@ -23,29 +23,29 @@ struct ScenarioRoots {
 struct WorkerCandidate {
     WorkerId worker;
     /// The paper's score: the sum over both trees of scenario indicator x (held ? 1 : 0), which is
-    /// the triangles that the worker has already.
+    /// the number of triangles that the worker already holds.
     std::uint64_t held_triangles = 0;
     double load = 0;             ///< Buffered scenarios / q, below 1.
     std::uint64_t scenarios = 0; ///< Buffered, or at the worker and unanswered.
 };
 
-/// Chooses by the strategies of the paper's section 7:
-/// `best-match` the highest score; `best-match-load` the highest score x (1 - load); `random` any,
-/// drawn from a generator of the given seed; `lowest` the lowest score. Deterministic: equals go to
-/// the worker with the fewest scenarios, then to the smallest id. The strategies that choose
-/// scenarios for a worker, or by time, have no matchmaker.
+/// Implements the strategies of the paper's section 7. `best-match` takes the highest score,
+/// `best-match-load` the highest score x (1 - load), `lowest` the lowest score, and `random` any
+/// worker, drawn from a generator with the given seed. Deterministic: ties go to the worker with
+/// the fewest scenarios, then to the smallest id. Pull strategies and matching by time use no
+/// matchmaker.
 class Matchmaker {
   public:
     Matchmaker(Strategy strategy, std::uint64_t seed);
 
-    /// False where only the number of candidates matters.
+    /// False if only the number of candidates matters.
     [[nodiscard]] bool looks_at_scores() const { return strategy_ != Strategy::Random; }
 
-    /// Nothing when there is no candidate. Candidates come in ascending order of id.
+    /// Empty if there is no candidate. Candidates must ascend by id.
     [[nodiscard]] std::optional<WorkerId> choose(std::span<const WorkerCandidate> candidates);
 
-    /// For a free worker (paper, 5.1): the places of the `count` highest scores, ascending. Among
-    /// equals those that come first.
+    /// For a free worker (paper, 5.1): the indices of the `count` highest scores, ascending. Ties
+    /// go to the smaller index.
     [[nodiscard]] static std::vector<std::size_t>
     most_similar(std::span<const std::uint64_t> scores, std::size_t count);
 
