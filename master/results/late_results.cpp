@@ -10,7 +10,7 @@
 namespace cd {
 
 bool agrees(ScenarioResult late, const ScenarioResult& settled) {
-    // What settling may do (`Settler`), and nothing else.
+    // Allows exactly the changes that `Settler` may make.
     const std::pair kinds(late.kind, settled.kind);
     if (kinds == std::pair(ScenarioClass::Separate, ScenarioClass::Inside) ||
         kinds == std::pair(ScenarioClass::Touch, ScenarioClass::Cross)) {

@@ -1,4 +1,4 @@
-// Results that come when their job has ended, compared with those that were kept.
+// Compares results that arrive after the end of their job with the stored ones.
 #pragma once
 
 #include "common/core/host/stop_check.hpp"
@@ -11,7 +11,7 @@
 
 namespace cd {
 
-/// True when a worker's result, which nobody has settled, may be the one that is given, which is.
+/// True if settling could turn the worker's result `late` into `settled`.
 [[nodiscard]] bool agrees(ScenarioResult late, const ScenarioResult& settled);
 
 struct LateDifference {
@@ -19,14 +19,14 @@ struct LateDifference {
     ScenarioResult kept;
 };
 
-/// The first result of a message that is not what was kept, if there is any. A failure that was
-/// kept tells nothing: it may be the master's. Nor does a scenario without a result. Blocks for the
-/// disk; the bytes may be hostile. Errors: BadFrame, TooLarge; Io when a record that was kept
-/// cannot be read; Interrupted.
+/// Returns the first result of a message that differs from the stored one, if any. Ignores stored
+/// failures, which may be the master's, and scenarios without a stored result. Blocks on the disk;
+/// the bytes may be hostile. Errors: BadFrame, TooLarge; Io when a stored record cannot be read;
+/// Interrupted.
 [[nodiscard]] Result<std::optional<LateDifference>>
 late_difference(const ResultStore& kept, const Results& late, const StopCheck& stop = {});
 
-/// The committed result of a scenario. Errors: Io, also when there is none.
+/// The committed result of a scenario. Errors: Io, also if there is none.
 [[nodiscard]] Result<ScenarioResult> kept_result(const ResultStore& results,
                                                  std::uint64_t scenario);
 

@@ -1,4 +1,4 @@
-// What of a result the journal takes.
+// Size limit of result records in the journal.
 #pragma once
 
 #include "common/core/limits/engine.hpp"
@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// Errors: TooLarge over `limits::result_record_bytes_max`, with what to do.
+/// Errors: TooLarge over `limits::result_record_bytes_max`, with a remedy.
 [[nodiscard]] inline Status check_record_size(std::uint64_t scenario, std::uint64_t bytes) {
     if (bytes > limits::result_record_bytes_max) {
         return Error{ErrorCode::TooLarge,

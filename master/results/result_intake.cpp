@@ -13,7 +13,7 @@ namespace cd {
 
 namespace {
 
-/// A scenario of a task, and what it has cost the master.
+/// A scenario of a task, and its cost to the master.
 struct TaskScenario {
     Scenario scenario;
     JobStatistics cost;
@@ -88,7 +88,8 @@ Result<TakenResult> take_record(const JobMaterial& material,
     return take_result(std::move(result), cost);
 }
 
-/// Each scenario with pairs has triangles of both bodies in contact, and no others have any.
+/// Checks the map: every scenario with contacts marks triangles of both bodies, and no other
+/// scenario marks any.
 Result<ContactMap> take_map(const JobMaterial& material,
                             std::span<const TakenResult> results,
                             std::span<const std::byte> packed) {
@@ -147,7 +148,7 @@ Result<TakenResults> take_results(const TaskContent& task, const Results& result
     }
     const TaskIndex scenarios(task);
     std::vector<TakenResult> taken;
-    // The message may be hostile: no more than the task has.
+    // The count may be hostile, so the reservation is limited to the task's size.
     const std::uint64_t given = task.range ? task.range->places.count : task.scenarios.size();
     taken.reserve(std::min<std::uint64_t>(results.count, given));
     ByteReader reader(records.value());
@@ -181,7 +182,7 @@ Result<TakenResults> take_late_results(JobId job,
         return records.error();
     }
     TaskContent content{job, std::move(material), {}, {}};
-    std::unordered_set<std::uint64_t> seen; // The message may be hostile: each pose is looked up.
+    std::unordered_set<std::uint64_t> seen; // Limits the reads of poses: one per scenario.
     ByteReader reader(records.value());
     for (std::uint32_t i = 0; i < results.count && !reader.failed(); ++i) {
         const Result<ScenarioResult> result =

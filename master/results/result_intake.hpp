@@ -1,4 +1,4 @@
-// Checks what a worker sends as results, and settles what only the whole bodies can tell.
+// Checks the results of workers, and settles what needs the whole bodies.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -18,30 +18,30 @@
 
 namespace cd {
 
-/// What results of a job are checked and settled with.
+/// Inputs for checking and settling the results of a job.
 struct JobMaterial {
     std::shared_ptr<const ObbTree> a;
     std::shared_ptr<const ObbTree> b;
     Query query;
-    std::shared_ptr<const Settler> settler; ///< Of these trees.
+    std::shared_ptr<const Settler> settler; ///< Built on these trees.
 };
 
-/// The scenarios of a range: places on a grid, or of a window.
+/// Scenarios of a range: positions on a grid or in a pose window.
 struct RangeContent {
     PlaceRange places;
-    std::shared_ptr<const PoseWindow> window; ///< Null: on the grid.
+    std::shared_ptr<const PoseWindow> window; ///< Null for a grid.
     std::shared_ptr<OrderedPoses> order;
 
-    /// Nothing for a scenario that is not among them.
+    /// Empty if the scenario is not in the range.
     [[nodiscard]] std::optional<Scenario> scenario(std::uint64_t index) const;
 };
 
-/// What a task consists of.
+/// Content of a task.
 struct TaskContent {
     JobId job;
     std::shared_ptr<const JobMaterial> material;
     std::vector<std::shared_ptr<const Analysis>> scenarios; ///< In the order sent.
-    std::optional<RangeContent> range;                      ///< Instead of these.
+    std::optional<RangeContent> range; ///< Set for a range, which has no `scenarios`.
 };
 
 /// A result with its canonical record and the record's hash.
@@ -49,23 +49,23 @@ struct TakenResult {
     ScenarioResult result;
     Bytes record;
     Sha256 digest;
-    JobStatistics cost; ///< What the scenario cost here: its analysis, and settling the result.
+    JobStatistics cost; ///< The master's cost: analysis and settling.
 };
 
 [[nodiscard]] TakenResult take_result(ScenarioResult result, const JobStatistics& cost);
 
-/// The results of a message.
+/// All results of a message.
 struct TakenResults {
     std::vector<TakenResult> results;
-    ContactMap map; ///< Of all of them, where the query is for maps.
+    ContactMap map; ///< Joint map; empty unless the query asks for maps.
 };
 
-/// The results of a message, each settled. The bytes may be hostile. Errors: BadFrame, TooLarge;
-/// for a record that is none, of another level or bodies than asked, or of a scenario that is not
-/// in the task; and for a map that cannot be theirs.
+/// Decodes and settles the results of a message. The bytes may be hostile. Errors: BadFrame,
+/// TooLarge; for an invalid record, one with another level or other bodies than the job's, or one
+/// whose scenario is not in the task; and for a map that cannot belong to the results.
 [[nodiscard]] Result<TakenResults> take_results(const TaskContent& task, const Results& results);
 
-/// The same of a task that is not known: poses are looked up among all those of the job.
+/// Like `take_results`, for an unknown task: looks poses up among all those of the job.
 [[nodiscard]] Result<TakenResults> take_late_results(JobId job,
                                                      std::shared_ptr<const JobMaterial> material,
                                                      PoseSource& poses,
