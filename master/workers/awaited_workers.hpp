@@ -1,4 +1,4 @@
-// Workers that had work of a job when the master was killed: they bring results of it.
+// Workers that had work of a job when the master was killed, and may still deliver its results.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -12,22 +12,22 @@
 
 namespace cd {
 
-/// After a restart of the master: whether somebody may still bring results of a job that goes on.
-/// To hand out its scenarios before that would have some of them done twice. A state machine
-/// without a clock.
+/// After a restart of the master, holds back resumed jobs while workers may still deliver their
+/// results. Handing out scenarios earlier would repeat some of them. A state machine without a
+/// clock.
 class AwaitedWorkers {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
     AwaitedWorkers() = default;
-    /// Nothing of these jobs is handed out before each of the processes has told all, or `until`.
+    /// Holds `jobs` back until each process has delivered everything, or until the time `until`.
     AwaitedWorkers(std::set<JobId> jobs, std::set<WorkerProcess> processes, Time until)
         : jobs_(std::move(jobs)), processes_(std::move(processes)), until_(until) {}
 
     [[nodiscard]] std::size_t size() const { return processes_.size(); }
     /// The process has sent all results that it kept.
     void has_told_all(WorkerProcess process) { processes_.erase(process); }
-    /// Results of the job came from an earlier session, and are being checked; then no more.
+    /// Counts the job's results from earlier sessions that are being checked.
     void check_begins(JobId job) { ++checks_[job]; }
     void check_ends(JobId job) {
         if (--checks_.at(job) == 0) {
@@ -44,7 +44,7 @@ class AwaitedWorkers {
     std::set<JobId> jobs_;
     std::set<WorkerProcess> processes_;
     Time until_{};
-    std::map<JobId, std::size_t> checks_; ///< Messages.
+    std::map<JobId, std::size_t> checks_; ///< Number of messages being checked.
 };
 
 } // namespace cd

@@ -1,5 +1,5 @@
-// Who each session of a worker was, for as long as a result may be of it: a worker that comes back
-// as another is still the one that was wrong.
+// Maps sessions to worker processes for as long as results of them matter: a worker that was wrong
+// remains known after it rejoins under another id.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -17,24 +17,24 @@ namespace cd {
 
 class WorkerSessions {
   public:
-    /// `process` is not 0; `holder` is that of its certificate, empty without one.
+    /// `process` is not 0; `holder` is the holder of its certificate, empty without one.
     void joined(WorkerId worker, WorkerProcess process, const std::string& holder);
-    /// A number for a process of which an earlier life of the master knew: its own, or else `next`.
-    /// All of them come before the first that joins.
+    /// Worker id for a process known to an earlier incarnation of the master: the one assigned
+    /// before, or else `next`. Call it for all such processes before the first worker joins.
     [[nodiscard]] WorkerId earlier(WorkerProcess process, WorkerId next);
 
-    /// 0: the master, or not known any more.
+    /// 0: the master, or no longer known.
     [[nodiscard]] WorkerProcess process_of(WorkerId worker) const;
-    /// Empty: none, or not known any more.
+    /// Empty: no certificate, or no longer known.
     [[nodiscard]] std::string holder_of(WorkerId worker) const;
     [[nodiscard]] std::set<WorkerId> all_of(WorkerProcess process) const;
     [[nodiscard]] bool is_earlier(WorkerId worker) const { return worker <= earlier_last_; }
     [[nodiscard]] std::size_t size() const { return sessions_.size(); }
 
-    /// So many that it is time to forget those of whom nothing is left.
+    /// True if there are so many sessions that `forget` should be called.
     [[nodiscard]] bool are_many() const { return sessions_.size() >= many_; }
-    /// Forgets each that `is_needed` is false of; but, unless `with_latest`, none of the latest
-    /// `limits::worker_sessions_kept`, whose results may be on their way.
+    /// Forgets the sessions for which `is_needed` is false. Unless `with_latest`, keeps the latest
+    /// `limits::worker_sessions_kept`, whose results may be under way.
     void forget(const std::function<bool(WorkerId)>& is_needed, bool with_latest);
 
   private:

@@ -1,5 +1,5 @@
-// Which workers are alive, as far as can be told by when they were heard of: a state machine
-// without sockets, clocks or threads.
+// Failure detector: judges from the time of their last message which workers are alive. A state
+// machine without sockets, clocks or threads.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -14,58 +14,58 @@
 
 namespace cd {
 
-/// How long a silence means what.
+/// Timeouts of the failure detector.
 struct FailureTimes {
     using Duration = std::chrono::milliseconds;
 
-    Duration heartbeat = limits::heartbeat_period; ///< Between two heartbeats, both ways.
+    Duration heartbeat = limits::heartbeat_period; ///< Period between two heartbeats, both ways.
     Duration lost_after = limits::peer_lost_after;
-    /// For a worker whose connection broke: so long its tasks wait for it to come back.
+    /// How long the tasks of a disconnected worker wait for its return.
     Duration return_within = limits::peer_lost_after;
     Duration forgotten_after = limits::worker_forgotten_after;
 
-    /// So many heartbeats were missed that a side is suspected to be gone.
+    /// Silence after which a side is suspected to be gone.
     [[nodiscard]] Duration silent_after() const {
         return limits::heartbeats_missed_max * heartbeat;
     }
 };
 
-/// A worker is alive, then silent, lost, forgotten, as time passes without a word of it. Silent and
-/// lost may be reached in one step, when time makes a leap. A silent worker that is heard again is
-/// alive; a lost one is not: it joins anew.
+/// Without messages a worker turns from alive to silent, lost and forgotten. A leap in time may
+/// skip silent. A silent worker that is heard becomes alive again; a lost one must join anew.
 class WorkerWatch {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
     struct Change {
         WorkerId worker;
-        std::optional<WorkerState> state; ///< Nothing: forgotten.
+        std::optional<WorkerState> state; ///< Empty: forgotten.
 
         friend bool operator==(const Change&, const Change&) = default;
     };
 
     explicit WorkerWatch(const FailureTimes& times) : times_(times) {}
 
-    /// The worker is new.
+    /// The worker must be new.
     void joined(WorkerId worker, Time now);
-    /// Also when it has connected again. True: it was silent until now. Of a worker that is lost or
-    /// not here: nothing.
+    /// Records a message or a reconnection. True: the worker was silent until now. Ignores lost and
+    /// unknown workers.
     bool heard(WorkerId worker, Time now);
-    /// The connection broke: it is silent. True: it was not before. Of one that is lost: nothing.
+    /// The connection broke, so the worker turns silent. True: it was alive before. Ignores lost
+    /// workers.
     bool detached(WorkerId worker, Time now);
-    /// This side does not listen to it now: its silence says nothing until it is heard.
+    /// Suspends silence detection until the worker is heard: the master does not read from it.
     void unheard(WorkerId worker);
-    /// It is known to be gone, whatever was heard of it.
+    /// Declares the worker lost, regardless of its last message.
     void lost(WorkerId worker);
-    /// It has ended, and said so; or is of no interest any more.
+    /// Removes a worker that has left properly or no longer matters.
     void left(WorkerId worker);
 
-    /// What has become of whom, by ascending worker.
+    /// Advances the time. Returns all changes of state, ascending by worker.
     [[nodiscard]] std::vector<Change> time_is(Time now);
 
-    /// Nothing for a worker that is not here.
+    /// Empty if there is no such worker.
     [[nodiscard]] std::optional<WorkerState> state(WorkerId worker) const;
-    /// Since it was heard of. The worker is here.
+    /// Time since its last message. The worker must exist.
     [[nodiscard]] std::chrono::duration<double> silence(WorkerId worker, Time now) const;
     [[nodiscard]] std::size_t size() const { return workers_.size(); }
 
@@ -78,7 +78,7 @@ class WorkerWatch {
     };
 
     [[nodiscard]] bool is_due_to_be_lost(const Entry& entry, Time now) const;
-    /// Beyond `limits::lost_workers_kept_max` lost ones those go that joined first.
+    /// Forgets those lost workers that joined first, beyond `limits::lost_workers_kept_max`.
     void forget_some(std::vector<Change>& changes);
 
     FailureTimes times_;
