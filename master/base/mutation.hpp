@@ -1,5 +1,5 @@
-// Faults that a test switches on to see that it would notice them. In what is shipped there are
-// none: without CD_MUTATIONS all of this is nothing.
+// Faults that a test switches on to prove that it would notice them. Shipped builds contain none:
+// without CD_MUTATIONS `mutated` is always false.
 #pragma once
 
 #include <cstdint>
@@ -8,35 +8,35 @@ namespace cd {
 
 enum class Mutation : std::uint8_t {
     None,
-    LostLeaseForgotten,     ///< What was at a worker that is lost is not given to others.
-    DrainedWorkForgotten,   ///< What a draining worker hands back is not given to others.
-    LostRangeForgotten,     ///< The rest of a range that was lost is not done.
+    LostLeaseForgotten,     ///< Work of a lost worker is not given to others.
+    DrainedWorkForgotten,   ///< Work of a draining worker is not given to others.
+    LostRangeForgotten,     ///< The rest of a lost range is not done.
     AnswerLeftAtWorker,     ///< An answered scenario still counts as the worker's.
     RoomNotGivenBack,       ///< A scenario that leaves a buffer still counts as unsent.
-    PoisonToleratedTooLong, ///< A scenario that takes workers down is never given up.
-    PoisonGivenUpTooEarly,  ///< It is given up one worker too early.
+    PoisonToleratedTooLong, ///< A scenario that kills workers is never given up.
+    PoisonGivenUpTooEarly,  ///< A scenario is given up one worker too early.
     SecondAnswerMerged,     ///< A scenario's second answer is merged as well.
-    AnswerKeptTooEarly,     ///< Results are acknowledged before they are on the disk.
-    JobAcceptedTooEarly,    ///< A job is accepted before it is on the disk.
-    EndToldTooEarly,        ///< A client hears of an end that is not on the disk.
-    SegmentNotSynced,       ///< Records are named by the index before they are on the disk.
+    AnswerKeptTooEarly,     ///< Results are acknowledged before they are durable.
+    JobAcceptedTooEarly,    ///< A job is accepted before it is durable.
+    EndToldTooEarly,        ///< A client learns of an end that is not durable.
+    SegmentNotSynced,       ///< The index names records before they are durable.
     GroupNotRecovered,      ///< After a restart the last commit of a job is missing.
-    DoneIsDoneAgain,        ///< After a restart finished scenarios go out once more.
-    RecalledLeftAtWorker,   ///< What a worker gave back still counts as the worker's.
-    RecalledIsLost,         ///< What a worker gave back is not given to others.
-    CopyLeftAtWorker,       ///< A copy whose scenario is answered still counts as its worker's.
-    CopyIsAlone,            ///< With a copy, its scenario is lost, too.
-    EvictionIgnored,        ///< What a worker let go counts as there.
-    HeldWhenSent,           ///< What goes to a worker counts as there.
-    LiarKept,               ///< What else came of a worker that was found wrong stays.
-    OldEpochTaken,          ///< A session of a former life of the master goes on.
-    TooMuchInFlight,        ///< A worker gets blocks however many are on their way to it.
-    ReadsOn,                ///< A worker is listened to however much of it is in hand.
-    EvictionNotTold,        ///< A worker lets a block go, and says nothing.
-    HeardAgainForgotten,    ///< A worker that was silent is heard again, and gets nothing more.
-    BatchesWithoutBound,    ///< A worker gets batch after batch, however many stand there.
-    NobodyAwaited,          ///< After a restart work goes out before its workers are back.
-    OthersSourceNamed,      ///< A worker is sent to one that has the first of the blocks alone.
+    DoneIsDoneAgain,        ///< After a restart finished scenarios go out again.
+    RecalledLeftAtWorker,   ///< Returned work still counts as the worker's.
+    RecalledIsLost,         ///< Returned work is not given to others.
+    CopyLeftAtWorker,       ///< A copy of an answered scenario counts as running.
+    CopyIsAlone,            ///< Losing a copy loses its scenario, too.
+    EvictionIgnored,        ///< Blocks that a worker evicted count as held.
+    HeldWhenSent,           ///< Blocks sent to a worker count as held.
+    LiarKept,               ///< Other results of a wrong worker are kept.
+    OldEpochTaken,          ///< A session of an earlier incarnation is resumed.
+    TooMuchInFlight,        ///< Blocks are sent without a limit in flight.
+    ReadsOn,                ///< The master reads from a worker without a limit.
+    EvictionNotTold,        ///< A worker evicts a block and does not report it.
+    HeardAgainForgotten,    ///< A silent worker that is heard again gets no work.
+    BatchesWithoutBound,    ///< A worker gets batches without a limit.
+    NobodyAwaited,          ///< After a restart work goes out before the workers return.
+    OthersSourceNamed,      ///< A fetch names a peer that holds only the first block.
     count,
 };
 

@@ -1,4 +1,4 @@
-// Lets a coroutine wait for work that a thread pool does.
+// Lets a coroutine wait for work on a thread pool.
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
@@ -11,7 +11,7 @@
 
 namespace cd {
 
-/// Runs `function` on the pool and resumes on the coroutine's own executor with what it returned.
+/// Runs `function` on the pool and resumes on the coroutine's own executor with its return value.
 /// The executor's context must outlive the pool.
 template <class Function>
 asio::awaitable<std::invoke_result_t<Function&>> run_on(ThreadPool& pool, Function function) {
@@ -26,7 +26,8 @@ asio::awaitable<std::invoke_result_t<Function&>> run_on(ThreadPool& pool, Functi
     const auto shared = std::make_shared<Shared>(executor, std::move(function));
     pool.post([executor, shared] {
         shared->value.emplace(shared->function());
-        // The timer belongs to the executor's thread, and is waited for before this runs there.
+        // The timer belongs to the executor's thread; the coroutine waits on it before this handler
+        // runs there.
         asio::post(executor, [shared] { shared->done.cancel(); });
     });
     boost::system::error_code ignored;

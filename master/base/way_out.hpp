@@ -1,11 +1,11 @@
-// What a person can do about a state that is damaged.
+// Advice for a person whose state directory is damaged.
 #pragma once
 
 #include "common/core/result.hpp"
 
 namespace cd {
 
-/// The master has stopped at it.
+/// Adds the advice to the error that stopped the master.
 [[nodiscard]] inline Error with_way_out(const Error& damage) {
     return {damage.code,
             damage.detail +

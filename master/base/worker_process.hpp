@@ -1,4 +1,5 @@
-// A worker's process, whatever its sessions, and with which ones a scenario was lost.
+// Identity of a worker process across its sessions, and the processes that scenarios were lost
+// with.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -11,22 +12,22 @@
 
 namespace cd {
 
-/// A process of a worker, by the number that it drew (`Hello::instance`). 0: the master, or nobody
-/// knows.
+/// A worker process, identified by its random number (`Hello::instance`). 0: the master, or
+/// unknown.
 using WorkerProcess = std::uint64_t;
 
-/// Of scenarios: with whom they were lost. A process that comes back was not killed by them, and
-/// counts once. But what silences its host each time would never come to an end where there are no
-/// others: so after so many more losses it counts again.
+/// Counts the losses of scenarios by process. A process that returns was not killed by them, so it
+/// counts once. A scenario that silences its host each time would never be given up on a cluster of
+/// one host, so every `limits::losses_again_that_count`-th repeated loss counts, too.
 class Losses {
   public:
-    /// Of scenarios that were not lost: their results are in doubt.
+    /// Marks scenarios whose results are suspect; they were not lost.
     [[nodiscard]] static Losses in_doubt() {
         Losses losses;
         losses.in_doubt_ = true;
         return losses;
     }
-    /// 0: one that nobody knows, or that is still here; it counts each time.
+    /// 0: an unknown process or one that is still connected; it counts each time.
     void add(WorkerProcess process) {
         const bool is_known =
             process != 0 && std::ranges::find(processes_, process) != processes_.end();
@@ -40,7 +41,7 @@ class Losses {
     }
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] bool are_in_doubt() const { return in_doubt_; }
-    /// Nothing speaks against handing them out many at a time.
+    /// The scenarios may be handed out in bulk.
     [[nodiscard]] bool none() const { return count_ == 0 && !in_doubt_; }
 
     friend bool operator==(const Losses&, const Losses&) = default;
@@ -48,14 +49,14 @@ class Losses {
   private:
     std::array<WorkerProcess, limits::scenario_losses_max> processes_{};
     std::size_t count_ = 0;
-    std::size_t again_ = 0; ///< With those that are known.
+    std::size_t again_ = 0; ///< Repeated losses with known processes.
     bool in_doubt_ = false;
 };
 
-/// Consecutive places of a job, lost together.
+/// Consecutive order positions of a job, lost together.
 struct LostPlaces {
     PlaceRange places;
-    WorkerProcess process = 0; ///< As `Losses::add` takes it.
+    WorkerProcess process = 0; ///< As in `Losses::add`.
 
     friend bool operator==(const LostPlaces&, const LostPlaces&) = default;
 };
