@@ -1,4 +1,5 @@
-// Proves that --version names what was built, in text and in JSON, and takes nothing else for it.
+// Proves that --version describes the build, in text and in JSON, and that nothing else is taken
+// for such output.
 #include "common/core/build_info.hpp"
 
 #include "common/core/version.hpp"

@@ -1,4 +1,4 @@
-// Proves that durations are read as people write them, and nothing else is.
+// Proves that durations in the usual spelling are parsed, and all else is rejected.
 #include "common/core/duration.hpp"
 
 #include <gtest/gtest.h>

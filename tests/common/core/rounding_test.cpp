@@ -1,5 +1,5 @@
-// Proves that the build keeps the roundings that are written down: a compiler that drops the one of
-// double(float(x)) would make meshes that are not the floats they claim to be.
+// Proves that the build keeps explicit roundings: a compiler that drops the one of double(float(x))
+// would make meshes that are not the floats they claim to be.
 #include <gtest/gtest.h>
 
 #include <array>

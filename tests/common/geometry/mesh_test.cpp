@@ -1,5 +1,5 @@
-// Proves that a mesh that exists is valid, that its canonical bytes are a function of its content
-// and come back as the same mesh, and that no bytes whatsoever make an invalid one.
+// Proves that every existing mesh is valid, that its canonical bytes depend only on its content and
+// restore an equal mesh, and that no bytes make an invalid mesh.
 #include "common/geometry/mesh.hpp"
 
 #include "tests/support/shapes.hpp"
@@ -33,7 +33,7 @@ void expect_refused(MeshArrays given, const std::string& word) {
 TEST(Mesh, KeepsWhatItWasGiven) {
     const auto mesh = Mesh::create(arrays());
     ASSERT_TRUE(mesh.has_value());
-    EXPECT_EQ(mesh.value().triangles(), arrays().triangles); // The degenerate one too.
+    EXPECT_EQ(mesh.value().triangles(), arrays().triangles); // Including the degenerate one.
     EXPECT_EQ(mesh.value().parts(), arrays().parts);
     EXPECT_EQ(mesh.value().corners(1)[2], Vec3(0, 0, 1));
 }
@@ -88,7 +88,7 @@ TEST(Mesh, HashTellsMeshesApartByContentAlone) {
     const Mesh mesh = std::move(Mesh::create(arrays()).value());
     MeshArrays other = arrays();
     other.vertices[0].x() = -0.0;
-    EXPECT_EQ(Mesh::create(other).value().hash(), mesh.hash()); // The same number.
+    EXPECT_EQ(Mesh::create(other).value().hash(), mesh.hash()); // The two are equal numbers.
     other.vertices[0].x() = 0x1p-1074;
     EXPECT_NE(Mesh::create(other).value().hash(), mesh.hash());
     other = arrays();
@@ -135,11 +135,11 @@ TEST(Mesh, DamagedBytesMakeAnErrorOrAValidMesh) {
 }
 
 TEST(Mesh, CountsWithoutTheBytesToMatchAreRefused) {
-    // The head of a mesh that claims 2^31 vertices and triangles, and nothing after it.
+    // The header of a mesh that claims 2^31 vertices and triangles, and nothing after it.
     ByteWriter out;
     const Bytes bytes = Mesh::create(arrays()).value().canonical_bytes();
     for (std::size_t i = 0; i < 9; ++i) {
-        out.put(std::to_integer<std::uint8_t>(bytes[i])); // The magic number and the precision.
+        out.put(std::to_integer<std::uint8_t>(bytes[i])); // Magic number and precision.
     }
     out.put(std::uint64_t{1} << 31);
     out.put(std::uint64_t{1} << 31);

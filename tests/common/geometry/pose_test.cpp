@@ -1,6 +1,6 @@
 // Proves that the bounds of rounded rotations and relative poses hold against exact rationals, for
-// poses of both kinds, matrices that are not quite rigid and quaternions of any norm; and that the
-// bounds are small enough to be of use.
+// both kinds of poses, matrices that are not quite rigid and quaternions of any norm; and that the
+// bounds are tight enough to be useful.
 #include "common/geometry/pose.hpp"
 
 #include "tests/support/shapes.hpp"
@@ -92,7 +92,7 @@ Matrix inverse(const Matrix& m) {
     return cofactors;
 }
 
-/// Whether the three bounds of a relative pose hold.
+/// Expects the three bounds of a relative pose to hold.
 void expect_bounds_hold(const PosePair& poses) {
     const RelativePose relative = relative_pose(poses);
     const Matrix inverse_a = inverse(exact_rotation(poses.a));
@@ -133,7 +133,7 @@ TEST(Pose, AProductOfQuaternionsRotatesByTheRightOneFirst) {
     const Quaternion about_z{1, 0, 0, 1};
     const Vec3 point = Pose::from_quaternion(about_z * about_x, Vec3::Zero()).apply({0, 1, 0});
 
-    // About x to (0, 0, 1), which stays where it is about z.
+    // About x the point goes to (0, 0, 1), which a turn about z keeps.
     EXPECT_LE((point - Vec3(0, 0, 1)).norm(), 1e-15);
 }
 
@@ -207,7 +207,7 @@ TEST(RelativePose, InvertsAMatrixThatIsNotQuiteRigid) {
     const Pose a = bent(random, make_pose(random, 1), 1e-5);
     const RelativePose relative = relative_pose({a, make_pose(random, 1)});
 
-    // The bounds are those of rounding, not those of taking the transpose for the inverse.
+    // The bounds cover rounding only, not the error of using the transpose as inverse.
     EXPECT_LE(relative.rotation_error, 1e-12);
     EXPECT_LE(relative.translation_error, 1e-12);
     EXPECT_LE(relative.skew, 3e-4);

@@ -1,4 +1,4 @@
-// Proves that a SIMD target can be forced and given back, and that a wrong name changes nothing.
+// Proves that a SIMD target can be forced and reset, and that a wrong name changes nothing.
 #include "common/geometry/simd_target.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace cd::tests {
 
 namespace {
 
-/// Gives the choice back when a test ends.
+/// Resets the target when a test ends.
 class SimdTargets : public testing::Test {
   protected:
     void TearDown() override { ASSERT_TRUE(force_simd_target(to_text(before_))); }

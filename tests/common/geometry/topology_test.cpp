@@ -1,5 +1,5 @@
-// Proves that the connections of a mesh are counted as defined: closed, open, doubled, degenerate
-// and joined by coordinates rather than by index.
+// Proves that a mesh's topology is counted as defined: closed, open, doubled, degenerate, and
+// joined by coordinates rather than by index.
 #include "common/geometry/topology.hpp"
 
 #include "tests/support/shapes.hpp"
@@ -28,7 +28,7 @@ Mesh with_triangle(const Mesh& mesh, const Triangle& triangle) {
     return make_mesh(mesh.vertices(), std::move(triangles));
 }
 
-/// The same mesh with corners of its own for each triangle, as in an STL file.
+/// Returns the mesh with separate corners for each triangle, as in an STL file.
 Mesh unshared(const Mesh& mesh) {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
@@ -40,12 +40,12 @@ Mesh unshared(const Mesh& mesh) {
     return make_mesh(std::move(vertices), std::move(triangles));
 }
 
-/// Counted through maps: slow and obvious.
+/// Counts with maps: slow and obvious.
 Topology naive_topology(const Mesh& mesh) {
     using Place = std::array<double, 3>;
     std::map<Place, std::uint32_t> places;
     std::map<std::array<Place, 3>, std::uint64_t> triangles;
-    std::map<std::pair<Place, Place>, std::vector<bool>> edges; // Of each use whether it goes up.
+    std::map<std::pair<Place, Place>, std::vector<bool>> edges; // For each use, whether it ascends.
     Topology topology;
     for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
         std::array<Place, 3> corners;
@@ -79,7 +79,7 @@ TEST(Topology, CountsWhatMapsCount) {
     std::mt19937_64 random(5);
     for (int round = 0; round < 60; ++round) {
         SCOPED_TRACE(testing::Message() << "round " << round);
-        // From few places to many, with corners that many triangles share, and minus zero.
+        // Few to many positions, corners shared by many triangles, and minus zero.
         std::vector<Vec3> vertices = make_degenerate_soup(random, 5 + 10 * round).vertices();
         std::vector<Triangle> triangles;
         for (int i = 0; i < 400; ++i) {
@@ -152,19 +152,19 @@ TEST(Topology, DegenerateTrianglesAreCountedAndThoseOfTwoCornersBoundNothing) {
     std::vector<Triangle> triangles = box.triangles();
     const auto first = static_cast<std::uint32_t>(vertices.size());
     vertices.insert(vertices.end(), {{5, 0, 0}, {6, 0, 0}, {7, 0, 0}, {9, 9, 9}});
-    triangles.push_back({first, first + 1, first + 2});     // Three places on a line.
+    triangles.push_back({first, first + 1, first + 2});     // Three collinear corners.
     triangles.push_back({first + 3, first + 3, first + 3}); // A point.
     triangles.push_back({0, 1, 1});                         // On an edge of the box.
     const Topology topology = analyse_topology(make_mesh(vertices, triangles));
 
     EXPECT_EQ(topology.degenerate, 3u);
-    EXPECT_EQ(topology.boundary_edges, 3u); // Of the flat one.
+    EXPECT_EQ(topology.boundary_edges, 3u); // Those of the flat triangle.
     EXPECT_EQ(topology.component_triangles, (std::vector<std::uint32_t>{0, 12, 13}));
 }
 
 TEST(Topology, AFlatTriangleMayCloseASeam) {
-    // A tetrahedron one of whose edges has a point in its middle on one side only; a triangle
-    // without area lies in the gap.
+    // A tetrahedron with a midpoint on one edge, on one side only; a triangle without area fills
+    // the gap.
     const std::vector<Vec3> vertices{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 0, 0}};
     std::vector<Triangle> triangles{{0, 2, 4}, {4, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
     EXPECT_EQ(analyse_topology(make_mesh(vertices, triangles)).boundary_edges, 3u);

@@ -1,4 +1,5 @@
-// Blocks give back every corner as it was, whichever the precision, and hold shared corners once.
+// Proves that blocks return every corner exactly, in either precision, and store shared corners
+// once.
 #include "common/geometry/triangle_blocks.hpp"
 
 #include <gtest/gtest.h>

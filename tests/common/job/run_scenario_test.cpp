@@ -1,5 +1,5 @@
-// Proves that a scenario's result is one and the same for whole trees and for subtrees of any cut,
-// that each level says as much as it promises, and that classes are those that are documented.
+// Proves that a scenario has one result for whole trees and for subtrees of any cut, that each
+// level contains what it promises, and that classes are as documented.
 
 #include "common/job/run_scenario.hpp"
 
@@ -41,8 +41,7 @@ ScenarioClass class_at(const ObbTree& a, const ObbTree& b, const Pose& pose, Lev
     return run_scenario(a, b, make_scenario(Pose{}, pose), query_of(level)).result.kind;
 }
 
-/// What the cluster does: cut, find the pairs of roots, run on blocks that went through bytes, in
-/// any order.
+/// Works as the cluster does: cuts, finds root pairs, and runs on decoded blocks in any order.
 ScenarioResult run_in_parts(const ObbTree& a,
                             const ObbTree& b,
                             const Scenario& scenario,
@@ -156,7 +155,7 @@ TEST(RunScenario, TheFirstStageDoesNotShow) {
     const ObbTree sphere = make_tree(make_sphere(2));
     for (int round = 0; round < 12; ++round) {
         SCOPED_TRACE(testing::Message() << "round " << round);
-        // Every third one slides a box along a box, where ties are the rule.
+        // Every third round slides a box along a box, where ties are the rule.
         const bool ties = round % 3 == 0;
         const ObbTree& b = ties ? box : sphere;
         const Pose pose = ties ? translation_pose(1, 0.25 * round, 0) : make_pose(random, 0.8);

@@ -1,5 +1,5 @@
-// Proves that poses come back from their file bit for bit, also from one that was cut, and that the
-// hash of poses depends on their numbers alone.
+// Proves that poses are read back bit for bit, even from a truncated file, and that their hash
+// depends on their numbers alone.
 #include "common/job/scenario_file.hpp"
 
 #include "common/job/poses/poses_hash.hpp"
@@ -101,7 +101,7 @@ TEST(PosesHash, IsTheHashOfFormsAndDoubles) {
     scenario.index = 77;
     scenario.poses.b = Pose::from_quaternion({1, 2, 3, 4}, Vec3(5, -0.0, 7));
     ByteWriter expected;
-    expected.put(std::uint8_t{0}); // A: the identity, which has no numbers.
+    expected.put(std::uint8_t{0}); // A's identity has no numbers.
     expected.put(std::uint8_t{3});
     for (const double number : {1.0, 2.0, 3.0, 4.0, 5.0, 0.0, 7.0}) {
         expected.put(number);

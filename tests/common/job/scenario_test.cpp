@@ -1,5 +1,5 @@
-// Proves that scenarios come back from their packed form with exactly their numbers, that the form
-// is as small as it says, and that no bytes whatever make the decoder crash or allocate at will.
+// Proves that packed scenarios keep their exact numbers, that packing is as small as documented,
+// and that no bytes make the decoder crash or allocate without bound.
 
 #include "common/job/scenario.hpp"
 
@@ -130,7 +130,7 @@ TEST(Scenario, RefusesEveryTruncation) {
 TEST(Scenario, NoMoreAreUnpackedThanMayCome) {
     const Bytes bytes = pack_scenarios(std::vector<Scenario>(10, make_scenario(3, Pose{}, Pose{})));
     EXPECT_TRUE(unpack_scenarios(bytes, 10));
-    // The count decides: nothing behind it is looked at, let alone kept.
+    // The count is checked first: the bytes after it are neither read nor kept.
     for (const auto& many : {std::span(bytes), std::span(bytes).first(2)}) {
         const auto unpacked = unpack_scenarios(many, 9);
         ASSERT_FALSE(unpacked);
@@ -139,7 +139,7 @@ TEST(Scenario, NoMoreAreUnpackedThanMayCome) {
 }
 
 TEST(Scenario, RefusesCountsThatTheBytesDoNotJustify) {
-    // Version, count 2^35, one run of identities claiming the same.
+    // Version, count 2^35, one run of identities that claims as many.
     const std::array<std::uint8_t, 17> claim{
         1, 0x80, 0x80, 0x80, 0x80, 0x80, 1, 0, 0x80, 0x80, 0x80, 0x80, 0x80, 1, 0, 0, 1};
     EXPECT_FALSE(unpack(std::as_bytes(std::span(claim))));

@@ -1,6 +1,7 @@
-// Proves that a scenario's class does not depend on which body is A, on the level, on a limit of
-// pairs nor on how the trees were cut; that it pays for insides only where it must; that ignored
-// pairs leave what an exact oracle says; and that open bodies and undecided answers are left alone.
+// Proves that a scenario's class does not depend on the order of bodies, the level, a limit of
+// pairs or the cut of the trees; that containment is tested only where needed; that results with
+// ignored pairs agree with an exact oracle; and that open bodies and undecided answers are not
+// settled.
 
 #include "common/job/settle.hpp"
 
@@ -109,7 +110,7 @@ TEST(Settle, OrdinaryScenariosPayNothing) {
     EXPECT_GT(touching.ray_box_tests, touching.points);
     EXPECT_GT(touching.ray_triangle_tests, touching.points);
     EXPECT_EQ(touching.searches, 0u);
-    // Nothing is searched twice, but for pairs that a limit has cut.
+    // Nothing is searched twice, except pairs cut by a limit.
     EXPECT_EQ(run(box, box, stacked, query_of(Level::Count)).inside.work.searches, 0u);
     EXPECT_EQ(run(box, box, stacked, query_of(Level::Pairs, 3)).inside.work.searches, 1u);
 }
@@ -137,7 +138,7 @@ TEST(Settle, WhatIsIgnoredMakesNoClaim) {
     EXPECT_EQ(class_of(box, box, crossing, query), ScenarioClass::Cross);
     query.ignored = {{0, count, 0, count}};
     EXPECT_EQ(class_of(box, box, crossing, query), ScenarioClass::Separate);
-    // Half of B's triangles may stick in A. Whatever is left, the levels and the limit agree.
+    // Half of B's triangles may be inside A. Whatever pairs remain, levels and limit agree.
     query.ignored = {{0, count, 0, count / 2}};
     const ScenarioClass some = class_of(box, box, crossing, query);
     query.limit_pairs = 1;
@@ -147,7 +148,7 @@ TEST(Settle, WhatIsIgnoredMakesNoClaim) {
 }
 
 TEST(Settle, InsideIsToldOfPartsThatAreNotIgnored) {
-    // A car of a body and a wheel over ground that the wheel is ignored with.
+    // A car of a body and a wheel over ground; contacts of wheel and ground are ignored.
     const ObbTree ground = make_tree(make_box(Vec3(20, 20, 4)));
     const ObbTree car = make_tree(join({translated(make_box(Vec3(4, 2, 1)), Vec3(0, 0, 2)),
                                         translated(make_box(Vec3(1, 1, 1)), Vec3(0, 0, 0))}));
@@ -159,14 +160,14 @@ TEST(Settle, InsideIsToldOfPartsThatAreNotIgnored) {
     EXPECT_EQ(class_of(ground, car, {Pose{}, translation_pose(0, 0, -2.2)}, query),
               ScenarioClass::Inside);
     EXPECT_FALSE(run(ground, car, {Pose{}, Pose{}}, query).result.insides_skipped);
-    // What is left of the ground bounds nothing.
+    // The remaining ground bounds no solid.
     query.ignored = {{0, 3, 12, 24}};
     EXPECT_TRUE(
         run(ground, car, {Pose{}, translation_pose(0, 0, 9)}, query).result.insides_skipped);
 }
 
-/// Boxes at whole numbers of which the k-th is congruent to `residues[k]` modulo 8, at least
-/// `least` eights large.
+/// Makes boxes with integer coordinates, the k-th congruent to `residues[k]` modulo 8, at least 8 *
+/// `least` large.
 Mesh random_boxes(std::mt19937_64& random, const std::vector<int>& residues, int least) {
     std::vector<Mesh> boxes;
     const auto eights = [&](int from, int to) {
@@ -182,7 +183,7 @@ Mesh random_boxes(std::mt19937_64& random, const std::vector<int>& residues, int
     return join(boxes);
 }
 
-/// Whole boxes of 12 triangles, or one box and a part of another.
+/// Returns whole boxes of 12 triangles, or one box and a part of another.
 IgnoredRange random_ignored(std::mt19937_64& random) {
     const auto range = [&] {
         const auto begin = static_cast<std::uint32_t>(12 * (random() % 3));
@@ -194,7 +195,7 @@ IgnoredRange random_ignored(std::mt19937_64& random) {
     return {a_begin, a_end, b_begin, b_end};
 }
 
-/// What the rule says of the triangles of one body, each on its own, in exact numbers.
+/// Applies the rule to one body's triangles one by one, in exact numbers.
 struct TrianglesInside {
     bool any = false;
     bool any_skipped = false;
@@ -236,7 +237,7 @@ TEST(Settle, WithIgnoredPairsInsideIsWhatTheOracleSays) {
     for (std::uint64_t seed = 0; seed < 600; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         std::mt19937_64 random(seed);
-        // No coordinate of one body is one of the other, however B is turned.
+        // The bodies share no coordinate, however B is turned.
         const ObbTree a = make_tree(random_boxes(random, {0, 1, 7}, 6));
         const ObbTree b = make_tree(random_boxes(random, {3, 4, 5}, 1));
         const PosePair poses{Pose{}, random_motion(random, 1, false).pose()};

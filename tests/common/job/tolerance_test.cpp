@@ -1,6 +1,6 @@
-// Proves that an answer under a tolerance is always true: no contact is missed, what is said to be
-// separate is, the bound on the distance holds against exact distances, what is decided is decided
-// as without a tolerance, and the answer does not depend on how the cluster works.
+// Proves that an answer under a tolerance is always true: no contact is missed, separate scenarios
+// are separate, the bound on the distance holds against exact distances, decided answers equal
+// those without a tolerance, and no answer depends on how the cluster works.
 
 #include "common/job/tolerance.hpp"
 
@@ -53,7 +53,7 @@ std::vector<ObbTree> small_trees(std::mt19937_64& random) {
     return trees;
 }
 
-/// What may be said under a tolerance of a scenario whose exact answer is known.
+/// Expects an answer under a tolerance to be consistent with the exact answer.
 void expect_true(const ScenarioResult& answer, const ScenarioResult& exact) {
     if (answer.kind == ScenarioClass::Undecided) {
         EXPECT_TRUE(std::includes(
@@ -116,8 +116,8 @@ TEST(Tolerance, TheBoundIsNeverLessThanTheDistance) {
         }
         ++apart;
         ASSERT_TRUE(std::isfinite(answer.distance_bound));
-        // Boxes that overlap hold points that are no farther apart than their diameters' sum,
-        // enlarged by what the overlap test and the bound itself grant to rounding.
+        // Overlapping boxes hold points no farther apart than the sum of the diameters, plus the
+        // rounding margins of overlap test and bound.
         EXPECT_LE(answer.distance_bound, 1.001 * tolerance + 1e-5);
         EXPECT_TRUE(distance_is_at_most(a.mesh(), b.mesh(), scenario.poses, answer.distance_bound));
     }
@@ -151,7 +151,7 @@ TEST(Tolerance, ACoarseAnswerCostsLittle) {
 }
 
 TEST(Tolerance, AnyIsAContactAsSoonAsOneIsProven) {
-    // Two boxes of different sizes: large triangles are decided, small ones are left.
+    // Two boxes of different sizes: large triangles are decided, small ones stay undecided.
     const ObbTree a = make_tree(
         join({make_box(Vec3(2, 2, 2)), translated(make_box(Vec3(0.1, 0.1, 0.1)), {5, 0, 0})}));
     Scenario scenario;
@@ -214,9 +214,9 @@ TEST(Tolerance, PartsGiveTheRecordOfTheWholeInAnyOrder) {
 }
 
 TEST(Tolerance, TheDepthIsAFunctionOfTheTree) {
-    EXPECT_EQ(tolerance_depth(make_tree(make_sphere(3))), 0u);              // 512 triangles
-    EXPECT_EQ(tolerance_depth(make_tree(make_sphere(4))), 1u);              // 2,048
-    EXPECT_EQ(tolerance_depth(make_tree(make_torus(1, 0.4, 100, 40))), 3u); // 8,000
+    EXPECT_EQ(tolerance_depth(make_tree(make_sphere(3))), 0u);              // 512 triangles.
+    EXPECT_EQ(tolerance_depth(make_tree(make_sphere(4))), 1u);              // 2,048 triangles.
+    EXPECT_EQ(tolerance_depth(make_tree(make_torus(1, 0.4, 100, 40))), 3u); // 8,000 triangles.
 }
 
 TEST(Tolerance, IsAFiniteLength) {

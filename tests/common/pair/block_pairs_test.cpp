@@ -1,6 +1,6 @@
-// Proves that pairs read from blocks are decided as pairs read from meshes are, whichever the
-// precision of each body: the classes are the same, and what floats say of them is true, around
-// their bounds too, the same bits on every SIMD target and in any company.
+// Proves that pairs read from blocks are decided as pairs read from meshes, in either precision of
+// each body: equal classes, true float verdicts (around their bounds too), and equal bits on every
+// SIMD target and in any batch.
 #include "common/geometry/simd_target.hpp"
 #include "common/geometry/triangle_blocks.hpp"
 #include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
@@ -19,13 +19,13 @@ namespace cd::tests {
 
 namespace {
 
-/// The nearest finite floats, nearly.
+/// Rounds to about the nearest finite floats.
 Vec3 as_floats(const Vec3& corner) {
     constexpr double most = 0x1p127;
     return corner.cwiseMin(most).cwiseMax(-most).cast<float>().cast<double>();
 }
 
-/// Triangles in blocks of 1 to 16, of doubles or rounded to floats, and the place of each.
+/// Triangles in blocks of 1 to 16, of doubles or rounded to floats, with each one's location.
 class Blocks {
   public:
     explicit Blocks(Precision precision) : precision_(precision), arrays_(precision) {}
@@ -73,7 +73,7 @@ std::string to_text(Precision precision) {
     return precision == Precision::Float ? "Float" : "Double";
 }
 
-/// One pose, and candidates that meet under it.
+/// One pose, and candidates under it.
 struct BlockPairs {
     Blocks a;
     Blocks b;
@@ -101,7 +101,7 @@ struct BlockPairs {
     }
 };
 
-/// Pairs of one kind; only the first one's pose is meant for them.
+/// Makes pairs of one kind; the common pose suits only the first.
 std::vector<PosedPair> some_pairs(std::mt19937_64& random, const PairMaker& make) {
     std::vector<PosedPair> pairs;
     for (int i = 0; i < 40; ++i) {
@@ -110,7 +110,7 @@ std::vector<PosedPair> some_pairs(std::mt19937_64& random, const PairMaker& make
     return pairs;
 }
 
-/// B moved by small steps through the distances at which floats begin to know, under one pose.
+/// Moves B by small steps, under one pose, through the distances at which floats become certain.
 std::vector<PosedPair> moved_through_bounds(std::mt19937_64& random) {
     const PosedPair start = nearly_touching(random);
     const Vec3 direction = random_point(random, 1);
@@ -125,7 +125,7 @@ std::vector<PosedPair> moved_through_bounds(std::mt19937_64& random) {
     return pairs;
 }
 
-/// Of the candidates but for the first.
+/// Returns the verdicts on all candidates but the first.
 std::vector<FloatVerdict>
 verdicts_of(const BlockPairs& blocks, const FloatTrianglePair& test, std::size_t left_out) {
     const auto candidates = std::span(blocks.candidates).subspan(left_out);
@@ -176,7 +176,7 @@ Counts search_around_bounds(std::uint64_t seed, const Kinds& kinds, double bound
 
 } // namespace
 
-/// Gives the choice of a target back when a test ends.
+/// Resets the SIMD target when a test ends.
 class BlockPairsTest : public testing::TestWithParam<Kinds> {
   protected:
     void TearDown() override { ASSERT_TRUE(force_simd_target(to_text(before_))); }
@@ -229,7 +229,7 @@ TEST_P(BlockPairsTest, WhatFloatsSayIsTrue) {
             ASSERT_EQ(counts.wrong, 0u);
         }
     }
-    // Hard pairs, but under the pose of another they are ordinary.
+    // Hard pairs are ordinary under another pair's pose.
     EXPECT_GT(counts.decided, counts.all / 4);
 }
 

@@ -1,5 +1,5 @@
-// Proves that deciding pairs takes no memory once the first pairs have been decided: in all stages
-// up to WideInteger, whatever the poses, with everything else that the program allocates counted.
+// Proves that deciding pairs allocates no memory after the first pairs: in all stages up to
+// WideInteger, under any pose, counting every allocation of the program.
 #include "common/pair/triangle_pair.hpp"
 #include "tests/support/hard_pairs.hpp"
 
@@ -25,7 +25,7 @@ void* counted(std::size_t size) {
 
 } // namespace
 
-// For the whole program: there is no smaller place for them.
+// Replaces the operators for the whole program; no smaller scope exists.
 void* operator new(std::size_t size) {
     return counted(size);
 }
@@ -49,7 +49,7 @@ namespace cd::tests {
 
 namespace {
 
-/// Triangles of A and of B that meet as hard pairs do, all under the poses of the first.
+/// Triangles of A and of B from hard pairs, all under the first pair's poses.
 struct Batch {
     std::vector<Vec3> vertices_a;
     std::vector<Vec3> vertices_b;
@@ -91,7 +91,7 @@ TEST(PairAllocations, NoStageUpToWideIntegerAllocatesInTheSteadyState) {
             };
             run();
             if (test.statistics()[PairStage::Arbitrary] > 0) {
-                continue; // Numbers of any size.
+                continue; // Needs numbers of arbitrary size.
             }
             const std::uint64_t before = allocations;
             run();

@@ -1,6 +1,6 @@
-// Proves that each stage of the decision gives only what is true: on every kind of hard pair, from
-// whichever stage on, the answer is the oracle's; the bounds of the stages in double and in
-// double-double are needed; and pairs settle where they should.
+// Proves that each stage of the decision returns only true answers: on every kind of hard pair and
+// from any stage on, the answer is the oracle's; that the bounds of the double and double-double
+// stages are needed; and that pairs settle in the expected stages.
 #include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
 #include "common/pair/stages/double/double_triangle_pair.hpp"
 #include "common/pair/stages/double_double/double_double_triangle_pair.hpp"
@@ -44,8 +44,8 @@ int wrong_proofs(double bound_scale) {
     return wrong;
 }
 
-/// One rotation written in two ways, so that double-double rounds it in two ways, of triangles that
-/// share a corner or an edge or lie in one plane; and B moved by far less than doubles tell.
+/// Writes one rotation in two ways that double-double rounds differently, for triangles that share
+/// a corner, an edge or a plane; B is moved by far less than doubles resolve.
 PosedPair tie_that_is_moved_a_little(std::mt19937_64& random) {
     const auto digit = [&] { return static_cast<double>(random() % 2001) - 1000; };
     const Quaternion q{digit(), digit(), digit(), 1 + digit() * digit()};
@@ -144,7 +144,7 @@ TEST(PairStages, TurnsAboutAnAxisGetTheOraclesAnswer) {
 }
 
 TEST(PairStages, WhatIsTinyOrHugeIsNotTakenForZero) {
-    // Products of these underflow, so that permanents of doubles are 0.
+    // Products of these numbers underflow, so permanents of doubles are 0.
     int touching = 0;
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -167,14 +167,14 @@ TEST(PairStages, TheBoundsOfDoubleDoubleAreNeeded) {
     const Proofs proofs = double_double_proofs(1);
     EXPECT_EQ(proofs.wrong, 0);
     EXPECT_GT(proofs.right, 5'000);
-    // Bounds by largest components are some thousands of times what is seen, which costs nothing:
-    // nominal touches are further still from a tie.
+    // Bounds by largest components are thousands of times the observed errors, at no cost: nominal
+    // touches are further still from a tie.
     EXPECT_GT(double_double_proofs(0x1p-15).wrong, 10);
 }
 
 TEST(PairStages, IntegersDecideAsUnlimitedOnesWhereverTheyReach) {
-    // Coordinates whose exponents are as far apart as `spread` make one pair after another need
-    // every number of words, and at last more than there are.
+    // Coordinates with exponents as far apart as `spread` need every number of words in turn, and
+    // finally more than exist.
     int beyond = 0;
     for (int spread = 0; spread < 1200; spread += 3) {
         SCOPED_TRACE(testing::Message() << "spread " << spread);
@@ -245,7 +245,7 @@ TEST(PairStages, NeitherScaleNorAxesNorOrderChangeAnAnswer) {
 }
 
 TEST(PairStages, DoublesProveTiesOfFacesAlongTheAxes) {
-    // One face of a box on another's, in coordinates that no double holds.
+    // A face of one box on a face of another, in coordinates that no double represents.
     const Corners lid{Vec3(0.1, 0.1, 0.3), Vec3(0.7, 0.1, 0.3), Vec3(0.7, 0.7, 0.3)};
     const Corners floor{Vec3(0.3, 0.2, 0.3), Vec3(0.9, 0.2, 0.3), Vec3(0.9, 0.8, 0.3)};
     const Corners wall{Vec3(0.6, 0.2, 0.3), Vec3(0.6, 0.5, 0.3), Vec3(0.6, 0.5, 0.9)};
@@ -269,7 +269,7 @@ TEST(PairStages, EachPairCountsForTheHighestStageThatItNeeded) {
 
     EXPECT_TRUE(settles_in(
         PairStage::Double, {turned, Pose{}}, a, {Vec3(28, 0, 0), Vec3(29, 0, 0), Vec3(28, 1, 1)}));
-    // A corner on the other's face, but for roundings.
+    // A corner on the other's face, up to roundings.
     const Pose other = make_pose(random, 1);
     const Vec3 inside = other.rotation().transpose() *
                         (turned.apply(Vec3((a[0] + a[1] + a[2]) / 3)) - other.translation());
@@ -277,10 +277,10 @@ TEST(PairStages, EachPairCountsForTheHighestStageThatItNeeded) {
                            {turned, other},
                            a,
                            {inside, inside + Vec3(1, 0, 0), inside + Vec3(0, 1, 0.1)}));
-    // A tie of four corners that no three axes show.
+    // A tie of four corners, invisible on any three axes.
     EXPECT_TRUE(settles_in(PairStage::Lattice, {}, a, {a[0] + a[1] - a[2], a[2], a[1]}));
     EXPECT_TRUE(settles_in(PairStage::Lattice, {turned, turned}, a, {a[1], a[0], a[2]}));
-    // The same body in the same place, by a quaternion twice as long.
+    // The body's position is unchanged, but its quaternion is twice as long.
     const Quaternion q = turned.quaternion();
     const Pose longer =
         Pose::from_quaternion({2 * q.w, 2 * q.x, 2 * q.y, 2 * q.z}, turned.translation());
@@ -322,11 +322,11 @@ TEST(PairStages, PosesThatAreNoneBecomeNone) {
     std::mt19937_64 random(1);
     const Pose turned = make_pose(random, 5);
     EXPECT_EQ(plain_poses({turned, turned}), PosePair{});
-    // What is flattened must stay so.
+    // Flattened bodies must stay flat.
     const Pose flat = Pose::from_matrix(Vec3(1, 1, 0).asDiagonal(), Vec3::Zero());
     EXPECT_EQ(plain_poses({flat, flat}), (PosePair{flat, flat}));
 
-    // One short rotation leaves a translation, where it is a vector of doubles.
+    // A short rotation leaves a translation that doubles represent.
     const auto by_345 = [](double x, double y, double z) {
         return Pose::from_quaternion({3, 0, 0, 1}, Vec3(x, y, z));
     };

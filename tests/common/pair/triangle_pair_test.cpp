@@ -1,6 +1,5 @@
-// Proves that the decision about two triangles is exact: on random pairs and on every kind of hard
-// one it equals an oracle in rational arithmetic, and it does not depend on the order of bodies and
-// corners.
+// Proves that the decision on two triangles is exact: on random pairs and every kind of hard pair
+// it equals an oracle in rational arithmetic, independent of the order of bodies and corners.
 #include "common/pair/triangle_pair.hpp"
 
 #include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
@@ -23,8 +22,8 @@ namespace cd::tests {
 
 namespace {
 
-/// The distance of a point from a closed triangle, which may be a segment or a point: within its
-/// prism that from its plane, and otherwise that from an edge.
+/// Returns a point's distance from a closed triangle, segment or point: inside its prism the
+/// distance from its plane, otherwise that from an edge.
 double distance(const Vec3& p, const Corners& t) {
     const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
     bool inside = normal.norm() > 0;
@@ -54,7 +53,7 @@ TEST(TrianglePair, EqualsTheOracleOnEveryKindOfPair) {
             ++seen[expected];
         }
     }
-    // Agreement means little where a class never came up.
+    // Every class must occur, or agreement proves little.
     EXPECT_EQ(seen.size(), 4u);
     for (const auto& [kind, count] : seen) {
         EXPECT_GT(count, 50) << static_cast<int>(kind);
@@ -79,8 +78,8 @@ TEST(TrianglePair, DoesNotDependOnTheOrderOfBodiesAndCorners) {
 }
 
 TEST(TrianglePair, TheDoubleStageOnlyProves) {
-    // Against the exact stage, which is checked against the oracle above and fast enough for many.
-    // With its bounds a hundred times too small it is wrong here.
+    // Compares with the exact stage, which is checked against the oracle above and fast enough for
+    // many pairs. With bounds a hundred times too small this test fails.
     std::mt19937_64 random(11);
     int proven = 0;
     constexpr int rounds = 60'000;
@@ -92,7 +91,7 @@ TEST(TrianglePair, TheDoubleStageOnlyProves) {
             ++proven;
         }
     }
-    // Most rounds are near the line between proven and not.
+    // Most rounds are near the limit of what can be proven.
     EXPECT_GT(proven, rounds / 5);
     EXPECT_LT(proven, rounds * 4 / 5);
 }
@@ -125,7 +124,7 @@ TEST(TrianglePair, NumbersOfEveryMagnitudeAreDecidedExactly) {
 
 TEST(TrianglePair, SharedPointsLieOnBothTriangles) {
     for (const auto& [name, make] : pair_makers()) {
-        // These have points that doubles in the world's directions cannot place to 1e-9.
+        // Doubles in world axes cannot place these kinds' points to 1e-9.
         const bool is_ill_conditioned = name == "slivers and needles" ||
                                         name == "nearly coplanar" || name == "huge" ||
                                         name.starts_with("far") || name == "one large, one small";
@@ -201,7 +200,7 @@ TEST(TrianglePair, AnEdgeThatLiesOnAFaceIsShared) {
     ASSERT_EQ(test.classify(floor, upright), PairClass::Touch);
     const auto points = test.shared_points(floor, upright);
     ASSERT_EQ(points.size(), 2u);
-    // Relative to the floor's first corner.
+    // Points are relative to the floor's first corner.
     EXPECT_EQ(std::min(points[0].x(), points[1].x()), 0);
     EXPECT_EQ(std::max(points[0].x(), points[1].x()), 8);
 }

@@ -1,5 +1,4 @@
-// Proves that pairs come out in their order, whatever their number and places, and that each keeps
-// its corners.
+// Proves that pairs are sorted, whatever their number and ids, and that each keeps its corners.
 
 #include "common/search/contact_pair.hpp"
 
@@ -19,7 +18,7 @@ std::vector<ContactPair>
 random_pairs(std::mt19937_64& random, std::size_t count, std::uint64_t places) {
     std::vector<ContactPair> pairs;
     for (std::size_t i = 0; i < count; ++i) {
-        // From the low end and the high end of what a mesh may have.
+        // From both ends of the range of triangle ids.
         const std::uint64_t last = limits::mesh_triangles_max - 1;
         const auto place = [&] {
             const std::uint64_t from_end = random() % places;

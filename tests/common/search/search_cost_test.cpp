@@ -1,5 +1,5 @@
-// Proves that the cost of a search is the paper's sum over the tests that were counted, and that
-// its constants are measured where there is something to measure. Says nothing of times.
+// Proves that the cost of a search is the paper's sum over the counted tests, and that its
+// constants are measured if there is data. Checks no times.
 #include "common/search/search_cost.hpp"
 
 #include "common/search/traverse.hpp"
@@ -19,7 +19,7 @@ ObbTree torus_tree() {
     return build_tree(share(make_torus(1.0, 0.4, 24, 12)), {}, pool);
 }
 
-/// B moved along x, the nearer the more contacts.
+/// Makes poses of B along x; the nearer, the more contacts.
 std::vector<PosePair> moved_along_x(double from, double to) {
     std::vector<PosePair> poses;
     for (int i = 0; i < 5; ++i) {

@@ -1,5 +1,5 @@
-// Proves that a search that goes from pose to pose finds what a new one finds, asks for no memory
-// once it has what it needs, and begins with the contact that it found last.
+// Proves that a search reused from pose to pose finds what a new one finds, stops allocating once
+// it has enough memory, and begins with its last contact.
 
 #include "common/search/traverse.hpp"
 #include "common/tree/build/build.hpp"
@@ -14,12 +14,12 @@
 
 namespace {
 
-/// Of this thread, counted by what replaces the library's.
+/// Allocations of this thread, counted by the replaced operators.
 thread_local std::size_t allocations = 0;
 
 } // namespace
 
-// Not inlined: the compiler would take them for a mismatch with the library's.
+// Not inlined: the compiler would report a mismatch with the library's operators.
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     ++allocations;
     return std::malloc(size != 0 ? size : 1);
@@ -46,7 +46,7 @@ ObbTree build(Mesh mesh) {
     return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
 }
 
-/// Poses of two unit spheres: most in contact, some apart.
+/// Makes poses of two unit spheres: most in contact, some apart.
 std::vector<PosePair> poses_around(std::mt19937_64& random, std::size_t count) {
     std::vector<PosePair> poses;
     for (std::size_t i = 0; i < count; ++i) {

@@ -1,6 +1,5 @@
-// Proves that the traversal loses no contact and invents none: on random, degenerate and touching
-// meshes, under either kind of pose on both bodies, it finds what testing every triangle against
-// every other finds.
+// Proves that the traversal neither misses nor invents a contact: on random, degenerate and
+// touching meshes, with either kind of pose on both bodies, it finds what brute force finds.
 
 #include "common/search/traverse.hpp"
 
@@ -27,7 +26,7 @@ ObbTree build(const Mesh& mesh, const BuildOptions& options = {}) {
     return build_tree(share(Mesh(mesh)), options, pool);
 }
 
-/// Compares all answers of the traversal with the slow twin; how many pairs there are.
+/// Compares all answers of the traversal with brute force; returns the number of pairs.
 std::size_t expect_agreement(const Mesh& a, const Mesh& b, const PosePair& poses) {
     const std::vector<ContactPair> expected = contact_pairs_brute_force(a, b, poses);
     const BuildOptions variants[] = {
@@ -62,7 +61,7 @@ TEST(Traverse, AgreesWithBruteForceOnRandomSoups) {
         const Mesh b = make_triangle_soup(random, 50, 0.2);
         rounds_with_contact += expect_agreement(a, b, random_poses(random, 1.5)) != 0 ? 1u : 0u;
     }
-    // Both outcomes were exercised; otherwise agreement would mean little.
+    // Both outcomes must occur, or agreement proves little.
     EXPECT_GT(rounds_with_contact, rounds / 5);
     EXPECT_LT(rounds_with_contact, rounds * 19 / 20);
 }
@@ -96,15 +95,15 @@ TEST(Traverse, FindsEveryContactOfGriddedBoxesFaceToFace) {
     EXPECT_GT(expect_agreement(box, box, {Pose{}, translation_pose(1, 1, 0)}), 0u);
     EXPECT_GT(expect_agreement(box, box, {Pose{}, translation_pose(1, 1, 1)}), 0u);
     EXPECT_EQ(expect_agreement(box, box, {Pose{}, translation_pose(0x1.000002p0, 0, 0)}), 0u);
-    // Both bodies turned by the same 3-4-5 angle: nothing is axis-aligned, everything touches.
+    // Both bodies turn by one 3-4-5 angle: nothing is axis-aligned, everything touches.
     const Quaternion turn{2, 0, 0, 1};
     const PosePair turned{Pose::from_quaternion(turn, Vec3(5, 0, 0)),
                           Pose::from_quaternion(turn, Vec3(5, 0, 1))};
     EXPECT_EQ(expect_agreement(box, box, turned), aligned);
 }
 
-/// The pairs of two boxes that share a face, their grids on each other, under these poses of the
-/// lower one; the upper one stands on it.
+/// Compares the pairs of two stacked boxes with coinciding grids under these poses of the lower
+/// box; the upper one rests on it.
 std::size_t expect_agreement_of_stacked_boxes(const Vec3& size, int cells, const Pose& lower) {
     const Mesh box = make_gridded_box(size, cells);
     const Vec3 up = lower.rotation() * Vec3(0, 0, size.z());
@@ -116,7 +115,7 @@ std::size_t expect_agreement_of_stacked_boxes(const Vec3& size, int cells, const
 
 // FCL in float loses three of four touching pairs of two stacked boxes in its box tests alone.
 TEST(Traverse, LosesNoTouchingPairOfStackedBoxes) {
-    // Exact poses: every pair of facing triangles that meet touches.
+    // Under exact poses all adjacent facing triangles touch.
     const Vec3 dyadic(1, 2, 0.5);
     const std::size_t exact = expect_agreement_of_stacked_boxes(dyadic, 4, Pose{});
     EXPECT_GE(exact, 2u * 2u * 16u);
@@ -124,12 +123,12 @@ TEST(Traverse, LosesNoTouchingPairOfStackedBoxes) {
         EXPECT_EQ(expect_agreement_of_stacked_boxes(
                       dyadic, 4, Pose::from_matrix(Mat3::Identity(), offset)),
                   exact);
-        // A right angle, as a quaternion that is far from norm 1.
+        // A right angle, as a quaternion far from norm 1.
         EXPECT_EQ(expect_agreement_of_stacked_boxes(
                       dyadic, 4, Pose::from_quaternion({1, 0, 0, 1}, offset)),
                   exact);
     }
-    // Rounded poses and decimal sizes: some of the pairs touch, by how the roundings fell.
+    // Rounded poses and decimal sizes: some pairs touch, depending on roundings.
     std::size_t contacts = 0;
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -150,8 +149,7 @@ TEST(Traverse, AgreesWithBruteForceUnderMatricesThatAreNotQuiteRigid) {
         std::mt19937_64 random(seed);
         const Mesh box = make_gridded_box(Vec3(1, 1, 1), 3);
         contacts += expect_agreement(box, box, {any_pose(random, 1e-5), any_pose(random, 1e-5)});
-        // Stretched along z by the most that poses are taken with: they are apart by 1e-6, or
-        // 1e-6 deep.
+        // A stretch along z near the tolerated maximum: the bodies are 1e-6 apart, or 1e-6 deep.
         const double stretch = 1 + 4.9e-6;
         const Mat3 longer = Vec3(1, 1, stretch).asDiagonal();
         const double up = 0.5 * (1 + stretch) + (seed % 2 == 0 ? 1e-6 : -1e-6);
@@ -162,7 +160,7 @@ TEST(Traverse, AgreesWithBruteForceUnderMatricesThatAreNotQuiteRigid) {
     EXPECT_GT(contacts, 0u);
 }
 
-/// The least squared distance of two of the meshes' vertices in the world.
+/// Returns the least squared distance of two vertices of the meshes in the world.
 Rational squared_vertex_distance(const Mesh& a, const Mesh& b, const PosePair& poses) {
     const auto world = [](const Mesh& mesh, const Pose& pose) {
         std::vector<ExactVec> places;
@@ -190,7 +188,7 @@ TEST(Traverse, TheDistanceThatATolerancePromisesIsTrueInTheWorld) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         std::mt19937_64 random(seed);
         const double offset = seed % 2 == 0 ? 1.0 : 1e6;
-        // Two small soups whose boxes overlap or just not, far from the poses' origins.
+        // Two small soups, whose boxes overlap or just do not, far from the poses' origins.
         const Vec3 place = random_point(random, offset);
         const Mesh a = translated(make_triangle_soup(random, 3), place);
         const Mesh b = translated(make_triangle_soup(random, 3), place);
@@ -217,8 +215,8 @@ TEST(Traverse, TheDistanceThatATolerancePromisesIsTrueInTheWorld) {
 }
 
 TEST(Traverse, TheDistanceThatATolerancePromisesCountsHowPosesStretch) {
-    // Two points, whose boxes are as small as boxes are: what they are apart is the bound, but for
-    // the sizes of the boxes' margins. A's pose makes vectors longer.
+    // Two points with the smallest boxes: their distance is the bound, up to the boxes' margins.
+    // A's pose lengthens vectors.
     const Mesh point = make_mesh({Vec3::Zero()}, {{0, 0, 0}});
     const double stretch = 1 + 1e-4;
     const Pose longer = Pose::from_matrix(stretch * Mat3::Identity(), Vec3::Zero());
@@ -231,7 +229,7 @@ TEST(Traverse, TheDistanceThatATolerancePromisesCountsHowPosesStretch) {
                       Rational(*distance) * Rational(*distance));
         }
     }
-    // Infinite, never NaN, under poses that overflow.
+    // Under poses that overflow, the bound is infinite, never NaN.
     const double big = 1.7e308;
     ContactSearch overflowing(
         {translation_pose(big, 0, 0), translation_pose(-big, 0, 0)}, {}, {.tolerance = 1e-6});
@@ -297,7 +295,7 @@ TEST(Traverse, KeepsTheCornersOfEachPairBesideItIfAsked) {
 }
 
 TEST(Traverse, KeepsTheFirstPairsOfManyAndCountsAll) {
-    constexpr std::uint32_t triangles = 400; // All in one point: each touches each.
+    constexpr std::uint32_t triangles = 400; // All triangles touch in one point.
     MeshArrays arrays;
     arrays.vertices = {Vec3(1, 2, 3)};
     arrays.triangles.assign(triangles, {0, 0, 0});
@@ -337,7 +335,7 @@ TEST(Traverse, EndsSoonAfterItIsToldToStop) {
         options.stop = [&] { return ++checks > checks_max; };
         ContactSearch search(PosePair{}, {}, options);
         search.collect(sphere.view(), sphere.view());
-        search.collect(sphere.view(), sphere.view()); // Adds nothing more once it is stopped.
+        search.collect(sphere.view(), sphere.view()); // A stopped search adds nothing.
         EXPECT_EQ(search.is_stopped(), checks > checks_max);
         return search.statistics();
     };
@@ -352,7 +350,7 @@ TEST(Traverse, EndsSoonAfterItIsToldToStop) {
 }
 
 TEST(Traverse, ASearchForAnyContactStopsToo) {
-    // Of two shells, one in the other, that come near each other everywhere.
+    // Two nested shells that are near each other everywhere.
     const ObbTree outer = build(make_sphere(4));
     const PosePair poses{Pose::from_matrix(1.001 * Mat3::Identity(), Vec3::Zero()), Pose{}};
     std::uint64_t checks = 0;

@@ -1,5 +1,5 @@
 // Proves that containment is decided exactly: nested and separate bodies, cavities, rays through
-// edges and corners, gaps of one unit in the last place, and agreement with geometry that is known.
+// edges and corners, gaps of one ulp, and agreement with known geometry.
 
 #include "common/solid/containment.hpp"
 
@@ -20,7 +20,7 @@ ObbTree make_tree(Mesh mesh) {
     return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
 }
 
-/// A body that is no more than a point.
+/// Makes a body that is a single point.
 ObbTree make_point(const Vec3& at) {
     return make_tree(make_mesh({at}, {Triangle{0, 0, 0}}));
 }
@@ -55,7 +55,7 @@ TEST(Containment, ASmallSphereIsInsideALargeOneAndNotTheOtherWayRound) {
     EXPECT_FALSE(contains(small, large));
     EXPECT_TRUE(contains(large, small, translation_pose(0.5, 0, 0)));
     EXPECT_FALSE(contains(large, small, translation_pose(1.5, 0, 0)));
-    // In the large one's box, but not in it.
+    // The small one is in the large one's box, but not inside.
     EXPECT_FALSE(contains(large, small, translation_pose(0.85, 0.85, 0.85)));
     EXPECT_FALSE(contains(large, small, translation_pose(100, 0, 0)));
 }
@@ -105,8 +105,8 @@ TEST(Containment, OneUnitInTheLastPlaceDecides) {
     EXPECT_FALSE(contains(box, make_point(Vec3(out, 0.5, 0.25))));
     EXPECT_FALSE(contains(box, make_point(Vec3(0.5, -out, 0))));
 
-    // 0.1 + 0.2 exactly lies just above the double 0.3 and just below the one that their sum rounds
-    // to: the pose's translation is added without a rounding.
+    // The exact sum 0.1 + 0.2 lies between the double 0.3 and the rounded sum: the pose's
+    // translation must be added without rounding.
     const auto cube_to = [](double reach) {
         return make_tree(make_box(Vec3(2 * reach, 2 * reach, 2 * reach)));
     };
@@ -116,16 +116,16 @@ TEST(Containment, OneUnitInTheLastPlaceDecides) {
 }
 
 TEST(Containment, QuaternionsAreTakenAsRationals) {
-    // (1, 1/3, 0, 0) is no unit quaternion; rotated about x, the point keeps its x exactly.
+    // (1, 1/3, 0, 0) is no unit quaternion; turned about x, the point keeps its x exactly.
     const Pose turned = Pose::from_quaternion({3, 1, 0, 0}, Vec3::Zero());
     const ObbTree box = make_tree(make_box(Vec3(2, 20, 20)));
     EXPECT_FALSE(contains(box, make_point(Vec3(1, 1, 2)), turned));
     EXPECT_TRUE(contains(box, make_point(Vec3(std::nextafter(1.0, 0.0), 1, 2)), turned));
-    // A turn by 3-4-5: (0, 5, 0) comes to (0, 4, 3), on the face of this box.
+    // A 3-4-5 turn moves (0, 5, 0) to (0, 4, 3), which is on the face of this box.
     const ObbTree flat = make_tree(make_box(Vec3(2, 8, 20)));
     EXPECT_FALSE(contains(flat, make_point(Vec3(0, 5, 0)), turned));
     EXPECT_TRUE(contains(flat, make_point(Vec3(0, std::nextafter(5.0, 0.0), 0)), turned));
-    // The same with the outer body turned the other way.
+    // The outer body turned back instead.
     const Pose back = Pose::from_quaternion({3, -1, 0, 0}, Vec3(7, 7, 7));
     const Pose there = translation_pose(7, 7, 7);
     EXPECT_FALSE(contains(flat, back, make_point(Vec3(0, 5, 0)), there));
@@ -140,7 +140,7 @@ TEST(Containment, AgreesWithTheDefinitionOfABoxUnderRandomPoses) {
         std::mt19937_64 random(seed);
         const Vec3 at = random_point(random, 1.3);
         const bool expected = at.cwiseAbs().maxCoeff() < 1;
-        // Both bodies move together; the point keeps its distance from the faces.
+        // Both bodies move together, so the point keeps its distance from the faces.
         const Pose pose = seed % 2 == 0 ? make_pose(random, 10) : make_matrix_pose(random, 10);
         ASSERT_EQ(contains(box, pose, make_point(at), pose), expected);
         inside += expected ? 1 : 0;
@@ -163,7 +163,7 @@ TEST(Containment, RaysThroughEdgesAreCastAgain) {
     // The first attempt's ray from the origin has the direction (1, t, t^2).
     const double t = 26177.0 / 65536;
     const Vec3 tip(1, t, t * t);
-    // A tetrahedron around the origin with this tip: the ray meets three triangles in one corner.
+    // A tetrahedron around the origin with this tip: the ray meets three triangles in a corner.
     const Mesh tetrahedron = make_mesh({tip, Vec3(-1, 1, 0), Vec3(-1, -1, 1), Vec3(-1, -1, -2)},
                                        {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}});
     EXPECT_TRUE(contains(make_tree(tetrahedron), make_point(Vec3(0, 0, 0))));
@@ -178,7 +178,7 @@ TEST(Containment, ExtremeCoordinatesAreDecided) {
     const ObbTree tiny = make_tree(scaled(make_sphere(1), 0x1p-400));
     EXPECT_TRUE(contains(tiny, make_point(Vec3(0x1p-410, 0, 0))));
     EXPECT_FALSE(contains(tiny, make_point(Vec3(0x1p-399, 0, 0))));
-    // No cross product of its edges is above 0 in double.
+    // Every cross product of its edges underflows in double.
     const ObbTree least = make_tree(scaled(make_sphere(1), 0x1p-600));
     EXPECT_TRUE(contains(least, make_point(Vec3(0x1p-610, 0, 0))));
     EXPECT_FALSE(contains(least, make_point(Vec3(0x1p-599, 0, 0))));

@@ -1,6 +1,6 @@
-// Proves that bodies which touch without a proper pair are told to penetrate exactly when their
-// interiors meet: solids on a lattice, of which integers know, in every axis position, under both
-// kinds of poses, wound outward and inward, mirrored; and bodies made to trip each part of the
+// Proves that bodies that touch without a proper pair count as penetrating exactly if their
+// interiors meet: solids on a lattice, checked in integers, in every axis orientation, under both
+// kinds of poses, wound outward and inward, mirrored; and bodies that exercise each part of the
 // rule.
 
 #include "common/solid/penetration.hpp"
@@ -29,7 +29,7 @@ bool is_proper(const std::vector<ContactPair>& contacts) {
     });
 }
 
-/// What the contacts of two bodies say of them.
+/// The relation of two bodies as found from their contacts.
 enum class Found { Nothing, Proper, Touch, Penetrate };
 
 Found found(const ObbTree& a, const ObbTree& b, const PosePair& poses) {
@@ -49,7 +49,7 @@ Found found(const Mesh& a, const Mesh& b, const Pose& pose_of_b = Pose{}) {
     return result;
 }
 
-/// From, and with, corners on whole numbers.
+/// Makes a box between two corners with integer coordinates.
 Mesh box_at(const Vec3& low, const Vec3& high, int grid = 1) {
     return translated(make_gridded_box(high - low, grid), 0.5 * (low + high));
 }
@@ -66,8 +66,8 @@ struct Tally {
     }
 };
 
-/// A prism along y between the first and the last level, with edges at every level; its outline in
-/// x and z, from whose first point the ends are fanned.
+/// Makes a prism along y from the first to the last level, with edges at every level. The outline
+/// is in x and z; the ends are fanned from its first point.
 Mesh prism(const std::vector<std::array<double, 2>>& outline, const std::vector<double>& levels) {
     const auto around = static_cast<std::uint32_t>(outline.size());
     std::vector<Vec3> vertices;
@@ -92,12 +92,12 @@ Mesh prism(const std::vector<std::array<double, 2>>& outline, const std::vector<
     return make_mesh(std::move(vertices), std::move(triangles));
 }
 
-/// A slab from z = 0 to 1 with an edge along y at x = `bottom` below, and at x = `top` above.
+/// Makes a slab from z = 0 to 1 with an edge along y at x = `bottom` below and x = `top` above.
 Mesh slab(double bottom, double top) {
     return prism({{-20, 0}, {bottom, 0}, {20, 0}, {20, 1}, {top, 1}, {-20, 1}}, {0, 1, 3, 4});
 }
 
-/// The found and the expected agree; then it is counted.
+/// Expects agreement, then counts it.
 void expect_truth(Found result, bool interiors_meet, Tally& tally) {
     tally.add(result);
     if (result != Found::Nothing) {
@@ -105,8 +105,8 @@ void expect_truth(Found result, bool interiors_meet, Tally& tally) {
     }
 }
 
-/// Where cubes meet along an edge only, the surface is no solid's; and what lies in a component
-/// without contacts is for a test of its own.
+/// Excludes cubes that meet along an edge only, whose surface bounds no solid, and further
+/// components, which another test covers.
 bool is_one_solid(const ObbTree& tree) {
     return tree.topology().is_closed() && tree.topology().component_triangles.size() == 1;
 }
@@ -123,8 +123,8 @@ Mesh scaled(const Mesh& mesh, double factor) {
     return make_mesh(std::move(vertices), mesh.triangles());
 }
 
-/// The turn of a body whose coordinates were multiplied by 5, and then one by 3-4-5 that so keeps
-/// all numbers whole.
+/// Combines the turn of a body whose coordinates were multiplied by 5 with a 3-4-5 turn, which then
+/// keeps all numbers integer.
 Pose turned_by_3_4_5(const LatticeTurn& turn, const Quaternion& by) {
     const Vec3 offset(turn.motion.offset[0], turn.motion.offset[1], turn.motion.offset[2]);
     const Vec3 moved = Pose::from_quaternion(by, Vec3::Zero()).apply(5 * offset);
@@ -231,7 +231,7 @@ TEST(Penetration, BoxesThatShareAFaceAnEdgeOrACorner) {
     EXPECT_EQ(found(box, box_at(Vec3(0, 0, 0), Vec3(2, 3, 1))), Found::Penetrate) << "corner";
     EXPECT_EQ(found(box, box_at(Vec3(4, 4, 0), Vec3(6, 6, 4))), Found::Touch) << "edge, outside";
     EXPECT_EQ(found(box, box_at(Vec3(4, 4, 4), Vec3(6, 6, 6))), Found::Touch) << "corner, outside";
-    // It crosses along the grid lines.
+    // The boxes cross along grid lines.
     EXPECT_EQ(found(box, box, translation_pose(1, 1, 1)), Found::Penetrate);
     EXPECT_EQ(found(box, box, translation_pose(2, 0, 0)), Found::Penetrate);
     EXPECT_EQ(found(box, box, translation_pose(4, 1, 2)), Found::Touch);
@@ -239,18 +239,18 @@ TEST(Penetration, BoxesThatShareAFaceAnEdgeOrACorner) {
 
 TEST(Penetration, APlateSlidAlongGridLinesIsFoundInAPieceOfItsTriangles) {
     const Mesh box = box_at(Vec3(0, 0, 0), Vec3(4, 4, 4), 4);
-    // Only a sixteenth of the plate is in the box: the centroids of its large triangles are not.
+    // Only a sixteenth of the plate is in the box; the centroids of its large triangles are not.
     EXPECT_EQ(found(box, box_at(Vec3(3, 1, 1), Vec3(19, 2, 3))), Found::Penetrate);
     EXPECT_EQ(found(box, box_at(Vec3(4, 1, 1), Vec3(19, 2, 3))), Found::Touch);
 }
 
 TEST(Penetration, WhereNoCentroidIsInsideThePiecesTell) {
-    // A bar through the slab. Their surfaces meet along four lines, of which the bar has edges
-    // along two and the slab along two; so each triangle goes on beyond what is inside.
+    // A bar through the slab. The surfaces meet along four lines, two of them edges of the bar and
+    // two of the slab; so every triangle extends beyond the inside part.
     const Mesh bar = prism({{1, 1}, {1, -10}, {2, -10}, {2, 0}, {2, 10}, {1, 10}}, {1, 3});
     EXPECT_EQ(found(slab(1, 2), bar), Found::Penetrate);
     EXPECT_EQ(found(slab(1, 2), bar, translation_pose(0, 0, 0.5)), Found::Proper);
-    // The same with a foot on which the slab rests.
+    // The bar with a foot on which the slab rests.
     const Mesh foot =
         prism({{0, 0}, {0, 10}, {2, 10}, {2, 1}, {2, -10}, {-10, -10}, {-10, 0}}, {1, 3});
     EXPECT_EQ(found(slab(2, 0), foot), Found::Penetrate);
@@ -258,7 +258,7 @@ TEST(Penetration, WhereNoCentroidIsInsideThePiecesTell) {
 }
 
 TEST(Penetration, ACornerAtTheCentroidHidesNothing) {
-    // A box whose top is dented down to the origin, where it meets the middle of a face within.
+    // A box whose top is dented to the origin, where the dent meets a face's middle from inside.
     const Mesh dented = make_mesh({{-4, -4, -4},
                                    {4, -4, -4},
                                    {4, 4, -4},
@@ -288,16 +288,16 @@ TEST(Penetration, ACornerAtTheCentroidHidesNothing) {
 }
 
 TEST(Penetration, ARidgeUnderAFaceDoesNotPierceIt) {
-    // A roof whose ridge runs at height 1 under the middle of a large box's bottom.
+    // A roof whose ridge is at height 1, under the middle of a large box's bottom.
     const Mesh roof = make_mesh(
         {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, -1, 1}, {0, 1, 1}},
         {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {2, 3, 5}, {1, 2, 5}, {1, 5, 4}, {3, 0, 4}, {3, 4, 5}});
     const Mesh box = make_box(Vec3(8, 8, 2));
     EXPECT_EQ(found(roof, box, translation_pose(0.3, 0.2, 2)), Found::Touch);
     EXPECT_EQ(found(roof, box, translation_pose(0.3, 0.2, 1.75)), Found::Proper);
-    // From within it reaches the box's top.
+    // From inside, the roof reaches the box's top.
     EXPECT_EQ(found(roof, box, translation_pose(0.3, 0.2, 0)), Found::Penetrate);
-    // A corner alone under the face.
+    // A single corner under the face.
     const Mesh spike = make_mesh({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}},
                                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}});
     EXPECT_EQ(found(spike, box, translation_pose(0.3, 0.2, 2)), Found::Touch);
@@ -319,7 +319,7 @@ TEST(Penetration, CavitiesAndOtherComponentsCountByParity) {
     const Mesh on_its_floor = box_at(Vec3(3, 3, 2), Vec3(4, 4, 3));
     const Mesh on_the_top = box_at(Vec3(3, 3, 8), Vec3(4, 4, 9));
     const Mesh under_its_floor = box_at(Vec3(3, 3, 1), Vec3(4, 4, 2));
-    // Whichever way each component is wound, the space between the two is the solid.
+    // With any winding of the components, the space between them is the solid.
     for (const Mesh& outer : {outside, reversed(outside)}) {
         for (const Mesh& inner : {cavity, reversed(cavity)}) {
             const Mesh hollow = join({outer, inner});
@@ -333,7 +333,7 @@ TEST(Penetration, CavitiesAndOtherComponentsCountByParity) {
     const Mesh apart = translated(outside, Vec3(20, 0, 0));
     EXPECT_EQ(found(join({outside, apart}), on_the_top), Found::Touch);
     EXPECT_EQ(found(join({apart, outside}), join({apart, on_the_top})), Found::Penetrate);
-    // Two components that overlap: on their common top nothing is said, beside it all is.
+    // Two overlapping components: on their common top nothing is known, beside it everything.
     const Mesh overlapping = join({outside, box_at(Vec3(1, 0, 0), Vec3(9, 8, 8), 3)});
     EXPECT_EQ(found(overlapping, on_the_top), Found::Touch);
 }
@@ -357,7 +357,7 @@ TEST(Penetration, FlattenedBodiesHaveNoInside) {
     EXPECT_EQ(found(box, box, {flat, flat}), Found::Touch);
     EXPECT_EQ(found(box, box, {Pose{}, flat}), Found::Touch) << "on the bottom";
     EXPECT_EQ(found(box, box, {flat, Pose{}}), Found::Touch);
-    // In its middle; the sides are lines on its sides.
+    // In the middle; the sides are lines on its sides.
     const Pose middle = Pose::from_matrix(Vec3(1, 1, 0).asDiagonal(), Vec3(0, 0, 2));
     EXPECT_EQ(found(box, box, {Pose{}, middle}), Found::Penetrate);
     EXPECT_EQ(found(box, box, {middle, Pose{}}), Found::Penetrate);
@@ -376,9 +376,9 @@ TEST(Penetration, IgnoredPairsMakeNoClaim) {
     };
     EXPECT_TRUE(penetrates_but({}, poses));
     EXPECT_FALSE(penetrates_but({{0, count, 0, count}}, poses));
-    // Every triangle is named, though not every pair: no interior point is asked.
+    // Every triangle is ignored in some pair: no interior point is tested.
     EXPECT_FALSE(penetrates_but({{0, count, 0, 1}, {0, 1, 0, count}}, poses));
-    // Coplanar pairs that are left still say what they say.
+    // The remaining coplanar pairs still count.
     EXPECT_TRUE(penetrates_but({{0, count, 0, 1}, {0, 1, 0, count}}, PosePair{}));
 }
 

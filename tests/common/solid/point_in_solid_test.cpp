@@ -1,6 +1,5 @@
-// Proves that the place right beside a point on a solid's surface is told as moving the point a
-// little there would tell it; and that the side on which the solid lies is found whichever way its
-// triangles are wound.
+// Proves that a position right beside a surface point is classified as a slightly moved point would
+// be, and that the solid's side is found for any winding.
 #include "common/solid/point_in_solid.hpp"
 
 #include "common/tree/build/build.hpp"
@@ -23,14 +22,14 @@ SolidPoint exact_point(const Vec3& at) {
     return {at, 0, [at] { return ExactPoint{{to_dyadic(at)}, Dyadic{1, 0}}; }};
 }
 
-/// The triangles of a cube whose corners have coordinates -1 and 1 that hold the point.
+/// Returns the triangles that hold the point, of a cube with corners at -1 and 1.
 std::vector<std::uint32_t> holders(const Mesh& cube, const Vec3& point) {
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < cube.triangles().size(); ++i) {
         const Corners corners = cube.corners(i);
         for (int axis = 0; axis < 3; ++axis) {
             const double level = corners[0][axis];
-            // Of a face in its plane all are as good as those that hold the point.
+            // All triangles of a face in the point's plane count as holders.
             if (corners[1][axis] == level && corners[2][axis] == level && point[axis] == level) {
                 found.push_back(i);
             }
@@ -48,8 +47,8 @@ TEST(PointInSolid, BesideAPointOfTheSurfaceIsWhereASmallStepLeads) {
         SolidTest solid(tree);
         int inside = 0;
         int outside = 0;
-        // Points of faces, edges and corners, with a plane on whose upper side no holder has
-        // anything, and the planes of the faces themselves, which have nothing on either.
+        // Points of faces, edges and corners, with a plane above which no holder reaches, and with
+        // the planes of the faces, which no holder leaves.
         for (const Vec3& at : {Vec3(1, 0.25, -0.5),
                                Vec3(1, -1, 0.125),
                                Vec3(1, 1, 1),

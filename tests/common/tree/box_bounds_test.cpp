@@ -1,6 +1,6 @@
-// Proves that no pair that touches is lost between boxes, however near to touching, crooked, skewed
-// or far away they are: in exact terms, with every kind of pose. And that the bounds are needed:
-// the same search catches a test whose bounds are smaller.
+// Proves that the box test loses no touching pair, however near to touching, crooked, skewed or
+// distant the boxes are: in exact terms, with every kind of pose. Also proves that its bounds are
+// needed: the search finds a test with smaller bounds wrong.
 
 #include "common/tree/box_test.hpp"
 #include "tests/common/tree/exact_box.hpp"
@@ -19,17 +19,17 @@ namespace {
 
 struct Tally {
     int rejected = 0;
-    int lost = 0; ///< Rejected though they share a point.
+    int lost = 0; ///< Rejected although they share a point.
 };
 
-/// Sizes and distances of boxes: ordinary, small features far away, and tiny ones.
+/// Sizes and distances of boxes: ordinary, small but distant, and tiny ones.
 struct Setting {
     double size;
     double offset;
 };
 constexpr std::array<Setting, 4> settings{{{1, 1}, {1e-3, 1e7}, {1e6, 1e-6}, {1e-20, 1e-3}}};
 
-/// Boxes placed so that they touch but for some roundings.
+/// Tests boxes that touch up to some roundings.
 Tally search_touching(double error_scale, std::uint64_t rounds) {
     Tally tally;
     for (std::uint64_t seed = 0; seed < rounds; ++seed) {
@@ -46,7 +46,7 @@ Tally search_touching(double error_scale, std::uint64_t rounds) {
     return tally;
 }
 
-/// From such a place, B is moved away until the test just rejects.
+/// Moves B away from touching until the test just rejects.
 Tally search_brinks(double error_scale, std::uint64_t rounds) {
     Tally tally;
     for (std::uint64_t seed = 0; seed < rounds; ++seed) {
@@ -69,7 +69,7 @@ Tally search_brinks(double error_scale, std::uint64_t rounds) {
         double near = -0.5;
         double far = 64;
         if (!kept(near) || kept(far)) {
-            continue; // The error is larger than the boxes.
+            continue; // The error exceeds the boxes.
         }
         for (int i = 0; i < 64; ++i) {
             const double middle = 0.5 * near + 0.5 * far;
@@ -86,12 +86,12 @@ Rational determinant(const ExactMat& m) {
     return dot(m[0], cross(m[1], m[2]));
 }
 
-/// The place of a point of B in A's body coordinates.
+/// Maps a point of B to A's body coordinates.
 ExactVec seen_from_a(const Vec3& point, const PosePair& poses) {
     const ExactMat a = exact_rotation(poses.a);
     const ExactVec world = exact_rotation(poses.b) * exact(point) + exact(poses.b.translation());
     const ExactVec from_a = world + scaled(Rational(-1), exact(poses.a.translation()));
-    // By Cramer's rule, with the columns of A's matrix.
+    // Cramer's rule with the columns of A's matrix.
     const auto column = [&](std::size_t k) { return ExactVec{a[0][k], a[1][k], a[2][k]}; };
     const Rational whole = determinant(a);
     ExactVec seen;
@@ -115,7 +115,7 @@ bool holds(const Aabb& box, const ExactVec& point) {
     return true;
 }
 
-/// Triangles of B, seen as boxes by A, that do not hold one of their corners.
+/// Counts triangles of B whose box, seen from A, misses one of their corners.
 int search_triangle_bounds(double error_scale, std::uint64_t rounds) {
     int lost = 0;
     for (std::uint64_t seed = 0; seed < rounds; ++seed) {
@@ -137,7 +137,7 @@ int search_triangle_bounds(double error_scale, std::uint64_t rounds) {
     return lost;
 }
 
-/// The eight corners of a box in its body's coordinates, exactly.
+/// Returns the exact corners of a box in body coordinates.
 std::vector<ExactVec> corners_of(const ObbNode& node) {
     const ExactBox box = exact_box(node, Pose{});
     std::vector<ExactVec> corners;
@@ -151,9 +151,9 @@ std::vector<ExactVec> corners_of(const ObbNode& node) {
     return corners;
 }
 
-/// The largest squared distance of a point of one box from a point of the other, as A sees them.
+/// Returns the largest squared distance between points of the two boxes, in A's coordinates.
 Rational squared_distance_max(const ObbNode& a, const ObbNode& b, const PosePair& poses) {
-    // A's rotation is the identity, so the world is A's body but for its translation.
+    // A's rotation is the identity, so only its translation separates its body from the world.
     Rational farthest = 0;
     const ExactMat turn = exact_rotation(poses.b);
     const ExactVec move =
@@ -176,7 +176,7 @@ TEST(BoxBounds, BoxesThatTouchButForRoundingsAreNotLost) {
 TEST(BoxBounds, WhereTheTestJustRejectsTheBoxesAreApart) {
     const Tally tally = search_brinks(1, 400);
     EXPECT_EQ(tally.lost, 0);
-    EXPECT_GT(tally.rejected, 150); // Else this would prove little.
+    EXPECT_GT(tally.rejected, 150); // Without rejections this proves little.
 }
 
 TEST(BoxBounds, SmallerBoundsLoseTouchingBoxes) {
@@ -202,7 +202,7 @@ TEST(BoxBounds, TheLargestDistanceOfTwoBoxesIsBounded) {
         PosePair poses = touching_poses(random, a, b, setting.offset);
         poses.a = translation_pose(0, 0, 0);
         if (seed % 2 == 0) {
-            // All in one line: diagonal beside diagonal, where the bound is nearly reached.
+            // The diagonals lie on one line, where the bound is nearly reached.
             b = a;
             poses.b = with_translation(Pose{}, Vec3::Zero());
             Vec3 diagonal = Vec3::Zero();

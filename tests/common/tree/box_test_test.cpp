@@ -1,5 +1,5 @@
-// Proves that the box test never rejects boxes that share a point, in exact terms and however the
-// numbers round, and that it does reject boxes that are apart by little.
+// Proves that the box test never rejects boxes that share a point, in exact terms and under any
+// rounding, and that it rejects boxes a small distance apart.
 
 #include "common/tree/box_test.hpp"
 
@@ -17,7 +17,7 @@ namespace cd::tests {
 
 namespace {
 
-/// The box of a flat, a long or a round cloud, with a frame as the builder makes it.
+/// Makes the box of a flat, long or round cloud, with a frame as the builder makes it.
 ObbNode random_node(std::mt19937_64& random, double offset, double scale = 1) {
     ThreadPool pool(1);
     Mesh soup = make_triangle_soup(random, 6);
@@ -51,12 +51,12 @@ double size_of(const ObbNode& node) {
            static_cast<double>(node.half[2]);
 }
 
-/// Poses of B moved along a line until the two boxes are just not rejected, and just rejected.
+/// Two poses of B on a line: one just not rejected, one just rejected.
 struct Brink {
     PosePair inside;
     PosePair outside;
     Vec3 direction;
-    double step = 0; ///< Between the two.
+    double step = 0; ///< Distance of the two poses.
 };
 
 Brink find_brink(std::mt19937_64& random, const ObbNode& a, const ObbNode& b, double offset) {
@@ -92,7 +92,7 @@ TEST(BoxTest, RejectsOnlyBoxesThatAreApart) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         std::mt19937_64 random(seed);
-        // Small boxes far away are where the roundings of the centres count most.
+        // Roundings of the centres matter most for small, distant boxes.
         const double offset = seed % 2 == 0 ? 1e6 : 1.0;
         const double scale = seed % 2 == 0 ? 1e-5 : 1.0;
         const ObbNode a = random_node(random, offset, scale);
@@ -110,21 +110,21 @@ TEST(BoxTest, RejectsBoxesApartByAHundredThousandthOfTheirSize) {
         const ObbNode a = random_node(random, 1.0);
         const ObbNode b = random_node(random, 1.0);
         const Brink brink = find_brink(random, a, b, 1.0);
-        // Pulled back to where they really overlap again: from there on it is at most the margin.
+        // Pulled back by at most the margin, the boxes really overlap.
         const double gap = 1e-5 * (size_of(a) + size_of(b));
         double pulled = 0;
         PosePair poses = brink.inside;
         while (!exactly_overlap(a, b, poses)) {
             pulled += 0.25 * gap;
             poses.b = moved(brink.inside.b, -pulled * brink.direction);
-            // Moving along a line that grazes the boxes opens the gap slowly.
+            // On a line that grazes the boxes the gap opens slowly.
             ASSERT_LT(pulled, 20 * gap);
         }
     }
 }
 
 TEST(BoxTest, KeepsBoxesThatTouchInOnePoint) {
-    // Boxes of one body next to each other, on a lattice that floats hold exactly.
+    // Adjacent boxes of one body, on a lattice that floats represent exactly.
     ObbNode a;
     a.axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     a.half = {0.5F, 0.5F, 0.5F};

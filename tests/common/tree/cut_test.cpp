@@ -1,6 +1,6 @@
-// Proves that a cut loses nothing: the contacts under all pairs of colliding roots together are the
-// whole answer, each once, at every depth; that indicators are those of the paper's Table 1; and
-// that nodes of foreign origin are checked.
+// Proves that a cut loses nothing: at every depth the contacts under all colliding root pairs are
+// the whole answer, each once; that indicators are those of the paper's Table 1; and that untrusted
+// nodes are checked.
 
 #include "common/tree/cut.hpp"
 
@@ -24,7 +24,7 @@ ObbTree make_tree(Mesh mesh) {
     return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
 }
 
-/// The contacts under the pairs of roots, gathered from subtrees that stand on their own.
+/// Returns the contacts under the root pairs, from independent subtrees.
 std::vector<ContactPair> contacts_under_roots(const ObbTree& a,
                                               const ObbTree& b,
                                               std::uint32_t depth_a,
@@ -65,7 +65,7 @@ ObbNode make_box_node(std::uint32_t right, std::uint32_t begin, std::uint32_t en
     return node;
 }
 
-/// ((2, 3), 4): three leaves under two inner nodes, by their triangles.
+/// Makes ((2, 3), 4): three leaves of so many triangles under two inner nodes.
 std::vector<ObbNode> three_leaves() {
     return {make_box_node(4, 0, 9),
             make_box_node(3, 0, 5),

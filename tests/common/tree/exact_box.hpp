@@ -1,4 +1,4 @@
-// Boxes and poses in rational arithmetic: the slow and obvious side of the box tests.
+// Boxes and poses in rational arithmetic: the slow reference for box tests.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -52,7 +52,7 @@ inline ExactVec center_of(const ObbNode& node) {
     return {Rational(node.center[0]), Rational(node.center[1]), Rational(node.center[2])};
 }
 
-/// The contract of ObbNode.
+/// Checks the contract of ObbNode.
 inline bool contains(const ObbNode& node, const Vec3& point) {
     const ExactVec alpha = axes_of(node) * (exact(point) + scaled(Rational(-1), center_of(node)));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -63,7 +63,7 @@ inline bool contains(const ObbNode& node, const Vec3& point) {
     return true;
 }
 
-/// The linear part of a pose as it was meant.
+/// Returns the exact linear part of a pose.
 inline ExactMat exact_rotation(const Pose& pose) {
     if (pose.kind() == Pose::Kind::Matrix) {
         const Mat3& m = pose.matrix();
@@ -85,10 +85,10 @@ inline ExactMat exact_rotation(const Pose& pose) {
     return m;
 }
 
-/// A box in the world: a parallelepiped, as its frame is only nearly orthonormal.
+/// A box in the world: a parallelepiped, since its frame is only nearly orthonormal.
 struct ExactBox {
     ExactVec center;
-    std::array<ExactVec, 3> edges; ///< From the centre to the middle of three faces.
+    std::array<ExactVec, 3> edges; ///< From the centre to three faces' middles.
 };
 
 inline ExactBox exact_box(const ObbNode& node, const Pose& pose) {
@@ -98,15 +98,15 @@ inline ExactBox exact_box(const ObbNode& node, const Pose& pose) {
     ExactBox box;
     box.center = rotation * center_of(node) + exact(pose.translation());
     for (std::size_t k = 0; k < 3; ++k) {
-        // The columns of the frame's inverse.
+        // Columns of the frame's inverse.
         const ExactVec column = cross(f[(k + 1) % 3], f[(k + 2) % 3]);
         box.edges[k] = rotation * scaled(Rational(node.half[k]) / determinant, column);
     }
     return box;
 }
 
-/// True when the closed boxes share a point: no plane that a separating one could be turned to
-/// (along a face of one, or along an edge of each) separates them.
+/// True if the closed boxes share a point: no plane along a face of one, or along one edge of each,
+/// separates them.
 inline bool exactly_overlap(const ExactBox& a, const ExactBox& b) {
     std::vector<ExactVec> axes;
     for (std::size_t i = 0; i < 3; ++i) {

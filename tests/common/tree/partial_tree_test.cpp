@@ -1,5 +1,4 @@
-// Proves that a worker's tree knows which of its slots are empty, and that a subtree in use
-// outlives its slot.
+// Proves that a worker's tree knows its empty slots, and that a subtree in use outlives its slot.
 
 #include "common/tree/partial_tree.hpp"
 

@@ -1,6 +1,5 @@
-// Proves that the sums over rows of bits are those of asking holder by holder, on every SIMD
-// target, for any number of holders and any weights, and that holders keep what they hold when more
-// come.
+// Proves that the sums over rows of bits equal those holder by holder, on every SIMD target, for
+// any holders and weights, and that holders keep their roots when more join.
 #include "common/tree/root_holders.hpp"
 
 #include "common/geometry/simd_target.hpp"
@@ -33,7 +32,7 @@ Truth set_some(std::mt19937_64& random, RootHolders& holders) {
 }
 
 std::vector<WeightedRoot> some_roots(std::mt19937_64& random) {
-    // Triangles under roots, sums around the sixteen bits that are added at once, and above them.
+    // Triangles per root; sums are around the sixteen bits added at once, and above them.
     constexpr std::uint64_t weights_max[] = {200, 3'000, 70'000, 50'000'000};
     const std::uint64_t weight_max = weights_max[random() % 4];
     std::vector<WeightedRoot> roots;

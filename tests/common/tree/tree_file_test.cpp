@@ -1,6 +1,6 @@
-// Proves that trees come back from disk as they were, bit for bit, and answer as those that were
-// built; that a file which is damaged, cut short anywhere or of another mesh, build or version is
-// never taken for one; and that several processes may write one at once.
+// Proves that trees are restored from disk bit for bit and answer as built ones; that a damaged or
+// truncated file, or one of another mesh, build or version, is rejected; and that several processes
+// may write a file at once.
 
 #include "common/tree/tree_file.hpp"
 
@@ -66,7 +66,7 @@ class TreeFile : public testing::Test {
     [[nodiscard]] Tree read_binary() const { return read_tree_file(path_, mesh_, key()); }
     [[nodiscard]] Tree read_wide() const { return read_wide_tree_file(path_, mesh_, key()); }
 
-    /// Both kinds of files: how to write and to read one.
+    /// Reads and writes both kinds of files.
     struct Kind {
         std::function<Status()> write;
         std::function<Tree()> read;
@@ -97,7 +97,7 @@ TEST_F(TreeFile, TheBinaryFormComesBackAsItWas) {
 
 TEST_F(TreeFile, TheWideFormComesBackAsItWas) {
     std::mt19937_64 random(1);
-    // In doubles, in floats, and of a body that has none.
+    // In doubles, in floats, and of a body without a wide tree.
     const Mesh soup = make_triangle_soup(random, 700);
     for (const Mesh& mesh :
          {soup, make_gridded_box({2, 4, 8}, 7), translated(soup, {1e30, 0, 0})}) {
@@ -183,12 +183,12 @@ TEST_F(TreeFile, TheKeyTellsApartAllThatDecidesTheTree) {
             EXPECT_NE(keys[i], keys[k]) << i << " and " << k;
         }
     }
-    // Of the same tree with searches prepared or not.
+    // The tree's key does not depend on prepared searches.
     EXPECT_EQ(tree_key(mesh, {.prepare_search = false}), keys[0]);
 }
 
-/// Where this fails because the builder makes other trees, raise `tree_build_version` as well, so
-/// that trees on disk are not taken for new ones.
+/// If this fails because the builder's trees change, raise `tree_build_version`, so that stored
+/// trees do not pass for new ones.
 TEST_F(TreeFile, TheBuildersTreesAreThoseOfItsVersion) {
     std::mt19937_64 random(3);
     const ObbTree tree = build(share(make_triangle_soup(random, 5000, 0.1)));

@@ -1,5 +1,5 @@
-// Proves that what the writer puts the reader gets, that bytes are little-endian, and that bytes
-// cut short or counts that lie fail without a large allocation.
+// Proves that the reader returns what the writer wrote, that bytes are little-endian, and that
+// truncated bytes or false counts fail without a large allocation.
 #include "common/core/files/bytes.hpp"
 
 #include "common/core/varint.hpp"
@@ -50,7 +50,7 @@ TEST(Bytes, AReaderThatFailedGivesZerosAndStaysFailed) {
     ByteReader in(bytes);
     EXPECT_EQ(in.get<std::uint32_t>(), 0u);
     EXPECT_TRUE(in.failed());
-    EXPECT_EQ(in.get<std::uint8_t>(), 0); // Though a byte is left.
+    EXPECT_EQ(in.get<std::uint8_t>(), 0); // Although a byte is left.
     EXPECT_TRUE(in.get_array<std::uint8_t>(1).empty());
     EXPECT_EQ(in.get_text(), "");
     EXPECT_FALSE(in.complete());
@@ -68,7 +68,7 @@ TEST(Bytes, BytesLeftOverAreNotComplete) {
 TEST(Bytes, ACountThatLiesFailsBeforeAnyAllocation) {
     const Bytes bytes(64);
     constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-    // The second wraps around to 8 when multiplied by the size of a double.
+    // The second count, times the size of a double, wraps around to 8.
     for (const std::uint64_t count : {most, most / 8 + 2, std::uint64_t{9}}) {
         ByteReader in(bytes);
         EXPECT_TRUE(in.get_array<double>(count).empty());

@@ -1,5 +1,5 @@
-// Proves that what was compressed comes back, and that no bytes make the reader exceed its limit,
-// crash, or take damage for data.
+// Proves that decompression restores the data, and that no bytes make the reader exceed its limit,
+// crash, or accept damage.
 #include "common/core/files/compress.hpp"
 
 #include <gtest/gtest.h>
@@ -74,10 +74,10 @@ TEST(Compress, DamageStaysWithinTheLimit) {
 }
 
 TEST(Compress, AClaimTakesNoMemory) {
-    // A frame of a GiB that has one block, of one byte.
+    // A frame that claims a GiB but has one block, of one byte.
     Bytes lie = compress(Bytes(std::size_t{1} << 30), compression_level_fast);
     const Bytes little = compress(Bytes(1), compression_level_fast);
-    // Magic number, descriptor, window and the size in 4 bytes; or no window, and the size in 1.
+    // Magic number, descriptor, window and a size of 4 bytes; or no window and a size of 1 byte.
     ASSERT_EQ(std::to_integer<int>(lie[4]), 0x80);
     ASSERT_EQ(std::to_integer<int>(little[4]), 0x20);
     lie.resize(10);

@@ -1,5 +1,5 @@
-// Proves that hashes have their published values, in one piece or in many, and that their text form
-// is read back only when it is exactly one.
+// Proves that hashes have their published values, in one piece or in many, and that only an exact
+// text form is parsed.
 #include "common/core/files/hash.hpp"
 
 #include "common/core/files/bytes.hpp"

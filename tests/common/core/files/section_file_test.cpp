@@ -1,5 +1,5 @@
-// Proves that a file of sections comes back as it was written, and that nothing else is ever taken
-// for one: not what is shorter, longer or changed anywhere, nor what was made for something else.
+// Proves that a section file is read back as written, and that any other file is rejected: shorter,
+// longer or changed anywhere, or of another kind.
 #include "common/core/files/section_file.hpp"
 
 #include "tests/support/process.hpp"
@@ -46,7 +46,7 @@ TEST_F(SectionFileTest, ComesBackAsItWas) {
     EXPECT_TRUE(file.value()->section(1).empty());
     EXPECT_TRUE(std::ranges::equal(file.value()->array<double>(2).value(), doubles_));
     EXPECT_TRUE(file.value()->section(3).empty());
-    // Arrays may be used where they stand.
+    // Arrays are aligned for use in place.
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(file.value()->section(2).data()) % 64, 0u);
     using Seven = std::array<std::byte, 7>;
     EXPECT_FALSE(file.value()->array<Seven>(2)) << "24 bytes hold no whole number of them";

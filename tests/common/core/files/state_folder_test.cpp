@@ -1,4 +1,5 @@
-// Proves that what a program keeps is for its user alone, and that folders of others stay theirs.
+// Proves that a program's state is private to its user, and that folders of other users are not
+// touched.
 #include "common/core/files/state_folder.hpp"
 
 #include "tests/support/process.hpp"

@@ -1,4 +1,4 @@
-// Proves that whatever is logged stays within its line, and leaves the terminal as it is.
+// Proves that logged text stays within its line and cannot control the terminal.
 #include "common/core/host/log.hpp"
 
 #include "common/core/printable.hpp"
@@ -37,7 +37,7 @@ TEST(Log, NoLevelHidesWhatIsAlwaysSaid) {
 TEST(Printable, IsUtf8WithoutControlCharacters) {
     EXPECT_TRUE(is_printable(""));
     EXPECT_TRUE(is_printable("a name, \xc3\xa4 \xc2\xa0 \xe2\x82\xac ~"));
-    // The ends of what two, three and four bytes say, and of what lies between the surrogates.
+    // The first and last characters of two, three and four bytes, and those next to the surrogates.
     for (const char* text : {"\xdf\xbf",
                              "\xe0\xa0\x80",
                              "\xed\x9f\xbf",
@@ -53,7 +53,7 @@ TEST(Printable, IsUtf8WithoutControlCharacters) {
                              "\x7f",
                              "a\xc2\x80",
                              "\xc2\x9f z",
-                             // Cut short, without a beginning, longer than need be.
+                             // Truncated, without a first byte, or overlong.
                              "\xff",
                              "\xc3",
                              "\xe2\x82",
@@ -61,7 +61,7 @@ TEST(Printable, IsUtf8WithoutControlCharacters) {
                              "\xc1\x81",
                              "\xe0\x9f\xbf",
                              "\xf0\x8f\xbf\xbf",
-                             // Surrogates, and beyond the end.
+                             // Surrogates, and beyond the last code point.
                              "\xed\xa0\x80",
                              "\xed\xbf\xbf",
                              "\xf4\x90\x80\x80",

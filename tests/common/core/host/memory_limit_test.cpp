@@ -1,4 +1,4 @@
-// Proves that the least of all limits counts: of the host, and of each control group around us.
+// Proves that the least of all limits applies: the host's, and each enclosing control group's.
 #include "common/core/host/memory_limit.hpp"
 
 #include "tests/support/process.hpp"

@@ -1,5 +1,5 @@
-// Proves that a pool runs everything it was given exactly once, in order where it has one thread,
-// and that parallel_for returns only when every call has.
+// Proves that a pool runs every function exactly once, in order if it has one thread, and that
+// parallel_for returns only after every call.
 #include "common/core/host/thread_pool.hpp"
 
 #include <gtest/gtest.h>

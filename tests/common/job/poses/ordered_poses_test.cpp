@@ -1,5 +1,5 @@
-// Proves that the order in which scenarios are handed out has each of them once, within its
-// window, and depends on the window alone; and that a grid stays as it is.
+// Proves that the order of scenarios is a permutation within each window and depends on the window
+// alone; and that a grid keeps its order.
 #include "common/job/poses/ordered_poses.hpp"
 
 #include "common/core/limits/engine.hpp"
@@ -24,7 +24,7 @@ std::vector<Scenario> some_scenarios(std::uint64_t count) {
     return scenarios;
 }
 
-/// Counts how often it is read, and fails on demand.
+/// Counts reads, and fails on demand.
 class CountingSource final : public PoseSource {
   public:
     explicit CountingSource(std::vector<Scenario> scenarios) : scenarios_(std::move(scenarios)) {}

@@ -1,5 +1,5 @@
-// Proves that the order of poses is a permutation that depends on them alone, and that it brings
-// poses together that are near each other.
+// Proves that the order of poses is a permutation that depends on them alone and brings nearby
+// poses together.
 
 #include "common/job/poses/pose_order.hpp"
 
@@ -22,7 +22,7 @@ Scenario at(std::uint64_t index, const Pose& b) {
     return scenario;
 }
 
-/// A cube of translations, shuffled.
+/// Makes a cube of translations, shuffled.
 std::vector<Scenario> grid(std::mt19937_64& random, int side) {
     std::vector<Scenario> scenarios;
     for (int x = 0; x < side; ++x) {
@@ -36,7 +36,7 @@ std::vector<Scenario> grid(std::mt19937_64& random, int side) {
     return scenarios;
 }
 
-/// The mean number of steps in the grid from one scenario to the next.
+/// Returns the mean number of grid steps from one scenario to the next.
 double mean_step(const std::vector<Scenario>& scenarios, const std::vector<std::uint32_t>& order) {
     double sum = 0;
     for (std::size_t i = 1; i < order.size(); ++i) {
@@ -67,7 +67,7 @@ TEST(CoherentOrder, BringsNeighboursTogether) {
     const std::vector<Scenario> scenarios = grid(random, 8);
     std::vector<std::uint32_t> given(scenarios.size());
     std::iota(given.begin(), given.end(), 0u);
-    EXPECT_GT(mean_step(scenarios, given), 7.0); // Of a shuffle: 3 * (8 - 1/8) / 3.
+    EXPECT_GT(mean_step(scenarios, given), 7.0); // A shuffle has 3 * (8 - 1/8) / 3.
     EXPECT_LT(mean_step(scenarios, coherent_order(scenarios)), 2.0);
 }
 

@@ -1,5 +1,5 @@
-// Proves that grids and lists give the same scenarios however they are read, that quarter turns are
-// exact, and that a grid's description survives the journey and hostile bytes do not.
+// Proves that grids and lists give equal scenarios however they are read, that quarter turns are
+// exact, and that a grid's description survives the wire while hostile bytes are rejected.
 
 #include "common/job/poses/pose_source.hpp"
 

@@ -1,5 +1,6 @@
-// Proves that random scenarios are the same for any number of threads and any count, that they are
-// the paper's kind (small to medium penetration), and that bodies which cannot meet end the search.
+// Proves that random scenarios do not depend on the number of threads or the count, that they are
+// of the paper's kind (small to medium penetration), and that bodies that cannot meet end the
+// search.
 
 #include "common/core/limits/engine.hpp"
 #include "common/geometry/aabb.hpp"
@@ -83,7 +84,7 @@ TEST(RandomPoses, WithoutPenetrationTheBodiesJustCollide) {
     ThreadPool pool(2);
     for (const Scenario& scenario : make_random_poses(options, a, b, pool)) {
         EXPECT_TRUE(collides(a, b, scenario.poses));
-        // A thousandth farther out along the line there is no contact.
+        // A thousandth farther out on the line there is no contact.
         const Vec3 outwards = scenario.poses.b.translation() * 1.002;
         const Pose apart = Pose::from_quaternion(scenario.poses.b.quaternion(), outwards);
         EXPECT_FALSE(collides(a, b, {Pose{}, apart}));
@@ -91,7 +92,7 @@ TEST(RandomPoses, WithoutPenetrationTheBodiesJustCollide) {
 }
 
 TEST(RandomPoses, BodiesThatCannotMeetEndTheSearch) {
-    // Two far points, and a point between them: no line ever collides.
+    // Two distant points, and a point between them: no line ever collides.
     const ObbTree far_points =
         make_tree(make_mesh({Vec3(-1, 0, 0), Vec3(1, 0, 0)}, {{0, 0, 0}, {1, 1, 1}}));
     const ObbTree point = make_tree(make_mesh({Vec3(0.1, 0.2, 0.3)}, {{0, 0, 0}}));

@@ -1,6 +1,5 @@
-// Proves that maps of contacts are the sums of their scenarios however these are grouped, come back
-// from their packed form as they were, and that bytes of any kind end in an error or in a map
-// within its bounds.
+// Proves that contact maps are the sums of their scenarios in any grouping, survive packing
+// unchanged, and that arbitrary bytes end in an error or a map within its bounds.
 #include "common/job/result/contact_map.hpp"
 
 #include "common/core/files/compress.hpp"
@@ -33,7 +32,7 @@ std::vector<ContactPair> some_pairs(std::mt19937_64& random) {
     return pairs;
 }
 
-/// What a map is, word by word.
+/// Counts a map straight from its definition.
 ContactMap counted(const std::vector<std::vector<ContactPair>>& scenarios) {
     std::array<std::map<std::uint32_t, std::uint64_t>, 2> counts;
     for (const auto& pairs : scenarios) {

@@ -1,6 +1,5 @@
-// Proves that records come back from their packed form byte for byte, whatever they hold; that
-// lists of pairs take few bytes; and that bytes of any kind end in an error or in records within
-// the limit.
+// Proves that any records are unpacked byte for byte; that lists of pairs take few bytes; and that
+// arbitrary bytes end in an error or in records within the limit.
 
 #include "common/job/result/packed_records.hpp"
 
@@ -109,7 +108,7 @@ TEST(PackedRecords, NeedNotBeCanonical) {
 }
 
 TEST(PackedRecords, OfPairsTakeFewBytes) {
-    // Triangles of a torus in strips, as files have them.
+    // Triangles of a torus in strips, as files order them.
     const ObbTree tree = [] {
         ThreadPool pool(1);
         return build_tree(share(make_torus(1, 0.4, 60, 30)), BuildOptions{}, pool);
@@ -141,7 +140,7 @@ TEST(PackedRecords, StayWithinTheLimit) {
     EXPECT_EQ(refused.error().code, ErrorCode::TooLarge);
 }
 
-/// The packed bytes with a column changed below its compression.
+/// Returns the packed bytes with a column changed before its compression.
 template <class Change>
 Bytes with_column(const Bytes& packed, std::size_t changed, const Change& change) {
     ByteReader in(packed);

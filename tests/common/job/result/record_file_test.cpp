@@ -1,5 +1,5 @@
-// Proves that a file of records gives back what was added, whole or sparse, and that a file that
-// was cut at any byte, or damaged at any, gives whole blocks that are right, or an error.
+// Proves that a record file returns all added records, whole or sparse, and that a file truncated
+// or damaged at any byte gives whole, right blocks or an error.
 #include "common/job/result/record_file.hpp"
 
 #include "tests/support/process.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A result of its own for each index; a few have pairs.
+/// Makes a distinct result for each index; a few have pairs.
 ScenarioResult result_of(std::uint64_t index) {
     ScenarioResult result;
     result.index = index;
@@ -41,7 +41,7 @@ void put(const std::filesystem::path& path, std::span<const std::byte> bytes) {
 
 class RecordFiles : public testing::Test {
   protected:
-    /// Blocks of `block` records each of scenarios [first, end).
+    /// Adds scenarios [first, end) in blocks of `block` records each.
     static void
     add(RecordWriter& writer, std::uint64_t first, std::uint64_t end, std::uint64_t block) {
         for (std::uint64_t i = first; i < end; ++i) {
@@ -52,7 +52,8 @@ class RecordFiles : public testing::Test {
         }
     }
 
-    /// How many records there are; each is the right one, and they begin with scenario 0.
+    /// Returns the number of records; expects each to be right, and that they begin with scenario
+    /// 0.
     static std::uint64_t checked(const RecordFile& file) {
         std::uint64_t next = 0;
         const Status read = file.for_each([&](const KeptRecord& record) -> Status {
@@ -110,7 +111,7 @@ TEST_F(RecordFiles, ScenariosWithoutAResultAreLeftOut) {
 }
 
 TEST_F(RecordFiles, AFileCutAtAnyByteReadsToItsLastWholeBlock) {
-    std::vector<std::uint64_t> ends; // Bytes of the file after each block of three.
+    std::vector<std::uint64_t> ends; // File size after each block of three.
     {
         auto writer = RecordWriter::create(path_);
         ASSERT_TRUE(writer);
@@ -181,7 +182,7 @@ TEST_F(RecordFiles, DamageIsAnErrorOrEndsTheFile) {
         } else {
             EXPECT_THAT(scanned.error().detail, HasSubstr(path_.string()));
         }
-        // Bytes 12 to 15 mean nothing.
+        // Bytes 12 to 15 have no meaning.
         const auto opened = RecordFile::open(path_);
         const Status read =
             opened ? opened.value().for_each([](const KeptRecord&) -> Status { return Done{}; })

@@ -1,5 +1,5 @@
-// Proves that a result has one record: it comes back as it was, its bytes and digest are the golden
-// ones, and bytes that no result could have made are refused.
+// Proves that a result has one record: it is restored exactly, its bytes and digest are the golden
+// ones, and bytes that no result produces are refused.
 
 #include "common/job/result/result.hpp"
 
@@ -80,7 +80,7 @@ std::vector<ScenarioResult> examples() {
             make_skipped_result()};
 }
 
-/// The record of `result` with one byte replaced.
+/// Returns the record of `result` with one byte replaced.
 Bytes patched(const ScenarioResult& result, std::size_t place, std::uint8_t value) {
     Bytes bytes = encode_result(result);
     bytes.at(place) = std::byte{value};
@@ -117,7 +117,7 @@ TEST(Result, RecordsComeBackToTheSameBytes) {
 }
 
 TEST(Result, DigestsAreTheGoldenOnes) {
-    // These stand for all results ever stored: another value is another version of the record.
+    // These stand for all stored results: another value means another version of the record.
     EXPECT_EQ(to_short_hex(digest_of(examples()[0])), "0f2316e6f22830f9");
     EXPECT_EQ(to_short_hex(digest_of(examples()[1])), "8570a3e61b9358d9");
     EXPECT_EQ(to_short_hex(digest_of(make_pairs_result())), "855e617e4e16bd3d");
@@ -139,9 +139,9 @@ TEST(Result, ZeroAndNanHaveOnePattern) {
     EXPECT_TRUE(decode_result(encode_result(negative)));
 
     Bytes bytes = encode_result(make_contacts_result());
-    bytes.back() = std::byte{0x80}; // The last coordinate becomes a negative denormal,
+    bytes.back() = std::byte{0x80}; // The last coordinate becomes a negative denormal.
     EXPECT_TRUE(decode_result(bytes));
-    bytes[bytes.size() - 8] = std::byte{0}; // and then minus zero.
+    bytes[bytes.size() - 8] = std::byte{0}; // The last coordinate becomes minus zero.
     EXPECT_FALSE(decode_result(bytes));
 }
 
@@ -212,7 +212,7 @@ TEST(Result, ABoundIsADistanceOfBodiesNotInContact) {
     bytes.back() = std::byte{0x80}; // Minus zero.
     EXPECT_FALSE(decode_result(bytes));
 
-    // Pairs may be proven beside boxes that were left.
+    // Pairs may be proven although undecided boxes are left.
     result = make_pairs_result();
     result.kind = ScenarioClass::Undecided;
     EXPECT_TRUE(with_bound(0));

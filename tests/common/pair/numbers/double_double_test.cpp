@@ -1,4 +1,4 @@
-// Proves the error bounds of arithmetic in pairs of doubles, against rational arithmetic.
+// Proves the error bounds of double-double arithmetic against rational arithmetic.
 #include "common/pair/numbers/double_double.hpp"
 
 #include "tests/support/clipping_oracle.hpp"
@@ -18,7 +18,7 @@ Rational value_of(const DoubleDouble& x) {
     return Rational(x.high) + Rational(x.low);
 }
 
-/// Often short, or with parts that are almost a half step, or far below it.
+/// Makes numbers that are often short, or with a low part near a half ulp or far below it.
 DoubleDouble make_double_double(std::mt19937_64& random) {
     const auto part = [&](double reach) {
         const double value = uniform(random, -reach, reach);
@@ -51,7 +51,7 @@ TEST(DoubleDouble, OperationsErrByLessThanTheirBounds) {
     Rational worst = 0;
     for (int round = 0; round < 6000; ++round) {
         const DoubleDouble x = make_double_double(random);
-        // Some nearly cancel.
+        // Some sums nearly cancel.
         DoubleDouble y = make_double_double(random);
         if (round % 3 == 0) {
             y = exact_sum(-x.high * (1 + 0x1p-52 * static_cast<double>(random() % 3)), y.low);
@@ -75,7 +75,7 @@ TEST(DoubleDouble, OperationsErrByLessThanTheirBounds) {
             check(x / y, exact_x / exact_y, 2 * abs(exact_x / exact_y));
         }
     }
-    // The rounds are hard enough for errors of a few u^2 to occur.
+    // The rounds are hard enough to cause errors of a few u^2.
     EXPECT_GT(worst, Rational(0x1p-105));
 }
 

@@ -1,5 +1,5 @@
 // Proves that exact numbers made from doubles stay exact, and that a ratio of integers is rounded
-// to the nearest finite double, to even from the middle, from denormal numbers to the largest.
+// to the nearest finite double, ties to even, from denormals to the largest.
 #include "common/pair/numbers/dyadic.hpp"
 
 #include "tests/support/clipping_oracle.hpp"
@@ -63,11 +63,11 @@ TEST(Dyadic, EveryRatioIsRoundedToTheNearest) {
 TEST(Dyadic, TheMiddleGoesToEvenAndWhatIsBesideItDoesNot) {
     std::mt19937_64 random(2);
     for (int round = 0; round < 5'000; ++round) {
-        // Twice a mantissa plus 1, also of denormal numbers and those that round up to a power.
+        // Twice a mantissa plus 1, including denormals and values that round up to a power of two.
         const std::uint64_t mantissa = round % 7 == 0 ? (1ull << 53) - 1 : random() >> 11;
         const ExactInt middle = (ExactInt(mantissa) << 1) + 1;
         const int exponent = round % 2 == 0 ? -1075 : static_cast<int>(random() % 2000) - 1070;
-        // The same, times an odd number, over that number; and by the least that can be told off.
+        // The midpoint as a fraction over an odd d, exact or off by the least amount.
         const ExactInt d = (random_int(random, 200) << 1) + 1;
         for (const int off : {-1, 0, 1}) {
             const ExactInt n = middle * d + off;

@@ -1,4 +1,4 @@
-// Proves that the side of a line is exact where doubles cannot tell it.
+// Proves that the side of a line is exact where doubles cannot decide it.
 #include "common/pair/numbers/orientation.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Proves that integers of a fixed number of words compute exactly what unlimited ones do, up to the
-// largest numbers that they promise to take.
+// Proves that fixed-size integers compute exactly what unlimited ones do, up to the largest numbers
+// they support.
 #include "common/pair/numbers/wide_int.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -23,8 +23,8 @@ Unlimited unlimited(const WideInt<n>& value) {
     return sum;
 }
 
-/// Canonical and below 2^bits_max(n): random, a power of two or next to one, or the ends of the
-/// range.
+/// Makes canonical values below 2^bits_max(n): random, at or next to a power of two, or the ends of
+/// the range.
 template <std::size_t n>
 WideInt<n> some_number(std::mt19937_64& random) {
     constexpr std::int64_t last = std::int64_t{1} << (wide_int::word_bits - 2);
@@ -85,7 +85,7 @@ TEST(WideInt, ComputesWhatUnlimitedIntegersDo) {
 }
 
 TEST(WideInt, ProductsOfTheLargestNumbersFit) {
-    // Differences of the largest with the least, in the pattern that makes a determinant largest.
+    // Differences of the largest and least numbers, in the pattern that maximises a determinant.
     WideInt<4> largest;
     largest.word.fill(wide_int::word_mask);
     largest.word[3] = (std::int64_t{1} << 58) - 1;

@@ -1,6 +1,6 @@
-// Proves that the error bounds of the fast path to shared points are needed, and enough: on pairs
-// whose points lie as near to the middle between two doubles as a translation can bring them, what
-// it answers is right, and wrong once its bounds are scaled down.
+// Proves that the error bounds of the fast path to shared points are needed and sufficient: on
+// pairs whose points are as near the midpoint of two doubles as a translation can bring them, its
+// answers are right, and become wrong if its bounds are scaled down.
 #include "common/pair/points/double_double_points.hpp"
 
 #include "common/pair/points/exact_points.hpp"
@@ -20,7 +20,7 @@ namespace cd::tests {
 
 namespace {
 
-/// What the fast path answers of itself.
+/// Returns the fast path's own answer, if it has one.
 std::optional<std::vector<Vec3>>
 fast_points(const PosedPair& c, double bound_scale, const Vec3& origin) {
     DoubleDoublePoints fast(c.poses, bound_scale);
@@ -37,7 +37,7 @@ fast_points(const PosedPair& c, double bound_scale, const Vec3& origin) {
     return points ? std::optional(std::vector<Vec3>(points->begin(), points->end())) : std::nullopt;
 }
 
-/// The middle between two doubles that is nearest to a number.
+/// Returns the midpoint of two adjacent doubles that is nearest to a number.
 Rational middle_near(const Rational& exact) {
     const auto nearest = exact.convert_to<double>();
     const double towards = Rational(nearest) < exact ? std::numeric_limits<double>::infinity()
@@ -54,8 +54,8 @@ PosedPair moved(PosedPair c, const Vec3& by) {
     return c;
 }
 
-/// The pair with a translation, far less than a step of its coordinates, that brings a
-/// component of one of its points, relative to the origin, near a middle.
+/// Translates the pair, by far less than a coordinate's ulp, so that a component of one of its
+/// points, relative to the origin, is near a midpoint.
 PosedPair brought_to_middle(const PosedPair& c, const Vec3& origin, std::mt19937_64& random) {
     const std::vector<RationalPoint> points = clipping_oracle_points(c.a, c.b, c.poses);
     if (points.empty()) {
@@ -70,7 +70,7 @@ PosedPair brought_to_middle(const PosedPair& c, const Vec3& origin, std::mt19937
     return moved(c, by);
 }
 
-/// In a lattice, so that they touch, turned together.
+/// Makes touching pairs on a lattice, turned together.
 PosedPair touching(std::mt19937_64& random, const Corners& a, const Corners& b) {
     PosedPair c{a, b, {}};
     c.poses.a = c.poses.b = moved({{}, {}, {make_pose(random, 1), Pose{}}}, Vec3::Zero()).poses.a;
@@ -112,7 +112,7 @@ std::map<std::string, PairMaker> makers() {
     return all;
 }
 
-/// How many pairs are answered wrongly.
+/// Returns the number of wrong answers.
 int wrong_answers(const PairMaker& make, double bound_scale, std::uint64_t seeds) {
     int wrong = 0;
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {

@@ -1,6 +1,6 @@
-// Proves that shared points are the corners of the exact set, each rounded once and correctly, in
-// an order that follows from that set alone; and that the fast path and the exact one give the same
-// bits.
+// Proves that shared points are the corners of the exact intersection, each rounded once and
+// correctly, in an order that follows from the intersection alone; and that fast and exact path
+// give equal bits.
 #include "common/pair/points/shared_points.hpp"
 
 #include "tests/support/clipping_oracle.hpp"
@@ -63,7 +63,7 @@ Bits bits_of(SharedPoints& shared, const PosedPair& c) {
     return bits;
 }
 
-/// Kinds beyond those that other tests share.
+/// Adds kinds to those shared with other tests.
 std::map<std::string, PairMaker> all_makers() {
     std::map<std::string, PairMaker> all = pair_makers();
     all["needles, both posed"] = [](auto& r) {
@@ -110,7 +110,7 @@ std::map<std::string, PairMaker> all_makers() {
 } // namespace
 
 TEST(SharedPoints, AreTheExactOnesRoundedOnceOnEveryKindOfPair) {
-    std::array<int, 7> seen{}; // Pairs by the number of their points.
+    std::array<int, 7> seen{}; // Pairs by number of points.
     for (const auto& [name, make] : all_makers()) {
         for (std::uint64_t seed = 0; seed < 50; ++seed) {
             SCOPED_TRACE(testing::Message() << name << ", seed " << seed);
@@ -179,14 +179,14 @@ TEST(SharedPoints, OrdinaryPairsTakeTheFastPath) {
 }
 
 TEST(SharedPoints, FacesAtRightAnglesToAnAxisTakeTheFastPathToo) {
-    // As of an unrotated vehicle: what is shared has a component that is exactly 0.
+    // As for an unrotated vehicle: the intersection has a component that is exactly 0.
     std::mt19937_64 random(7);
     PointStatistics total;
     std::uint64_t meeting = 0;
     for (int i = 0; i < 3'000; ++i) {
         PosedPair c{random_corners(random, 1), random_corners(random, 1), {}};
         const int axis = i % 3;
-        // The whole face, or one edge.
+        // Share the whole face, or one edge.
         for (std::size_t k = 0; k < (i % 4 < 2 ? 3 : 2); ++k) {
             c.a[k][axis] = 0.3;
         }
@@ -198,7 +198,7 @@ TEST(SharedPoints, FacesAtRightAnglesToAnAxisTakeTheFastPathToo) {
         SharedPoints exact(c.poses, SharedPoints::Path::Exact);
         ASSERT_EQ(bits_of(any, c), bits_of(exact, c)) << i;
         meeting += any.points(c.a, c.b).empty() ? 0 : 1;
-        // Asked twice.
+        // Each pair is asked for twice.
         total.points_fast += any.statistics().points_fast / 2;
     }
     EXPECT_GT(meeting, 300u);
@@ -206,8 +206,8 @@ TEST(SharedPoints, FacesAtRightAnglesToAnAxisTakeTheFastPathToo) {
 }
 
 TEST(SharedPoints, PairsThatTouchTakeTheFastPathToo) {
-    // Corners on faces, edges and corners, and overlaps in one plane: as of bodies in contact,
-    // posed alike or not rotated at all.
+    // Corners on faces, edges and corners, and coplanar overlaps: as for bodies in contact, under
+    // equal poses or none.
     std::mt19937_64 random(8);
     std::uint64_t fast = 0;
     std::uint64_t meeting = 0;
@@ -237,8 +237,8 @@ TEST(SharedPoints, PairsThatTouchTakeTheFastPathToo) {
 }
 
 TEST(SharedPoints, WhatOnlyRoundsToARightAngleIsNone) {
-    // A quarter turn about z, but for a part about x whose square is lost in pairs of doubles: the
-    // x of the corner is some 1e-40 in truth.
+    // A quarter turn about z, plus a turn about x whose square is lost in double-doubles: the
+    // corner's true x is some 1e-40.
     const double half = std::sqrt(0.5);
     const Pose pose = Pose::from_quaternion({half, 1e-20, 0, half}, Vec3::Zero());
     const PosedPair c{{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)},

@@ -1,6 +1,6 @@
-// Proves that the principal directions are orthonormal, turn the matrix into a diagonal one and
-// come in ascending order, on random matrices and on those with equal, zero or nearly equal
-// eigenvalues; and that every SIMD target and number of matrices gets the same bits.
+// Proves that the principal directions are orthonormal, diagonalise the matrix and come in
+// ascending order, on random matrices and on equal, zero or nearly equal eigenvalues; and that bits
+// do not depend on the SIMD target or the number of matrices.
 
 #include "common/tree/build/build_eigen.hpp"
 
@@ -25,7 +25,7 @@ Directions directions_of(const Mat3& m) {
     return directions;
 }
 
-/// The matrix with these eigenvalues in a random frame.
+/// Makes a matrix with these eigenvalues in a random frame.
 Mat3 turned(const Vec3& values, std::mt19937_64& random) {
     const Mat3 r = make_pose(random, 1.0).rotation();
     const Mat3 m = r * values.asDiagonal() * r.transpose();
@@ -98,7 +98,7 @@ TEST(BuildEigen, EveryTargetAndNumberOfMatricesGetsTheSameBits) {
     std::vector<SymmetricMatrix> matrices(37);
     for (std::size_t i = 0; i < matrices.size(); ++i) {
         for (double& entry : matrices[i]) {
-            // Some flat, some all alike, some tiny and some huge.
+            // Some flat, some with equal values, some tiny and some huge.
             const double scale = i % 5 == 0 ? 1e-300 : i % 7 == 0 ? 1e300 : 1;
             entry = scale * (i % 6 == 0 ? 1 : static_cast<double>(random() >> 12) * 0x1p-52 - 0.5);
         }

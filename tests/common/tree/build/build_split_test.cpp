@@ -1,6 +1,6 @@
-// Proves that a split is the one with the least sum of relative segments that the rule admits: the
-// sweep against trying all of them, the sweep of few triangles against the sweep, and the bins
-// against the sweep where they can tell the triangles apart.
+// Proves that a split has the least sum of relative segments that the rule admits: the sweep
+// against all splits, the sweep of few triangles against the sweep, and bins against the sweep if
+// they separate the triangles.
 
 #include "common/tree/build/build_split.hpp"
 
@@ -20,7 +20,7 @@ double uniform(std::mt19937_64& random) {
     return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-/// Intervals of random length in a box of 1 x 2 x 3.
+/// Makes intervals of random length in a box of 1 x 2 x 3.
 std::vector<Projection> random_projections(std::mt19937_64& random, std::size_t count) {
     std::vector<Projection> all(count);
     for (Projection& one : all) {
@@ -40,7 +40,7 @@ Projection whole_of(std::span<const Projection> all) {
     return whole;
 }
 
-/// The sum of relative segments on an axis if these triangles go left.
+/// Returns the sum of relative segments on an axis if these triangles go left.
 double
 segment_sum(std::span<const Projection> all, std::size_t axis, const std::vector<bool>& goes_left) {
     Projection left = empty_projection();
@@ -64,7 +64,7 @@ std::vector<std::size_t> order_along(std::span<const Projection> all, std::size_
     return order;
 }
 
-/// The least sum of all splits on all axes with `side` triangles on each side at least.
+/// Returns the least sum of all splits on all axes with at least `side` triangles on each side.
 double least_sum(std::span<const Projection> all, std::size_t side) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -80,7 +80,7 @@ double least_sum(std::span<const Projection> all, std::size_t side) {
     return least;
 }
 
-/// What `part_triangles` makes of the split, by places.
+/// Returns each triangle's side after `part_triangles`.
 std::vector<bool> sides_of(std::span<const Projection> all, const Split& split) {
     std::vector<BuildTriangle> triangles(all.size());
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -107,7 +107,7 @@ std::optional<Split> bin_split(std::span<const Projection> all) {
     return binned_split(all, whole, bins, scratch);
 }
 
-/// Triangles whose maxima lie in the middles of different bins on each axis, in three orders.
+/// Makes triangles whose maxima are in the middles of different bins on each axis, in three orders.
 std::vector<Projection> one_in_each_bin(std::mt19937_64& random) {
     constexpr std::size_t count = BinScale::bin_count;
     std::vector<Projection> all(count);
@@ -220,7 +220,7 @@ TEST(BuildSplit, PiecesOfANodeFillTheSameBins) {
 
 TEST(BuildSplit, AnAxisOnWhichOneBinHoldsTooManyIsSwept) {
     std::mt19937_64 random(6);
-    // A triangle far away on all axes leaves the others in one bin.
+    // A triangle far away on all axes puts the others into one bin.
     auto all = random_projections(random, 200);
     all[77].fill({1000, 1001});
     const auto split = bin_split(all);

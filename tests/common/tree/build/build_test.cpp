@@ -1,5 +1,5 @@
 // Proves that a tree holds every triangle once, in boxes that contain them in exact terms, that it
-// is the same for any number of threads, and that no input brings the builder down.
+// does not depend on the number of threads, and that no input crashes the builder.
 
 #include "common/tree/build/build.hpp"
 
@@ -34,12 +34,12 @@ void expect_every_triangle_once(const ObbTree& tree) {
     }
 }
 
-/// Preorder with consecutive ranges: the left child follows its parent, the right one follows all
-/// below the left.
+/// Expects preorder with consecutive ranges: the left child follows its parent, the right one the
+/// left's subtree.
 void expect_preorder(std::span<const ObbNode> nodes, std::size_t triangles) {
     ASSERT_EQ(nodes[0].triangles_begin, 0u);
     ASSERT_EQ(nodes[0].triangles_end, triangles);
-    std::vector<std::uint32_t> ends(nodes.size(), 0); // One past the last node of the subtree.
+    std::vector<std::uint32_t> ends(nodes.size(), 0); // One past the last node of each subtree.
     for (std::size_t i = nodes.size(); i-- > 0;) {
         const ObbNode& node = nodes[i];
         ASSERT_LT(node.triangles_begin, node.triangles_end);
@@ -110,8 +110,7 @@ Mesh scaled_soup(std::uint64_t seed, double scale, const Vec3& offset) {
     return make_mesh(vertices, soup.triangles());
 }
 
-/// Triangles of doubling size, all from the same corner: every split of the bare rule peels one
-/// off.
+/// Makes triangles of doubling size from one corner: every split of the bare rule peels one off.
 Mesh make_staircase(std::uint32_t count) {
     std::vector<Vec3> vertices = {Vec3::Zero()};
     std::vector<Triangle> triangles;
@@ -143,7 +142,7 @@ TEST(Build, HoldsWhatIsTinyHugeOrFarAway) {
     expect_sound(build(scaled_soup(2, 1e-3, Vec3(1e7, -3e7, 12345.678))));
     expect_sound(build(scaled_soup(3, 1e-12, Vec3(1, 1, 1))));
     expect_sound(build(scaled_soup(4, 1e-3, Vec3(1e300, 0, 1e-300))));
-    // The whole width of the doubles, where even differences overflow.
+    // The full range of doubles, where even differences overflow.
     expect_sound(build(
         make_mesh({Vec3(-1.7e308, 1.7e308, 0), Vec3(1.7e308, -1.7e308, 1), Vec3(0, 0, 1.7e308)},
                   {{0, 1, 2}, {0, 0, 0}, {1, 1, 2}, {2, 2, 2}, {0, 1, 1}, {1, 2, 2}})));
@@ -166,10 +165,10 @@ TEST(Build, HoldsHostileMeshes) {
         const auto expect_held = [&](const Mesh& mesh) {
             expect_sound(build(mesh, {.boxes = boxes, .leaf_triangles_max = 1}));
         };
-        // Needles and flakes, turned by nothing and by their own spread.
+        // Needles and flakes, unturned and turned by their own spread.
         expect_held(grown(soup, Vec3(1e12, 1, 1), zero));
         expect_held(grown(soup, Vec3(1, 1e-12, 1e6), Vec3(5, 6, 7)));
-        // A millimetre in UTM coordinates, as doubles and as the floats that it collapses to.
+        // A millimetre in UTM coordinates, in doubles and in the floats it collapses to.
         const Vec3 utm(691'607.86, 5'334'760.38, 519.2);
         const Mesh building = grown(soup, Vec3(1e-3, 1e-3, 1e-3), utm);
         expect_held(building);
@@ -178,12 +177,12 @@ TEST(Build, HoldsHostileMeshes) {
             vertex = vertex.cast<float>().cast<double>();
         }
         expect_held(make_mesh(floats, building.triangles()));
-        // A millionth beside a million, degenerate shapes far away, and steps of the last bit.
+        // Sizes of a millionth beside a million, degenerate shapes far away, and steps of one ulp.
         expect_held(join({grown(soup, Vec3::Constant(1e-6), zero),
                           grown(soup, Vec3::Constant(1e6), Vec3(3e6, 0, 1))}));
         expect_held(grown(lattice, Vec3::Constant(1e-3), Vec3(-1e7, 1e7, 1e7 / 3)));
         expect_held(grown(lattice, Vec3::Constant(0x1p-52), Vec3(1, 2, -1)));
-        // Sizes where floats end: half sizes on both sides of the least and the largest float.
+        // Half sizes on both sides of the least and the largest float.
         expect_held(grown(soup, Vec3(0x1p-126, 0x1p-127, 0x1p-149), zero));
         expect_held(grown(soup, Vec3(0x1p128, 0x1p127, 1), Vec3(0, 0, 0x1p128)));
         expect_held(grown(soup, Vec3(0x1p999, 0x1p-1074, 0x1p-1022), zero));
@@ -200,7 +199,7 @@ TEST(Build, KeepsSmallFeaturesApartFarFromTheOrigin) {
 
 TEST(Build, IsTheSameForAnyNumberOfThreads) {
     std::mt19937_64 random(3);
-    // More than one task, and waves of one and of several nodes.
+    // Several tasks, and waves of one and of several nodes.
     const Mesh mesh = make_triangle_soup(random, 30000, 0.02);
     const ObbTree one = build(mesh, {}, 1);
     for (const unsigned threads : {2u, 3u, 7u}) {
@@ -226,7 +225,7 @@ TEST(Build, LeavesAQuarterOnEachSide) {
 
 TEST(Build, LeavesAQuarterOnEachSideOfLargeNodes) {
     std::mt19937_64 random(7);
-    // Several pieces at the top. A triangle far away leaves all others in one bin of each axis.
+    // Several pieces at the top. A distant triangle puts all others into one bin on each axis.
     const Mesh soup = make_triangle_soup(random, 10000, 0.02);
     std::vector<Vec3> vertices = soup.vertices();
     std::vector<Triangle> triangles = soup.triangles();
@@ -259,7 +258,7 @@ TEST(Build, HalvesTrianglesThatCannotBeToldApart) {
         expect_sound(build(points, {.rule = rule}));
         expect_every_triangle_once(build(mesh, {.rule = rule}));
     }
-    // More than one piece.
+    // Several pieces.
     const Mesh many = make_mesh(mesh.vertices(), std::vector<Triangle>(9000, Triangle{0, 1, 2}));
     expect_quarters(build(many).nodes());
     const Mesh dust = make_mesh({Vec3(1, 2, 3)}, std::vector<Triangle>(9000, Triangle{0, 0, 0}));
@@ -285,7 +284,7 @@ TEST(Build, ABoxFitsAFlatTurnedRectangle) {
     for (const Vec3& corner : {Vec3(-3, -1, 0), Vec3(3, -1, 0), Vec3(3, 1, 0), Vec3(-3, 1, 0)}) {
         vertices.push_back(pose.apply(corner));
     }
-    // Both diagonals, so that the corners weigh the same.
+    // Both diagonals, so that the corners weigh equally.
     const ObbTree tree = build(make_mesh(vertices, {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}),
                                {.leaf_triangles_max = 4});
     const ObbNode& box = tree.nodes()[0];

@@ -1,4 +1,4 @@
-// Proves that numbers come out in order.
+// Proves that numbers are sorted.
 #include "common/tree/build/number_sorter.hpp"
 
 #include <gtest/gtest.h>

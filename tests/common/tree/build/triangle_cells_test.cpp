@@ -1,5 +1,5 @@
-// Proves that a triangle's cells are cut as finely as is needed, and no finer: a centre in each
-// face that lines leave, none on a cut, and no split by what does not enter.
+// Proves that a triangle is cut into as many cells as needed and no more: a centre in each face
+// between the lines, none on a cut, and no split by a line that does not enter.
 
 #include "common/tree/build/triangle_cells.hpp"
 
@@ -55,10 +55,10 @@ TEST(TriangleCells, UncutThereIsTheCentroidAlone) {
 TEST(TriangleCells, SegmentsAndPointsWithinSplit) {
     EXPECT_EQ(centres({{{10, 10}, {20, 10}}}).size(), 2u);
     EXPECT_EQ(centres({{{20, 20}, {20, 20}}}).size(), 2u);
-    // The second lies on the line of the first, which has split along it.
+    // The second segment is on the line of the first, which has already split the cell.
     EXPECT_EQ(centres({{{10, 10}, {20, 10}}, {{30, 10}, {40, 10}}, {{11, 10}, {11, 10}}}).size(),
               2u);
-    // Only the upper part of the two is entered by the third.
+    // The third segment enters only the upper of the two cells.
     EXPECT_EQ(centres({{{10, 10}, {20, 10}}, {{10, 20}, {12, 22}}}).size(), 3u);
 }
 

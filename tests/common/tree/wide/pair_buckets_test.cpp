@@ -1,5 +1,5 @@
-// Proves that waiting pairs come out by rank, the last of equals first, each once, whatever the
-// order of pushes and pops.
+// Proves that waiting pairs are popped by rank, the last pushed of equal rank first, each once, for
+// any order of operations.
 #include "common/tree/wide/pair_buckets.hpp"
 
 #include <gtest/gtest.h>

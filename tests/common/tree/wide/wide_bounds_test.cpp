@@ -1,6 +1,6 @@
-// Proves that the margins of the descent of wide trees hold where they are needed: of triangles
-// that touch in one point, at the brink of a box, none is passed over. And that they are needed:
-// with smaller ones such pairs are lost.
+// Proves that the margins of the wide descent suffice: it misses no triangles that touch in one
+// point at the border of a box. Also proves that they are needed: with smaller margins such pairs
+// are lost.
 
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
@@ -24,11 +24,11 @@ namespace cd::tests {
 namespace {
 
 ObbTree build(const Mesh& mesh) {
-    static ThreadPool pool(1); // Many trees are built.
+    static ThreadPool pool(1); // Shared, since many trees are built.
     return build_tree(share(Mesh(mesh)), {}, pool);
 }
 
-/// Two bodies that touch in one corner of a triangle each, and nowhere else.
+/// Two bodies that touch only in one corner of a triangle each.
 struct Brink {
     ObbTree a;
     ObbTree b;
@@ -54,13 +54,13 @@ bool is_kept(const Brink& brink, double error_scale) {
 
 using Brinks = std::vector<Brink>;
 
-/// How many are passed over though they touch.
+/// Counts touching bodies that the descent misses.
 std::size_t lost_of(const Brinks& brinks, double error_scale) {
     return static_cast<std::size_t>(std::ranges::count_if(
         brinks, [&](const Brink& brink) { return !is_kept(brink, error_scale); }));
 }
 
-/// Those that such a maker makes of many seeds; that they touch is checked.
+/// Makes them with `maker` from many seeds and checks that they touch.
 template <class Maker>
 Brinks brinks_of(std::uint64_t rounds, const Maker& maker) {
     Brinks brinks;
@@ -80,7 +80,7 @@ Brinks brinks_of(std::uint64_t rounds, const Maker& maker) {
     return brinks;
 }
 
-/// A rotation and a factor: corners that are multiples of it are turned into few bits.
+/// A rotation and a factor: it maps corners that are multiples of the factor to few bits.
 struct Turn {
     Pose pose;
     double factor;
@@ -94,7 +94,7 @@ Turn any_turn(std::mt19937_64& random) {
         return {Pose::from_quaternion(q, Vec3::Zero()),
                 q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z};
     }
-    case 1: { // A matrix of few bits, which is hardly skew.
+    case 1: { // A matrix of few bits, hardly skew.
         const Mat3 turn = make_pose(random, 1).rotation();
         return {Pose::from_matrix(turn.unaryExpr([](double entry) {
                     return std::nearbyint(0x1p26 * entry) / 0x1p26;
@@ -107,7 +107,7 @@ Turn any_turn(std::mt19937_64& random) {
     }
 }
 
-/// A rotation that only exchanges axes.
+/// Makes a rotation that only permutes axes.
 Pose any_exchange(std::mt19937_64& random) {
     Mat3 matrix = Mat3::Zero();
     const int shift = static_cast<int>(random() % 3);
@@ -121,7 +121,7 @@ Pose any_exchange(std::mt19937_64& random) {
     return Pose::from_matrix(matrix, Vec3::Zero());
 }
 
-/// Triangles with unshared corners around a place, all on a lattice.
+/// Makes triangles with unshared corners around a position, all on a lattice.
 Mesh lattice_soup(std::mt19937_64& random,
                   std::uint32_t count,
                   double size,
@@ -145,7 +145,7 @@ Mesh lattice_soup(std::mt19937_64& random,
     return make_mesh(std::move(vertices), std::move(triangles));
 }
 
-/// The vertex that comes last in a direction.
+/// Returns the extreme vertex in a direction.
 std::uint32_t last_along(const Mesh& mesh, const Vec3& direction) {
     std::uint32_t last = 0;
     for (std::uint32_t i = 1; i < mesh.vertices().size(); ++i) {
@@ -156,7 +156,7 @@ std::uint32_t last_along(const Mesh& mesh, const Vec3& direction) {
     return last;
 }
 
-/// The pose of that rotation which puts `from` where `to` is, if doubles can say it.
+/// Returns the pose with that rotation that maps `from` to `to`, if doubles represent it.
 std::optional<Pose> moved_to(const Pose& rotation, const Vec3& from, const ExactVec& to) {
     const ExactVec turned = exact_rotation(rotation) * exact(from);
     Vec3 translation;
@@ -173,14 +173,14 @@ std::optional<Pose> moved_to(const Pose& rotation, const Vec3& from, const Exact
                : Pose::from_quaternion(rotation.quaternion(), translation);
 }
 
-/// A body with a triangle whose plane lies on the border of its box, to the last bits, on one side
-/// of x.
+/// A body with a triangle whose plane is on the border of its box, to the last bits, on one side of
+/// x.
 struct SharpBody {
     Mesh mesh;
     double plane;
 };
 
-/// Three triangles across the axis x, the last one at `plane`.
+/// Makes three triangles across the x axis, the last one at `plane`.
 Mesh across_x(double size, double plane) {
     std::vector<Vec3> vertices;
     for (const double x : {0.0, size, plane}) {
@@ -190,8 +190,8 @@ Mesh across_x(double size, double plane) {
     return make_mesh(std::move(vertices), {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
 }
 
-/// How far the box of the last triangle reaches beyond it in the direction of x that `side` says.
-/// None if the box is not along x.
+/// Returns how far the last triangle's box extends beyond it on the x side `side`; nothing if the
+/// box is not along x.
 std::optional<Rational> slack_of(const Mesh& mesh, double plane, int side) {
     const ObbTree tree = build(mesh);
     const WideView wide = tree.view().wide;
@@ -215,8 +215,8 @@ std::optional<Rational> slack_of(const Mesh& mesh, double plane, int side) {
 }
 
 std::optional<SharpBody> sharp_body(std::mt19937_64& random, double size, int side) {
-    // Between two planes that are more than a step apart the box jumps. Towards the jump its slack
-    // falls to nothing; beyond, it is nearly a step.
+    // Between two planes more than a step apart the box jumps. Its slack falls to nothing towards
+    // the jump and is nearly a step beyond it.
     double low = uniform(random, 0.1, 0.8) * size;
     double high = low + size / 200;
     const auto slack = [&](double plane) {
@@ -224,7 +224,7 @@ std::optional<SharpBody> sharp_body(std::mt19937_64& random, double size, int si
     };
     const double at_low = low;
     const Rational slack_at_low = slack(low);
-    // Slack falls with the plane's place where the side is 1, and rises where it is -1.
+    // Slack falls with the plane's position for side 1 and rises for side -1.
     for (int i = 0; i < 54; ++i) {
         const double middle = 0.5 * low + 0.5 * high;
         const Rational without_jump = slack_at_low - side * (Rational(middle) - Rational(at_low));
@@ -238,9 +238,9 @@ std::optional<SharpBody> sharp_body(std::mt19937_64& random, double size, int si
     return SharpBody{across_x(size, plane), plane};
 }
 
-/// A small body and a far larger one, apart along an axis of the small one's frame but for the
-/// corner that they share: the larger one's errors are as large as the small one's steps. `far` is
-/// how far the large one is from its origin, in its sizes; coordinates have so many bits.
+/// A small and a far larger body share one corner and are otherwise apart along an axis of the
+/// small one's frame: the larger one's errors are as large as the small one's steps. `far`: the
+/// large one's distance from its origin, in its sizes; coordinates have `bits` bits.
 std::optional<Brink> corner_on_corner(std::mt19937_64& random, double far, int bits) {
     const bool is_far = far > 0;
     const double ratio = std::ldexp(1.0, is_far ? 8 : static_cast<int>(random() % 12) + 8);
@@ -270,7 +270,7 @@ std::optional<Brink> corner_on_corner(std::mt19937_64& random, double far, int b
     return Brink{build(large), tree, {*pose, turn_small.pose}, first / 3, last / 3};
 }
 
-/// A small body whose corner touches a triangle of a large one, on the border of its box.
+/// A small body's corner touches a large one's triangle on the border of its box.
 std::optional<Brink> corner_on_plane(std::mt19937_64& random) {
     const double size = std::ldexp(1.0, static_cast<int>(random() % 8) + 12);
     const int side = random() % 2 == 0 ? 1 : -1;
@@ -301,7 +301,7 @@ const Brinks& corners() {
     return brinks;
 }
 
-/// Of corners that floats cannot hold.
+/// Their corners exceed float precision.
 const Brinks& double_corners() {
     static const Brinks brinks =
         brinks_of(600, [](std::mt19937_64& random) { return corner_on_corner(random, 0, 28); });
@@ -350,18 +350,18 @@ TEST_P(WideBounds, CornersOnTheBorderOfABoxAreNotLost) {
 }
 
 TEST_P(WideBounds, SmallerMarginsLoseSome) {
-    // Where boxes are bytes on both sides, only those that end on whole steps are sharp.
+    // If boxes are bytes on both sides, only those that end on whole steps are sharp.
     EXPECT_GT(lost_of(borders(), 0), 0u);
     EXPECT_GT(lost_of(borders(), -0.01), 50u);
     if (GetParam() == SimdTarget::Avx512 || GetParam() == SimdTarget::Avx2) {
-        // The larger body's triangles are seen by their corners.
+        // The larger body's triangles are bounded by their corners.
         EXPECT_GT(lost_of(corners(), 0), 50u);
         EXPECT_GT(lost_of(corners(), 0.003), 0u);
         EXPECT_GT(lost_of(double_corners(), 0), 50u);
         EXPECT_GT(lost_of(double_corners(), 0.003), 0u);
     }
-    // Far from the origin, a body's steps are larger than what is lost to rounding, and none of
-    // these boxes ends on a whole one: margins of nothing would do here, but not less.
+    // Far from the origin a body's steps exceed the rounding errors, and none of these boxes ends
+    // on a whole step: margins of 0 would suffice here, but not less.
     EXPECT_GT(lost_of(far_corners(), -0.02), 5u);
 }
 

@@ -1,5 +1,5 @@
-// Proves that a wide tree whose arrays contradict each other is refused: whatever a
-// descent follows is checked, so that a file with the right checksums cannot lead it astray either.
+// Proves that a wide tree with inconsistent arrays is refused: every index a descent follows is
+// checked, so that even a file with right checksums cannot mislead it.
 
 #include "common/tree/wide/wide_check.hpp"
 
@@ -16,7 +16,7 @@
 namespace cd::tests {
 namespace {
 
-/// The arrays of a wide tree, to be changed.
+/// The arrays of a wide tree, for tests to change.
 struct Arrays {
     explicit Arrays(const WideView& view)
         : nodes(view.nodes.begin(), view.nodes.end()),

@@ -1,6 +1,6 @@
-// Proves that the descent of wide trees passes over no pair that touches: random rigid and slightly
-// skew poses, far origins, sizes of different orders, on every SIMD target. And that a search finds
-// in wide trees what it finds in binary ones, whatever it is asked.
+// Proves that the wide descent misses no touching pair: random rigid and slightly skew poses,
+// distant origins, sizes of different orders, on every SIMD target. Also proves that a search finds
+// the same in wide and binary trees for every query.
 
 #include "common/tree/wide/wide_descent.hpp"
 
@@ -37,7 +37,7 @@ Mesh scaled_mesh(const Mesh& mesh, double scale) {
     return make_mesh(std::move(vertices), mesh.triangles());
 }
 
-/// Does the same on each target of this host, and then chooses the best one again.
+/// Runs `work` on each target of this host, then restores the best one.
 template <class Work>
 void on_every_target(const Work& work) {
     for (const SimdTarget target : available_simd_targets()) {
@@ -48,7 +48,7 @@ void on_every_target(const Work& work) {
     ASSERT_TRUE(force_simd_target("auto"));
 }
 
-/// The triangles' ids of all candidates, sorted. None comes twice.
+/// Returns the sorted triangle ids of all candidates; expects no duplicates.
 std::vector<IdPair> candidates_of(const WideView& a,
                                   const WideView& b,
                                   const PosePair& poses,
@@ -72,7 +72,7 @@ struct Tally {
     std::size_t pairs = 0;
 };
 
-/// The candidates of two bodies hold every pair that touches.
+/// Expects the candidates of two bodies to include every touching pair.
 void expect_none_lost(const Mesh& a, const Mesh& b, const PosePair& poses, Tally& tally) {
     const ObbTree tree_a = build(a);
     const ObbTree tree_b = build(b);
@@ -91,7 +91,7 @@ void expect_none_lost(const Mesh& a, const Mesh& b, const PosePair& poses, Tally
     tally.contacts += contacts.size();
 }
 
-/// Poses that put one place of A's body where one of B's is.
+/// Returns poses that bring a point of A's body to a point of B's.
 PosePair meeting_at(const Pose& a, const Vec3& place_a, const Pose& b, const Vec3& place_b) {
     const Vec3 between = a.apply(place_a) - b.apply(place_b);
     return {a, with_translation(b, b.translation() + between)};
@@ -125,7 +125,7 @@ TEST(WideDescent, LosesNoPairUnderRigidPoses) {
             a, b, meeting_at(pose_a, random_point(random, 1), pose_b, Vec3::Zero()), tally);
     }
     EXPECT_GT(tally.contacts, 1000u);
-    EXPECT_LT(tally.candidates, tally.pairs / 4); // Else all this would prove little.
+    EXPECT_LT(tally.candidates, tally.pairs / 4); // Otherwise this proves little.
 }
 
 TEST(WideDescent, LosesNoPairUnderSkewPoses) {
@@ -135,7 +135,7 @@ TEST(WideDescent, LosesNoPairUnderSkewPoses) {
         std::mt19937_64 random(seed);
         const Mesh a = any_mesh(random);
         const Mesh b = any_mesh(random);
-        // From the most that the bounds are made for, and somewhat more, to hardly any.
+        // From somewhat more than the bounds allow for to almost none.
         const double skew = std::ldexp(1.1, -10 - static_cast<int>(seed % 16));
         Mat3 stretch = Mat3::Identity();
         for (int i = 0; i < 3; ++i) {
@@ -181,7 +181,7 @@ TEST(WideDescent, LosesNoPairOfBodiesOfDifferentSizes) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         std::mt19937_64 random(seed);
-        // A corner of the small one on, or in, a triangle of the large one.
+        // A corner of the small one is on, or in, a triangle of the large one.
         const double scale = std::ldexp(1.0, static_cast<int>(seed % 60) - 30);
         const Mesh a = any_mesh(random);
         const Mesh b = scaled_mesh(any_mesh(random), scale);
@@ -199,8 +199,8 @@ TEST(WideDescent, LosesNoPairOfBodiesOfDifferentSizes) {
 }
 
 TEST(WideDescent, LosesNoPairOfTheTiniestOnTheLargestTriangles) {
-    // One large triangle has a corner in the origin, and so have all the tiny ones: counted in
-    // their steps, the large one's size is close to what floats can hold.
+    // One large triangle and all tiny ones have a corner at the origin: in the tiny ones' steps,
+    // the large size is near the limit of floats.
     Tally tally;
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -253,7 +253,7 @@ TEST(WideDescent, LosesNoPairWhereNumbersOverflow) {
     EXPECT_GT(tally.contacts, 30u * 8);
 }
 
-/// Without its wide tree.
+/// Returns the view without its wide tree.
 TreeView binary_only(const ObbTree& tree) {
     TreeView view = tree.view();
     view.wide = {};
@@ -375,7 +375,7 @@ TEST(WideDescent, PausesAfterMuchWorkAndResumes) {
     EXPECT_GE(pauses, 1u);
     const auto expected = candidates_of(inner.view().wide, outer.view().wide, PosePair{}, 64);
     EXPECT_EQ(found, expected.size());
-    // And begins anew.
+    // The descent begins anew.
     const std::uint64_t tests = descent.box_tests();
     descent.start(inner.view().wide, outer.view().wide);
     EXPECT_FALSE(descent.is_done());
@@ -384,7 +384,7 @@ TEST(WideDescent, PausesAfterMuchWorkAndResumes) {
 }
 
 TEST(WideDescent, MakesRoomForAllThatWaits) {
-    // Needles through one point: every box of one body overlaps every one of the other.
+    // Needles through one point: every box of one body overlaps every box of the other.
     std::mt19937_64 random(3);
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;

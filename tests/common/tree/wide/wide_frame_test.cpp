@@ -1,5 +1,5 @@
-// Proves that a frame made of a code is orthonormal and gets a code of exactly itself, and that any
-// frame has a code close to it.
+// Proves that a frame decoded from a code is orthonormal and encodes to that code, and that any
+// frame has a close code.
 
 #include "common/tree/wide/wide_frame.hpp"
 
@@ -20,7 +20,7 @@ std::int16_t some_part(std::mt19937_64& random) {
     return static_cast<std::int16_t>(static_cast<int>(random() % 65535) - 32767);
 }
 
-/// Of parts that are random, tiny, or so large that what they leave out is about as large.
+/// Makes codes of parts that are random, tiny, or so large that the omitted part is about as large.
 FrameCode some_code(std::mt19937_64& random) {
     FrameCode code;
     code.kind = static_cast<std::uint8_t>(1 + random() % 4);
@@ -83,7 +83,7 @@ TEST(WideFrame, OfWhatIsNoCodeThereIsNone) {
 TEST(WideFrame, IsCloseToAnyFrameOrToOneWithItsThirdRowTurnedRound) {
     std::mt19937_64 random(2);
     for (int round = 0; round < 20'000; ++round) {
-        // A frame of much finer codes, and half of the time its mirror image.
+        // A frame of a much finer code, half of the time mirrored.
         const FrameCode code = some_code(random);
         const auto exact = frame_of(code);
         if (!exact) {

@@ -1,6 +1,6 @@
 // Proves that a wide tree holds each triangle once, in boxes that contain it in exact terms: on
 // soups, closed surfaces, degenerate and flat meshes, needles, far from the origin, tiny, and with
-// sizes of every order side by side. And that bodies that it cannot hold are searched without it.
+// mixed sizes. Also proves that bodies it cannot hold are searched without it.
 
 #include "common/tree/wide/wide_tree.hpp"
 
@@ -43,7 +43,7 @@ Mesh in_floats(const Mesh& mesh) {
     return mapped(mesh, [](const Vec3& vertex) { return vertex.cast<float>().cast<double>(); });
 }
 
-/// Needles of length 2000 and width 1e-4, in all directions.
+/// Makes needles of length 2000 and width 1e-4 in all directions.
 Mesh make_needles(std::mt19937_64& random, std::uint32_t count) {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
@@ -56,7 +56,7 @@ Mesh make_needles(std::mt19937_64& random, std::uint32_t count) {
     return make_mesh(std::move(vertices), std::move(triangles));
 }
 
-/// Triangles with sizes from 2^-60 to 2^44, those of a size around a place of their own.
+/// Makes triangles of sizes from 2^-60 to 2^44, each size around its own position.
 Mesh make_mixture(std::mt19937_64& random, std::uint32_t count) {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
@@ -71,7 +71,7 @@ Mesh make_mixture(std::mt19937_64& random, std::uint32_t count) {
     return make_mesh(std::move(vertices), std::move(triangles));
 }
 
-/// A grid of cells in the plane z = 0.
+/// Makes a grid of cells in the plane z = 0.
 Mesh make_sheet(std::uint32_t cells) {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
@@ -100,7 +100,7 @@ ExactMat rows_of(const WideNode& node) {
     return rows;
 }
 
-/// The contract of WideNode: a child's box and a point of it.
+/// Checks the contract of WideNode for a child's box and a point of it.
 bool contains(const WideNode& node, const ExactMat& rows, std::size_t child, const Vec3& point) {
     ExactVec from_origin = exact(point);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -136,13 +136,13 @@ void expect_good_frame(const WideNode& node) {
     }
 }
 
-/// Goes through a tree, noting what it comes by.
+/// Visits all nodes of a tree and records their triangles and blocks.
 class Walk {
   public:
     Walk(const Mesh& mesh, const WideView& tree)
         : mesh_(mesh), tree_(tree), nodes_seen_(tree.nodes.size(), 0) {}
 
-    /// The triangles under a node, each child's in the child's box.
+    /// Returns the triangles under a node; expects each in its child's box.
     std::vector<std::uint32_t> visit(std::uint32_t index);
 
     const Mesh& mesh_;
@@ -224,7 +224,7 @@ void expect_good_tree(const Mesh& mesh) {
     }
 }
 
-/// Of such a mesh in doubles and in floats, turned, in places and sizes of all kinds.
+/// Checks the mesh in doubles and in floats, turned, at positions and sizes of all kinds.
 void expect_good_trees(std::mt19937_64& random, const Mesh& mesh) {
     const Pose turn = make_pose(random, 1);
     const Mesh turned = mapped(mesh, [&](const Vec3& vertex) { return turn.apply(vertex); });
@@ -236,7 +236,7 @@ void expect_good_trees(std::mt19937_64& random, const Mesh& mesh) {
         expect_good_tree(one);
         expect_good_tree(in_floats(one));
     }
-    // Floats cannot tell these from a point.
+    // Floats cannot distinguish these from a point.
     expect_good_tree(translated(scaled_mesh(turned, 1e-4), Vec3(1e6, -3e5, 5e5)));
     expect_good_tree(translated(scaled_mesh(mesh, 0x1p-10), Vec3(0, 0x1p20, 0)));
 }
@@ -325,7 +325,7 @@ void expect_same(const WideView& a, const WideView& b) {
 
 TEST(WideTree, IsTheSameForAnyNumberOfThreadsAndWithoutAPool) {
     std::mt19937_64 random(8);
-    // Several tasks of every kind; in doubles and in floats, and one of a single task.
+    // Several tasks of every kind, in doubles and floats; and a mesh of a single task.
     const Mesh soup = make_triangle_soup(random, 20000, 0.02);
     for (const Mesh& mesh : {soup, in_floats(soup), make_sphere(4)}) {
         const ObbTree tree = build(mesh, {.prepare_search = false});
@@ -351,7 +351,7 @@ TEST(WideTree, BodiesThatItCannotHoldAreSearchedWithoutIt) {
         const auto expected = contact_pairs_brute_force(mesh, mesh, PosePair{});
         EXPECT_GE(expected.size(), mesh.triangles().size());
         EXPECT_EQ(contact_pairs(tree, tree, PosePair{}), expected);
-        // Neither where only the other body has one.
+        // Wide trees are also unused if only the other body has one.
         const ObbTree other = build(make_sphere(1));
         EXPECT_EQ(contact_pairs(tree, other, PosePair{}),
                   contact_pairs_brute_force(mesh, make_sphere(1), PosePair{}));

@@ -1,5 +1,5 @@
-// Proves that a binary subtree comes back from its bytes as it was, box for box and bit for bit,
-// that the bytes are as small as they are said to be, and that bytes of any kind do no harm.
+// Proves that a binary subtree is decoded bit for bit, that its bytes are as few as documented, and
+// that arbitrary bytes do no harm.
 
 #include "common/tree/wire/subtree_block.hpp"
 
@@ -39,7 +39,7 @@ void expect_equal(const TreeView& left, const TreeView& right) {
 
 Mesh as_floats(const Mesh& mesh) {
     MeshArrays arrays{{}, mesh.triangles(), {}, Precision::Float};
-    // By way of memory: in place, GCC 12 drops the rounding when it takes two numbers at once.
+    // Goes through memory: in place, GCC 12 drops the rounding when it vectorises by two.
     std::vector<float> narrow;
     for (const Vec3& vertex : mesh.vertices()) {
         for (int i = 0; i < 3; ++i) {
@@ -52,7 +52,7 @@ Mesh as_floats(const Mesh& mesh) {
     return Mesh::create(std::move(arrays)).value();
 }
 
-/// A mesh whose triangles have corners of their own.
+/// Returns the mesh with unshared corners.
 Mesh unshared(const Mesh& mesh) {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
@@ -134,7 +134,7 @@ TEST(SubtreeBlock, FloatMeshesTravelAsFloats) {
 }
 
 TEST(SubtreeBlock, IndicesGrowWithTheVertices) {
-    // Soup with so many corners that 16 bits do not reach, and just so many that they do.
+    // Soup with so many corners that 16 bits just suffice, or just do not.
     for (const std::uint32_t triangles : {21845u, 21846u}) {
         std::mt19937_64 random(4);
         const ObbTree tree = make_tree(make_triangle_soup(random, triangles, 0.01));
@@ -148,8 +148,7 @@ TEST(SubtreeBlock, IndicesGrowWithTheVertices) {
 TEST(SubtreeBlock, IsCompact) {
     ThreadPool pool(1);
     BuildOptions options;
-    options.leaf_triangles_max =
-        4; // Boxes are most of a block: the figures are those of this size.
+    options.leaf_triangles_max = 4; // Boxes are most of a block; the figures are for this size.
     const ObbTree tree = build_tree(share(as_floats(make_sphere(5))), options, pool);
     std::size_t plain = 0;
     std::size_t compressed = 0;
@@ -199,7 +198,7 @@ TEST(SubtreeBlock, DamageNeverMakesAViewThatLeavesItsArrays) {
     std::size_t decoded_count = 0;
     for (int round = 0; round < 20'000; ++round) {
         Bytes bytes = good;
-        // Half of the damage goes to the shape and the corners, which stand at the end.
+        // Half of the damage hits the shape and the corners, which are at the end.
         const std::size_t from = round % 2 == 0 ? 0 : bytes.size() * 3 / 4;
         for (std::uint64_t flips = 1 + random() % 3; flips > 0; --flips) {
             bytes[from + random() % (bytes.size() - from)] ^=

@@ -1,4 +1,4 @@
-// Proves that a top comes back from its bytes as it was, and that bytes which are none are refused.
+// Proves that an upper tree is decoded unchanged, and that invalid bytes are refused.
 #include "common/tree/wire/top_block.hpp"
 
 #include "common/tree/build/build.hpp"

@@ -1,6 +1,6 @@
-// Proves that a wide tree comes back from its bytes bit for bit, boxes and all, though none travel;
-// that the bytes are as few as they are said to be; and that bytes of any kind end in an error or
-// in a tree that a descent can walk, in memory that they justify.
+// Proves that a wide tree is decoded bit for bit, including boxes, which are not sent; that its
+// bytes are as few as documented; and that arbitrary bytes end in an error or a valid tree, in
+// memory they justify.
 
 #include "common/tree/wire/wide_block.hpp"
 
@@ -54,7 +54,7 @@ std::vector<Bytes> blocks_of(const ObbTree& tree, std::uint32_t depth) {
     return blocks;
 }
 
-/// As a file of floats has it.
+/// Returns the mesh as a file of floats has it.
 Mesh as_floats(const Mesh& mesh) {
     MeshArrays arrays{{}, mesh.triangles(), {}, Precision::Float};
     for (const Vec3& vertex : mesh.vertices()) {
@@ -67,7 +67,7 @@ Mesh as_floats(const Mesh& mesh) {
     return Mesh::create(std::move(arrays)).value();
 }
 
-/// What a descent relies on, but for the ids, for which the block's hash vouches.
+/// Checks what a descent relies on, except the ids, which the block's hash protects.
 void expect_walkable(const WideTree& tree) {
     const WideView view = tree.view();
     const TriangleBlocks& blocks = view.triangles;
@@ -173,7 +173,7 @@ TEST(WideBlock, DamageNeverMakesATreeThatLeavesItsArrays) {
         std::size_t decoded_count = 0;
         for (int round = 0; round < 10'000; ++round) {
             Bytes bytes = good;
-            // A third of the damage goes to what stands in front.
+            // A third of the damage hits the beginning.
             const std::size_t room = round % 3 == 0 ? 60 : bytes.size();
             for (std::uint64_t flips = 1 + random() % 3; flips > 0; --flips) {
                 bytes[random() % room] ^= static_cast<std::byte>(1u << (random() % 8));
@@ -190,8 +190,8 @@ TEST(WideBlock, DamageNeverMakesATreeThatLeavesItsArrays) {
 }
 
 TEST(WideBlock, AnyCoordinatesMakeBoxes) {
-    // Vertices of any size that is allowed, flat, tiny and huge side by side: no step may leave a
-    // byte. What the decoder made is what it would be built as.
+    // Vertices of any permitted size, flat, tiny and huge side by side: no step may overflow a
+    // byte. The decoded tree equals a built one.
     std::mt19937_64 random(5);
     for (int round = 0; round < 300; ++round) {
         std::vector<Vec3> vertices;

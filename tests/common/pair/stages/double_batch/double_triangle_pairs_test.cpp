@@ -1,6 +1,6 @@
-// Proves that what doubles say of many pairs at once is true, on every kind of hard pair and on
-// those whose bounds a search or an axis of a turn puts to the test, that smaller bounds would not
-// do, and that the answers are the same on every SIMD target, in any company and order.
+// Proves that the batched double stage returns only true answers, on every kind of hard pair and on
+// those that a search or a turn's axis brings to the bounds; that smaller bounds fail; and that
+// answers are equal on every SIMD target, in any batch and order.
 #include "common/pair/stages/double_batch/double_triangle_pairs.hpp"
 
 #include "common/geometry/simd_target.hpp"
@@ -30,7 +30,7 @@ Decided decided(const PosedPair& c, double bound_scale = 1) {
     return pairs.decided(0);
 }
 
-/// Eight pairs that are one, with the corners in other orders.
+/// Decides one pair eight times, with its corners in other orders.
 std::vector<Decided> decided_in_all_orders(const PosedPair& c) {
     DoubleTrianglePairs pairs(plain_poses(c.poses));
     for (std::size_t i = 0; i < DoubleTrianglePairs::pairs_max; ++i) {
@@ -68,8 +68,8 @@ Proofs proofs_of(PosedPair (*make)(std::mt19937_64&), double bound_scale) {
     return proofs;
 }
 
-/// In one plane at right angles to an axis, about which both may be turned: a corner of B is nearly
-/// on an edge of A, or is a corner of A, and B is beyond that edge.
+/// Both lie in a plane perpendicular to an axis, about which both may be turned. A corner of B is
+/// nearly on an edge of A, or is a corner of A; B is beyond that edge.
 PosedPair in_one_plane(std::mt19937_64& random) {
     const auto axis = static_cast<int>(random() % 3);
     PosedPair c{random_corners(random, 1), random_corners(random, 1), {}};
@@ -108,7 +108,7 @@ PosedPair in_one_plane(std::mt19937_64& random) {
     return c;
 }
 
-/// Gives the choice of a target back when a test ends.
+/// Resets the SIMD target when a test ends.
 class ManyInDoubles : public testing::Test {
   protected:
     void TearDown() override { ASSERT_TRUE(force_simd_target(to_text(before_))); }

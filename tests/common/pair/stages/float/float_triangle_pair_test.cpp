@@ -1,6 +1,6 @@
-// Proves that what floats say of a pair is true, on ordinary and on hard pairs and on those that a
-// search finds around the bounds, that smaller bounds would not do, and that the verdicts are the
-// same bits on every SIMD target and in any company.
+// Proves that float verdicts are true, on ordinary and hard pairs and on those that a search finds
+// around the bounds; that smaller bounds fail; and that verdicts are equal bits on every SIMD
+// target and in any batch.
 #include "common/pair/stages/float/float_triangle_pair.hpp"
 
 #include "common/geometry/simd_target.hpp"
@@ -18,7 +18,7 @@ namespace cd::tests {
 
 namespace {
 
-/// Triangles with corners of their own, and which of A's meets which of B's.
+/// Triangles with unshared corners, and the pairs to test.
 struct Batch {
     std::vector<Vec3> vertices_a;
     std::vector<Vec3> vertices_b;
@@ -62,8 +62,8 @@ struct SearchCounts {
     int wrong = 0;
 };
 
-/// Moves nearly touching triangles by small steps through the distances at which floats begin to
-/// know: there the errors are largest beside the bounds.
+/// Moves nearly touching triangles by small steps through the distances at which floats become
+/// certain: errors are largest there relative to the bounds.
 SearchCounts search_around_bounds(std::uint64_t seed, int pairs, double bound_scale) {
     std::mt19937_64 random(seed);
     SearchCounts counts;
@@ -92,7 +92,7 @@ Batch random_batch(std::mt19937_64& random, std::size_t size) {
     return batch;
 }
 
-/// Gives the choice of a target back when a test ends.
+/// Resets the SIMD target when a test ends.
 class FloatTrianglePairs : public testing::Test {
   protected:
     void TearDown() override { ASSERT_TRUE(force_simd_target(to_text(before_))); }
@@ -175,7 +175,7 @@ TEST_F(FloatTrianglePairs, AVerdictDoesNotDependOnItsCompany) {
         const Batch batch = random_batch(random, 200);
         const auto expected = verdicts_of(test, batch);
         for (std::size_t size = 0; size <= batch.candidates.size(); ++size) {
-            // One more than asked for shows that no more is written.
+            // One extra element shows that nothing is written past the end.
             std::vector<FloatVerdict> verdicts(size + 1, FloatVerdict{77});
             const auto begin = batch.candidates.end() - static_cast<std::ptrdiff_t>(size);
             test.classify(batch.a(),
@@ -224,7 +224,7 @@ TEST_F(FloatTrianglePairs, OrdinaryPairsAreDecided) {
 
 TEST_F(FloatTrianglePairs, FarFromTheOriginTheyDecideAsWell) {
     std::mt19937_64 random(17);
-    const Vec3 far(5e5, -4e6, 100); // Metres of a map's grid.
+    const Vec3 far(5e5, -4e6, 100); // Metres of a map grid.
     Batch batch = random_batch(random, 2'000);
     for (Vec3& vertex : batch.vertices_a) {
         vertex += far;
@@ -319,8 +319,8 @@ TEST_F(FloatTrianglePairs, AProofOfContactSparesTheOtherStages) {
     const Corners a{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
     const Corners through{Vec3(0.2, 0.2, -1), Vec3(0.3, 0.2, 1), Vec3(0.2, 0.3, 1)};
     Batch batch;
-    for (int i = 0; i < 8; ++i) { // A few alone would start with doubles.
-        batch.add(a, a);          // Nothing that floats could prove.
+    for (int i = 0; i < 8; ++i) { // A smaller batch would start with doubles.
+        batch.add(a, a);          // Floats cannot prove anything here.
     }
     batch.add(a, through);
     TrianglePairTest test(PosePair{});
