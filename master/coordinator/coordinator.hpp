@@ -347,12 +347,12 @@ class Coordinator {
     void stop_waiting(JobId job);
     void add_what_it_waits_for(JobStatus& job) const;
 
-    // Explaining.
+    // Explanations.
     [[nodiscard]] Explained explain_ended(const MasterJob& job, std::uint64_t scenario) const;
     [[nodiscard]] std::string
     answered_by(const MasterJob& job, std::uint64_t scenario, bool needs_worker) const;
 
-    // Results that differ (coordinator_disputes.cpp).
+    // Disputes (coordinator_disputes.cpp).
     struct Evidence;
     /// Records the dispute in `add`, which is written next. Once that is durable, the master's own
     /// result decides the dispute.

@@ -132,7 +132,7 @@ void Coordinator::settle(MasterJob& job, const Dispute& dispute, std::optional<E
     }
     verdict.progress = job.progress(Clock::now());
     write(std::move(verdict));
-    doubt_ends(job, dispute.scenario, WorkerId{}); // Its author may be quarantined by now.
+    doubt_ends(job, dispute.scenario, WorkerId{}); // The author may be quarantined now.
     --job.disputes;
     ++job.changes;
     if (!fits) {

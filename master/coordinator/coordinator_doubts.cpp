@@ -66,7 +66,7 @@ void Coordinator::forget_sessions() {
     if (std::ranges::any_of(running, [this](JobId id) { return jobs_.find(id)->disputes != 0; })) {
         return; // A dispute may still need any session.
     }
-    std::unordered_set<std::uint64_t> needed; // Their results may become suspect.
+    std::unordered_set<std::uint64_t> needed; // Authors of current results.
     for (const JobId id : running) {
         const std::vector<std::uint32_t>& authors = jobs_.find(id)->authors;
         needed.insert(authors.begin(), authors.end());

@@ -122,7 +122,7 @@ void Coordinator::late_results_checked(std::shared_ptr<ResultsInHand> hand) {
     put_away(std::move(late));
     if (!others_wait) {
         wait_for_disk(*job, hand->taken.error(), [this, id] {
-            if (!has_late_results(id)) { // Their worker has left.
+            if (!has_late_results(id)) { // The worker has left.
                 return disk_gives(*jobs_.find(id));
             }
             look_at_late_results(id);

@@ -59,7 +59,7 @@ std::vector<RootIndex> others(std::uint32_t count, const std::vector<RootIndex>&
 
 } // namespace
 
-// ---- Joining, and coming back -----------------------------------------------------------------
+// ---- Joining and returning --------------------------------------------------------------------
 
 Reception Coordinator::receive_worker(const Hello& hello) {
     const WorkerId before{hello.session};
@@ -184,7 +184,7 @@ void Coordinator::take_all_back(WorkerId worker) {
 void Coordinator::worker_returned(WorkerId worker, std::shared_ptr<Channel> channel) {
     const auto link = workers_.find(worker);
     if (link == workers_.end()) {
-        return channel->close(); // It was lost between its greeting and now.
+        return channel->close(); // The worker was lost since its Hello.
     }
     log_info("worker came back: worker={} name={} peer={}",
              worker.value,

@@ -61,7 +61,7 @@ struct MasterJob {
     Clock::time_point started;
     double seconds_before = 0;              ///< Run time before the last restart of the master.
     JobState state = JobState::Running;     ///< State as shown to clients.
-    std::shared_ptr<const MeshHold> meshes; ///< Prevents their removal.
+    std::shared_ptr<const MeshHold> meshes; ///< Prevents removal of the meshes.
     ResultMerger merger;
     std::shared_ptr<ResultStore> results;
     std::uint64_t changes = 0; ///< Incremented when the status changes, except for its times.
@@ -103,7 +103,7 @@ struct MasterJob {
     // Set at the end; clients see it once the journal has committed it.
     std::optional<JobEnd> end;
     Clock::time_point ended;
-    bool has_dropped_bulk = false;  ///< Its scenarios can no longer be run.
+    bool has_dropped_bulk = false;  ///< Scenarios can no longer be run.
     bool is_to_be_repeated = false; ///< An alarm has asked to submit the job again.
 
     std::uint64_t answered_by_master = 0;

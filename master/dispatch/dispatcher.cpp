@@ -174,10 +174,10 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     DispatchScenario scenario = make_dispatch_scenario(*job, analysed);
     scenario.losses = analysed.losses;
     if (State::is_lost_for_good(scenario)) {
-        return {GiveUp{job_id, analysed.index}}; // The last incarnation ended before it was told.
+        return {GiveUp{job_id, analysed.index}}; // The last incarnation did not give it up in time.
     }
     job->work_ns += scenario.weight.cost_ns;
-    job->places_after = 0; // They are analysed instead, or come with the next range.
+    job->places_after = 0; // The rest is analysed, or comes with the next range.
     state_->mean_cost_ns.add(static_cast<double>(scenario.weight.cost_ns), 1);
     const auto [place, is_new] = job->scenarios.emplace(analysed.index, std::move(scenario));
     CD_CHECK(is_new);
@@ -264,7 +264,7 @@ Actions Dispatcher::scenario_answered(WorkerId worker, JobId job_id, std::uint64
     state_->withdraw(*job, index, found->second, worker, actions);
     job->scenarios.erase(found);
     if (was_sent) {
-        // Its workers may run dry now. Nothing else can have become possible.
+        // The scenario's workers may run dry now; nothing else can have become possible.
         state_->refill(state_->pool.at(holder), actions);
         if (copy) {
             state_->refill(state_->pool.at(copy->worker), actions);

@@ -232,7 +232,7 @@ void Dispatcher::State::take_recalled(WorkerProxy& proxy,
     if (job != nullptr && task.is_range()) {
         const std::uint64_t before = task.cost_ns;
         given.places = proxy.cut_places(recalled.task, recalled.places);
-        job->work_ns -= std::min(job->work_ns, before - task.cost_ns); // It is sent again.
+        job->work_ns -= std::min(job->work_ns, before - task.cost_ns); // Will be sent again.
     } else if (job != nullptr) {
         given.scenarios = take_recalled_scenarios(proxy, *job, recalled);
     }

@@ -323,7 +323,7 @@ void Dispatcher::State::end_task(TaskId task,
     std::erase_if(recalls, [&](const auto& asked) { return asked.second.task == task; });
     if (ended.is_range()) {
         if (DispatchJob* job = find_job(ended.job)) {
-            job->work_ns -= std::min(job->work_ns, ended.cost_ns); // It is sent again.
+            job->work_ns -= std::min(job->work_ns, ended.cost_ns); // Will be sent again.
         }
         actions.push_back(RangeEnded{task, ended.job, *ended.places, lost_with});
     } else {

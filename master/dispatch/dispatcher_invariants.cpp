@@ -161,7 +161,7 @@ void Dispatcher::State::check_flight(const WorkerProxy& proxy) const {
     std::map<JobId, std::size_t> unanswered;
     for (const auto& [id, task] : proxy.tasks()) {
         if (task.left() == 0) {
-            continue; // Its end message is under way.
+            continue; // The end message is under way.
         }
         const DispatchJob& job = jobs.at(task.job);
         const std::uint64_t batch_max = job.is_by_time() ? limits::q_max : job.options.q;

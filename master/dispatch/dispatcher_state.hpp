@@ -32,7 +32,7 @@ struct Assignment {
 struct DispatchScenario {
     ScenarioRoots roots;
     ScenarioWeight weight;
-    bool fetches = false; ///< Its worker lacked blocks of it.
+    bool fetches = false; ///< The worker lacked some blocks.
     Losses losses;        ///< Tasks that ended without its answer.
     Whereabouts where = Whereabouts::Waiting;
     WorkerId worker;                ///< Set if Buffered or Sent.

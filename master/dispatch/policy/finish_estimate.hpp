@@ -27,7 +27,7 @@ struct ScenarioNeeds {
 
 /// Terms of the estimate in seconds; nothing is counted twice.
 struct FinishTerms {
-    double backlog = 0;  ///< Its other work, over all its threads.
+    double backlog = 0;  ///< The worker's other work, over all threads.
     double coming = 0;   ///< Rest of the blocks under way.
     double transfer = 0; ///< Bytes that the worker lacks.
     double blocks = 0;   ///< Requesting and opening each block.
