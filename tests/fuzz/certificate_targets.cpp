@@ -12,7 +12,7 @@ namespace cd::fuzz {
 
 namespace {
 
-/// In DER every byte means something; in PEM most changes only make letters that are none.
+/// In DER every byte has a meaning; in PEM most changes only make invalid letters.
 std::string pem_of(Input input, const char* label) {
     const Input rest = input.subspan(1);
     if ((std::to_integer<unsigned>(input.front()) & 1u) == 0) {

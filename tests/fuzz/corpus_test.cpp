@@ -1,5 +1,5 @@
-// Proves that every input of the corpus, and what thousands of small changes make of each, ends in
-// an error or in what encoders write. Inputs that once broke something stay there.
+// Proves that every corpus input, and thousands of small changes of each, ends in an error or in
+// what encoders write. Inputs that once broke something stay in the corpus.
 #include "tests/fuzz/targets.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::vector<Bytes> inputs_of(const Target& target) {
     return inputs;
 }
 
-/// A few bytes changed, left out, or doubled.
+/// Changes, removes or doubles a few bytes.
 Bytes changed(Bytes bytes, std::mt19937_64& random) {
     for (std::uint64_t times = 1 + random() % 4; times > 0 && !bytes.empty(); --times) {
         const auto at = bytes.begin() + static_cast<std::ptrdiff_t>(random() % bytes.size());

@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::uint64_t elements_max = 1u << 16;
 
-/// What is read as poses is rigid, or is refused; and is as many scenarios as it has rows.
+/// Accepted poses are rigid, and there are as many scenarios as rows.
 void use(Result<PoseTable> table) {
     if (!table) {
         require(!table.error().detail.empty(), "whoever is refused is told why");
@@ -52,7 +52,7 @@ void use(const NpyArray& array) {
     }
 }
 
-/// What a file says, read in runs, is what it says when it is read whole.
+/// A file read in runs gives what it gives when read whole.
 void check_rows_of(Input input, const Result<NpyArray>& array) {
     const MemoryFile file(input);
     const auto rows = NpyRows::open(file.path());
@@ -69,8 +69,8 @@ void check_rows_of(Input input, const Result<NpyArray>& array) {
 
 constexpr std::array<const char*, 4> mesh_extensions{".ac", ".dae", ".3mf", ""};
 
-/// A reader ends in a mesh, of no more triangles than the file has bytes, or in one line that names
-/// the file.
+/// A reader returns a mesh with no more triangles than the file has bytes, or a one-line error that
+/// names the file.
 void use_reader(Input input, Result<ImportedMesh> (*read)(const MeshSource&)) {
     const std::string text = text_of(input);
     const std::filesystem::path path = "/nowhere/at/all";
@@ -84,7 +84,7 @@ void use_reader(Input input, Result<ImportedMesh> (*read)(const MeshSource&)) {
     }
 }
 
-/// A few bytes may place a mesh often, as they are meant to: no more triangles than that.
+/// A few bytes may place a mesh many times, by design: bounds the triangles of all placements.
 std::uint64_t triangles_at_most(const GltfDocument& document) {
     std::uint64_t elements = 1;
     std::uint64_t primitives = 1;

@@ -22,13 +22,13 @@ std::uint64_t word_at(const Bytes& bytes, std::size_t at) {
     return value;
 }
 
-/// Puts the checksum of [begin, end) behind it.
+/// Writes the checksum of [begin, end) at `end`.
 void sum_up(Bytes& file, std::size_t begin, std::size_t end) {
     const std::uint64_t sum = checksum(std::span(file).subspan(begin, end - begin));
     std::memcpy(file.data() + end, &sum, word);
 }
 
-/// Makes the checksums of a block file right, as far as its sizes let it be followed.
+/// Corrects the checksums of a block file, as far as its sizes can be followed.
 void sum_up_blocks(Bytes& file) {
     std::size_t at = header_bytes;
     while (file.size() >= at + block_header_bytes + word) {
@@ -50,7 +50,8 @@ void sum_up_blocks(Bytes& file) {
     }
 }
 
-/// What is read ascends and is canonical. How many records there are, where all can be read.
+/// Requires the readable records to ascend and to be canonical. Returns their number if all can be
+/// read.
 void check_records(const Result<RecordFile>& file) {
     if (!file) {
         require(!file.error().detail.empty(), "whoever is refused is told why");

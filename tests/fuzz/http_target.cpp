@@ -34,7 +34,7 @@ std::string read_all(int socket) {
     return text;
 }
 
-/// A request that comes in pieces, and after which nothing comes.
+/// Sends a request in pieces, and nothing after it.
 Exchange exchange(std::array<Input, 2> pieces) {
     std::array<int, 2> ends{};
     require(socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) == 0, "a pair of sockets");
@@ -42,7 +42,7 @@ Exchange exchange(std::array<Input, 2> pieces) {
     {
         asio::io_context context;
         asio::ip::tcp::socket socket(context);
-        socket.assign(asio::ip::tcp::v4(), ends[0]); // Any socket of a stream does.
+        socket.assign(asio::ip::tcp::v4(), ends[0]); // Any stream socket will do.
         const auto answer = [&done](const HttpRequest& request) {
             ++done.requests;
             done.request = request;
@@ -82,7 +82,7 @@ void http(Input input) {
     require(whole.requests <= 1, "one request is answered");
     require(whole.requests == in_two.requests && whole.request.target == in_two.request.target,
             "how a request is cut makes no difference");
-    // Of one that never ends a fault may go unnoticed.
+    // A fault in an endless request may go unnoticed.
     require(whole.answer == in_two.answer || whole.answer.empty() || in_two.answer.empty(),
             "how a request is cut makes no difference to its answer");
     if (whole.requests == 1) {

@@ -1,4 +1,4 @@
-// The targets as libFuzzer calls them: a program that is called fuzz_NAME feeds the target NAME.
+// Entry points for libFuzzer: a program called fuzz_NAME feeds the target NAME.
 #include "tests/fuzz/targets.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// Writes valid inputs of every target, for the corpus to begin with:
+// Writes valid inputs of every target as the initial corpus:
 //
-//   fuzz_seeds FOLDER
+// fuzz_seeds FOLDER
 #include "client/folder/run_manifest.hpp"
 #include "client/formats/npy.hpp"
 #include "client/formats/npz.hpp"
@@ -82,7 +82,7 @@ class Seeds {
     fs::path folder_;
 };
 
-/// What an even first byte announces, or an odd one.
+/// Returns the bytes after a first byte, whose parity selects the target's mode.
 Bytes marked(std::uint8_t mark, std::span<const std::byte> bytes) {
     ByteWriter out;
     out.put(mark);
@@ -127,7 +127,7 @@ void add_wire(Seeds& seeds) {
     seeds.add("mesh", "floats", Mesh::create(arrays).value().canonical_bytes());
 }
 
-/// Of packed records: of each column its length (two bytes) and its bytes.
+/// Unpacks records into columns, each a length (two bytes) and its bytes.
 Bytes columns_of(std::span<const std::byte> packed) {
     ByteReader in(packed);
     std::array<std::uint64_t, 8> sizes{};
@@ -305,7 +305,7 @@ void add_files(Seeds& seeds) {
     seeds.add("npz", "poses", read_file(folder / "poses.npz"));
 }
 
-/// What is between the lines of a PEM text.
+/// Returns the bytes between the lines of a PEM text.
 Bytes der_of(const std::string& pem) {
     Bytes bytes(pem.size());
     const std::size_t begin = pem.find('\n') + 1;
@@ -359,7 +359,7 @@ constexpr std::string_view collada_text =
 </geometry></library_geometries><node><matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix></node></COLLADA>
 )";
 
-/// The bytes of a mesh's file behind its number among the formats of the target.
+/// Adds mesh files, each after its format's number in the target.
 void add_mesh_texts(Seeds& seeds) {
     const auto add = [&](std::uint8_t format, const std::string& name, std::string_view text) {
         seeds.add("mesh_text", name, marked(format, bytes_of(text)));
@@ -431,7 +431,7 @@ void add_gltf(Seeds& seeds) {
     seeds.add("gltf", "sparse_strip_of_instances", odd.glb());
 }
 
-/// Each with the checksums that it has, and to be summed up.
+/// Adds each input twice: with its own checksums, and for the target to correct them.
 void add_both(Seeds& seeds,
               const std::string& target,
               const std::string& name,
@@ -450,7 +450,7 @@ void add_state(Seeds& seeds) {
 
     const tests::TemporaryFolder folder;
     std::vector<Scenario> scenarios;
-    for (std::uint64_t i = 0; i < 300; ++i) { // Few of them move, so that the file is small.
+    for (std::uint64_t i = 0; i < 300; ++i) { // Few of them move, so the file stays small.
         const Pose b = i < 3 ? Pose::from_matrix(Mat3::Identity(), {1, 2, 3}) : Pose();
         scenarios.push_back({i, 0, 1, {Pose(), b}});
     }

@@ -1,4 +1,4 @@
-// A file that has a path and stands in memory, for readers that take paths.
+// An in-memory file with a path, for readers that take paths.
 #pragma once
 
 #include <filesystem>

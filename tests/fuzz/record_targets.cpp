@@ -33,7 +33,7 @@ constexpr JobId segment_job{7};
 constexpr std::uint64_t segment_scenarios = 1000;
 constexpr std::uint64_t scenarios_max = 1000;
 
-/// Of forms in which the same can be said in several ways: a hash or a database vouches for them.
+/// Checks encodings that are not unique; a hash or a database protects their bytes.
 template <class Decode, class Encode>
 void check_repeats(Input input, const Decode& decode, const Encode& encode) {
     const auto decoded = decode(input);
@@ -46,12 +46,12 @@ void check_repeats(Input input, const Decode& decode, const Encode& encode) {
             "what was accepted can be written, and read again");
 }
 
-/// What an odd first byte asks for.
+/// True if the first byte selects the target's other mode.
 bool is_odd(Input input) {
     return (std::to_integer<unsigned>(input.front()) & 1u) != 0;
 }
 
-/// The columns of packed records, each a length (two bytes) and its bytes.
+/// Packs columns, each a length (two bytes) and its bytes, into records.
 Bytes pack_columns(Input columns) {
     constexpr std::size_t column_count = 8;
     ByteReader in(columns);
@@ -79,7 +79,7 @@ std::vector<Input> records_in(Input unpacked) {
     return records;
 }
 
-/// What a client makes of a master's records.
+/// Reads a master's records as a client does.
 void check_results(Input packed, const std::vector<Input>& records) {
     ResultsPart part;
     part.count = static_cast<std::uint32_t>(records.size());
@@ -98,7 +98,7 @@ void check_results(Input packed, const std::vector<Input>& records) {
     }
 }
 
-/// The records of a segment, each with its checksum, as far as their lengths are right.
+/// Adds the checksum of each record of a segment, as far as the lengths are valid.
 Bytes sum_up(Input records) {
     constexpr std::size_t header_bytes = 2 * sizeof(std::uint64_t);
     ByteWriter out;
@@ -118,7 +118,7 @@ Bytes sum_up(Input records) {
 
 using RecordsOfScenarios = std::map<std::uint64_t, Input>;
 
-/// Where the records of a segment would stand if their lengths are right.
+/// Restores the records of a segment at the positions that valid lengths give.
 RecordsOfScenarios restore_all(ResultStore& store, Input records) {
     RecordsOfScenarios restored;
     std::uint64_t end = store.end() - records.size();
@@ -148,7 +148,7 @@ void top(Input input) {
     check_repeats(input, decode_top, encode_top);
 }
 
-/// The hash is the right one: whoever sends a block says it.
+/// The hash is right: the sender of a block supplies it.
 void sent_block(Input input) {
     if (input.empty()) {
         return;
@@ -237,7 +237,7 @@ void journal_row(Input input) {
     }
 }
 
-/// No fuzzer would guess the file's header.
+/// Adds the file's header, which no fuzzer would guess.
 void segment(Input input) {
     if (input.empty()) {
         return;
@@ -282,7 +282,7 @@ void grid(Input input) {
     }
 }
 
-/// Runs may be cut anywhere, so the same poses have several forms.
+/// Runs may be split anywhere, so poses have several encodings.
 void scenarios(Input input) {
     const auto decode = [](Input bytes) { return unpack_scenarios(bytes, scenarios_max); };
     check_repeats(input, decode, [](const std::vector<Scenario>& all) {

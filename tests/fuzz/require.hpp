@@ -1,4 +1,4 @@
-// What targets share. A promise that is broken ends the program, and the fuzzer keeps the input.
+// Shared by the targets. A broken promise ends the program, and the fuzzer keeps the input.
 #pragma once
 
 #include <cstdio>

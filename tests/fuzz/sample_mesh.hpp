@@ -1,4 +1,4 @@
-// The mesh of which the corpus has trees.
+// The mesh of the corpus's trees.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -7,7 +7,7 @@
 
 namespace cd::fuzz {
 
-/// A sheet of 50 triangles that is not flat.
+/// Makes a curved sheet of 50 triangles.
 inline std::shared_ptr<const Mesh> sample_mesh() {
     constexpr std::uint32_t side = 6;
     MeshArrays arrays;

@@ -24,14 +24,14 @@ std::uint64_t word_at(const Bytes& file, std::size_t offset) {
     return ByteReader(Input(file).subspan(offset)).get<std::uint64_t>();
 }
 
-/// Puts the checksum of these bytes of the file into it.
+/// Writes the checksum of `size` bytes from `begin` at `to`.
 void sum_up(Bytes& file, std::size_t begin, std::size_t size, std::size_t to) {
     const std::uint64_t sum = checksum(Input(file).subspan(begin, size));
     std::memcpy(file.data() + to, &sum, sizeof sum);
 }
 
-/// The checksums of a spool's runs (pose_spool.cpp), as far as they have places, then its counts
-/// and the checksum of its index.
+/// Corrects the checksums of a spool's runs (pose_spool.cpp) that lie in the file, then its counts
+/// and its index's checksum.
 void sum_up_spool(Bytes& file, std::uint64_t scenarios) {
     const std::uint64_t runs =
         (scenarios + limits::spool_run_scenarios - 1) / limits::spool_run_scenarios;
@@ -54,9 +54,9 @@ void sum_up_spool(Bytes& file, std::uint64_t scenarios) {
     sum_up(file, begin, index - word, file.size() - word);
 }
 
-/// The checksums of a file of sections (section_file.hpp), as far as these are in it.
+/// Corrects the checksums of a section file (section_file.hpp) that lie in the file.
 void sum_up_sections(Bytes& file) {
-    constexpr std::size_t table = 56; // Behind the key; the number of sections stands at 12.
+    constexpr std::size_t table = 56; // After the key; the number of sections is at 12.
     constexpr std::size_t entry = 3 * word;
     if (file.size() < table) {
         return;
@@ -93,7 +93,7 @@ void pose_spool(Input input) {
     if (input.size() < 2) {
         return;
     }
-    const auto scenarios = 2 * std::to_integer<std::uint64_t>(input[1]); // So that two runs come.
+    const auto scenarios = 2 * std::to_integer<std::uint64_t>(input[1]); // Makes two runs.
     Bytes bytes(input.begin() + 2, input.end());
     if ((std::to_integer<unsigned>(input.front()) & 1u) != 0) {
         sum_up_spool(bytes, scenarios);

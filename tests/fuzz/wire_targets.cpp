@@ -27,7 +27,7 @@ void decode(std::uint16_t type, Input payload) {
     }
 }
 
-/// What is accepted and written otherwise had a minus zero, of which only the sign's byte goes.
+/// True if an accepted input had a minus zero whose sign byte the encoder drops.
 bool differ_in_signs_of_zeros(Input input, Input written) {
     return input.size() == written.size() &&
            std::ranges::equal(input, written, [](std::byte was, std::byte is) {
@@ -37,9 +37,9 @@ bool differ_in_signs_of_zeros(Input input, Input written) {
 
 } // namespace
 
-/// The bytes are a header, and then, since no fuzzer would guess checksums, of each frame: type (a
-/// byte), whether there is more (the lowest bit of a byte) and the stream (its others), length (two
-/// bytes), and the payload.
+/// The input is a header, then for each frame: type (a byte), a byte whose lowest bit means more to
+/// come and whose others are the stream, length (two bytes), payload. The target adds checksums,
+/// which no fuzzer would guess.
 void frames(Input input) {
     if (input.size() < frame_header_bytes) {
         return;
