@@ -8,7 +8,7 @@ namespace cd::tests {
 
 namespace {
 
-/// A cube of n^3 cells of this size whose lowest corner is at `low`.
+/// Makes a cube of n^3 cells of this size whose lowest corner is at `low`.
 Mesh cube(const Vec3& low, double cell, int n) {
     return make_ticked_box(
         ticks(low.x(), cell, n), ticks(low.y(), cell, n), ticks(low.z(), cell, n));
@@ -98,7 +98,7 @@ void add_nested(Scenes& scenes) {
     add("nested boxes, on the floor", outer, cube(Vec3(1, 1, 0), 1, 2));
     add("nested boxes, on the floor of a coarse one", coarse, cube(Vec3(1, 1, 0), 1, 2));
     add("nested boxes, in a corner", outer, cube(Vec3(0, 0, 0), 1, 2));
-    // An octahedron's corner or edge is all that touches.
+    // The octahedron touches with a corner or an edge only.
     const Mesh diamond = make_round_sphere(0);
     add("nested, a corner on the floor", outer, translated(diamond, Vec3(2, 2, 1)));
     add("nested, corners on all walls",

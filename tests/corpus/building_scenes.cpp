@@ -66,7 +66,7 @@ void add_walls(Scenes& scenes) {
          Pose::from_quaternion({3, 1, 0, 2.0000001}, Vec3(1, 2, 3))});
 }
 
-/// A building of millimetres at these UTM coordinates.
+/// Makes a building with millimetre coordinates at this UTM position.
 Mesh building(double east, double north, const std::vector<Vec2>& outline, double height) {
     std::vector<Vec2> placed;
     for (const Vec2& corner : outline) {

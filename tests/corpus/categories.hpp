@@ -1,4 +1,4 @@
-// One test case for each category of the corpus, so that they run side by side.
+// One test case for each category of the corpus, so that they run in parallel.
 #pragma once
 
 #include "tests/corpus/pairs.hpp"
@@ -12,7 +12,7 @@
 
 namespace cd::tests {
 
-/// A category's name as a part of a test's name.
+/// Turns a category's name into a part of a test's name.
 inline std::string test_name(const testing::TestParamInfo<std::string>& category) {
     std::string name = category.param;
     for (char& letter : name) {
@@ -21,10 +21,10 @@ inline std::string test_name(const testing::TestParamInfo<std::string>& category
     return name;
 }
 
-/// The categories of the scenes, in their order.
+/// Returns the categories of scenes in order.
 [[nodiscard]] std::vector<std::string> scene_categories();
 
-/// The scenes of one category.
+/// Returns the scenes of one category.
 [[nodiscard]] std::vector<const Scene*> scenes_of(const std::string& category);
 
 } // namespace cd::tests

@@ -11,7 +11,7 @@ namespace cd::tests {
 
 namespace {
 
-/// A plane with a lattice on it: whole multiples of two whole vectors, exact in doubles.
+/// A plane with a lattice: integer multiples of two integer vectors, exact in doubles.
 struct LatticePlane {
     Vec3 origin;
     Vec3 u;
@@ -30,7 +30,7 @@ LatticePlane random_plane(std::mt19937_64& random) {
     return plane;
 }
 
-/// From low to high, both included.
+/// Returns an integer from low to high, both included.
 int whole(std::mt19937_64& random, int low, int high) {
     return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
 }
@@ -39,7 +39,7 @@ bool coin(std::mt19937_64& random) {
     return random() % 2 == 0;
 }
 
-/// 10^-k for k in [least, most].
+/// Returns 10^-k for k in [least, most].
 double decade(std::mt19937_64& random, int least, int most) {
     constexpr std::array<double, 19> decades{1,
                                              1e-1,
@@ -79,7 +79,7 @@ PosedPair coplanar_overlapping(std::mt19937_64& random) {
     return finished(random, pair);
 }
 
-/// A above the line j = 0 with an edge on it, B below with one: they share a part of the line, a
+/// A is above the line j = 0 with an edge on it, B below with one: they share a part of the line, a
 /// point or nothing.
 PosedPair coplanar_along_an_edge(std::mt19937_64& random) {
     const LatticePlane plane = random_plane(random);
@@ -120,7 +120,7 @@ PosedPair sharing(std::mt19937_64& random, std::size_t corners) {
     return finished(random, pair);
 }
 
-/// A vertex of B on A's face, edge or corner, exactly: a mean of corners on a coarse lattice.
+/// A vertex of B is exactly on A's face, edge or corner: a mean of corners on a coarse lattice.
 PosedPair vertex_on_face(std::mt19937_64& random) {
     PosedPair pair{scaled(lattice_corners(random, 6), 4), random_corners(random, 20), {}};
     const int first = whole(random, 0, 4);
@@ -129,7 +129,7 @@ PosedPair vertex_on_face(std::mt19937_64& random) {
     return finished(random, pair);
 }
 
-/// Edges that meet in a lattice point within both, or, `off`, miss it by steps of some coordinates.
+/// Edges meet in an inner lattice point, or, if `off`, miss it by ulps of some coordinates.
 PosedPair edge_crossing_edge(std::mt19937_64& random, bool off) {
     const Vec3 meeting = lattice_point(random, 5);
     PosedPair pair;
@@ -146,7 +146,7 @@ PosedPair edge_crossing_edge(std::mt19937_64& random, bool off) {
     return finished(random, pair);
 }
 
-/// B's corners are off A's plane by one size each, up, down or not at all.
+/// B's corners are off A's plane by one distance each, up, down or not at all.
 PosedPair near_coplanar(std::mt19937_64& random) {
     const LatticePlane plane = random_plane(random);
     const Vec3 normal = plane.u.cross(plane.v) * decade(random, 8, 16);
@@ -163,7 +163,7 @@ PosedPair near_coplanar(std::mt19937_64& random) {
     return finished(random, pair);
 }
 
-/// A lies in z = base. A vertex, an edge or all of B is a gap above or below it.
+/// A is in z = base. A vertex, an edge or all of B is a gap above or below it.
 PosedPair gap_or_penetration(std::mt19937_64& random) {
     const double base = coin(random) ? 0 : 1;
     const double gap = (coin(random) ? 1 : -1) * decade(random, 6, 17);
@@ -179,7 +179,7 @@ PosedPair gap_or_penetration(std::mt19937_64& random) {
     return finished(random, pair);
 }
 
-/// Edges along x and y that pass each other at a gap in z.
+/// Edges along x and y pass each other at a gap in z.
 PosedPair edges_at_a_gap(std::mt19937_64& random) {
     const double base = coin(random) ? 0 : 1;
     const double gap = (coin(random) ? 1 : -1) * decade(random, 6, 17);
@@ -191,7 +191,7 @@ PosedPair edges_at_a_gap(std::mt19937_64& random) {
     return finished(random, pair);
 }
 
-/// Halves of two axis-parallel rectangles. A lies in x = s; B in x = s computed otherwise.
+/// Halves of two axis-parallel rectangles. A is in x = s; B in x = s computed differently.
 PosedPair boxes_touching(std::mt19937_64& random, double unit) {
     const auto coordinate = [&](int least, int most) { return whole(random, least, most) * unit; };
     const auto half = [&](double x) {
@@ -206,7 +206,7 @@ PosedPair boxes_touching(std::mt19937_64& random, double unit) {
     const int second = whole(random, 1, 30);
     PosedPair pair{half((first + second) * unit), half(first * unit + second * unit), {}};
     if (coin(random)) {
-        // The same place, reached by moving B.
+        // B reaches its position by a pose instead.
         for (Vec3& corner : pair.b) {
             corner.x() = second * unit;
         }

@@ -8,7 +8,7 @@ namespace cd::tests {
 
 namespace {
 
-/// 10^-k for k in 6..12: how much thinner than long.
+/// Returns 10^-k for k in 6..12, the ratio of width to length.
 double thinness(std::mt19937_64& random) {
     constexpr std::array<double, 7> thin{1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
     return thin[random() % thin.size()];
@@ -24,13 +24,13 @@ void move_by(Corners& t, const Vec3& offset) {
     }
 }
 
-/// B is moved so that a point of it lies nominally on A.
+/// Moves B so that a point of it is nominally on A.
 void bring_together(std::mt19937_64& random, PosedPair& pair) {
     const Vec3 target = point_on(random, pair.a);
     move_by(pair.b, target - point_on(random, pair.b));
 }
 
-/// All three corners along one line but for a share of its length.
+/// Makes three corners that are collinear up to a share of their length.
 Corners sliver(std::mt19937_64& random) {
     Corners t = random_corners(random, 1);
     const double thin = thinness(random);
@@ -39,7 +39,7 @@ Corners sliver(std::mt19937_64& random) {
     return t;
 }
 
-/// Two corners next to each other, the third far away.
+/// Makes two adjacent corners and a distant third.
 Corners needle(std::mt19937_64& random) {
     Corners t = random_corners(random, 1);
     const double thin = thinness(random);
@@ -56,8 +56,8 @@ PosedPair thin_against(std::mt19937_64& random, Corners (*make)(std::mt19937_64&
     return finished(random, pair);
 }
 
-/// A segment on a coarse lattice, with its middle as third corner, against a triangle or segment
-/// on a finer one: ends and crossings meet edges and faces exactly.
+/// A segment on a coarse lattice, with its midpoint as third corner, meets a triangle or segment on
+/// a finer one: ends and crossings are exactly on edges and faces.
 PosedPair segment_against(std::mt19937_64& random) {
     PosedPair pair{scaled(lattice_corners(random, 2), 2), lattice_corners(random, 3), {}};
     pair.a[2] = (pair.a[0] + pair.a[1]) / 2;
@@ -67,7 +67,7 @@ PosedPair segment_against(std::mt19937_64& random) {
     return finished(random, pair);
 }
 
-/// A point, nominally or exactly on a triangle, segment or point.
+/// A point is nominally or exactly on a triangle, segment or point.
 PosedPair point_against(std::mt19937_64& random) {
     PosedPair pair{{}, scaled(lattice_corners(random, 2), 4), {}};
     const double first = static_cast<double>(random() % 5);
@@ -97,7 +97,8 @@ Corners denormal_corners(std::mt19937_64& random) {
     return scaled(lattice_corners(random, 1 << 20), 0x1p-1074);
 }
 
-/// Triangles of a city's walls and roofs: whole millimetres, six and seven digits of metres away.
+/// Makes triangles of a city's walls and roofs: integer millimetres, at six- and seven-digit
+/// metres.
 Corners utm_corners(std::mt19937_64& random) {
     Corners t;
     for (Vec3& corner : t) {
@@ -115,14 +116,14 @@ PosedPair far_features(std::mt19937_64& random) {
     PosedPair pair{
         scaled(lattice_corners(random, 3), 1e-3), scaled(lattice_corners(random, 3), 1e-3), {}};
     switch (random() % 3) {
-    case 0: // Far away already in the file.
+    case 0: // Far away in the file itself.
         move_by(pair.a, Vec3(1e7, 1e7, 1e7));
         move_by(pair.b, Vec3(1e7, 1e7, 1e7));
         return finished(random, pair);
-    case 1: // Brought there by the poses.
+    case 1: // Moved far away by the poses.
         pair.poses.a = pair.poses.b = translation_pose(1e7, -1e7, 1e7);
         return pair;
-    default: // Brought back from there by one pose.
+    default: // Moved back by one pose.
         move_by(pair.b, Vec3(1e7, 1e7, 1e7));
         pair.poses.b = translation_pose(-1e7, -1e7, -1e7);
         return pair;
@@ -135,7 +136,7 @@ PosedPair scales_apart(std::mt19937_64& random) {
     if (random() % 2 == 0) {
         bring_together(random, pair);
     } else {
-        // The small one around a corner or an edge of the large one.
+        // Puts the small one around a corner or an edge of the large one.
         move_by(pair.b, pair.a[0] + (random() % 2 == 0 ? 0.0 : 0.5) * (pair.a[1] - pair.a[0]));
     }
     return finished(random, pair);

@@ -1,4 +1,4 @@
-// A hash over the bits of what the corpus makes, so that a test can say that it did not change.
+// Hashes the bits of the corpus, so that a test can detect changes.
 #pragma once
 
 #include "tests/corpus/scenes.hpp"
@@ -11,7 +11,7 @@ namespace cd::tests {
 class Fingerprint {
   public:
     void add(std::uint64_t value);
-    void add(double value); ///< Its bits.
+    void add(double value); ///< Hashes its bits.
     void add(const Pose& pose);
     void add(const PosedPair& pair);
     void add(const Scene& scene);

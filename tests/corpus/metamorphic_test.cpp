@@ -1,7 +1,6 @@
-// Proves that results do not depend on what cannot matter: which body is A, the order of vertices
-// and corners, the unit of length by powers of two, the axes of the world, the instructions of the
-// processor, the stage at which decisions begin, and whether trees are wide or binary. Not one bit
-// differs, on every hard scene.
+// Proves that results do not depend on irrelevant choices: the order of bodies, vertices and
+// corners, the unit of length by powers of two, the world's axes, the processor's instructions, the
+// first stage of decisions, and wide or binary trees. Not one bit differs, on every hard scene.
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/job/run_scenario.hpp"
@@ -33,7 +32,7 @@ result_of(const Scene& scene, Level level = Level::Pairs, const BuildOptions& op
     return run_scenario(build(scene.a, options), build(scene.b, options), scenario, query).result;
 }
 
-/// The other corner first in each triangle, which keeps its direction, and vertices from the last.
+/// Rotates each triangle's corners, which keeps its direction, and reverses the vertices.
 Body renumbered(const Body& body) {
     const auto count = static_cast<std::uint32_t>(body.mesh->vertices().size());
     std::vector<Vec3> vertices(body.mesh->vertices().rbegin(), body.mesh->vertices().rend());
@@ -72,7 +71,7 @@ Scene rescaled(const Scene& scene, int exponent) {
             {rescaled(scene.poses.a, exponent), rescaled(scene.poses.b, exponent)}};
 }
 
-/// Half a turn of the world about z: exact for both kinds of pose.
+/// Turns the world by 180 degrees about z: exact for both kinds of pose.
 Pose turned_half(const Pose& pose) {
     const Vec3 t = pose.translation();
     const Vec3 offset(-t.x(), -t.y(), t.z());
@@ -85,7 +84,7 @@ Pose turned_half(const Pose& pose) {
     return Pose::from_matrix(matrix, offset);
 }
 
-/// The axes of the world exchanged in a circle: exact for matrices.
+/// Permutes the world's axes cyclically: exact for matrices.
 Pose turned_third(const Pose& pose) {
     const Vec3 t = pose.translation();
     Mat3 matrix;
@@ -187,7 +186,7 @@ TEST_P(Metamorphic, TheTreeThatIsWalkedChangesNothing) {
             EXPECT_EQ(digest_of(result_of(*scene, level)),
                       digest_of(result_of(*scene, level, binary)));
         }
-        // Swapped and renumbered, in binary trees too.
+        // Swap and renumber the bodies, and compare binary trees, too.
         const Scene other{"", "", renumbered(scene->b), scene->a, {scene->poses.b, scene->poses.a}};
         EXPECT_EQ(digest_of(result_of(other)), digest_of(result_of(other, Level::Pairs, binary)));
     }

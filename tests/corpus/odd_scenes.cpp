@@ -26,7 +26,7 @@ void add_open(Scenes& scenes) {
     add("an open sphere in a box", surface(without_last(sphere, 1)), solid(scaled(box, 2)), {});
 }
 
-/// Stacked boxes and soups whose coordinates are multiplied by `factor`.
+/// Adds stacked boxes and soups with coordinates multiplied by `factor`.
 void add_scaled(Scenes& scenes, const char* name, double factor) {
     const Body box =
         solid(scaled(make_ticked_box(ticks(0, 1, 3), ticks(0, 1, 3), ticks(0, 1, 3)), factor));

@@ -1,4 +1,4 @@
-// What the categories of pairs are made of.
+// Makers of the pair categories.
 #pragma once
 
 #include "tests/support/hard_pairs.hpp"
@@ -10,18 +10,18 @@ namespace cd::tests {
 
 using PairMakers = std::map<std::string, PairMaker>;
 
-/// In exact contact, or nearly: the pairs are made for identity poses, then posed together.
+/// Exact or near contacts: made for identity poses, then posed together.
 void add_contact_makers(PairMakers& makers);
 /// Slivers, degenerate triangles and extreme magnitudes.
 void add_extreme_makers(PairMakers& makers);
-/// Of poses: turns exact and rounded, one rotation written in several ways.
+/// Special poses: exact and rounded turns, one rotation written in several ways.
 void add_pose_makers(PairMakers& makers);
-/// Triangles of whole-mesh scenes that are near each other.
+/// Neighbouring triangles of whole-mesh scenes.
 void add_scene_makers(PairMakers& makers);
 
-/// Both triangles under one pose, whose kind is drawn: exact contacts stay exact contacts.
+/// Poses both triangles with one random kind of pose, which keeps exact contacts exact.
 [[nodiscard]] PosedPair posed_together(std::mt19937_64& random, PosedPair pair);
-/// Corners in any order, and A and B perhaps swapped.
+/// Shuffles the corners and perhaps swaps A and B.
 [[nodiscard]] PosedPair shuffled(std::mt19937_64& random, PosedPair pair);
 
 } // namespace cd::tests

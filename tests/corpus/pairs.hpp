@@ -1,5 +1,5 @@
-// The hard pairs of triangles, by category (NUMERICS, section 4). The truth about them is the
-// oracle's, never taken from how they were made.
+// The hard triangle pairs, by category (NUMERICS, section 4). Their truth comes from the oracle,
+// never from their construction.
 #pragma once
 
 #include "tests/support/hard_pairs.hpp"
@@ -11,10 +11,10 @@
 
 namespace cd::tests {
 
-/// The names of all categories, ascending.
+/// Returns the names of all categories, ascending.
 [[nodiscard]] const std::vector<std::string>& pair_categories();
 
-/// The pair number `seed` of a category: the same bits with every compiler and library.
+/// Returns pair number `seed` of a category, bit-identical with every compiler and library.
 [[nodiscard]] PosedPair corpus_pair(std::string_view category, std::uint64_t seed);
 
 } // namespace cd::tests

@@ -1,5 +1,5 @@
-// Proves that the corpus of pairs has the same bits everywhere, that the oracle equals its slow
-// twin on it, and that every class of a pair comes up often.
+// Proves that the corpus of pairs is bit-identical everywhere, that the oracle agrees with its slow
+// reference on it, and that every class of pair is frequent.
 #include "tests/corpus/pairs.hpp"
 
 #include "tests/corpus/fingerprint.hpp"
@@ -15,7 +15,7 @@ namespace cd::tests {
 
 namespace {
 
-/// Of the first 64 pairs of each category.
+/// Fingerprints of the first 64 pairs of each category.
 const std::map<std::string, std::uint64_t> golden{
     {"a quaternion and its rounded matrix", 0xb270e259d55725c8},
     {"boxes touching, decimal", 0xd4942dbd3540bf41},

@@ -8,7 +8,7 @@ namespace cd::tests {
 
 namespace {
 
-/// The matrix about an axis with this sine and cosine.
+/// Returns the rotation matrix about an axis with this sine and cosine.
 Mat3 turn_about(int axis, double sine, double cosine) {
     Mat3 turn = Mat3::Zero();
     turn(axis, axis) = 1;
@@ -36,7 +36,7 @@ Pose quarter_turn(std::mt19937_64& random, bool exact) {
     if (random() % 2 == 0) {
         return Pose::from_matrix(turn_about(axis, sine, exact ? 0 : cosine_of_half_pi), offset);
     }
-    // Equal parts make the turn exact whatever they are; the last step of one makes it rounded.
+    // Any two equal parts make the turn exact; a last digit off in one makes it rounded.
     const double half = exact ? 1 : root_of_half;
     const double other = exact ? 1 : 0.70710678118654746;
     return Pose::from_quaternion(quaternion_about(axis, sine * half, other), offset);
@@ -57,7 +57,7 @@ PosedPair lattice_pair(std::mt19937_64& random) {
     return {lattice_corners(random, 2), lattice_corners(random, 2), {}};
 }
 
-/// Diagonal edges of the lattice, turned by 45 degrees, lie nominally along its axes.
+/// Diagonal lattice edges, turned by 45 degrees, are nominally along its axes.
 PosedPair under_eighth_turns(std::mt19937_64& random) {
     PosedPair pair = lattice_pair(random);
     pair.poses.b = eighth_turn(random);
@@ -76,7 +76,7 @@ PosedPair under_quarter_turns(std::mt19937_64& random, bool exact) {
     return pair;
 }
 
-/// One rotation in two ways of writing it: the bodies touch as if neither was turned.
+/// Writes one rotation in two ways: the bodies touch as if unturned.
 PosedPair written_twice(std::mt19937_64& random) {
     PosedPair pair = lattice_pair(random);
     const Vec3 offset = random_point(random, 10);
@@ -92,7 +92,7 @@ PosedPair written_twice(std::mt19937_64& random) {
     return pair;
 }
 
-/// Whole quaternions are exact rational rotations, such as those of 3-4-5 triangles.
+/// Integer quaternions are exact rational rotations, such as those of 3-4-5 triangles.
 PosedPair rational_turns(std::mt19937_64& random) {
     PosedPair pair = lattice_pair(random);
     const auto whole_pose = [&] {
@@ -109,7 +109,7 @@ PosedPair rational_turns(std::mt19937_64& random) {
     return pair;
 }
 
-/// In one body exactly touching, then moved apart and back by rounded poses of both kinds.
+/// Exact contacts within one body, moved apart and back by rounded poses of both kinds.
 PosedPair touching_but_posed(std::mt19937_64& random) {
     PosedPair pair{random_corners(random, 1), random_corners(random, 1), {}};
     pair.b[0] = point_on(random, pair.a);

@@ -31,7 +31,7 @@ void add_spheres(Scenes& scenes) {
     add("tangent spheres, posed by rational turns",
         {Pose::from_quaternion({3, 0, 0, 1}, Vec3(7, 7, 7)),
          Pose::from_quaternion({1, 2, 2, 4}, Vec3(7, 7, 9))});
-    // 4/5 and 3/5 are no directions of vertices: faces meet nominally.
+    // No vertex has the direction (4/5, 3/5): faces meet nominally.
     add("tangent spheres, face to face", at(1.6, 1.2, 0));
     add("spheres, crossing", at(1.1, 0.3, 0.2));
     add("spheres, apart", at(1.6, 1.6, 0.1));
@@ -61,10 +61,10 @@ void add_tori(Scenes& scenes) {
     add("tori, one on itself", {upright, upright});
 }
 
-/// 16 teeth between radii 0.9 and 1.1; their axes nominally 2 apart.
+/// Gears have 16 teeth between radii 0.9 and 1.1; their axes are nominally 2 apart.
 void add_gears(Scenes& scenes) {
     const Body gear = solid(make_gear(4, 0.9, 1.1, 0.25, 2));
-    // Turned by half a tooth, so that a gap faces a tooth: half of 22.5 degrees, its half's sine.
+    // Turned by half a tooth (11.25 degrees), so that a gap faces a tooth.
     const Quaternion half_tooth{0.99518472667219693, 0, 0, 0.098017140329560604};
     const Pose meshing = Pose::from_quaternion(half_tooth, Vec3(2, 0, 0));
     const auto add = [&](const char* name, const PosePair& poses) {
@@ -77,7 +77,7 @@ void add_gears(Scenes& scenes) {
     add("gears, stacked", {Pose{}, translation_pose(0, 0, 0.25)});
     add("gears, stacked by half a tooth",
         {Pose{}, Pose::from_quaternion(half_tooth, Vec3(0, 0, 0.25))});
-    // The rational turn takes the axis x to (1, 2, 2) / 3.
+    // The rational turn maps the x axis to (1, 2, 2) / 3.
     add("gears, meshing, both posed",
         {Pose::from_quaternion(rational, Vec3(0.1, 0.2, 0.3)),
          Pose::from_quaternion(rational * half_tooth,

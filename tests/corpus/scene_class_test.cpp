@@ -1,5 +1,5 @@
-// Proves that the class of each hard scene is the one of the definition, also where two solids
-// penetrate each other and no two triangles cross.
+// Proves that each hard scene has the class of the definition, even if two solids penetrate each
+// other and no two triangles cross.
 #include "common/core/host/thread_pool.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build/build.hpp"

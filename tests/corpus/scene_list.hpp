@@ -1,4 +1,4 @@
-// How the lists of scenes are put together.
+// Helpers that build the lists of scenes.
 #pragma once
 
 #include "tests/corpus/scenes.hpp"
@@ -13,6 +13,6 @@ void add_building_scenes(Scenes& scenes);
 void add_odd_scenes(Scenes& scenes);
 
 [[nodiscard]] Body solid(Mesh mesh);
-[[nodiscard]] Body surface(Mesh mesh); ///< An open one.
+[[nodiscard]] Body surface(Mesh mesh); ///< Makes an open body.
 
 } // namespace cd::tests

@@ -20,7 +20,8 @@ struct Box {
     Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
 };
 
-/// The box of a triangle in the world, rounded in one order everywhere and grown by more than that.
+/// Returns a triangle's box in the world, computed in one fixed order and grown by more than the
+/// rounding.
 Box box_of(const Corners& corners, const Pose& pose) {
     const Mat3 r = pose.rotation();
     Box box;
@@ -53,7 +54,7 @@ std::vector<Box> boxes_of(const Mesh& mesh, const Pose& pose) {
     return boxes;
 }
 
-/// Pairs of triangles near each other in the scenes of a category, listed when first drawn from.
+/// Neighbouring triangle pairs of a category's scenes, listed on first use.
 class ScenePairs {
   public:
     explicit ScenePairs(std::string category) : category_(std::move(category)) {}

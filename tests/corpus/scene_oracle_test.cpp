@@ -1,4 +1,4 @@
-// Proves that the oracle of scenarios says of boxes what their intervals say.
+// Proves that the scenario oracle agrees with interval tests on boxes.
 #include "tests/support/scene_oracle.hpp"
 
 #include "tests/corpus/solids.hpp"
@@ -22,7 +22,7 @@ TEST(SceneOracle, EqualsTheIntervalsOfBoxes) {
                 ends[body + 1][k] = ends[body][k] + 1 + static_cast<double>(random() % 3);
             }
         }
-        if (seed % 4 == 0) { // A body around the other, or with a wall in common.
+        if (seed % 4 == 0) { // B encloses A or shares a wall with it.
             const double low = -static_cast<double>(random() % 2);
             ends[2] = Vec3::Constant(low);
             ends[3] = Vec3::Constant(7);

@@ -1,5 +1,5 @@
-// The hard scenes of whole meshes, by name (NUMERICS, section 4). The truth about them is the
-// oracle's, never taken from how they were made.
+// The hard scenes of whole meshes, by name (NUMERICS, section 4). Their truth comes from the
+// oracle, never from their construction.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -14,7 +14,7 @@ namespace cd::tests {
 
 struct Body {
     std::shared_ptr<const Mesh> mesh;
-    bool closed = true; ///< Known from how it was made.
+    bool closed = true; ///< Known from its construction.
 };
 
 struct Scene {
@@ -25,11 +25,11 @@ struct Scene {
     PosePair poses;
 };
 
-/// All scenes, in a fixed order; none has more than some thousand triangles. The same bits with
-/// every compiler and library.
+/// Returns all scenes in a fixed order, bit-identical with every compiler and library; each has at
+/// most some thousand triangles.
 [[nodiscard]] const std::vector<Scene>& corpus_scenes();
 
-/// One of them, which must exist.
+/// Returns the scene of that name, which must exist.
 [[nodiscard]] const Scene& corpus_scene(std::string_view name);
 
 } // namespace cd::tests

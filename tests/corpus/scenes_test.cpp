@@ -1,6 +1,6 @@
-// Proves that the hard scenes of whole meshes have the same bits everywhere, that they are as open
-// or closed as they say, and that trees of every kind, wide and binary, find exactly the contacts
-// of each on every SIMD target: none is lost in their boxes, and none is invented.
+// Proves that the hard scenes are bit-identical everywhere and open or closed as declared, and that
+// trees of every kind, wide and binary, find exactly each scene's contacts on every SIMD target:
+// none is lost in boxes, none invented.
 #include "tests/corpus/scenes.hpp"
 
 #include "common/core/host/thread_pool.hpp"
@@ -217,7 +217,7 @@ TEST_P(SceneContacts, AreExactlyThose) {
         for (const BuildOptions& options : variants) {
             const ObbTree a = build(scene->a, options);
             const ObbTree b = build(scene->b, options);
-            // Only coordinates out of the range of floats have no wide tree.
+            // Only coordinates beyond the range of floats have no wide tree.
             ASSERT_EQ(a.view().wide.nodes.empty(), is_extreme(*scene->a.mesh));
             ASSERT_EQ(b.view().wide.nodes.empty(), is_extreme(*scene->b.mesh));
             expect_found(without_wide(a), without_wide(b), scene->poses, oracle.contact_pairs());

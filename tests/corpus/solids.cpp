@@ -12,7 +12,7 @@ namespace {
 
 using Quad = std::array<std::uint32_t, 4>;
 
-/// The two triangles of a quadrilateral, corners counter-clockwise from outside.
+/// Adds the two triangles of a quadrilateral, corners counter-clockwise from outside.
 void add_quad(std::vector<Triangle>& triangles, const Quad& q) {
     triangles.push_back({q[0], q[1], q[2]});
     triangles.push_back({q[0], q[2], q[3]});
@@ -26,7 +26,7 @@ Vec3 middle_on_sphere(const Vec3& a, const Vec3& b) {
     return {x / length, y / length, z / length};
 }
 
-/// Numbers vertices by their place on a grid, each once.
+/// Numbers vertices by grid position, each once.
 class GridVertices {
   public:
     using Place = std::array<std::size_t, 3>;
@@ -49,7 +49,7 @@ class GridVertices {
     std::map<Place, std::uint32_t> numbers_;
 };
 
-/// The sides of a prism between rings of `size` vertices each, ring after ring from the bottom.
+/// Adds the sides of a prism between rings of `size` vertices each, from the bottom up.
 void add_sides(std::vector<Triangle>& triangles, std::uint32_t size, std::uint32_t rings) {
     for (std::uint32_t ring = 0; ring + 1 < rings; ++ring) {
         for (std::uint32_t i = 0; i < size; ++i) {
@@ -173,7 +173,8 @@ Mesh make_round_torus(double radius, double tube, int around, int across) {
 }
 
 Mesh make_gear(int doublings, double root, double tip, double height, int layers) {
-    // Eight directions a tooth: the tip takes those next to its axis, flanks fall to the root.
+    // Each tooth has eight directions: those next to its axis form the tip, and flanks fall to the
+    // root.
     const std::vector<Vec2> directions = unit_circle(doublings + 1);
     const auto size = static_cast<std::uint32_t>(directions.size());
     std::vector<Vec3> vertices;

@@ -1,5 +1,5 @@
-// Situations that users of other projects reported as wrong, rebuilt with numbers of our own. Each
-// test has the name of the thread.
+// Rebuilds, with our own numbers, situations that users of other projects reported as wrong. Each
+// test is named after the report.
 #include "common/core/host/thread_pool.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build/build.hpp"
@@ -30,7 +30,7 @@ ScenarioResult run(const Mesh& a, const Mesh& b, const PosePair& poses, Level le
     return run_scenario(tree_a, tree_b, scenario, query).result;
 }
 
-/// In any order of corners and bodies.
+/// Expects no contact in any order of corners and bodies.
 void expect_apart(const Corners& a, const Corners& b) {
     ASSERT_EQ(oracle_class(a, b, {}), PairClass::Separate);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -43,8 +43,8 @@ void expect_apart(const Corners& a, const Corners& b) {
 
 } // namespace
 
-// Two triangles of one upright wall, whose corners stand on two plumb lines and were floats once,
-// were found to meet: rounded normals put them in two planes, and a tolerance did the rest.
+// Report: two triangles of one upright wall, with corners on two plumb lines and once floats,
+// counted as meeting. Rounded normals put them in two planes, and a tolerance did the rest.
 TEST(Threads, JgtCode9) {
     const auto at = [](bool second, float height) {
         return second ? Vec3(double{17.418531f}, double{41.269943f}, double{height})
@@ -53,14 +53,14 @@ TEST(Threads, JgtCode9) {
     const Corners lower{at(false, 0.7f), at(true, 0.6f), at(false, 0.6f)};
     const Corners upper{at(true, 0.8f), at(true, 0.7f), at(false, 0.8f)};
     expect_apart(lower, upper);
-    // Moved down until the edges lie on one line they meet, and not only to a tolerance.
+    // Moved down until the edges are on one line, they meet even without a tolerance.
     const Corners meeting{at(true, 0.6f), at(true, 0.5f), at(false, 0.7f)};
     EXPECT_EQ(TrianglePairTest({}).classify(lower, meeting), oracle_class(lower, meeting, {}));
     EXPECT_NE(oracle_class(lower, meeting, {}), PairClass::Separate);
 }
 
-// Two walls of one profile on one axis overlap by 50 mm, and no clash was found: every corner of
-// each lies on a face of the other and all crossing edges lie in shared planes.
+// Report: two walls of one profile on one axis overlap by 50 mm, and no clash was found. Every
+// corner of each is on a face of the other, and all crossing edges are in shared planes.
 TEST(Threads, IfcOpenShell4594) {
     const Mesh wall = make_box_between(Vec3(0, 0, 0), Vec3(3, 0.25, 2.5));
     const Mesh corner = make_box_between(Vec3(0, 0, 0), Vec3(0.25, 3, 2.5));
@@ -72,13 +72,13 @@ TEST(Threads, IfcOpenShell4594) {
         EXPECT_EQ(run(wall, b, poses, Level::Pairs).pairs, oracle.contact_pairs());
         EXPECT_EQ(run(wall, b, poses, Level::Any).kind, ScenarioClass::Contact);
     }
-    // End to end they only touch.
+    // Placed end to end, they only touch.
     const SceneOracle end_to_end(wall, wall, {Pose{}, translation_pose(3, 0, 0)});
     EXPECT_EQ(end_to_end.scenario_class(true), ScenarioClass::Touch);
 }
 
-// Flat meshes were said to intersect themselves: triangles in one plane, apart from each other,
-// were found to meet.
+// Report: flat meshes counted as self-intersecting, since coplanar but separate triangles were
+// found to meet.
 TEST(Threads, Open3DPull7539) {
     const auto at = [](double y, double z) { return Vec3(0, y, z); };
     expect_apart({at(0.14, 1), at(0, 1.13), at(0, 1.03)}, {at(1.13, 0), at(0.03, 1), at(1.03, 0)});
@@ -88,9 +88,8 @@ TEST(Threads, Open3DPull7539) {
                  {Vec3(0.7, 0.2, 0.3), Vec3(0.9, 0.2, 0.3), Vec3(0.7, 0.5, 0.3)});
 }
 
-// A box given as a mesh fell through another one. We assume that only the vertices of each mesh
-// were tested against the other: boxes that cross or rest on each other with all vertices outside
-// then never collide.
+// Report: a box given as a mesh fell through another. We assume that only vertices were tested
+// against the other mesh; then boxes that cross or rest with all vertices outside never collide.
 TEST(Threads, Warp961) {
     const Mesh plate = make_box_between(Vec3(-10, -10, -1), Vec3(10, 10, 0));
     const Mesh pillar = make_box_between(Vec3(-1, -1, -20), Vec3(1, 1, 20));
@@ -104,8 +103,8 @@ TEST(Threads, Warp961) {
     }
 }
 
-// A small box stands on a large one, and the contact points were corners of the large box's
-// triangles, far outside of the face that they share.
+// Report: for a small box on a large one, the contact points were corners of the large box's
+// triangles, far outside the shared face.
 TEST(Threads, Fcl106) {
     const Mesh large = make_box_between(Vec3(-2, -2, -1), Vec3(2, 2, 0));
     const Mesh small = make_box_between(Vec3(-0.5, -0.25, 0), Vec3(0.5, 0.25, 1));
@@ -127,13 +126,13 @@ TEST(Threads, Fcl106) {
     EXPECT_EQ(corners.size(), 4u);
 }
 
-// Of two stacked boxes three quarters of the touching pairs were lost in the box tests alone, which
-// rounded without room for it: flat boxes that touch were found apart.
+// Report: for two stacked boxes the box tests, rounding without a margin, lost three quarters of
+// the touching pairs: touching flat boxes were found apart.
 TEST(Threads, FclStackedBoxes) {
     const Mesh box = make_ticked_box(ticks(0, 0.1, 6), ticks(0, 0.1, 6), ticks(0, 0.1, 6));
     const Quaternion turn{7, 1, -3, 2};
     const Vec3 place(0.1, 20.3, -7.7);
-    // The same height above in the turned box's own direction, rounded: z goes to (R z) * height.
+    // Rounds that height above the turned box, in its own direction: (R z) * height.
     const Vec3 up = Pose::from_quaternion(turn, Vec3::Zero()).apply(Vec3(0, 0, 0.6));
     const Mesh upper = make_ticked_box(ticks(0, 0.1, 6), ticks(0, 0.1, 6), ticks(6 * 0.1, 0.1, 6));
     const Pose pose = Pose::from_quaternion(turn, place);
@@ -142,7 +141,7 @@ TEST(Threads, FclStackedBoxes) {
     EXPECT_GT(flat, 1000u);
     for (const PosePair& poses : {PosePair{}, PosePair{pose, pose}, PosePair{rounded, rounded}}) {
         const SceneOracle oracle(box, upper, poses);
-        // One pose for both keeps every contact.
+        // One pose for both bodies keeps every contact.
         EXPECT_EQ(oracle.contact_pairs().size(), flat);
         EXPECT_EQ(run(box, upper, poses, Level::Pairs).pairs, oracle.contact_pairs());
     }
