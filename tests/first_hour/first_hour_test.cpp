@@ -1,6 +1,6 @@
-// Proves that the first hour of a stranger goes well: what is typed wrong, given in a wrong unit or
-// run with nobody there is answered by one line that names the way out. With CD_TRANSCRIPT set it
-// prints all that was typed and answered (tests/first_hour/run).
+// Proves that a newcomer's first hour goes well: typing errors, wrong units and missing programs
+// are answered by one line with a remedy. With CD_TRANSCRIPT set it prints all input and output
+// (tests/first_hour/run).
 #include "client/commands/commands.hpp"
 #include "proto/identity/certificate.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
@@ -30,12 +30,12 @@ class FirstHour : public testing::Test {
 
     [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
 
-    /// The meshes and a pose file, as options.
+    /// Returns the options for the meshes and a pose file.
     [[nodiscard]] std::vector<std::string> bodies(const std::string& poses) const {
         return {"--a", path("car.obj"), "--b", path("post.obj"), "--poses", path(poses)};
     }
 
-    /// Runs cdctl, and prints what was typed and answered where that is wanted.
+    /// Runs cdctl; prints input and output if a transcript is wanted.
     [[nodiscard]] Ran type(std::vector<std::string> words,
                            const std::vector<std::string>& more = {}) const {
         words.insert(words.end(), more.begin(), more.end());
@@ -287,7 +287,7 @@ TEST_F(FirstHour, ControlCEndsARunAtOnce) {
         cdctl(), "run", "--a", path("car.obj"), "--b", path("post.obj"), "--random", "100000000"};
     Process run(words, folder_ / "run");
     EXPECT_TRUE(comes_true([&] { return run.errors().find("  poses ") != std::string::npos; }));
-    // Ended by the signal itself, as long as it prepares.
+    // Wait until the run has begun; before, the signal itself would end the process.
     EXPECT_TRUE(
         comes_true([&] { return run.errors().find("/100 000 000 ") != std::string::npos; }));
     run.signal(SIGINT);

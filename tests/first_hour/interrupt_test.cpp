@@ -1,5 +1,5 @@
-// Proves that one signal ends a run at once, whatever it does: waits for an input, makes poses, or
-// runs.
+// Proves that one signal ends a run at once in every phase: waiting for an input, making poses, or
+// running.
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/support/comes_true.hpp"
 #include "tests/support/shapes.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// `cdctl run` on two spheres, told to stop by one signal.
+/// Runs `cdctl run` on two spheres and stops it by one signal.
 class Interrupt : public testing::Test {
   protected:
     Interrupt() { write_obj(folder_ / "ball.obj", make_sphere(3)); }
@@ -43,7 +43,7 @@ class Interrupt : public testing::Test {
         })) << path;
     }
 
-    /// Half a second, and a busy machine.
+    /// It takes half a second; the rest is for a busy machine.
     static void expect_end(Process& process, int signal) {
         process.signal(signal);
         EXPECT_EQ(process.wait(std::chrono::seconds(5)), 128 + signal) << process.errors();

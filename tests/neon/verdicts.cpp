@@ -1,8 +1,8 @@
-// Prints what this host's SIMD target says of pairs, a line for each, so that two hosts can be
+// Prints the verdicts of this host's SIMD target on pairs, one per line, so that two hosts can be
 // compared (tests/neon/run): pairs of the corpus and small triangles as vehicles have them.
 //
-// A line has the pair's name, a hash of its bits, what floats prove of it, its class, and a hash of
-// the points that it shares. Standard error gets the target and the counts.
+// A line has the pair's name, a hash of its bits, what floats prove, its class, and a hash of its
+// shared points. Standard error gets the target and the counts.
 #include "common/core/check.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/geometry/simd_target.hpp"
@@ -21,8 +21,8 @@
 
 namespace cd {
 
-// In place of check.cpp and hash.cpp, which would need more libraries for the other processor. The
-// names of meshes do not matter here.
+// Replaces check.cpp and hash.cpp, which need more libraries for the other processor. Mesh hashes
+// do not matter here.
 Sha256 sha256(std::span<const std::byte> /*bytes*/) {
     return {};
 }
@@ -40,7 +40,7 @@ namespace {
 
 constexpr std::uint64_t pairs_of_corpus = 10'000;
 constexpr int vehicle_poses = 12;
-constexpr int pairs_of_vehicle_pose = 333; // No multiple of any number of lanes.
+constexpr int pairs_of_vehicle_pose = 333; // Not a multiple of any number of lanes.
 
 struct Counts {
     std::array<std::uint64_t, 3> verdicts{};
@@ -48,7 +48,7 @@ struct Counts {
     std::uint64_t pairs = 0;
 };
 
-/// Triangles under one pair of poses, and which of A's meets which of B's.
+/// Triangles under one pair of poses, and the pairs to test.
 struct Batch {
     std::vector<Vec3> vertices_a;
     std::vector<Vec3> vertices_b;
@@ -60,7 +60,7 @@ struct Batch {
     [[nodiscard]] TriangleSpan b() const { return {vertices_b, triangles_b}; }
 };
 
-/// One pair with the corners of both in each cyclic order: they fill more than a vector.
+/// Makes a batch of one pair in all cyclic corner orders: more than a vector holds.
 Batch turned(const PosedPair& pair) {
     Batch batch;
     batch.vertices_a.assign(pair.a.begin(), pair.a.end());
@@ -75,8 +75,8 @@ Batch turned(const PosedPair& pair) {
     return batch;
 }
 
-/// Blocks of one triangle, so that the candidates' places are those of the batch, times the size of
-/// a block. Floats are rounded from the batch's numbers.
+/// Makes blocks of one triangle: a candidate's position is that in the batch times the block size.
+/// Floats are rounded from the batch's numbers.
 TriangleBlockArrays blocks_of(const TriangleSpan& span, Precision precision) {
     std::vector<Vec3> vertices(span.vertices.begin(), span.vertices.end());
     if (precision == Precision::Float) {
@@ -91,7 +91,8 @@ TriangleBlockArrays blocks_of(const TriangleSpan& span, Precision precision) {
     return blocks;
 }
 
-/// Of each candidate in the batch's arrays, then in blocks of floats, of doubles, and of both.
+/// Returns each candidate's verdicts from the batch's arrays, then from blocks of floats, of
+/// doubles, and of both.
 std::vector<FloatVerdict> verdicts_of(const PosePair& poses, const Batch& batch, Counts& counts) {
     const std::size_t count = batch.candidates.size();
     std::vector<FloatVerdict> verdicts(4 * count);
@@ -164,7 +165,7 @@ void print_corpus(Counts& counts) {
     }
 }
 
-/// Metres: edges of centimetres, on bodies of some metres.
+/// Makes triangles with edges of centimetres on bodies of metres; unit: metres.
 Corners small_corners(std::mt19937_64& random, const Vec3& centre) {
     Corners corners;
     for (Vec3& corner : corners) {
@@ -182,7 +183,7 @@ void add(Batch& batch, const Corners& a, const Corners& b) {
     batch.candidates.push_back({place, place});
 }
 
-/// Pairs whose centres are centimetres apart in the world, all in one batch.
+/// Prints one batch of pairs whose centres are centimetres apart in the world.
 void print_vehicles(std::uint64_t seed, Counts& counts) {
     std::mt19937_64 random(seed);
     const PosePair poses{make_pose(random, 100), make_pose(random, 100)};

@@ -1,6 +1,6 @@
 // Proves the simulated cluster's bookkeeping without a clock: under every strategy each scenario is
-// answered once, a worker gets each block that its scenarios touch once, from the master or from
-// who has it, and the bytes are those of these blocks.
+// answered once; a worker gets each block its scenarios touch once, from the master or a holder;
+// and the bytes are those of these blocks.
 #include "bench/cluster/model/master_model.hpp"
 #include "bench/cluster/model/strategies.hpp"
 #include "bench/cluster/model/worker_model.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 using namespace cd::bench;
 
-/// Delivers letters in the order of sending; workers run what is ready at once.
+/// Delivers messages in the order of sending; workers run ready scenarios at once.
 class InstantCluster {
   public:
     InstantCluster(const Workload& workload,
@@ -47,7 +47,7 @@ class InstantCluster {
 
     [[nodiscard]] const MasterCounts& counts() const { return master_.counts(); }
     [[nodiscard]] std::uint64_t from_peers() const { return from_peers_; }
-    /// By worker, as the batches say.
+    /// Blocks touched by the batches, by worker.
     [[nodiscard]] const std::map<WorkerId, std::set<BlockId>>& touched() const { return touched_; }
     [[nodiscard]] const std::map<std::uint64_t, int>& given() const { return given_; }
 
@@ -185,7 +185,7 @@ TEST(ClusterModels, ResultsLeaveWithTheirTaskOrWhenTheyAreOld) {
     EXPECT_EQ(worker.ready_count(), 0u);
     EXPECT_EQ(worker.opened(BlocksSent{wanted->blocks}).blocks, wanted->blocks);
     ASSERT_EQ(worker.ready_count(), 3u);
-    EXPECT_TRUE(worker.opened(BlocksSent{wanted->blocks}).blocks.empty()); // Twice is once.
+    EXPECT_TRUE(worker.opened(BlocksSent{wanted->blocks}).blocks.empty()); // No effect.
     ASSERT_EQ(worker.ready_count(), 3u);
 
     worker.ran(worker.next(), 1.0, 0.25);

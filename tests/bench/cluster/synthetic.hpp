@@ -1,4 +1,4 @@
-// Small jobs with made-up costs, for the bookkeeping of simulated clusters.
+// Small jobs with invented costs, for the bookkeeping of simulated clusters.
 #pragma once
 
 #include "bench/cluster/model/workload.hpp"
@@ -25,7 +25,7 @@ inline bench::Workload make_synthetic_workload(std::uint64_t seed, std::size_t s
                                  1e-2 * static_cast<double>(centiseconds),
                                  300,
                                  900,
-                                 centiseconds * 8'000'000, // Less than it takes.
+                                 centiseconds * 8'000'000, // Less than the actual time.
                                  {}};
         for (RootIndex root = 0; root < 40; ++root) {
             if (random() % 8 == 0) {

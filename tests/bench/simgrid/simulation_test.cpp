@@ -1,5 +1,5 @@
-// Proves that a job simulated under SimGrid is answered whole, takes at least the time that its
-// bounds say, and comes out the same each time.
+// Proves that a job simulated under SimGrid is answered completely, takes at least as long as its
+// bounds, and is reproducible.
 #include "bench/cluster/model/simulation.hpp"
 
 #include "bench/cluster/model/strategies.hpp"
@@ -43,7 +43,7 @@ TEST(ClusterSimulation, IsWholeWithinItsBoundsAndTheSameEachTime) {
             EXPECT_EQ(first->blocks_received == first->blocks, !compared.peers);
             EXPECT_EQ(first->peer_bytes != 0, compared.peers);
             EXPECT_GT(first->sent_bytes, first->block_bytes);
-            // Some scenarios at the end are done twice.
+            // Some scenarios run twice at the end.
             EXPECT_GT(first->work_seconds, workload.serial_seconds - 1e-9);
             EXPECT_LT(first->work_seconds, 1.06 * workload.serial_seconds);
             const double bound = options.cluster.weighted_cores(workload.slow_ratio);
@@ -51,7 +51,7 @@ TEST(ClusterSimulation, IsWholeWithinItsBoundsAndTheSameEachTime) {
             EXPECT_LT(first->seconds, workload.serial_seconds);
             EXPECT_EQ(first->seconds, second->seconds);
             EXPECT_EQ(first->sent_bytes, second->sent_bytes);
-            EXPECT_GT(first->received_bytes, 900 * workload.count()); // The records.
+            EXPECT_GT(first->received_bytes, 900 * workload.count()); // Bytes of the records.
             EXPECT_EQ(first->received_bytes, second->received_bytes);
             EXPECT_EQ(first->master_seconds, second->master_seconds);
         }

@@ -1,5 +1,5 @@
-// Proves that a job on many simulated hosts is answered whole, within its bounds and the same each
-// time, also where blocks do not fit; and that the baselines are what they say.
+// Proves that a job on many simulated hosts is answered completely, within its bounds and
+// reproducibly, even if blocks exceed the caches; and that the baselines compute what they claim.
 #include "bench/cluster/model/large_cluster.hpp"
 
 #include "bench/cluster/model/baselines.hpp"
@@ -55,7 +55,7 @@ TEST(LargeCluster, BlocksThatDoNotFitComeAgain) {
     const Workload workload = make_synthetic_workload(8, 1000);
     for (const bool peers : {false, true}) {
         LargeOptions options = some_hosts(Strategy::EarliestFinish, peers);
-        options.cache_bytes = 60'000; // Of 256,000 in all.
+        options.cache_bytes = 60'000; // All blocks have 256,000.
         const LargeOutcome outcome = simulate_large(workload, options);
         EXPECT_EQ(outcome.answered, workload.count());
         EXPECT_GT(outcome.evictions, 0u);
@@ -71,15 +71,15 @@ TEST(Baselines, AreCountedInTheirOwnFavour) {
         workload.scenarios.push_back(i);
     }
     const std::vector<double> speeds{1, 0.5};
-    // 1,000 bytes for each in the first 2 s, then 2,000 more for the second; its work takes 4 s.
+    // In the first 2 s each gets 1,000 bytes, then the second gets 2,000 more; its work takes 4 s.
     const BaselineOutcome split = static_split(workload, speeds, 1000);
     EXPECT_DOUBLE_EQ(split.seconds, 4);
     EXPECT_EQ(split.sent_bytes, 4000u);
     EXPECT_EQ(split.memory_bytes_max, 7000u);
-    // The first is ready after 4 s and has done all 4 scenarios when the second would be.
+    // The first is ready after 4 s and does all 4 scenarios before the second would be ready.
     EXPECT_DOUBLE_EQ(whole_everywhere(workload, speeds, 1000).seconds, 8);
     EXPECT_EQ(whole_everywhere(workload, speeds, 1000).sent_bytes, 8000u);
-    // 4 s of work on 1.5; 4 s of bytes.
+    // Work takes 4 s at speed 1.5; bytes take 4 s.
     EXPECT_DOUBLE_EQ(offline_optimum(workload, speeds, 1000).seconds, 4);
 }
 

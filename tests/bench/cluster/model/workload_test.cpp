@@ -1,5 +1,5 @@
-// Proves that a trace comes back from its file as it was written, and that the paper's seconds are
-// reached row by row whatever the order of the scenarios.
+// Proves that a trace is read back as written, and that the paper's seconds are reached row by row
+// in any order of scenarios.
 #include "bench/cluster/model/workload.hpp"
 
 #include "bench/cluster/trace/trace.hpp"
