@@ -1,4 +1,4 @@
-// cdctl: everything that a user does.
+// cdctl: the user's command line program.
 #include "client/base/heap.hpp"
 #include "client/base/standard_output.hpp"
 #include "client/cli/cli.hpp"
@@ -13,7 +13,7 @@
 int main(int argc, char** argv) {
     try {
         cd::keep_heap_small();
-        cd::start_logging("cdctl", "warning"); // What is on stdout is for programs.
+        cd::start_logging("cdctl", "warning"); // Programs read stdout, so it gets no log.
         const cd::CommandLine line = cd::parse_command_line({argv + 1, argv + argc});
         if (!line.command) {
             std::fputs(line.text.c_str(), line.exit_code == 0 ? stdout : stderr);

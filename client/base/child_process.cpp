@@ -17,12 +17,12 @@ namespace cd {
 
 namespace {
 
-/// Between fork and exec, where only calls that are safe in a signal handler are allowed.
+/// Runs between fork and exec, so only async-signal-safe calls are allowed.
 [[noreturn]] void become(const char* program, char* const* arguments, int log, pid_t parent) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent) {
-        _exit(127); // The parent died before the line above.
+        _exit(127); // The parent died before prctl took effect.
     }
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);

@@ -1,4 +1,4 @@
-// A program that this one starts, and that never outlives it.
+// A child program, which never outlives this process.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -14,21 +14,21 @@ namespace cd {
 
 class ChildProcess {
   public:
-    /// Starts the program with its output appended to `log`. It gets no signals from the terminal:
-    /// whoever owns this object ends it. It is told to end should this process die.
-    /// Errors: NotFound for a missing program; Io.
+    /// Starts the program and appends its output to `log`. It gets no signals from the terminal;
+    /// the owner of this object ends it. SIGTERM ends it if this process dies. Errors: NotFound for
+    /// a missing program; Io.
     [[nodiscard]] static Result<ChildProcess> start(const std::filesystem::path& program,
                                                     const std::vector<std::string>& arguments,
                                                     const std::filesystem::path& log);
 
     ChildProcess(ChildProcess&& other) noexcept;
     ChildProcess& operator=(ChildProcess&&) = delete;
-    /// Stops it.
+    /// Calls `stop`.
     ~ChildProcess();
 
     [[nodiscard]] bool is_running();
 
-    /// Asks it to end, and kills it should it not within the grace period.
+    /// Sends SIGTERM, and SIGKILL if the child outlives the grace period.
     void stop(std::chrono::milliseconds grace = std::chrono::seconds(10));
 
     [[nodiscard]] pid_t id() const { return id_; }

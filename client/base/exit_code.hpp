@@ -11,9 +11,9 @@ inline constexpr int exit_usage = 2;    ///< Wrong usage or input.
 inline constexpr int exit_incomplete = 3;
 inline constexpr int exit_unreachable = 4;
 inline constexpr int exit_refused = 5;
-inline constexpr int exit_signal_base = 128; ///< Plus the signal: 130 and 143.
+inline constexpr int exit_signal_base = 128; ///< The signal's number is added: 130, 143.
 
-/// `signal` is the one that interrupted, for errors of that kind.
+/// The exit code for an error. `signal` counts if the error is Interrupted.
 [[nodiscard]] int exit_code_of(const Error& error, int signal = 2);
 
 } // namespace cd

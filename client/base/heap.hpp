@@ -1,14 +1,13 @@
-// How much memory this process holds on to after it was freed.
+// Bounds the freed memory that this process keeps.
 #pragma once
 
 namespace cd {
 
-/// From now on large arrays come straight from the system and go back to it, and so does what is
-/// free at the ends of the threads' heaps. Importing and building take several times the memory
-/// that stays.
+/// Makes the allocator map large arrays separately and trim the heaps' free ends. Importing and
+/// building need several times the memory that remains in use.
 void keep_heap_small();
 
-/// Gives back what is free within the heaps. For after importing and building.
+/// Returns free memory within the heaps to the system. Called after importing and building.
 void return_free_memory();
 
 } // namespace cd

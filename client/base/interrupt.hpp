@@ -1,17 +1,17 @@
-// SIGINT and SIGTERM as a flag that long work looks at.
+// SIGINT and SIGTERM as a flag that long operations poll.
 #pragma once
 
 #include <csignal>
 
 namespace cd {
 
-/// While it lives, the first SIGINT or SIGTERM only sets a flag; a second one ends the process at
-/// once. One at a time.
+/// During its lifetime the first SIGINT or SIGTERM only sets a flag; the second ends the process at
+/// once. Only one guard may exist at a time.
 class InterruptGuard {
   public:
-    /// What the first signal does. `EndsProcess`: until `begin_to_flag` it ends the process at
+    /// The effect of the first signal. `EndsProcess`: until `begin_to_flag` it ends the process at
     /// once, with a line on stderr and exit code 128 + signal. This suits work that may block and
-    /// whose loss does not matter: reading inputs, building trees.
+    /// that may be lost: reading inputs, building trees.
     enum class First { SetsFlag, EndsProcess };
 
     explicit InterruptGuard(First first = First::SetsFlag);
@@ -21,10 +21,10 @@ class InterruptGuard {
 
     /// From now on the first signal only sets the flag.
     static void begin_to_flag();
-    /// From now on the first signal ends the process, as with `EndsProcess`. A signal that has
-    /// already come ends it immediately.
+    /// From now on the first signal ends the process, as with `EndsProcess`. An earlier signal ends
+    /// it immediately.
     static void begin_to_end();
-    /// The signal that came, or 0.
+    /// The signal received, or 0.
     [[nodiscard]] static int signal();
     /// True after a signal; usable as a `StopCheck`.
     [[nodiscard]] static bool has_come() { return signal() != 0; }

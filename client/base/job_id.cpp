@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t digits_min = 4;
 constexpr std::string_view prefix = "j-";
 
-/// All sixteen digits. The finalizer of SplitMix64 (Steele, Lea, Flood, 2014) is one to one.
+/// All sixteen digits of an id. The finalizer of SplitMix64 (Steele, Lea, Flood, 2014) is
+/// bijective.
 std::string digits_of(JobId job) {
     std::uint64_t mixed = job.value;
     mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9;

@@ -1,4 +1,4 @@
-// A message to the user when a step takes long.
+// A message to the user if a step takes long.
 #pragma once
 
 #include <condition_variable>
@@ -8,10 +8,10 @@
 
 namespace cd {
 
-/// Prints `text` as a line on stderr if it lives longer than half a second.
+/// Prints `text` as a line on stderr if the object lives longer than half a second.
 class SlowNote {
   public:
-    /// With `quiet` it never prints.
+    /// `quiet` disables the note.
     SlowNote(std::string text, bool quiet);
     SlowNote(const SlowNote&) = delete;
     SlowNote& operator=(const SlowNote&) = delete;

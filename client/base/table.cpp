@@ -37,7 +37,7 @@ std::string list_text(const std::vector<std::uint32_t>& list) {
     return text;
 }
 
-/// As a program reads it: no units, no groups.
+/// The cell's value for programs: no units, no groups.
 std::string raw_text(const Cell& cell) {
     if (const auto* text = std::get_if<std::string>(&cell)) {
         return *text;
@@ -62,14 +62,14 @@ std::string quoted(const std::string& text) {
     return out + "\"";
 }
 
-/// What a terminal shows of UTF-8: one place for each code point.
+/// The number of terminal columns of a UTF-8 text: one for each code point.
 std::size_t width_of(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
     }));
 }
 
-/// Nothing of a name may steer a terminal.
+/// Replaces control characters, which could control the terminal.
 std::string printable(std::string text) {
     std::replace_if(
         text.begin(),
@@ -165,7 +165,7 @@ std::string table_json(const Table& table) {
         }
         list.push_back(std::move(object));
     }
-    // Names come from other people's files: what is no UTF-8 is replaced.
+    // Names come from foreign files, so invalid UTF-8 is replaced.
     return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

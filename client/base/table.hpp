@@ -1,4 +1,4 @@
-// Lists of things, for people and for programs.
+// Tables for people and for programs.
 #pragma once
 
 #include <cstdint>
@@ -8,27 +8,27 @@
 
 namespace cd {
 
-/// How a column's numbers are shown to people. Programs get them as they are.
+/// The format of a column's numbers for people. Programs get raw values.
 enum class CellKind : std::uint8_t {
     Text,
     Count,
-    Size,    ///< In bytes: "1.4 MiB".
+    Size,    ///< Bytes: "1.4 MiB".
     Seconds, ///< "12.3 s"
-    Rate,    ///< A second: "58.4 k/s"
-    Share,   ///< Of one: "42 %"
+    Rate,    ///< Per second: "58.4 k/s"
+    Share,   ///< A fraction of 1: "42 %"
 };
 
 struct Column {
-    std::string key; ///< For programs: `bytes_sent`.
+    std::string key; ///< Name for programs: `bytes_sent`.
     std::string title;
     CellKind kind = CellKind::Text;
     bool only_wide = false;
 };
 
-/// A list is shown with blanks between its numbers; in JSON it is an array.
+/// A list is printed with blanks between its numbers; in JSON it is an array.
 using Cell = std::variant<std::string, std::uint64_t, double, std::vector<std::uint32_t>>;
 
-/// Each row has a cell for each column; the first column names the thing.
+/// Each row has a cell for each column; the first column has the row's name.
 struct Table {
     std::vector<Column> columns;
     std::vector<std::vector<Cell>> rows;
@@ -36,16 +36,16 @@ struct Table {
 
 [[nodiscard]] std::string cell_text(const Cell& cell, CellKind kind);
 
-/// Aligned columns under their titles, each line behind `indent`.
+/// The table as aligned columns under their titles, each line after `indent`.
 [[nodiscard]] std::string table_text(const Table& table, bool wide, const std::string& indent = "");
-/// With a line of keys; quoted where RFC 4180 asks for it.
+/// The table as CSV with a line of keys; fields are quoted as in RFC 4180.
 [[nodiscard]] std::string table_csv(const Table& table);
-/// An array of objects.
+/// The table as a JSON array of objects.
 [[nodiscard]] std::string table_json(const Table& table);
-/// The first column, a line each.
+/// The cells of the first column, one per line.
 [[nodiscard]] std::string table_names(const Table& table);
 
-/// By the name of the form: text, wide, csv, json or name.
+/// The table in the named form: text, wide, csv, json or name.
 [[nodiscard]] std::string format_table(const Table& table, const std::string& form);
 
 } // namespace cd

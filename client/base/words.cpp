@@ -33,7 +33,7 @@ std::size_t edits_between(std::string_view from, std::string_view to) {
     return row.back();
 }
 
-/// Text from a file is foreign: no more of it than this is compared.
+/// Texts from files may be long, so only this much is compared.
 constexpr std::size_t word_length_max = 64;
 
 } // namespace

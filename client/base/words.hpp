@@ -1,4 +1,4 @@
-// Small matters of text: what a mistyped word was probably meant to be, and numbers for people.
+// Text utilities: suggestions for mistyped words, and numbers for people.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,21 @@
 
 namespace cd {
 
-/// The known word that takes the fewest edits to reach, if it takes few for the word's length.
+/// The known word with the smallest edit distance, if that is small for the word's length.
 [[nodiscard]] std::optional<std::string_view> nearest_word(std::string_view word,
                                                            std::span<const std::string_view> known);
 
-/// "; did you mean "x"?" where some known word is near, otherwise the list of those that exist.
+/// "; did you mean "x"?" if a known word is near, otherwise the list of known words.
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      std::span<const std::string_view> known);
 
-/// With thin groups: 48 212.
+/// The number with digit groups: 48 212.
 [[nodiscard]] std::string grouped(std::uint64_t number);
 
 /// The shortest decimal that reads back as the same double.
 [[nodiscard]] std::string exact_text(double value);
 
-/// With `digits` digits after the point.
+/// The value with `digits` digits after the point.
 [[nodiscard]] std::string fixed_text(double value, int digits);
 
 /// 950 /s as "950", 58 400 as "58.4 k", 1 200 000 as "1.2 M".

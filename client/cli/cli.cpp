@@ -16,8 +16,8 @@ namespace cd {
 
 namespace {
 
-/// Help that opens with what to type. A description's first line says what the verb does; the rest
-/// are its examples.
+/// Formats help with the examples first. A description's first line says what the verb does; the
+/// rest are its examples.
 class ExamplesFirst final : public CLI::Formatter {
   public:
     std::string make_description(const CLI::App* app) const override {
@@ -38,7 +38,7 @@ class ExamplesFirst final : public CLI::Formatter {
     }
 };
 
-/// Owns the values that the options of the verbs are written into.
+/// Owns the variables to which the verbs' options are written.
 struct Verbs {
     RunCommand run;
     DemoCommand demo;
@@ -424,7 +424,7 @@ void add_check_verbs(CLI::App& app, Verbs& verbs) {
     add_tree_cache(*extract, verbs.extract.tree_cache);
 }
 
-/// CLI11's exit codes tell its own errors apart; ours is one for all wrong usage.
+/// CLI11 has an exit code per error; ours has a single one for wrong usage.
 CommandLine refused(const CLI::App& app,
                     const CLI::ParseError& error,
                     const std::vector<std::string>& arguments) {

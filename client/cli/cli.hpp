@@ -13,14 +13,14 @@
 
 namespace cd {
 
-/// Where the master is, for the verbs that need one.
+/// How to reach the master, for verbs that need one.
 struct MasterOptions {
     std::string address; ///< HOST:PORT
     bool insecure = false;
-    std::string credential; ///< A file, or "none"; empty: that which `join` got, if any.
+    std::string credential; ///< A file, or "none"; empty: the one of `join`, if any.
 };
 
-/// What decides exit code 1.
+/// The condition for exit code 1.
 enum class FailOn : std::uint8_t { Never, Touch, Cross };
 
 /// Options for results folders.
@@ -33,10 +33,10 @@ struct FolderFlags {
 struct RunCommand {
     JobOptions job; ///< `job.file` may be a results folder.
     FolderFlags folder;
-    MasterOptions master; ///< No address: on this machine alone.
-    unsigned threads = 0; ///< 0: one for each core.
+    MasterOptions master; ///< No address: run on this machine.
+    unsigned threads = 0; ///< 0: one per core.
     std::string simd;     ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
-    std::optional<PairStage> first_stage; ///< On this machine alone.
+    std::optional<PairStage> first_stage; ///< Only for runs on this machine.
     std::string tree_cache = "off";       ///< A folder, or off.
     FailOn fail_on = FailOn::Never;
     bool dry_run = false;
@@ -49,7 +49,7 @@ struct RunCommand {
 
 struct DemoCommand {
     std::uint64_t scenarios = 1000;
-    std::string a; ///< Both or neither.
+    std::string a; ///< `a` and `b` are both given or both empty.
     std::string b;
     std::string out;
     bool quiet = false;
@@ -75,7 +75,7 @@ struct WatchCommand {
 };
 
 struct ResultsCommand {
-    std::string job; ///< Or a results folder.
+    std::string job; ///< A job's id, or a results folder.
     MasterOptions master;
     std::string out;
     FolderFlags folder;
@@ -84,7 +84,7 @@ struct ResultsCommand {
     std::string tree_cache = "off"; ///< A folder, or off.
     bool quiet = false;
     bool statistics = false;
-    std::string output = "text"; ///< text, json, csv: on stdout where no folder is given.
+    std::string output = "text"; ///< text, json or csv, on stdout if `out` is empty.
 };
 
 struct VerifyCommand {
@@ -121,13 +121,13 @@ struct StatusCommand {
 
 struct CancelCommand {
     std::string job;
-    std::optional<std::uint64_t> scenario; ///< Nothing: the whole job.
+    std::optional<std::uint64_t> scenario; ///< Empty: the whole job.
     MasterOptions master;
 };
 
-/// `rm`
+/// The verb `rm`.
 struct RemoveCommand {
-    std::vector<std::string> what; ///< Jobs, or meshes by their hashes.
+    std::vector<std::string> what; ///< Ids of jobs, or hashes of meshes.
     bool yes = false;
     bool cancel = false; ///< Cancel a running job first.
     MasterOptions master;
@@ -147,15 +147,15 @@ struct ExplainCommand {
     std::string output = "text"; ///< text, json
 };
 
-/// Gets a credential.
+/// The verb `join`, which obtains a credential.
 struct JoinCommand {
     MasterOptions master;
     std::string token;
-    std::string token_file; ///< Or its first line.
-    std::string name;       ///< For people; empty: user and host.
+    std::string token_file; ///< A file with the token in its first line.
+    std::string name;       ///< A name for people; empty: user and host.
 };
 
-/// `token create`
+/// The verb `token create`.
 struct TokenCommand {
     MasterOptions master;
     std::string role = "worker";
@@ -192,7 +192,7 @@ using Command = std::variant<RunCommand,
                              InspectCommand,
                              VersionCommand>;
 
-/// A command to run; or none, with what to print instead (help on stdout, a usage error on stderr)
+/// A command to run; or none, and instead a text to print (help on stdout, a usage error on stderr)
 /// and the exit code.
 struct CommandLine {
     std::optional<Command> command;
@@ -200,7 +200,7 @@ struct CommandLine {
     int exit_code = 0;
 };
 
-/// `arguments` without the program's name.
+/// Parses `arguments`, which lack the program's name.
 [[nodiscard]] CommandLine parse_command_line(std::vector<std::string> arguments);
 
 } // namespace cd

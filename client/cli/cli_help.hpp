@@ -1,4 +1,4 @@
-// The long texts of the help: first line, what it does; then examples to type, then the rest.
+// Long help texts: the first line says what the verb does, then come examples, then the rest.
 #pragma once
 
 namespace cd {

@@ -1,4 +1,4 @@
-// Messages for wrong usage of cdctl, with the word that was probably meant.
+// Messages for wrong usage of cdctl, which suggest the intended word.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Shared parts of the writers of CSV files.
+// Functions and classes shared by the writers of CSV files.
 #pragma once
 
 #include "client/formats/output_file.hpp"
@@ -19,7 +19,7 @@ namespace cd {
 /// Quotes a field as in RFC 4180 and replaces invalid UTF-8.
 [[nodiscard]] std::string csv_field(std::string_view text);
 
-/// The name of a triangle's part as a field.
+/// Names of triangles' parts as CSV fields.
 class PartFields {
   public:
     explicit PartFields(const std::shared_ptr<const Mesh>& mesh);
@@ -31,11 +31,11 @@ class PartFields {
     std::vector<std::string> fields_;
 };
 
-/// A file that is written in large pieces.
+/// A file of rows, written in large pieces.
 class RowFile {
   public:
     explicit RowFile(OutputFile file) : file_(std::move(file)) {}
-    /// With a first row. Errors: Io naming the file.
+    /// Creates a file with a header row. Errors: Io naming the file.
     [[nodiscard]] static Result<RowFile> create(const std::filesystem::path& path,
                                                 std::string_view header);
 

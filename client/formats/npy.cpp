@@ -39,7 +39,7 @@ const TypeName& name_of(NpyType type) {
         types.begin(), types.end(), [&](const TypeName& name) { return name.type == type; });
 }
 
-/// What stands behind 'key': in the header's dictionary, up to the next comma outside parentheses.
+/// The value of 'key' in the header's dictionary, up to the next comma outside parentheses.
 std::optional<std::string_view> value_of(std::string_view dictionary, std::string_view key) {
     const std::string quoted = "'" + std::string(key) + "':";
     const std::size_t place = dictionary.find(quoted);
@@ -63,7 +63,7 @@ std::optional<std::string_view> value_of(std::string_view dictionary, std::strin
                                            : rest.substr(first, last - first + 1);
 }
 
-/// "(3,)", "()" or "(2, 4, 4)".
+/// Parses "(3,)", "()" or "(2, 4, 4)".
 std::optional<std::vector<std::uint64_t>> parse_shape(std::string_view text) {
     if (text.size() < 2 || text.front() != '(' || text.back() != ')') {
         return std::nullopt;
@@ -160,7 +160,7 @@ std::vector<To> converted(NpyType type, std::span<const std::byte> data) {
     return out;
 }
 
-/// Elements in the order of the last index fastest, from the order of the first.
+/// Converts elements from Fortran order to C order.
 Bytes to_c_order(std::span<const std::byte> data,
                  std::span<const std::uint64_t> shape,
                  std::size_t item) {
@@ -285,7 +285,7 @@ struct NpyRows::State {
     NpyType type = NpyType::F8;
     std::ifstream file;
     std::size_t data_offset = 0;
-    std::optional<Bytes> data; ///< Instead of the file.
+    std::optional<Bytes> data; ///< The array, if it is in memory instead of `file`.
     std::string name;
 };
 

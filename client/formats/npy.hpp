@@ -14,11 +14,11 @@
 
 namespace cd {
 
-/// Element types that we read and write, all little-endian.
+/// Supported element types, all little-endian.
 enum class NpyType : std::uint8_t { F8, F4, I8, I4, I2, I1, U8, U4, U2, U1 };
 
 [[nodiscard]] std::size_t size_of(NpyType type);
-/// "<f8" and the like.
+/// The type in NumPy's notation: "<f8".
 [[nodiscard]] std::string_view to_text(NpyType type);
 
 struct NpyHeader {
@@ -27,15 +27,15 @@ struct NpyHeader {
     std::vector<std::uint64_t> shape;
     std::size_t data_offset = 0; ///< Offset of the first element in the file.
 
-    /// Elements; saturates.
+    /// The number of elements; saturates.
     [[nodiscard]] std::uint64_t count() const;
 };
 
-/// No header ends later; NumPy's own are some 100 bytes.
+/// The largest header; NumPy's own have some 100 bytes.
 inline constexpr std::size_t npy_header_bytes_max = (1u << 16) + 16;
 
 /// Reads the header from the first bytes of an array file, which may be hostile. Errors: BadInput
-/// saying what is wrong: no array, a type that is not one of ours, big-endian, damaged.
+/// with the reason: no array, an unsupported type, big-endian, damaged.
 [[nodiscard]] Result<NpyHeader> parse_npy_header(std::span<const std::byte> file);
 
 /// The header of a file as written, always `npy_header_bytes` long.
@@ -50,23 +50,25 @@ struct NpyArray {
 
     /// All elements as doubles; integers beyond 2^53 are rounded.
     [[nodiscard]] std::vector<double> to_doubles() const;
-    /// Errors: BadInput where the type is not an integer or an element does not fit.
+    /// All elements as integers. Errors: BadInput if the type is not an integer or an element does
+    /// not fit.
     [[nodiscard]] Result<std::vector<std::int64_t>> to_integers() const;
 };
 
-/// Makes an array of a header and its data, whose size has been checked.
+/// Makes an array from a header and data whose size has been checked.
 [[nodiscard]] NpyArray make_npy_array(const NpyHeader& header, Bytes data);
 
-/// Errors: as the header's; BadInput when there are fewer or more elements than it says.
+/// Parses a whole file. Errors: those of `parse_npy_header`; BadInput if the number of elements
+/// differs from the header.
 [[nodiscard]] Result<NpyArray> parse_npy(std::span<const std::byte> file);
 
 /// The rows (first index) of an array file, read in runs and as doubles. Arrays in Fortran order
 /// are read whole.
 class NpyRows {
   public:
-    /// Errors: NotFound, Io, and those of the header, naming the file.
+    /// Opens a file. Errors: NotFound, Io, and those of `parse_npy_header`, naming the file.
     [[nodiscard]] static Result<std::unique_ptr<NpyRows>> open(const std::filesystem::path& path);
-    /// Rows of an array in memory.
+    /// The rows of an array in memory.
     [[nodiscard]] static std::unique_ptr<NpyRows> of(NpyArray array);
     NpyRows(const NpyRows&) = delete;
     NpyRows& operator=(const NpyRows&) = delete;
@@ -75,7 +77,7 @@ class NpyRows {
     [[nodiscard]] const std::vector<std::uint64_t>& shape() const;
     [[nodiscard]] std::uint64_t row_count() const;
     [[nodiscard]] std::uint64_t row_size() const; ///< Elements of a row.
-    /// Rows [first, first + count), which must exist. Errors: Io.
+    /// Reads rows [first, first + count), which must exist. Errors: Io.
     [[nodiscard]] Result<std::vector<double>> read(std::uint64_t first, std::uint64_t count);
 
   private:

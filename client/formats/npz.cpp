@@ -115,7 +115,7 @@ Status NpzWriter::finish() {
         }
         zip_set_file_compression(
             archive.get(), static_cast<zip_uint64_t>(index), ZIP_CM_DEFLATE, 1);
-        // Equal arrays make equal files: 1 January 1980 stands for the time of writing.
+        // A fixed time, 1 January 1980, makes files of equal arrays equal.
         zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0, 0x21, 0);
     }
     zip_register_cancel_callback_with_state(

@@ -23,11 +23,11 @@ class NpzWriter {
     explicit NpzWriter(std::filesystem::path path, StopCheck stop = {});
     NpzWriter(const NpzWriter&) = delete;
     NpzWriter& operator=(const NpzWriter&) = delete;
-    /// Removes what was spooled.
+    /// Removes spooled files.
     ~NpzWriter();
 
-    /// A new array of one dimension, or of rows of `columns` elements. Returns its number. Errors
-    /// of the file system are reported by the first `append`.
+    /// Adds an array of one dimension, or of rows of `columns` elements. Returns its number. The
+    /// first `append` reports errors of the file system.
     std::size_t add_array(const std::string& name, NpyType type, std::uint64_t columns = 0);
 
     /// Appends elements. Errors: Io naming the file, as soon as a write fails.
@@ -37,7 +37,7 @@ class NpzWriter {
         return append_bytes(array, std::as_bytes(values), sizeof(T));
     }
 
-    /// Errors: Io naming the file; Interrupted.
+    /// Completes the archive. Errors: Io naming the file; Interrupted.
     [[nodiscard]] Status finish();
 
   private:

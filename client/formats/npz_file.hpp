@@ -20,8 +20,8 @@ class NpzArray {
     NpzArray(NpyHeader header, ZipEntry entry, Bytes begun, std::string place);
 
     [[nodiscard]] const NpyHeader& header() const { return header_; }
-    /// The next elements, in the file's order, and a multiple of three of them in an array with
-    /// rows of three. Empty at the end. Errors: BadInput naming file and array.
+    /// The next elements in the file's order, or nothing at the end. For arrays with rows of three
+    /// it returns whole rows. Errors: BadInput naming file and array.
     [[nodiscard]] Result<NpyArray> next();
 
   private:
@@ -29,14 +29,14 @@ class NpzArray {
     ZipEntry entry_;
     Bytes begun_; ///< Data that was unpacked together with the header.
     std::uint64_t bytes_left_;
-    std::string place_; ///< File and array, for errors.
+    std::string place_; ///< File and array, for messages.
 };
 
 /// The arrays of an archive. The file may be hostile: an array is unpacked on request, up to the
 /// size in its header and at most `limits::npz_array_bytes_max`.
 class NpzFile {
   public:
-    /// Errors: NotFound; BadInput, naming the file.
+    /// Opens an archive. Errors: NotFound; BadInput, naming the file.
     [[nodiscard]] static Result<NpzFile> open(const std::filesystem::path& path);
 
     /// The names of all arrays, without ".npy".

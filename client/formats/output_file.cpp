@@ -10,7 +10,7 @@ namespace cd {
 
 namespace {
 
-/// A failed write to standard output is Incomplete, since the requested output is not whole.
+/// A failed write to standard output is Incomplete, since the output is not whole.
 Error io_error(const std::filesystem::path& path) {
     return {path.empty() ? ErrorCode::Incomplete : ErrorCode::Io,
             (path.empty() ? "standard output" : path.string()) + ": " + std::strerror(errno)};

@@ -1,4 +1,4 @@
-// A file that appears under its name only when it is whole.
+// A file that appears under its name only when it is complete.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -10,20 +10,20 @@
 
 namespace cd {
 
-/// Written as "NAME.partial" beside its place; `commit` flushes it to the disk and renames it. What
-/// was not committed is removed.
+/// Writes to "NAME.partial" in the target's folder; `commit` syncs and renames the file. The
+/// destructor removes an uncommitted file.
 class OutputFile {
   public:
-    /// Errors: Io naming the file.
+    /// Creates the partial file. Errors: Io naming the file.
     [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& path);
-    /// Standard output, which is only ever appended to.
+    /// Standard output, which has no partial file.
     [[nodiscard]] static OutputFile standard_output();
 
     OutputFile(OutputFile&&) noexcept = default;
     OutputFile& operator=(OutputFile&&) = delete;
     ~OutputFile();
 
-    /// Errors: Io naming the file (a full disk); Incomplete for standard output.
+    /// Appends text. Errors: Io naming the file (a full disk); Incomplete for standard output.
     [[nodiscard]] Status write(std::string_view text);
     [[nodiscard]] Status commit();
 
@@ -42,7 +42,7 @@ class OutputFile {
     std::unique_ptr<std::FILE, Close> file_;
 };
 
-/// Where a file of that name is written until it is whole.
+/// The path of the partial file for a target path.
 [[nodiscard]] std::filesystem::path partial_path(const std::filesystem::path& path);
 
 } // namespace cd

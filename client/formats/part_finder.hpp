@@ -1,4 +1,4 @@
-// Which part of a mesh each of many triangles belongs to.
+// Finds the parts of a mesh to which triangles belong.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -12,8 +12,7 @@
 
 namespace cd {
 
-/// Looks at the part found last before it searches: most triangles that come one after another
-/// share theirs.
+/// Tries the part found last before it searches: consecutive triangles mostly share a part.
 class PartFinder {
   public:
     explicit PartFinder(std::shared_ptr<const Mesh> mesh)
@@ -21,7 +20,7 @@ class PartFinder {
 
     [[nodiscard]] std::span<const Part> parts() const { return parts_; }
 
-    /// The place in `parts` of the one that holds a triangle; nothing where there is none.
+    /// The index in `parts` of the triangle's part; nothing if there is none.
     [[nodiscard]] std::optional<std::size_t> find(std::uint32_t triangle) {
         if (last_ < parts_.size() && holds(parts_[last_], triangle)) {
             return last_;

@@ -1,4 +1,4 @@
-// Text that grows at its end: rows of files, without a string for each piece.
+// A growing text for rows of files, without a string for each piece.
 #pragma once
 
 #include <charconv>
@@ -10,15 +10,15 @@ namespace cd {
 
 class TextBuffer {
   public:
-    /// Adds pieces one after another: text, whole numbers in decimal, doubles as the shortest
-    /// decimal that reads back as the same number.
+    /// Appends pieces: text, integers in decimal, doubles as the shortest decimal that reads back
+    /// as the same number.
     template <class... Pieces>
     void add(const Pieces&... pieces) {
         (add_piece(pieces), ...);
     }
 
     [[nodiscard]] std::string_view text() const { return text_; }
-    /// Keeps the memory.
+    /// Clears the text and keeps its memory.
     void clear() { text_.clear(); }
 
   private:

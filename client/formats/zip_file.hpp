@@ -19,11 +19,11 @@ namespace cd {
 /// Reads one file of an archive sequentially, unpacked.
 class ZipEntry {
   public:
-    /// The unpacked size in the archive's directory; `ZipFile::entry` has checked that the packed
+    /// The unpacked size in the archive's directory. `ZipFile::entry` has checked that the packed
     /// bytes can expand to it.
     [[nodiscard]] std::uint64_t size() const { return size_; }
-    /// Fills `into` with the next bytes and returns how many there were. Errors: BadInput if the
-    /// entry is damaged or not of its size, reported at its end at the latest.
+    /// Fills `into` with the next bytes and returns their number. Errors: BadInput if the entry is
+    /// damaged or has another size, reported at its end at the latest.
     [[nodiscard]] Result<std::size_t> read(std::span<std::byte> into);
 
   private:
@@ -39,7 +39,8 @@ class ZipEntry {
 
 class ZipFile {
   public:
-    /// Errors: NotFound; BadInput for a file that is not an archive. Neither names the file.
+    /// Opens an archive. Errors: NotFound; BadInput for another kind of file. Neither names the
+    /// file.
     [[nodiscard]] static Result<ZipFile> open(const std::filesystem::path& path);
 
     /// The names of all files, in the order of the archive.

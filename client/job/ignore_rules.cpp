@@ -89,7 +89,8 @@ Error no_match(const IgnoreRule& rule,
                 (names.empty() ? "; it has no named parts" : suggestion(pattern, names))};
 }
 
-/// Errors: BadInput for the name of another body, and for a pattern that matches no part.
+/// The triangles that a pattern matches. Errors: BadInput for the name of another body, and for a
+/// pattern that matches no part.
 Result<Ranges> ranges_of(const IgnoreRule& rule,
                          const std::string& text,
                          const IgnoredBody& body,

@@ -93,7 +93,7 @@ std::string zeros_text(const std::vector<std::string>& zeros) {
     return text.empty() ? text : text + (zeros.size() == 1 ? " is 0" : " are 0");
 }
 
-/// How the poses came about, for the header.
+/// The origin of the poses, for the header.
 std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& zeros) {
     if (const auto* file = std::get_if<PoseFileSpec>(&spec)) {
         return (file->path == "-" ? "from standard input" : file->path.filename().string()) +

@@ -1,4 +1,4 @@
-// A job whose inputs have been read and checked: what `run` and `submit` start from.
+// A job with its inputs read and checked; `run` and `submit` start from it.
 #pragma once
 
 #include "client/export/result_writer.hpp"
@@ -24,21 +24,21 @@ namespace cd {
 struct PreparedJob {
     JobSpec spec;
     std::array<std::string, 2> names;                  ///< Names of the bodies for people.
-    std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< The same object where both are one file.
+    std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< One object if both bodies have one file.
     std::array<std::vector<std::string>, 2>
         notes; ///< How the mesh files were interpreted, for people.
-    std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Where they were needed.
+    std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Null if not needed.
     Query query;
-    std::optional<Grid> grid; ///< Poses that travel as this description.
+    std::optional<Grid> grid; ///< Set if the poses are a grid, which is sent instead.
     std::unique_ptr<PoseSource> poses;
     PoseLabels labels;                 ///< Ids and times of all poses, if their file has them.
     std::vector<std::string> zeros;    ///< Columns missing in the pose file, which count as 0.
-    std::vector<std::string> warnings; ///< One line each.
-    std::string header;                ///< `header_text`.
+    std::vector<std::string> warnings; ///< Warnings of one line each.
+    std::string header;                ///< The text of `header_text`.
 };
 
-/// Who needs trees: a run in this process does; a cluster builds its own, but random poses are made
-/// here, from trees.
+/// The need for trees. A run in this process always needs them. A cluster builds its own, so here
+/// only random poses do.
 enum class Trees : std::uint8_t { Always, ForPosesOnly };
 
 /// Inputs that are already loaded and replace the files that the job names.
@@ -49,9 +49,9 @@ struct JobInputs {
     std::optional<std::vector<IgnoredRange>> ignored{}; ///< Nothing: resolve the job's rules.
 };
 
-/// Imports the meshes, resolves what is ignored, opens or makes the poses, gets the trees, each in
-/// the forms that the job walks. All of the same bits for any number of threads, whatever the cache
-/// holds. A line on stderr, unless `quiet`, names work that takes longer than half a second.
+/// Imports the meshes, resolves ignored triangles, opens or generates the poses, and gets the trees
+/// in the forms that the job needs. The result is bit-identical for any number of threads and any
+/// cache content. Unless `quiet`, a line on stderr names each step longer than half a second.
 /// Errors: BadInput, NotFound and Io, each naming the file.
 [[nodiscard]] Result<PreparedJob> prepare_job(JobSpec spec,
                                               Trees trees,

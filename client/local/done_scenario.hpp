@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// A result with its record and digest, as a thread of the pool returns it.
+/// A result with its record and digest, as a pool thread returns it.
 struct DoneScenario {
     ScenarioResult result;
     Bytes record;    ///< The canonical record.

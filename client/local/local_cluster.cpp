@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The port, once the whole line is in the file.
+/// The port; empty until the whole line is in the file.
 std::optional<std::string> read_port(const fs::path& path) {
     std::ifstream file(path);
     std::string line;
@@ -66,7 +66,7 @@ Result<LocalCluster> LocalCluster::start(const LocalClusterOptions& options,
                                        port_file.string(),
                                        "--state",
                                        options.state.string(),
-                                       // On one machine no network breaks: the process is gone.
+                                       // Loopback does not fail: the process is gone.
                                        "--return-within",
                                        "1"},
                                       log);

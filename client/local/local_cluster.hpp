@@ -1,4 +1,4 @@
-// A master and its workers on this machine, for as long as the object lives.
+// A master and its workers on this machine, for the object's lifetime.
 #pragma once
 
 #include "client/base/child_process.hpp"
@@ -13,17 +13,17 @@ namespace cd {
 
 struct LocalClusterOptions {
     std::filesystem::path programs; ///< The folder of cdmaster and cdworker.
-    std::filesystem::path state;    ///< The master's state; made where it is not there.
+    std::filesystem::path state;    ///< The master's state folder; created if missing.
     std::filesystem::path logs;     ///< Folder for master.log and worker-N.log.
     unsigned workers = 2;
-    unsigned threads = 1; ///< Of each worker.
+    unsigned threads = 1; ///< Threads per worker.
 };
 
 class LocalCluster {
   public:
-    /// Returns when the master listens, on a port of loopback that the system chose. The workers
-    /// join by themselves. `stopped` ends the waiting with Interrupted.
-    /// Errors: NotFound for a missing program; Io; Timeout and Incomplete naming the log.
+    /// Starts the programs and returns when the master listens, on a loopback port that the system
+    /// chose. The workers join later. `stopped` ends the wait with Interrupted. Errors: NotFound
+    /// for a missing program; Io; Timeout and Incomplete naming the log.
     [[nodiscard]] static Result<LocalCluster> start(const LocalClusterOptions& options,
                                                     const std::function<bool()>& stopped);
 
@@ -33,7 +33,7 @@ class LocalCluster {
     /// False as soon as one of its programs has ended.
     [[nodiscard]] bool is_running();
 
-    /// Workers first, then the master. The destructor does the same.
+    /// Stops the workers, then the master. The destructor calls it.
     void stop();
 
     LocalCluster(LocalCluster&&) noexcept = default;
@@ -44,7 +44,7 @@ class LocalCluster {
     LocalCluster() = default;
 
     std::string address_;
-    std::vector<ChildProcess> processes_; ///< The master first.
+    std::vector<ChildProcess> processes_; ///< The master, then the workers.
 };
 
 /// The folder of the running program.

@@ -23,7 +23,7 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Feeds scenarios to the run while it wants them, at most until progress is due.
+/// Adds scenarios to the run while it wants more, until progress is due.
 Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
     const auto end = Clock::now() + limits::progress_period;
     while (fed < poses.count() && Clock::now() < end) {
@@ -41,7 +41,7 @@ Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
     return Done{};
 }
 
-/// Hands results to the observer and to the merger.
+/// Passes results to the observer and to the merger.
 Status
 deliver(std::vector<DoneScenario> results, const RunObserver& observer, ResultMerger& merger) {
     for (const DoneScenario& done : results) {
@@ -57,7 +57,7 @@ deliver(std::vector<DoneScenario> results, const RunObserver& observer, ResultMe
     return Done{};
 }
 
-/// A few of a job's poses, evenly spread; fewer where they cannot be read.
+/// A few of a job's poses, evenly spread, without those that cannot be read.
 std::vector<PosePair> some_poses(PoseSource& source) {
     const std::uint64_t count = std::min(source.count(), cost_poses_max);
     std::vector<PosePair> poses;
@@ -70,7 +70,7 @@ std::vector<PosePair> some_poses(PoseSource& source) {
     return poses;
 }
 
-/// How long the cost of searches may be measured after a run of so many seconds.
+/// The time limit for measuring the cost of searches, after a run of `seconds`.
 Clock::duration cost_time_after(double seconds) {
     constexpr std::chrono::duration<double> most = std::chrono::milliseconds(50);
     const auto share = std::chrono::duration<double>(0.02 * seconds);

@@ -19,9 +19,9 @@ namespace cd {
 
 /// Callbacks of a run, all on the calling thread.
 struct RunObserver {
-    /// Each result, in the submitted order. An error ends the run with it.
+    /// Receives each result in the submitted order. An error ends the run with it.
     std::function<Status(const DoneScenario&)> result;
-    /// Now and then, at least some times a second.
+    /// Called a few times a second or more often.
     std::function<void(const Summary&, double seconds)> progress;
     /// True ends the run with the error Interrupted.
     std::function<bool()> stopped;
@@ -30,11 +30,10 @@ struct RunObserver {
 struct RunOutcome {
     Summary summary;
     std::optional<Sha256> digest;
-    double seconds = 0;       ///< Without import and building of trees.
-    JobStatistics statistics; ///< Of scenarios run now, without earlier ones.
-    /// What this job's searches cost, measured after the run under some of its poses, for no more
-    /// than a small share of the run's time. Nothing under a tolerance, or where no triangle was
-    /// tested.
+    double seconds = 0;       ///< Run time, without import and building of trees.
+    JobStatistics statistics; ///< Statistics of scenarios run now, without earlier ones.
+    /// The cost of this job's searches, measured after the run at some of its poses, in a small
+    /// share of the run's time. Empty under a tolerance, or if no triangle was tested.
     std::optional<SearchCost> cost;
 };
 
@@ -44,9 +43,9 @@ struct LocalRunOptions {
     std::optional<ResultMerger> done;
 };
 
-/// Every scenario of `poses` on the threads of the pool, by a `ScenarioRunner`. The same results
-/// and digest for any number of threads. Results that wait for an earlier one are bounded in number
-/// and in bytes. Errors: those of `poses` and of the observer; Interrupted.
+/// Runs every scenario of `poses` on the pool's threads with a `ScenarioRunner`. Results and digest
+/// are equal for any number of threads. Results that wait for an earlier one are bounded in number
+/// and bytes. Errors: those of `poses` and of the observer; Interrupted.
 [[nodiscard]] Result<RunOutcome> run_locally(const ObbTree& a,
                                              const ObbTree& b,
                                              PoseSource& poses,

@@ -12,10 +12,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A thread has enough before it with so many scenarios, and this many are added at a time.
+/// A thread has enough with this many waiting scenarios; a block is added at a time.
 constexpr std::uint64_t waiting_enough = 256;
 constexpr std::uint64_t block_scenarios = 512;
-/// What a thread does before it hands over.
+/// The time that a batch should take.
 constexpr std::chrono::steady_clock::duration batch_time = 250us;
 
 std::uint64_t bytes_of(const DoneScenario& done) {
@@ -91,7 +91,7 @@ std::vector<DoneScenario> OrderedRun::take(std::chrono::milliseconds period, boo
         ++taken_;
     }
     if (bytes_ahead_ >= limits::run_bytes_ahead_max) {
-        work_came_.notify_all(); // The scenario that is due may be another one now.
+        work_came_.notify_all(); // The next due scenario may have changed.
     }
     return taken;
 }
@@ -113,11 +113,11 @@ void OrderedRun::work() {
     state_changed_.notify_all();
 }
 
-/// False when there is nothing more to do.
+/// Takes the next batch. False when the run is stopping.
 bool OrderedRun::refill(Batch& batch) {
     std::unique_lock lock(mutex_);
     work_came_.wait(lock, [this] {
-        // Beyond the bound only what is due next is run, without which nothing can be taken.
+        // Beyond the bound only the next due scenario runs; without it no result can be taken.
         return stopping_ || (!waiting_.empty() && (bytes_ahead_ < limits::run_bytes_ahead_max ||
                                                    waiting_.front().index == taken_));
     });
@@ -141,7 +141,7 @@ void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
         ScenarioRun run = session.run(batch.waiting[batch.ran++]);
         spent = std::chrono::steady_clock::now() - start;
         if (run.is_stopped) {
-            continue; // Nobody waits for it.
+            continue; // The run has ended, so nobody waits for the result.
         }
         batch.statistics += {run.statistics, run.inside};
         DoneScenario done{std::move(run.result), {}, {}, {}};
@@ -162,7 +162,7 @@ void OrderedRun::hand_over(Batch& batch) {
     const auto not_run = batch.waiting.begin() + static_cast<std::ptrdiff_t>(batch.ran);
     const std::lock_guard lock(mutex_);
     if (not_run != batch.waiting.end()) {
-        // Threads take scenarios in order, so what was not run stands together.
+        // Threads take scenarios in order, so those not run are consecutive in `waiting_`.
         const auto place = std::ranges::lower_bound(
             waiting_, not_run->index, std::ranges::less(), &Scenario::index);
         waiting_.insert(place, not_run, batch.waiting.end());

@@ -1,4 +1,4 @@
-// Scenarios on their way through the threads of a pool, and their results back in order.
+// Runs scenarios on the threads of a pool and returns the results in order.
 #pragma once
 
 #include "client/local/done_scenario.hpp"
@@ -19,47 +19,46 @@
 
 namespace cd {
 
-/// Scenarios go in, in order; pool threads run them; results come out in the same order.
+/// Scenarios are added in order; pool threads run them; results are taken in the same order.
 ///
-/// Threads hand over what they have done, and take more, some scenarios at a time: as many as take
-/// a fraction of a millisecond, so that scenarios of microseconds do not cost a wakeup each and
-/// those of seconds do not wait for each other. What runs ahead of the results taken is bounded in
-/// number and in bytes.
+/// Threads exchange scenarios and results in batches of a fraction of a millisecond. Short
+/// scenarios thus do not cost a wakeup each, and long ones do not wait for each other. Results
+/// ahead of those taken are bounded in number and bytes.
 class OrderedRun {
   public:
-    /// `ended` is what the runner's check for an end looks at; `first` is the index of the first
-    /// scenario that will be added.
+    /// The runner's stop check reads `ended`; `first` is the index of the first scenario to be
+    /// added.
     OrderedRun(const ScenarioRunner& runner,
                std::atomic<bool>& ended,
                ThreadPool& pool,
                std::uint64_t first = 0);
     OrderedRun(const OrderedRun&) = delete;
     OrderedRun& operator=(const OrderedRun&) = delete;
-    /// Returns when no thread of the pool is in here any more; what waits is dropped.
+    /// Drops waiting scenarios, and returns when all pool threads have left.
     ~OrderedRun();
 
-    /// How many scenarios to add now: none while the threads have enough before them, or too many
-    /// results wait.
+    /// The number of scenarios to add now: none while the threads have enough, or too many results
+    /// wait.
     [[nodiscard]] std::uint64_t wanted();
 
     void add(std::vector<Scenario> scenarios);
 
-    /// The next results in order, as soon as there are any; none if the period is over before, or
-    /// with `may_add` when this wants more. Those taken count as waiting until the next call.
+    /// Waits for the next results in order. Returns none after the period, or with `may_add` when
+    /// scenarios are wanted. Results taken count as waiting until the next call.
     [[nodiscard]] std::vector<DoneScenario> take(std::chrono::milliseconds period, bool may_add);
 
-    /// Of all scenarios taken so far, and perhaps some more.
+    /// The statistics of all scenarios taken so far, and possibly of some more.
     [[nodiscard]] JobStatistics statistics();
 
   private:
-    /// What one thread has taken, and what it has done and not handed over.
+    /// Scenarios that a thread has taken, and its results not yet handed over.
     struct Batch {
         std::vector<Scenario> waiting;
-        std::size_t ran = 0; ///< Of these.
+        std::size_t ran = 0; ///< Number of `waiting` scenarios that were run.
         std::vector<DoneScenario> done;
         JobStatistics statistics;
-        std::uint64_t bytes = 0; ///< Of the results.
-        std::size_t size = 1;    ///< How many to take next.
+        std::uint64_t bytes = 0; ///< Size of `done`.
+        std::size_t size = 1;    ///< Number of scenarios to take next.
     };
 
     [[nodiscard]] std::uint64_t wanted_now() const;
@@ -76,15 +75,15 @@ class OrderedRun {
     std::mutex mutex_;
     std::condition_variable work_came_;
     std::condition_variable state_changed_;
-    std::deque<Scenario> waiting_; ///< In order.
-    /// Found, and not yet taken, by index from `taken_` on.
+    std::deque<Scenario> waiting_; ///< Scenarios not yet taken by a thread, ascending.
+    /// Results not yet taken. The first slot belongs to scenario `taken_`.
     std::deque<std::optional<DoneScenario>> done_;
     std::uint64_t added_ = 0;
-    std::uint64_t taken_ = 0; ///< Also the index that is taken next.
+    std::uint64_t taken_ = 0; ///< Number taken; the index of the next result.
     std::uint64_t bytes_ahead_ = 0;
-    std::uint64_t bytes_in_hand_ = 0; ///< Of these, taken by the last call.
+    std::uint64_t bytes_in_hand_ = 0; ///< Part of `bytes_ahead_` taken by the last call.
     JobStatistics statistics_;
-    unsigned threads_left_; ///< In here.
+    unsigned threads_left_; ///< Pool threads still in `work`.
     bool stopping_ = false;
 };
 

@@ -65,7 +65,7 @@ std::uint64_t contacts_of(const Summary& summary) {
     return summary.touch + summary.cross + summary.inside + summary.contact;
 }
 
-/// Candidates that a later stage than the first settled.
+/// Candidate pairs settled by a stage after the first.
 std::uint64_t past_float(const PairStatistics& decisions) {
     return decisions.total() - decisions[PairStage::Float];
 }
@@ -79,7 +79,7 @@ std::uint64_t sum_over_workers(const ClusterStatus& status, Member member) {
     return sum;
 }
 
-/// Per second between the two; a worker that has left makes no negative rate.
+/// The rate per second between two statuses; 0 if workers with counts have left.
 template <class Member>
 double rate_between(const ClusterStatus& before, const ClusterStatus& after, Member member) {
     const double seconds = after.uptime_seconds - before.uptime_seconds;
@@ -88,7 +88,7 @@ double rate_between(const ClusterStatus& before, const ClusterStatus& after, Mem
     return seconds <= 0 || last < first ? 0 : static_cast<double>(last - first) / seconds;
 }
 
-/// Of one core.
+/// The master's processor time as a share of one core.
 double master_share(const ClusterStatus& before, const ClusterStatus& after) {
     const double seconds = after.uptime_seconds - before.uptime_seconds;
     return seconds <= 0 ? 0 : (after.cpu_seconds - before.cpu_seconds) / seconds;
@@ -244,7 +244,7 @@ std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& af
     const std::size_t workers = count_here(after);
     const double master = master_share(before, after);
     const std::string share = cell_text(master, CellKind::Share) + " of a core";
-    // The master's analysis has several threads, so it may well use more than one core.
+    // The master analyses with several threads, so it may use more than one core.
     if (idle * 2 > workers && master > 0.8) {
         return "the master's processor (" + share + "): it analyses more slowly than " +
                counted(workers, "worker") + " can finish";
@@ -265,7 +265,7 @@ std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& af
 
 namespace {
 
-/// Why jobs wait; empty: none does.
+/// The reason why jobs are paused; empty if none is.
 std::string paused_text(const ClusterStatus& status) {
     for (const JobStatus& job : status.jobs) {
         if (!job.paused.empty()) {
@@ -275,7 +275,7 @@ std::string paused_text(const ClusterStatus& status) {
     return "";
 }
 
-/// What was lost since the master started; empty: nothing.
+/// Connections and workers lost since the master started; empty if none.
 std::string faults_text(const ClusterStatus& status) {
     if (status.workers_lost + status.sessions_resumed == 0) {
         return "";
@@ -292,8 +292,8 @@ std::string sizes_text(const StateSizes& sizes) {
            "   journal " + size(sizes.journal) + "   free " + size(sizes.free) + "\n";
 }
 
-/// A line for each scenario that takes long, for each job whose results are in doubt, and for each
-/// at whose end workers helped others.
+/// A line for each long scenario, each job with suspect results, and each job whose scenarios were
+/// recalled or copied at its end.
 std::string long_text(const ClusterStatus& status) {
     const std::vector<JobId> ids = ids_of(status.jobs);
     std::string text;

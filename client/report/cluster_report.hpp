@@ -1,4 +1,4 @@
-// What is told of a cluster: its jobs, workers and meshes, and what holds it up.
+// Reports about a cluster: its jobs, workers, meshes and bottleneck.
 #pragma once
 
 #include "client/base/table.hpp"
@@ -12,13 +12,13 @@ namespace cd {
 [[nodiscard]] Table workers_table(const ClusterStatus& status);
 [[nodiscard]] Table meshes_table(const ClusterStatus& status);
 
-/// One line without its end: what limits the cluster now, judged by what changed between two
-/// statuses taken a moment apart.
+/// The cluster's bottleneck as a line without newline, from the changes between two statuses taken
+/// a moment apart.
 [[nodiscard]] std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& after);
 
-/// The whole status, each line ended; the last one names the bottleneck.
+/// The whole status as lines with newlines; the last one names the bottleneck.
 [[nodiscard]] std::string status_text(const ClusterStatus& before, const ClusterStatus& after);
-/// The same as one JSON document.
+/// The whole status as one JSON document.
 [[nodiscard]] std::string status_json(const ClusterStatus& before, const ClusterStatus& after);
 
 /// One job as a JSON document.

@@ -101,7 +101,7 @@ bool is_by_time(const Explained& explained) {
 std::string explained_text(const Explained& explained, const std::string& job) {
     std::string text = "scenario " + std::to_string(explained.scenario) + " of " + job + ", " +
                        std::string(to_text(explained.strategy)) + "\n";
-    const bool is_scored = !explained.why.empty(); // Else the job has ended.
+    const bool is_scored = !explained.why.empty(); // Empty once the job has ended.
     text += !is_scored ? ""
                        : "  touches     " + std::to_string(explained.roots_a) + " roots of A, " +
                              std::to_string(explained.roots_b) + " of B\n";
@@ -125,7 +125,7 @@ std::string explained_json(const Explained& explained, const std::string& job) {
     document["where"] = explained.where;
     document["why"] = explained.why;
     document["note"] = explained.note;
-    if (!explained.why.empty()) { // Else the job has ended.
+    if (!explained.why.empty()) { // Empty once the job has ended.
         document["roots_a"] = explained.roots_a;
         document["roots_b"] = explained.roots_b;
     }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t parts_shown_max = 20;
 
-/// Vehicles and their parts are some centimetres to some tens of metres long.
+/// Assumes that vehicles and parts are centimetres to tens of metres long.
 std::string guess_unit(double longest_edge) {
     if (longest_edge >= 0.1 && longest_edge <= 40) {
         return "metres";
@@ -138,7 +138,7 @@ std::string to_json(const MeshReport& r) {
         {"parts", parts},
         {"warnings", r.warnings},
         {"hash", to_hex(r.hash)}};
-    // A name may hold bytes that are no UTF-8.
+    // Names may contain invalid UTF-8.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

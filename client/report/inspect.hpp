@@ -16,7 +16,7 @@ struct MeshReport {
     std::uint64_t vertices = 0;
     Precision precision = Precision::Float;
     Aabb box;
-    std::string unit_guess; ///< "metres", "millimetres", ...; empty where the size fits none alone.
+    std::string unit_guess; ///< "metres", "millimetres", ...; empty if ambiguous.
     Topology topology;
     std::vector<Part> parts;
     std::uint64_t points_skipped = 0;
@@ -29,9 +29,9 @@ struct MeshReport {
 
 [[nodiscard]] MeshReport inspect_mesh(const std::string& file, const ImportedMesh& imported);
 
-/// Lines for a person, each ended.
+/// Lines for people, each with a newline.
 [[nodiscard]] std::string to_text(const MeshReport& report);
-/// One JSON object, ended.
+/// One JSON object with a newline.
 [[nodiscard]] std::string to_json(const MeshReport& report);
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// Counts for each part the scenarios in which it was touched.
+// Counts the scenarios in which each part is touched.
 #pragma once
 
 #include "client/formats/part_finder.hpp"
@@ -12,13 +12,13 @@
 
 namespace cd {
 
-/// Takes results of level pairs and above.
+/// Counts from results of level pairs and above.
 class PartTally {
   public:
-    /// `meshes` of all bodies, in the order of their indices in results.
+    /// `meshes` holds the mesh of each body, by the body's index in results.
     explicit PartTally(const std::vector<std::shared_ptr<const Mesh>>& meshes);
 
-    /// The result's bodies must be among the meshes.
+    /// Counts a result, whose bodies must have meshes.
     void add(const ScenarioResult& result);
 
     struct Touched {
@@ -31,13 +31,14 @@ class PartTally {
   private:
     struct Body {
         PartFinder parts;
-        std::vector<std::uint64_t> scenarios; ///< For each part.
-        std::vector<std::uint64_t> last_seen; ///< For each part: stamp of the last result with it.
+        std::vector<std::uint64_t> scenarios; ///< Number of scenarios, by part.
+        std::vector<std::uint64_t>
+            last_seen; ///< Stamp of the last result that touched it, by part.
     };
     static void note(Body& body, std::uint32_t triangle, std::uint64_t stamp);
 
     std::vector<Body> bodies_;
-    std::uint64_t stamp_ = 0; ///< Counts results.
+    std::uint64_t stamp_ = 0; ///< Number of results so far.
 };
 
 } // namespace cd

@@ -17,7 +17,7 @@ namespace {
 constexpr double bar_period = 0.1;
 constexpr double line_period = 10;
 
-/// How many columns a line of the stream may have; unbounded unless it is a terminal.
+/// The maximum width of a line of the stream; unbounded unless it is a terminal.
 std::size_t width_of(std::FILE* stream) {
     winsize size{};
     const bool is_known = ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 1;

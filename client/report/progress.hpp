@@ -20,7 +20,7 @@ struct ProgressState {
     std::uint64_t resumed = 0; ///< Scenarios that an earlier run had done.
 };
 
-/// One line without a newline, with or without a bar.
+/// The progress as one line without a newline, with or without a bar.
 [[nodiscard]] std::string progress_text(const ProgressState& state, bool with_bar);
 
 /// Writes progress to stderr: on a terminal a bar that is redrawn with the note below it, otherwise

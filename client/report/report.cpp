@@ -23,7 +23,7 @@ std::string right_aligned(const std::string& text, std::size_t width) {
     return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
 }
 
-/// Three significant digits, or all before the point.
+/// Three significant digits, or all digits before the point.
 std::string length_text(double value) {
     if (value != 0 && (std::abs(value) < 0.01 || std::abs(value) >= 1e7)) {
         std::string text(32, '\0');
@@ -168,7 +168,7 @@ std::string classes_text(const Summary& summary, Level level, bool colours) {
            "\n";
 }
 
-/// "99.97 %", never 0 of what is there, nor all where some is missing.
+/// "99.97 %". A nonzero share is never rounded to 0, nor an incomplete one to 100 %.
 std::string share_text(std::uint64_t part, std::uint64_t whole) {
     const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
     if (part != 0 && share < 0.005) {
@@ -189,7 +189,7 @@ std::string settled_text(const PairStatistics& decisions) {
     return text;
 }
 
-/// The paper's cost function, of the mean scenario.
+/// The paper's cost function for the mean scenario.
 std::string
 cost_text(const SearchCost& cost, const QueryStatistics& search, std::uint64_t scenarios) {
     return "  cost          N_b C_b + N_p C_p = " + grouped(search.box_tests / scenarios) + " x " +
@@ -219,7 +219,7 @@ std::string statistics_text(const RunReport& report) {
     return text;
 }
 
-/// What went over the network for the job.
+/// The network traffic of the job.
 std::string traffic_text(const JobTraffic& traffic) {
     const BlockTraffic& blocks = traffic.blocks;
     const std::uint64_t needed = blocks.hits + blocks.misses;

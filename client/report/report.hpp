@@ -20,10 +20,10 @@
 
 namespace cd {
 
-/// What is said of one body.
+/// The facts about a body in the header.
 struct BodyLine {
     std::string name;
-    std::string unit; ///< The job's.
+    std::string unit; ///< The job's unit.
     std::uint64_t triangles = 0;
     Vec3 size = Vec3::Zero();
     std::uint64_t parts = 0;
@@ -34,17 +34,17 @@ struct BodyLine {
 [[nodiscard]] BodyLine
 describe_body(const std::string& name, const std::string& unit, const Mesh& mesh);
 
-/// The lines that stand before a run, each ended: bodies A and B, then the poses.
+/// The header of a run, in lines with newlines: bodies A and B, then the poses.
 [[nodiscard]] std::string header_text(const BodyLine& a,
                                       const BodyLine& b,
                                       std::uint64_t scenarios,
                                       const std::string& poses);
 
-/// A warning where the bodies' sizes differ by 25.4 or 1000 within 2 %: then one is likely to be in
-/// another unit. Sizes are the diagonals of the boxes.
+/// A warning if the bodies' sizes differ by a factor of 25.4 or 1000 within 2 %: one is then likely
+/// in another unit. Sizes are the diagonals of the boxes.
 [[nodiscard]] std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b);
 
-/// How a run went, for the lines after it.
+/// The outcome of a run, for the summary.
 struct RunReport {
     Summary summary;
     Level level = Level::Pairs;
@@ -54,35 +54,35 @@ struct RunReport {
     double seconds = 0;
     JobStatistics statistics;
     std::optional<SearchCost> cost;    ///< Cost of searches here; nothing on a cluster.
-    std::optional<JobTraffic> traffic; ///< Nothing where nothing travelled.
+    std::optional<JobTraffic> traffic; ///< Empty for a run on this machine.
     /// The distribution depth of each body's tree; empty if none was cut, or it is unknown.
     std::vector<std::uint32_t> depths;
     std::string where;                            ///< "2 threads", "2 workers"; may be empty.
-    std::optional<ContactMap> map;                ///< Where one was asked for,
-    std::string map_withdrawn;                    ///< or why there is none.
+    std::optional<ContactMap> map;                ///< The job's contact map, if requested.
+    std::string map_withdrawn;                    ///< The reason why a requested map is missing.
     std::vector<PartTally::Touched> most_touched; ///< Counts listed pairs only.
     std::string hint;                  ///< A line about poses without contact; may be empty.
     double prepare_seconds = 0;        ///< Time to read and build; not in `seconds`.
     std::uint64_t resumed_at = 0;      ///< Scenarios done by an earlier run.
     std::string summary_file;          ///< Path of summary.json; may be empty.
-    bool inputs_are_too_large = false; ///< The results folder has no copy of them.
+    bool inputs_are_too_large = false; ///< The results folder has no copy of the inputs.
 };
 
 /// Options of the summary.
 struct SummaryStyle {
-    bool colours = false;    ///< For a terminal that takes them.
+    bool colours = false;    ///< Use colours of the terminal.
     bool statistics = false; ///< Include search cost and network traffic.
 };
 
-/// The lines after a run, each ended.
+/// The summary of a run, in lines with newlines.
 [[nodiscard]] std::string summary_text(const RunReport& report, const SummaryStyle& style = {});
-/// Those of the lines that a quiet run prints, too.
+/// The lines of the summary that a quiet run prints, too.
 [[nodiscard]] std::string warnings_text(const RunReport& report);
 
-/// The share of subtrees needed by scenarios that were in the workers' caches.
+/// The share of needed subtrees that were in the workers' caches.
 [[nodiscard]] double hit_share(const BlockTraffic& blocks);
 
-/// True when what goes to the stream may be coloured: a terminal, and NO_COLOR is not set.
+/// True if output to the stream may be coloured: a terminal, and NO_COLOR is not set.
 [[nodiscard]] bool colours_wanted(std::FILE* stream);
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// A line for people that says why a job on a master makes no progress.
+// A line for people with the reason why a job on a master makes no progress.
 #pragma once
 
 #include "proto/messages/client_messages.hpp"
@@ -9,10 +9,10 @@ namespace cd {
 
 struct WaitingNote {
     std::string text;          ///< Empty if the job is not waiting.
-    bool stands_still = false; ///< No scenario is run until that changes.
+    bool stands_still = false; ///< No scenario runs until the reason is gone.
 };
 
-/// The first reason that applies: the job is paused; no worker is connected; workers are silent or
+/// The first applicable reason: the job is paused; no worker is connected; workers are silent or
 /// lost. `master` is the address that the user gave.
 [[nodiscard]] WaitingNote
 waiting_note(const JobStatus& job, const ClusterStatus& cluster, const std::string& master);

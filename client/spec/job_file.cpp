@@ -70,7 +70,7 @@ GridAxis read_axis(const TomlFields& grid, std::string_view key) {
     return {(*numbers)[0], (*numbers)[1], static_cast<std::uint64_t>(count)};
 }
 
-/// The angles of one axis become quaternions when they are read, so their number is bounded.
+/// The angles of one axis become quaternions in memory, so their number is bounded.
 constexpr std::uint64_t grid_angles_max = 1u << 20;
 
 GridSpec read_grid(const toml::table& table, TomlProblem& problem, double length_factor) {

@@ -1,4 +1,4 @@
-// The description of a job, as job.toml or the command line gives it.
+// The description of a job, from job.toml or the command line.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -20,19 +20,19 @@ namespace cd {
 
 struct BodySpec {
     std::filesystem::path path;
-    std::string unit;             ///< Unit of coordinates; empty: the file's own, else the job's.
-    std::string name;             ///< For people; empty: the file's name.
+    std::string unit;             ///< Unit of coordinates; empty: the file's, else the job's.
+    std::string name;             ///< Name for people; empty: the file's name.
     std::string up = {};          ///< "y": turned to z up; "z" or empty: not turned.
     bool rounds_to_float = false; ///< Round coordinates to floats.
     /// The unit declared in the file if the job gives none; set when the file is read.
     std::string declared_unit = {};
 };
 
-/// Poses that stand in a file; "-" is standard input.
+/// Poses in a file; "-" is standard input.
 struct PoseFileSpec {
     std::filesystem::path path;
-    std::string quat_order;      ///< "xyzw", "wxyz", or empty where the file itself says.
-    bool of_both_bodies = false; ///< Otherwise the poses are B's in A's frame.
+    std::string quat_order;      ///< "xyzw", "wxyz", or empty if the file says it.
+    bool of_both_bodies = false; ///< False: the poses are B's in A's frame.
     std::optional<double> rigid_tolerance;
     double length_factor = 1; ///< From the unit of the file's translations to the job's.
     std::string unit = {};    ///< Unit of translations; empty: the job's.
@@ -53,12 +53,12 @@ using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses>;
 struct IgnoreRule {
     std::string a;
     std::string b;
-    std::uint32_t line = 0; ///< In the job file; 0 where there is none.
+    std::uint32_t line = 0; ///< Line in the job file; 0 without a file.
 };
 
 struct OutputSpec {
     std::filesystem::path dir;                      ///< Empty: results are not kept.
-    std::vector<std::string> formats{"csv", "npz"}; ///< Each once.
+    std::vector<std::string> formats{"csv", "npz"}; ///< Distinct formats.
     bool exact_points = false;                      ///< NPZ: also points at full precision.
 };
 
@@ -68,28 +68,26 @@ struct JobSpec {
     std::array<BodySpec, 2> bodies;
     PosesSpec poses = RandomPoses{};
     Level level = Level::Pairs;
-    double tolerance = 0; ///< In the job's unit.
+    double tolerance = 0; ///< Tolerance in the job's unit.
     std::uint64_t limit_pairs = 0;
     bool maps = false;
     std::vector<IgnoreRule> ignore;
     OutputSpec output;
     ClusterOptions cluster;
-    std::filesystem::path file; ///< The job file; empty where there is none.
+    std::filesystem::path file; ///< The job file, or empty.
 };
 
-/// Reads and checks a job file. Relative paths in it are relative to the folder that it stands in.
-/// Errors: NotFound, Io; BadInput naming the file, the line, the key, and for a word that is not
-/// known the nearest that is.
+/// Reads and checks a job file. Relative paths are relative to the file's folder. Errors: NotFound,
+/// Io; BadInput naming the file, line and key, and for an unknown word the nearest known one.
 [[nodiscard]] Result<JobSpec> read_job_file(const std::filesystem::path& path);
 
-/// The same on text; `path` is for messages and for relative paths.
+/// Parses the text of a job file; `path` is for messages and for relative paths.
 [[nodiscard]] Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path);
 
-/// The name of a body in exports: what the job calls it, else "a" or "b".
+/// The name of a body in exports: its name in the job, else "a" or "b".
 [[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
 
-/// A tolerance above 0 fixes the distribution depths, so none may be given beside it. Errors:
-/// BadInput.
+/// Refuses distribution depths beside a tolerance above 0, which fixes them. Errors: BadInput.
 [[nodiscard]] Status check_depths(const JobSpec& spec);
 
 /// Refuses options that the strategy would ignore. Errors: BadInput.
@@ -104,7 +102,7 @@ struct JobSpec {
 /// Removes repeated formats.
 void keep_each_once(std::vector<std::string>& formats);
 
-/// Errors: BadInput naming the formats that exist.
+/// Refuses unknown formats. Errors: BadInput naming the known formats.
 [[nodiscard]] Status check_format(std::string_view format);
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// A job as the command line gives it: a job file with a few things changed, or no file at all.
+// A job from the command line: a job file with overrides, or no file at all.
 #pragma once
 
 #include "client/spec/job_file.hpp"
@@ -15,7 +15,7 @@ namespace cd {
 struct JobOptions {
     std::string file;
 
-    // Instead of a file.
+    // These options replace a job file.
     std::string a;
     std::string b;
     std::string unit;
@@ -30,9 +30,9 @@ struct JobOptions {
     std::optional<std::uint64_t> seed;
     std::vector<double> penetration;
 
-    // Over what the file says.
+    // These options override a job file.
     std::string name;
-    std::string precision; ///< "auto" or "float", of both bodies.
+    std::string precision; ///< "auto" or "float", for both bodies.
     std::string level;
     std::optional<double> tolerance;
     std::optional<std::uint64_t> limit_pairs;
@@ -56,7 +56,7 @@ struct JobOptions {
 /// Applies the options that override a job file. Errors: BadInput naming the option.
 [[nodiscard]] Status apply(const JobOptions& options, JobSpec& spec);
 
-/// Errors: those of `read_job_file`; BadInput naming the option.
+/// Makes a job from options. Errors: those of `read_job_file`; BadInput naming the option.
 [[nodiscard]] Result<JobSpec> make_job_spec(const JobOptions& options);
 
 } // namespace cd

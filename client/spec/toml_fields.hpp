@@ -1,4 +1,4 @@
-// Reads typed values from the tables of a TOML document and keeps the first thing that was wrong.
+// Reads typed values from the tables of a TOML document and keeps the first problem.
 #pragma once
 
 #include "client/base/words.hpp"
@@ -16,12 +16,12 @@
 
 namespace cd {
 
-/// The first problem of a document is kept: later ones often only follow from it.
+/// Keeps the first problem of a document: later ones often only follow from it.
 class TomlProblem {
   public:
     explicit TomlProblem(std::string file) : file_(std::move(file)) {}
 
-    /// `where` is the node that is wrong.
+    /// `where` is the faulty node.
     void report(const toml::source_region& where, const std::string& what) {
         if (!error_) {
             error_ = Error{ErrorCode::BadInput,
@@ -36,7 +36,7 @@ class TomlProblem {
     std::optional<Error> error_;
 };
 
-/// One table, under the name by which messages call it.
+/// One table, and its name in messages.
 class TomlFields {
   public:
     /// Reports every key of the table that is not among `known`.
@@ -47,12 +47,12 @@ class TomlFields {
 
     [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
     [[nodiscard]] std::optional<std::string> text(std::string_view key) const;
-    /// Text that is one of the words given.
+    /// A text that must be one of `words`.
     [[nodiscard]] std::optional<std::string> word(std::string_view key,
                                                   std::span<const std::string_view> words) const;
-    /// Its value is this text.
+    /// True if the key's value is this text.
     [[nodiscard]] bool says(std::string_view key, std::string_view text) const;
-    [[nodiscard]] std::optional<double> number(std::string_view key) const; ///< Finite.
+    [[nodiscard]] std::optional<double> number(std::string_view key) const; ///< A finite number.
     [[nodiscard]] std::optional<std::uint64_t>
     integer(std::string_view key, std::uint64_t min, std::uint64_t max) const;
     [[nodiscard]] std::optional<bool> boolean(std::string_view key) const;
@@ -62,7 +62,7 @@ class TomlFields {
     [[nodiscard]] std::optional<std::vector<double>>
     numbers(std::string_view key, std::size_t count, std::string_view shape) const;
 
-    /// Where the key's value stands, or the table where it is missing.
+    /// The position of the key's value, or of the table if the key is missing.
     [[nodiscard]] const toml::source_region& place(std::string_view key) const;
     void report(std::string_view key, const std::string& what) const;
 

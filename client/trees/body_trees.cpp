@@ -12,7 +12,7 @@ namespace cd {
 
 namespace {
 
-/// One body's tree, whose forms come as they turn out to be needed.
+/// One body's tree, with forms made on demand.
 class Body {
   public:
     Body(std::shared_ptr<const Mesh> mesh, TreeCache& cache, ThreadPool& pool)
@@ -58,7 +58,7 @@ class Body {
         return wide_ && !wide_->wide()->view().nodes.empty();
     }
 
-    /// With the forms that were needed.
+    /// The tree with the requested forms.
     [[nodiscard]] std::shared_ptr<const ObbTree> tree() const {
         return std::make_shared<const ObbTree>(mesh_,
                                                shows_binary_ ? binary_->binary() : BinaryTree{},
@@ -72,8 +72,8 @@ class Body {
     std::shared_ptr<const Mesh> mesh_;
     TreeCache& cache_;
     ThreadPool& pool_;
-    std::shared_ptr<const ObbTree> wide_;   ///< Has the wide form. Null while it is not needed.
-    std::shared_ptr<const ObbTree> binary_; ///< Has the binary one. May be here without need.
+    std::shared_ptr<const ObbTree> wide_;   ///< Has the wide form; null until requested.
+    std::shared_ptr<const ObbTree> binary_; ///< Has the binary form; may be set without a request.
     bool shows_binary_ = false;
 };
 
@@ -92,7 +92,7 @@ make_body_trees(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
     if (use.searches_exactly) {
         std::ranges::for_each(bodies, &Body::need_wide);
     }
-    // A search walks the binary trees where one of the bodies has no wide one.
+    // A search uses the binary trees if a body has no wide nodes.
     if (use.searches_cuts || !std::ranges::all_of(bodies, &Body::has_wide_nodes) ||
         (use.settles && std::ranges::all_of(bodies, &Body::is_closed))) {
         std::ranges::for_each(bodies, &Body::need_binary);

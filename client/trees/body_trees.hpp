@@ -1,4 +1,4 @@
-// The trees of a job's two bodies: in the forms that the job walks, and no others.
+// The trees of a job's two bodies, in exactly the forms that the job needs.
 #pragma once
 
 #include "client/trees/tree_cache.hpp"
@@ -10,15 +10,15 @@
 
 namespace cd {
 
-/// What a job does with trees.
+/// A job's uses of trees.
 struct TreeUse {
-    bool searches_exactly = true; ///< Without a tolerance: in the wide form.
-    bool searches_cuts = false;   ///< Under a tolerance: in the binary form.
-    bool settles = false; ///< Tells insides, which takes the binary form where both are closed.
+    bool searches_exactly = true; ///< Searches without a tolerance: wide form.
+    bool searches_cuts = false;   ///< Searches under a tolerance: binary form.
+    bool settles = false;         ///< Detects containment: binary form if both bodies are closed.
 };
 
-/// From the cache, or else built and kept there. The second is the first where the meshes are one.
-/// The binary form is there in any case where a body has no wide one.
+/// Takes trees from the cache, or else builds and caches them. Equal meshes share one tree. If one
+/// of the bodies has no wide form, both get the binary form.
 [[nodiscard]] std::array<std::shared_ptr<const ObbTree>, 2>
 make_body_trees(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
                 const TreeUse& use,

@@ -27,14 +27,13 @@ Error not_installed(const fs::path& path) {
                 "sumo-tools"};
 }
 
-/// The unpacked motorcycle in the cache, unpacked now where it is not there yet.
+/// The motorcycle in the cache, unpacked now if missing.
 Result<fs::path> unpacked_motorcycle(const fs::path& cache, const fs::path& root) {
     const fs::path unpacked = cache / "motorBike.obj";
     if (is_file(unpacked)) {
         return unpacked;
     }
-    // Minimal systems leave /usr/share/doc out; deploy/quickstart then puts the file into the
-    // cache.
+    // Minimal systems lack /usr/share/doc; deploy/quickstart then puts the file into the cache.
     for (const fs::path& packed : {root / packed_motorcycle, cache / "motorBike.obj.gz"}) {
         if (!is_file(packed)) {
             continue;

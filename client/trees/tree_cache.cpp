@@ -33,7 +33,7 @@ struct KeptFile {
     std::uint64_t bytes = 0;
 };
 
-/// The longest unused first. Files that vanish meanwhile are passed over.
+/// The least recently used first. Files that vanish meanwhile are skipped.
 std::vector<KeptFile> kept_files(const fs::path& folder,
                                  std::span<const std::string_view> suffixes) {
     std::vector<KeptFile> files;
@@ -68,7 +68,7 @@ void keep_within(const fs::path& folder,
     for (const KeptFile& file : files) {
         bytes += file.bytes;
     }
-    // The new one comes last, whatever the clock says.
+    // The newest file comes last, whatever the clock says.
     std::ranges::stable_partition(files, [&](const KeptFile& file) { return file.path != newest; });
     for (const KeptFile& file : files) {
         if (bytes <= bytes_max) {
@@ -100,7 +100,7 @@ std::shared_ptr<const ObbTree> TreeCache::find(TreeForm form,
     const auto tree = form == TreeForm::Binary ? read_tree_file(path, mesh, key)
                                                : read_wide_tree_file(path, mesh, key);
     if (tree) {
-        // The time of the last use. A folder that cannot be written to keeps its order.
+        // Marks the file as just used. A read-only folder keeps its order.
         std::error_code ignored;
         fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
         return tree.value();
@@ -119,7 +119,7 @@ void TreeCache::keep(TreeForm form, const ObbTree& tree) {
     const fs::path path = path_of(form, key);
     Status kept = make_directories(folder_);
     if (kept) {
-        // A tree that power took away is built again; waiting for the disk costs more.
+        // A tree lost in a power failure is rebuilt, which costs less than syncing.
         kept = form == TreeForm::Binary
                    ? write_tree_file(path, tree, key, Durability::Unsynced)
                    : write_wide_tree_file(path, tree, key, Durability::Unsynced);

@@ -1,4 +1,4 @@
-// A folder that keeps trees between runs, within a bound.
+// A bounded folder of trees kept between runs.
 #pragma once
 
 #include "common/core/limits/client.hpp"
@@ -15,14 +15,14 @@
 
 namespace cd {
 
-/// The word for no cache at all, where a folder may stand.
+/// The option value that disables the cache.
 inline constexpr const char* no_tree_cache = "off";
 
-/// The folder that an option names: none for `no_tree_cache`.
+/// The folder that the option names; empty for `no_tree_cache`.
 [[nodiscard]] std::filesystem::path tree_cache_folder(const std::string& option);
 
-/// The option's value where it is not given: below this user's cached files (`cache_dir`), or
-/// `no_tree_cache` where the environment does not say where these are.
+/// The option's default: a folder below `cache_dir`, or `no_tree_cache` if the environment names no
+/// cache folder.
 [[nodiscard]] std::string default_tree_cache();
 
 /// Removes the least recently used files in a folder whose names have one of the suffixes, partly
@@ -32,27 +32,27 @@ void keep_within(const std::filesystem::path& folder,
                  std::uint64_t bytes_max,
                  const std::filesystem::path& newest);
 
-/// A tree as the paper has it, or as searches without a tolerance walk it.
+/// Binary trees are the paper's; searches without a tolerance use wide trees.
 enum class TreeForm : std::uint8_t { Binary, Wide };
 
-/// One file for each form of each mesh's tree, named by all that decides its bytes. Several
-/// processes may share a folder. Nothing that is wrong with it is an error: a file that cannot be
-/// used counts as missing, a tree that cannot be kept is not, and there is a warning.
+/// A cache with one file for each form of a mesh's tree, named by a key of all that decides its
+/// bytes. Processes may share a folder. Problems are warnings, never errors: an unusable file
+/// counts as missing, and a tree that cannot be written is not kept.
 class TreeCache {
   public:
-    /// An empty path: nothing is kept or found. The folder is made when there is something to keep.
+    /// An empty path disables the cache. The folder is created by the first `keep`.
     explicit TreeCache(std::filesystem::path folder,
                        std::uint64_t bytes_max = limits::tree_cache_bytes_max)
         : folder_(std::move(folder)), bytes_max_(bytes_max) {}
 
-    /// The mesh's tree with this form alone, mapped; or null.
+    /// The mesh's tree with this form only, memory-mapped; or null.
     [[nodiscard]] std::shared_ptr<const ObbTree> find(TreeForm form,
                                                       const std::shared_ptr<const Mesh>& mesh);
-    /// Keeps this form of a tree built with the default options. What went unused for longest goes,
-    /// until the folder's trees are within the bound.
+    /// Keeps this form of a tree built with default options. Removes the least recently used files
+    /// until the folder is within its bound.
     void keep(TreeForm form, const ObbTree& tree);
 
-    /// One line each, since the last call.
+    /// The warnings since the last call, one line each.
     [[nodiscard]] std::vector<std::string> take_warnings();
 
   private:
