@@ -219,6 +219,9 @@ void Coordinator::worker_stands(WorkerId worker, const Standing& standing) {
     }
     take_lost_tasks(worker, standing);
     act(dispatcher().worker_heard(worker));
+    if (dispatcher_.worker_status(worker).draining) {
+        link->second.channel->send(Drain{}); // The first may have been lost with a connection.
+    }
     feed();
 }
 

@@ -105,6 +105,18 @@ TEST_F(BrokenNetwork, DamagedBytesAreNoticedAndChangeNothing) {
     EXPECT_THAT(master_.log(), HasSubstr("damaged frame"));
 }
 
+TEST_F(BrokenNetwork, AWorkerThatIsDrainedWhileItIsAwayEndsWhenItIsBack) {
+    start_job(3000);
+    progress(200);
+    proxy_.set(Weather::Swallowed);
+    wait_for_state(WorkerState::Silent);
+    ASSERT_TRUE(connection_->drain(DrainWorkers{}));
+    proxy_.set(Weather::Fair);
+    EXPECT_EQ(workers_[0]->wait(patience), 0) << workers_[0]->errors();
+    start_worker_at(proxy_.address(), 2, {"--no-peers"});
+    expect_right();
+}
+
 TEST_F(BrokenNetwork, AHaltedWorkerKeepsItsWork) {
     start_job(2500);
     for (int round = 0; round < 3; ++round) {
