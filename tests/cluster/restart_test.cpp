@@ -422,6 +422,44 @@ TEST_F(Restart, WithAFullDiskJobsWaitVisiblyAndGoOnWhenThereIsRoom) {
     }
 }
 
+TEST_F(Restart, WithADamagedMeshAJobWaitsAndItsFollowersAreToldForWhichFile) {
+    const Job job = make_job(2000);
+    start_worker();
+    auto connection = connect();
+    const JobId id = submit(*connection, job, Query{});
+    (void)watch_until(*connection, id, 500);
+    connection.reset();
+    master_.kill();
+    // Without what was made of it, the mesh is read again.
+    std::filesystem::remove_all(folder_ / "state/trees");
+    std::filesystem::remove_all(folder_ / "state/blocks");
+    const std::string mesh = folder_ / ("state/meshes/" + to_hex(job.a->mesh().hash()) + ".mesh");
+    const std::string good = read_text(mesh);
+    ASSERT_GT(good.size(), 1000u);
+    std::string bad = good;
+    bad[1000] = static_cast<char>(bad[1000] ^ 1);
+    write_text(mesh, bad);
+    master_.start();
+    std::vector<std::unique_ptr<Process>> followers;
+    for (const char* verb : {"watch", "wait"}) {
+        followers.push_back(std::make_unique<Process>(
+            std::vector<std::string>{cdctl(), verb, "last", "--master", master_.address()},
+            folder_ / verb));
+    }
+    for (const auto& follower : followers) {
+        EXPECT_TRUE(comes_true([&] {
+            const std::string told = follower->errors();
+            return told.find("  paused: ") != std::string::npos &&
+                   told.find(to_hex(job.a->mesh().hash()) + ".mesh") != std::string::npos;
+        })) << follower->errors();
+    }
+    write_text(mesh, good);
+    for (const auto& follower : followers) {
+        EXPECT_EQ(follower->wait(patience), 0) << follower->errors();
+    }
+    EXPECT_EQ(finish(*connect(), id).digest, job.digest_in_one_process(Query{}));
+}
+
 TEST_F(Restart, ADamagedStateIsNamedNotUsedAndNotChanged) {
     const Job job = make_job(2000);
     start_worker();
