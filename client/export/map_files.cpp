@@ -1,10 +1,13 @@
 #include "client/export/map_files.hpp"
 
+#include "client/base/words.hpp"
 #include "client/formats/csv_rows.hpp"
 #include "client/formats/npz.hpp"
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <string>
 
 namespace cd {
 
@@ -12,7 +15,11 @@ namespace {
 
 Status
 write_csv(const ContactMap& map, const std::filesystem::path& path, const ExportContext& context) {
-    auto file = RowFile::create(path, "body,triangle,scenarios,part\n");
+    const std::string scenarios =
+        context.map_pairs == 0
+            ? "scenarios"
+            : "scenarios_of_first_" + std::to_string(context.map_pairs) + "_pairs";
+    auto file = RowFile::create(path, "body,triangle," + scenarios + ",part\n");
     if (!file) {
         return file.error();
     }
@@ -39,6 +46,13 @@ write_csv(const ContactMap& map, const std::filesystem::path& path, const Export
 Status
 write_npz(const ContactMap& map, const std::filesystem::path& path, const ExportContext& context) {
     NpzWriter file(path, context.stop);
+    if (context.map_pairs != 0) {
+        const std::array<std::uint64_t, 1> pairs{context.map_pairs};
+        const std::size_t array = file.add_array("first_pairs", NpyType::U8);
+        if (Status added = file.append(array, std::span<const std::uint64_t>(pairs)); !added) {
+            return added;
+        }
+    }
     for (std::size_t i = 0; i < map.bodies.size(); ++i) {
         const std::size_t array = file.add_array(context.bodies[i].name, NpyType::U8, 2);
         for (const TriangleContacts& row : map.bodies[i]) {

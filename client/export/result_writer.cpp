@@ -37,6 +37,12 @@ Result<std::unique_ptr<ResultWriter>> make_writer(const std::string& format,
 
 } // namespace
 
+void ExportContext::describe(const Query& query) {
+    level = query.level;
+    tolerance = query.tolerance;
+    map_pairs = query.maps ? 0 : query.limit_pairs;
+}
+
 std::string_view pair_class_name(PairClass kind) {
     switch (kind) {
     case PairClass::Separate:

@@ -6,6 +6,7 @@
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
+#include "common/job/query.hpp"
 #include "common/job/result/result.hpp"
 
 #include <cstdint>
@@ -33,8 +34,13 @@ struct ExportContext {
     Level level = Level::Pairs;
     std::vector<ExportBody> bodies;  ///< Results refer to them by index.
     std::optional<double> tolerance; ///< Where it is known.
+    /// A map counts only the first so many pairs of each scenario; 0: it counts all.
+    std::uint64_t map_pairs = 0;
     bool exact_points = false;       ///< NPZ: also points at full precision, relative to origins.
     StopCheck stop;                  ///< Ends the writing with Interrupted.
+
+    /// Sets what follows from the query: level, tolerance, what the map counts.
+    void describe(const Query& query);
 };
 
 /// A seam: one implementation for each format. Holds no more than a bounded buffer of results.

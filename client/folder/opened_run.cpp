@@ -201,8 +201,7 @@ Result<ExportContext> export_context(const OpenedRun& run) {
     ExportContext context;
     context.job = manifest.name;
     context.unit = manifest.unit;
-    context.level = manifest.query.level;
-    context.tolerance = manifest.query.tolerance;
+    context.describe(manifest.query);
     context.stop = &InterruptGuard::has_come;
     for (std::size_t i = 0; i < manifest.bodies.size(); ++i) {
         auto mesh = run.mesh(i);

@@ -226,8 +226,7 @@ ExportContext export_context(const PreparedJob& job) {
     ExportContext context;
     context.job = job.spec.name;
     context.unit = job.spec.unit;
-    context.level = job.query.level;
-    context.tolerance = job.query.tolerance;
+    context.describe(job.query);
     context.exact_points = job.spec.output.exact_points;
     context.stop = &InterruptGuard::has_come;
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {

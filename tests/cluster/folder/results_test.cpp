@@ -143,6 +143,22 @@ TEST_F(Results, TheMapIsTheSumOfThePairs) {
     EXPECT_EQ(arrays.value().at("a").to_integers().value(), numbers);
 }
 
+TEST_F(Results, AMapOfListedPairsSaysSo) {
+    write_job(6, "level = \"pairs\"\nlimit_pairs = 2");
+    ASSERT_EQ(run({"--out", folder_ / "out", "--formats", "csv"}).exit_code, 0);
+    ASSERT_EQ(results({"--formats", "npz"}).exit_code, 0);
+    EXPECT_THAT(read_text(folder_ / "out" / "map.csv"),
+                testing::StartsWith("body,triangle,scenarios_of_first_2_pairs,part\na,"));
+    const auto arrays = read_npz(folder_ / "out" / "map.npz");
+    ASSERT_TRUE(arrays);
+    EXPECT_EQ(arrays.value().at("first_pairs").to_integers().value(),
+              std::vector<std::int64_t>{2});
+    write_job(6, "level = \"pairs\"\nlimit_pairs = 2\nmaps = true");
+    ASSERT_EQ(run({"--out", folder_ / "all", "--formats", "csv"}).exit_code, 0);
+    EXPECT_THAT(read_text(folder_ / "all" / "map.csv"),
+                testing::StartsWith("body,triangle,scenarios,part\na,"));
+}
+
 TEST_F(Results, TheListOfFilesIsThatOfTheFolder) {
     write_job(5, "level = \"count\"\nmaps = true");
     ASSERT_EQ(run({"--out", folder_ / "out", "--formats", "csv"}).exit_code, 0);
