@@ -10,11 +10,11 @@
 #include "common/job/scenario_file.hpp"
 
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <optional>
 #include <variant>
@@ -114,18 +114,28 @@ struct FolderBytes {
 /// A temporary folder; the destructor removes it.
 class TemporaryFiles {
   public:
-    TemporaryFiles()
-        : folder_(fs::temp_directory_path() / ("cdctl-estimate-" + std::to_string(::getpid()))) {}
+    TemporaryFiles() {
+        std::string name = (fs::temp_directory_path() / "cdctl-estimate-XXXXXX").string();
+        if (::mkdtemp(name.data()) != nullptr) {
+            own_ = name;
+            folder_ = own_ / "files";
+        }
+    }
     TemporaryFiles(const TemporaryFiles&) = delete;
     TemporaryFiles& operator=(const TemporaryFiles&) = delete;
     ~TemporaryFiles() {
         std::error_code ignored;
-        fs::remove_all(folder_, ignored);
+        fs::remove_all(own_, ignored);
     }
 
     /// Writes the files of a run with these results: the job's formats and the kept poses.
     Result<FolderBytes>
     write(const PreparedJob& job, bool keeps_inputs, const std::vector<Sample>& samples) {
+        if (own_.empty()) {
+            return Error{ErrorCode::Io,
+                         "cannot make a folder in " + fs::temp_directory_path().string() +
+                             "; TMPDIR names another place"};
+        }
         std::error_code ignored;
         fs::remove_all(folder_, ignored);
         if (Status written = write_results(job, samples); !written) {
@@ -185,6 +195,7 @@ class TemporaryFiles {
         return added ? writer.value().finish() : added;
     }
 
+    fs::path own_;
     fs::path folder_;
 };
 
