@@ -51,17 +51,6 @@ std::string raw_text(const Cell& cell) {
     return exact_text(std::get<double>(cell));
 }
 
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
-        return text;
-    }
-    std::string out = "\"";
-    for (const char character : text) {
-        out += character == '"' ? "\"\"" : std::string(1, character);
-    }
-    return out + "\"";
-}
-
 /// The number of terminal columns of a UTF-8 text: one for each code point.
 std::size_t width_of(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
@@ -144,12 +133,12 @@ std::string table_text(const Table& table, bool wide, const std::string& indent)
 std::string table_csv(const Table& table) {
     std::string text;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
-        text += (c == 0 ? "" : ",") + quoted(table.columns[c].key);
+        text += (c == 0 ? "" : ",") + csv_field(table.columns[c].key);
     }
     text += "\n";
     for (const auto& row : table.rows) {
         for (std::size_t c = 0; c < row.size(); ++c) {
-            text += (c == 0 ? "" : ",") + quoted(raw_text(row[c]));
+            text += (c == 0 ? "" : ",") + csv_field(raw_text(row[c]));
         }
         text += "\n";
     }

@@ -1,5 +1,7 @@
 #include "client/base/words.hpp"
 
+#include "common/core/printable.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -99,6 +101,18 @@ std::string rate_text(double per_second) {
 
 std::string counted(std::uint64_t number, std::string_view noun) {
     return grouped(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
+}
+
+std::string csv_field(std::string_view given) {
+    const std::string text = valid_utf8(given);
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+        return text;
+    }
+    std::string field = "\"";
+    for (const char c : text) {
+        field += (c == '"') ? "\"\"" : std::string(1, c);
+    }
+    return field + "\"";
 }
 
 } // namespace cd

@@ -32,4 +32,7 @@ namespace cd {
 /// "1 part", "12 parts".
 [[nodiscard]] std::string counted(std::uint64_t number, std::string_view noun);
 
+/// Quotes a CSV field as in RFC 4180 and replaces invalid UTF-8.
+[[nodiscard]] std::string csv_field(std::string_view text);
+
 } // namespace cd

@@ -88,16 +88,7 @@ int execute(const ExtractCommand& command) {
     }
     ThreadPool pool(command.threads);
     TreeCache cache(tree_cache);
-    auto spec = run.spec();
-    if (!spec) {
-        return fail(spec.error());
-    }
-    auto job = prepare_again(run.manifest(),
-                             std::move(at_hand.value().inputs),
-                             std::move(spec.value()),
-                             Trees::ForPosesOnly,
-                             cache,
-                             pool);
+    auto job = at_hand.value().prepare(Trees::ForPosesOnly, cache, pool);
     if (!job) {
         return fail(job.error());
     }

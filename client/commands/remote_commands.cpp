@@ -89,17 +89,14 @@ int execute(const WatchCommand& command) {
 
 int execute(const GetCommand& command) {
     const InterruptGuard interrupts;
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
+    const auto cluster = open_cluster(command.master);
+    if (!cluster) {
+        return fail(cluster.error());
     }
-    const Result<ClusterStatus> status = connection.value()->status();
-    if (!status) {
-        return fail(status.error());
-    }
-    const Table table = command.what == "jobs"      ? jobs_table(status.value())
-                        : command.what == "workers" ? workers_table(status.value())
-                                                    : meshes_table(status.value());
+    const auto& [connection, status] = cluster.value();
+    const Table table = command.what == "jobs"      ? jobs_table(status)
+                        : command.what == "workers" ? workers_table(status)
+                                                    : meshes_table(status);
     std::fputs(format_table(table, command.output).c_str(), stdout);
     return exit_done;
 }

@@ -79,6 +79,18 @@ Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& opt
     return opened;
 }
 
+Result<ConnectedCluster> open_cluster(const MasterOptions& options) {
+    auto connection = open_master(options);
+    if (!connection) {
+        return connection.error();
+    }
+    auto status = connection.value()->status();
+    if (!status) {
+        return status.error();
+    }
+    return ConnectedCluster{std::move(connection.value()), std::move(status.value())};
+}
+
 std::uint64_t worker_count(const ClusterStatus& cluster) {
     const auto here = std::ranges::count_if(cluster.workers, [](const WorkerStatus& worker) {
         return worker.state != WorkerState::Lost;

@@ -22,6 +22,14 @@ namespace cd {
 /// are read, which may take long.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& options);
 
+/// A connection and the cluster's status as it began.
+struct ConnectedCluster {
+    std::unique_ptr<Connection> connection;
+    ClusterStatus status;
+};
+/// Connects to a master and asks for the status. Errors: those of `open_master`.
+[[nodiscard]] Result<ConnectedCluster> open_cluster(const MasterOptions& options);
+
 /// The number of workers that are not lost.
 [[nodiscard]] std::uint64_t worker_count(const ClusterStatus& cluster);
 /// `worker_count` as text: "12 workers".

@@ -61,4 +61,13 @@ Result<RunAtHand> RunAtHand::open(const std::string& argument,
     return run;
 }
 
+Result<PreparedJob> RunAtHand::prepare(Trees trees, TreeCache& cache, ThreadPool& pool) {
+    auto spec = run.spec();
+    if (!spec) {
+        return spec.error();
+    }
+    return prepare_again(
+        run.manifest(), std::move(inputs), std::move(spec.value()), trees, cache, pool);
+}
+
 } // namespace cd

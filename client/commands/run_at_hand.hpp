@@ -22,6 +22,10 @@ struct RunAtHand {
     [[nodiscard]] static Result<RunAtHand> open(const std::string& argument,
                                                 const MasterOptions& master,
                                                 const std::filesystem::path& tree_cache);
+
+    /// Prepares the run's job as it was submitted. Takes `inputs`, so that it works once. Errors:
+    /// those of `OpenedRun::spec` and `prepare_again`.
+    [[nodiscard]] Result<PreparedJob> prepare(Trees trees, TreeCache& cache, ThreadPool& pool);
 };
 
 } // namespace cd

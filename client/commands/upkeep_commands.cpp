@@ -83,18 +83,14 @@ Result<WorkerId> find_worker(const ClusterStatus& status, const std::string& tex
 
 int execute(const RemoveCommand& command) {
     const InterruptGuard interrupts;
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
+    const auto cluster = open_cluster(command.master);
+    if (!cluster) {
+        return fail(cluster.error());
     }
-    const Result<ClusterStatus> status = connection.value()->status();
-    if (!status) {
-        return fail(status.error());
-    }
+    const auto& [connection, status] = cluster.value();
     std::vector<Removable> targets;
     for (const std::string& text : command.what) {
-        Result<Removable> target =
-            find_removable(status.value(), text, connection.value()->owner());
+        Result<Removable> target = find_removable(status, text, connection->owner());
         if (!target) {
             return fail(target.error());
         }
@@ -107,7 +103,7 @@ int execute(const RemoveCommand& command) {
         return fail({ErrorCode::BadInput, "nothing was removed; add --yes"});
     }
     for (const Removable& target : targets) {
-        const Result<Removed> removed = remove(*connection.value(), target, command.cancel);
+        const Result<Removed> removed = remove(*connection, target, command.cancel);
         if (!removed) {
             return fail({removed.error().code, target.name + ": " + removed.error().detail});
         }
@@ -123,24 +119,21 @@ int execute(const DrainCommand& command) {
         return fail({ErrorCode::BadInput, "name the workers to drain, or say --all"});
     }
     const InterruptGuard interrupts;
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
+    const auto cluster = open_cluster(command.master);
+    if (!cluster) {
+        return fail(cluster.error());
     }
-    const Result<ClusterStatus> status = connection.value()->status();
-    if (!status) {
-        return fail(status.error());
-    }
+    const auto& [connection, status] = cluster.value();
     DrainWorkers wish;
     wish.now = command.now;
     for (const std::string& text : command.workers) {
-        const Result<WorkerId> worker = find_worker(status.value(), text);
+        const Result<WorkerId> worker = find_worker(status, text);
         if (!worker) {
             return fail(worker.error());
         }
         wish.workers.push_back(worker.value());
     }
-    const Result<Draining> told = connection.value()->drain(wish);
+    const Result<Draining> told = connection->drain(wish);
     if (!told) {
         return fail(told.error());
     }

@@ -103,16 +103,7 @@ int execute(const VerifyCommand& command) {
     OpenedRun& run = at_hand.value().run;
     ThreadPool pool(command.threads);
     TreeCache cache(tree_cache);
-    auto spec = run.spec();
-    if (!spec) {
-        return fail(spec.error());
-    }
-    auto job = prepare_again(run.manifest(),
-                             std::move(at_hand.value().inputs),
-                             std::move(spec.value()),
-                             Trees::Always,
-                             cache,
-                             pool);
+    auto job = at_hand.value().prepare(Trees::Always, cache, pool);
     if (!job) {
         return fail(job.error());
     }

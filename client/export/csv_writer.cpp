@@ -1,3 +1,4 @@
+#include "client/base/words.hpp"
 #include "client/export/result_writer.hpp"
 #include "client/formats/csv_rows.hpp"
 

@@ -1,22 +1,10 @@
 #include "client/formats/csv_rows.hpp"
 
-#include "common/core/printable.hpp"
+#include "client/base/words.hpp"
 
 #include <utility>
 
 namespace cd {
-
-std::string csv_field(std::string_view given) {
-    const std::string text = valid_utf8(given);
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
-        return text;
-    }
-    std::string field = "\"";
-    for (const char c : text) {
-        field += (c == '"') ? "\"\"" : std::string(1, c);
-    }
-    return field + "\"";
-}
 
 PartFields::PartFields(const std::shared_ptr<const Mesh>& mesh) : parts_(mesh) {
     for (const Part& part : parts_.parts()) {

@@ -16,9 +16,6 @@
 
 namespace cd {
 
-/// Quotes a field as in RFC 4180 and replaces invalid UTF-8.
-[[nodiscard]] std::string csv_field(std::string_view text);
-
 /// Names of triangles' parts as CSV fields.
 class PartFields {
   public:
