@@ -10,6 +10,7 @@
 #include "proto/channel/signals.hpp"
 #include "worker/membership/credential_keeper.hpp"
 #include "worker/membership/membership.hpp"
+#include "worker/membership/refusal_patience.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -62,7 +63,7 @@ class Daemon {
             } else {
                 log_info("no master yet: reason=\"{}\"", channel.error().detail);
             }
-            if (!was_welcome_ && std::chrono::steady_clock::now() >= give_up_at) {
+            if (!patience_.was_accepted() && std::chrono::steady_clock::now() >= give_up_at) {
                 log_error("no master within --connect-for: seconds={}",
                           config_.connect_for.count());
                 co_return end(exit_unreachable);
@@ -94,8 +95,7 @@ class Daemon {
         if (!served) {
             co_return exit_code_of_failed_greeting(served.error(), had_answer(*channel));
         }
-        was_welcome_ = true;
-        refused_since_.reset();
+        patience_.accepted();
         backoff_.reset();
         const SessionEnd how = served.value().how;
         const bool has_ended = how == SessionEnd::Drained || how == SessionEnd::Terminated;
@@ -118,25 +118,21 @@ class Daemon {
         return tries_again ? std::nullopt : std::optional<int>(exit_refused);
     }
 
-    /// Whether to try again after TLS has refused this worker or its master. A worker that the
-    /// master accepted before tries again for a while: a clock may be wrong, or a bit may have
-    /// flipped on the way.
+    /// Whether to try again after TLS has refused this worker or its master.
     bool tries_again_after_refusal(const std::string& why) {
-        const auto now = std::chrono::steady_clock::now();
-        if (!refused_since_) {
-            refused_since_ = now;
+        const auto left = patience_.refused(std::chrono::steady_clock::now());
+        if (left <= std::chrono::steady_clock::duration::zero()) {
+            log_error(
+                "refused: {}; if the clocks of both hosts are right, join again: cdworker join "
+                "MASTER --token TOKEN",
+                why);
+            return false;
         }
-        const auto left = limits::refusal_retry_max - (now - *refused_since_);
-        const bool tries_again = was_welcome_ && left > std::chrono::seconds(0);
-        if (tries_again) {
-            log_error("refused, retrying for {} s: {}; are the clocks of both hosts right, "
-                      "and the certificates valid?",
-                      std::chrono::ceil<std::chrono::seconds>(left).count(),
-                      why);
-        } else {
-            log_error("refused: {}", why);
-        }
-        return tries_again;
+        log_error("refused, retrying for {} s: {}; are the clocks of both hosts right, and the "
+                  "certificates valid?",
+                  std::chrono::ceil<std::chrono::seconds>(left).count(),
+                  why);
+        return true;
     }
 
     /// On the address by which the master sees this worker. Without it all works, too.
@@ -193,8 +189,7 @@ class Daemon {
     std::shared_ptr<PeerServer> peer_server_; ///< Null where others get nothing.
     const std::uint64_t instance_ = std::random_device{}() | std::uint64_t{std::random_device{}()}
                                                                  << 32;
-    bool was_welcome_ = false;
-    std::optional<std::chrono::steady_clock::time_point> refused_since_; ///< Without a welcome.
+    RefusalPatience patience_;
     bool stopping_ = false;
     int exit_code_ = exit_done;
 };
