@@ -94,6 +94,24 @@ TEST(Strangers, SilentOnesOfOneHostDoNotLockOthersOut) {
     other.channel->close();
 }
 
+TEST(Strangers, UnderTlsAClientThatFindsNoPlaceIsToldSo) {
+    Master master({}, {}, {.is_secured = true});
+    std::vector<asio::ip::tcp::socket> silent;
+    for (std::size_t i = 0; i < too_many; ++i) {
+        silent.push_back(connect_from(master, "127.0.0.1", master.server->port()));
+        master.context.poll();
+    }
+    Greeting turned_away;
+    start_greeting(master,
+                   connect_from(master, "127.0.0.1", master.server->port()),
+                   master.target(CertifiedRole::Submitter, "ilan").tls,
+                   Role::Client,
+                   turned_away);
+    master.run_until([&] { return turned_away.answer.has_value(); });
+    ASSERT_FALSE(turned_away.answer->has_value());
+    EXPECT_THAT(turned_away.answer->error().detail, HasSubstr("no place for another connection"));
+}
+
 TEST(Strangers, WhoGoesOnLeavesItsPlace) {
     Master master;
     for (std::size_t i = 0; i < too_many; ++i) {
