@@ -119,7 +119,8 @@ void add_local_verbs(CLI::App& app, Verbs& verbs) {
                                  "Shows what a mesh file holds.\n"
                                  "Examples:\n"
                                  "  cdctl inspect car.obj\n"
-                                 "  cdctl inspect post.stl --unit mm",
+                                 "  cdctl inspect post.stl --unit mm\n"
+                                 "  cdctl inspect car.obj --png car.png",
                                  verbs.inspect);
     inspect->add_option("mesh", verbs.inspect.meshes, "Mesh files")->required()->type_name("MESH");
     inspect->add_option("--unit", verbs.inspect.unit, "Unit of the file; shown in --job-unit")
@@ -128,6 +129,8 @@ void add_local_verbs(CLI::App& app, Verbs& verbs) {
     inspect->add_option("--job-unit", verbs.inspect.job_unit, "Unit of the job (m)")
         ->check(CLI::IsMember(units()))
         ->type_name("UNIT");
+    inspect->add_option("--png", verbs.inspect.png, "Also draw the mesh, parts in colours")
+        ->type_name("FILE");
     add_output(*inspect, verbs.inspect.output, {"text", "json"});
 }
 
@@ -382,22 +385,26 @@ void add_check_verbs(CLI::App& app, Verbs& verbs) {
     add_tree_cache(*verify, verbs.verify.tree_cache);
     add_quiet(*verify, verbs.verify.quiet);
 
-    CLI::App* extract = add_verb(app,
-                                 verbs,
-                                 "extract",
-                                 "Writes scenarios of a run as a job of their own.\n"
-                                 "Examples:\n"
-                                 "  cdctl extract out 41230 --out case && cdctl run case/job.toml\n"
-                                 "  cdctl extract out 100-199 --out case\n"
-                                 "  cdctl extract j-5692 41230 --out case\n"
-                                 "  cdctl extract out 41230 --out case --minimal\n"
-                                 "\n"
-                                 "A case has a.npz and b.npz (all triangles), poses.csv in the "
-                                 "form that was\n"
-                                 "tested, job.toml, and expected.json with the class and the "
-                                 "digest that `cdctl run`\n"
-                                 "must give.",
-                                 verbs.extract);
+    CLI::App* extract =
+        add_verb(app,
+                 verbs,
+                 "extract",
+                 "Writes scenarios of a run as a job of their own, or as pictures.\n"
+                 "Examples:\n"
+                 "  cdctl extract out 41230 --out case && cdctl run case/job.toml\n"
+                 "  cdctl extract out 100-199 --out case\n"
+                 "  cdctl extract j-5692 41230 --out case\n"
+                 "  cdctl extract out 41230 --out case --minimal\n"
+                 "  cdctl extract out 41230 --as png\n"
+                 "\n"
+                 "A case has a.npz and b.npz (all triangles), poses.csv in the "
+                 "form that was\n"
+                 "tested, job.toml, and expected.json with the class and the "
+                 "digest that `cdctl run`\n"
+                 "must give. A picture shows the bodies, and in red the triangles "
+                 "in contact that the\n"
+                 "run listed (levels pairs and contacts).",
+                 verbs.extract);
     extract
         ->add_option("run",
                      verbs.extract.run,
@@ -408,10 +415,10 @@ void add_check_verbs(CLI::App& app, Verbs& verbs) {
         ->required()
         ->type_name("N[-M]");
     add_master_options(*extract, verbs.extract.master, true);
-    extract->add_option("--out", verbs.extract.out, "Folder for the case (scenario-N)")
+    extract->add_option("--out", verbs.extract.out, "Folder for the case or pictures (scenario-N)")
         ->type_name("DIR");
     extract->add_option("--as", verbs.extract.as, "What is written")
-        ->check(CLI::IsMember(std::vector<std::string>{"case"}))
+        ->check(CLI::IsMember(std::vector<std::string>{"case", "png"}))
         ->type_name("KIND")
         ->capture_default_str();
     extract->add_flag("--minimal",

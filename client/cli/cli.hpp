@@ -168,6 +168,7 @@ struct InspectCommand {
     std::string unit;
     std::string job_unit;
     std::string output = "text"; ///< text, json
+    std::string png;             ///< A file for the picture of one mesh.
 };
 
 struct VersionCommand {

@@ -1,4 +1,4 @@
-// The verb `extract`: turns scenarios of a run into a separate job.
+// The verb `extract`: turns scenarios of a run into a separate job, or into pictures.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/words.hpp"
@@ -6,9 +6,14 @@
 #include "client/commands/run_at_hand.hpp"
 #include "client/folder/extracted_case.hpp"
 #include "client/folder/opened_run.hpp"
+#include "client/picture/body_picture.hpp"
+#include "common/core/host/stop_check.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -72,6 +77,47 @@ Result<CaseScenarios> read_case(OpenedRun& run, PreparedJob& job, const Range& r
     return found;
 }
 
+/// The bodies of a scenario with the listed triangles in contact.
+std::vector<PicturedBody>
+pictured(const PreparedJob& job, const Scenario& scenario, const ScenarioResult& result) {
+    constexpr std::array<Colour, 2> colours{{{150, 170, 200}, {225, 190, 120}}};
+    std::vector<PicturedBody> bodies{
+        {job.meshes[scenario.body_a].get(), scenario.poses.a, colours[0], {}},
+        {job.meshes[scenario.body_b].get(), scenario.poses.b, colours[1], {}}};
+    for (const ContactPair& pair : result.pairs) {
+        bodies[0].contacts.push_back(pair.a);
+        bodies[1].contacts.push_back(pair.b);
+    }
+    for (PicturedBody& body : bodies) {
+        std::ranges::sort(body.contacts);
+        body.contacts.erase(std::ranges::unique(body.contacts).begin(), body.contacts.end());
+    }
+    return bodies;
+}
+
+/// One picture a scenario: DIR/N.png.
+Status write_pictures(const PreparedJob& job,
+                      const CaseScenarios& found,
+                      std::uint64_t first,
+                      const std::filesystem::path& dir) {
+    std::error_code failed;
+    std::filesystem::create_directories(dir, failed);
+    if (failed) {
+        return Error{ErrorCode::Io, dir.string() + ": " + failed.message()};
+    }
+    for (std::size_t i = 0; i < found.scenarios.size(); ++i) {
+        if (InterruptGuard::has_come()) {
+            return interrupted();
+        }
+        const Image image = draw_contacts(pictured(job, found.scenarios[i], found.results[i]));
+        const std::filesystem::path path = dir / (std::to_string(first + i) + ".png");
+        if (Status written = write_png(image, path); !written) {
+            return written;
+        }
+    }
+    return Done{};
+}
+
 } // namespace
 
 int execute(const ExtractCommand& command) {
@@ -98,6 +144,15 @@ int execute(const ExtractCommand& command) {
     }
     InterruptGuard::begin_to_flag(); // A signal must not leave partial files.
     const std::string dir = command.out.empty() ? "scenario-" + command.scenarios : command.out;
+    if (command.as == "png") {
+        const Status drawn = write_pictures(job.value(), found.value(), range.value().first, dir);
+        if (!drawn) {
+            return fail(drawn.error());
+        }
+        const std::size_t count = found.value().results.size();
+        std::printf("%s in %s\n", counted(count, "picture").c_str(), dir.c_str());
+        return exit_done;
+    }
     const Status written = write_case(
         job.value(), found.value(), {command.minimal, &InterruptGuard::has_come}, dir, pool);
     if (!written) {

@@ -3,6 +3,7 @@
 #include "client/base/units.hpp"
 #include "client/commands/commands.hpp"
 #include "client/import/import_notes.hpp"
+#include "client/picture/body_picture.hpp"
 #include "client/report/inspect.hpp"
 #include "client/report/report.hpp"
 
@@ -29,6 +30,10 @@ Result<double> factor_of(const InspectCommand& command) {
 } // namespace
 
 int execute(const InspectCommand& command) {
+    if (!command.png.empty() && command.meshes.size() != 1) {
+        return fail(
+            {ErrorCode::BadInput, "--png draws one mesh; inspect the others by themselves"});
+    }
     const auto factor = factor_of(command);
     if (!factor) {
         return fail(factor.error());
@@ -53,6 +58,11 @@ int execute(const InspectCommand& command) {
             }
         }
         bodies.push_back(body);
+        if (!command.png.empty()) {
+            if (Status drawn = write_png(draw_parts(*imported.value().mesh), command.png); !drawn) {
+                return fail(drawn.error());
+            }
+        }
     }
     return exit_done;
 }

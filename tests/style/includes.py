@@ -49,6 +49,7 @@ ORDERED = {
     "client": {
         "base": ["messages"],
         "formats": [],
+        "picture": [],
         "import": [],
         "spec": ["messages"],
         "trees": [],
@@ -98,6 +99,7 @@ DOORS = {
     r"boost/": ["proto", "common/pair/numbers"],
     r"cereal/": ["proto"],
     r"assimp/": ["client/import/foreign/assimp"],
+    r"png\.h": ["client/picture/image.cpp"],
     r"zip\.h": ["client/formats/npz.cpp", "client/formats/zip_file"],
     r"pugixml": ["client/import/foreign/xml"],
     r"zlib\.h": ["client"],

@@ -112,4 +112,14 @@ TEST_F(Inspect, EndsAtTheFirstFileThatIsNoMesh) {
     EXPECT_EQ(std::count(stderr_.begin(), stderr_.end(), '\n'), 1);
 }
 
+TEST_F(Inspect, APictureOfOneMeshIsDrawn) {
+    add("a.obj", 1);
+    command_.png = (folder_ / "a.png").string();
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(read_text(command_.png), testing::StartsWith("\x89PNG\r\n"));
+    add("b.obj", 1);
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("--png draws one mesh"));
+}
+
 } // namespace cd::tests

@@ -181,6 +181,21 @@ TEST_F(Extract, AScenarioThatFailedIsRefused) {
     EXPECT_FALSE(fs::exists(folder_ / "case"));
 }
 
+TEST_F(Extract, APictureOfEachScenarioIsDrawn) {
+    write_obj(folder_ / "a.obj", make_box({2, 2, 2}));
+    write_obj(folder_ / "b.obj", make_box({1, 1, 1}));
+    write_text(folder_ / "poses.csv", "x,y,z\n9,0,0\n1.25,0.3,0.1\n");
+    write_job_of_file("", "level = \"pairs\"");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    const Ran drawn = extract("0-1", {"--as", "png"});
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.errors;
+    EXPECT_THAT(drawn.output, testing::StartsWith("2 pictures in "));
+    for (const char* name : {"0.png", "1.png"}) {
+        EXPECT_THAT(read_text(folder_ / "case" / name), testing::StartsWith("\x89PNG\r\n"));
+    }
+    EXPECT_NE(read_text(folder_ / "case" / "0.png"), read_text(folder_ / "case" / "1.png"));
+}
+
 TEST_F(Extract, ARunThatPassesOverPartsIsRefused) {
     write_text(folder_ / "a.obj", "o front\n" + read_text(folder_ / "a.obj"));
     write_job(2, "ignore = [[\"front\", \"*\"]]");

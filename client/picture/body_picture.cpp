@@ -1,0 +1,110 @@
+#include "client/picture/body_picture.hpp"
+
+#include "client/picture/rasteriser.hpp"
+
+#include <array>
+
+namespace cd {
+
+namespace {
+
+constexpr unsigned samples = 3;
+constexpr Colour contact_colour{224, 32, 32};
+constexpr std::array<Colour, 8> part_colours{{{110, 150, 200},
+                                              {220, 170, 90},
+                                              {130, 180, 120},
+                                              {190, 130, 170},
+                                              {150, 150, 150},
+                                              {110, 190, 190},
+                                              {200, 140, 110},
+                                              {170, 170, 220}}};
+
+Viewpoint front_right() {
+    return {{0.7, -1, 0.6}};
+}
+
+/// The directions to the faces, edges and corners of a cube.
+std::vector<Viewpoint> viewpoints() {
+    std::vector<Viewpoint> found;
+    for (const int z : {1, 0, -1}) {
+        for (const int y : {-1, 1, 0}) {
+            for (const int x : {1, -1, 0}) {
+                const bool is_vertical = x == 0 && y == 0;
+                if (x != 0 || y != 0 || z != 0) {
+                    found.push_back({Vec3(x, y, z), is_vertical ? Vec3(0, 1, 0) : Vec3(0, 0, 1)});
+                }
+            }
+        }
+    }
+    return found;
+}
+
+Corners posed(const PicturedBody& body, std::uint32_t triangle) {
+    const Corners corners = body.mesh->corners(triangle);
+    return {body.pose.apply(corners[0]), body.pose.apply(corners[1]), body.pose.apply(corners[2])};
+}
+
+Aabb box_of(std::span<const PicturedBody> bodies) {
+    Aabb box;
+    for (const PicturedBody& body : bodies) {
+        for (const Vec3& vertex : body.mesh->vertices()) {
+            box.add(body.pose.apply(vertex));
+        }
+    }
+    return box;
+}
+
+void draw_all(std::span<const PicturedBody> bodies, Rasteriser& picture) {
+    for (const PicturedBody& body : bodies) {
+        for (std::uint32_t i = 0; i < body.mesh->triangles().size(); ++i) {
+            picture.draw(posed(body, i), body.colour);
+        }
+        for (const std::uint32_t triangle : body.contacts) {
+            picture.mark(posed(body, triangle), contact_colour);
+        }
+    }
+}
+
+Viewpoint best_viewpoint(std::span<const PicturedBody> bodies, const Aabb& scene) {
+    constexpr PictureSize small{160, 100};
+    Viewpoint best = front_right();
+    std::size_t most = 0;
+    for (const Viewpoint& eye : viewpoints()) {
+        Rasteriser picture(small.width, small.height, 1, eye, scene);
+        draw_all(bodies, picture);
+        if (picture.marks_in_sight() > most) {
+            most = picture.marks_in_sight();
+            best = eye;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+Image draw_parts(const Mesh& mesh, PictureSize size) {
+    Rasteriser picture(
+        size.width, size.height, samples, front_right(), bounding_box(mesh.vertices()));
+    std::size_t part = 0;
+    for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
+        while (part < mesh.parts().size() && i >= mesh.parts()[part].triangles_end) {
+            ++part;
+        }
+        picture.draw(mesh.corners(i), part_colours[part % part_colours.size()]);
+    }
+    return picture.image();
+}
+
+Image draw_contacts(std::span<const PicturedBody> bodies, PictureSize size) {
+    const Aabb scene = box_of(bodies);
+    bool has_contacts = false;
+    for (const PicturedBody& body : bodies) {
+        has_contacts = has_contacts || !body.contacts.empty();
+    }
+    const Viewpoint eye = has_contacts ? best_viewpoint(bodies, scene) : front_right();
+    Rasteriser picture(size.width, size.height, samples, eye, scene);
+    draw_all(bodies, picture);
+    return picture.image();
+}
+
+} // namespace cd

@@ -1,0 +1,34 @@
+#include "client/picture/image.hpp"
+
+#include "client/formats/output_file.hpp"
+
+#include <png.h>
+
+#include <string>
+
+namespace cd {
+
+Status write_png(const Image& image, const std::filesystem::path& path) {
+    png_image header{};
+    header.version = PNG_IMAGE_VERSION;
+    header.width = image.width;
+    header.height = image.height;
+    header.format = PNG_FORMAT_RGB;
+    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(header), '\0');
+    png_alloc_size_t size = bytes.size();
+    if (png_image_write_to_memory(
+            &header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr) == 0) {
+        return Error{ErrorCode::Io, path.string() + ": " + header.message};
+    }
+    bytes.resize(size);
+    auto file = OutputFile::create(path);
+    if (!file) {
+        return file.error();
+    }
+    if (Status written = file.value().write(bytes); !written) {
+        return written;
+    }
+    return file.value().commit();
+}
+
+} // namespace cd

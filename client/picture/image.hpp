@@ -1,0 +1,30 @@
+// A picture in memory, and its PNG file.
+#pragma once
+
+#include "common/core/result.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace cd {
+
+struct Colour {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+
+    friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// Rows from top to bottom, pixels from left to right.
+struct Image {
+    unsigned width = 0;
+    unsigned height = 0;
+    std::vector<Colour> pixels;
+};
+
+/// Writes a PNG file of 8 bits a channel, whole or not at all. Errors: Io naming the file.
+[[nodiscard]] Status write_png(const Image& image, const std::filesystem::path& path);
+
+} // namespace cd

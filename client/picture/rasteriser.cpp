@@ -1,0 +1,177 @@
+#include "client/picture/rasteriser.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cd {
+
+namespace {
+
+constexpr double border = 0.04;    ///< Share of the picture that stays free around the scene.
+constexpr double ambient = 0.35;   ///< Light on a face that is seen edge on.
+constexpr double mark_faint = 0.4; ///< Strength of a mark behind something.
+constexpr Colour background{255, 255, 255};
+constexpr float nothing = -std::numeric_limits<float>::infinity();
+
+using Vector = std::array<double, 3>;
+
+Vector vector_of(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+double dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Vector normalised(const Vector& v) {
+    const double length = std::sqrt(dot(v, v));
+    return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+std::uint8_t channel(double value) {
+    return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
+}
+
+Colour blended(Colour below, Colour above, double strength) {
+    const auto mix = [&](std::uint8_t a, std::uint8_t b) {
+        return channel((1 - strength) * a + strength * b);
+    };
+    return {mix(below.red, above.red), mix(below.green, above.green), mix(below.blue, above.blue)};
+}
+
+/// Twice the signed area of a triangle in the plane.
+double area2(const Vector& a, const Vector& b, double x, double y) {
+    return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+}
+
+} // namespace
+
+Rasteriser::Rasteriser(
+    unsigned width, unsigned height, unsigned samples, const Viewpoint& eye, const Aabb& scene)
+    : samples_(samples), width_(width * samples), height_(height * samples) {
+    axes_[2] = normalised(vector_of(eye.towards_eye));
+    axes_[0] = normalised(cross(vector_of(eye.up), axes_[2]));
+    axes_[1] = cross(axes_[2], axes_[0]);
+    const Vector center = vector_of(scene.center());
+    const Vector half = vector_of(0.5 * scene.size());
+    std::array<double, 3> reach{}; // Of the scene's box along the axes.
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            reach[i] += std::abs(axes_[i][k]) * half[k];
+        }
+    }
+    const double across = std::max(reach[0], std::numeric_limits<double>::min());
+    const double along = std::max(reach[1], std::numeric_limits<double>::min());
+    scale_ = (0.5 - border) * std::min(width_ / across, height_ / along);
+    center_ = {dot(axes_[0], center), dot(axes_[1], center)};
+    depth_margin_ = 0.002 * (reach[0] + reach[1] + reach[2]);
+    const std::size_t count = std::size_t{width_} * height_;
+    for (Layer* layer : {&solid_, &marked_}) {
+        layer->depth.assign(count, nothing);
+        layer->colour.assign(count, background);
+    }
+}
+
+Rasteriser::Point Rasteriser::project(const Vec3& world) const {
+    const Vector point = vector_of(world);
+    return {0.5 * width_ + scale_ * (dot(axes_[0], point) - center_[0]),
+            0.5 * height_ - scale_ * (dot(axes_[1], point) - center_[1]),
+            dot(axes_[2], point)};
+}
+
+Colour Rasteriser::shaded(const Corners& world, Colour colour) const {
+    const Vector normal = cross(vector_of(world[1] - world[0]), vector_of(world[2] - world[0]));
+    const double length = std::sqrt(dot(normal, normal));
+    // The light comes from the eye, a little from above.
+    const Vector light = normalised({axes_[2][0] + 0.5 * axes_[1][0],
+                                     axes_[2][1] + 0.5 * axes_[1][1],
+                                     axes_[2][2] + 0.5 * axes_[1][2]});
+    const double facing = length > 0 ? std::abs(dot(normal, light)) / length : 1;
+    return blended({0, 0, 0}, colour, ambient + (1 - ambient) * facing);
+}
+
+void Rasteriser::fill(const std::array<Point, 3>& corners, Colour colour, Layer& layer) const {
+    const auto& [a, b, c] = corners;
+    const double area = area2(a, b, c[0], c[1]);
+    if (!(area != 0)) {
+        return; // Seen edge on, degenerate, or NaN.
+    }
+    const auto [left, right] = std::minmax({a[0], b[0], c[0]});
+    const auto [top, bottom] = std::minmax({a[1], b[1], c[1]});
+    const auto first = [](double edge) { return std::max(0.0, std::ceil(edge - 0.5)); };
+    const auto last = [](double edge, unsigned size) {
+        return std::min(size - 1.0, std::floor(edge - 0.5));
+    };
+    for (double row = first(top); row <= last(bottom, height_); ++row) {
+        for (double column = first(left); column <= last(right, width_); ++column) {
+            const double x = column + 0.5;
+            const double y = row + 0.5;
+            const double of_a = area2(b, c, x, y) / area;
+            const double of_b = area2(c, a, x, y) / area;
+            const double of_c = 1 - of_a - of_b;
+            if (of_a < 0 || of_b < 0 || of_c < 0) {
+                continue;
+            }
+            const auto depth = static_cast<float>(of_a * a[2] + of_b * b[2] + of_c * c[2]);
+            const std::size_t sample =
+                static_cast<std::size_t>(row) * width_ + static_cast<std::size_t>(column);
+            if (depth > layer.depth[sample]) {
+                layer.depth[sample] = depth;
+                layer.colour[sample] = colour;
+            }
+        }
+    }
+}
+
+void Rasteriser::draw(const Corners& world, Colour colour) {
+    fill({project(world[0]), project(world[1]), project(world[2])}, shaded(world, colour), solid_);
+}
+
+void Rasteriser::mark(const Corners& world, Colour colour) {
+    fill({project(world[0]), project(world[1]), project(world[2])}, colour, marked_);
+}
+
+bool Rasteriser::shows_mark(std::size_t sample) const {
+    return static_cast<double>(marked_.depth[sample]) + depth_margin_ >=
+           static_cast<double>(solid_.depth[sample]);
+}
+
+std::size_t Rasteriser::marks_in_sight() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < marked_.depth.size(); ++i) {
+        count += marked_.depth[i] != nothing && shows_mark(i) ? 1 : 0;
+    }
+    return count;
+}
+
+Image Rasteriser::image() const {
+    Image image{width_ / samples_, height_ / samples_, {}};
+    const double share = 1.0 / (samples_ * samples_);
+    for (std::size_t y = 0; y < image.height; ++y) {
+        for (std::size_t x = 0; x < image.width; ++x) {
+            Vector sum{};
+            for (std::size_t i = 0; i < std::size_t{samples_} * samples_; ++i) {
+                const std::size_t sample =
+                    (y * samples_ + i / samples_) * width_ + x * samples_ + i % samples_;
+                Colour seen = solid_.colour[sample];
+                if (marked_.depth[sample] != nothing) {
+                    seen = blended(
+                        seen, marked_.colour[sample], shows_mark(sample) ? 1.0 : mark_faint);
+                }
+                sum[0] += seen.red;
+                sum[1] += seen.green;
+                sum[2] += seen.blue;
+            }
+            image.pixels.push_back(
+                {channel(sum[0] * share), channel(sum[1] * share), channel(sum[2] * share)});
+        }
+    }
+    return image;
+}
+
+} // namespace cd

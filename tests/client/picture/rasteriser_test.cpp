@@ -1,0 +1,178 @@
+// Proves what a picture shows: all of the scene, what is in front, lit faces, marks; the same
+// pixels on every host; and that a PNG file holds them.
+#include "client/picture/rasteriser.hpp"
+
+#include "client/picture/body_picture.hpp"
+#include "common/core/files/hash.hpp"
+#include "tests/support/shapes.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <array>
+#include <set>
+#include <span>
+#include <string>
+
+namespace cd::tests {
+namespace {
+
+constexpr Colour grey{200, 200, 200};
+constexpr Colour red{255, 0, 0};
+const Viewpoint from_above{{0, 0, 1}, {0, 1, 0}};
+
+/// A square with corners (+-1, +-1, z), two triangles.
+std::array<Corners, 2> square(double z, double size = 1) {
+    const Vec3 a(-size, -size, z);
+    const Vec3 b(size, -size, z);
+    const Vec3 c(size, size, z);
+    const Vec3 d(-size, size, z);
+    return {{{a, b, c}, {a, c, d}}};
+}
+
+Rasteriser small_picture(const Viewpoint& eye = from_above) {
+    Aabb scene;
+    scene.add({-1, -1, -1});
+    scene.add({1, 1, 1});
+    return {16, 16, 1, eye, scene};
+}
+
+/// A letter a pixel: '.' background, the darker the later in the alphabet.
+std::string text_of(const Image& image) {
+    std::string text;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const Colour pixel = image.pixels[i];
+        const int sum = pixel.red + pixel.green + pixel.blue;
+        text += sum == 3 * 255 ? '.' : static_cast<char>('a' + (3 * 255 - sum) / 64);
+        text += (i + 1) % image.width == 0 ? "\n" : "";
+    }
+    return text;
+}
+
+Colour at(const Image& image, unsigned x, unsigned y) {
+    return image.pixels[std::size_t{y} * image.width + x];
+}
+
+TEST(Rasteriser, AllOfTheSceneIsInThePictureWithABorder) {
+    Rasteriser picture = small_picture();
+    for (const Corners& triangle : square(0)) {
+        picture.draw(triangle, grey);
+    }
+    const Image image = picture.image();
+    ASSERT_EQ(image.pixels.size(), 256u);
+    for (unsigned i = 0; i < 16; ++i) {
+        EXPECT_EQ(at(image, i, 0), (Colour{255, 255, 255}));
+        EXPECT_EQ(at(image, 0, i), (Colour{255, 255, 255}));
+    }
+    for (unsigned y = 1; y < 15; ++y) {
+        for (unsigned x = 1; x < 15; ++x) {
+            EXPECT_NE(at(image, x, y), (Colour{255, 255, 255})) << x << " " << y;
+        }
+    }
+}
+
+TEST(Rasteriser, WhatIsInFrontIsSeenWhateverTheOrder) {
+    for (const bool front_first : {true, false}) {
+        Rasteriser picture = small_picture();
+        for (const int turn : {0, 1}) {
+            const bool is_front = (turn == 0) == front_first;
+            for (const Corners& triangle : square(is_front ? 0.5 : -0.5, is_front ? 0.5 : 1)) {
+                picture.draw(triangle, is_front ? red : grey);
+            }
+        }
+        const Image image = picture.image();
+        EXPECT_EQ(at(image, 8, 8).green, 0);
+        EXPECT_GT(at(image, 8, 8).red, 100);
+        EXPECT_GT(at(image, 2, 8).green, 100);
+    }
+}
+
+TEST(Rasteriser, ABoxShowsThreeFacesOfDifferentBrightness) {
+    Rasteriser picture = small_picture({{1, -1, 1}});
+    const Mesh box = make_box({1.2, 1.2, 1.2});
+    for (std::uint32_t i = 0; i < box.triangles().size(); ++i) {
+        picture.draw(box.corners(i), grey);
+    }
+    EXPECT_EQ(text_of(picture.image()), "");
+}
+
+TEST(Rasteriser, AMarkIsFullInFrontAndFaintBehind) {
+    Rasteriser picture = small_picture();
+    for (const Corners& triangle : square(0)) {
+        picture.draw(triangle, grey);
+    }
+    picture.mark({Vec3(-0.9, -0.9, 0), Vec3(-0.1, -0.9, 0), Vec3(-0.9, -0.1, 0)}, red);
+    picture.mark({Vec3(0.9, 0.9, -1), Vec3(0.1, 0.9, -1), Vec3(0.9, 0.1, -1)}, red);
+    const Image image = picture.image();
+    EXPECT_EQ(at(image, 2, 13), red);
+    const Colour behind = at(image, 13, 2);
+    EXPECT_GT(behind.red, behind.green);
+    EXPECT_GT(behind.green, 50);
+    EXPECT_GT(picture.marks_in_sight(), 3u);
+    EXPECT_LT(picture.marks_in_sight(), 30u);
+}
+
+TEST(Rasteriser, DegenerateTrianglesAndPointsOutsideAreHarmless) {
+    Rasteriser picture = small_picture();
+    const Vec3 point(0.1, 0.2, 0.3);
+    picture.draw({point, point, point}, grey);
+    picture.draw({point, Vec3(0.5, 0.5, 0.5), point}, grey);
+    picture.draw({Vec3(-1e9, 5, 0), Vec3(1e9, 5, 0), Vec3(0, 6, 0)}, grey);
+    for (const Colour& pixel : picture.image().pixels) {
+        EXPECT_EQ(pixel, (Colour{255, 255, 255}));
+    }
+}
+
+TEST(BodyPicture, TheSamePixelsEverywhere) {
+    const Mesh torus = make_torus(1, 0.3, 40, 20);
+    const Mesh sphere = make_sphere(3);
+    const std::vector<PicturedBody> bodies{
+        {&torus, Pose{}, {150, 170, 200}, {1, 2, 3, 40}},
+        {&sphere, translation_pose(1.5, 0.25, 0), {225, 190, 120}, {5, 6}}};
+    const Image image = draw_contacts(bodies, {120, 75});
+    const std::span<const Colour> pixels(image.pixels);
+    EXPECT_EQ(to_hex(sha256(std::as_bytes(pixels))).substr(0, 16), "");
+}
+
+TEST(BodyPicture, PartsHaveColoursOfTheirOwn) {
+    MeshArrays arrays;
+    for (const auto& triangles : {square(0), square(1)}) {
+        for (const Corners& corners : triangles) {
+            const auto first = static_cast<std::uint32_t>(arrays.vertices.size());
+            arrays.vertices.insert(arrays.vertices.end(), corners.begin(), corners.end());
+            arrays.triangles.push_back({first, first + 1, first + 2});
+        }
+    }
+    arrays.parts = {{"floor", 0, 2}, {"roof", 2, 4}};
+    const Image image = draw_parts(Mesh::create(std::move(arrays)).value(), {60, 40});
+    std::set<std::array<int, 3>> colours;
+    for (const Colour& pixel : image.pixels) {
+        colours.insert({pixel.red, pixel.green, pixel.blue});
+    }
+    EXPECT_GE(colours.size(), 3u);
+}
+
+TEST(Png, AFileHoldsThePixels) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / "p.png";
+    const Image image{2, 2, {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {255, 0, 128}}};
+    ASSERT_TRUE(write_png(image, path));
+    png_image header{};
+    header.version = PNG_IMAGE_VERSION;
+    ASSERT_NE(png_image_begin_read_from_file(&header, path.c_str()), 0) << header.message;
+    header.format = PNG_FORMAT_RGB;
+    ASSERT_EQ(header.width, 2u);
+    std::vector<Colour> read(4);
+    ASSERT_NE(png_image_finish_read(&header, nullptr, read.data(), 0, nullptr), 0);
+    EXPECT_EQ(read, image.pixels);
+}
+
+TEST(Png, AFolderThatIsNotThereIsNamed) {
+    const Status written = write_png({1, 1, {{}}}, "/no/such/folder/p.png");
+    ASSERT_FALSE(written);
+    EXPECT_NE(written.error().detail.find("/no/such/folder"), std::string::npos);
+}
+
+} // namespace
+} // namespace cd::tests
