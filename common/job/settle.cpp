@@ -5,7 +5,9 @@
 #include "common/solid/penetration.hpp"
 #include "common/tree/box_test.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,15 @@ std::vector<IgnoredRange> swapped(std::span<const IgnoredRange> ignored) {
         result.push_back({range.b_begin, range.b_end, range.a_begin, range.a_end});
     }
     return result;
+}
+
+/// A box around one point.
+ObbNode point_box(const Vec3& point) {
+    ObbNode box;
+    box.center = {point.x(), point.y(), point.z()};
+    box.axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    box.half.fill(std::numeric_limits<float>::min());
+    return box;
 }
 
 std::vector<ContactPair> search_again(const ObbTree& a,
@@ -79,9 +90,27 @@ bool Settler::is_work(const ScenarioResult& result) const {
     return may_change && are_closed_;
 }
 
-bool Settler::may_boxes_overlap(const PosePair& poses, const RelativePose* b_to_a) const {
+bool Settler::may_be_inside(const PosePair& poses, const RelativePose* b_to_a) const {
     const BoxTest boxes(b_to_a != nullptr ? *b_to_a : relative_pose(poses));
-    return boxes.may_overlap(a_.nodes()[0], b_.nodes()[0]);
+    const ObbNode& box_a = a_.nodes()[0];
+    const PosedBox box_b = boxes.pose(b_.nodes()[0]);
+    if (!boxes.may_overlap(box_a, box_b)) {
+        return false;
+    }
+    const auto may_hold_any = [](const InsideProbes& probes, const ObbTree& inner, auto may_hold) {
+        return std::ranges::any_of(probes.groups, [&](const ProbeGroup& group) {
+            return std::ranges::any_of(group.triangles, [&](std::uint32_t triangle) {
+                return may_hold(point_box(inner.mesh().corners(triangle)[0]));
+            });
+        });
+    };
+    return may_hold_any(
+               probes().of_b,
+               b_,
+               [&](const ObbNode& point) { return boxes.may_overlap(box_a, boxes.pose(point)); }) ||
+           may_hold_any(probes().of_a, a_, [&](const ObbNode& point) {
+               return boxes.may_overlap(point, box_b);
+           });
 }
 
 SettleStatistics Settler::settle_closed(const Scenario& scenario,
@@ -111,9 +140,8 @@ InsideStatistics Settler::settle(const Scenario& scenario,
     if (!is_work(result)) {
         return {};
     }
-    // A body that lies in the other is in its box.
-    if (result.kind == ScenarioClass::Separate &&
-        !may_boxes_overlap(scenario.poses, options.b_to_a)) {
+    // A body that lies in the other is in its box, and so are its probes.
+    if (result.kind == ScenarioClass::Separate && !may_be_inside(scenario.poses, options.b_to_a)) {
         return {1, 0, {}};
     }
     const Clock::time_point start = Clock::now();

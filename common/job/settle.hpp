@@ -48,8 +48,7 @@ class Settler {
     Settler(const ObbTree& a, const ObbTree& b, std::vector<IgnoredRange> ignored);
 
     /// Called once by whoever merges; returns what it took. For any number of threads at once.
-    /// While the bodies' boxes are apart that is one test of two boxes, of which no time is told:
-    /// reading the clock would take as long.
+    /// Where a few tests of boxes decide, no time is told: reading the clock would take as long.
     InsideStatistics settle(const Scenario& scenario,
                             ScenarioResult& result,
                             const SettleOptions& options = {}) const;
@@ -63,8 +62,9 @@ class Settler {
         InsideProbes of_b;
     };
     [[nodiscard]] const Probes& probes() const;
-    /// False only if neither body can lie in the other.
-    [[nodiscard]] bool may_boxes_overlap(const PosePair& poses, const RelativePose* b_to_a) const;
+    /// False only if neither body can lie in the other: their boxes are apart, or no probe of one
+    /// is in the box of the other.
+    [[nodiscard]] bool may_be_inside(const PosePair& poses, const RelativePose* b_to_a) const;
     [[nodiscard]] SettleStatistics settle_closed(const Scenario& scenario,
                                                  ScenarioResult& result,
                                                  const SettleOptions& options) const;
