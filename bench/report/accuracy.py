@@ -98,12 +98,14 @@ def queries_section(queries):
 
 
 COARSE_NOTE = ("Any contact, on motion and vehicles. The error is the stated bound less the true "
-               "distance, as a share of A's diagonal; it is 0 for a proof.")
+               "distance, as a share of A's diagonal; it is 0 for a proof. The time is also told "
+               "as a multiple of exact, least and most of a scene.")
 
 
 def coarse_table(coarse):
     header = ["setting", "value", "queries", "apart", "contact", "undecided", "missed", "invented",
-              "bound broken", "error mean", "error p99", "error max", "us a query"]
+              "bound broken", "error mean", "error p99", "error max", "us a query", "times exact"]
+    exact = {row["scene"]: number(row, "us_query") for row in select(coarse, setting="exact")}
     body = []
     for setting in in_order(coarse, "setting"):
         for value in in_order(select(coarse, setting=setting), "value"):
@@ -113,8 +115,14 @@ def coarse_table(coarse):
                                                           "invented", "bound_broken")),
                          show(weighted(rows, "error_mean", "queries")),
                          worst(rows, "error_p99"), worst(rows, "error_max"),
-                         show(weighted(rows, "us_query", "queries"))])
+                         show(weighted(rows, "us_query", "queries")), times_text(rows, exact)])
     return table(header, body)
+
+
+def times_text(rows, exact):
+    """The least and the most that a scene's time is of its exact time."""
+    ratios = sorted(number(row, "us_query") / exact[row["scene"]] for row in rows if row["scene"] in exact)
+    return f"{show(ratios[0])} to {show(ratios[-1])}" if ratios and ratios[0] != 1 else ""
 
 
 def stages_section(stages):
