@@ -7,16 +7,16 @@
 
 namespace cd {
 
-/// The signs of one pair in the stages after doubles, whose numbers are made when they are first
-/// asked for. After a sign that none of them proves, the answers mean nothing any more and lead to
-/// a quick end.
+/// Proves the signs of one pair in the stages after doubles; each stage's numbers are made on first
+/// use. After a sign that no stage proves, all answers are meaningless and end the decision
+/// quickly.
 class LaterSigns {
   public:
     LaterSigns(PairCascade& stages, const Corners& a, const Corners& b)
         : stages_(stages), a_(a), b_(b) {}
 
     [[nodiscard]] bool are_enough() const { return enough_; }
-    /// The highest stage that was asked.
+    /// Returns the highest stage used.
     [[nodiscard]] PairStage reached() const { return reached_; }
 
     [[nodiscard]] PlaneSides sides(PlaneSides known, std::size_t plane, std::size_t corners) {
@@ -88,7 +88,7 @@ class LaterSigns {
 
 namespace {
 
-/// In place of doubles that are passed over.
+/// Replaces the double stage when it is skipped.
 struct NoSigns {
     [[nodiscard]] static PlaneSides sides_of_a() { return unknown_sides; }
     [[nodiscard]] static PlaneSides sides_of_b() { return unknown_sides; }
@@ -106,7 +106,7 @@ struct NoSigns {
     }
 };
 
-/// Models CornerSigns.
+/// Models CornerSigns: asks doubles first, then the later stages.
 template <class InDouble>
 class CascadeSigns {
   public:
@@ -120,7 +120,7 @@ class CascadeSigns {
         }
         of_b_ = in_double_.sides_of_b();
         if (pair_decision::is_one_sided(*of_b_)) {
-            return *of_b_; // Which proves as well that the pair is separate.
+            return *of_b_; // One-sided sides of B also make the pair Separate.
         }
         return later_.sides(of_a, 3, 0);
     }
@@ -198,7 +198,8 @@ PairCascade::Decision PairCascade::classify(const Corners& a, const Corners& b) 
     return {exact_->classify(a, b), PairStage::Arbitrary};
 }
 
-/// Bodies that are not rotated against each other, or by whole numbers, are cheap for integers.
+/// Returns null, so that integers decide, where they are cheap: without relative rotation, or with
+/// whole-number rotations.
 const DoubleDoublePoses* PairCascade::in_double_double() {
     if (!passes_over_double_double_) {
         passes_over_double_double_ = first_ > PairStage::DoubleDouble ||

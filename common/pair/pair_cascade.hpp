@@ -1,4 +1,4 @@
-// The stages of the decision after floats: each sign of a pair is proven by the first that can.
+// The decision stages after floats; the first stage that can proves each sign of a pair.
 #pragma once
 
 #include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
@@ -12,17 +12,16 @@
 
 namespace cd {
 
-/// Decides under one pair of poses, sign by sign: a decision is made once, and only the signs that
-/// doubles leave open cost more. What later stages need of the poses is made when it is first
-/// needed. Not for use by two threads at once.
+/// Decides pairs under one pair of poses, sign by sign: each decision runs once, and only the signs
+/// that doubles leave open cost more. Later stages prepare the poses on first use. Not thread-safe.
 class PairCascade {
   public:
-    /// `poses` outlive this. Stages before `first` are passed over.
+    /// `poses` must outlive this object. Stages before `first` are skipped.
     PairCascade(const PosePair& poses, PairStage first);
 
     struct Decision {
         PairClass kind;
-        PairStage stage; ///< The highest that was needed.
+        PairStage stage; ///< The highest stage that was needed.
     };
     [[nodiscard]] Decision classify(const Corners& a, const Corners& b);
 

@@ -1,5 +1,5 @@
-// What the signs of a few determinants of six corners say about two triangles: the one procedure by
-// which every exact stage decides.
+// Decides a triangle pair from the signs of a few determinants of its six corners. All exact stages
+// share this procedure.
 #pragma once
 
 #include "common/pair/triangle_pair.hpp"
@@ -10,10 +10,10 @@
 
 namespace cd {
 
-/// The signs (-1, 0, 1) of a triangle's corners against the other's plane.
+/// The signs (-1, 0, 1) of a triangle's three corners against the other's plane.
 using PlaneSides = std::array<int, 3>;
 
-/// In place of a sign that an inexact stage cannot prove.
+/// Marks a sign that an inexact stage cannot prove.
 inline constexpr int unknown_sign = 2;
 inline constexpr PlaneSides unknown_sides{unknown_sign, unknown_sign, unknown_sign};
 
@@ -21,18 +21,18 @@ inline constexpr PlaneSides unknown_sides{unknown_sign, unknown_sign, unknown_si
     return (sides[0] == unknown_sign) | (sides[1] == unknown_sign) | (sides[2] == unknown_sign);
 }
 
-/// Answers for the six corners of a pair: 0 to 2 are A's, 3 to 5 B's. With
-/// [i j k l] = det(x_j - x_i, x_k - x_i, x_l - x_i):
+/// Provides signs for the six corners of a pair: 0 to 2 are A's, 3 to 5 B's. With [i j k l] =
+/// det(x_j - x_i, x_k - x_i, x_l - x_i):
 template <class T>
 concept CornerSigns = requires(T signs, std::size_t i) {
     /// [3 4 5 i] for the corners i of A.
     { signs.sides_of_a() } -> std::same_as<PlaneSides>;
     /// [0 1 2 j] for the corners j of B.
     { signs.sides_of_b() } -> std::same_as<PlaneSides>;
-    /// [i i' j j'] for an edge i i' of A and an edge j j' of B, either way round.
+    /// [i i' j j'] for an edge i i' of A and an edge j j' of B, in either direction.
     { signs.edge_side(i, i, i, i) } -> std::same_as<int>;
-    /// The turn from i over j to k, seen along `axis`: det(x_j - x_i, x_k - x_i) of the two
-    /// coordinates that follow it.
+    /// The turn from i over j to k, seen along `axis`: det(x_j - x_i, x_k - x_i) of the next two
+    /// coordinates.
     { signs.turn(i, i, i, i) } -> std::same_as<int>;
     /// x_i - x_j along `axis`.
     { signs.difference(i, i, i) } -> std::same_as<int>;
@@ -44,7 +44,7 @@ constexpr std::size_t next(std::size_t corner) {
     return (corner + 1) % 3;
 }
 
-/// The corners of one triangle in turn, from its first.
+/// Returns the next corner of the triangle whose first corner is `first`.
 constexpr std::size_t next_of(std::size_t first, std::size_t corner) {
     return first + next(corner - first);
 }
@@ -65,11 +65,11 @@ constexpr int count(const PlaneSides& sides, int sign) {
     return (sides[0] == sign) + (sides[1] == sign) + (sides[2] == sign);
 }
 
-/// A corner that a plane parts from the two others of its triangle, which is neither in the plane
-/// nor strictly on one side of it: both edges at it reach the plane, and neither lies in it.
+/// A corner that a plane separates from the other two of its triangle, which is neither in the
+/// plane nor strictly on one side. Both edges at it reach the plane, and neither lies in it.
 struct LoneCorner {
     std::size_t corner;
-    bool is_above; ///< Or in the plane with the other two above: then it counts as below.
+    bool is_above; ///< A corner in the plane counts as below if the other two are above.
 };
 
 constexpr LoneCorner find_lone_corner(const PlaneSides& sides) {
@@ -85,7 +85,7 @@ constexpr LoneCorner find_lone_corner(const PlaneSides& sides) {
     return {find(0), count(sides, -1) == 2};
 }
 
-/// For the signs 0, 1 and 2, which stands for -1: those of the corners are the digits to base 3.
+/// Indexed by the corners' signs as base-3 digits, where 2 means -1.
 inline constexpr auto lone_corners = [] {
     std::array<LoneCorner, 27> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -97,7 +97,7 @@ inline constexpr auto lone_corners = [] {
     return table;
 }();
 
-/// From a table: branches on signs are too often mispredicted.
+/// Looks up a table: branches on signs are too often mispredicted.
 inline LoneCorner lone_corner(const PlaneSides& sides) {
     const auto digit = [](int sign) {
         return static_cast<std::size_t>(sign + 3 * static_cast<int>(sign < 0));
@@ -105,17 +105,17 @@ inline LoneCorner lone_corner(const PlaneSides& sides) {
     return lone_corners[9 * digit(sides[0]) + 3 * digit(sides[1]) + digit(sides[2])];
 }
 
-/// Two triangles with area in different planes, each reaching the other's plane. Both meet the line
-/// of the two planes in an interval, and two edge-against-edge sides order the intervals' ends.
-/// Guigue and Devillers, Fast and robust triangle-triangle overlap test using orientation
-/// predicates (2003; RR-4488), section 4: p1 alone on the positive side of the other plane, p2 too.
+/// Decides triangles with area in different planes, each reaching the other's plane. Both meet the
+/// planes' line in an interval, and two edge-against-edge sides order the intervals' ends. Guigue
+/// and Devillers, Fast and robust triangle-triangle overlap test using orientation predicates
+/// (2003; RR-4488), section 4: p1 and p2 are each alone above the other plane.
 template <CornerSigns Signs>
 PairClass decide_crossing(Signs& signs, const PlaneSides& of_a, const PlaneSides& of_b) {
     const LoneCorner a = lone_corner(of_a);
     const LoneCorner b = lone_corner(of_b);
     const std::size_t p1 = a.corner;
     const std::size_t p2 = b.corner;
-    // Mirroring one triangle turns the other's normal.
+    // Mirroring one triangle reverses the other's normal.
     const std::size_t q1 = b.is_above ? next(p1) : next(next(p1));
     const std::size_t r1 = 3 - p1 - q1;
     const std::size_t q2 = a.is_above ? next(p2) : next(next(p2));
@@ -128,16 +128,16 @@ PairClass decide_crossing(Signs& signs, const PlaneSides& of_a, const PlaneSides
     if (second < 0) {
         return PairClass::Separate;
     }
-    // The relative interiors meet where both cross the other's plane, so that both intervals have
-    // length, and the open intervals overlap.
+    // The relative interiors meet if both triangles cross the other's plane, so that both intervals
+    // have length, and the open intervals overlap.
     const bool both_cross = count(of_a, 1) > 0 && count(of_a, -1) > 0 && //
                             count(of_b, 1) > 0 && count(of_b, -1) > 0;
     return both_cross && first < 0 && second > 0 ? PairClass::Proper : PairClass::Touch;
 }
 
-/// A segment or point that reaches the plane of a triangle with area and does not lie in it: its
-/// line passes the triangle where it is on different sides of two edges. `first` is the segment's
-/// first corner, 0 or 3; `sides` are its corners' against the plane.
+/// Decides a segment or point against a triangle with area whose plane it reaches but does not lie
+/// in. Its line misses the triangle if it is on different sides of two edges. `first` is the
+/// segment's first corner, 0 or 3; `sides` are its corners' against the plane.
 template <CornerSigns Signs>
 PairClass decide_piercing(Signs& signs, std::size_t first, const PlaneSides& sides) {
     const LoneCorner lone = lone_corner(sides);
@@ -154,10 +154,10 @@ PairClass decide_piercing(Signs& signs, std::size_t first, const PlaneSides& sid
     return above && below ? PairClass::Separate : PairClass::Touch;
 }
 
-/// How far the three corners from `other` are from the inside of the edge i of the triangle from
-/// `first`, whose turn is `own`: 1 when all are strictly outside, 0 when all are outside or on the
-/// edge's line, -1 otherwise. Some models have `turns(i, j, axis, enough)`: the turns from i over j
-/// to the three corners of the other triangle, or anything if one of them is `enough`.
+/// Classifies the three corners from `other` against edge i of the triangle from `first`, whose
+/// turn is `own`: 1 if all are strictly outside, 0 if all are outside or on the edge's line, -1
+/// otherwise. Some models have `turns(i, j, axis, enough)`: it returns the turns from i over j to
+/// the other triangle's corners, or anything if one of them is `enough`.
 template <CornerSigns Signs>
 [[gnu::always_inline]] inline int outside_of_edge(
     Signs& signs, std::size_t first, std::size_t i, int own, std::size_t other, std::size_t axis) {
@@ -176,9 +176,9 @@ template <CornerSigns Signs>
     return verdict;
 }
 
-/// Two triangles with area in one plane, seen along `axis` without folding: for convex sets in two
-/// dimensions the separating axes are normals of edges (Ericson, Real-Time Collision Detection,
-/// 5.2.1). `turn_a` and `turn_b` are theirs.
+/// Decides two coplanar triangles with area, seen along `axis` without folding. For convex sets in
+/// two dimensions the separating axes are normals of edges (Ericson, Real-Time Collision Detection,
+/// 5.2.1). `turn_a` and `turn_b` are the triangles' turns.
 template <CornerSigns Signs>
 PairClass decide_coplanar(Signs& signs, std::size_t axis, int turn_a, int turn_b) {
     bool overlap = true;
@@ -197,7 +197,7 @@ PairClass decide_coplanar(Signs& signs, std::size_t axis, int turn_a, int turn_b
     return overlap ? PairClass::Coplanar : PairClass::Touch;
 }
 
-/// Whether all of A's corners are strictly below all of B's along `axis`, or above.
+/// Tests whether all of A's corners are strictly below, or all above, all of B's along `axis`.
 template <CornerSigns Signs>
 bool is_apart_along(Signs& signs, std::size_t axis) {
     bool below = true;
@@ -212,8 +212,8 @@ bool is_apart_along(Signs& signs, std::size_t axis) {
     return below || above;
 }
 
-/// Whether an edge of the triangle from `first`, seen along `axis`, has all of the other strictly
-/// on one side and nothing of its own there. An edge that is seen as a point parts nothing.
+/// Tests whether, seen along `axis`, an edge of the triangle from `first` has the other triangle
+/// strictly on one side and none of its own there. An edge seen as a point separates nothing.
 template <CornerSigns Signs>
 bool is_apart_at_edge(Signs& signs, std::size_t first, std::size_t other, std::size_t axis) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -229,10 +229,10 @@ bool is_apart_at_edge(Signs& signs, std::size_t first, std::size_t other, std::s
     return false;
 }
 
-/// Sets in one plane, one of them degenerate, meet exactly if they do as seen along every axis: one
-/// of the views does not fold the plane, and the others are views of the same meeting. In a view
-/// the possible separating axes are normals of edges; where all edges are parallel or points, the
-/// coordinate axes do for the direction along them.
+/// Decides coplanar sets, one of them degenerate. They meet exactly if they do as seen along every
+/// axis: one view does not fold the plane, and the others show the same meeting. In a view the
+/// possible separating axes are normals of edges. If all edges are parallel or points, the
+/// coordinate axes cover the direction along them.
 template <CornerSigns Signs>
 PairClass decide_degenerate(Signs& signs) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -248,8 +248,7 @@ PairClass decide_degenerate(Signs& signs) {
     return PairClass::Touch;
 }
 
-/// An axis along which a triangle is seen with its area, and its turn there; 0 for a degenerate
-/// one.
+/// An axis along which a triangle has area, and its turn there; 0 for a degenerate triangle.
 struct View {
     std::size_t axis = 0;
     int turn = 0;
@@ -267,7 +266,7 @@ View open_view(Signs& signs, std::size_t first) {
     return view;
 }
 
-/// Two segments or points are in one plane when each edge of one is with each of the other.
+/// Segments or points are coplanar if each edge of one is coplanar with each of the other.
 template <CornerSigns Signs>
 bool are_segments_skew(Signs& signs) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -280,12 +279,12 @@ bool are_segments_skew(Signs& signs) {
     return false;
 }
 
-/// All sides are 0: both in one plane, or both degenerate.
+/// Decides pairs whose sides are all 0: both in one plane, or both degenerate.
 template <CornerSigns Signs>
 PairClass decide_flat(Signs& signs) {
     const View a = open_view(signs, 0);
     if (a.turn != 0) {
-        // Where they share a plane, this view shows B's area as well, if it has any.
+        // In a common plane this view also shows B's area, if it has any.
         const int turn_b = signs.turn(3, 4, 5, a.axis);
         return turn_b != 0 ? decide_coplanar(signs, a.axis, a.turn, turn_b)
                            : decide_degenerate(signs);
@@ -298,8 +297,7 @@ PairClass decide_flat(Signs& signs) {
 
 } // namespace pair_decision
 
-/// The class of the pair whose signs these are. Asks for each sign at most once, and only for those
-/// that it needs.
+/// Classifies the pair with these signs. Asks only for the signs that it needs, each at most once.
 template <CornerSigns Signs>
 [[nodiscard]] PairClass decide_pair(Signs& signs) {
     using namespace pair_decision;
@@ -311,8 +309,8 @@ template <CornerSigns Signs>
     if (is_one_sided(of_b)) {
         return PairClass::Separate;
     }
-    // With all sides of A 0, A lies in B's plane or B has none; then with one side of B that is not
-    // 0, A has area and another plane, so that B has none.
+    // If all sides of A are 0, A lies in B's plane or B has no area. If then one side of B is not
+    // 0, A has area and lies in another plane, so B has no area.
     const bool a_flat = all_are(of_a, 0);
     const bool b_flat = all_are(of_b, 0);
     if (a_flat && b_flat) {

@@ -42,27 +42,27 @@ PairStatistics& PairStatistics::operator+=(const PairStatistics& other) {
     return *this;
 }
 
-/// The float stage takes as long for a few pairs as for many; fewer than these start with doubles.
+/// The float stage costs as much for a few pairs as for many; fewer than these start with doubles.
 constexpr std::size_t float_candidates_min = 4;
 
-/// Fewer ties than these are decided one by one.
+/// Fewer ties are decided one by one.
 constexpr std::size_t ties_at_once_min = 3;
 
 struct TrianglePairTest::State {
     PosePair poses;
-    std::optional<FloatTrianglePair> in_float; ///< Made when it is first needed, as what is later.
+    std::optional<FloatTrianglePair> in_float; ///< The stages are made on first use.
     std::optional<DoubleTrianglePairs> in_doubles;
     std::optional<PairCascade> later;
     SharedPoints points;
     PairStage first;
     PairStatistics statistics;
-    std::vector<FloatVerdict> verdicts; ///< Of the last call's candidates, as are the kinds.
+    std::vector<FloatVerdict> verdicts; ///< Per candidate of the last call, as are `kinds`.
     std::vector<PairClass> kinds;
 
     State(const PosePair& given, PairStage first_stage)
         : poses(given), points(given), first(first_stage) {}
 
-    /// What floats prove of each candidate, counted; nothing if they are to be passed over.
+    /// Returns and counts the float verdict of each candidate; empty if floats are skipped.
     template <class Triangles>
     std::span<const FloatVerdict>
     float_verdicts(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {
@@ -113,7 +113,7 @@ std::span<const PairClass> TrianglePairTest::classify_all(const Triangles& a,
     const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
     std::vector<PairClass>& kinds = state_->kinds;
     kinds.resize(candidates.size());
-    // Without a branch: no processor foresees which candidates touch.
+    // Avoids a branch: it is unpredictable which candidates touch.
     std::transform(verdicts.begin(), verdicts.end(), kinds.begin(), [](FloatVerdict verdict) {
         return verdict == FloatVerdict::Proper ? PairClass::Proper : PairClass::Separate;
     });

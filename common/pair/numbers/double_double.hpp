@@ -1,22 +1,22 @@
-// Numbers of twice the precision of double, as unevaluated sums of two doubles.
+// Numbers of twice double precision, as unevaluated sums of two doubles.
 #pragma once
 
 #include <cmath>
 
 namespace cd {
 
-/// high + low, where high is the sum rounded: |low| <= u |high|, u = 2^-53.
+/// high + low, where high is the rounded sum: |low| <= u |high|, u = 2^-53.
 ///
-/// The bounds below hold where nothing overflows. Underflow adds at most some multiples of 2^-1074
-/// to the error of a product: callers keep to magnitudes where that is nothing. Infinity and NaN
-/// come out as NaN in `low` at the latest, and so fail every comparison that is to prove something.
+/// The bounds below hold where nothing overflows. Underflow adds at most a few multiples of 2^-1074
+/// to the error of a product; callers use magnitudes where that is negligible. Infinity and NaN
+/// become NaN in `low` at the latest, which fails every proving comparison.
 struct DoubleDouble {
     double high = 0;
     double low = 0;
 };
 
-/// Bounds the relative error of a product, and the error of a sum relative to |left| + |right|.
-/// A quotient errs by at most twice this, relatively.
+/// Bounds the relative error of a product, and the error of a sum relative to |left| + |right|. A
+/// quotient errs by at most twice this, relatively.
 inline constexpr double double_double_error = 0x1p-102; // 16 u^2.
 
 /// Exact (Knuth's TwoSum).
@@ -33,8 +33,8 @@ inline constexpr double double_double_error = 0x1p-102; // 16 u^2.
     return {sum, low - (sum - high)};
 }
 
-/// Exact, but for underflow (Dekker's product with Veltkamp's splitting); magnitudes below 2^996.
-/// Not by fused multiply-add, which is a slow call where the processor has none.
+/// Exact except for underflow (Dekker's product with Veltkamp's splitting), for magnitudes below
+/// 2^996. It avoids fused multiply-add, which is a slow call where the processor has none.
 [[nodiscard]] inline DoubleDouble exact_product(double left, double right) {
     constexpr double splitter = 0x1p27 + 1;
     const double left_scaled = splitter * left;
@@ -54,7 +54,7 @@ inline constexpr double double_double_error = 0x1p-102; // 16 u^2.
     return {-value.high, -value.low};
 }
 
-/// The two sums of low parts are rounded, by u of at most u (|l| + |r|) and 2 u (|l| + |r|).
+/// Rounding the two sums of low parts errs by u of at most u (|l| + |r|) and 2 u (|l| + |r|).
 [[nodiscard]] inline DoubleDouble operator+(const DoubleDouble& l, const DoubleDouble& r) {
     const DoubleDouble high = exact_sum(l.high, r.high);
     return exact_sum(high.high, high.low + (l.low + r.low));
@@ -64,8 +64,8 @@ inline constexpr double double_double_error = 0x1p-102; // 16 u^2.
     return l + -r;
 }
 
-/// Left out: low times low, u^2. Rounded: two products of at most u, their sum of at most 2 u, and
-/// its sum with the error of the high product, at most 3 u: each by u of that, so 8 u^2 in all.
+/// Omits low times low, u^2. Rounds two products of at most u, their sum of at most 2 u, and its
+/// sum with the error of the high product, at most 3 u: each errs by u relatively, so 8 u^2 in all.
 [[nodiscard]] inline DoubleDouble operator*(const DoubleDouble& l, const DoubleDouble& r) {
     const DoubleDouble high = exact_product(l.high, r.high);
     return exact_sum_ordered(high.high, high.low + (l.high * r.low + l.low * r.high));
@@ -76,8 +76,8 @@ inline constexpr double double_double_error = 0x1p-102; // 16 u^2.
     return exact_sum_ordered(high.high, high.low + l.low * r);
 }
 
-/// A first quotient errs by 4 u at most; what it leaves over is known to 9 u^2 (a product and a
-/// sum), is at most 4 u, and its quotient errs by 3 u of that: 21 u^2 and terms of third order.
+/// The first quotient errs by at most 4 u. Its remainder is known to 9 u^2 (a product and a sum)
+/// and is at most 4 u; its quotient errs by 3 u of that: 21 u^2 and terms of third order.
 [[nodiscard]] inline DoubleDouble operator/(const DoubleDouble& l, const DoubleDouble& r) {
     const double first = l.high / r.high;
     const DoubleDouble rest = l - r * first;

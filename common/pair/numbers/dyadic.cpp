@@ -12,12 +12,12 @@ namespace cd {
 
 namespace {
 
-/// bits * 2^unit to the nearest finite double, for at least 56 significant bits.
+/// Rounds bits * 2^unit to the nearest finite double, for at least 56 significant bits.
 double nearest_double(std::uint64_t bits, int unit) {
-    constexpr int lowest_unit = -1074; // Of denormal numbers.
+    constexpr int lowest_unit = -1074; // The unit of denormal numbers.
     const int dropped = std::max(static_cast<int>(std::bit_width(bits)) - 53, lowest_unit - unit);
     if (dropped >= 64) {
-        return 0; // Less than half of the least.
+        return 0; // Less than half of the least denormal number.
     }
     const std::uint64_t step = std::uint64_t{1} << dropped;
     const std::uint64_t rest = bits & (step - 1);
@@ -38,7 +38,7 @@ Dyadic to_dyadic(double value) {
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent); // In (-1, 1), 53 bits.
     const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-    // Short numbers, as on the grids of designed parts, stay short.
+    // Keeps the numbers of designed parts, which lie on grids, short.
     const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
     return {ExactInt(mantissa / (std::int64_t{1} << zeros)), exponent - 53 + zeros};
 }
@@ -73,14 +73,14 @@ double nearest_double(const ExactInt& numerator, const ExactInt& denominator, in
     }
     ExactInt n = abs(numerator);
     ExactInt d = abs(denominator);
-    // So that the quotient has 55 or 56 bits: those of a double, and below them at least the one
-    // that tells which half of a step the rest is in.
+    // The shift gives the quotient 55 or 56 bits: those of a double, and at least one more, which
+    // tells the half of a step that the remainder is in.
     const int shift = 55 - (static_cast<int>(msb(n)) - static_cast<int>(msb(d)));
     shift >= 0 ? n <<= shift : d <<= -shift;
     ExactInt quotient;
     ExactInt rest;
     divide_qr(n, d, quotient, rest);
-    // One more bit stands for all the bits that follow: a middle is one only if it is 0.
+    // A sticky bit represents all following bits: a tie needs it to be 0.
     const std::uint64_t bits = 2 * quotient.convert_to<std::uint64_t>() + (rest != 0 ? 1u : 0u);
     const int unit = exponent - shift - 1;
     const double magnitude = nearest_double(bits, unit);

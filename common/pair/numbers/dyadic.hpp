@@ -1,4 +1,4 @@
-// Exact numbers made from doubles: integers times powers of two, and poses in them.
+// Exact numbers made from doubles: integers times powers of two, and poses made of them.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// Of any size; up to 1024 bits stay out of the heap, which is what ordinary coordinates need.
+/// An integer of any size; up to 1024 bits, enough for ordinary coordinates, avoid the heap.
 using ExactInt = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<1024>>;
 
 /// mantissa * 2^exponent. Sums, differences and products are exact.
@@ -18,21 +18,20 @@ struct Dyadic {
     int exponent = 0;
 };
 
-/// The value of a finite double, with an odd mantissa; 0 has exponent 0.
+/// Converts a finite double, with an odd mantissa; 0 has exponent 0.
 [[nodiscard]] Dyadic to_dyadic(double value);
 
 [[nodiscard]] Dyadic operator*(const Dyadic& left, const Dyadic& right);
 [[nodiscard]] Dyadic operator+(const Dyadic& left, const Dyadic& right);
 [[nodiscard]] Dyadic operator-(const Dyadic& left, const Dyadic& right);
 
-/// The finite double that is nearest to (numerator / denominator) 2^exponent, to even from the
-/// middle between two; the denominator is not 0. So denormal values land on their coarser grid, and
-/// what lies beyond the largest finite double becomes that, with its sign: there is no infinity.
-/// A zero result is +0.
+/// Rounds (numerator / denominator) 2^exponent to the nearest finite double, ties to even; the
+/// denominator must not be 0. Denormal results round to their coarser grid. Values beyond the
+/// largest finite double become it, with their sign: there is no infinity. A zero result is +0.
 [[nodiscard]] double
 nearest_double(const ExactInt& numerator, const ExactInt& denominator, int exponent);
 
-/// A body's map to the world, times its own norm: x' = (linear x + translation) / norm. A matrix
+/// A body's map to the world, scaled by its norm: x' = (linear x + translation) / norm. A matrix
 /// has norm 1, a quaternion q has q.q.
 struct ExactPose {
     std::array<std::array<Dyadic, 3>, 3> linear;

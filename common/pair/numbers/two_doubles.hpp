@@ -1,4 +1,4 @@
-// Two doubles that go through the same operations at once, as every processor can.
+// Two doubles in one SIMD register, as every processor supports.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace cd {
 __extension__ typedef double TwoDoubles __attribute__((vector_size(16)));
 __extension__ typedef std::int64_t TwoMasks __attribute__((vector_size(16)));
 
-/// Of body A and of body B.
+/// Lane 0 belongs to body A, lane 1 to body B.
 using BothBodies = TwoDoubles;
 
 namespace two_doubles {
@@ -19,7 +19,7 @@ inline TwoDoubles magnitudes(TwoDoubles x) {
     return TwoDoubles(TwoMasks(x) & ~sign_bits);
 }
 
-/// `value` where `mask` says so, else 0.
+/// Keeps `value` in lanes whose `mask` is set; 0 elsewhere.
 inline TwoDoubles where(TwoMasks mask, TwoDoubles value) {
     return TwoDoubles(mask & TwoMasks(value));
 }
@@ -29,7 +29,7 @@ struct Sums {
     TwoDoubles low;
 };
 
-/// `exact_sum` of both; see double_double.hpp.
+/// Applies `exact_sum` of double_double.hpp to both lanes.
 inline Sums exact_sums(TwoDoubles left, TwoDoubles right) {
     const TwoDoubles sum = left + right;
     const TwoDoubles right_part = sum - left;

@@ -1,5 +1,4 @@
-// Integers of a fixed number of words, on the stack, and the products that determinants are made
-// of.
+// Fixed-size multiword integers on the stack, and the products that determinants consist of.
 #pragma once
 
 #include <array>
@@ -8,17 +7,17 @@
 
 namespace cd {
 
-/// sum of word[i] * 2^(60 i), words signed. `Canonical` when all words but the last are in
-/// [0, 2^60); sums and differences of canonical numbers are taken word by word, without carries.
+/// The sum of word[i] * 2^(60 i), with signed words. `Canonical`: all words but the last are in [0,
+/// 2^60). Sums and differences of canonical numbers are taken word by word, without carries.
 ///
-/// Words of 60 bits leave room for signs and for sums: a column of a product adds up in 128 bits
-/// without a carry, whole 2 x 2 determinants and dot products too, so that there is one pass of
-/// carries for each of those. (With full words and carries everywhere, GCC 12 takes several times
-/// as long.) Expansions of doubles (Shewchuk 1997) take many times as long: the sign of a triple
-/// product of differences takes 11, 34 and 78 ns in one, two and three words on an AMD EPYC, where
-/// plain zero-eliminating expansions took 600 ns for coordinates as given, and 1800 ns for posed
-/// ones, which need three words. Nor does this depend on fused multiplication, or on exponents
-/// within the doubles' range. What fits is said once, in `bits_max`.
+/// Words of 60 bits leave room for signs and sums: a column of a product, a 2 x 2 determinant or a
+/// dot product sums in 128 bits without a carry, so each of these needs one pass of carries. (Full
+/// words with carries everywhere are several times slower with GCC 12.) Expansions of doubles
+/// (Shewchuk 1997) are many times slower: the sign of a triple product of differences takes 11, 34
+/// and 78 ns in one, two and three words on an AMD EPYC. Plain zero-eliminating expansions took 600
+/// ns for unposed coordinates and 1800 ns for posed ones, which need three words. Multiword
+/// integers also depend on neither fused multiplication nor the doubles' exponent range. `bits_max`
+/// alone defines what fits.
 template <std::size_t words>
 struct WideInt {
     std::array<std::int64_t, words> word{};
@@ -34,19 +33,19 @@ namespace wide_int {
 inline constexpr int word_bits = 60;
 inline constexpr std::int64_t word_mask = (std::int64_t{1} << word_bits) - 1;
 
-/// Canonical coordinates below 2^bits_max(words) in magnitude may go through `difference`, `cross`
-/// and `dot` below. Then a last word is at most 2^58, and all words of a difference are within
-/// 2^60; a column of a cross product adds 2 * words products of at most 2^120, which is below 2^127
-/// for up to 63 words; its value is at most 2 * 2^(2 bits + 2), so the last of its 2 * words words
-/// is within 2^59; a column of a dot product adds 3 * words such products. The last word of a dot
-/// product takes what is left, below 2^62.
+/// Canonical coordinates below 2^bits_max(words) in magnitude may enter `difference`, `cross` and
+/// `dot`. Then a last word is at most 2^58, and all words of a difference are within 2^60. A column
+/// of a cross product adds 2 * words products of at most 2^120, which is below 2^127 for up to 63
+/// words. Its value is at most 2 * 2^(2 bits + 2), so the last of its 2 * words words is within
+/// 2^59. A column of a dot product adds 3 * words such products; its last word holds the rest,
+/// below 2^62.
 constexpr int bits_max(std::size_t words) {
     return word_bits * static_cast<int>(words) - 2;
 }
 
 __extension__ typedef __int128 Column;
 
-/// The column `place` of l * r.
+/// Computes column `place` of l * r.
 template <std::size_t n, std::size_t m>
 constexpr Column column(const WideInt<n>& l, const WideInt<m>& r, std::size_t place) {
     Column sum = 0;
@@ -59,8 +58,8 @@ constexpr Column column(const WideInt<n>& l, const WideInt<m>& r, std::size_t pl
     return sum;
 }
 
-/// The canonical number of these columns, `column_of(place)` for all words but the last; `last` is
-/// added to what those carry into it.
+/// Carries columns into a canonical number: `column_of(place)` gives all words but the last; `last`
+/// is added to the carry into the last word.
 template <std::size_t words, class ColumnOf>
 constexpr WideInt<words> carried(Column last, const ColumnOf& column_of) {
     WideInt<words> value;
@@ -69,13 +68,13 @@ constexpr WideInt<words> carried(Column last, const ColumnOf& column_of) {
     for (std::size_t i = 0; i + 1 < words; ++i) {
         carry += column_of(i);
         value.word[i] = static_cast<std::int64_t>(carry) & word_mask;
-        carry >>= word_bits; // Rounds down, which C++20 promises.
+        carry >>= word_bits; // C++20 guarantees rounding down.
     }
     value.word[words - 1] = static_cast<std::int64_t>(carry + last);
     return value;
 }
 
-/// -1, 0 or 1.
+/// Returns -1, 0 or 1.
 template <std::size_t words>
 constexpr int sign(const WideInt<words>& canonical) {
     std::int64_t any = 0;
@@ -99,7 +98,7 @@ constexpr WideVec<n> difference(const WideVec<n>& l, const WideVec<n>& r) {
     return {difference(l[0], r[0]), difference(l[1], r[1]), difference(l[2], r[2])};
 }
 
-/// a d - b c.
+/// Computes a d - b c.
 template <std::size_t n>
 constexpr WideInt<2 * n>
 determinant(const WideInt<n>& a, const WideInt<n>& b, const WideInt<n>& c, const WideInt<n>& d) {

@@ -14,16 +14,16 @@ constexpr std::size_t next(std::size_t corner) {
     return (corner + 1) % 3;
 }
 
-/// Two places on the line of both planes.
+/// Two positions on the line of both planes.
 using Ends = std::array<LocalPlace, 2>;
 
-/// Where two edges of a triangle cross the other's plane, if it is certain that just two edges do
-/// so, away from corners. In the order of component k, if that is certain.
+/// Finds where exactly two edges of a triangle provably cross the other's plane, away from corners.
+/// The ends are ordered by component k; nothing if that order is unproven.
 std::optional<Ends> ends_of(const LocalHalf& half, std::size_t k, const LocalBounds& bounds) {
     if (is_any_unknown(half.proven)) {
         return std::nullopt;
     }
-    // The corner that is alone on its side.
+    // Finds the corner that is alone on its side.
     const int sum = half.proven[0] + half.proven[1] + half.proven[2];
     if (sum == 3 || sum == -3) {
         return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<Ends> ends_of(const LocalHalf& half, std::size_t k, const LocalBou
     return ends;
 }
 
-/// What is common to two intervals of a line, in the order of component k.
+/// Intersects two intervals of a line, ordered by component k.
 std::optional<Ends> common_part(const Ends& a, const Ends& b, std::size_t k) {
     const std::optional<int> low = compare(a[0], b[0], k);
     const std::optional<int> high = compare(a[1], b[1], k);
@@ -54,7 +54,7 @@ std::optional<Ends> common_part(const Ends& a, const Ends& b, std::size_t k) {
     return compare(common[0], common[1], k) == -1 ? std::optional(common) : std::nullopt;
 }
 
-/// Puts the least first; false where it is open which that is.
+/// Moves the least to the front; returns false if the order is unproven.
 bool put_least_first(std::span<LocalPlace> places) {
     for (std::size_t i = 1; i < places.size(); ++i) {
         const std::optional<int> order = compare(places[i], places[0]);
@@ -68,8 +68,8 @@ bool put_least_first(std::span<LocalPlace> places) {
     return true;
 }
 
-/// Corners of a convex polygon from the second on, as seen from the first: they span less than a
-/// half turn. False where their order is open.
+/// Sorts a convex polygon's corners from the second on around the first: seen from it they span
+/// less than a half turn. Returns false if their order is unproven.
 bool sort_around_first(std::span<LocalPlace> places,
                        const LocalHalf& a,
                        const LocalBounds& bounds) {
@@ -88,7 +88,7 @@ bool sort_around_first(std::span<LocalPlace> places,
     return true;
 }
 
-/// `otherwise(k)` is asked for the components that stay open.
+/// Calls `otherwise(k)` for the components whose rounding is unproven.
 template <class Otherwise>
 std::optional<Vec3> rounded(const LocalPlace& place,
                             const Vec3& origin,
@@ -152,8 +152,8 @@ bool DoubleDoublePoints::take(const Corners& a, const Corners& b, const Vec3& or
 }
 
 std::optional<std::span<const Vec3>> DoubleDoublePoints::ends() {
-    // All four are on the line that the planes share; where two differ in a component, the order of
-    // that component is the order along the line.
+    // All four ends are on the line of both planes; where two differ in a component, its order is
+    // their order along the line.
     const DoubleDoubleVec& m = local_a_->normal;
     const DoubleDoubleVec& n = local_b_->normal;
     const std::size_t axis = main_axis({m[1].high * n[2].high - m[2].high * n[1].high,
@@ -181,7 +181,7 @@ std::optional<double> DoubleDoublePoints::nearest_of_corner(
     for (std::size_t i = 0; i < 3; ++i) {
         if (corner == &local_a_->corners[i]) {
             const auto nearest = a_.nearest_component(last_a_[i], origin_, k);
-            // The first is where the origin is, but for a rounding: no error bound is less.
+            // The first corner is the origin up to a rounding: no error bound is less.
             return nearest || i != 0 ? nearest : std::optional(offset()[static_cast<int>(k)]);
         }
         if (corner == &local_b_->corners[i]) {

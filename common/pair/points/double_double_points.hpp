@@ -1,4 +1,4 @@
-// The points that two triangles share, where pairs of doubles can prove how they are rounded.
+// The shared points of two triangles, where double-double can prove their rounding.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -14,37 +14,38 @@
 
 namespace cd {
 
-/// What `SharedPoints` promises, or nothing: where a component is so near the middle between two
-/// doubles, or near 0, that its rounding is open, or two points are too near each other.
+/// Gives what `SharedPoints` promises, or nothing: a component may be too close to 0 or to the
+/// middle between two doubles for its rounding to be proven, or two points too close together.
 class DoubleDoublePoints {
   public:
-    /// All error bounds are multiplied by `bound_scale`. Only from 1 on is an answer right: less is
-    /// for tests, which show that the bounds are needed.
+    /// Multiplies all error bounds by `bound_scale`. Answers are right only from 1 on; tests use
+    /// less to show that the bounds are needed.
     explicit DoubleDoublePoints(const PosePair& poses, double bound_scale = 1);
     DoubleDoublePoints(const DoubleDoublePoints&) = delete;
     DoubleDoublePoints& operator=(const DoubleDoublePoints&) = delete;
 
     [[nodiscard]] std::optional<Vec3> origin(const Corners& a) const;
 
-    /// Takes up a pair: what follows is about it. Pairs with the same `a` and origin one after the
-    /// other share work. False when its numbers are out of range for all that follows.
+    /// Selects the pair for the methods below. Consecutive pairs with the same `a` and origin share
+    /// work. Returns false if the pair's numbers are out of range for these methods.
     [[nodiscard]] bool take(const Corners& a, const Corners& b, const Vec3& origin);
 
-    /// The two ends of what the pair shares, if it clearly crosses. Valid until the next call.
+    /// Returns both ends of the shared segment if the pair provably crosses. Valid until the next
+    /// call.
     [[nodiscard]] std::optional<std::span<const Vec3>> ends();
 
-    /// The signs of a triangle's corners against the other's plane, as far as they are proven.
+    /// The proven signs of a triangle's corners against the other's plane.
     [[nodiscard]] const PlaneSides& sides_of_a() const { return half_a_.proven; }
     [[nodiscard]] const PlaneSides& sides_of_b() const { return half_b_.proven; }
 
-    /// The points that these corners are, in order, if they are what the pair shares. `offset`
-    /// gives the exact first corner of A minus the origin, rounded; it is asked only if that is one
-    /// of them. Valid until the next call.
+    /// Computes the points of `corners`, ordered; they must be what the pair shares. `offset` gives
+    /// the exact first corner of A minus the origin, rounded; it is called only if that corner is
+    /// among them. Valid until the next call.
     [[nodiscard]] std::optional<std::span<const Vec3>> at(const SharedCorners& corners,
                                                           const std::function<Vec3()>& offset);
 
   private:
-    /// Of a corner of the pair at hand, relative to the origin, where nothing else rounds it.
+    /// Rounds component k of a corner of the current pair, relative to the origin, once.
     [[nodiscard]] std::optional<double> nearest_of_corner(
         const DoubleDoubleVec* corner, std::size_t k, const std::function<Vec3()>& offset) const;
 
@@ -54,12 +55,12 @@ class DoubleDoublePoints {
     Corners last_a_;
     Corners last_b_;
     Vec3 origin_;
-    std::optional<LocalTriangle> local_a_; ///< Of last_a_ relative to origin_.
+    std::optional<LocalTriangle> local_a_; ///< `last_a_` relative to `origin_`.
     std::optional<LocalTriangle> local_b_;
     LocalBounds bounds_;
     LocalHalf half_a_;
     LocalHalf half_b_;
-    std::array<Vec3, 6> points_; ///< What was last found.
+    std::array<Vec3, 6> points_; ///< The points found last.
 };
 
 } // namespace cd

@@ -29,7 +29,7 @@ bool is_zero(const Vec& v) {
     return v[0] == 0 && v[1] == 0 && v[2] == 0;
 }
 
-/// The point x / w of the lattice's space; w > 0.
+/// The point x / w in lattice space; w > 0.
 struct Place {
     Vec x;
     Int w = 1;
@@ -40,7 +40,7 @@ bool operator==(const Place& l, const Place& r) {
            l.x[2] * r.w == r.x[2] * l.w;
 }
 
-/// Lexicographic.
+/// Compares lexicographically.
 bool operator<(const Place& l, const Place& r) {
     for (std::size_t k = 0; k < 3; ++k) {
         const int order = Int(l.x[k] * r.w - r.x[k] * l.w).sign();
@@ -51,12 +51,12 @@ bool operator<(const Place& l, const Place& r) {
     return false;
 }
 
-/// The vector from `from` to `to`, times to.w.
+/// Returns the vector from `from` to `to`, times to.w.
 Vec toward(const Vec& from, const Place& to) {
     return {to.x[0] - to.w * from[0], to.x[1] - to.w * from[1], to.x[2] - to.w * from[2]};
 }
 
-/// Where the segment from p to q has the weight 0, for weights of different signs.
+/// Returns the point on the segment from p to q with weight 0, for end weights of different signs.
 Place crossing(const Vec& p, const Vec& q, const Int& weight_p, const Int& weight_q) {
     // (w_p q - w_q p) / (w_p - w_q), whose divisor has the sign of w_p.
     Place place;
@@ -69,14 +69,14 @@ Place crossing(const Vec& p, const Vec& q, const Int& weight_p, const Int& weigh
     return place;
 }
 
-/// Twice the area of a, b, p in the coordinates after `dropped`, times p.w.
+/// Returns twice the area of a, b, p in the coordinates after `dropped`, times p.w.
 Int area(const Vec& a, const Vec& b, const Place& p, std::size_t dropped) {
     const std::size_t x = (dropped + 1) % 3;
     const std::size_t y = (dropped + 2) % 3;
     return (b[x] - a[x]) * (p.x[y] - p.w * a[y]) - (b[y] - a[y]) * (p.x[x] - p.w * a[x]);
 }
 
-/// The same for three places: positive when they turn left there.
+/// Returns the turn of a, b, c in the coordinates after `dropped`: positive if left.
 int turn(const Place& a, const Place& b, const Place& c, std::size_t dropped) {
     const std::size_t x = (dropped + 1) % 3;
     const std::size_t y = (dropped + 2) % 3;
@@ -86,15 +86,15 @@ int turn(const Place& a, const Place& b, const Place& c, std::size_t dropped) {
     return determinant.sign();
 }
 
-/// An axis along which a plane with this normal can be projected without folding.
+/// Returns an axis along which a plane with this normal projects without folding.
 std::size_t axis_to_drop(const Vec& normal) {
     return normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
 }
 
-/// A triangle as what it is: three corners, the two ends of a segment, or one point.
+/// A triangle, possibly degenerate: three corners, two segment ends, or one point.
 struct Shape {
     std::vector<Vec> corners;
-    Vec normal;           ///< Zero without area.
+    Vec normal;           ///< Zero if degenerate.
     std::size_t drop = 0; ///< See `axis_to_drop`.
 
     explicit Shape(std::span<const Vec> given) {
@@ -104,7 +104,7 @@ struct Shape {
             drop = axis_to_drop(normal);
             return;
         }
-        // On a line, the lexicographic order is the order along it.
+        // On a line, lexicographic order is the order along it.
         const auto [low, high] = std::minmax_element(given.begin(), given.end());
         corners.push_back(*low);
         if (*low != *high) {
@@ -121,7 +121,7 @@ struct Shape {
     [[nodiscard]] Int side(const Vec& point) const { return dot(normal, point - corners[0]); }
 };
 
-/// For a point of the plane of a triangle with area.
+/// Tests a point in the plane of a triangle with area.
 bool is_within_edges(const Shape& triangle, const Place& point) {
     const int inside = triangle.normal[triangle.drop].sign();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -146,10 +146,10 @@ bool contains(const Shape& shape, const Place& point) {
     return is_zero(cross(along, offset)) && place >= 0 && place <= point.w * dot(along, along);
 }
 
-/// Finds the corners of what two shapes share. Each is a corner of one that lies in the other, or a
-/// place where an edge of one properly crosses the other's plane or, within a plane, an edge of the
-/// other. And each such place is a corner: it ends all that is shared on the line of the two
-/// planes, or lies on the boundary of two half-planes that hold all that is shared.
+/// Finds the corners of the intersection of two shapes. Each is a corner of one that lies in the
+/// other, or a point where an edge of one properly crosses the other's plane or, within a plane, an
+/// edge of the other. Each such point is a corner: it ends the intersection on the line of the two
+/// planes, or lies on the boundary of two half-planes that contain it.
 class Search {
   public:
     Search(const Shape& a, const Shape& b) : a_(a), b_(b) {}
@@ -178,7 +178,7 @@ class Search {
         }
     }
 
-    /// Of the edges of one with the inside or the edges of the other.
+    /// Adds crossings of the edges of `of` with the inside or the edges of `with`.
     void add_crossings(const Shape& of, const Shape& with) {
         for (std::size_t i = 0; i < of.edges(); ++i) {
             const Vec& p = of.from(i);
@@ -187,7 +187,7 @@ class Search {
                 if (!of.has_area() && with.edges() == 1) {
                     add_crossing_of_lines(p, q, with.from(0), with.to(0));
                 }
-                continue; // With a triangle, the segment's turn finds all.
+                continue; // If `of` is a triangle, the swapped call finds all crossings.
             }
             const Int side_p = with.side(p);
             const Int side_q = with.side(q);
@@ -211,7 +211,7 @@ class Search {
         }
     }
 
-    /// Where both segments properly cross the other's line.
+    /// Adds the point where both segments properly cross the other's line.
     void add_crossing_in_plane(
         const Vec& p, const Vec& q, const Vec& r, const Vec& s, std::size_t drop) {
         const Int of_p = area(r, s, {p, 1}, drop);
@@ -227,8 +227,8 @@ class Search {
     std::vector<Place> found_;
 };
 
-/// From the lexicographically least on; a polygon turns to the left around A's normal. As corners
-/// of a convex polygon seen from one of them, the others span less than a half turn.
+/// Orders the points from the lexicographically least on; a polygon turns left around A's normal.
+/// Seen from one corner of a convex polygon, the others span less than a half turn.
 void put_in_order(std::vector<Place>& places, const Shape& a) {
     if (places.empty()) {
         return;
@@ -244,7 +244,7 @@ void put_in_order(std::vector<Place>& places, const Shape& a) {
     std::sort(places.begin() + 1, places.end(), before);
 }
 
-/// The corners of two triangles as whole numbers of steps of 2^exponent.
+/// The corners of two triangles as multiples of 2^exponent.
 struct Lattice {
     std::array<Vec, 6> corners;
     int exponent = 0;
@@ -268,7 +268,7 @@ Lattice lattice_of(const std::array<Dyadic, 18>& coordinates) {
     return lattice;
 }
 
-/// The corner in the world, times the pose's norm.
+/// Returns the corner in the world, times the pose's norm.
 std::array<Dyadic, 3> world(const ExactPose& pose, const Vec3& corner) {
     const std::array<Dyadic, 3> x{
         to_dyadic(corner.x()), to_dyadic(corner.y()), to_dyadic(corner.z())};

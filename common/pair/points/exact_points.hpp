@@ -1,4 +1,4 @@
-// The points that two touching triangles share, in integers: right on every finite input.
+// The shared points of two triangles in integers: right on every finite input.
 #pragma once
 
 #include "common/geometry/types.hpp"
@@ -8,22 +8,22 @@
 
 namespace cd {
 
-/// What `SharedPoints` promises, with nothing rounded before the end. See there.
+/// Gives what `SharedPoints` promises, and rounds only the final result.
 class ExactPoints {
   public:
     explicit ExactPoints(const PosePair& poses);
 
     [[nodiscard]] Vec3 origin(const Corners& a) const;
-    /// The first corner of A minus `origin`, any finite point.
+    /// Returns the first corner of A minus `origin`, which is any finite point.
     [[nodiscard]] Vec3 offset(const Corners& a, const Vec3& origin) const;
-    /// Relative to `origin`, likewise; empty for triangles that share nothing.
+    /// Returns the points relative to any finite `origin`; none for triangles that share nothing.
     [[nodiscard]] std::vector<Vec3>
     points(const Corners& a, const Corners& b, const Vec3& origin) const;
 
   private:
     ExactPose a_;
     ExactPose b_;
-    Dyadic norm_; ///< Of both: what the common lattice is scaled by.
+    Dyadic norm_; ///< Product of both norms; scales the common lattice.
 };
 
 } // namespace cd

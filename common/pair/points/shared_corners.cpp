@@ -20,8 +20,8 @@ void add(SharedCorners& found, Kind kind, std::size_t first, std::size_t second 
         kind, static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(second)};
 }
 
-/// Where a point in a triangle's plane lies, by its turns against the triangle's three edges: of
-/// one sign inside; one of them is 0 on an edge, two are at a corner.
+/// Locates a point in a triangle's plane by its turns against the three edges: all of one sign
+/// inside; one is 0 on an edge, two at a corner.
 struct Site {
     bool is_within = false;
     int zeros = 0;
@@ -38,11 +38,11 @@ struct Site {
     }
 };
 
-/// Two triangles in one plane, seen along `axis` without folding. A corner of one in the other is a
-/// corner of what they share, and so is where two edges properly cross: there is no other.
+/// Handles coplanar triangles, seen along `axis` without folding. The shared corners are exactly
+/// the corners of one in the other and the proper crossings of two edges.
 template <CornerSigns Signs>
 SharedCorners find_in_plane(Signs& signs, std::size_t axis) {
-    std::array<std::array<int, 3>, 3> of_a{}; // Of corner i of A, against B's edges.
+    std::array<std::array<int, 3>, 3> of_a{}; // Turns of corner i of A against B's edges.
     std::array<std::array<int, 3>, 3> of_b{};
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
@@ -56,7 +56,7 @@ SharedCorners find_in_plane(Signs& signs, std::size_t axis) {
             add(found, Kind::Corner, i);
         }
         const Site site(of_b[i]);
-        if (site.is_within && site.zeros < 2) { // Else it is one of A's.
+        if (site.is_within && site.zeros < 2) { // Otherwise it coincides with a corner of A.
             add(found, Kind::Corner, 3 + i);
         }
         for (std::size_t j = 0; j < 3; ++j) {
@@ -68,7 +68,7 @@ SharedCorners find_in_plane(Signs& signs, std::size_t axis) {
     return found;
 }
 
-/// Triangles with area in different planes: what they share lies on the line of both planes.
+/// Handles triangles with area in different planes: the shared set lies on the line of both planes.
 template <CornerSigns Signs>
 class LineSearch {
   public:
@@ -84,7 +84,7 @@ class LineSearch {
     }
 
   private:
-    /// Those of the triangle from `own` that lie in the one from `other`.
+    /// Adds the corners of the triangle from `own` that lie in the one from `other`.
     void add_corners(std::size_t own, const PlaneSides& sides, std::size_t other) {
         std::optional<View> view;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -111,7 +111,7 @@ class LineSearch {
                 continue;
             }
             const Site site({side(i, 0), side(i, 1), side(i, 2)});
-            // A corner of B there is found as such.
+            // A corner of B at this point is found as such.
             if (site.is_within && site.zeros < 2) {
                 add(found_, Kind::Piercing, i);
             }
@@ -127,7 +127,7 @@ class LineSearch {
             if (!site.is_within || site.zeros == 2) {
                 continue;
             }
-            // Where it meets an edge of A that pierces as well, that has been found.
+            // Skips a point on a piercing edge of A, which has been found already.
             std::size_t met = 0;
             while (met < 3 && side(met, j) != 0) {
                 ++met;
@@ -138,7 +138,7 @@ class LineSearch {
         }
     }
 
-    /// On which side B's edge j passes A's edge i.
+    /// Returns the side on which B's edge j passes A's edge i.
     int side(std::size_t i, std::size_t j) {
         int& known = sides_[i][j];
         if (known == unknown_sign) {
@@ -168,7 +168,7 @@ std::optional<SharedCorners> find_corners(Signs& signs) {
         return find_in_plane(signs, view.axis);
     }
     if (a_flat || b_flat) {
-        return std::nullopt; // One is degenerate: see `decide_pair`.
+        return std::nullopt; // One triangle is degenerate: see `decide_pair`.
     }
     return LineSearch<Signs>(signs, of_a, of_b).find();
 }
@@ -186,7 +186,7 @@ std::optional<SharedCorners> find_on(const LatticeCorners<n>& corners, const Tas
     return find_corners(signs);
 }
 
-/// With the first number of words that is enough.
+/// Uses the smallest sufficient number of words.
 template <std::size_t n, std::size_t... more>
 std::optional<SharedCorners>
 find_on(const PoseLattice& lattice, const PoseLattice::Extent& extent, const Task& task) {

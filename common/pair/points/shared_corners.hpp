@@ -1,4 +1,4 @@
-// Which corners the set of points has that two triangles share: from exact signs alone.
+// Finds which corners the shared set of two triangles has, from exact signs alone.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -14,33 +14,32 @@
 
 namespace cd {
 
-/// What such a corner is. The triangles' own are numbered as for CornerSigns: 0 to 2 are A's, 3 to
-/// 5 B's; an edge is named by the corner that it comes from.
+/// A corner of the shared set. Triangle corners are numbered as for CornerSigns: 0 to 2 are A's, 3
+/// to 5 B's; an edge is named by its starting corner.
 struct SharedCorner {
     enum class Kind : std::uint8_t {
         Corner,   ///< The corner `first`.
-        Piercing, ///< Where the edge `first` properly passes through the other triangle's plane.
-        Crossing, ///< Where, in the one plane of both, A's edge `first` crosses B's edge `second`.
+        Piercing, ///< The edge `first` properly passes through the other triangle's plane.
+        Crossing, ///< In the common plane, A's edge `first` crosses B's edge `second`.
     };
     Kind kind = Kind::Corner;
     std::uint8_t first = 0;
     std::uint8_t second = 0;
 };
 
-/// Distinct points, in no order that matters. A corner of both triangles is A's.
+/// Distinct corners in arbitrary order. A corner of both triangles is listed as A's.
 struct SharedCorners {
     std::array<SharedCorner, 6> corner;
     std::size_t count = 0;
 };
 
-/// Finds them in integers of a fixed number of words. Not for use by two threads at once.
+/// Finds shared corners in integers of a fixed number of words. Not thread-safe.
 class SharedCornerFinder {
   public:
     explicit SharedCornerFinder(const PosePair& poses);
 
-    /// Nothing for degenerate triangles, and where the numbers are further apart than the words
-    /// reach. Sides of a triangle's corners against the other's plane that are known are taken as
-    /// proven.
+    /// Returns nothing for degenerate triangles, or if the numbers' range exceeds the words. Known
+    /// sides of a triangle's corners against the other's plane are taken as proven.
     [[nodiscard]] std::optional<SharedCorners> find(const Corners& a,
                                                     const Corners& b,
                                                     const PlaneSides& of_a = unknown_sides,
@@ -48,8 +47,8 @@ class SharedCornerFinder {
 
   private:
     PosePair poses_;
-    std::optional<ShortLattice> short_lattice_;  ///< Of bodies not rotated against each other.
-    std::unique_ptr<const PoseLattice> lattice_; ///< Made when it is first needed.
+    std::optional<ShortLattice> short_lattice_;  ///< Set if there is no relative rotation.
+    std::unique_ptr<const PoseLattice> lattice_; ///< Made on first use.
 };
 
 } // namespace cd

@@ -17,7 +17,7 @@ Vec minus(const Vec& l, const Vec& r) {
     return {l[0] - r[0], l[1] - r[1], l[2] - r[2]};
 }
 
-/// The sign of det(a, b, c).
+/// Returns the sign of det(a, b, c).
 int determinant_sign(const Vec& a, const Vec& b, const Vec& c) {
     const ExactInt value = (a[1] * b[2] - a[2] * b[1]) * c[0] + (a[2] * b[0] - a[0] * b[2]) * c[1] +
                            (a[0] * b[1] - a[1] * b[0]) * c[2];
@@ -62,7 +62,7 @@ class ExactSigns {
     const std::array<Vec, 6>& corners_;
 };
 
-/// The corners of both triangles on one integer lattice.
+/// Puts the corners of both triangles on one integer lattice.
 std::array<Vec, 6>
 on_lattice(const Corners& a, const Corners& b, const ExactPose& pose_a, const ExactPose& pose_b) {
     std::array<Dyadic, 18> coordinates;

@@ -7,9 +7,9 @@
 
 namespace cd {
 
-/// Decides pairs under one pair of poses in integers. Every finite double is an integer times a
-/// power of two, and sums and products of such numbers are again; with quaternion poses both bodies
-/// are scaled by the norms (q.q) of both, which changes no sign. So nothing is ever rounded.
+/// Decides pairs under one pair of poses in integers, without rounding. Every finite double is an
+/// integer times a power of two, and so are sums and products of such numbers. With quaternion
+/// poses both bodies are scaled by both norms (q.q), which changes no sign.
 class ExactTrianglePair {
   public:
     explicit ExactTrianglePair(const PosePair& poses);

@@ -32,7 +32,7 @@ bool are_all_tame(const Corners& a, const Corners& b) {
     return (all[0] & all[1]) != 0;
 }
 
-/// A body's coordinate along an axis that its pose leaves as it is, but for order and direction.
+/// Returns a body's coordinate along an axis that its pose keeps, except for order and direction.
 Sums placed(const RoundedPoses::Body& body, const Vec3& corner, std::size_t axis) {
     const RoundedPoses::Row& row = body.rows[axis];
     return exact_sums(twice(row.sign * corner[row.source]),
@@ -57,7 +57,7 @@ ExactCorners::ExactCorners(const RoundedPoses& poses, const Corners& a, const Co
                 low_parts += magnitudes(sums.low);
             }
         }
-        are_exact_ &= low_parts[0] == 0; // Or NaN, after an overflow.
+        are_exact_ &= low_parts[0] == 0; // NaN, after an overflow, is not exact.
     }
 }
 
@@ -87,7 +87,7 @@ PosedCorners::PosedCorners(const RoundedPoses& poses, const Corners& a, const Co
     find_ones(poses, corners);
 }
 
-/// Between triangles a difference misses |low_0 - low_0'| at most beside both E.
+/// Between triangles, differences err by up to |low_0 - low_0'| in addition to both E.
 void PosedCorners::place_exact(const RoundedPoses& poses,
                                std::size_t axis,
                                const std::array<const Corners*, 2>& corners) {
@@ -105,8 +105,8 @@ void PosedCorners::place_exact(const RoundedPoses& poses,
     }
 }
 
-/// The sizes of factors are raised so that products of them with weights do not underflow, and are
-/// 0 only where no product could: see RoundedPoses.
+/// Raises the sizes of factors so that their products with weights do not underflow. A size is 0
+/// only if no product could underflow: see RoundedPoses.
 void PosedCorners::rotate(const RoundedPoses& poses, const Corners& a, const Corners& b) {
     using Three = std::array<BothBodies, 3>;
     std::array<Three, 3> x;
@@ -138,7 +138,7 @@ void PosedCorners::rotate(const RoundedPoses& poses, const Corners& a, const Cor
     for (std::size_t k = 0; k < 3; ++k) {
         const double first = posed[0][k][1] - posed[0][k][0];
         const double apart = first - poses.offset[k];
-        // The offset's rounding and one for each of the two differences.
+        // Adds the offset's rounding and one for each of the two differences.
         const double apart_error = error[0][k][0] + error[0][k][1] + poses.offset_error[k] +
                                    1.01 * double_signs::u * (std::abs(first) + std::abs(apart));
         posed[0][k] = error[0][k] = twice(0);
@@ -153,8 +153,8 @@ void PosedCorners::rotate(const RoundedPoses& poses, const Corners& a, const Cor
     }
 }
 
-/// A component of a rotated corner is known where its row is exact, and where all is 0 that it is
-/// made of, as on the axis of a turn. Numbers are sums of two doubles in one way only.
+/// A component of a rotated corner is known if its row is exact, or if all its inputs are 0, as on
+/// the axis of a turn. A number has a unique representation as a sum of two doubles.
 void PosedCorners::find_ones(const RoundedPoses& poses,
                              const std::array<const Corners*, 2>& corners) {
     std::array<bool, 6> are_known{};

@@ -1,34 +1,33 @@
-// The signs of a pair that doubles prove. All of it in the header, to be inlined where a pair is
-// decided.
+// Proves signs of a pair in doubles. Header-only, so that it is inlined where a pair is decided.
 //
 // Bounds, with u = 2^-53. A computed vector x has sizes X with |x_k| <= X_k and errors of at most
-// 2.01 u X_k: a difference of two doubles is rounded once, so that X_k = |x_k| does (and X_k = 0
-// says that the true component is 0); an error of up to e before the last rounding makes it
-// X_k = |x_k| + e / 2u.
+// 2.01 u X_k. A difference of two doubles is rounded once, so X_k = |x_k| suffices (and X_k = 0
+// means that the true component is 0). An error of up to e before the last rounding adds e / 2u to
+// X_k.
 //
 // A determinant of x, y, z is a sum of six products x_i y_j z_k; its permanent P is the same sum of
 // X_i Y_j Z_k. Errors of the input change it by at most ((1 + 2.01 u)^3 - 1) P <= 6.1 u P, where
-// the true components are bounded by (1 + 2.01 u) X_k too. Arithmetic: each term goes through one
-// rounding in its cross product's products, one in the difference, one in the product with the
-// third vector and two in the sum of three: 5.1 u P. The computed permanent may be 6 u of itself
-// too small. So 12 u P bounds the error; likewise 8 u P for determinants of two rows: 4.1 u from
-// the input and two roundings.
+// the true components are bounded by (1 + 2.01 u) X_k too. Arithmetic: each term is rounded once in
+// its cross product's products, once in the difference, once in the product with the third vector
+// and twice in the sum of three: 5.1 u P. The computed permanent may be 6 u of itself too small. So
+// 12 u P bounds the error. For determinants of two rows 8 u P does: 4.1 u from the input and two
+// roundings.
 //
 // Underflow: a product loses at most 2^-1075. In a cross product's component that is 2^-1074, which
-// is then multiplied with a component of z; products and sums lose little more, and the permanent
+// is then multiplied with a component of z. Products and sums lose little more, and the permanent
 // no more than that: 2^-1070 (1 + Z_1 + Z_2 + Z_3) in all. The sizes of a cross product are raised
-// by q = 2^-950, which puts 12 u q (Z_1 + Z_2 + Z_3) into the bound, and the rest is 2^-1000.
-// Overflow makes infinities or NaN, of which no comparison proves anything: a value that is
-// infinite comes with a permanent that is.
+// by q = 2^-950, which puts 12 u q (Z_1 + Z_2 + Z_3) into the bound; 2^-1000 covers the rest.
+// Overflow makes infinities or NaN. No comparison with these proves anything: an infinite value has
+// an infinite permanent.
 //
-// Zeros: a determinant is 0 if each term has a true factor 0, that is, a size 0. Where no size is
-// between 0 and 2^-300, any other term makes the permanent at least 2^-900, while q adds less to it
-// than that where Z_k are below 2^40; pairs of which this is not sure are not tame, and none of
-// their zeros is proven like this. On designed parts, whose faces follow the axes, most ties are
-// seen like this. Of the others, most have corners that are one point.
+// Zeros: a determinant is 0 if each term has a true factor 0, that is, a size 0. If no size is
+// between 0 and 2^-300, any other term makes the permanent at least 2^-900, while q adds less than
+// that where Z_k are below 2^40. Pairs for which this is uncertain are not tame, and none of their
+// zeros is proven this way. On designed parts, whose faces follow the axes, this proves most ties.
+// In most other ties, corners coincide.
 //
-// Which sign comes out is as good as random, and so is whether it is proven: there are no branches
-// on that, which would cost more than all the arithmetic.
+// Signs, and whether they are proven, are practically random. Branches on them would cost more than
+// all the arithmetic, so there are none.
 #pragma once
 
 #include "common/pair/numbers/two_doubles.hpp"
@@ -49,17 +48,17 @@ inline constexpr double underflow = 0x1p-1000;
 inline constexpr double volume_bound = 12 * u;
 inline constexpr double area_bound = 8 * u;
 inline constexpr double term_least = 0x1p-900;
-/// What sizes of a cross product are raised by.
+/// Added to the sizes of a cross product.
 inline constexpr double size_raise = 0x1p-950;
-/// What an error before the last rounding adds to a size.
+/// Factor from an error before the last rounding to the size that it adds.
 inline constexpr double size_of_error = 1.01 / (2 * u);
-/// Tame coordinates are 0 or between these: then sums with tame translations are multiples of
-/// 2^-203, and so are differences; in rotated bodies sizes that are not 0 are at least a weight of
-/// 2^-150 times 2^-150, and at most 2^40.
+/// Tame coordinates are 0 or within these magnitudes. Then sums with tame translations, and
+/// differences, are multiples of 2^-203. In rotated bodies nonzero sizes are at least 2^-150 (the
+/// least weight) times 2^-150, and at most 2^40.
 inline constexpr double tame_least = 0x1p-150;
 inline constexpr double tame_most = 0x1p33;
 
-/// A component of a vector and its size, which go through the same operations.
+/// A component of a vector and its size, computed by the same operations.
 struct Sized {
     TwoDoubles both;
 
@@ -68,19 +67,19 @@ struct Sized {
 };
 using SizedVec = std::array<Sized, 3>;
 
-/// Of a number given twice, itself and its magnitude.
+/// Pairs a number, given in both lanes, with its magnitude.
 inline Sized with_magnitude(TwoDoubles twice) {
     constexpr TwoMasks all_but_last_sign{-1, INT64_MAX};
     return {TwoDoubles(TwoMasks(twice) & all_but_last_sign)};
 }
 
-/// a d - b c, and for the size the sum of the sizes of the two.
+/// Computes a d - b c; the size is the sum of both products' sizes.
 inline Sized determinant(const Sized& a, const Sized& b, const Sized& c, const Sized& d) {
     constexpr TwoMasks first_sign{INT64_MIN, 0};
     return {a.both * d.both + TwoDoubles(TwoMasks(b.both * c.both) ^ first_sign)};
 }
 
-/// With sizes raised against underflow.
+/// Computes the cross product; raises its sizes against underflow.
 inline SizedVec cross(const SizedVec& l, const SizedVec& r) {
     constexpr TwoDoubles q{0, size_raise};
     return {Sized{determinant(l[1], l[2], r[1], r[2]).both + q},
@@ -97,13 +96,13 @@ inline int sign_of(double value, double bound, bool is_zero) {
     return sign + unknown_sign * static_cast<int>((sign == 0) & !is_zero);
 }
 
-/// Pairs of corners, of A and of B, a bit each.
+/// A set of (corner of A, corner of B) pairs, one bit each.
 using CornerPairs = std::uint32_t;
 
-inline constexpr CornerPairs all_with_a = 7; ///< Of A's first corner; shifted by 3 for others.
-inline constexpr CornerPairs all_with_b = 0b1001001; ///< Of B's first corner; shifted by 1.
+inline constexpr CornerPairs all_with_a = 7; ///< Pairs of A's corner 0; for corner i, << 3 i.
+inline constexpr CornerPairs all_with_b = 0b1001001; ///< Pairs of B's corner 0; for corner j, << j.
 
-/// None for two corners of one triangle.
+/// Returns 0 for two corners of one triangle.
 inline CornerPairs pair_of(std::size_t i, std::size_t j) {
     const std::size_t a = i < j ? i : j;
     const std::size_t b = i < j ? j : i;
@@ -112,43 +111,43 @@ inline CornerPairs pair_of(std::size_t i, std::size_t j) {
 
 } // namespace double_signs
 
-/// Corners whose coordinates are doubles exactly: of bodies in one place, or of moved ones whose
-/// sums round nowhere.
+/// Corners whose world coordinates are exactly doubles: of unmoved bodies, or of moved ones whose
+/// sums do not round.
 class ExactCorners {
   public:
-    /// Of bodies that are not rotated against each other. Nothing may be asked of corners that are
-    /// not `are_exact`.
+    /// Requires that there is no relative rotation. Unless `are_exact`, the other methods must not
+    /// be called.
     ExactCorners(const RoundedPoses& poses, const Corners& a, const Corners& b);
 
     [[nodiscard]] bool are_exact() const { return are_exact_; }
     [[nodiscard]] bool are_tame() const { return are_tame_; }
-    /// The pairs of corners that surely are one point.
+    /// Returns the pairs of corners that provably coincide.
     [[nodiscard]] double_signs::CornerPairs ones() const;
 
-    /// x_to - x_from along an axis, of corners of one triangle.
+    /// Returns x_to - x_from along an axis, for corners of one triangle.
     [[nodiscard]] double_signs::Sized
     within(std::size_t from, std::size_t to, std::size_t axis) const {
         return double_signs::with_magnitude(at_[to][axis] - at_[from][axis]);
     }
-    /// The same from one triangle to the other.
+    /// Returns x_to - x_from along an axis, for corners of different triangles.
     [[nodiscard]] double_signs::Sized
     across(std::size_t from, std::size_t to, std::size_t axis) const {
         return within(from, to, axis);
     }
 
   private:
-    std::array<std::array<TwoDoubles, 3>, 6> at_; ///< Each number stands there twice.
+    std::array<std::array<TwoDoubles, 3>, 6> at_; ///< Both lanes hold the same number.
     bool are_exact_ = true;
     bool are_tame_;
 };
 
-/// Any corners. Where both poses leave an axis as it is, as turns about it do, coordinates are
-/// exactly high + low, each a double: it is the high parts that are kept, and E_i = |low_i - low_0|
-/// bounds what a difference within a triangle misses on either side. Along other axes corners are
-/// kept from their triangle's first; for differences from one triangle to the other, B's are kept
-/// from A's first.
+/// Arbitrary posed corners. Along an axis that both poses keep, as turns about it do, coordinates
+/// are exactly high + low, each a double. The high parts are stored, and E_i = |low_i - low_0|
+/// bounds corner i's share of the error of a difference within a triangle. Along other axes corners
+/// are stored relative to their triangle's first; for differences between the triangles, B's are
+/// relative to A's first.
 ///
-/// Errors E are kept as what they add to sizes, with the other lane 0.
+/// Errors E are stored as their contributions to sizes; the other lane is 0.
 class PosedCorners {
   public:
     PosedCorners(const RoundedPoses& poses, const Corners& a, const Corners& b);
@@ -187,11 +186,11 @@ class PosedCorners {
     bool are_tame_;
 };
 
-/// `unknown_sign` where doubles do not prove a sign.
+/// Models CornerSigns; returns `unknown_sign` where doubles prove no sign.
 template <class Frame>
 class DoubleSigns {
   public:
-    /// All error bounds are multiplied by `bound_scale`.
+    /// Multiplies all error bounds by `bound_scale`.
     explicit DoubleSigns(const Frame& frame, double bound_scale = 1)
         : frame_(frame), scale_(bound_scale), ones_(frame.ones()) {}
 
@@ -225,13 +224,13 @@ class DoubleSigns {
             ones_ & (double_signs::pair_of(i, k) | double_signs::pair_of(j, k)));
     }
 
-    /// The turns with each of the three corners of the other triangle.
+    /// Returns the turns from i over j to each corner of the other triangle.
     [[nodiscard, gnu::always_inline]] PlaneSides
     turns(std::size_t i, std::size_t j, std::size_t axis) const {
         using namespace double_signs;
         const auto [x, y] = axes_after(axis);
         const std::size_t others = i < 3 ? 3 : 0;
-        // Where one of the edge's corners is one of the others.
+        // Selects pairs where one of the edge's corners coincides with one of the others.
         const CornerPairs ones = i < 3 ? (ones_ >> (3 * i)) | (ones_ >> (3 * j))
                                        : (ones_ >> (i - 3)) | (ones_ >> (j - 3));
         const std::size_t step = i < 3 ? 1 : 3;
@@ -267,7 +266,7 @@ class DoubleSigns {
         return {frame_.across(from, to, 0), frame_.across(from, to, 1), frame_.across(from, to, 2)};
     }
 
-    /// `ones` are pairs of corners that are one point and make it 0.
+    /// `ones` are coincident pairs of corners that make the area 0.
     [[nodiscard]] int turn_sign(const double_signs::Sized& area,
                                 double_signs::CornerPairs ones) const {
         using namespace double_signs;
@@ -275,7 +274,7 @@ class DoubleSigns {
         return sign_of(area.value(), scale_ * area_bound * area.size() + underflow, is_zero);
     }
 
-    /// Of x . z for a cross product x; `pairs` of corners make it 0 where they are one point.
+    /// Proves the sign of x . z for a cross product x; it is 0 if a pair of `pairs` coincides.
     [[nodiscard]] int volume_sign(const double_signs::Sized& volume,
                                   double_signs::CornerPairs pairs) const {
         using namespace double_signs;

@@ -12,19 +12,19 @@ namespace cd {
 
 class DoubleTrianglePair {
   public:
-    /// All error bounds are multiplied by `bound_scale`, for tests that these have teeth.
+    /// Multiplies all error bounds by `bound_scale`; tests use less than 1.
     explicit DoubleTrianglePair(const PosePair& poses, double bound_scale = 1);
 
-    /// Under poses that are plain already.
+    /// Selects the constructor for poses that are plain already.
     struct Plain {};
     DoubleTrianglePair(Plain, const PosePair& poses) : poses_(poses) {}
 
-    /// What is proven of the pair under the exact poses; nothing where rounding leaves it open.
+    /// Returns the class that is proven under the exact poses; nothing if rounding leaves it open.
     /// Never allocates.
     [[nodiscard]] std::optional<PairClass> classify(const Corners& a, const Corners& b) const;
 
-    /// What `use` makes of the signs that are proven, which are of one of two types. They last
-    /// until it returns.
+    /// Returns `use(signs)` for the proven signs, which have one of two types. They are valid until
+    /// `use` returns.
     template <class Use>
     [[nodiscard]] auto with_signs(const Corners& a, const Corners& b, const Use& use) const {
         if (!poses_.are_rotated) {
@@ -42,8 +42,8 @@ class DoubleTrianglePair {
     double bound_scale_ = 1;
 };
 
-/// Models CornerSigns from what `signs` has proven, until an unproven sign is asked for: then the
-/// answers mean nothing any more, and lead to a quick end.
+/// Models CornerSigns from the signs proven by `signs`. Once an unproven sign is asked for, all
+/// answers are meaningless and end the decision quickly.
 template <class Signs>
 class ProvenSigns {
   public:

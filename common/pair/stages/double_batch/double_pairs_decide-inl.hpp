@@ -1,7 +1,7 @@
-// What doubles prove of as many pairs as a vector of them has lanes: the procedure of
-// pair_decision.hpp for triangles with area. Compiled for every target.
+// Decides one pair per SIMD lane in doubles: the procedure of pair_decision.hpp for triangles with
+// area. Compiled for every target.
 
-// Highway's guard: once for each target.
+// Highway's include guard: once per target.
 #if defined(CD_DOUBLE_PAIRS_DECIDE_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CD_DOUBLE_PAIRS_DECIDE_INL_HPP
 #undef CD_DOUBLE_PAIRS_DECIDE_INL_HPP
@@ -26,7 +26,7 @@ constexpr std::size_t next(std::size_t corner) {
     return (corner + 1) % 3;
 }
 
-/// `lone_corner` of pair_decision.hpp, which is the first where it is none of these.
+/// `lone_corner` of pair_decision.hpp; the first corner if neither flag is set.
 struct Lone {
     M is_second;
     M is_third;
@@ -45,12 +45,12 @@ HWY_INLINE Lone lone_corner(const Sides& s) {
             hn::Or(hn::And(one_below, s.negative[i]), hn::AndNot(one_below, s.zero[i]));
         return hn::Or(hn::And(one_above, s.positive[i]), hn::AndNot(one_above, otherwise));
     };
-    // Neither one above nor one below: one is in the plane, and any other says where both are.
+    // Otherwise one is in the plane, and any other tells the side of both.
     const M any_below = any_of(s.negative[0], s.negative[1], s.negative[2]);
     return {is_lone(1), is_lone(2), hn::Or(one_above, hn::AndNot(one_below, any_below))};
 }
 
-/// Three things of corners in their triangle's order, or in the opposite one, from the lone one.
+/// Per-corner values, from the lone corner on, in the triangle's order or the opposite one.
 template <class T>
 struct Arranged {
     T lone;
@@ -68,7 +68,7 @@ arranged(T x0, T x1, T x2, Choice is_second, Choice is_third, Choice is_opposite
             hn::IfThenElse(is_opposite, after, before)};
 }
 
-/// The corners p, q, r of Guigue and Devillers.
+/// The corners p, q, r in the notation of Guigue and Devillers.
 template <class C>
 struct Turned {
     C p[3];
@@ -101,7 +101,7 @@ HWY_INLINE Turned<C> turned(const C (&of)[3][3], const Lone& lone, M is_opposite
     return to;
 }
 
-/// Pairs of corners that are one point, a bit each, as CornerPairs of double_signs.hpp.
+/// Coincident pairs of corners, one bit each, as CornerPairs of double_signs.hpp.
 class OnePoints {
   public:
     using Ints = hn::RebindToSigned<Doubles>;
@@ -119,10 +119,10 @@ class OnePoints {
     }
 
     HWY_INLINE M any() const { return is_set(bits_); }
-    /// But for those of the corners in `without`.
+    /// Tests for any pair except those in `without`.
     HWY_INLINE M any_but(Bits without) const { return is_set(hn::AndNot(without, bits_)); }
 
-    /// The pairs of each of a triangle's corners, arranged.
+    /// Returns the pairs of each of a triangle's corners, arranged.
     static HWY_INLINE Arranged<Bits>
     pairs_of(std::int64_t first, int step, const Lone& lone, M is_opposite) {
         const Ints d;
@@ -146,7 +146,7 @@ HWY_INLINE V code(PairClass kind) {
     return hn::Set(Doubles(), static_cast<double>(kind));
 }
 
-/// `decide_crossing` of pair_decision.hpp; besides, triangles that share a corner touch.
+/// `decide_crossing` of pair_decision.hpp; in addition, triangles that share a corner touch.
 template <class C>
 HWY_INLINE V
 decide_crossing(const Frame<C>& frame, const Prover& prover, const Sides& of_a, const Sides& of_b) {
@@ -179,10 +179,10 @@ decide_crossing(const Frame<C>& frame, const Prover& prover, const Sides& of_a, 
         hn::Or(first.positive, second.negative), code(PairClass::Separate), verdict);
 }
 
-/// The two coordinates that follow an axis.
+/// Projects onto the two coordinates that follow an axis.
 class View {
   public:
-    /// The longest of a normal.
+    /// Chooses the axis of the normal's longest component.
     HWY_INLINE explicit View(const SizedVec& normal) {
         const V x = hn::Abs(normal.x.value);
         const V y = hn::Abs(normal.y.value);
@@ -219,7 +219,7 @@ class View {
     M is_y_;
 };
 
-/// A difference as it is seen.
+/// A projected difference.
 struct Seen {
     Sized x;
     Sized y;
@@ -232,11 +232,11 @@ struct Seen {
     }
 };
 
-/// What the edges of both triangles say, one after the other: see `decide_coplanar`.
+/// Accumulates the verdicts of both triangles' edges: see `decide_coplanar`.
 struct EdgesSeen {
     M any_parts;
     M all_overlap;
-    M any_shuts; ///< All of the other triangle is outside, or on the edge's line.
+    M any_shuts; ///< The other triangle is outside an edge or on its line.
     M any_open;
 
     HWY_INLINE EdgesSeen() {
@@ -244,7 +244,7 @@ struct EdgesSeen {
         any_parts = any_shuts = any_open = hn::Lt(hn::Zero(d), hn::Zero(d));
         all_overlap = hn::Eq(hn::Zero(d), hn::Zero(d));
     }
-    /// The turns to the other's three corners, positive where that is inside.
+    /// Adds one edge by its turns to the other triangle's corners; positive means inside.
     HWY_INLINE void add(const Sign& x, const Sign& y, const Sign& z) {
         const M inside = any_of(x.positive, y.positive, z.positive);
         const M known = all_of(is_known(x), is_known(y), is_known(z));
@@ -270,7 +270,7 @@ class FlatPairs {
         }
     }
 
-    /// Adds what A's edges say of B; A's turns have the sign of `own`.
+    /// Adds A's edges against B; A's turns have the sign of `own`.
     HWY_INLINE void look_from_a(V own, EdgesSeen& seen) const {
         for (std::size_t i = 0; i < 3; ++i) {
             const Seen edge = seen_edge(frame_.a[i], frame_.a[next(i)]);
@@ -300,7 +300,7 @@ class FlatPairs {
     HWY_INLINE M one(std::size_t i, std::size_t j, std::size_t i_to, std::size_t j_to) const {
         return hn::Or(frame_.one[i][j], frame_.one[i_to][j_to]);
     }
-    /// Positive on the same side as `own`.
+    /// Returns the turn, positive on the side of `own`.
     HWY_INLINE Sign turn(const Seen& edge, const Seen& to, V own, M is_one) const {
         Sized area = determinant(edge.x, edge.y, to.x, to.y);
         area.value = hn::Xor(area.value, hn::And(own, hn::SignBit(Doubles())));
@@ -310,11 +310,11 @@ class FlatPairs {
     const Frame<C>& frame_;
     const Prover& prover_;
     const View& view_;
-    Seen across_[3][3]; ///< From corner i of A to corner j of B.
+    Seen across_[3][3]; ///< Difference from corner i of A to corner j of B.
 };
 
-/// `decide_coplanar` of pair_decision.hpp, along the axis on which A's normal is longest; besides,
-/// triangles that share a corner are not apart. Means nothing where they are not `is_flat`.
+/// `decide_coplanar` of pair_decision.hpp, along the longest axis of A's normal. In addition,
+/// triangles that share a corner are not separate. Meaningless in lanes that are not `is_flat`.
 template <class C>
 HWY_INLINE V decide_flat(const Frame<C>& frame,
                          const Prover& prover,
@@ -333,7 +333,7 @@ HWY_INLINE V decide_flat(const Frame<C>& frame,
     const FlatPairs flat(frame, prover, view);
     EdgesSeen seen;
     flat.look_from_a(own_a.value, seen);
-    // Around one corner an edge of A says it all, unless they overlap.
+    // If the triangles share a corner, an edge of A decides, unless they overlap.
     const M is_settled = hn::Or(seen.any_parts, hn::And(seen.any_shuts, share_corner));
     if (!hn::AllFalse(Doubles(), hn::AndNot(is_settled, is_flat))) {
         flat.look_from_b(own_b.value, seen);
@@ -346,7 +346,7 @@ HWY_INLINE V decide_flat(const Frame<C>& frame,
     return hn::IfThenElse(have_area, verdict, hn::Set(Doubles(), undecided_pair));
 }
 
-/// The class of each pair, or `undecided_pair`.
+/// Returns the class of each pair, or `undecided_pair`.
 template <class C>
 HWY_INLINE V decide(const Frame<C>& frame, double bound_scale) {
     const Doubles d;

@@ -1,7 +1,7 @@
-// Corners of as many pairs as a vector of doubles has lanes, posed: ExactCorners and PosedCorners
-// of double_signs.hpp, operation by operation. Compiled for every target.
+// Poses corners, one pair per SIMD lane: ExactCorners and PosedCorners of double_signs.hpp,
+// operation by operation. Compiled for every target.
 
-// Highway's guard: once for each target.
+// Highway's include guard: once per target.
 #if defined(CD_DOUBLE_PAIRS_FRAME_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CD_DOUBLE_PAIRS_FRAME_INL_HPP
 #undef CD_DOUBLE_PAIRS_FRAME_INL_HPP
@@ -28,10 +28,10 @@ using M = hn::Mask<Doubles>;
 constexpr std::size_t lanes = hn::MaxLanes(Doubles());
 static_assert(CornersOfMany::pairs % lanes == 0);
 
-// Where GCC has a vector's own default constructor, as on NEON, only what is compiled for the
-// target may call it: structures that are filled later have theirs written out.
+// Where GCC gives vectors a default constructor, as on NEON, only code compiled for the target may
+// call it. So structures that are filled later declare their own.
 
-/// A coordinate that is a double exactly.
+/// A coordinate that is exactly a double.
 struct ExactComponent {
     V at;
 
@@ -39,7 +39,7 @@ struct ExactComponent {
     HWY_INLINE explicit ExactComponent(V given) : at(given) {}
 };
 
-/// A coordinate, and what its error adds to sizes.
+/// A coordinate, and its error's contribution to sizes.
 struct Component {
     V at;
     V error;
@@ -67,13 +67,13 @@ HWY_INLINE Sized between(const ExactComponent& from, const ExactComponent& to) {
     return {value, hn::Abs(value)};
 }
 
-/// By corner and axis: of ExactCorners, or of PosedCorners.
+/// Coordinates by corner and axis, as in ExactCorners or PosedCorners.
 template <class C>
 struct Frame {
     C a[3][3];
-    C b[3][3];        ///< For differences within B,
-    C b_across[3][3]; ///< and for those from A.
-    M one[3][3];      ///< Which corners of A and B surely are one point.
+    C b[3][3];        ///< B's corners for differences within B.
+    C b_across[3][3]; ///< B's corners for differences from A.
+    M one[3][3];      ///< Corners of A and B that provably coincide.
     M is_tame;
 
     HWY_INLINE Frame() {}
@@ -81,7 +81,7 @@ struct Frame {
 using ExactFrame = Frame<ExactComponent>;
 using PosedFrame = Frame<Component>;
 
-/// By corner and axis, as they are given.
+/// The given coordinates, by corner and axis.
 struct Given {
     V a[3][3];
     V b[3][3];
@@ -135,7 +135,7 @@ HWY_INLINE Sums exact_sum(V left, V right) {
     return {sum, hn::Add(hn::Sub(left, left_part), hn::Sub(right, right_part))};
 }
 
-/// Along an axis that the body's pose leaves as it is, but for order and direction.
+/// Returns coordinates along an axis that the body's pose keeps, except for order and direction.
 HWY_INLINE Sums placed(const RoundedPoses::Body& body, const V (&corner)[3], std::size_t axis) {
     const Doubles d;
     const RoundedPoses::Row& row = body.rows[axis];
@@ -143,7 +143,7 @@ HWY_INLINE Sums placed(const RoundedPoses::Body& body, const V (&corner)[3], std
                      hn::Set(d, body.translation[static_cast<int>(axis)]));
 }
 
-/// Both bodies' corners, by corner.
+/// One coordinate of both bodies' corners, by corner.
 struct BothSums {
     Sums a[3];
     Sums b[3];
@@ -151,7 +151,7 @@ struct BothSums {
     HWY_INLINE BothSums() {}
 };
 
-/// Numbers are sums of two doubles in one way only.
+/// Finds coincident coordinates too: a sum of two doubles is represented uniquely.
 HWY_INLINE BothSums place_both(const RoundedPoses& poses,
                                const Given& given,
                                std::size_t axis,
@@ -171,7 +171,7 @@ HWY_INLINE BothSums place_both(const RoundedPoses& poses,
     return sums;
 }
 
-/// Between triangles a difference misses |low_0 - low_0'| at most beside both errors.
+/// Between triangles, differences err by up to |low_0 - low_0'| in addition to both errors.
 HWY_INLINE void place_exact(const BothSums& sums, std::size_t axis, PosedFrame& to) {
     const auto& [a, b] = sums;
     const V apart = as_error(hn::Abs(hn::Sub(b[0].low, a[0].low)));
@@ -182,7 +182,7 @@ HWY_INLINE void place_exact(const BothSums& sums, std::size_t axis, PosedFrame& 
     }
 }
 
-/// A first corner, or another relative to that; and the sizes of its coordinates.
+/// A first corner, or another corner relative to the first, and the sizes of its coordinates.
 struct Offset {
     V at[3];
     V size[3];
@@ -215,7 +215,7 @@ HWY_INLINE void set_offsets(const V (&corners)[3][3], Offset (&to)[3]) {
     }
 }
 
-/// A row of a body's rotation, or of its weights, times a vector.
+/// Multiplies a row of a body's rotation, or of its weights, with a vector.
 HWY_INLINE V row_times(const std::array<BothBodies, 3>& row,
                        std::size_t body,
                        const V (&vector)[3]) {
@@ -252,7 +252,7 @@ place_rotated(const RoundedPoses& poses, const Offsets& offsets, std::size_t k, 
     }
 }
 
-/// All is 0 that the components are made of that are not exact.
+/// Tests whether all inputs of the inexact components are 0.
 HWY_INLINE M is_known(const RoundedPoses::Body& body, const V (&corner)[3]) {
     const Doubles d;
     M known = hn::Eq(hn::Zero(d), hn::Zero(d));
@@ -270,8 +270,8 @@ HWY_INLINE M are_pairs_tame(const RoundedPoses& poses, const Given& given) {
     return are_tame(given.b, are_tame(given.a, hn::Eq(one, hn::Set(d, 1))));
 }
 
-/// Of bodies that are not rotated against each other; false, and it means nothing, if a coordinate
-/// is not a double exactly.
+/// Fills the frame for bodies without relative rotation. Returns false, with a meaningless frame,
+/// if a coordinate is not exactly a double.
 HWY_INLINE bool fill(const RoundedPoses& poses, const Given& given, ExactFrame& to) {
     const Doubles d;
     M are_exact = hn::Eq(hn::Zero(d), hn::Zero(d));

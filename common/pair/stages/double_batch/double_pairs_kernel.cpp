@@ -5,7 +5,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/pair/stages/double_batch/double_pairs_kernel.cpp"
 #include <hwy/foreach_target.h>
-// What follows is compiled for every target.
+// The headers below are compiled for every target.
 #include "common/pair/stages/double_batch/double_pairs_decide-inl.hpp"
 #include "common/pair/stages/double_batch/double_pairs_frame-inl.hpp"
 

@@ -1,4 +1,4 @@
-// The SIMD code of DoubleTrianglePairs, compiled once for every target: plain values in and out.
+// SIMD kernel of DoubleTrianglePairs, compiled for every target; plain values in and out.
 #pragma once
 
 #include "common/pair/stages/float/rounded_poses.hpp"
@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// The corners of eight pairs: by corner, axis and pair.
+/// Corners of eight pairs, by corner, axis and pair.
 struct CornersOfMany {
     static constexpr std::size_t pairs = 8;
     using Triangles = std::array<std::array<std::array<double, pairs>, 3>, 3>;
@@ -18,11 +18,11 @@ struct CornersOfMany {
     alignas(64) Triangles b;
 };
 
-/// In place of the class of a pair that doubles leave open.
+/// Marks a pair that doubles leave undecided.
 inline constexpr std::uint8_t undecided_pair = 4;
 
-/// Writes what is proven of the first `count` pairs: a PairClass, or `undecided_pair`. All error
-/// bounds are multiplied by `bound_scale`. All eight hold numbers.
+/// Writes the proven PairClass, or `undecided_pair`, of the first `count` pairs. Multiplies all
+/// error bounds by `bound_scale`. All eight slots must hold numbers.
 void classify_in_doubles(const RoundedPoses& poses,
                          double bound_scale,
                          const CornersOfMany& corners,

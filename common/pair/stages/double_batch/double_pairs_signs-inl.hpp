@@ -1,7 +1,7 @@
-// The signs of DoubleSigns, of as many pairs as a vector of doubles has lanes, with the bounds of
-// double_signs.hpp. Compiled for every target.
+// Computes the signs of DoubleSigns, one pair per SIMD lane, with the bounds of double_signs.hpp.
+// Compiled for every target.
 
-// Highway's guard: once for each target.
+// Highway's include guard: once per target.
 #if defined(CD_DOUBLE_PAIRS_SIGNS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CD_DOUBLE_PAIRS_SIGNS_INL_HPP
 #undef CD_DOUBLE_PAIRS_SIGNS_INL_HPP
@@ -37,13 +37,13 @@ HWY_INLINE SizedVec between(const C (&from)[3], const C (&to)[3]) {
     return {between(from[0], to[0]), between(from[1], to[1]), between(from[2], to[2])};
 }
 
-/// a d - b c.
+/// Computes a d - b c.
 HWY_INLINE Sized determinant(const Sized& a, const Sized& b, const Sized& c, const Sized& d) {
     return {hn::Sub(hn::Mul(a.value, d.value), hn::Mul(b.value, c.value)),
             hn::Add(hn::Mul(a.size, d.size), hn::Mul(b.size, c.size))};
 }
 
-/// With sizes raised against underflow.
+/// Raises the size against underflow.
 HWY_INLINE Sized raised(const Sized& s) {
     return {s.value, hn::Add(s.size, hn::Set(Doubles(), double_signs::size_raise))};
 }
@@ -63,7 +63,7 @@ HWY_INLINE Sized dot(const SizedVec& l, const SizedVec& r) {
             dot(l.x.size, l.y.size, l.z.size, r.x.size, r.y.size, r.z.size)};
 }
 
-/// Where a sign is proven, and to be what.
+/// Lanes where the sign is proven positive, negative or 0.
 struct Sign {
     M positive;
     M negative;
@@ -78,7 +78,7 @@ HWY_INLINE M is_known(const Sign& s) {
     return any_of(s.positive, s.negative, s.zero);
 }
 
-/// Proves signs, as DoubleSigns.
+/// Proves signs as DoubleSigns does.
 class Prover {
   public:
     HWY_INLINE Prover(M is_tame, double bound_scale)
@@ -86,7 +86,7 @@ class Prover {
           volume_bound_(hn::Set(Doubles(), bound_scale * double_signs::volume_bound)),
           area_bound_(hn::Set(Doubles(), bound_scale * double_signs::area_bound)) {}
 
-    /// `is_one` says where corners that are one point make it 0.
+    /// `is_one` marks lanes where coincident corners make the volume 0.
     HWY_INLINE Sign volume_sign(const Sized& volume, M is_one) const {
         const M is_least = hn::Lt(volume.size, hn::Set(Doubles(), double_signs::term_least));
         return sign(volume.value,
@@ -113,7 +113,7 @@ class Prover {
     V area_bound_;
 };
 
-/// Of a triangle's corners against the other's plane.
+/// Proven signs of a triangle's corners against the other's plane.
 struct Sides {
     M positive[3];
     M negative[3];
@@ -136,7 +136,7 @@ struct Sides {
                       all_of(negative[0], negative[1], negative[2]));
     }
     HWY_INLINE M are_flat() const { return all_of(zero[0], zero[1], zero[2]); }
-    /// With both signs.
+    /// Tests whether corners are on both sides of the plane.
     HWY_INLINE M do_cross() const {
         return hn::And(any_of(positive[0], positive[1], positive[2]),
                        any_of(negative[0], negative[1], negative[2]));

@@ -20,7 +20,7 @@ void put(CornersOfMany::Triangles& to, std::size_t place, const Corners& corners
 DoubleTrianglePairs::DoubleTrianglePairs(const PosePair& poses, double bound_scale)
     : poses_(poses),
       bound_scale_(bound_scale),
-      // Asked before the kernel's first call, so that a setting of the target is heeded.
+      // Runs before the kernel's first call, so that a forced target takes effect.
       pays_(simd_target() != SimdTarget::Scalar) {}
 
 void DoubleTrianglePairs::add(const Corners& a, const Corners& b) {

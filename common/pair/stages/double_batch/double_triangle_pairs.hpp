@@ -1,4 +1,4 @@
-// The double stage of the decision for many pairs at once: where ties are the normal case.
+// The double stage for many pairs at once, for scenes where ties are common.
 #pragma once
 
 #include "common/pair/stages/double_batch/double_pairs_kernel.hpp"
@@ -12,28 +12,26 @@
 
 namespace cd {
 
-/// Holds up to eight pairs and says of each what doubles prove under the exact poses: what
-/// DoubleTrianglePair proves of triangles with area, and a little more of those that share a
-/// corner.
+/// Decides up to eight pairs in doubles, exactly as posed. It proves all that DoubleTrianglePair
+/// proves of triangles with area, and slightly more for those that share a corner.
 ///
-/// The answers are the same on every SIMD target, and of a pair whatever stands beside it.
+/// The answers are the same on every SIMD target, and independent of the other pairs.
 class DoubleTrianglePairs {
   public:
     static constexpr std::size_t pairs_max = CornersOfMany::pairs;
 
-    /// The poses are plain. All error bounds are multiplied by `bound_scale`, for tests that these
-    /// have teeth.
+    /// The poses must be plain. Multiplies all error bounds by `bound_scale`; tests use less than
+    /// 1.
     explicit DoubleTrianglePairs(const PosePair& poses, double bound_scale = 1);
 
-    /// False where the processor takes one double at a time, so that pairs are better decided one
-    /// by one.
+    /// Returns false if the processor has one double per vector: then single decisions are faster.
     [[nodiscard]] bool pays() const { return pays_; }
 
-    /// There is room for another.
+    /// Adds a pair; at most `pairs_max` before the next `decide`.
     void add(const Corners& a, const Corners& b);
-    /// Decides those that were added since the last call, and forgets them.
+    /// Decides and removes the pairs added since the last call.
     void decide();
-    /// Of the pair that was added as `place`, before the last call of `decide`.
+    /// Returns the class of pair number `place` of the last `decide`.
     [[nodiscard]] std::optional<PairClass> decided(std::size_t place) const {
         const std::uint8_t found = classes_[place];
         return found == undecided_pair ? std::nullopt

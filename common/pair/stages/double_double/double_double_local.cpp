@@ -11,8 +11,8 @@ namespace {
 
 using PlainRow = LocalMap::PlainRow;
 
-/// The row of an axis that the rotation keeps or turns around: so does one by a quaternion with two
-/// components that are 0. (Numbers of double-double that come out as 0 or 1 would prove nothing.)
+/// Returns the row of an axis that the rotation keeps or turns around, as a quaternion with two
+/// zero components does. (Double-double results of 0 or 1 would prove nothing.)
 std::optional<PlainRow> plain_row(const Quaternion& q, std::size_t k) {
     const std::array<double, 3> vector{q.x, q.y, q.z};
     const std::size_t next = (k + 1) % 3;
@@ -24,7 +24,7 @@ std::optional<PlainRow> plain_row(const Quaternion& q, std::size_t k) {
     return q.w == 0 && vector[k] == 0 ? std::optional(PlainRow{column, -1}) : std::nullopt;
 }
 
-/// The row of a matrix with at most one entry that is not 0.
+/// Returns a matrix row with at most one nonzero entry.
 std::optional<PlainRow> plain_row(const Mat3& matrix, Eigen::Index k) {
     PlainRow row;
     int entries = 0;
@@ -52,7 +52,7 @@ LocalMap::LocalMap(const Pose& pose)
     if (is_matrix) {
         largest = pose.matrix().cwiseAbs().maxCoeff();
     }
-    // A quaternion that permutes axes has 0, 1 and -1 for entries, which were rounded but a little.
+    // A quaternion that permutes axes has entries 0, 1 and -1, apart from small roundings.
     const bool permutes = !is_matrix && permutes_axes(pose);
     const Mat3 nearest = permutes ? Mat3(pose.rotation().array().round()) : Mat3::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -87,7 +87,7 @@ std::optional<DoubleDouble> LocalMap::exact_component(const Vec3& x, std::size_t
     if (plain[k]->entry != 0 && factor != 0) {
         product = exact_product(plain[k]->entry, factor);
         if (product.low != 0 || std::abs(factor) < local_length_least) {
-            return std::nullopt; // Not one double, or it may underflow.
+            return std::nullopt; // The product is not one double, or it may underflow.
         }
     }
     return exact_sum(product.high, translation[static_cast<Eigen::Index>(k)]);
@@ -107,7 +107,7 @@ LocalMap::nearest_component(const Vec3& x, const Vec3& origin, std::size_t k) co
             continue;
         }
         if (std::abs(entry) < local_length_least || std::abs(factor) < local_length_least) {
-            return std::nullopt; // What it leaves over may underflow.
+            return std::nullopt; // The product's error may underflow.
         }
         const DoubleDouble product = exact_product(entry, factor);
         terms[2 + j] = product.high;

@@ -1,4 +1,4 @@
-// A posed triangle relative to a point near it, in pairs of doubles.
+// A posed triangle relative to a nearby origin, in double-double.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -11,14 +11,14 @@
 
 namespace cd {
 
-/// Magnitudes within which neither overflow nor underflow matters: products of four lengths stay
-/// far below 2^996, and what underflow does, some 2^-1074, far below any bound in use.
+/// Within these magnitudes neither overflow nor underflow matters: products of four lengths stay
+/// far below 2^996, and underflow's effect, some 2^-1074, far below any bound in use.
 inline constexpr double local_length_least = 0x1p-200;
 inline constexpr double local_length_most = 0x1p200;
 
-/// A body's pose, and bounds on it.
+/// A body's pose in double-double, with bounds.
 struct LocalMap {
-    /// A row of the linear part that is known to have this one entry, exactly, and else only 0.
+    /// A row of the linear part that is known to be exact, with at most this one nonzero entry.
     struct PlainRow {
         Eigen::Index column = 0;
         double entry = 0;
@@ -34,22 +34,22 @@ struct LocalMap {
 
     /// Bounds the magnitudes of the terms of R x + offset.
     [[nodiscard]] double magnitude_of(const Vec3& x, const Vec3& offset) const;
-    /// R x + t - origin, each component within `local_error` of the magnitude of its terms.
+    /// Computes R x + t - origin, each component within `local_error` of its terms' magnitude.
     [[nodiscard]] DoubleDoubleVec place(const Vec3& x, const Vec3& origin) const;
-    /// Component k of R x + t, where it is surely the sum of two doubles. The high part is the
-    /// nearest double, so that equal numbers are equal in both parts.
+    /// Returns component k of R x + t if it is provably the sum of two doubles. The high part is
+    /// the nearest double, so equal numbers have equal parts.
     [[nodiscard]] std::optional<DoubleDouble> exact_component(const Vec3& x, std::size_t k) const;
-    /// Component k of R x + t - origin, rounded once, where it is two doubles in sum and the pose
-    /// is a matrix: short numbers often lie in the middle between two doubles.
+    /// Returns component k of R x + t - origin, rounded once, if it is a sum of two doubles and the
+    /// pose is a matrix: short numbers often lie midway between two doubles.
     [[nodiscard]] std::optional<double>
     nearest_component(const Vec3& x, const Vec3& origin, std::size_t k) const;
 };
 
-/// The nearest double of a sum, where the sum is exactly that of two doubles.
+/// Returns the nearest double of a sum, if the sum is exactly that of two doubles.
 template <std::size_t n>
 [[nodiscard]] std::optional<double> nearest_sum(std::array<double, n> terms) {
-    // Each pass leaves the sum as it is (Ogita, Rump, Oishi, Accurate sum and dot product, 2005,
-    // algorithm 4.3) and moves what fits to the end.
+    // Each pass preserves the sum (Ogita, Rump, Oishi, Accurate sum and dot product, 2005,
+    // algorithm 4.3) and moves its leading part to the end.
     for (int pass = 0; pass < 3; ++pass) {
         bool is_short = true;
         for (std::size_t i = 1; i < n; ++i) {
@@ -65,23 +65,23 @@ template <std::size_t n>
     return std::nullopt;
 }
 
-/// 10 e from the rotation, e from the products together and e from each of the three sums, with
-/// room for terms of higher order and for the roundings of the bounds themselves.
+/// Sums 10 e from the rotation, e from all products and e from each of three sums, with room for
+/// terms of higher order and the bounds' own roundings.
 [[nodiscard]] inline double local_error(double magnitude) {
     return 20 * double_double_error * magnitude;
 }
 
-/// A triangle relative to an origin, with what is computed from it alone.
+/// A triangle relative to an origin, with values derived from it alone.
 struct LocalTriangle {
-    /// Of a corner in the world, where it is known exactly. Edges and faces at right angles to an
-    /// axis of an unrotated body share them.
+    /// Exactly known world components of a corner. Edges and faces of an unrotated body at right
+    /// angles to an axis share them.
     using ExactComponents = std::array<std::optional<DoubleDouble>, 3>;
 
     std::array<DoubleDoubleVec, 3> corners;
     std::array<ExactComponents, 3> world;
     DoubleDoubleVec normal;
-    double magnitude = 0; ///< Bounds the terms that the coordinates were summed from.
-    Vec3 least;           ///< Of the corners' high parts.
+    double magnitude = 0; ///< Bounds the terms that the coordinates are sums of.
+    Vec3 least;           ///< Minimum of the corners' high parts.
     Vec3 greatest;
 
     LocalTriangle(const LocalMap& map, const Corners& corners, const Vec3& origin);

@@ -25,7 +25,7 @@ bool is_same(const std::optional<DoubleDouble>& l, const std::optional<DoubleDou
     return l && r && l->high == r->high && l->low == r->low;
 }
 
-/// What all points of an edge between these corners have in common.
+/// Adds the components that all points of an edge have in common.
 void add_common(LocalPlace& place, const ExactComponents& from, const ExactComponents& to) {
     for (std::size_t k = 0; k < 3; ++k) {
         if (is_same(from[k], to[k])) {
@@ -34,8 +34,8 @@ void add_common(LocalPlace& place, const ExactComponents& from, const ExactCompo
     }
 }
 
-/// Bounds the components of differences of points from `least` to `greatest`, which are high parts:
-/// those are within u of the whole.
+/// Bounds the components of differences between points whose high parts range from `least` to
+/// `greatest`; high parts are within u of the whole.
 double length_between(const Vec3& least, const Vec3& greatest, double corner_error) {
     const double farthest = std::max(least.cwiseAbs().maxCoeff(), greatest.cwiseAbs().maxCoeff());
     return 1.01 * (greatest - least).maxCoeff() + 4 * u * farthest + 4 * corner_error;
@@ -45,35 +45,35 @@ double length_of(const LocalTriangle& triangle, const LocalBounds& bounds) {
     return length_between(triangle.least, triangle.greatest, bounds.corner_error);
 }
 
-/// Twice the area of from, to, point, seen along an axis.
+/// Returns twice the area of from, to, point, seen along an axis.
 DoubleDouble area(const Vector& from, const Vector& to, const Vector& point, std::size_t axis) {
     const std::size_t x = next(axis);
     const std::size_t y = next(x);
     return (to[x] - from[x]) * (point[y] - from[y]) - (to[y] - from[y]) * (point[x] - from[x]);
 }
 
-/// Bounds the error of an area of points that err by at most `error`, with room: their differences
-/// are at most `across` + 2 error = L and err by d1 = 2.2 error; two products err by 2 L d1 + e L^2
-/// each, and the last difference by 2 e L^2.
+/// Bounds the error of an area, with room, for points that err by at most `error`. Their
+/// differences are at most `across` + 2 error = L and err by d1 = 2.2 error. Two products err by 2
+/// L d1 + e L^2 each, and the last difference by 2 e L^2.
 double area_error(double across, double error, const LocalBounds& bounds) {
     const double length = across + 3 * error;
     return 12 * length * (error + e * length * bounds.scale);
 }
 
-/// What has the value 0 between the ends of an edge, and is linear along it.
+/// End values of a function that is linear along an edge and 0 between its ends.
 struct Weights {
-    DoubleDouble from; ///< In truth of different signs, neither of them 0.
+    DoubleDouble from; ///< The true values have different signs, and neither is 0.
     DoubleDouble to;
-    double error = 0; ///< Of each.
+    double error = 0; ///< Bounds the error of each value.
 };
 
-/// Where on the edge that value is 0.
+/// Finds the zero of the weights on an edge.
 ///
 /// With s and t the weights, the share s / (s - t) errs by (|t| ds + |s| ds) / |(s - t)(s - t)'|
-/// for weights that err by ds, which is ds / |s - t|, as the true signs differ; rounding adds e for
-/// the divisor and 2 e for the quotient. The place errs by d of its corner, d1 of the difference,
-/// its length times the error of the share, e times it of the product and of the sum, and e times a
-/// coordinate, which is less than d / 10.
+/// for weights that err by ds. That is ds / |s - t|, as the true signs differ. Rounding adds e for
+/// the divisor and 2 e for the quotient. The position errs by the sum of: d of its corner, d1 of
+/// the difference, its length times the error of the share, e times it for the product and the sum,
+/// and e times a coordinate, which is less than d / 10.
 LocalPlace place_on_edge(const LocalHalf& of,
                          std::size_t edge,
                          const Weights& weights,
@@ -100,10 +100,10 @@ LocalBounds::LocalBounds(const LocalTriangle& a, const LocalTriangle& b, double 
 /// Let d bound the error of a corner. A difference of two corners errs by 2 d and the rounding of
 /// the subtraction, by d1 = 2.2 d in all. Let Lb bound differences of corners of B, and L those of
 /// any two corners. A component of B's normal, of two products of edges, is at most 2 Lb^2 and errs
-/// by 4 Lb d1 + 4 e Lb^2. The side of a corner p, the normal's dot product with p - b0, errs in its
-/// three products by 3 (2 Lb^2 d1 + L (4 Lb d1 + 4 e Lb^2)) and is rounded by 3 (2 e) + 4 e + 6 e
+/// by 4 Lb d1 + 4 e Lb^2. The side of a corner p is the normal's dot product with p - b0. Its three
+/// products err by 3 (2 Lb^2 d1 + L (4 Lb d1 + 4 e Lb^2)), and its rounding by 3 (2 e) + 4 e + 6 e
 /// times Lb^2 L. With Lb <= L that is at most Lb L (40 d + 28 e Lb); 48 Lb L (d + e Lb) leaves room
-/// for terms of higher order and the roundings of the bound itself.
+/// for terms of higher order and the bound's own roundings.
 LocalHalf::LocalHalf(const LocalTriangle& own_triangle,
                      const LocalTriangle& other_triangle,
                      const LocalBounds& bounds)
@@ -132,7 +132,7 @@ LocalPlace corner_place(const LocalTriangle& of, std::size_t corner, const Local
 LocalPlace piercing_place(const LocalHalf& of, std::size_t edge, const LocalBounds& bounds) {
     LocalPlace place =
         place_on_edge(of, edge, {of.sides[edge], of.sides[next(edge)], of.side_error}, bounds);
-    // A whole triangle at right angles to an axis has its component for all points.
+    // A triangle at right angles to an axis shares its component with all its points.
     const auto& world = of.other->world;
     for (std::size_t k = 0; k < 3; ++k) {
         if (is_same(world[0][k], world[1][k]) && is_same(world[0][k], world[2][k])) {
@@ -167,7 +167,7 @@ std::optional<int> compare(const LocalPlace& x, const LocalPlace& y, std::size_t
         return l.high != r.high ? (l.high < r.high ? -1 : 1) : (l.low > r.low) - (l.low < r.low);
     }
     const double difference = (x.component(k) - y.component(k)).high;
-    // That the difference is rounded adds less than a tenth of the places' errors.
+    // The difference's rounding adds less than a tenth of the positions' errors.
     const double error = 1.1 * (x.error + y.error);
     return difference > error    ? std::optional(1)
            : -difference > error ? std::optional(-1)
@@ -210,8 +210,8 @@ std::size_t main_axis(const Vec3& vector) {
     return static_cast<std::size_t>(axis);
 }
 
-/// Ziv's test. The second term of the margin covers the rounding of the two inner sums,
-/// u (u |high| + margin) at most.
+/// Applies Ziv's test. The second term of the margin covers the rounding of the two inner sums, at
+/// most u (u |high| + margin).
 std::optional<double> rounded(const DoubleDouble& value, double error, const LocalBounds& bounds) {
     const double margin = 1.01 * error + bounds.scale * 0x1p-104 * std::abs(value.high);
     const double least = value.high + (value.low - margin);

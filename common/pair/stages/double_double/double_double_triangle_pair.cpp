@@ -2,33 +2,32 @@
 // below, and terms of third order in u are far below the room that each step leaves.
 //
 // Corners: let M be the largest |entry| of R, or 1 for a quaternion's, times |x_1| + |x_2| + |x_3|,
-// and the largest |offset|; of both bodies the larger. The
-// products and sums of high parts are exact; what they leave over is at most u M for the products
-// together, u M for each of three sums, u M for the offset's low part and u M for the entries' low
-// parts: 6 u M, summed in ten roundings of at most 6 u^2 M. The products with low parts round by
-// u^2 M, and the entries of a quaternion's matrix err by 10 e = 160 u^2. So a component errs by at
-// most 221 u^2 M, and its low part is at most 6 u M.
-// Differences: the high parts' is exact, with at most 2 u M left over; the low parts' is at most
-// 12 u M and rounds by 12 u^2 M, and their sum by 14 u^2 M. The last sum is exact, so that the
-// result is normalised. With both corners: 468 u^2 M, below E = 30 e M.
+// plus the largest |offset|; M is the larger of both bodies'. The products and sums of high parts
+// are exact. They leave over at most u M for all products, u M for each of three sums, u M for the
+// offset's low part and u M for the entries' low parts. These 6 u M are summed in ten roundings of
+// at most 6 u^2 M. The products with low parts round by u^2 M, and the entries of a quaternion's
+// matrix err by 10 e = 160 u^2. So a component errs by at most 221 u^2 M, and its low part is at
+// most 6 u M. Differences: the high parts' difference is exact, with at most 2 u M left over. The
+// low parts' difference is at most 12 u M and rounds by 12 u^2 M, and their sum by 14 u^2 M. The
+// last sum is exact, so the result is normalised. With both corners: 468 u^2 M, below E = 30 e M.
 //
 // Determinants of x, y, z whose components, computed or true, are at most X, Y, Z, each of which is
-// at least E: six products change by at most E (YZ + XZ + XY) each for the errors of their factors.
-// Arithmetic: of a 2 x 2 determinant the high parts' products and their difference are exact, with
-// 4 u XY left over; four products with low parts are u XY each. These 8 u XY go through roundings
-// of 4 u^2 XY for the products with low parts and at most 8 u^2 XY for each of five sums, and low
-// times low, 2 u^2 XY, is left out: 46 u^2 XY. Times z: the high parts' products and sums are exact
-// and leave (6 + 4 + 6) u XYZ; products with low parts are 8 u XYZ and 2 u XYZ for each component.
-// These 46 u XYZ go through at most nine sums, 414 u^2 XYZ, and the products' own 30 u^2 XYZ; left
-// out are 24 u^2 XYZ, and three components bring 46 u^2 each: 606 u^2 = 38 e XYZ at most. As X is
-// at most 2 M + 2 E < 2.01 M, that is below 2.6 E YZ. The last sum rounds its result relatively,
-// which moves it past no bound by more than that. So 9 E (YZ + XZ + XY) bounds the error of a
-// volume; of an area 2 E (X + Y) and 46 u^2 XY, below 0.2 E Y: 3 E (X + Y).
+// at least E: errors of the factors change each of six products by at most E (YZ + XZ + XY).
+// Arithmetic of a 2 x 2 determinant: the high parts' products and their difference are exact, with
+// 4 u XY left over; four products with low parts are u XY each. These 8 u XY are rounded by 4 u^2
+// XY for the products with low parts and at most 8 u^2 XY for each of five sums. Low times low, 2
+// u^2 XY, is omitted: 46 u^2 XY. Times z: the high parts' products and sums are exact and leave (6
+// + 4 + 6) u XYZ; products with low parts are 8 u XYZ and 2 u XYZ for each component. These 46 u
+// XYZ go through at most nine sums, 414 u^2 XYZ, and the products' own 30 u^2 XYZ. 24 u^2 XYZ are
+// omitted, and three components bring 46 u^2 each: 606 u^2 = 38 e XYZ at most. As X is at most 2 M
+// + 2 E < 2.01 M, that is below 2.6 E YZ. The last sum rounds its result relatively, which moves it
+// past no bound by more than that. So 9 E (YZ + XZ + XY) bounds the error of a volume. An area errs
+// by 2 E (X + Y) and 46 u^2 XY, below 0.2 E Y: 3 E (X + Y).
 //
-// Underflow: with M from 2^-200 to 2^200, E is at least 2^-298, and a volume's bound at least
-// 9 E^2 max(X, Y, Z). Products lose some multiples of 2^-1074, times one more factor at most: far
-// less. Where entries or corners are so large that splitting overflows, NaN comes out, and no
-// comparison with it proves anything.
+// Underflow: with M from 2^-200 to 2^200, E is at least 2^-298, and a volume's bound at least 9 E^2
+// max(X, Y, Z). Products lose some multiples of 2^-1074, times one more factor at most: far less.
+// If entries or corners are so large that splitting overflows, NaN results, and no comparison with
+// it proves anything.
 #include "common/pair/stages/double_double/double_double_triangle_pair.hpp"
 
 #include "common/pair/stages/double/double_triangle_pair.hpp"
@@ -45,13 +44,13 @@ namespace {
 constexpr double magnitude_least = 0x1p-200;
 constexpr double magnitude_most = 0x1p200;
 
-/// Veltkamp's splitting: the high half of the digits.
+/// Returns the high half of the digits (Veltkamp's splitting).
 BothBodies head_of(BothBodies x) {
     const BothBodies scaled = (0x1p27 + 1) * x;
     return scaled - (scaled - x);
 }
 
-/// a d - b c; not normalised.
+/// Computes a d - b c, not normalised.
 DoubleDouble determinant(const DoubleDouble& a,
                          const DoubleDouble& b,
                          const DoubleDouble& c,
@@ -85,7 +84,7 @@ int proven_sign(double value, double bound) {
     return value > bound ? 1 : value < -bound ? -1 : unknown_sign;
 }
 
-/// The errors of a quaternion's entries are relative to 1.
+/// A quaternion's entries have errors relative to 1.
 double entry_least(const Pose& pose) {
     return pose.kind() == Pose::Kind::Quaternion ? 1 : 0;
 }
@@ -137,7 +136,7 @@ DoubleDoubleSigns::DoubleDoubleSigns(const DoubleDoublePoses& poses,
                          : std::numeric_limits<double>::infinity();
 }
 
-/// R x + offset of the corners i of both triangles.
+/// Computes R x + offset for corner i of both triangles.
 void DoubleDoubleSigns::place(const DoubleDoublePoses& poses,
                               const Corners& a,
                               const Corners& b,
@@ -187,7 +186,7 @@ double DoubleDoubleSigns::volume_bound(const Sized& x, const Sized& y, const Siz
     return scale_ * 9 * error_ * (x.size * y.size + y.size * z.size + z.size * x.size);
 }
 
-/// Ends at the first sign that stays unknown: the others are of no use then.
+/// Stops at the first unproven sign: the others are useless then.
 PlaneSides
 DoubleDoubleSigns::sides(PlaneSides known, std::size_t plane, std::size_t corners) const {
     if (!is_any_unknown(known)) {

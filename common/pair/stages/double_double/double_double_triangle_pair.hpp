@@ -1,5 +1,5 @@
-// The double-double stage of the decision: signs with error bounds some 2^50 times closer than
-// those of doubles. It proves an answer or gives none.
+// The double-double stage of the decision: its error bounds are some 2^50 times smaller than those
+// of doubles. It proves an answer or gives none.
 #pragma once
 
 #include "common/pair/numbers/two_doubles.hpp"
@@ -12,9 +12,9 @@
 
 namespace cd {
 
-/// Two poses in double-double. The world's origin is moved to where B's translation is none.
+/// Two poses in double-double. The world's origin is moved so that B's translation is 0.
 struct DoubleDoublePoses {
-    /// An entry of both linear parts; `high` = head + tail as for `exact_product`.
+    /// An entry of both linear parts; `high` = head + tail, as in `exact_product`.
     struct Entry {
         BothBodies high;
         BothBodies low;
@@ -22,16 +22,16 @@ struct DoubleDoublePoses {
         BothBodies tail;
     };
     std::array<std::array<Entry, 3>, 3> rows;
-    std::array<BothBodies, 3> offset_high; ///< ta - tb, exactly, for A; 0 for B.
+    std::array<BothBodies, 3> offset_high; ///< Exactly ta - tb for A; 0 for B.
     std::array<BothBodies, 3> offset_low;
-    double largest_a = 0; ///< Bounds the entries.
+    double largest_a = 0; ///< Bounds A's |entries|.
     double largest_b = 0;
     double offset_largest = 0;
 
     explicit DoubleDoublePoses(const PosePair& poses);
 };
 
-/// The signs of one pair that double-double proves; `unknown_sign` for the others.
+/// Proves the signs of one pair in double-double; `unknown_sign` if unproven.
 class DoubleDoubleSigns {
   public:
     DoubleDoubleSigns(const DoubleDoublePoses& poses,
@@ -41,8 +41,8 @@ class DoubleDoubleSigns {
 
     [[nodiscard]] PlaneSides sides_of_a() const { return sides(unknown_sides, 3, 0); }
     [[nodiscard]] PlaneSides sides_of_b() const { return sides(unknown_sides, 0, 3); }
-    /// The sides of the corners from `corners` on against the plane of those from `plane` on. What
-    /// is known is taken as proven.
+    /// Returns the sides of the corners from `corners` on against the plane of those from `plane`
+    /// on. Takes `known` sides as proven.
     [[nodiscard]] PlaneSides sides(PlaneSides known, std::size_t plane, std::size_t corners) const;
     [[nodiscard]] int
     edge_side(std::size_t i, std::size_t i_to, std::size_t j, std::size_t j_to) const;
@@ -50,29 +50,29 @@ class DoubleDoubleSigns {
     [[nodiscard]] int difference(std::size_t i, std::size_t j, std::size_t axis) const;
 
   private:
-    /// A vector whose components err by at most `error_`; `size` bounds them, computed or true.
+    /// `error_` bounds the components' errors; `size` bounds them, computed or true.
     struct Sized {
         DoubleDoubleVec value;
         double size = 0;
     };
 
     void place(const DoubleDoublePoses& poses, const Corners& a, const Corners& b, std::size_t i);
-    /// x_to - x_from.
+    /// Computes x_to - x_from.
     [[nodiscard]] Sized between(std::size_t from, std::size_t to) const;
     [[nodiscard]] double volume_bound(const Sized& x, const Sized& y, const Sized& z) const;
 
-    std::array<DoubleDoubleVec, 6> corners_; ///< In the world; the low parts are not normalised.
-    double error_ = 0;                       ///< Bounds that of each component of a difference.
+    std::array<DoubleDoubleVec, 6> corners_; ///< World coordinates; low parts are not normalised.
+    double error_ = 0; ///< Bounds the error of each component of a difference.
     double scale_ = 1;
 };
 
 class DoubleDoubleTrianglePair {
   public:
-    /// All error bounds are multiplied by `bound_scale`, for tests that these have teeth.
+    /// Multiplies all error bounds by `bound_scale`; tests use less than 1.
     explicit DoubleDoubleTrianglePair(const PosePair& poses, double bound_scale = 1);
 
-    /// What is proven of the pair under the exact poses; nothing where rounding leaves it open, as
-    /// it does at every tie. Never allocates.
+    /// Returns the class that is proven under the exact poses; nothing if rounding leaves it open,
+    /// as at every tie. Never allocates.
     [[nodiscard]] std::optional<PairClass> classify(const Corners& a, const Corners& b) const;
 
   private:

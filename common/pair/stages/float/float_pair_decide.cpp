@@ -7,7 +7,7 @@ namespace cd {
 
 namespace {
 
-/// Of 64 pairs.
+/// One bit for each of 64 pairs.
 using Word = std::uint64_t;
 
 Word word_of(const SignBits::Row& row) {
@@ -15,7 +15,7 @@ Word word_of(const SignBits::Row& row) {
     return std::bit_cast<Word>(row);
 }
 
-/// In which pairs a sign is proven to be what.
+/// Pairs in which a sign is proven positive or negative.
 struct Sign {
     Word positive;
     Word negative;
@@ -35,8 +35,7 @@ struct Proofs {
     Word any_pierces = 0;
 };
 
-/// One edge with the sides of its ends, and those against the other's three edges: `judge_edge` of
-/// double_triangle_pair.cpp.
+/// Judges one edge by the sides of its ends and its sides against the other triangle's edges.
 void judge_edge(
     const Sign& from, const Sign& to, const Sign& x, const Sign& y, const Sign& z, Proofs& proofs) {
     const Word one_sided = (from.positive & to.positive) | (from.negative & to.negative);
@@ -62,7 +61,7 @@ struct Verdicts {
     Word proper;
 };
 
-/// `decide` of double_triangle_pair.cpp.
+/// Decides 64 pairs from their proven signs.
 Verdicts decide(const SignBits& bits) {
     const Sign a0 = sign_of(bits, PairSign::ASide0);
     const Sign a1 = sign_of(bits, PairSign::ASide1);
@@ -92,7 +91,7 @@ Verdicts decide(const SignBits& bits) {
     return {separate & usable, proper & usable};
 }
 
-/// A byte of 0 or 1 for each of eight bits.
+/// Expands the low eight bits to bytes of 0 or 1.
 Word bytes_of(Word bits) {
     const Word apart = (bits & 0xff) * 0x0101010101010101u & 0x8040201008040201u;
     return (apart + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
@@ -105,7 +104,7 @@ void decide_in_floats(const SignBits& bits,
                       std::size_t byte_pairs,
                       std::uint8_t* verdicts) {
     const Verdicts all = decide(bits);
-    // Where a byte holds fewer than eight pairs, the next one's verdicts are written over the rest.
+    // If a byte holds fewer than eight pairs, the next verdicts overwrite the rest.
     std::uint8_t found[64 + sizeof(Word)];
     for (std::size_t i = 0; i < sizeof(Word); ++i) {
         const Word eight = bytes_of(all.separate >> 8 * i) + 2 * bytes_of(all.proper >> 8 * i);

@@ -1,4 +1,4 @@
-// What the proven signs of a pair's determinants say of it, a bit for each of many pairs.
+// Decides pairs from the proven signs of their determinants, bit-parallel: one bit per pair.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace cd {
 
-/// The determinants of a pair, in the order of double_triangle_pair.hpp; some are written with the
-/// opposite sign.
+/// The fifteen determinants of a pair: sides of A's and B's corners, and edge against edge. Those
+/// named `Opposite` have the opposite sign.
 enum class PairSign : std::size_t {
     ASide0,
     ASide1,
@@ -27,16 +27,16 @@ enum class PairSign : std::size_t {
 };
 inline constexpr std::size_t pair_sign_count = 15;
 
-/// For each of up to 64 pairs a bit: is a determinant proven positive, or negative? Each byte holds
-/// as many pairs as a vector, but eight at most.
+/// For each of up to 64 pairs one bit per determinant: proven positive, or proven negative. Each
+/// byte holds as many pairs as a vector has lanes, but at most eight.
 struct SignBits {
     using Row = std::uint8_t[8];
-    Row positive[pair_sign_count]{}; ///< By PairSign.
+    Row positive[pair_sign_count]{}; ///< Indexed by PairSign.
     Row negative[pair_sign_count]{};
-    Row usable{}; ///< Otherwise nothing is proven.
+    Row usable{}; ///< Nothing is proven for pairs without this bit.
 };
 
-/// Writes the FloatVerdicts of `count` pairs, of which each byte of a row holds `byte_pairs`.
+/// Writes the FloatVerdicts of `count` pairs; each byte of a row holds `byte_pairs` pairs.
 void decide_in_floats(const SignBits& bits,
                       std::size_t count,
                       std::size_t byte_pairs,

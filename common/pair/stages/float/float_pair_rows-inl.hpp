@@ -1,7 +1,7 @@
-// Reads the corners of as many candidates as a vector has lanes: rows of edges and of differences,
-// which become the columns of float_pair_signs-inl.hpp. Compiled for every target.
+// Reads one candidate's corners per SIMD lane, as rows of edges and differences.
+// float_pair_signs-inl.hpp turns the rows into columns. Compiled for every target.
 
-// Highway's guard: once for each target.
+// Highway's include guard: once per target.
 #if defined(CD_FLOAT_PAIR_ROWS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CD_FLOAT_PAIR_ROWS_INL_HPP
 #undef CD_FLOAT_PAIR_ROWS_INL_HPP
@@ -25,19 +25,19 @@ using V = hn::Vec<Floats>;
 
 constexpr std::size_t lanes = hn::MaxLanes(Floats());
 
-/// Rows of three numbers and one that is not used, of as many pairs as there are lanes. Vector k of
-/// a kind has the rows of the pairs k, k + 4, k + 8 and k + 12, as far as there are lanes, so that
-/// columns are made within 128 bits, which costs least.
+/// Rows of three numbers and an unused one, for one pair per lane. Vector k of a kind has the rows
+/// of the pairs k, k + 4, k + 8 and k + 12, as far as there are lanes. So the transposition to
+/// columns stays within 128 bits, which is cheapest.
 struct Rows {
     alignas(64) float p[4 * lanes];
     alignas(64) float q[4 * lanes];
-    alignas(64) float e[4 * lanes]; ///< The edges of B, not yet turned.
+    alignas(64) float e[4 * lanes]; ///< Edges of B before rotation.
     alignas(64) float f[4 * lanes];
     alignas(64) float d[4 * lanes];
-    alignas(64) float d_error[lanes]; ///< Of B's corner, posed.
+    alignas(64) float d_error[lanes]; ///< Error bound of B's posed corner.
 };
 
-/// Where a triangle's corners are.
+/// Pointers to a triangle's corners.
 template <class T>
 struct CornerRows {
     const T* x0;
@@ -45,7 +45,7 @@ struct CornerRows {
     const T* x2;
 };
 
-/// TriangleBlocks.
+/// Reads corners from TriangleBlocks.
 template <class T>
 struct BlockSource {
     using Number = T;
@@ -64,7 +64,7 @@ struct BlockSource {
     }
 };
 
-/// TriangleSpan.
+/// Reads corners from a TriangleSpan.
 struct MeshSource {
     using Number = double;
     static constexpr bool four_are_readable = false;
@@ -80,7 +80,7 @@ struct MeshSource {
     }
 };
 
-/// Candidates alternate, A's place and B's.
+/// Candidates alternate between A's and B's triangle numbers.
 constexpr std::size_t candidate_step = 2;
 
 #if HWY_MAX_BYTES >= 32
@@ -88,7 +88,7 @@ constexpr std::size_t candidate_step = 2;
 using Doubles = hn::ScalableTag<double>;
 using VD = hn::Vec<Doubles>;
 
-/// The corners of some triangles, a row of four numbers for each.
+/// Corners of several triangles, four numbers for each.
 template <class Vector>
 struct Corners4 {
     Vector x0;
@@ -105,7 +105,7 @@ HWY_INLINE hn::Vec<D> load_row(D d, const typename Source::Number* from) {
     }
 }
 
-/// Of each fourth candidate, as many as fit.
+/// Loads the corners of every fourth candidate, as many as fit.
 template <class D, class Source>
 HWY_INLINE Corners4<hn::Vec<D>>
 load_corners(D d, const Source& source, const std::uint32_t* candidates) {
@@ -125,7 +125,7 @@ load_corners(D d, const Source& source, const std::uint32_t* candidates) {
     }
 }
 
-/// The edges from the first corner, and that corner in two halves.
+/// The two edges from the first corner, and that corner in two halves.
 struct Sides {
     V first;
     V second;
@@ -160,7 +160,7 @@ HWY_INLINE Sides load_sides(const Source& source, const std::uint32_t* candidate
     }
 }
 
-/// One number of each row in all its places.
+/// Broadcasts one number of each row within its row.
 template <int number>
 HWY_INLINE VD spread(VD rows) {
     alignas(64) constexpr std::int64_t places[8] = {
@@ -196,7 +196,7 @@ HWY_INLINE void load_rows(
 
 #else
 
-/// The same for one candidate.
+/// Loads the rows of one candidate.
 template <class A, class B>
 HWY_INLINE void load_row(const FloatPairPose& pose,
                          const A& a,
@@ -232,7 +232,7 @@ HWY_INLINE void load_rows(
 
 #endif
 
-/// The errors of B's corners, posed: of blocks one for all.
+/// Loads the error bounds of B's posed corners; blocks have one for all.
 template <class T>
 HWY_INLINE void
 load_errors(const FloatPairPose&, const BlockSource<T>&, const std::uint32_t*, Rows&) {}
@@ -252,8 +252,8 @@ HWY_INLINE void load_errors(const FloatPairPose& pose,
     }
 }
 
-/// How far ahead of their use blocks are asked for, in pairs, and of which candidates: those that
-/// follow each other share most of their blocks.
+/// Distance of prefetches of blocks, in pairs, and stride of prefetched candidates: consecutive
+/// candidates share most of their blocks.
 constexpr std::size_t prefetch_distance = 32;
 constexpr std::size_t prefetch_step = 8;
 
@@ -271,7 +271,7 @@ HWY_INLINE void prefetch(const BlockSource<T>& source, std::uint32_t place) {
 
 HWY_INLINE void prefetch(const MeshSource&, std::uint32_t) {}
 
-/// Of as many candidates as there are lanes.
+/// Prefetches the blocks of one vector of candidates.
 template <class A, class B>
 HWY_INLINE void prefetch_blocks(const A& a, const B& b, const std::uint32_t* candidates) {
     for (std::size_t i = 0; i < lanes; i += prefetch_step) {

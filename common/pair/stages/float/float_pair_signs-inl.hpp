@@ -1,7 +1,7 @@
-// The fifteen determinants of as many pairs as a vector has lanes, with their signs as far as the
-// bounds of float_pair_kernel.cpp prove them. Compiled for every target.
+// Computes the fifteen determinants, one pair per SIMD lane, and the signs that the bounds of
+// float_pair_kernel.cpp prove. Compiled for every target.
 
-// Highway's guard: once for each target.
+// Highway's include guard: once per target.
 #if defined(CD_FLOAT_PAIR_SIGNS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CD_FLOAT_PAIR_SIGNS_INL_HPP
 #undef CD_FLOAT_PAIR_SIGNS_INL_HPP
@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
 
-/// The x, y and z of vectors.
+/// The x, y and z components of one vector per lane.
 struct Columns {
     V x;
     V y;
@@ -77,7 +77,7 @@ HWY_INLINE V square(const Columns& v) {
     return dot(v, v);
 }
 
-/// Writes the signs of one vector's pairs.
+/// Writes the signs of one SIMD vector of pairs.
 class SignWriter {
   public:
     HWY_INLINE SignWriter(SignBits& to, std::size_t byte) : to_(to), at_(byte) {}

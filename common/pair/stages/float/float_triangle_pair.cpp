@@ -10,8 +10,8 @@ namespace cd {
 
 namespace {
 
-constexpr double u = 0x1p-53;       // Unit roundoff of doubles,
-constexpr double u_float = 0x1p-24; // and of floats.
+constexpr double u = 0x1p-53;       // Unit roundoff of doubles.
+constexpr double u_float = 0x1p-24; // Unit roundoff of floats.
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
 static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
@@ -41,7 +41,7 @@ FloatPairBody body_of(const TriangleBlocks& blocks) {
     return body;
 }
 
-/// Bounds the spectral norm: of M'M that is at most the largest sum of a row.
+/// Bounds the spectral norm, whose square is at most the largest row sum of |M'M|.
 double norm_bound(const Mat3& matrix, double entry_error) {
     const Mat3 squared = matrix.transpose() * matrix;
     const double largest = squared.cwiseAbs().rowwise().sum().maxCoeff();
@@ -60,7 +60,7 @@ void set_rotation(const RelativePose& relative, FloatPairPose& pose) {
     }
 }
 
-/// The constants of float_pair_kernel.cpp, each raised a little for the roundings here.
+/// Computes the constants of float_pair_kernel.cpp, raised slightly for roundings here.
 FloatPairPose make_pose(const PosePair& poses, double bound_scale) {
     const RelativePose relative = relative_pose(poses);
     FloatPairPose pose;
@@ -71,7 +71,7 @@ FloatPairPose make_pose(const PosePair& poses, double bound_scale) {
     pose.point_error = 1.76 * (relative.translation_error + 2.01 * u * translation) + 0x1p-140;
 
     const double turn = norm_bound(relative.rotation.cwiseAbs(), relative.rotation_error);
-    // How much longer than an edge of B, turned, the edge itself can be.
+    // Bounds the ratio of an edge of B to its rotated image.
     const RelativePose back = relative_pose({poses.b, poses.a});
     const double stretch = norm_bound(back.rotation, back.rotation_error);
     const double of_rounding = 1.02 * u_float;
@@ -81,7 +81,7 @@ FloatPairPose make_pose(const PosePair& poses, double bound_scale) {
         static_cast<float>(bound_scale * (5.02 * turn * stretch * of_rounding + of_arithmetic));
     pose.weight_d = pose.weight_a;
     pose.weight_error = static_cast<float>(bound_scale * 1.02);
-    // No comparison here holds of NaN. With entries that large no bound would be of any use.
+    // These comparisons fail for NaN. With larger entries no bound would be useful.
     pose.is_usable = turn < 0x1p20 && stretch < 0x1p20 && turn * stretch < 0x1p10 &&
                      3 * relative.rotation_error < turn * u_float / 1024 &&
                      pose.point_error_reach < 0x1p-10 && pose.point_error < 0x1p20;
@@ -111,7 +111,7 @@ void classify_all(const FloatPairPose& pose,
 
 FloatTrianglePair::FloatTrianglePair(const PosePair& poses, double bound_scale)
     : pose_(make_pose(poses, bound_scale)) {
-    // Before the kernel's first call, so that a setting of the target is heeded.
+    // Runs before the kernel's first call, so that a forced target takes effect.
     static_cast<void>(simd_target());
 }
 

@@ -10,24 +10,24 @@
 
 namespace cd {
 
-/// What floats prove of a pair.
+/// A pair's class as far as floats prove it.
 enum class FloatVerdict : std::uint8_t {
     Unknown = 0,
     Separate = 1,
     Proper = 2,
 };
 
-/// Decides most pairs of ordinary scenes under one pair of poses. It works in A's coordinates: what
-/// parts or joins two triangles there does so in the world, A's pose being an invertible map.
+/// Decides most pairs of ordinary scenes under one pair of poses. It works in A's coordinates: A's
+/// pose is an invertible map, so the verdict is that in the world.
 ///
-/// The verdicts are the same bits on every SIMD target, and of a pair whatever stands beside it;
-/// but what is known of a pair from blocks may depend on their `reach`.
+/// The verdicts are the same bits on every SIMD target, and independent of the other pairs; but
+/// which pairs of blocks are proven may depend on the blocks' `reach`.
 class FloatTrianglePair {
   public:
-    /// `bound_scale` is for tests, which show that smaller bounds prove what is not true.
+    /// Multiplies all error bounds by `bound_scale`; tests show that smaller bounds are wrong.
     explicit FloatTrianglePair(const PosePair& poses, double bound_scale = 1);
 
-    /// One verdict for each candidate. Never allocates.
+    /// Writes one verdict per candidate. Never allocates.
     void classify(const TriangleSpan& a,
                   const TriangleSpan& b,
                   std::span<const Candidate> candidates,

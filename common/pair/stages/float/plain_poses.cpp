@@ -13,8 +13,8 @@ namespace cd {
 
 namespace {
 
-/// With 1, 2 or 4 components that are not 0 and of one size, M(q) / q.q consists of 0, 1 and -1.
-/// (With three of them it has 2/3.)
+/// Returns M(q) / q.q if it consists of 0, 1 and -1: with 1, 2 or 4 nonzero components, all of one
+/// size. (With three it contains 2/3.)
 std::optional<Mat3> permutation_of(const Quaternion& q) {
     const std::array<double, 4> sizes{std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)};
     const double largest = *std::max_element(sizes.begin(), sizes.end());
@@ -28,13 +28,13 @@ std::optional<Mat3> permutation_of(const Quaternion& q) {
     if (count == 3) {
         return std::nullopt;
     }
-    // With signs for components all is exact, and n is 1, 2 or 4.
+    // With signs as components all is exact, and n is 1, 2 or 4.
     const auto sign = [](double x) { return static_cast<double>((x > 0) - (x < 0)); };
     const Quaternion units{sign(q.w), sign(q.x), sign(q.y), sign(q.z)};
     return Pose::from_quaternion(units, Vec3::Zero()).rotation();
 }
 
-/// The linear part, if it permutes axes.
+/// Returns the linear part if it permutes axes.
 std::optional<Mat3> permutation_of(const Pose& pose) {
     if (pose.kind() == Pose::Kind::Quaternion) {
         return permutation_of(pose.quaternion());
@@ -46,8 +46,8 @@ std::optional<Mat3> permutation_of(const Pose& pose) {
     return permutes ? std::optional(pose.matrix()) : std::nullopt;
 }
 
-/// Whether a pose surely does not flatten: the determinant is further from 0 than its six products,
-/// with at most five roundings each, can be off.
+/// Tests whether a pose is provably not singular: |determinant| exceeds the possible error of its
+/// six products, with at most five roundings each.
 bool is_invertible(const Pose& pose) {
     if (pose.kind() == Pose::Kind::Quaternion) {
         return true;
@@ -64,12 +64,12 @@ bool is_invertible(const Pose& pose) {
     return std::abs(determinant) > 0x1p-40 * permanent + 0x1p-900 && s.maxCoeff() < 0x1p100;
 }
 
-/// l - r, if no component of it rounds.
+/// Returns l - r if no component rounds.
 std::optional<Vec3> exact_difference(const Vec3& l, const Vec3& r) {
     Vec3 difference;
     for (int k = 0; k < 3; ++k) {
         const DoubleDouble sum = exact_sum(l[k], -r[k]);
-        if (!(sum.low == 0)) { // Or NaN, after an overflow.
+        if (!(sum.low == 0)) { // The negation also catches NaN, after an overflow.
             return std::nullopt;
         }
         difference[k] = sum.high;
@@ -77,7 +77,7 @@ std::optional<Vec3> exact_difference(const Vec3& l, const Vec3& r) {
     return difference;
 }
 
-/// The numbers in units of 2^-digits of the power of two above the largest, if they are whole.
+/// Returns the numbers, if whole, in units of 2^-digits of the power of two above the largest.
 template <std::size_t n>
 std::optional<std::array<double, n>> whole_numbers(const std::array<double, n>& numbers,
                                                    int digits) {
@@ -101,15 +101,15 @@ std::optional<std::array<double, n>> whole_numbers(const std::array<double, n>& 
     return whole;
 }
 
-/// R^-1 d for a quaternion's rotation R = M / n, if it is a vector of doubles and all that it is
-/// computed from is exact: then R x + d = R (x + R^-1 d).
+/// Returns R^-1 d for a quaternion's rotation R = M / n, if it is a vector of doubles and the
+/// computation is exact: then R x + d = R (x + R^-1 d).
 std::optional<Vec3> turned_back(const Quaternion& q, const Vec3& d) {
-    // Entries of M and n are whole then, and below 2^43.
+    // Then the entries of M and n are whole and below 2^43.
     const auto whole = whole_numbers(std::array{q.w, q.x, q.y, q.z}, 20);
     if (!whole) {
         return std::nullopt;
     }
-    // So the errors of products are doubles, too.
+    // In this range the errors of products are doubles, too.
     for (const double component : {d.x(), d.y(), d.z()}) {
         if (component != 0 && !(std::abs(component) > 0x1p-800 && std::abs(component) < 0x1p800)) {
             return std::nullopt;
@@ -183,7 +183,7 @@ PosePair plain_poses(const PosePair& poses) {
     const std::optional<Mat3> a = permutation_of(plain.a);
     const std::optional<Mat3> b = permutation_of(plain.b);
     if (a && b) {
-        // Undoing A's permutation permutes and mirrors, which is exact.
+        // Undoing A's permutation is exact: it only permutes and mirrors.
         const Mat3 undone = a->transpose();
         return {Pose::from_matrix(Mat3::Identity(), undone * plain.a.translation()),
                 Pose::from_matrix(undone * *b, undone * plain.b.translation())};

@@ -1,23 +1,22 @@
-// Simpler poses under which pairs of triangles meet as under the given ones.
+// Finds simpler poses under which all pairs of triangles have the same class.
 #pragma once
 
 #include "common/geometry/pose.hpp"
 
 namespace cd {
 
-/// True when the linear part, exactly, only permutes and mirrors axes; so for a quarter turn given
-/// as a quaternion of two equal components.
+/// True if the linear part exactly permutes and mirrors axes, as a quarter turn given as a
+/// quaternion of two equal components does.
 [[nodiscard]] bool permutes_axes(const Pose& pose);
 
-/// True when the linear part is a quaternion's, or a matrix, of whole numbers of at most twelve
-/// digits, in some unit: then corners in the world are integers little longer than those given.
+/// True if the linear part is a quaternion or matrix of whole numbers of at most twelve digits, in
+/// some unit. World corners are then integers little longer than the given ones.
 [[nodiscard]] bool is_short(const Pose& pose);
 
-/// Poses under which every two triangles have the class that they have under `poses`, exactly:
-/// one pose for both bodies is none, and one short rotation for both is none where that leaves a
-/// translation in doubles; whole translations are taken together where their difference
-/// is a double, and if A only has its axes permuted then B bears that as well, where it is no more
-/// than that for B either.
+/// Returns poses that exactly preserve the class of every two triangles. A pose common to both
+/// bodies is removed, and so is a common short rotation if doubles hold the remaining translation.
+/// Translations are merged into B's if their difference is a double. If both poses only permute
+/// axes, B takes over A's permutation.
 [[nodiscard]] PosePair plain_poses(const PosePair& poses);
 
 } // namespace cd

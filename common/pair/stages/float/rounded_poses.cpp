@@ -11,11 +11,11 @@ namespace cd {
 namespace {
 
 constexpr double u = 0x1p-53;             // Unit roundoff.
-constexpr double weight_least = 0x1p-300; // But for 0.
+constexpr double weight_least = 0x1p-300; // Least nonzero weight.
 
-/// Bounds the errors of a rotation's entries in doubles. Of a quaternion's matrix M(q) / q.q, an
-/// entry off the diagonal is exactly 0 where both its products have a factor 0; then those that
-/// remain on the diagonal may be (n - 0) / n or (0 - n) / n for one computed n: exactly 1 or -1.
+/// Bounds the errors of a rotation's entries in doubles. An off-diagonal entry of a quaternion's
+/// M(q) / q.q is exactly 0 if both its products have a factor 0. The remaining diagonal entries may
+/// then be (n - 0) / n or (0 - n) / n for one computed n: exactly 1 or -1.
 Mat3 entry_errors(const Pose& pose) {
     if (pose.kind() == Pose::Kind::Matrix) {
         return Mat3::Zero();
@@ -27,7 +27,7 @@ Mat3 entry_errors(const Pose& pose) {
         const auto [x, y, z] = std::array{v[static_cast<std::size_t>(i)],
                                           v[static_cast<std::size_t>((i + 1) % 3)],
                                           v[static_cast<std::size_t>((i + 2) % 3)]};
-        // The entries (i, i + 1) and (i + 1, i) are made of xy and wz.
+        // The entries (i, i + 1) and (i + 1, i) consist of xy and wz.
         if ((x == 0 || y == 0) && (q.w == 0 || z == 0)) {
             errors(i, (i + 1) % 3) = errors((i + 1) % 3, i) = 0;
         }

@@ -1,4 +1,4 @@
-// The signs of a pair whose corners are integers on one lattice: exact, without branches.
+// Computes signs of a pair whose corners are integers on one lattice: exact and branch-free.
 #pragma once
 
 #include "common/pair/numbers/wide_int.hpp"
@@ -9,11 +9,11 @@
 
 namespace cd {
 
-/// The six corners of a pair in units of one lattice, each coordinate below 2^bits_max(n).
+/// The six corners of a pair in units of one lattice, each |coordinate| below 2^bits_max(n).
 template <std::size_t n>
 using LatticeCorners = std::array<WideVec<n>, 6>;
 
-/// Models CornerSigns. The sides given are taken as proven, and only the unknown ones computed.
+/// Models CornerSigns. Given sides are taken as proven; only unknown ones are computed.
 template <std::size_t n>
 class IntegerSigns {
   public:
@@ -25,8 +25,8 @@ class IntegerSigns {
     [[nodiscard]] PlaneSides sides_of_a() const { return sides(of_a_, 3, 0); }
     [[nodiscard]] PlaneSides sides_of_b() const { return sides(of_b_, 0, 3); }
 
-    /// The sides of the corners from `corners` on against the plane of those from `plane` on. What
-    /// is known is taken as proven, and only the rest is computed.
+    /// Returns the sides of the corners from `corners` on against the plane of those from `plane`
+    /// on. Takes known sides as proven and computes the rest.
     [[nodiscard]] PlaneSides sides(PlaneSides known, std::size_t plane, std::size_t corners) const {
         using namespace wide_int;
         if (!is_any_unknown(known)) {

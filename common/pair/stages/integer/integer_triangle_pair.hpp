@@ -1,4 +1,4 @@
-// The integer stages of the decision: exact, with as few words as the pair's coordinates need.
+// The integer stages of the decision: exact, with as few words as the coordinates need.
 #pragma once
 
 #include "common/pair/pair_decision.hpp"
@@ -13,8 +13,8 @@
 
 namespace cd {
 
-/// The corners of one pair as integers, and their signs. It has none until it is made by
-/// IntegerTrianglePair::place. Models CornerSigns.
+/// The corners of one pair as integers, and their signs. IntegerTrianglePair::place fills it.
+/// Models CornerSigns.
 class IntegerCorners {
   public:
     [[nodiscard]] PlaneSides sides_of_a() const { return sides(unknown_sides, 3, 0); }
@@ -41,33 +41,32 @@ class IntegerCorners {
         corners_;
 };
 
-/// Not for use by two threads at once.
+/// Not thread-safe.
 class IntegerTrianglePair {
   public:
-    /// From stage Lattice on, or from WideInteger. The poses are plain.
+    /// Starts at stage Lattice or WideInteger. The poses must be plain.
     explicit IntegerTrianglePair(const PosePair& poses, PairStage first = PairStage::Lattice);
 
-    /// Lattice for bodies that are not rotated against each other, unless that is passed over; else
-    /// WideInteger.
+    /// Returns Lattice without relative rotation, unless that stage is skipped; else WideInteger.
     [[nodiscard]] PairStage stage() const {
         return short_lattice_ ? PairStage::Lattice : PairStage::WideInteger;
     }
 
-    /// The answer for bodies that are not rotated against each other, where one word is enough: the
-    /// cheapest, before all other stages. Never allocates.
+    /// Decides bodies without relative rotation if one word suffices: the cheapest test, tried
+    /// before all other stages. Never allocates.
     [[nodiscard]] std::optional<PairClass> classify_short(const Corners& a, const Corners& b) const;
 
-    /// Makes the corners of a pair; false where the numbers are further apart than sixteen words
-    /// reach. Allocates at its first call at most.
+    /// Fills `placed` with a pair's corners; returns false if their range exceeds sixteen words.
+    /// Allocates at most at its first call.
     [[nodiscard]] bool place(const Corners& a, const Corners& b, IntegerCorners& placed);
 
-    /// Nothing where they cannot be placed.
+    /// Returns nothing if the corners cannot be placed.
     [[nodiscard]] std::optional<PairClass> classify(const Corners& a, const Corners& b);
 
   private:
     PosePair poses_;
     std::optional<ShortLattice> short_lattice_;
-    std::unique_ptr<const PoseLattice> lattice_; ///< Made when it is first needed.
+    std::unique_ptr<const PoseLattice> lattice_; ///< Made on first use.
 };
 
 } // namespace cd

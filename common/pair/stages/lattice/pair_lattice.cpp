@@ -14,7 +14,7 @@ using wide_int::Column;
 using wide_int::word_bits;
 using wide_int::word_mask;
 
-/// A double that is not 0: mantissa * 2^exponent, odd.
+/// A nonzero double: mantissa * 2^exponent, odd mantissa.
 struct Parts {
     std::int64_t mantissa = 0;
     int exponent = 0;
@@ -37,9 +37,9 @@ int bits_of(std::int64_t value) {
 template <std::size_t n>
 using Columns = std::array<Column, n>;
 
-/// Adds magnitude * factor * 2^shift for a magnitude of `size` words and a factor below 2^53. What
-/// lies past the last column is left out: sums are made modulo 2^(60 n). Each of the at
-/// most four sums that meet in a column adds two products below 2^120 to it.
+/// Adds magnitude * factor * 2^shift for a magnitude of `size` words and a factor below 2^53. Drops
+/// overflow past the last column: sums are modulo 2^(60 n). Each of the at most four sums that meet
+/// in a column adds two products below 2^120 to it.
 template <std::size_t n>
 void add_shifted(Columns<n>& columns,
                  const std::int64_t* magnitude,
@@ -58,7 +58,7 @@ void add_shifted(Columns<n>& columns,
     }
 }
 
-/// The number below 2^bits_max(n) that the columns add up to modulo 2^(60 n).
+/// Returns the number below 2^bits_max(n) that equals the sum of the columns modulo 2^(60 n).
 template <std::size_t n>
 WideInt<n> carried(const Columns<n>& columns) {
     WideInt<n> value =
@@ -137,7 +137,7 @@ PoseLattice::Extent PoseLattice::extent_of(const Corners& a, const Corners& b) c
     Range range;
     add(range, bodies_[0], a);
     add(range, bodies_[1], b);
-    // A coordinate is a sum of four such numbers.
+    // A coordinate sums four such numbers.
     return {range.lowest, range.end + 2 - range.lowest};
 }
 

@@ -1,4 +1,4 @@
-// A pair's corners in the world as integers on one lattice, whatever the poses.
+// A pair's world corners as integers on one lattice, for any poses.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -13,25 +13,24 @@ namespace cd {
 struct Dyadic;
 struct ExactPose;
 
-/// Two poses as integers times powers of two. As for every exact stage, both worlds are scaled by
-/// the norms of both quaternions, which changes no sign.
+/// Two poses as integers times powers of two. As in every exact stage, both norms of quaternions
+/// scale both worlds, which changes no sign.
 class PoseLattice {
   public:
     explicit PoseLattice(const PosePair& poses);
 
-    /// False when the poses' numbers have more digits than there is room for; then nothing below
-    /// may be called.
+    /// Returns false if the poses have too many digits; then no method below may be called.
     [[nodiscard]] bool fits() const { return fits_; }
 
-    /// Where the lattice of a pair lies: its unit is 2^lowest, and the coordinates of all corners
-    /// are below 2^bits units.
+    /// The lattice of a pair: its unit is 2^lowest, and all corners' |coordinates| are below 2^bits
+    /// units.
     struct Extent {
         int lowest = 0;
         int bits = 0;
     };
     [[nodiscard]] Extent extent_of(const Corners& a, const Corners& b) const;
 
-    /// The corners in units of the lattice; extent.bits is at most bits_max(n).
+    /// Converts the corners to lattice units; extent.bits must be at most bits_max(n).
     template <std::size_t n>
     void place(const Corners& a,
                const Corners& b,
@@ -47,15 +46,15 @@ class PoseLattice {
     }
 
   private:
-    /// (-1)^is_negative * (sum of word[i] 2^(60 i)) * 2^exponent, odd but for zero.
+    /// (-1)^is_negative * (sum of word[i] 2^(60 i)) * 2^exponent, odd unless 0.
     struct Number {
         static constexpr std::size_t words_max = 8;
         std::array<std::int64_t, words_max> word{};
-        std::size_t size = 0; ///< Words in use: 0 for zero.
+        std::size_t size = 0; ///< Number of words in use: 0 for zero.
         int exponent = 0;
         bool is_negative = false;
     };
-    /// Exponents of numbers that are not zero: multiples of 2^lowest, below 2^end.
+    /// Exponents of nonzero numbers: multiples of 2^lowest, below 2^end.
     struct Range {
         int lowest = 0;
         int end = 0;
@@ -64,9 +63,9 @@ class PoseLattice {
         void add(int low, int past);
     };
     struct Body {
-        std::array<std::array<Number, 3>, 3> linear; ///< By row.
+        std::array<std::array<Number, 3>, 3> linear; ///< Row-major.
         std::array<Number, 3> translation;
-        std::array<Range, 3> columns; ///< Of the linear part.
+        std::array<Range, 3> columns; ///< Ranges of the linear part's columns.
         Range translations;
     };
 

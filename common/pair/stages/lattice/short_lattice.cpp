@@ -13,7 +13,7 @@ namespace {
 using wide_int::word_bits;
 using wide_int::word_mask;
 
-/// Numbers in units go below this power of two: a sum of two is within the words' reach.
+/// Numbers in units are below this power of two, so that a sum of two fits the words.
 template <std::size_t n>
 constexpr int bits_of_number = wide_int::bits_max(n) - 1;
 
@@ -25,21 +25,21 @@ double power_of_two(int exponent) {
     return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-/// A lattice for numbers up to `largest`, and whether all that was converted lies on it.
+/// Converts numbers up to `largest` to a lattice, and records whether all lie on it.
 template <std::size_t n>
 class Converter {
   public:
     explicit Converter(double largest) {
         const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52);
-        // |x| < 2^(biased - 1022), also for denormal numbers. The powers stay in reach of doubles;
-        // among the least numbers this makes the lattice coarser than it could be.
+        // |x| < 2^(biased - 1022), also for denormal numbers. The exponent is limited so that
+        // powers are doubles; for tiny numbers the lattice is thus coarser than it could be.
         exponent_ = std::max(biased - 1022 - bits_of_number<n>, -1000);
         units_ = power_of_two(-exponent_);
         unit_ = power_of_two(exponent_);
     }
 
-    /// Of a number of at most the largest, so that the casts are defined: in whole units, if the
-    /// conversion back says so. (The product is exact, but where it would be denormal; then too.)
+    /// Converts x to whole units; |x| <= `largest` keeps the casts defined. Converting back tells
+    /// if x is on the lattice. (The product is exact unless denormal; the test holds then, too.)
     WideInt<n> operator()(double x) {
         const double scaled = x * units_;
         WideInt<n> whole;
@@ -47,7 +47,7 @@ class Converter {
             whole.word[0] = static_cast<std::int64_t>(scaled);
             missed_ += std::abs(static_cast<double>(whole.word[0]) * unit_ - x);
         } else {
-            // Cut off, so that the rest has the digits that are left of x, and its sign.
+            // Truncates, so that the rest has x's remaining digits and its sign.
             const auto high = static_cast<std::int64_t>(scaled * 0x1p-60);
             const double rest = scaled - static_cast<double>(high) * 0x1p60;
             const auto low = static_cast<std::int64_t>(rest);
@@ -62,7 +62,7 @@ class Converter {
 
   private:
     int exponent_ = 0;
-    double units_ = 1; ///< In 1.
+    double units_ = 1; ///< Units per 1.
     double unit_ = 1;
     double missed_ = 0;
 };

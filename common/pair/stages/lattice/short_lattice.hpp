@@ -1,5 +1,5 @@
-// Corners of bodies that are not rotated against each other, as integers of one or two words: the
-// lattice of designed parts, found without taking their numbers apart.
+// Corners of bodies without relative rotation, as integers of one or two words: a fast lattice for
+// designed parts that does not decompose their numbers.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -9,15 +9,15 @@
 
 namespace cd {
 
-/// Converts with one multiplication by a power of two, to the finest lattice on which the largest
-/// number of a pair fits.
+/// Converts with one multiplication by a power of two, to the finest lattice that holds the pair's
+/// largest number.
 class ShortLattice {
   public:
-    /// `poses` are plain: A is not rotated and B but for its axes' order and directions.
+    /// `poses` must be plain: A is not rotated, and B only has its axes permuted and mirrored.
     explicit ShortLattice(const PosePair& poses);
 
-    /// The corners in units of that lattice; false, and they mean nothing, if not all numbers lie
-    /// on it.
+    /// Converts the corners to lattice units. Returns false, with meaningless corners, if a number
+    /// is not on the lattice.
     template <std::size_t n>
     [[nodiscard]] bool place(const Corners& a, const Corners& b, LatticeCorners<n>& placed) const;
 
@@ -32,8 +32,8 @@ class ShortLattice {
     Vec3 translation_a_;
     Vec3 translation_b_;
     double largest_translation_ = 0;
-    std::array<int, 3> source_{}; ///< The axis of B that becomes each of A's.
-    Vec3 direction_;              ///< 1 or -1.
+    std::array<int, 3> source_{}; ///< B's axis for each axis of A.
+    Vec3 direction_;              ///< Sign of each axis: 1 or -1.
 };
 
 } // namespace cd
