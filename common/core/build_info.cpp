@@ -35,7 +35,7 @@ std::vector<Library> libraries() {
     return found;
 }
 
-/// None of the texts has a character that JSON escapes.
+/// Neither text may need JSON escapes.
 std::string member(std::string_view key, std::string_view value) {
     return "\"" + std::string(key) + "\": \"" + std::string(value) + "\"";
 }

@@ -247,7 +247,7 @@ std::vector<std::uint32_t> first_of_own_component(const Mesh& mesh,
         }
     });
     DisjointSets sets(count);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> around; // Kinds and triangles.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> around; // (kind, triangle) pairs.
     for (std::size_t vertex = 0; vertex < by_vertex.count(); ++vertex) {
         around.clear();
         for (const std::uint32_t i : by_vertex[vertex]) {

@@ -31,7 +31,7 @@ enum class PairStage : std::uint8_t {
     Double = 1,       ///< Doubles with an error bound.
     Lattice = 2,      ///< Integers of a fixed number of words: no relative rotation.
     DoubleDouble = 3, ///< Pairs of doubles with an error bound: rotated bodies.
-    WideInteger = 4,  ///< Integers of a fixed number of words, whatever the poses.
+    WideInteger = 4,  ///< Integers of a fixed number of words, for any poses.
     Arbitrary = 5,    ///< Integers of any size: exact on every input.
 };
 inline constexpr std::size_t pair_stage_count = 6;

@@ -31,7 +31,7 @@ struct PointStatistics {
 /// integers compute everything. Not thread-safe.
 class SharedPoints {
   public:
-    enum class Path : std::uint8_t { Any, Exact }; ///< The results are the same.
+    enum class Path : std::uint8_t { Any, Exact }; ///< Both paths give the same results.
 
     /// Cheap: the paths initialise on first use.
     explicit SharedPoints(const PosePair& poses, Path path = Path::Any)

@@ -9,7 +9,7 @@
 namespace cd {
 
 using DoubleDoubleVec = std::array<DoubleDouble, 3>;
-using DoubleDoubleMatrix = std::array<DoubleDoubleVec, 3>; ///< By row.
+using DoubleDoubleMatrix = std::array<DoubleDoubleVec, 3>; ///< Row-major.
 
 /// Exact for a matrix. For a quaternion each entry is at most 1 and errs by at most 10
 /// `double_double_error`.
