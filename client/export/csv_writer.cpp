@@ -118,7 +118,7 @@ class PairsCsvWriter final : public ResultWriter {
         return status;
     }
 
-    std::vector<PartFields> parts_; ///< Of each body.
+    std::vector<PartFields> parts_; ///< Part names of each body.
     std::optional<RowFile> pairs_;
     std::optional<RowFile> points_;
     TextBuffer key_;

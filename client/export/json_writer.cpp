@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json; // Keys in the order in which they are written here.
 
-/// A name may hold bytes that are no UTF-8: they are replaced, never thrown about.
+/// Names may contain invalid UTF-8, which is replaced instead of throwing.
 std::string dump(const Json& json, int indent = -1) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
@@ -39,7 +39,7 @@ class JsonWriter final : public ResultWriter {
         line["surfaces_only"] = result.surfaces_only;
         line["insides_skipped"] = result.insides_skipped;
         if (result.kind == ScenarioClass::Undecided) {
-            // JSON has no infinity: null says that nothing is known of the distance.
+            // JSON has no infinity; null means an unknown distance.
             line["distance_bound"] = result.distance_bound;
         }
         if (!result.failure.empty()) {
@@ -73,7 +73,7 @@ class JsonWriter final : public ResultWriter {
     OutputFile file_;
 };
 
-/// The paper's N_b and N_p, and where C_b and C_p are known, its cost N_b C_b + N_p C_p.
+/// The paper's N_b and N_p, and if C_b and C_p are known, its cost N_b C_b + N_p C_p.
 Json statistics_json(const RunReport& report) {
     const JobStatistics& statistics = report.statistics;
     Json settled;

@@ -1,4 +1,4 @@
-// The map of a job's contacts in files.
+// Writes a job's contact map into files.
 #pragma once
 
 #include "client/export/result_writer.hpp"
@@ -10,12 +10,12 @@
 
 namespace cd {
 
-/// With format csv map.csv, a row a triangle: the body's name, triangle, scenarios, part; with npz
-/// map.npz with an array (K,2) named after each body, each row a triangle and its scenarios;
-/// without either map.csv. Triangles ascend, and those in contact in no scenario have no row. Where
-/// the map counts only the first N pairs of each scenario, both say so: the CSV's column is named
-/// scenarios_of_first_N_pairs, and the NPZ has an array first_pairs that holds N.
-/// Errors: Io naming the file.
+/// Format csv gives map.csv with a row per triangle: the body's name, triangle, scenarios, part.
+/// Format npz gives map.npz with an array (K,2) named after each body: triangle, scenarios. With
+/// neither, it writes map.csv. Triangles ascend; those without contact have no row. If the map
+/// counts only the first N pairs of each scenario, both files say so: the CSV's column is named
+/// scenarios_of_first_N_pairs, and the NPZ has an array first_pairs that holds N. Errors: Io naming
+/// the file.
 [[nodiscard]] Status write_map_files(const ContactMap& map,
                                      const std::filesystem::path& dir,
                                      const std::vector<std::string>& formats,

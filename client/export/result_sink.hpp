@@ -17,11 +17,11 @@
 
 namespace cd {
 
-/// The outputs of a sink.
+/// The outputs of a `ResultSink`.
 struct SinkOptions {
     std::filesystem::path dir; ///< Folder of the files; empty: no files.
     std::vector<std::string> formats;
-    std::string output = "text"; ///< On stdout: json, csv or records-text; text: nothing.
+    std::string output = "text"; ///< Form for stdout: json, csv or records-text; text: nothing.
 };
 
 class ResultSink {
@@ -39,7 +39,7 @@ class ResultSink {
 
     /// The contact map of all results so far; empty below level pairs unless `found` was given.
     [[nodiscard]] ContactMap map();
-    /// For `RunReport::most_touched`.
+    /// The counts for `RunReport::most_touched`.
     [[nodiscard]] const PartTally& tally() const { return tally_; }
     [[nodiscard]] bool uses_stdout() const { return stdout_writer_ != nullptr; }
 
@@ -52,7 +52,7 @@ class ResultSink {
     std::size_t body_count_;
     PartTally tally_;
     StopCheck stop_;
-    ContactMapSum waiting_; ///< Not in `map_` yet.
+    ContactMapSum waiting_; ///< Partial sum, not yet added to `map_`.
     ContactMapTotal map_;
 };
 

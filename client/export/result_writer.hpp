@@ -1,4 +1,4 @@
-// Results on their way into files: one writer a format, fed in the submitted order.
+// Writes results into files, with one writer per format.
 #pragma once
 
 #include "client/formats/output_file.hpp"
@@ -21,38 +21,38 @@ namespace cd {
 
 /// A body in exports.
 struct ExportBody {
-    std::string name; ///< "a", "b", or what the job calls it.
-    std::string file; ///< Its mesh, for people.
+    std::string name; ///< "a", "b", or its name in the job.
+    std::string file; ///< The name of its mesh file, for people.
     std::shared_ptr<const Mesh> mesh;
-    bool is_rounded = false; ///< Its coordinates were rounded to floats, as the job asked.
+    bool is_rounded = false; ///< Coordinates were rounded to floats on request.
 };
 
-/// Facts about the job that exports contain beside its results.
+/// Facts about the job that exports contain besides its results.
 struct ExportContext {
     std::string job;
     std::string unit;
     Level level = Level::Pairs;
     std::vector<ExportBody> bodies;  ///< Results refer to them by index.
-    std::optional<double> tolerance; ///< Where it is known.
-    /// A map counts only the first so many pairs of each scenario; 0: it counts all.
+    std::optional<double> tolerance; ///< The tolerance, if known.
+    /// The map counts only this many first pairs of each scenario; 0: all pairs.
     std::uint64_t map_pairs = 0;
-    bool exact_points = false;       ///< NPZ: also points at full precision, relative to origins.
-    StopCheck stop;                  ///< Ends the writing with Interrupted.
+    bool exact_points = false; ///< NPZ: also points at full precision, relative to origins.
+    StopCheck stop;            ///< Ends the writing with Interrupted.
 
-    /// Sets what follows from the query: level, tolerance, what the map counts.
+    /// Sets level, tolerance and `map_pairs` from the query.
     void describe(const Query& query);
 };
 
-/// A seam: one implementation for each format. Holds no more than a bounded buffer of results.
+/// The interface of each format's writer. A writer buffers a bounded number of results.
 class ResultWriter {
   public:
     ResultWriter() = default;
     ResultWriter(const ResultWriter&) = delete;
     ResultWriter& operator=(const ResultWriter&) = delete;
-    /// Removes what `finish` has not completed.
+    /// Removes files that `finish` has not completed.
     virtual ~ResultWriter() = default;
 
-    /// The next result, in the submitted order. Errors: Io naming the file.
+    /// Adds the next result, in the submitted order. Errors: Io naming the file.
     [[nodiscard]] virtual Status add(const ScenarioResult& result) = 0;
     /// Makes the files appear under their names.
     [[nodiscard]] virtual Status finish() = 0;
@@ -61,13 +61,13 @@ class ResultWriter {
 /// results.txt, for people: a line for each scenario, and below it its pairs.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_text_writer(const ExportContext& context,
                                                              OutputFile file);
-/// results.jsonl: one JSON object a line for each scenario.
+/// results.jsonl: a line with a JSON object for each scenario.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_json_writer(const ExportContext& context,
                                                              OutputFile file);
-/// scenarios.csv. distance_bound is empty but where the class is undecided.
+/// scenarios.csv. distance_bound is empty unless the class is undecided.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(const ExportContext& context,
                                                                       OutputFile file);
-/// From level pairs on pairs.csv, and at level contacts points.csv; nothing below.
+/// pairs.csv from level pairs on, and points.csv at level contacts; nothing below.
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_pairs_csv_writer(const ExportContext& context, const std::filesystem::path& dir);
 /// results.npz; docs/formats.md describes its arrays.
@@ -78,7 +78,7 @@ make_npz_writer(const ExportContext& context, const std::filesystem::path& dir);
 /// (`map_files.hpp`).
 class ResultFiles {
   public:
-    /// Makes the folder. Errors: Io; BadInput for an unknown format.
+    /// Creates the folder. Errors: Io; BadInput for an unknown format.
     [[nodiscard]] static Result<ResultFiles> open(const std::filesystem::path& dir,
                                                   const std::vector<std::string>& formats,
                                                   const ExportContext& context);
@@ -105,10 +105,10 @@ class ResultFiles {
                                    const ExportContext& context,
                                    const RunReport& report);
 
-/// touch, coplanar or proper.
+/// The name in exports: touch, coplanar or proper.
 [[nodiscard]] std::string_view pair_class_name(PairClass kind);
 
-/// Calls `function(point)` with each shared point of a result's pair, in the world.
+/// Calls `function(point)` for each shared point of a result's pair, in world coordinates.
 template <class Function>
 void for_each_point(const ScenarioResult& result, std::size_t pair, const Function& function) {
     if (result.point_offsets.size() <= pair + 1) {

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 2> body_names{"a", "b"};
 constexpr const char* ids_name = "ids.csv";
 
-/// A body's mesh for the case, and the numbers that its triangles have in the run.
+/// A body's mesh for the case, and its triangles' numbers in the run.
 struct CaseBody {
     std::shared_ptr<const Mesh> mesh;
     std::vector<std::uint32_t> ids;
@@ -74,7 +74,7 @@ bool is_identity(const Pose& pose) {
     return pose == Pose();
 }
 
-/// What poses.csv looks like: one body's poses or both's, all as quaternions or all as matrices.
+/// The layout of poses.csv: poses of one body or both, all as quaternions or all as matrices.
 struct PoseColumns {
     bool of_both_bodies = false;
     Pose::Kind kind = Pose::Kind::Matrix;
@@ -137,23 +137,23 @@ std::string poses_text(const std::vector<Scenario>& scenarios, const PoseColumns
 
 // ---- The smallest meshes ------------------------------------------------------------------------
 
-/// A box in the world that holds the posed points for certain.
+/// A conservative box of the posed points in the world.
 Aabb posed_box(std::span<const Vec3> points, const Pose& pose) {
     Aabb box;
     for (const Vec3& point : points) {
         box.add(pose.apply(point));
     }
-    // Far above the rounding of `apply`; a triangle too many does no harm.
+    // Far above the rounding error of `apply`; an extra triangle does no harm.
     const double margin = 1e-9 * (box.min.cwiseAbs().maxCoeff() + box.max.cwiseAbs().maxCoeff());
     box.min.array() -= margin;
     box.max.array() += margin;
     return box;
 }
 
-/// The triangles of a body whose boxes meet the other body's at some of the poses.
+/// The triangles of a body whose boxes overlap the other body's box at one of the poses.
 Result<CaseBody> part_that_meets(const Mesh& mesh,
                                  const Mesh& other,
-                                 const std::vector<PosePair>& poses, // first of `mesh`
+                                 const std::vector<PosePair>& poses, // Pose a belongs to `mesh`.
                                  const char* name,
                                  const StopCheck& stop) {
     CaseBody body;
@@ -217,7 +217,7 @@ Result<std::array<CaseBody, 2>> smallest_bodies(const PreparedJob& job,
     return std::array<CaseBody, 2>{std::move(a.value()), std::move(b.value())};
 }
 
-/// Whether the smallest meshes answer as the run did. `pairs` are theirs, with the run's numbers.
+/// Checks the result of the smallest meshes. `pairs` are theirs, with the run's numbers.
 Status check_smallest(const ScenarioResult& smallest,
                       const std::vector<ContactPair>& pairs,
                       const ScenarioResult& of_run) {
@@ -245,7 +245,7 @@ Status check_smallest(const ScenarioResult& smallest,
     return Done{};
 }
 
-/// What the smallest meshes give. Errors: BadInput where this is not the answer of the run.
+/// Results of the smallest meshes. Errors: BadInput if they differ from those of the run.
 Result<std::vector<ScenarioResult>> run_smallest(const PreparedJob& job,
                                                  const CaseScenarios& given,
                                                  const std::array<CaseBody, 2>& bodies,
@@ -304,7 +304,7 @@ case_job_text(const PreparedJob& job, const CaseScenarios& given, const PoseColu
     for (std::size_t i = 0; i < body_names.size(); ++i) {
         spec.bodies[i].path = std::string(body_names[i]) + ".npz";
     }
-    constexpr double rigid_tolerance = 1; // The run has taken the poses as they are.
+    constexpr double rigid_tolerance = 1; // The run has accepted these poses.
     spec.poses = PoseFileSpec{"poses.csv", "", columns.of_both_bodies, rigid_tolerance};
     spec.level = job.query.level;
     spec.tolerance = job.query.tolerance;
@@ -334,7 +334,7 @@ std::string expected_text(std::vector<ScenarioResult> results) {
 Status check_expressible(const PreparedJob& job, const CaseScenarios& given, bool minimal) {
     for (const ScenarioResult& result : given.results) {
         if (result.kind == ScenarioClass::Failed) {
-            // A failure names its scenario, whose number is another one in a case.
+            // A failure's text has the scenario's number, which differs in a case.
             return Error{ErrorCode::BadInput,
                          result.failure + ": a scenario that failed has no answer for a case to "
                                           "give again"};
@@ -353,7 +353,7 @@ Status check_expressible(const PreparedJob& job, const CaseScenarios& given, boo
     return Done{};
 }
 
-/// A job that is no case is the user's own.
+/// Refuses to overwrite a job of the user.
 Status check_target(const fs::path& dir) {
     std::error_code error;
     if (fs::exists(dir / "job.toml", error) && !fs::exists(dir / "expected.json", error)) {
@@ -379,7 +379,7 @@ Status write_files(const PreparedJob& job,
         return made;
     }
     std::error_code error;
-    fs::remove(dir / ids_name, error); // Of an earlier case.
+    fs::remove(dir / ids_name, error); // An earlier case may have left it.
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const fs::path path = dir / (std::string(body_names[i]) + ".npz");
         if (Status written = write_mesh(path, *bodies[i].mesh, stop); !written) {

@@ -1,4 +1,4 @@
-// Writes a few scenarios of a run as a separate job, to pass on or to examine.
+// Writes a few scenarios of a run as a separate job, to share or to examine.
 #pragma once
 
 #include "client/job/prepared_job.hpp"
@@ -13,7 +13,7 @@
 
 namespace cd {
 
-/// Scenarios and the results that a run gave them.
+/// Scenarios and their results in a run.
 struct CaseScenarios {
     std::vector<Scenario> scenarios;
     std::vector<ScenarioResult> results; ///< One for each scenario.
@@ -21,21 +21,21 @@ struct CaseScenarios {
 
 struct CaseOptions {
     bool minimal = false; ///< Keep only triangles that can be in contact.
-    StopCheck stop;       ///< Ends it with Interrupted.
+    StopCheck stop;       ///< Ends the writing with Interrupted.
 };
 
 /// Writes a.npz, b.npz, poses.csv, job.toml and expected.json into a folder, which is created if
 /// missing. `cdctl run` of job.toml gives the digest in expected.json and the given results, with
 /// indices counted from 0. An earlier case in the folder is replaced.
 ///
-/// `minimal` keeps the triangles whose boxes overlap the other body's box at one of the poses, runs
-/// the scenarios here for the expected results, and writes ids.csv, which maps triangles to their
-/// numbers in the run.
+/// `minimal` keeps the triangles whose boxes overlap the other body's box at one of the poses. It
+/// runs the scenarios here for the expected results, and writes ids.csv, which maps triangles to
+/// their numbers in the run.
 ///
 /// Errors: Io; Interrupted; BadInput for a job that such files cannot express (ignored triangles,
-/// poses in several forms), for a failed scenario, for a folder whose job.toml is not of a case,
-/// and for `minimal` under a tolerance, without any such triangle, or with results other than the
-/// run's.
+/// poses in several forms), for a failed scenario, and for a folder with the job.toml of another
+/// job; with `minimal` also under a tolerance, without any such triangle, or with results other
+/// than the run's.
 [[nodiscard]] Status write_case(const PreparedJob& job,
                                 const CaseScenarios& scenarios,
                                 const CaseOptions& options,

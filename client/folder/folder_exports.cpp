@@ -12,7 +12,7 @@ namespace cd {
 
 namespace {
 
-/// The map to export: the one that was kept, or the sum over the pairs of the records.
+/// The map to export: the stored one, or the sum over the pairs of the records.
 Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink) {
     const Query& query = run.manifest().query;
     if (query.maps || query.level < Level::Pairs) {
@@ -21,7 +21,7 @@ Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink)
     return std::optional(sink.map());
 }
 
-/// The report in summary.json; empty if that is missing or damaged, since the records suffice.
+/// The report in summary.json; empty if the file is missing or damaged, since the records suffice.
 RunReport kept_report(const OpenedRun& run) {
     auto report = read_summary(run.dir() / "summary.json");
     return report ? std::move(report.value()) : RunReport();

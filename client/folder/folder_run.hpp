@@ -1,4 +1,4 @@
-// A run into a results folder, from where it begins or resumes to its final files.
+// Writes a run into a results folder, from its start or resumption to its final files.
 #pragma once
 
 #include "client/export/result_sink.hpp"
@@ -22,12 +22,12 @@ namespace cd {
 
 struct FolderRunOptions {
     FolderOptions folder;
-    bool keep_inputs = true; ///< Copy meshes and poses, if these have at most `inputs_bytes_max`.
+    bool keep_inputs = true; ///< Copy meshes and poses of at most `inputs_bytes_max` bytes.
     std::uint64_t inputs_bytes_max = limits::run_inputs_bytes_max;
     bool maps_from_master = false; ///< The master sums maps; they are not summed here.
     ManifestPlace where;
     std::string command; ///< The command line.
-    std::string started; ///< `iso_time`; empty: now, or the start of the run that is resumed.
+    std::string started; ///< `iso_time`; empty: now, or the resumed run's.
     std::string ended;   ///< `iso_time`; empty: the time of `finish`.
 };
 
@@ -38,7 +38,7 @@ class FolderRun {
     /// read. Errors: those of `RunFolder::open` and of reading poses; Interrupted.
     [[nodiscard]] static Result<FolderRun> begin(PreparedJob& job, FolderRunOptions options);
 
-    /// True when the folder already holds all of this job; then only `folder` may be called.
+    /// True if the folder already holds the whole job; then only `folder` may be called.
     [[nodiscard]] bool is_complete() const { return folder_.state() == RunFolder::State::All; }
     [[nodiscard]] RunFolder& folder() { return folder_; }
 
@@ -87,7 +87,7 @@ class FolderRun {
     std::uint64_t inputs_bytes_max_ = 0;
     bool maps_from_master_ = false;
     bool is_finished_ = false;
-    PoseRecorder* poses_ = nullptr; ///< The job owns it; null for a grid.
+    PoseRecorder* poses_ = nullptr; ///< Owned by the job; null for a grid.
     std::optional<RunRecorder> recorder_;
 };
 

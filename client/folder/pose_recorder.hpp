@@ -23,8 +23,7 @@ struct PoseRecorderOptions {
     std::uint64_t bytes_max = 0; ///< Size limit of the file; a larger file is removed.
 };
 
-/// Reads from another source, and appends each scenario to a file when it is first reached in
-/// order.
+/// Reads from another source, and appends each scenario to a file when it is first read in order.
 class PoseRecorder final : public PoseSource {
   public:
     /// Appends to `file` if it exists. Errors: Io.
@@ -39,8 +38,8 @@ class PoseRecorder final : public PoseSource {
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
                                                      std::uint64_t count) override;
 
-    /// Reads and writes the scenarios that nobody has read, and completes the file. Returns the
-    /// hash if it was requested. Errors: those of `read`; Interrupted.
+    /// Reads and writes the scenarios not yet read, and completes the file. Returns the hash if it
+    /// was requested. Errors: those of `read`; Interrupted.
     [[nodiscard]] Result<std::optional<Sha256>> finish(const StopCheck& stop = {});
     /// True while there is a file; it is removed when it becomes too large.
     [[nodiscard]] bool keeps() const { return writer_.has_value(); }

@@ -61,7 +61,7 @@ std::string named(const RunManifest& manifest) {
     return "another run (" + manifest.name + ", of " + manifest.started + ")";
 }
 
-/// Refuses a folder with results that are not of this job.
+/// Refuses a folder with the results of another job.
 Status check_no_other(const fs::path& dir,
                       const RunManifest& manifest,
                       const std::optional<RunManifest>& finished,
@@ -101,7 +101,7 @@ void remove_listed(const fs::path& dir, const std::string& name) {
     fs::remove(dir / name, error);
     for (fs::path parent = fs::path(name).parent_path(); !parent.empty();
          parent = parent.parent_path()) {
-        fs::remove(dir / parent, error); // Only where it is empty.
+        fs::remove(dir / parent, error); // Fails unless the folder is empty.
     }
 }
 
@@ -214,7 +214,7 @@ Result<RunFolder> RunFolder::take(const fs::path& dir) {
     return RunFolder(dir, std::move(lock.value()));
 }
 
-/// Empties `.part` but for the lock.
+/// Empties `.part` except for the lock.
 Status RunFolder::begin(const RunManifest& manifest) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(part_, error)) {

@@ -117,7 +117,7 @@ Json files_json(const std::vector<ManifestFile>& files) {
     return json;
 }
 
-// ---- Reading: `at` throws what `parse_manifest` catches ----------------------------------------
+// ---- Reading: `parse_manifest` catches the exceptions of `at` -----------------------------------
 
 struct Wrong {
     std::string what;

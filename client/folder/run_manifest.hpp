@@ -25,9 +25,9 @@ struct ManifestPoses {
     std::uint64_t count = 0;
     /// `hash_of` (poses_hash.hpp); nothing while random poses are being generated.
     std::optional<Sha256> hash;
-    std::optional<Grid> grid;          ///< Kind Grid.
-    std::optional<RandomPoses> random; ///< Kind Random.
-    std::string file;                  ///< Kind File; this and the next four as in `PoseFileSpec`.
+    std::optional<Grid> grid;          ///< Set for kind Grid.
+    std::optional<RandomPoses> random; ///< Set for kind Random.
+    std::string file; ///< For kind File, like the next four members; see `PoseFileSpec`.
     std::string quat_order;
     bool of_both_bodies = false;
     std::optional<double> rigid_tolerance;
@@ -36,9 +36,9 @@ struct ManifestPoses {
     bool has_times = false;
 };
 
-/// Where a run took place.
+/// The location of a run.
 struct ManifestPlace {
-    std::uint64_t threads = 0; ///< For a run on this machine.
+    std::uint64_t threads = 0; ///< Number of threads, for a run on this machine.
     std::string simd;
     std::string master;        ///< Address; empty for a run on this machine.
     std::string job;           ///< The master's id of the job.
@@ -68,7 +68,7 @@ struct RunManifest {
     std::optional<Sha256> digest;
     std::optional<Sha256> map_digest;
     std::vector<std::string> formats;
-    std::vector<ManifestFile> files; ///< All in the folder but run.json.
+    std::vector<ManifestFile> files; ///< All files of the folder except run.json.
 
     [[nodiscard]] bool is_complete() const { return digest.has_value(); }
 };

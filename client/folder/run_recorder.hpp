@@ -29,7 +29,7 @@ class RunRecorder {
 
     /// Adds the next result. Errors: Io.
     [[nodiscard]] Status add(const DoneScenario& done);
-    /// Writes buffered results if the period is over. Errors: Io.
+    /// Writes buffered results if the period has passed. Errors: Io.
     [[nodiscard]] Status flush_if_due();
     /// Writes buffered results. Errors: Io.
     [[nodiscard]] Status flush();

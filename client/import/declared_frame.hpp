@@ -7,7 +7,7 @@ namespace cd {
 
 /// Members are empty or 0 where neither the file nor its format declares them.
 struct DeclaredFrame {
-    std::string unit;  ///< In the words of the file: "inch".
+    std::string unit;  ///< The unit's name in the file: "inch".
     double metres = 0; ///< Length of one unit.
     std::string up;    ///< "X", "Y" or "Z".
 

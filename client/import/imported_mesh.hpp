@@ -16,7 +16,7 @@
 namespace cd {
 
 struct ImportOptions {
-    double unit_factor = 1; ///< Every coordinate is multiplied by it, in double.
+    double unit_factor = 1; ///< Factor of all coordinates, applied in double.
     /// The job's unit. If the file declares a unit, its coordinates are converted to this one and
     /// `unit_factor` is not used. Empty: the declared unit is ignored.
     std::string declared_unit_to = {};
@@ -34,11 +34,11 @@ struct MeshSource {
     std::string_view bytes; ///< All of the file.
     const ImportOptions& options;
 
-    /// BadInput: "PATH: DETAIL".
+    /// The error BadInput "PATH: DETAIL".
     [[nodiscard]] Error refusal(const std::string& detail) const {
         return {ErrorCode::BadInput, path.string() + ": " + detail};
     }
-    /// BadInput: "PATH:LINE: DETAIL". Lines count from 1.
+    /// The error BadInput "PATH:LINE: DETAIL". Lines count from 1.
     [[nodiscard]] Error refusal(std::uint64_t line, const std::string& detail) const {
         return {ErrorCode::BadInput, path.string() + ":" + std::to_string(line) + ": " + detail};
     }

@@ -1,4 +1,4 @@
-// A hint for poses in a wrong unit: how near the poses bring the bodies.
+// A hint for poses in a wrong unit: how close they bring the bodies.
 #pragma once
 
 #include "common/core/host/stop_check.hpp"
@@ -16,9 +16,9 @@ namespace cd {
 [[nodiscard]] std::optional<double>
 least_distance(const Mesh& a, const Mesh& b, PoseSource& poses, const StopCheck& stop = {});
 
-/// A line for the summary of a job whose boxes never meet: how near B comes and, if that is many
-/// lengths of the bodies, the question whether the poses are in millimetres. Empty if boxes meet.
-/// Errors: Interrupted.
+/// A line for the summary of a job whose boxes never overlap: the minimum distance and, if that is
+/// many lengths of the bodies, the question whether the poses are in millimetres. Empty if boxes
+/// overlap. Errors: Interrupted.
 [[nodiscard]] Result<std::string> nearness_hint(const Mesh& a,
                                                 const Mesh& b,
                                                 PoseSource& poses,

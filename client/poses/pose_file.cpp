@@ -21,7 +21,7 @@ Error bad(std::string detail) {
     return {ErrorCode::BadInput, std::move(detail)};
 }
 
-/// The layout that the axes of an array behind its first say.
+/// The layout given by the axes of an array after its first.
 Result<PoseLayout> layout_of(std::vector<std::uint64_t> shape, const PoseFileSpec& spec) {
     const std::vector<std::uint64_t> given = shape;
     shape.erase(shape.begin());

@@ -43,7 +43,7 @@ bool is_quaternion(PoseLayout layout) {
     return layout == PoseLayout::Xyzw || layout == PoseLayout::Wxyz;
 }
 
-/// How far from rigid the numbers of one pose are. Errors: what no tolerance forgives.
+/// The distance of a pose from a rigid one. Errors: for errors that no tolerance allows.
 Result<double> distance_from_rigid(std::span<const double> v, PoseLayout layout) {
     const auto bad = [](std::string detail) {
         return Error{ErrorCode::BadInput, std::move(detail)};
@@ -118,7 +118,7 @@ class TableSource final : public PoseSource {
     }
 
   private:
-    /// Makes a pose of the first numbers and removes these.
+    /// Makes a pose from the first numbers and removes these.
     [[nodiscard]] Pose next_pose(std::span<const double>& numbers) const {
         const std::size_t size = numbers_of(table_.layout);
         const auto pose = to_pose(numbers.first(size), table_.layout, table_.length_factor);
@@ -127,7 +127,7 @@ class TableSource final : public PoseSource {
     }
 
     PoseTable table_;
-    std::mutex mutex_; ///< The file has one position.
+    std::mutex mutex_; ///< Readers share the file's position.
 };
 
 } // namespace

@@ -15,7 +15,7 @@
 
 namespace cd {
 
-/// What the numbers of one pose are.
+/// The layout of the numbers of a pose.
 enum class PoseLayout : std::uint8_t {
     Matrix44, ///< Row-major; the last row is 0 0 0 1.
     Matrix34, ///< Row-major.
@@ -30,10 +30,10 @@ struct PoseTable {
     std::unique_ptr<NpyRows> rows;
     PoseLayout layout = PoseLayout::Matrix44;
     bool of_both_bodies = false;
-    bool from_angles = false; ///< Quaternions of our own making, whose norm need not be 1.
+    bool from_angles = false;              ///< Computed quaternions, whose norm need not be 1.
     std::vector<std::string> zeros = {};   ///< Columns missing in the file, which count as 0.
     std::vector<std::uint64_t> lines = {}; ///< Line of each pose in a text file; else empty.
-    double length_factor = 1;              ///< Translations are multiplied by it.
+    double length_factor = 1;              ///< Factor of translations.
     PoseLabels labels = {};                ///< Ids and times of all rows, if the file has them.
     std::string name = {};                 ///< Name of the file.
 };
@@ -45,15 +45,16 @@ struct PoseTable {
 /// The result of checking all rows.
 struct RigidityReport {
     std::uint64_t off = 0;        ///< Poses off by more than 1e-9 and accepted.
-    std::uint64_t worst_pose = 0; ///< The worst of them.
+    std::uint64_t worst_pose = 0; ///< The pose that is off most.
     double worst = 0;
 };
 
-/// Reads all rows once. Errors: BadInput naming the place and the value, as `open_pose_file`.
+/// Reads and checks all rows. Errors: BadInput naming the location and the value, as
+/// `open_pose_file`.
 [[nodiscard]] Result<RigidityReport> check_rows(const PoseTable& table,
                                                 std::optional<double> rigid_tolerance);
 
-/// The rows as scenarios. They have been checked.
+/// The rows as scenarios. The rows have been checked.
 [[nodiscard]] std::unique_ptr<PoseSource> make_table_source(PoseTable table);
 
 } // namespace cd

@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
                : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// The first separator that does not stand in quotes.
+/// The first separator outside quotes.
 std::size_t end_of_word(std::string_view line, std::string_view separators) {
     bool is_quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -74,7 +74,7 @@ enum class ColumnSet { Quaternion, Matrix, Euler };
 /// The position of a missing column, whose numbers are 0.
 constexpr std::size_t no_column = static_cast<std::size_t>(-1);
 
-/// The column of one number of a pose, and a factor for it.
+/// The column of one number of a pose, and the number's factor.
 struct NumberColumn {
     std::size_t place = no_column;
     double factor = 1;
@@ -82,9 +82,8 @@ struct NumberColumn {
 
 struct Columns {
     ColumnSet set = ColumnSet::Quaternion;
-    std::vector<NumberColumn>
-        numbers; ///< In the order of the layout; factors turn angles into degrees.
-    std::vector<std::string> zeros; ///< Names of missing columns.
+    std::vector<NumberColumn> numbers; ///< In layout order; factors convert degrees to radians.
+    std::vector<std::string> zeros;    ///< Names of missing columns.
     std::size_t scenario = 0;
     std::size_t body = 0;
     std::size_t id = no_column;
@@ -313,7 +312,7 @@ bool is_body_b(std::string_view word) {
     return word == "b" || word == "B" || word == "1";
 }
 
-/// Puts rows with `scenario` and `body` in their places.
+/// Sorts rows with `scenario` and `body` into pairs of poses.
 class BothBodies {
   public:
     explicit BothBodies(std::size_t numbers) : numbers_(numbers) {}
@@ -334,7 +333,7 @@ class BothBodies {
         }
         const std::size_t place = 2 * static_cast<std::size_t>(*scenario) + (is_b ? 1 : 0);
         if (place >= seen_.size()) {
-            // Rows in any order, but not with gaps that only a broken file has.
+            // Rows may have any order. Only a broken file has large gaps.
             if (place > 2 * (rows_ + gap_max)) {
                 return bad(line, "scenario " + std::string(scenario_word) + " is far out of order");
             }

@@ -32,8 +32,7 @@ class PartTally {
     struct Body {
         PartFinder parts;
         std::vector<std::uint64_t> scenarios; ///< Number of scenarios, by part.
-        std::vector<std::uint64_t>
-            last_seen; ///< Stamp of the last result that touched it, by part.
+        std::vector<std::uint64_t> last_seen; ///< Stamp of the last touching result, by part.
     };
     static void note(Body& body, std::uint32_t triangle, std::uint64_t stamp);
 

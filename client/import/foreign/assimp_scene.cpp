@@ -38,7 +38,7 @@ Eigen::Matrix4d to_double(const aiMatrix4x4& m) {
     return out;
 }
 
-/// Walks a scene depth first, without recursion, since the file decides the depth.
+/// Traverses a scene depth first, without recursion, since the file decides the depth.
 class SceneReader {
   public:
     SceneReader(const aiScene& scene,
@@ -168,7 +168,7 @@ DeclaredFrame fbx_frame(const aiScene& scene) {
     return frame;
 }
 
-/// Nothing where the format declares a unit and this file's is not known.
+/// Nothing if the format declares a unit and the file's unit is unknown.
 std::optional<DeclaredFrame> declared_frame(const aiScene& scene,
                                             const std::filesystem::path& path) {
     const std::string format = format_of(scene);

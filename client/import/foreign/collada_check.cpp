@@ -20,7 +20,7 @@ namespace {
 /// An element whose text is numbers.
 struct NumberElement {
     std::string_view name;
-    std::uint64_t count; ///< How many numbers it has; 0: any.
+    std::uint64_t count; ///< Number of values; 0: any.
     bool is_whole;       ///< Its numbers are indices or counts.
 };
 
@@ -46,7 +46,7 @@ std::uint64_t number_of(const pugi::xml_node& element, const char* name, std::ui
     return to_whole(element.attribute(name).value()).value_or(otherwise);
 }
 
-/// How many numbers of its array an accessor reads. Its attributes fit into ints, so nothing
+/// The number of array elements that an accessor reads. Its attributes fit into ints, so nothing
 /// overflows.
 std::uint64_t numbers_read(const pugi::xml_node& accessor) {
     const std::uint64_t count = number_of(accessor, "count", 0);

@@ -5,8 +5,8 @@
 
 namespace cd {
 
-/// Errors: BadInput naming the line, for an instance that refers to something outside of the file,
-/// to a geometry without a mesh, or to a skin or a morph.
+/// Checks all instances. Errors: BadInput naming the line, for an instance of a skin or a morph, of
+/// a geometry without a mesh, or of something outside the file.
 [[nodiscard]] Status check_collada_instances(const XmlText& xml);
 
 } // namespace cd

@@ -22,9 +22,9 @@ class XmlText {
     [[nodiscard]] pugi::xml_node root() const { return document_->document_element(); }
     [[nodiscard]] const pugi::xml_document& document() const { return *document_; }
 
-    /// BadInput: "PATH:LINE: DETAIL", with the line of the node.
+    /// The error BadInput "PATH:LINE: DETAIL", with the line of the node.
     [[nodiscard]] Error refusal(const pugi::xml_node& node, const std::string& detail) const;
-    /// BadInput with the line of `part`, a part of the node's value.
+    /// The error BadInput with the line of `part`, a part of the node's value.
     [[nodiscard]] Error
     refusal(const pugi::xml_node& node, std::string_view part, const std::string& detail) const;
 

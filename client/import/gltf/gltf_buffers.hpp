@@ -1,4 +1,4 @@
-// The bytes behind a glTF file's buffers.
+// The bytes of a glTF file's buffers.
 #pragma once
 
 #include "client/import/gltf/gltf_document.hpp"

@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// Refers to the bytes of the file.
+/// The parts of a file; refers to the file's bytes.
 struct GltfContainer {
     std::string_view json;
     std::optional<std::span<const std::byte>> chunk; ///< The binary chunk of a GLB.
@@ -18,7 +18,8 @@ struct GltfContainer {
 
 [[nodiscard]] bool is_glb(std::span<const std::byte> file);
 
-/// Errors: BadInput for a GLB of another version, or with lengths that do not match its bytes.
+/// Splits a file. Errors: BadInput for a GLB of another version, or with lengths that do not match
+/// its bytes.
 [[nodiscard]] Result<GltfContainer> open_gltf(std::span<const std::byte> file);
 
 } // namespace cd

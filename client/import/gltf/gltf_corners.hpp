@@ -14,7 +14,8 @@ struct GltfShapes {
     std::uint64_t lines = 0;
     std::uint64_t points = 0;
 };
-/// Errors: BadInput for a number of indices that leaves a triangle or a line incomplete.
+/// Counts a primitive's elements. Errors: BadInput if the number of indices leaves a triangle or a
+/// line incomplete.
 [[nodiscard]] Result<GltfShapes> count_shapes(GltfMode mode, std::uint64_t indices);
 
 /// The positions of a triangle's corners, ordered so that all triangles of a strip or a fan face

@@ -175,7 +175,7 @@ class DocumentReader {
         return primitive;
     }
 
-    /// Whether some morph weight is not zero; nothing where there are no weights.
+    /// True if a morph weight is not zero; nothing without weights.
     static std::optional<bool> has_weights(const GltfFields& fields) {
         const auto weights = fields.numbers("weights");
         if (!weights) {

@@ -15,7 +15,7 @@
 namespace cd {
 
 struct GltfBuffer {
-    std::optional<std::string> uri; ///< Without one the buffer is the GLB's chunk.
+    std::optional<std::string> uri; ///< Empty: the buffer is the GLB's chunk.
     std::uint64_t bytes = 0;
 };
 
@@ -52,7 +52,7 @@ struct GltfSparse {
 };
 
 struct GltfAccessor {
-    std::optional<std::size_t> view; ///< Without one all elements are zero.
+    std::optional<std::size_t> view; ///< Empty: all elements are zero.
     std::uint64_t offset = 0;
     GltfNumber type = GltfNumber::F32;
     bool is_normalized = false; ///< Integers stand for [0, 1] or [-1, 1] (section 3.11).
@@ -73,7 +73,7 @@ enum class GltfMode : std::uint8_t {
 };
 
 struct GltfPrimitive {
-    std::size_t positions = 0; ///< An accessor.
+    std::size_t positions = 0; ///< Index of the accessor of positions.
     std::optional<std::size_t> indices;
     GltfMode mode = GltfMode::Triangles;
 };
@@ -102,7 +102,7 @@ struct GltfNode {
     std::string name;
     std::optional<std::size_t> mesh;
     std::optional<std::size_t> skin;
-    std::optional<bool> is_morphed; ///< Set where the node overrides the mesh's weights.
+    std::optional<bool> is_morphed; ///< Set if the node overrides the mesh's weights.
     std::vector<std::size_t> children;
     std::optional<std::array<double, 16>> matrix; ///< Column-major; replaces `transform`.
     GltfTransform transform;

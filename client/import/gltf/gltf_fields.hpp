@@ -40,16 +40,16 @@ class GltfFields {
     [[nodiscard]] const std::string& place() const { return place_; }
     [[nodiscard]] bool has(const char* key) const;
     [[nodiscard]] std::optional<std::uint64_t> whole(const char* key) const;
-    /// As `whole`, reported where it is missing.
+    /// Like `whole`, but reports a missing member.
     [[nodiscard]] std::uint64_t needed_whole(const char* key) const;
     /// An index below `count`.
     [[nodiscard]] std::optional<std::size_t> index(const char* key, std::size_t count) const;
-    /// As `index`, reported where it is missing.
+    /// Like `index`, but reports a missing member.
     [[nodiscard]] std::size_t needed_index(const char* key, std::size_t count) const;
     [[nodiscard]] bool flag(const char* key) const;
     [[nodiscard]] std::string text(const char* key) const;
     [[nodiscard]] std::optional<std::vector<double>> numbers(const char* key) const;
-    /// As `numbers`, reported where there are not `count` of them.
+    /// Like `numbers`, but reports another count than `count`.
     [[nodiscard]] std::optional<std::vector<double>> numbers(const char* key,
                                                              std::size_t count) const;
     /// Indices below `count`; empty where the member is missing.

@@ -1,4 +1,4 @@
-// Walks a glTF scene and builds its mesh.
+// Traverses a glTF scene and builds its mesh.
 #pragma once
 
 #include "client/import/gltf/gltf_buffers.hpp"

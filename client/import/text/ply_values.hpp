@@ -18,7 +18,7 @@ class PlyText {
 
     /// Moves to the next element. False at the end of the file.
     [[nodiscard]] bool begin_element();
-    /// False where the element has more numbers than its properties.
+    /// False if the element has more numbers than its properties.
     [[nodiscard]] bool end_element();
 
     /// The next number of the element; nothing if it is missing or invalid.
@@ -26,9 +26,9 @@ class PlyText {
     [[nodiscard]] std::optional<std::int64_t> integer(PlyType type);
     [[nodiscard]] bool skip(PlyType type);
 
-    /// Says what was found in place of the last number, and on which line.
+    /// Describes the text found instead of the last number, and its line.
     [[nodiscard]] Error no_number(const std::string& element) const;
-    /// BadInput naming the file and the place.
+    /// The error BadInput naming the file and the position.
     [[nodiscard]] Error refusal(const std::string& detail) const;
 
     /// True when the remaining bytes may hold the elements: a number takes two or more, with a
