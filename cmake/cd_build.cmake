@@ -1,4 +1,4 @@
-# How every target of ours is compiled, and the two functions that declare one.
+# Compiler settings of all our targets, and the functions that declare targets.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -27,50 +27,50 @@ if(CD_TIDY)
 endif()
 
 add_library(cd_flags INTERFACE)
-# No fused multiply-add and no reassociation: results are the same bits on every host.
+# No fused multiply-add, and by default no reassociation: results are bit-identical on every host.
 target_compile_options(cd_flags INTERFACE -ffp-contract=off)
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
-    # Eigen's own NEON code would fuse, whatever the option above says.
+    # Eigen's NEON code fuses in spite of -ffp-contract=off.
     target_compile_options(cd_flags INTERFACE -U__ARM_FEATURE_FMA)
 endif()
-# GCC 12.2's basic-block vectoriser drops the rounding of double(float(x)) on two neighbours, which
-# the canonical form of meshes and boxes depends on (tests/common/core/rounding_test.cpp).
+# GCC 12.2's basic-block vectoriser drops the rounding of double(float(x)) on two neighbours. The
+# canonical form of meshes and boxes needs this rounding (tests/common/core/rounding_test.cpp).
 target_compile_options(cd_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 target_compile_options(cd_flags INTERFACE
     -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow> -Wnon-virtual-dtor -Wold-style-cast -Wcast-align
     -Woverloaded-virtual -Wimplicit-fallthrough $<$<BOOL:${CD_WERROR}>:-Werror>)
 if(CMAKE_UNITY_BUILD)
-    # GCC takes a file that is included for a header, in which an anonymous base would be a mistake;
-    # and a file may shadow names of the one before it.
+    # GCC takes an included file for a header and warns of anonymous bases in it. -Wshadow is off
+    # above, since a file may shadow names of an earlier one.
     target_compile_options(cd_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
-# GCC 12 guesses these from inlined library code, and guesses wrong: the last from the frames of Asio's
+# GCC 12 reports these falsely for inlined library code; the last one for the frames of Asio's
 # coroutines, which recycle memory.
 target_compile_options(cd_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:
     -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds -Wno-maybe-uninitialized -Wno-restrict
     -Wno-mismatched-new-delete>)
-# Collecting garbage costs GCC 7 to 15 % of a compilation, and saves memory that is there.
+# GCC's garbage collection takes 7 to 15 % of a compilation; memory suffices without it.
 target_compile_options(cd_flags INTERFACE
     "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1500000>")
 target_include_directories(cd_flags INTERFACE "${CMAKE_SOURCE_DIR}")
 target_link_libraries(cd_flags INTERFACE Threads::Threads)
 
-# cd_quick_folder(): with CD_QUICK_TESTS, compiles what the calling folder and those below it build at
-# -O1, which takes a third less time. The libraries of the programs are as optimised as ever.
+# cd_quick_folder(): with CD_QUICK_TESTS, compiles the targets of the calling folder and its subfolders
+# at -O1, which takes a third less time. It does not affect the programs' libraries.
 macro(cd_quick_folder)
     if(CD_QUICK_TESTS)
         add_compile_options(-O1)
     endif()
 endmacro()
 
-# cd_messaging_folder(): compiles at -O2 what the calling folder builds, which moves messages and waits:
-# the programs are as fast as at -O3 (bench/cluster/rate), and compile in a fifth less time.
+# cd_messaging_folder(): compiles the targets of the calling folder at -O2. Code that passes messages is
+# as fast as at -O3 (bench/cluster/rate), and compiles in a fifth less time.
 macro(cd_messaging_folder)
     add_compile_options($<$<CONFIG:Release>:-O2>)
 endmacro()
 
-# cd_add_library(NAME [PUBLIC libs...] [PRIVATE libs...]): all .cpp files of the calling folder and of
-# the folders below it, except main.cpp.
+# cd_add_library(NAME [PUBLIC libs...] [PRIVATE libs...]): a library of all .cpp files of the calling
+# folder and its subfolders, except main.cpp.
 function(cd_add_library name)
     cmake_parse_arguments(arg "" "" "PUBLIC;PRIVATE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
@@ -80,7 +80,7 @@ function(cd_add_library name)
     cd_unity(${name})
 endfunction()
 
-# cd_add_program(NAME LIBRARY): main.cpp of the calling folder; all programs stand in one place.
+# cd_add_program(NAME LIBRARY): a program of main.cpp in the calling folder, built into bin/.
 function(cd_add_program name library)
     add_executable(${name} main.cpp)
     target_link_libraries(${name} PRIVATE ${library})
@@ -88,7 +88,7 @@ function(cd_add_program name library)
     install(TARGETS ${name} RUNTIME)
 endfunction()
 
-# cd_add_test(NAME FOLDER LABEL [libs...]): one program of all *_test.cpp in FOLDER and below.
+# cd_add_test(NAME FOLDER LABEL [libs...]): a test program of all *_test.cpp in FOLDER and below.
 function(cd_add_test name folder label)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*_test.cpp")
     if(NOT sources)

@@ -1,18 +1,18 @@
-# Unity builds: several files are compiled as one, which spares the time that their headers take.
-# The presets `release`, `ci` and `bench` build so. Those of developers do not: a changed file is compiled alone.
+# Unity builds compile several files as one, so that shared headers are compiled once. The presets
+# `release`, `ci` and `bench` use them. Developers' presets do not: they recompile changed files alone.
 
 set(CD_UNITY_BATCH 8 CACHE STRING "So many files at most are compiled as one in a unity build")
 
-# cd_first_definition(TARGET): a program that replaces files of a library. In a unity build the library
-# brings these along, compiled with others that the program needs; the program's own come first.
+# cd_first_definition(TARGET): for a program that replaces files of a library. In a unity build the
+# library's groups contain the replaced files too, so the linker must prefer the program's definitions.
 function(cd_first_definition target)
     if(CMAKE_UNITY_BUILD)
         target_link_options(${target} PRIVATE -Wl,--allow-multiple-definition)
     endif()
 endfunction()
 
-# cd_names_of(OUT SOURCE): what SOURCE defines at the beginning of a line; anonymous namespaces are
-# not indented, so the names in them are among these.
+# cd_names_of(OUT SOURCE): the names that SOURCE defines at the beginning of a line, including those in
+# anonymous namespaces, which are not indented.
 function(cd_names_of out source)
     file(READ "${source}" text)
     string(REGEX REPLACE "[][;\\]" " " text "\n${text}")
@@ -33,8 +33,8 @@ function(cd_names_of out source)
 endfunction()
 
 # cd_unity_groups(OUT SOURCES...): puts files that define no name twice into groups of at most
-# CD_UNITY_BATCH. OUT is the number of groups, OUT_0, OUT_1, ... are their files. Kernels of Highway,
-# which include themselves once for each SIMD target, are in no group.
+# CD_UNITY_BATCH. OUT is the number of groups; OUT_0, OUT_1, ... are their files. Highway kernels are in
+# no group, since they include themselves once for each SIMD target.
 function(cd_unity_groups out)
     set(groups 0)
     foreach(source IN LISTS ARGN)
@@ -69,9 +69,9 @@ function(cd_unity_groups out)
     set(${out} ${groups} PARENT_SCOPE)
 endfunction()
 
-# cd_unity(TARGET): compiles files of the target together where they define no name twice. Where a
-# name of a file clashes with one in a header that others include, its folder's CMakeLists.txt sets
-# SKIP_UNITY_BUILD_INCLUSION for it.
+# cd_unity(TARGET): compiles files of the target together if they define no name twice. If a file's name
+# clashes with one in a header of other files, the folder's CMakeLists.txt sets
+# SKIP_UNITY_BUILD_INCLUSION for the file.
 function(cd_unity target)
     if(NOT CMAKE_UNITY_BUILD)
         return()

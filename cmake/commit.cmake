@@ -1,4 +1,4 @@
-# Writes OUT, a source file with the commit of SOURCE; leaves the file alone where nothing changed.
+# Writes OUT, a source file with the commit of SOURCE, unless its content is unchanged.
 execute_process(COMMAND git -C "${SOURCE}" describe --always --dirty --abbrev=12 --exclude=*
     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(NOT commit)
