@@ -1,4 +1,4 @@
-// A picture in memory, and its PNG file.
+// An image in memory, and its PNG file.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -17,14 +17,14 @@ struct Colour {
     friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// Rows from top to bottom, pixels from left to right.
+/// Pixels are in rows from top to bottom, from left to right.
 struct Image {
     unsigned width = 0;
     unsigned height = 0;
     std::vector<Colour> pixels;
 };
 
-/// Writes a PNG file of 8 bits a channel, whole or not at all. Errors: Io naming the file.
+/// Writes a PNG file with 8 bits per channel, whole or not at all. Errors: Io naming the file.
 [[nodiscard]] Status write_png(const Image& image, const std::filesystem::path& path);
 
 } // namespace cd

@@ -8,9 +8,9 @@ namespace cd {
 
 namespace {
 
-constexpr double border = 0.04;    ///< Share of the picture that stays free around the scene.
-constexpr double ambient = 0.35;   ///< Light on a face that is seen edge on.
-constexpr double mark_faint = 0.4; ///< Strength of a mark behind something.
+constexpr double border = 0.04;    ///< Empty share of the picture around the scene.
+constexpr double ambient = 0.35;   ///< Light on a face seen edge on.
+constexpr double mark_faint = 0.4; ///< Strength of a hidden mark.
 constexpr Colour background{255, 255, 255};
 constexpr float nothing = -std::numeric_limits<float>::infinity();
 
@@ -59,7 +59,7 @@ Rasteriser::Rasteriser(
     axes_[1] = cross(axes_[2], axes_[0]);
     const Vector center = vector_of(scene.center());
     const Vector half = vector_of(0.5 * scene.size());
-    std::array<double, 3> reach{}; // Of the scene's box along the axes.
+    std::array<double, 3> reach{}; // Half extents of the scene's box along the axes.
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
             reach[i] += std::abs(axes_[i][k]) * half[k];
@@ -87,7 +87,7 @@ Rasteriser::Point Rasteriser::project(const Vec3& world) const {
 Colour Rasteriser::shaded(const Corners& world, Colour colour) const {
     const Vector normal = cross(vector_of(world[1] - world[0]), vector_of(world[2] - world[0]));
     const double length = std::sqrt(dot(normal, normal));
-    // The light comes from the eye, a little from above.
+    // The light comes from slightly above the eye.
     const Vector light = normalised({axes_[2][0] + 0.5 * axes_[1][0],
                                      axes_[2][1] + 0.5 * axes_[1][1],
                                      axes_[2][2] + 0.5 * axes_[1][2]});
@@ -99,7 +99,7 @@ void Rasteriser::fill(const std::array<Point, 3>& corners, Colour colour, Layer&
     const auto& [a, b, c] = corners;
     const double area = area2(a, b, c[0], c[1]);
     if (!(area != 0)) {
-        return; // Seen edge on, degenerate, or NaN.
+        return; // The triangle is edge on, degenerate, or NaN.
     }
     const auto [left, right] = std::minmax({a[0], b[0], c[0]});
     const auto [top, bottom] = std::minmax({a[1], b[1], c[1]});

@@ -1,4 +1,4 @@
-// Draws triangles into an image: orthographic, with a depth buffer, flat shading and no library.
+// Rasterises triangles orthographically, with a depth buffer and flat shading, without a library.
 #pragma once
 
 #include "client/picture/image.hpp"
@@ -10,37 +10,36 @@
 
 namespace cd {
 
-/// From where a scene is seen. Neither vector is zero, and they are not parallel.
+/// A view direction and its up vector, which are nonzero and not parallel.
 struct Viewpoint {
-    Vec3 towards_eye; ///< In world coordinates; need not have length 1.
+    Vec3 towards_eye; ///< Direction in world coordinates, of any length.
     Vec3 up = {0, 0, 1};
 };
 
-/// A picture in the making. Uses + - * / and sqrt of doubles in a fixed order, so that all hosts
-/// make the same pixels.
+/// Rasterises a picture. It uses + - * / and sqrt of doubles in a fixed order, so pixels are
+/// identical on every host.
 class Rasteriser {
   public:
-    /// A picture of width x height pixels that shows all of `scene`, a box in world coordinates.
-    /// `samples` squared points of each pixel are looked at and averaged.
+    /// Makes a picture of width x height pixels that shows all of `scene`, a box in world
+    /// coordinates. Each pixel is the mean of `samples` squared points.
     Rasteriser(
         unsigned width, unsigned height, unsigned samples, const Viewpoint& eye, const Aabb& scene);
 
-    /// Draws a triangle in world coordinates, shaded by the angle at which it is seen. Both sides
-    /// show.
+    /// Draws both sides of a triangle in world coordinates, shaded by its angle to the view.
     void draw(const Corners& world, Colour colour);
-    /// Marks a triangle: it shows in full where nothing is in front of it, and faintly elsewhere.
+    /// Marks a triangle, which shows in full unless hidden, and faintly where hidden.
     void mark(const Corners& world, Colour colour);
 
-    /// How many sample points show a mark in full.
+    /// The number of sample points that show a mark in full.
     [[nodiscard]] std::size_t marks_in_sight() const;
     [[nodiscard]] Image image() const;
 
   private:
     struct Layer {
-        std::vector<float> depth; ///< Along `towards_eye`: the largest is in front.
+        std::vector<float> depth; ///< Depth along `towards_eye`; the largest is in front.
         std::vector<Colour> colour;
     };
-    using Point = std::array<double, 3>; ///< In samples from the left and the top, and the depth.
+    using Point = std::array<double, 3>; ///< Samples from left and top, and depth.
 
     [[nodiscard]] Point project(const Vec3& world) const;
     [[nodiscard]] Colour shaded(const Corners& world, Colour colour) const;
@@ -48,12 +47,12 @@ class Rasteriser {
     void fill(const std::array<Point, 3>& corners, Colour colour, Layer& layer) const;
 
     unsigned samples_;
-    unsigned width_;                            ///< In samples.
-    unsigned height_;                           ///< In samples.
-    std::array<std::array<double, 3>, 3> axes_; ///< Right, up and towards the eye; of length 1.
-    double scale_ = 1;                          ///< Samples a unit of length.
-    std::array<double, 2> center_{};            ///< Of the scene, along right and up.
-    double depth_margin_ = 0; ///< A mark shows unless something is in front of it by more.
+    unsigned width_;                            ///< Width in samples.
+    unsigned height_;                           ///< Height in samples.
+    std::array<std::array<double, 3>, 3> axes_; ///< Unit vectors right, up and towards the eye.
+    double scale_ = 1;                          ///< Samples per unit of length.
+    std::array<double, 2> center_{};            ///< Centre of the scene, along right and up.
+    double depth_margin_ = 0; ///< A mark is hidden if something is in front of it by more.
     Layer solid_;
     Layer marked_;
 };
