@@ -130,7 +130,7 @@ TEST_P(Metamorphic, PowersOfTwoScalePointsAndChangeNothingElse) {
         for (const int exponent : {20, -20}) {
             const Scene other = rescaled(*scene, exponent);
             if (rescaled(other, -exponent).a.mesh->vertices() != scene->a.mesh->vertices()) {
-                continue; // Below the least denormal.
+                continue; // It is below the least denormal.
             }
             ScenarioResult result = result_of(other, Level::Contacts);
             EXPECT_EQ(result.kind, expected.kind);

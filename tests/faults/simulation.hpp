@@ -141,7 +141,7 @@ class Simulation {
     std::unique_ptr<MasterProcess> master_;
     std::map<std::uint64_t, std::unique_ptr<WorkerProcess>> workers_;
     std::vector<std::unique_ptr<ClientProcess>> clients_;
-    std::set<std::uint64_t> clients_known_; ///< Their hosts.
+    std::set<std::uint64_t> clients_known_; ///< Hosts of known clients.
     std::size_t clients_to_come_ = 0;
     /// The scenario that kills every worker, by kind of job.
     std::map<std::string, std::uint64_t> deadly_;

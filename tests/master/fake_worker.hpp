@@ -37,7 +37,7 @@ class FakeWorker {
         bool only_takes = false;                       ///< Does nothing with its work.
         std::uint64_t instance = 0;                    ///< Instance id; 0: unknown.
         std::uint64_t batches_max = ~std::uint64_t{0}; ///< Rests after so many batches.
-        std::vector<Results> comes_with = {};          ///< Of an earlier session, sent first.
+        std::vector<Results> comes_with = {};          ///< Sent first, as an earlier session's.
         std::optional<std::uint64_t> holds = {};       ///< Scenario held until `go_on`.
         std::string holder = "worker";                 ///< Holder of its certificate, if any.
         std::uint16_t peer_port = 0; ///< Port where it falsely claims to serve peers.

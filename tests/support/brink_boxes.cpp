@@ -28,7 +28,7 @@ Vec3 center_of_node(const ObbNode& node) {
     return {node.center[0], node.center[1], node.center[2]};
 }
 
-/// The corner of a parallelepiped farthest along `direction`, seen from its centre.
+/// Returns the corner of a parallelepiped farthest along `direction`, relative to its centre.
 Vec3 support(const Mat3& edges, const Vec3& direction) {
     Vec3 corner = Vec3::Zero();
     for (int k = 0; k < 3; ++k) {

@@ -75,7 +75,7 @@ bool has_area(const Polygon& triangle) {
     return !is_zero(cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0])));
 }
 
-/// Half-spaces whose common part is exactly the triangle, segment or point.
+/// Returns half-spaces whose common part is exactly the triangle, segment or point.
 std::vector<HalfSpace> bounds_of(const Polygon& t) {
     std::vector<HalfSpace> bounds;
     if (has_area(t)) {

@@ -154,7 +154,7 @@ TEST(Topology, DegenerateTrianglesAreCountedAndThoseOfTwoCornersBoundNothing) {
     vertices.insert(vertices.end(), {{5, 0, 0}, {6, 0, 0}, {7, 0, 0}, {9, 9, 9}});
     triangles.push_back({first, first + 1, first + 2});     // Three collinear corners.
     triangles.push_back({first + 3, first + 3, first + 3}); // A point.
-    triangles.push_back({0, 1, 1});                         // On an edge of the box.
+    triangles.push_back({0, 1, 1});                         // An edge of the box.
     const Topology topology = analyse_topology(make_mesh(vertices, triangles));
 
     EXPECT_EQ(topology.degenerate, 3u);

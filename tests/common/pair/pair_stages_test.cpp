@@ -201,7 +201,7 @@ TEST(PairStages, IntegersDecideAsUnlimitedOnesWhereverTheyReach) {
 }
 
 TEST(PairStages, WhatWasAskedBeforeChangesNoAnswer) {
-    // One test for many pairs, of all scales.
+    // Use one test object for many pairs, of all scales.
     std::mt19937_64 random(17);
     const PosePair poses{translation_pose(0.1, 0, 3), translation_pose(-0.7, 1e-3, 0)};
     TrianglePairTest test(poses, PairStage::Lattice);

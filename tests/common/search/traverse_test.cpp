@@ -304,7 +304,7 @@ TEST(Traverse, KeepsTheFirstPairsOfManyAndCountsAll) {
     ContactSearch search(PosePair{}, {}, {.pairs_max = 450});
     search.collect(tree.view(), tree.view());
     EXPECT_EQ(search.pair_count(), std::uint64_t{triangles} * triangles);
-    EXPECT_LT(search.pairs().size(), 70'000u); // Of 160,000.
+    EXPECT_LT(search.pairs().size(), 70'000u); // All pairs: 160,000.
     search.sort();
 
     ASSERT_EQ(search.pairs().size(), 450u);

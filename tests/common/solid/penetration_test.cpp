@@ -357,7 +357,7 @@ TEST(Penetration, FlattenedBodiesHaveNoInside) {
     EXPECT_EQ(found(box, box, {flat, flat}), Found::Touch);
     EXPECT_EQ(found(box, box, {Pose{}, flat}), Found::Touch) << "on the bottom";
     EXPECT_EQ(found(box, box, {flat, Pose{}}), Found::Touch);
-    // In the middle; the sides are lines on its sides.
+    // The flat body in the middle; its sides are lines on the other's sides.
     const Pose middle = Pose::from_matrix(Vec3(1, 1, 0).asDiagonal(), Vec3(0, 0, 2));
     EXPECT_EQ(found(box, box, {Pose{}, middle}), Found::Penetrate);
     EXPECT_EQ(found(box, box, {middle, Pose{}}), Found::Penetrate);

@@ -14,7 +14,7 @@ namespace cd::tests {
 
 using Rational = boost::multiprecision::cpp_rational;
 using ExactVec = std::array<Rational, 3>;
-using ExactMat = std::array<ExactVec, 3>; ///< Rows.
+using ExactMat = std::array<ExactVec, 3>; ///< Three rows.
 
 inline Rational dot(const ExactVec& a, const ExactVec& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

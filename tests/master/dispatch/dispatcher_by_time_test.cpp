@@ -226,9 +226,9 @@ TEST_F(ByTime, AtTheEndLongScenariosGoOneByOneTheLongestFirst) {
         EXPECT_LE(batches_.size(), std::max<std::size_t>(2, i + 2));
     }
     ASSERT_EQ(batches_.size(), 5u);
-    EXPECT_EQ(batches_[2].scenarios[0], 2u); // 5 s,
-    EXPECT_EQ(batches_[3].scenarios[0], 4u); // 4 s,
-    EXPECT_EQ(batches_[4].scenarios[0], 3u); // 2 s.
+    EXPECT_EQ(batches_[2].scenarios[0], 2u); // Takes 5 s.
+    EXPECT_EQ(batches_[3].scenarios[0], 4u); // Takes 4 s.
+    EXPECT_EQ(batches_[4].scenarios[0], 3u); // Takes 2 s.
 }
 
 TEST_F(ByTime, EachThreadHasALongScenario) {
