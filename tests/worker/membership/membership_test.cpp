@@ -88,7 +88,7 @@ void perform_bond(const BondPlay& play) {
 }
 
 TEST(Membership, ToldToEndWithoutAConnectionItHandsOverWhatItHasOverTheNextOne) {
-    for (const std::uint64_t epoch : {1u, 2u}) { // First a resumed master, then a new one.
+    for (const std::uint64_t epoch : {1u, 2u}) { // The same master, then a restarted one.
         const auto scenarios = make_scenarios(600, 20);
         perform_bond([&](Bond& bond) -> asio::awaitable<void> {
             co_await leave_unacknowledged(bond, scenarios);
