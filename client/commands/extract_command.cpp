@@ -95,7 +95,7 @@ pictured(const PreparedJob& job, const Scenario& scenario, const ScenarioResult&
     return bodies;
 }
 
-/// One picture a scenario: DIR/N.png.
+/// Draws a picture of each scenario: DIR/N.png.
 Status write_pictures(const PreparedJob& job,
                       const CaseScenarios& found,
                       std::uint64_t first,

@@ -23,7 +23,7 @@ struct FolderOptions {
 /// when the run is complete, so an earlier run stays intact until then.
 class RunFolder {
   public:
-    /// How much of the job the folder already holds.
+    /// The part of the job that the folder already holds.
     enum class State : std::uint8_t { Nothing, Some, All };
 
     /// Locks a folder with a finished run, to add files. Errors: those of `read_run_json`; Io.

@@ -35,7 +35,7 @@ Status gunzip(const std::filesystem::path& from, const std::filesystem::path& to
             return written;
         }
     }
-    // A file that ends too early reads as an end without an error; only its state tells.
+    // A truncated file ends without an error; only the stream's state reveals it.
     int state = Z_OK;
     const char* message = gzerror(in.get(), &state);
     if (size < 0 || state != Z_OK) {

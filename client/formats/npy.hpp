@@ -31,7 +31,7 @@ struct NpyHeader {
     [[nodiscard]] std::uint64_t count() const;
 };
 
-/// The largest header; NumPy's own have some 100 bytes.
+/// The maximum size of a header; NumPy's own have some 100 bytes.
 inline constexpr std::size_t npy_header_bytes_max = (1u << 16) + 16;
 
 /// Reads the header from the first bytes of an array file, which may be hostile. Errors: BadInput

@@ -66,7 +66,7 @@ Result<LocalCluster> LocalCluster::start(const LocalClusterOptions& options,
                                        port_file.string(),
                                        "--state",
                                        options.state.string(),
-                                       // Loopback does not fail: the process is gone.
+                                       // On loopback a lost connection means a dead process.
                                        "--return-within",
                                        "1"},
                                       log);

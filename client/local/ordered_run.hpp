@@ -79,7 +79,7 @@ class OrderedRun {
     /// Results not yet taken. The first slot belongs to scenario `taken_`.
     std::deque<std::optional<DoneScenario>> done_;
     std::uint64_t added_ = 0;
-    std::uint64_t taken_ = 0; ///< Number taken; the index of the next result.
+    std::uint64_t taken_ = 0; ///< Index of the next result to take.
     std::uint64_t bytes_ahead_ = 0;
     std::uint64_t bytes_in_hand_ = 0; ///< Part of `bytes_ahead_` taken by the last call.
     JobStatistics statistics_;

@@ -34,7 +34,7 @@ struct PoseFileSpec {
     std::string quat_order;      ///< "xyzw", "wxyz", or empty if the file says it.
     bool of_both_bodies = false; ///< False: the poses are B's in A's frame.
     std::optional<double> rigid_tolerance;
-    double length_factor = 1; ///< From the unit of the file's translations to the job's.
+    double length_factor = 1; ///< Factor from the file's unit to the job's.
     std::string unit = {};    ///< Unit of translations; empty: the job's.
 };
 

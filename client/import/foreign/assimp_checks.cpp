@@ -41,7 +41,7 @@ Status check_printed_nan(const std::filesystem::path& path) {
     return Done{};
 }
 
-/// The first bytes of a file, which tell its format where its name does not.
+/// The first bytes of a file, which reveal its format if its name does not.
 std::string first_bytes(const std::filesystem::path& path) {
     std::array<char, 64> begin{};
     std::ifstream in(path, std::ios::binary);

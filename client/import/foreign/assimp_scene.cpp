@@ -168,7 +168,7 @@ DeclaredFrame fbx_frame(const aiScene& scene) {
     return frame;
 }
 
-/// Nothing if the format declares a unit and the file's unit is unknown.
+/// Returns nothing if the format declares a unit and the file's unit is unknown.
 std::optional<DeclaredFrame> declared_frame(const aiScene& scene,
                                             const std::filesystem::path& path) {
     const std::string format = format_of(scene);

@@ -8,7 +8,7 @@ namespace cd {
 /// Reads any format that assimp reads. A hostile file may crash or hang assimp and this process;
 /// `import_with_assimp` is safe from that.
 ///
-/// Errors: BadInput naming the file, and the face where assimp tells it.
+/// Errors: BadInput naming the file, and the face if assimp reports it.
 [[nodiscard]] Result<ImportedMesh> read_with_assimp(const std::filesystem::path& path,
                                                     const ImportOptions& options);
 

@@ -21,7 +21,7 @@ namespace {
 struct NumberElement {
     std::string_view name;
     std::uint64_t count; ///< Number of values; 0: any.
-    bool is_whole;       ///< Its numbers are indices or counts.
+    bool is_whole;       ///< The numbers are indices or counts.
 };
 
 constexpr std::array<NumberElement, 9> number_elements{{
@@ -63,7 +63,7 @@ class ColladaCheck {
     explicit ColladaCheck(const XmlText& xml) : xml_(xml) {}
 
     Status run() {
-        // Without recursion, since the file decides the depth.
+        // No recursion, since the file decides the depth.
         pugi::xml_node node = xml_.root();
         std::size_t depth = 1;
         while (node) {

@@ -14,11 +14,11 @@ namespace cd {
 [[nodiscard]] DeclaredFrame collada_frame(std::string_view text);
 
 /// The frame of an AMF document or of a 3MF model; by default millimetres, as in both standards.
-/// Nothing for an unknown unit. The text may end anywhere after its first element.
+/// Returns nothing for an unknown unit. The text may end anywhere after its first element.
 [[nodiscard]] std::optional<DeclaredFrame> additive_frame(std::string_view text);
 
-/// The frame of a 3MF archive. Nothing for an unknown unit, and for an archive that is damaged or
-/// has no model.
+/// The frame of a 3MF archive. Returns nothing for an unknown unit, and for an archive that is
+/// damaged or has no model.
 [[nodiscard]] std::optional<DeclaredFrame> three_mf_frame(const std::filesystem::path& path);
 
 } // namespace cd

@@ -52,9 +52,9 @@ class GltfFields {
     /// Like `numbers`, but reports another count than `count`.
     [[nodiscard]] std::optional<std::vector<double>> numbers(const char* key,
                                                              std::size_t count) const;
-    /// Indices below `count`; empty where the member is missing.
+    /// Indices below `count`; empty if the member is missing.
     [[nodiscard]] std::vector<std::size_t> indices(const char* key, std::size_t count) const;
-    /// An empty list where the member is missing.
+    /// An array; empty if the member is missing.
     [[nodiscard]] const Json& list(const char* key) const;
     [[nodiscard]] std::optional<GltfFields> object(const char* key) const;
 

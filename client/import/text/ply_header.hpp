@@ -27,7 +27,7 @@ struct PlyProperty {
 
 struct PlyElement {
     std::string name;
-    std::uint64_t count = 0; ///< As in the header; the data may hold fewer.
+    std::uint64_t count = 0; ///< Count in the header; the data may hold fewer.
     std::vector<PlyProperty> properties;
 };
 

@@ -9,7 +9,7 @@ namespace cd {
 /// Lines end with "\n", "\r\n" or "\r". Words are separated by blanks and line ends.
 class TextReader {
   public:
-    /// Whether a backslash at the end of a line continues it on the next line.
+    /// The meaning of a backslash at the end of a line: it may continue the line.
     enum class Backslash { IsText, JoinsLines };
 
     explicit TextReader(std::string_view text,
