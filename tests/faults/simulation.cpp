@@ -129,7 +129,7 @@ void Simulation::check_cache(WorkerProcess& worker) {
     const Session* session = worker.session();
     const std::uint64_t host = worker.host().id;
     const WorkerId id = world_.watcher.session_of(host);
-    // Nobody hears a dying worker any more.
+    // A dying worker's messages reach nobody.
     if (session == nullptr || !session->is_connected() || id == WorkerId{} ||
         worker.host().is_dying) {
         return;

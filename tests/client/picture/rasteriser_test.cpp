@@ -1,5 +1,5 @@
-// Proves what a picture shows: all of the scene, what is in front, lit faces, marks; the same
-// pixels on every host; and that a PNG file holds them.
+// Proves the content of pictures: the whole scene, occlusion, lit faces, marks; equal pixels on
+// every host; and that a PNG file holds them.
 #include "client/picture/rasteriser.hpp"
 
 #include "client/picture/body_picture.hpp"
@@ -22,7 +22,7 @@ constexpr Colour grey{200, 200, 200};
 constexpr Colour red{255, 0, 0};
 const Viewpoint from_above{{0, 0, 1}, {0, 1, 0}};
 
-/// A square with corners (+-1, +-1, z), two triangles.
+/// Makes a square with corners (+-1, +-1, z) of two triangles.
 std::array<Corners, 2> square(double z, double size = 1) {
     const Vec3 a(-size, -size, z);
     const Vec3 b(size, -size, z);
@@ -38,7 +38,7 @@ Rasteriser small_picture(const Viewpoint& eye = from_above) {
     return {16, 16, 1, eye, scene};
 }
 
-/// A letter a pixel: '.' background, the darker the later in the alphabet.
+/// Prints a letter per pixel: '.' is background; later letters are darker.
 std::string text_of(const Image& image) {
     std::string text;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {

@@ -1,4 +1,4 @@
-// Proves how long a worker that TLS refuses tries again.
+// Proves for how long a worker retries after TLS refusals.
 #include "worker/membership/refusal_patience.hpp"
 
 #include <gtest/gtest.h>
