@@ -151,8 +151,7 @@ TEST_F(Results, AMapOfListedPairsSaysSo) {
                 testing::StartsWith("body,triangle,scenarios_of_first_2_pairs,part\na,"));
     const auto arrays = read_npz(folder_ / "out" / "map.npz");
     ASSERT_TRUE(arrays);
-    EXPECT_EQ(arrays.value().at("first_pairs").to_integers().value(),
-              std::vector<std::int64_t>{2});
+    EXPECT_EQ(arrays.value().at("first_pairs").to_integers().value(), std::vector<std::int64_t>{2});
     write_job(6, "level = \"pairs\"\nlimit_pairs = 2\nmaps = true");
     ASSERT_EQ(run({"--out", folder_ / "all", "--formats", "csv"}).exit_code, 0);
     EXPECT_THAT(read_text(folder_ / "all" / "map.csv"),
