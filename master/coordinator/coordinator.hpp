@@ -88,9 +88,10 @@ class Coordinator {
     // ---- Workers (coordinator_workers.cpp) ------------------------------------------------------
     [[nodiscard]] const FailureTimes& times() const { return parts_.times; }
     [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
-    /// Decides how to answer a Hello. Resumes the session if this master process created it and has
+    /// Decides how to answer a Hello; `holder` is the holder of the certificate, empty without one.
+    /// Resumes the session if this master process created it for the same process and holder and has
     /// not declared the worker lost.
-    [[nodiscard]] Reception receive_worker(const Hello& hello);
+    [[nodiscard]] Reception receive_worker(const Hello& hello, const std::string& holder);
     /// Call after the Welcome has been sent. A new worker gets work at once; a resumed one gets
     /// work after its Standing.
     void
@@ -207,7 +208,7 @@ class Coordinator {
     };
     struct LostWorker {
         WorkerStatus status; ///< Snapshot taken when the worker was lost.
-        std::uint64_t instance = 0;
+        WorkerProcess process = 0;
     };
     struct RunningTask {
         WorkerId worker;
@@ -245,7 +246,7 @@ class Coordinator {
     /// worker no more work.
     void take_all_back(WorkerId worker);
     /// Ends the earlier sessions of a process that has started a new one.
-    void end_earlier_sessions(std::uint64_t instance);
+    void end_earlier_sessions(WorkerProcess process);
     [[nodiscard]] Status check_standing(const Standing& standing) const;
     asio::awaitable<void> watch_workers();
     void check_workers();

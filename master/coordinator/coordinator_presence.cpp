@@ -61,12 +61,12 @@ std::vector<RootIndex> others(std::uint32_t count, const std::vector<RootIndex>&
 
 // ---- Joining and returning --------------------------------------------------------------------
 
-Reception Coordinator::receive_worker(const Hello& hello) {
+Reception Coordinator::receive_worker(const Hello& hello, const std::string& holder) {
     const WorkerId before{hello.session};
     const auto link = workers_.find(before);
     const bool is_of_this_life = hello.epoch == epoch_ || mutated(Mutation::OldEpochTaken);
     if (is_of_this_life && link != workers_.end() && !link->second.is_cut_off &&
-        link->second.instance == hello.instance) {
+        link->second.instance == hello.instance && sessions_.holder_of(before) == holder) {
         return {before, link->second.key, true};
     }
     return {WorkerId{++worker_last_}, random_secret(), false};
@@ -79,11 +79,11 @@ void Coordinator::worker_joined(const Reception& reception,
     if (reception.is_resumed) {
         return worker_returned(worker, std::move(channel));
     }
-    if (hello.instance != 0) {
-        end_earlier_sessions(hello.instance);
-    }
     const auto& certified = channel->peer_identity();
     const std::string holder = certified ? certified->name : "";
+    if (hello.instance != 0) {
+        end_earlier_sessions(process_that_greets(hello, holder));
+    }
     log_info("worker joined: worker={} name={} holder=\"{}\" threads={} cache_bytes={} peer={}",
              worker.value,
              hello.name,
@@ -146,10 +146,10 @@ void Coordinator::quarantine_holder(WorkerId worker) {
     }
 }
 
-void Coordinator::end_earlier_sessions(std::uint64_t instance) {
+void Coordinator::end_earlier_sessions(WorkerProcess process) {
     std::vector<WorkerId> earlier;
     for (const auto& [id, link] : workers_) {
-        if (link.instance == instance) {
+        if (sessions_.process_of(id) == process) {
             earlier.push_back(id);
         }
     }
@@ -159,7 +159,7 @@ void Coordinator::end_earlier_sessions(std::uint64_t instance) {
         worker_lost(id, "it has begun another session");
     }
     for (auto lost = lost_.begin(); lost != lost_.end();) {
-        if (lost->second.instance == instance) {
+        if (lost->second.process == process) {
             watch_.left(lost->first);
             lost = lost_.erase(lost);
         } else {
@@ -478,7 +478,7 @@ void Coordinator::worker_lost(WorkerId worker, const std::string& why) {
     ++workers_lost_;
     scenarios_given_back_ += last.working;
     last.state = WorkerState::Lost;
-    lost_.emplace(worker, LostWorker{std::move(last), link->second.instance});
+    lost_.emplace(worker, LostWorker{std::move(last), sessions_.process_of(worker)});
     watch_.lost(worker);
     link->second.channel->close();
     worker_left(worker, why);

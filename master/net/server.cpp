@@ -151,7 +151,8 @@ asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
             co_return;
         }
         seat.reset();
-        const Reception reception = coordinator_.receive_worker(hello);
+        const Reception reception = coordinator_.receive_worker(
+            hello, access.holder() ? access.holder()->name : std::string());
         welcome.id = reception.worker.value;
         welcome.peer_key = reception.key;
         welcome.epoch = coordinator_.epoch();

@@ -64,5 +64,22 @@ TEST(ServerHolder, WhoWasWrongIsInQuarantineWithItsNextProcess) {
     EXPECT_FALSE(joins_in_quarantine(master, "honest", 5));
 }
 
+TEST(ServerHolder, AnotherHolderWithTheSameNumberEndsNobodysSession) {
+    Master master(no_return, {}, secured);
+    const FakeWorker first(master, {.instance = 7, .holder = "first"});
+    master.run_until([&] { return alive_at(master).has_value(); });
+    const FakeWorker second(master, {.instance = 7, .holder = "second"});
+    const auto here = [&] {
+        const auto workers = master.coordinator.cluster_status().workers;
+        return std::ranges::count(workers, WorkerState::Alive, &WorkerStatus::state);
+    };
+    master.run_until([&] { return first.ended || here() == 2; });
+    EXPECT_FALSE(first.ended);
+    EXPECT_EQ(here(), 2);
+    const FakeWorker again(master, {.instance = 7, .holder = "first"});
+    master.run_until([&] { return first.ended; });
+    EXPECT_FALSE(second.ended);
+}
+
 } // namespace
 } // namespace cd::tests
