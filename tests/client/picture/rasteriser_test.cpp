@@ -5,7 +5,7 @@
 #include "client/picture/body_picture.hpp"
 #include "common/core/files/hash.hpp"
 #include "tests/support/shapes.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/support/process.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>
