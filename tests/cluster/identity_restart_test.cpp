@@ -53,7 +53,7 @@ class SecuredRestart : public MortalCluster {
 };
 
 /// The master's clock is wrong for a while, so TLS rejects all its workers.
-TEST_F(SecuredRestart, AWorkerThatWasWelcomeBearsThatItsCertificateIsNotTakenForAWhile) {
+TEST_F(SecuredRestart, AKnownWorkerRetriesAfterTlsRefusals) {
     Process& worker = start_worker();
     auto connection = connect();
     EXPECT_TRUE(comes_true([&] { return connection->status().value().workers.size() == 1; }));

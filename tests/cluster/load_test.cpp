@@ -13,7 +13,7 @@ class FullLoad : public MortalCluster {
     FullLoad() : MortalCluster({"--heartbeat", "0.2", "--lost-after", "4"}) {}
 };
 
-TEST_F(FullLoad, OfAHostWithFewProcessorsDoesNotMakeItsWorkerLost) {
+TEST_F(FullLoad, AnOverloadedWorkerIsNotDeclaredLost) {
     constexpr unsigned threads = 48;
     start_worker(threads, {"--drain-timeout", "0"});
     const auto connection = connect();

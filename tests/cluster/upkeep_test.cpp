@@ -140,7 +140,7 @@ TEST_F(OneJobKept, TheJobThatEndedFirstIsForgotten) {
     }
 }
 
-TEST_F(Upkeep, OfSeveralJobsThoseBeforeTheFirstErrorAreRemoved) {
+TEST_F(Upkeep, RemovalOfSeveralJobsStopsAtTheFirstError) {
     start_worker();
     const Job job = make_job(20);
     const std::string first = std::to_string(run(job, Query{}).job.value);

@@ -100,7 +100,7 @@ void expect_batches_right(const std::vector<KnownPair>& group, PairStage first) 
 
 class PairTruth : public testing::TestWithParam<std::string> {};
 
-TEST_P(PairTruth, OneByOne) {
+TEST_P(PairTruth, SinglePairsMatchTheOracle) {
     for (const std::uint64_t range : ranges) {
         for (const KnownPair& one : known_pairs(GetParam(), range)) {
             const auto& [a, b, poses] = one.pair;
@@ -111,7 +111,7 @@ TEST_P(PairTruth, OneByOne) {
     }
 }
 
-TEST_P(PairTruth, InBatches) {
+TEST_P(PairTruth, BatchedPairsMatchTheOracle) {
     for (const std::uint64_t range : ranges) {
         for (const auto& group : by_poses(known_pairs(GetParam(), range))) {
             expect_batches_right(group, PairStage::Float);
@@ -119,7 +119,7 @@ TEST_P(PairTruth, InBatches) {
     }
 }
 
-TEST_P(PairTruth, WhateverTheFirstStage) {
+TEST_P(PairTruth, AnswersDoNotDependOnTheFirstStage) {
     const std::vector<KnownPair> known = known_pairs(GetParam(), ranges[0]);
     const std::vector<KnownPair> some(known.begin(), known.begin() + 200);
     for (std::size_t stage = 0; stage < pair_stage_count; ++stage) {

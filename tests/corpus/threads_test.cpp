@@ -45,7 +45,7 @@ void expect_apart(const Corners& a, const Corners& b) {
 
 // Report: two triangles of one upright wall, with corners on two plumb lines and once floats,
 // counted as meeting. Rounded normals put them in two planes, and a tolerance did the rest.
-TEST(Threads, JgtCode9) {
+TEST(Threads, TrianglesOfOneUprightWallStayApart) {
     const auto at = [](bool second, float height) {
         return second ? Vec3(double{17.418531f}, double{41.269943f}, double{height})
                       : Vec3(double{17.437866f}, double{41.227783f}, double{height});
@@ -61,7 +61,7 @@ TEST(Threads, JgtCode9) {
 
 // Report: two walls of one profile on one axis overlap by 50 mm, and no clash was found. Every
 // corner of each is on a face of the other, and all crossing edges are in shared planes.
-TEST(Threads, IfcOpenShell4594) {
+TEST(Threads, OverlappingWallsOfOneProfileCollide) {
     const Mesh wall = make_box_between(Vec3(0, 0, 0), Vec3(3, 0.25, 2.5));
     const Mesh corner = make_box_between(Vec3(0, 0, 0), Vec3(0.25, 3, 2.5));
     const PosePair along{Pose{}, translation_pose(2.95, 0, 0)};
@@ -79,7 +79,7 @@ TEST(Threads, IfcOpenShell4594) {
 
 // Report: flat meshes counted as self-intersecting, since coplanar but separate triangles were
 // found to meet.
-TEST(Threads, Open3DPull7539) {
+TEST(Threads, CoplanarSeparateTrianglesDoNotIntersect) {
     const auto at = [](double y, double z) { return Vec3(0, y, z); };
     expect_apart({at(0.14, 1), at(0, 1.13), at(0, 1.03)}, {at(1.13, 0), at(0.03, 1), at(1.03, 0)});
     expect_apart({at(0.1, 0.1), at(0.7, 0.1), at(0.1, 0.7)},
@@ -90,7 +90,7 @@ TEST(Threads, Open3DPull7539) {
 
 // Report: a box given as a mesh fell through another. We assume that only vertices were tested
 // against the other mesh; then boxes that cross or rest with all vertices outside never collide.
-TEST(Threads, Warp961) {
+TEST(Threads, BoxesCrossingWithoutInnerVerticesCollide) {
     const Mesh plate = make_box_between(Vec3(-10, -10, -1), Vec3(10, 10, 0));
     const Mesh pillar = make_box_between(Vec3(-1, -1, -20), Vec3(1, 1, 20));
     EXPECT_EQ(run(plate, pillar, {}, Level::Count).kind, ScenarioClass::Cross);
@@ -105,7 +105,7 @@ TEST(Threads, Warp961) {
 
 // Report: for a small box on a large one, the contact points were corners of the large box's
 // triangles, far outside the shared face.
-TEST(Threads, Fcl106) {
+TEST(Threads, ContactPointsLieInTheSharedFaceOfStackedBoxes) {
     const Mesh large = make_box_between(Vec3(-2, -2, -1), Vec3(2, 2, 0));
     const Mesh small = make_box_between(Vec3(-0.5, -0.25, 0), Vec3(0.5, 0.25, 1));
     const ScenarioResult result = run(large, small, {}, Level::Contacts);
@@ -128,7 +128,7 @@ TEST(Threads, Fcl106) {
 
 // Report: for two stacked boxes the box tests, rounding without a margin, lost three quarters of
 // the touching pairs: touching flat boxes were found apart.
-TEST(Threads, FclStackedBoxes) {
+TEST(Threads, BoxTestsKeepAllTouchingPairsOfStackedBoxes) {
     const Mesh box = make_ticked_box(ticks(0, 0.1, 6), ticks(0, 0.1, 6), ticks(0, 0.1, 6));
     const Quaternion turn{7, 1, -3, 2};
     const Vec3 place(0.1, 20.3, -7.7);

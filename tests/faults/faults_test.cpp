@@ -114,7 +114,7 @@ struct KnownFault {
 
 class Faults : public testing::TestWithParam<KnownFault> {};
 
-TEST_P(Faults, AreNoticed) {
+TEST_P(Faults, EveryMutationIsDetected) {
     constexpr std::uint64_t seeds_tried = 200; // Without a mutation, all these seeds pass.
     std::string noticed; // If another problem shows first, the next seeds are tried.
     const auto is_noticed = [&] {

@@ -76,7 +76,7 @@ TEST_F(Ordered, NoMoreIsWantedThanMayRunAhead) {
     EXPECT_GT(run.wanted(), 0u);
 }
 
-TEST_F(Ordered, WhatWaitsIsDroppedAtTheEnd) {
+TEST_F(Ordered, DestructionDropsPendingScenarios) {
     OrderedRun run(runner_, ended_, pool_);
     run.add(make_scenarios(0, 5000));
 }

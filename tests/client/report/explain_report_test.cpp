@@ -66,7 +66,7 @@ TEST(ExplainReport, ByTimeEachTermStandsInMillisecondsAndTheyAddUp) {
     EXPECT_THAT(line_with(text, "node-9"), HasSubstr("875.000"));
 }
 
-TEST(ExplainReport, WhatTheScoresAreNotIsSaidOnlyWhereThereIsSomethingToSay) {
+TEST(ExplainReport, OmissionsOfScoresAreListedOnlyIfAny) {
     Explained explained = make_explained(Strategy::BestMatch);
     EXPECT_THAT(explained_text(explained, "j-1"), Not(HasSubstr("note")));
     explained.note = "the job has ended";

@@ -148,7 +148,7 @@ TEST_F(JobFolder, AJobIsVerifiedAndExtractedAsAFolderIs) {
     EXPECT_EQ(digest_of(again), expected["digest"].get<std::string>().substr(0, 16));
 }
 
-TEST_F(JobFolder, OfACancelledJobThereIsWhatItHas) {
+TEST_F(JobFolder, ACancelledJobKeepsItsResults) {
     write_job("random = { n = 500, seed = 3 }", "level = \"count\"\nmaps = true");
     // Without a worker, the master alone answers all it can.
     const Ran submitted = cdctl_at_master({"submit", folder_ / "job.toml", "-o", "name"});

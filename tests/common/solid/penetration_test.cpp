@@ -157,7 +157,7 @@ TEST(Penetration, CubesPenetrateExactlyWhereTheyShareACube) {
     EXPECT_GT(tally.proper, 100);
 }
 
-TEST(Penetration, TheSameUnderQuaternionsOfQuarterTurnsAnd345) {
+TEST(Penetration, AnswersSurviveExactQuaternionTurns) {
     constexpr std::array<Quaternion, 4> turns{
         Quaternion{1, 0, 0, 0}, {2, 1, 0, 0}, {2, 0, 1, 0}, {2, 0, 0, -1}};
     Tally tally;

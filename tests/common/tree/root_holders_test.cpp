@@ -93,7 +93,7 @@ TEST(RootHolders, WhoComesLaterHoldsNothingAndTakesNothingAway) {
     }
 }
 
-TEST(RootHolders, WhoLeavesHoldsNothingAndTheOthersKeepTheirs) {
+TEST(RootHolders, RemovingAHolderKeepsTheOthersRoots) {
     RootHolders holders(root_count, 130);
     for (const std::uint32_t holder : {63u, 64u, 129u}) {
         holders.set(holder, 5);

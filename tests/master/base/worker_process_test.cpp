@@ -20,7 +20,7 @@ TEST(Losses, AProcessCountsOnce) {
     EXPECT_FALSE(losses.none());
 }
 
-TEST(Losses, WhatIsLostWithOneProcessForEverComesToAnEnd) {
+TEST(Losses, RepeatedLossesOfOneProcessEventuallyFail) {
     Losses losses;
     for (std::size_t i = 0; i <= 2 * limits::losses_again_that_count; ++i) {
         EXPECT_LT(losses.count(), limits::scenario_losses_max);
@@ -29,13 +29,13 @@ TEST(Losses, WhatIsLostWithOneProcessForEverComesToAnEnd) {
     EXPECT_EQ(losses.count(), limits::scenario_losses_max);
 }
 
-TEST(Losses, ADoubtIsNone) {
+TEST(Losses, ASuspectResultCountsNoLoss) {
     const Losses losses = Losses::in_doubt();
     EXPECT_EQ(losses.count(), 0u);
     EXPECT_FALSE(losses.none());
 }
 
-TEST(Losses, OneThatNobodyKnowsCountsEachTime) {
+TEST(Losses, AnUnknownProcessCountsEachTime) {
     Losses losses;
     for (std::size_t i = 1; i <= 2 * limits::scenario_losses_max; ++i) {
         losses.add(0);

@@ -76,7 +76,7 @@ TEST_F(BlockDirectorTest, OnlyAWorkerThatSaysSoHoldsABlock) {
     EXPECT_EQ(*fetch, (SendToPeers{worker(2), tree, {hot}, {worker(1)}}));
 }
 
-TEST_F(BlockDirectorTest, WhoServesNobodyIsNotWaitedFor) {
+TEST_F(BlockDirectorTest, ANonServingHolderDelaysNobody) {
     director.worker_joined(worker(1), false);
     director.worker_joined(worker(2), true);
     (void)want(1, {hot});
@@ -98,7 +98,7 @@ TEST_F(BlockDirectorTest, ManyBlocksAreSpreadOverTheirHolders) {
     }
 }
 
-TEST_F(BlockDirectorTest, AThirdFetchWaitsForAPlace) {
+TEST_F(BlockDirectorTest, AThirdFetchWaitsForAnUploadSlot) {
     join(4);
     (void)hold(1, {hot});
     EXPECT_TRUE(from_peers(want(2, {hot})));
@@ -150,7 +150,7 @@ TEST_F(BlockDirectorTest, WhoWaitsForASourceThatIsNotReachedGetsItFromTheMaster)
     EXPECT_EQ(*send, (SendBlock{worker(4), {tree, hot}}));
 }
 
-TEST_F(BlockDirectorTest, WhoCannotReachASourceIsNotSentThereAgain) {
+TEST_F(BlockDirectorTest, AnUnreachableSourceIsNotNamedAgain) {
     join(3);
     (void)hold(1, {hot, 8});
     (void)want(2, {hot});

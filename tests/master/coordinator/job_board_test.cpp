@@ -39,7 +39,7 @@ class Jobs : public testing::Test {
     Clock::time_point now_;
 };
 
-TEST_F(Jobs, OfSoManyScenariosRunAtATime) {
+TEST_F(Jobs, RunningScenariosAreBounded) {
     open(limits::scenarios_running_max - 10);
     const JobId little = open(4);
     const auto more = board_.next(7);
@@ -50,7 +50,7 @@ TEST_F(Jobs, OfSoManyScenariosRunAtATime) {
     EXPECT_TRUE(board_.next(7));
 }
 
-TEST_F(Jobs, ThatEndedFirstAreDroppedFirst) {
+TEST_F(Jobs, TheOldestEndedJobIsDroppedFirst) {
     const JobId longest = open(1);
     const JobId first = open(1);
     const JobId second = open(1);
@@ -105,7 +105,7 @@ TEST_F(Jobs, OfManyScenariosWithoutResultsDisplaceNobody) {
     }
 }
 
-TEST_F(Jobs, WhoseEndIsNotToldAreNotDropped) {
+TEST_F(Jobs, UnannouncedEndedJobsAreKept) {
     std::vector<JobId> jobs;
     for (std::size_t i = 0; i <= limits::jobs_ended_kept_max; ++i) {
         jobs.push_back(open(1));

@@ -163,7 +163,7 @@ TEST_F(ByTime, TheLinkIsLearned) {
     EXPECT_EQ(has(worker_2), 1u);
 }
 
-TEST_F(ByTime, WhatDoesNotFitACacheCosts) {
+TEST_F(ByTime, EvictionsAddToTheEstimate) {
     open();
     join(worker_1, 1, 50 * limits::wide_bytes_per_triangle);
     join(worker_2, 1, 200 * limits::wide_bytes_per_triangle);
@@ -171,7 +171,7 @@ TEST_F(ByTime, WhatDoesNotFitACacheCosts) {
     EXPECT_EQ(has(worker_2), 1u);
 }
 
-TEST_F(ByTime, WhoJoinsTakesOverWhatWaitsForOthers) {
+TEST_F(ByTime, AJoiningWorkerTakesOverWaitingScenarios) {
     open(0);
     join(worker_1);
     feed(100, 0);

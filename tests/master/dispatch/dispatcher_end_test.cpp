@@ -261,7 +261,7 @@ class AtTheEnd : public testing::TestWithParam<Way> {
     }
 };
 
-TEST_P(AtTheEnd, WhatHasNotBegunGoesToWhoHasNothingToDo) {
+TEST_P(AtTheEnd, UnbegunScenariosMoveToIdleWorkers) {
     // The slow worker gets as much as the others before anything is measured.
     const auto scenarios = like(60, 0.01);
     EndRun helped(GetParam(), {{1}, {1}, {0.02}});
@@ -274,7 +274,7 @@ TEST_P(AtTheEnd, WhatHasNotBegunGoesToWhoHasNothingToDo) {
     EXPECT_LE(helped.begun_twice, helped.copied) << "what is recalled is done once";
 }
 
-TEST_P(AtTheEnd, WhatHasBegunIsCopiedWhereThatEndsSooner) {
+TEST_P(AtTheEnd, BegunScenariosAreCopiedIfThatEndsSooner) {
     // 5 % of 200 scenarios are 10.
     const auto scenarios = like(200, 0.1);
     EndRun helped(GetParam(), {{1}, {1}, {1, 2.05}});
@@ -296,7 +296,7 @@ TEST_P(AtTheEnd, AJobOfAFewScenariosHasNoCopies) {
     EXPECT_EQ(run.copied, 0u) << "one would be a tenth of the work";
 }
 
-TEST_P(AtTheEnd, WhateverHostsDoAllIsAnsweredAndLittleIsDoneTwice) {
+TEST_P(AtTheEnd, EveryScenarioIsAnsweredWithFewRepeats) {
     std::uint64_t recalled = 0;
     std::uint64_t copied = 0;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -336,7 +336,7 @@ INSTANTIATE_TEST_SUITE_P(Ways,
                              return way.param == Way::Scenarios ? "Scenarios" : "Places";
                          });
 
-TEST(AtTheEndOfLargeClusters, WhoWaitsForAnAnswerKeepsNobodyElseFromHelp) {
+TEST(AtTheEndOfLargeClusters, AnUnansweredRecallBlocksNoOtherHelp) {
     constexpr std::size_t late = 100;
     constexpr std::size_t workers = 2 * late;
     Dispatcher dispatcher;

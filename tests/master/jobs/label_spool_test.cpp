@@ -70,7 +70,7 @@ TEST_F(Labels, AreOfTheColumnsAndTheNumberThatWereAnnounced) {
     EXPECT_TRUE(spool.value()->append(labels_of(0, 3), 3));
 }
 
-TEST_F(Labels, ThatAreDamagedOrOfAnotherJobAreAnErrorThatNamesTheFile) {
+TEST_F(Labels, DamagedOrForeignLabelsNameTheFile) {
     write();
     EXPECT_FALSE(LabelSpool::open(path_, texts_and_times, scenarios + 1));
     EXPECT_FALSE(LabelSpool::open(path_, LabelColumns{IdKind::Integer, true}, scenarios));

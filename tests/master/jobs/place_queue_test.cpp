@@ -26,7 +26,7 @@ TEST(PlaceQueue, HandsOutEveryPlaceOnceAndNoPieceLeavesItsWindow) {
     EXPECT_EQ(queue.left(), 0u);
 }
 
-TEST(PlaceQueue, WhatCameBackIsFirst) {
+TEST(PlaceQueue, ReturnedPositionsGoFirst) {
     PlaceQueue queue(100);
     const auto first = queue.take(10);
     Losses one;
@@ -61,7 +61,7 @@ TEST(PlaceQueue, WhatWasLostBeforeKeepsItsLosses) {
     EXPECT_EQ(next, 100u);
 }
 
-TEST(PlaceQueue, OfWhichAllWasLostIsOnePiece) {
+TEST(PlaceQueue, AFullyLostQueueIsOnePiece) {
     const std::vector<LostPlaces> lost = {{{0, 100}, 70}};
     PlaceQueue queue(100, lost);
     ASSERT_EQ(queue.pieces().size(), 1u);

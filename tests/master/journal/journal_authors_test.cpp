@@ -70,7 +70,7 @@ TEST(JournalAuthors, OfAJobThatHasEndedItIsKnownWhoContributed) {
     EXPECT_EQ(again.recovered.jobs.at(0).contributors, (std::set<WorkerProcess>{7, 8}));
 }
 
-TEST(JournalAuthors, OfWhatIsVouchedForSettledOrCorrectedAreNobody) {
+TEST(JournalAuthors, ConfirmedSettledOrCorrectedResultsAreNotSuspect) {
     const TemporaryFolder folder;
     {
         Writer writer(folder.path());

@@ -303,7 +303,7 @@ TEST(Journal, MissingFilesAreNamed) {
 }
 
 /// Removes all of a journal's files except those of the job.
-TEST(Journal, WhatLooksNewBesideFilesOfAJobIsRefusedAndTheyStay) {
+TEST(Journal, AnEmptyIndexBesideJobFilesIsRefused) {
     using Names = std::vector<std::string>;
     for (const Names& left :
          {Names{"1.results"}, Names{"1.poses"}, Names{"1.poses", "1.results"}}) {
@@ -438,7 +438,7 @@ TEST(Journal, WithAFullDiskItWaitsAndGoesOnWhenThereIsRoom) {
     EXPECT_TRUE(again.recovered.jobs.at(0).results->verify());
 }
 
-TEST(Journal, EndedWhileItWaitsItHasLostOnlyWhatItNeverConfirmed) {
+TEST(Journal, EndingDuringAWaitLosesOnlyUnconfirmedEntries) {
     const TemporaryFolder folder;
     std::uint64_t committed = 0;
     {

@@ -43,7 +43,7 @@ TEST(Ledger, ResultsAreKeptOnceAllOfThemAreDurable) {
     EXPECT_EQ(ledger.durable(job_a), 2u);
 }
 
-TEST(Ledger, WhatIsDurableAlreadyIsKeptAtOnce) {
+TEST(Ledger, DurableEntriesAreAcknowledgedAtOnce) {
     Ledger ledger;
     ledger.open_job(job_a);
     ledger.restore(job_a, 3);

@@ -66,7 +66,7 @@ TEST(Metrics, TellWhatTheStatusTells) {
     EXPECT_THAT(text, Not(HasSubstr("job=\"7\""))) << "it does not run";
 }
 
-TEST(Metrics, OfNothingThereIsAPageToo) {
+TEST(Metrics, AnEmptyClusterHasAPage) {
     const std::string text = metrics_text({});
     EXPECT_THAT(text, HasSubstr("\ncdcluster_workers{state=\"alive\"} 0\n"));
     EXPECT_EQ(text.back(), '\n');

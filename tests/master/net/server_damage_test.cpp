@@ -128,7 +128,7 @@ TEST(ServerDamage, ADisputeWaitsForThePosesToJudgeIt) {
     EXPECT_GT(master.coordinator.alarm_count(), 0u);
 }
 
-TEST(ServerDamage, WhatAWorkerHasForAJobThatWaitsHoldsUpNoOther) {
+TEST(ServerDamage, ResultsOfAWaitingJobBlockNoOther) {
     DamagedMaster master(AnalysisMode::Always);
     const Damage damage(master.poses());
     const std::vector<Results> all = more_than_fit_in_hand(master.job);
@@ -143,7 +143,7 @@ TEST(ServerDamage, WhatAWorkerHasForAJobThatWaitsHoldsUpNoOther) {
     master.expect_right_end();
 }
 
-TEST(ServerDamage, WhatCannotBeSetAsideIsTakenOneByOneAndNothingIsDropped) {
+TEST(ServerDamage, ResultsBeyondTheParkingLimitAreReadOneByOne) {
     DamagedMaster master(AnalysisMode::Always, {.results_aside_bytes_max = 0});
     const Damage damage(master.poses());
     const std::vector<Results> all = more_than_fit_in_hand(master.job);
@@ -156,7 +156,7 @@ TEST(ServerDamage, WhatCannotBeSetAsideIsTakenOneByOneAndNothingIsDropped) {
 }
 
 /// Results repeat over one connection, and over the next.
-TEST(ServerDamage, WhatIsSetAsideIsSetAsideOnce) {
+TEST(ServerDamage, RepeatedUncheckableResultsAreParkedOnce) {
     DamagedMaster master(AnalysisMode::Always);
     const Damage damage(master.poses());
     Results twice = right_results(master.job, 0);

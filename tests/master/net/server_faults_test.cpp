@@ -40,7 +40,7 @@ TEST(Server, AWorkerThatDiesHasItsScenariosDoneByAnother) {
 }
 
 /// Simulates a master that stood still while a worker reconnected repeatedly.
-TEST(Server, ConnectionsThatOneProcessHasLeftAreNoEvidenceAgainstAScenario) {
+TEST(Server, AbandonedConnectionsOfOneProcessCountNoLoss) {
     Master master;
     Client client(master);
     client.start(reference().submission());
@@ -66,7 +66,7 @@ TEST(Server, RepeatedAnswersDoNoHarm) {
     expect_right(client);
 }
 
-TEST(Server, OfResultsThatDifferTheRightOneStaysAndTheWorkerIsQuarantined) {
+TEST(Server, DifferingResultsKeepTheRightOneAndQuarantineTheWorker) {
     for (const FakeWorker::Habits& habits :
          {FakeWorker::Habits{.lies_first = true},
           FakeWorker::Habits{.lies_second = true},
@@ -89,7 +89,7 @@ TEST(Server, OfResultsThatDifferTheRightOneStaysAndTheWorkerIsQuarantined) {
     }
 }
 
-TEST(Server, AfterAnAlarmWhatElseTheWorkerHasAnsweredIsDoneAgain) {
+TEST(Server, OtherAnswersOfAQuarantinedWorkerAreRecomputed) {
     for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
         Master master;
         FakeWorker liar(master, {.lies_first = true, .lies_alone = 3});
@@ -137,7 +137,7 @@ TEST(Server, AScenarioThatTakesItsWorkersDownFailsAndTheJobGoesOn) {
 }
 
 /// The scenario's result comes from a distrusted worker, and it kills every worker that checks it.
-TEST(Server, AScenarioInDoubtThatTakesItsWorkersDownFailsAndTheMasterDoesNotRunIt) {
+TEST(Server, ASuspectScenarioThatKillsWorkersFailsUnrunByTheMaster) {
     Master master;
     Client client(master);
     client.start(reference().submission());
@@ -171,7 +171,7 @@ TEST(Server, AScenarioInDoubtThatTakesItsWorkersDownFailsAndTheMasterDoesNotRunI
     EXPECT_EQ(workers.size(), limits::scenario_losses_max + 1u);
 }
 
-TEST(Server, WhatAWorkerHadThatWentIntoQuarantineIsNotLostWithIt) {
+TEST(Server, TasksOfAQuarantinedWorkerCountNoLoss) {
     Master master;
     const FakeWorker liar(master, {.lies_first = true, .instance = 7, .batches_max = 1});
     Client client(master);
@@ -284,7 +284,7 @@ asio::awaitable<void> pour(Master& master, JobId job, Pour& state) {
 }
 
 /// The journal or the disk is full, so no result can be acknowledged.
-TEST(Server, WhoConnectsAgainAndAgainHasNoMoreResultsInHandAndLeavesNothingBehind) {
+TEST(Server, RepeatedReconnectsDoNotRaiseTheResultsInFlightNorLeak) {
     std::latch released(1);
     Master master({.heartbeat = std::chrono::milliseconds(20),
                    .return_within = std::chrono::milliseconds(0)});
@@ -337,7 +337,7 @@ struct FullMaster : Master {
     }
 };
 
-TEST(Server, AMeshForWhichThereIsNoRoomIsRefusedWithoutThePlaceOnTheMastersDisk) {
+TEST(Server, ANoRoomRefusalHidesTheMastersPaths) {
     Master master;
     Client client(master);
     const Bytes bytes = reference().a.canonical_bytes();
@@ -391,7 +391,7 @@ TEST(Server, AJobThatWaitsForRoomMayBeCancelledAndTheMasterEnded) {
 }
 
 /// Stands for a scenario whose check takes hours.
-TEST(Server, AScenarioInDisputeMayBeCancelledAndThenNobodyIsToBlame) {
+TEST(Server, CancellingADisputedScenarioQuarantinesNoWorker) {
     Master master;
     Client client(master);
     client.start(reference().submission());

@@ -27,7 +27,7 @@ bool joins_in_quarantine(Master& master, const std::string& holder, std::uint64_
     return found && found->quarantined;
 }
 
-TEST(ServerHolder, WhoWasWrongIsInQuarantineWithItsNextProcess) {
+TEST(ServerHolder, QuarantineFollowsTheCertificateToANewProcess) {
     const TemporaryFolder state;
     {
         Master master(no_return, state.path(), secured);

@@ -34,7 +34,7 @@ bool has_alarm(Master& master, const std::string& text) {
         [&](const std::string& alarm) { return alarm.find(text) != std::string::npos; });
 }
 
-TEST(LateServer, WhatIsAsItWasKeptIsAcknowledged) {
+TEST(LateServer, AnEqualLateResultIsAcknowledged) {
     Master master;
     const JobId job = run_job(master, {});
     for (const Scenario& scenario : reference().scenarios) {
@@ -44,7 +44,7 @@ TEST(LateServer, WhatIsAsItWasKeptIsAcknowledged) {
     EXPECT_EQ(master.coordinator.alarm_count(), 0u);
 }
 
-TEST(LateServer, WhoSendsSomethingElseIsQuarantined) {
+TEST(LateServer, ADifferingLateResultQuarantinesItsWorker) {
     const TemporaryFolder state;
     {
         Master master(no_return, state.path());
@@ -93,7 +93,7 @@ TEST(LateServer, AJobThatIsWrongIsNamedOnce) {
 }
 
 /// The only result of a job arrives twice, with different content.
-TEST(LateServer, WhatComesWhileTheEndIsWrittenIsComparedToo) {
+TEST(LateServer, AResultDuringTheEndsCommitIsCompared) {
     Master master;
     run_job(master, {.instance = good_process}); // Stores the meshes.
     Grid grid;

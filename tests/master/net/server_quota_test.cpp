@@ -167,7 +167,7 @@ TEST(ServerQuota, OneClientHasItsShareOfBegunMeshes) {
     }
 }
 
-TEST(ServerQuota, WhatIsBegunAndDoesNotGoOnEnds) {
+TEST(ServerQuota, AbandonedOperationsEnd) {
     Master master(usual, {}, {.clients = {.submission_idle_max = 20ms}});
     store_meshes(master);
     const Bytes bytes(1000);

@@ -208,7 +208,7 @@ JobId job_to_be_analysed(const std::filesystem::path& state) {
     return job;
 }
 
-TEST(ServerRestart, WhatAWorkerBringsBackIsNotAnalysed) {
+TEST(ServerRestart, ReturnedResultsSkipAnalysis) {
     const TemporaryFolder state;
     const JobId job = job_to_be_analysed(state.path());
     Master master({}, state.path());
@@ -241,7 +241,7 @@ TEST(ServerRestart, WhatAWorkerBringsBackIsNotAnalysed) {
               separate->cost.search.box_tests);
 }
 
-TEST(ServerRestart, WhatAnotherWorkerHasVouchedForIsNotDoubtedAgain) {
+TEST(ServerRestart, ConfirmedResultsAreNotSuspectAfterARestart) {
     const TemporaryFolder state;
     std::uint64_t doubted_first = 0;
     std::uint64_t doubted_last = 0;
@@ -265,7 +265,7 @@ TEST(ServerRestart, WhatAnotherWorkerHasVouchedForIsNotDoubtedAgain) {
     EXPECT_EQ(master.coordinator.cluster_status().jobs.at(0).doubted, doubted_last);
 }
 
-TEST(ServerRestart, AWrongResultOfBeforeIsItsAuthorsAndAllOfThatAuthorIsDoubted) {
+TEST(ServerRestart, AnOldWrongResultMakesItsAuthorsResultsSuspect) {
     const TemporaryFolder state;
     JobId ended;
     JobId job;

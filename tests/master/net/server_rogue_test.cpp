@@ -72,7 +72,7 @@ void ends_all(Channel& channel, const Message& message) {
     }
 }
 
-TEST(Rogue, WhoEndsTasksWithoutAnswersFailsNoScenario) {
+TEST(Rogue, EndingTasksUnansweredFailsNoScenario) {
     const Logged logged;
     Master master;
     Client client(master);
@@ -87,7 +87,7 @@ TEST(Rogue, WhoEndsTasksWithoutAnswersFailsNoScenario) {
     expect_right(client);
 }
 
-TEST(Rogue, WhoIsInQuarantineMayAskForAnything) {
+TEST(Rogue, RequestsOfAQuarantinedWorkerDoNoHarm) {
     Master master;
     const FakeWorker liar(master, {.lies_first = true, .instance = 77});
     Client client(master);
@@ -111,7 +111,7 @@ TEST(Rogue, WhoIsInQuarantineMayAskForAnything) {
     master.run_until([&] { return again.ended; });
 }
 
-TEST(Rogue, WhoHoldsWithoutEndIsCutOff) {
+TEST(Rogue, UnboundedHeldReportsEndTheConnection) {
     const Logged logged;
     Master master;
     Rogue rogue(master, says_nothing);
@@ -128,7 +128,7 @@ TEST(Rogue, WhoHoldsWithoutEndIsCutOff) {
     EXPECT_THAT(logged.text(), HasSubstr("blocks of too many cuts"));
 }
 
-TEST(Rogue, WhoWasNotSentToASourceCannotAccuseIt) {
+TEST(Rogue, OnlyDirectedWorkersCanReportASource) {
     const Logged logged;
     Master master;
     const std::uint16_t port = master.endpoint().port; // The master's probe of this port succeeds.

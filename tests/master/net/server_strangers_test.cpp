@@ -112,7 +112,7 @@ TEST(Strangers, UnderTlsAClientThatFindsNoPlaceIsToldSo) {
     EXPECT_THAT(turned_away.answer->error().detail, HasSubstr("no place for another connection"));
 }
 
-TEST(Strangers, WhoGoesOnLeavesItsPlace) {
+TEST(Strangers, GreetedConnectionsFreeTheirSlot) {
     Master master;
     for (std::size_t i = 0; i < too_many; ++i) {
         Greeting greeting;
@@ -128,7 +128,7 @@ TEST(Strangers, WhoGoesOnLeavesItsPlace) {
     }
 }
 
-TEST(Strangers, JoinersHaveAPlaceUntilTheyAreAdmitted) {
+TEST(Strangers, JoinersKeepTheirSlotUntilAdmitted) {
     Master master;
     const TemporaryFolder folder;
     const MasterIdentity::Options options{std::chrono::hours(1)};

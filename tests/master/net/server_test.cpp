@@ -36,7 +36,7 @@ TEST(Server, AJobHasTheDigestOfTheSameScenariosWithoutACluster) {
     }
 }
 
-TEST(Server, WhoeverFindsTheCollidingRootsTheDigestIsTheSame) {
+TEST(Server, TheDigestIsEqualWithAndWithoutAnalysis) {
     for (const AnalysisMode mode :
          {AnalysisMode::Auto, AnalysisMode::Always, AnalysisMode::Never}) {
         Master master;
@@ -154,7 +154,7 @@ TEST(Server, ACancelledJobEndsAndSaysSo) {
     EXPECT_EQ(std::get<JobStatus>(other.answer->value()).state, JobState::Cancelled);
 }
 
-TEST(Server, WhatIsSubmittedWrongIsRefusedWithAReason) {
+TEST(Server, InvalidSubmissionsAreRefusedWithAReason) {
     Master master;
     Client upload(master);
     upload.start(reference().submission());

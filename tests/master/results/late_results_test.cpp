@@ -89,7 +89,7 @@ TEST_F(LateDifferenceTest, IsOfAScenarioThatHasAResultThatTellsSomething) {
     EXPECT_EQ(found.value()->kept.pairs, touching(2).pairs);
 }
 
-TEST_F(LateDifferenceTest, OfRubbishIsAnError) {
+TEST_F(LateDifferenceTest, InvalidRecordsAreAnError) {
     Results cut = message_of(std::vector{touching(1)});
     cut.count = 2;
     EXPECT_EQ(late_difference(*store_, cut).error().code, ErrorCode::BadFrame);

@@ -72,7 +72,7 @@ TEST(WorkerWatch, ABrokenConnectionIsSilenceAtOnceAndLostOnlyInTime) {
     EXPECT_FALSE(watch.detached(one, at(14s)));
 }
 
-TEST(WorkerWatch, WhoIsNotListenedToIsNotSilent) {
+TEST(WorkerWatch, AnUnreadConnectionIsNotSilent) {
     WorkerWatch watch(times);
     watch.joined(one, at(0s));
     watch.joined(two, at(0s));
@@ -86,7 +86,7 @@ TEST(WorkerWatch, WhoIsNotListenedToIsNotSilent) {
     EXPECT_EQ(watch.time_is(at(122s)), Changes{lost}) << "without a connection it counts, too";
 }
 
-TEST(WorkerWatch, WhoLeftIsOfNoInterestAndWhoIsKnownToBeGoneIsLost) {
+TEST(WorkerWatch, ADepartedWorkerIsForgottenAndAGoneOneIsLost) {
     WorkerWatch watch(times);
     watch.joined(one, at(0s));
     watch.left(one);

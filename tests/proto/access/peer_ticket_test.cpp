@@ -38,13 +38,13 @@ TEST(PeerTicket, IsForItsRootsItsTreeAndItsNumberAlone) {
     EXPECT_TRUE(check.take(good)) << "a forgery does not spend it";
 }
 
-TEST(PeerTicket, OfAnotherKeyIsNotTaken) {
+TEST(PeerTicket, AnotherKeyIsRefused) {
     TicketCheck check(random_secret());
     EXPECT_FALSE(check.take(fetch_with(random_secret(), 1)));
     EXPECT_FALSE(check.take(fetch_with(PeerKey{}, 1)));
 }
 
-TEST(PeerTicket, ThatIsTooOldIsNotTakenAgain) {
+TEST(PeerTicket, AnExpiredTicketIsRefused) {
     const PeerKey key = random_secret();
     TicketCheck check(key);
     for (std::uint64_t ticket = 1; ticket <= limits::peer_tickets_remembered + 1; ++ticket) {

@@ -60,14 +60,14 @@ TEST(Seats, ASeatIsFreeWhenNothingSharesIt) {
     EXPECT_TRUE(seats.take(address("::1")));
 }
 
-TEST(Seats, ASeatMayOutliveThem) {
+TEST(Seats, ReleasingASlotAfterTheSeatsIsSafe) {
     std::optional<Seats> seats(4);
     Seats::Seat seat = seats->take(address("::1"));
     seats.reset();
     seat.reset();
 }
 
-TEST(Seats, AllAreTakenWhenAllAreTaken) {
+TEST(Seats, RefusesWhenFull) {
     Seats seats(3);
     // The address of a closed connection is unknown.
     const auto gone = take_all(seats, asio::ip::address());

@@ -150,7 +150,7 @@ TEST(Tls, EachConnectionHasABindingOfItsOwn) {
     });
 }
 
-TEST(Tls, WithoutACertificateOneIsNobody) {
+TEST(Tls, APeerWithoutCertificateHasNoRole) {
     run_conversation([]() -> asio::awaitable<void> {
         const Cluster cluster;
         Attempt ends = co_await try_to_connect(Tls::make_joining(cluster.authority.fingerprint()),

@@ -91,7 +91,7 @@ TEST(Executor, BothFormsOfSubtreesHaveTheSameAnswer) {
     EXPECT_EQ(wide->records, binary->records);
 }
 
-TEST(WorkerJob, OfTreesWhoseFormsDoNotSuitIsRefused) {
+TEST(WorkerJob, MismatchedTreeFormsAreRefused) {
     SubtreeCache cache(1u << 20);
     ASSERT_TRUE(cache.add_tree(cut_body(make_sphere(1), 0).add(TreeId{1})));
     ASSERT_TRUE(cache.add_tree(cut_body(make_sphere(1), 0, SubtreeForm::Binary).add(TreeId{2})));
@@ -125,7 +125,7 @@ class TaskTest : public testing::Test {
     SubtreeCache cache_{1u << 20};
 };
 
-TEST_F(TaskTest, ThatNobodyWaitsForTellsItsThreads) {
+TEST_F(TaskTest, CancellationStopsItsThreads) {
     Batch batch;
     batch.task = TaskId{1};
     batch.scenarios = pack_scenarios({});
@@ -139,7 +139,7 @@ TEST_F(TaskTest, ThatNobodyWaitsForTellsItsThreads) {
     EXPECT_TRUE(*abandoned);
 }
 
-TEST_F(TaskTest, OfARangeIsWalkedOnceInOrderWithAShareForEachThread) {
+TEST_F(TaskTest, ARangeDescendsOnceInOrderPerThread) {
     Grid grid;
     grid.position[0] = {0, 1, 1000};
     auto made = Task::make({TaskId{1}, JobId{1}, 100, 900, {}}, make_job(grid));

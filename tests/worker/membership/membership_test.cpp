@@ -105,7 +105,7 @@ TEST(Membership, ToldToEndWithoutAConnectionItHandsOverWhatItHasOverTheNextOne) 
     }
 }
 
-TEST(Membership, WithNothingInHandAndNoConnectionItHasNothingToWaitFor) {
+TEST(Membership, WithoutWorkOrConnectionItEndsAtOnce) {
     perform_bond([](Bond& bond) -> asio::awaitable<void> {
         FakeMaster master = co_await welcome(bond, 1);
         co_await end_of_connection(bond, master);
@@ -114,7 +114,7 @@ TEST(Membership, WithNothingInHandAndNoConnectionItHasNothingToWaitFor) {
     });
 }
 
-TEST(Membership, ThatNobodyRelievesEndsAtItsTime) {
+TEST(Membership, AnUnansweredDrainEndsAtItsTimeout) {
     const auto scenarios = make_scenarios(600, 5);
     perform_bond([&](Bond& bond) -> asio::awaitable<void> {
         co_await leave_unacknowledged(bond, scenarios);
@@ -127,7 +127,7 @@ TEST(Membership, ThatNobodyRelievesEndsAtItsTime) {
     });
 }
 
-TEST(Membership, BearsTwiceTheSilenceWhenItMeetsItAgainAndAgain) {
+TEST(Membership, EachQuickReconnectDoublesTheSilenceTimeout) {
     // Three heartbeats, six heartbeats, and the time the master waits for this worker in any case.
     static constexpr std::array<std::chrono::milliseconds, 4> times{60ms, 120ms, 200ms, 200ms};
     perform_bond([](Bond& bond) -> asio::awaitable<void> {
@@ -143,7 +143,7 @@ TEST(Membership, BearsTwiceTheSilenceWhenItMeetsItAgainAndAgain) {
     });
 }
 
-TEST(Membership, BearsTheUsualSilenceAgainAfterAConnectionThatWasGood) {
+TEST(Membership, AGoodConnectionResetsTheSilenceTimeout) {
     perform_bond([](Bond& bond) -> asio::awaitable<void> {
         const FakeMaster silent = co_await welcome(bond, 1, 20ms);
         co_await end_of_connection(bond);

@@ -64,7 +64,7 @@ TEST(Session, WhatIsHintedComesBeforeAScenarioNeedsIt) {
     });
 }
 
-TEST(Session, OnlyWhoFindsTheRootsItselfAsksForTops) {
+TEST(Session, OnlyRangesRequestUpperTrees) {
     perform(1, 2, [](Stage& stage) -> asio::awaitable<void> {
         FakeMaster& master = stage.master;
         const auto scenarios = make_scenarios(0, 60);

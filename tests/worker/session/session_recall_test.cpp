@@ -127,7 +127,7 @@ asio::awaitable<void> with_a_held_thread(Stage& stage, bool is_range, Then then)
     co_await stage.master.serve_until_ended(1);
 }
 
-TEST(Session, WhatIsRecalledAndHasNotBegunIsGivenBackAndNotAnswered) {
+TEST(Session, UnbegunRecalledScenariosAreReturned) {
     for (const bool is_range : {false, true}) {
         perform(unlimited, 1, [is_range](Stage& stage) -> asio::awaitable<void> {
             FakeMaster& master = stage.master;
@@ -167,7 +167,7 @@ TEST(Session, WhatAnotherWorkerHasAnsweredIsDroppedInItsTaskAlone) {
 }
 
 /// The returned scenario's blocks are evicted: nothing else needs them, and the cache is full.
-TEST(Session, WhatCameForWhatWasGivenBackIsAskedForAgain) {
+TEST(Session, BlocksOfReturnedScenariosAreRequestedAgain) {
     perform(1, 1, [](Stage& stage) -> asio::awaitable<void> {
         FakeMaster& master = stage.master;
         std::uint64_t index = 0;

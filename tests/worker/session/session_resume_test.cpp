@@ -70,7 +70,7 @@ asio::awaitable<void> go_on_with(Executor& executor, std::shared_ptr<WorkerKeep>
     EXPECT_FALSE(nothing);
 }
 
-TEST(Session, ThatHoldsMoreThanCanBeSaidAtOnceDoesNotGoOn) {
+TEST(Session, AnInventoryTooLargeForOneMessageEndsTheSession) {
     const auto keep = std::make_shared<WorkerKeep>(unlimited);
     AddTree add = bodies().a.add(tree_a);
     add.roots = limits::message_roots_bytes_max / sizeof(RootIndex);

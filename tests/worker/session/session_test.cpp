@@ -132,7 +132,7 @@ TEST(Session, StopHandsBackWhatItHasNotBegun) {
 }
 
 /// Tasks the master sent before it received the notice are in flight, and would count as lost.
-TEST(Session, StopWaitsForTheMastersLastWordAndHandsBackWhatCameMeanwhile) {
+TEST(Session, StopReturnsTasksSentBeforeTheMastersDrain) {
     const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
         FakeMaster& master = stage.master;
         master.answers_drain = false;

@@ -42,7 +42,7 @@ TEST(UnkeptResults, AreKeptInOrderUntilTheyAreAcknowledged) {
     EXPECT_TRUE(unkept.empty());
 }
 
-TEST(UnkeptResults, OfASessionBeforeAreOfNoTaskWheneverTheyAreSentAgain) {
+TEST(UnkeptResults, EarlierSessionsResultsCarryNoTask) {
     UnkeptResults unkept;
     Results before = some_results(1);
     unkept.add(before);

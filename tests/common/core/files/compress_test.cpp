@@ -27,7 +27,7 @@ ErrorCode error_of(std::span<const std::byte> bytes, std::size_t size_max) {
 
 } // namespace
 
-TEST(Compress, ComesBack) {
+TEST(Compress, RoundTripRestoresTheData) {
     for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{200'000}}) {
         for (const int level : {compression_level_fast, compression_level_geometry}) {
             const auto back = decompress(compress(sample(size), level), size);

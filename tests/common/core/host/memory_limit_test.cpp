@@ -49,7 +49,7 @@ TEST_F(MemoryLimit, IsThatOfAGroupOfTheFirstVersion) {
     EXPECT_EQ(memory_limit(root.path()), 7000u);
 }
 
-TEST_F(MemoryLimit, OfTheHostGoesBeforeAGroupsThatIsLarger) {
+TEST_F(MemoryLimit, TheHostsLimitBeatsALargerGroupLimit) {
     write("proc/self/cgroup", "0::/jobs\n");
     write("sys/fs/cgroup/jobs/memory.max", "9000000000\n");
     EXPECT_EQ(memory_limit(root.path()), 1'024'000u);

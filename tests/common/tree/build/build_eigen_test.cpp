@@ -60,7 +60,7 @@ TEST(BuildEigen, FindsDirectionsOfMatricesOfAnySpread) {
     }
 }
 
-TEST(BuildEigen, OfADiagonalMatrixAreExactlyTheBodysAxes) {
+TEST(BuildEigen, ADiagonalMatrixGivesTheBodysAxes) {
     for (const Vec3& values : {Vec3(1, 0.5, 0.25),
                                Vec3(0.25, 1, 0.5),
                                Vec3(0, 0, 1),

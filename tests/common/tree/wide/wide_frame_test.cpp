@@ -55,7 +55,7 @@ double error_of(const Axes& axes) {
 
 } // namespace
 
-TEST(WideFrame, OfACodeIsOrthonormalAndHasACodeOfExactlyItself) {
+TEST(WideFrame, ADecodedFrameIsOrthonormalAndEncodesToItsCode) {
     std::mt19937_64 random(1);
     int frames = 0;
     for (int round = 0; round < 100'000; ++round) {
@@ -73,7 +73,7 @@ TEST(WideFrame, OfACodeIsOrthonormalAndHasACodeOfExactlyItself) {
     EXPECT_EQ(code_of(body_axes), FrameCode{});
 }
 
-TEST(WideFrame, OfWhatIsNoCodeThereIsNone) {
+TEST(WideFrame, InvalidCodesAreRejected) {
     EXPECT_FALSE(frame_of({5, {0, 0, 0}}));
     EXPECT_FALSE(frame_of({255, {0, 0, 0}}));
     EXPECT_FALSE(frame_of({1, {32767, 32767, 0}}));
