@@ -26,7 +26,8 @@ class Check {
             problem(directory_.string() + " is no directory");
             return std::move(report_);
         }
-        // Held until the end: no master starts meanwhile. A folder without it was never used.
+        // Holding the lock to the end keeps a master from starting. A folder without a lock was
+        // never used.
         const Result<DiskFile> lock = DiskFile::lock_existing(directory_ / "lock");
         if (!lock && lock.error().code != ErrorCode::NotFound) {
             problem(lock.error().detail);
@@ -72,7 +73,7 @@ class Check {
         for (const RecoveredJob& job : examined.jobs) {
             results += job.results == nullptr ? 0 : job.results->count();
             running += job.end ? 0 : 1;
-            // A job that has ended needs no poses: only queries for them fail without.
+            // An ended job needs no poses: without them only queries for its poses fail.
             const auto poses = folder / (std::to_string(job.record.id.value) + ".poses");
             if (!job.end || std::filesystem::exists(poses)) {
                 check_poses(job.record, poses);
@@ -113,7 +114,7 @@ class Check {
         note(spool ? spool.value()->verify() : Status(spool.error()));
     }
 
-    /// An unfinished job waits until its meshes are there.
+    /// Checks that an unfinished job's meshes are stored; without them the job waits.
     void check_bodies(const JobRecord& job) {
         std::set<Sha256> meshes;
         for (const JobBody& body : job.submit.bodies) {
@@ -128,7 +129,7 @@ class Check {
         }
     }
 
-    /// The files of a folder whose names end in `suffix`, sorted by name.
+    /// Returns the files of a folder whose names end in `suffix`, sorted by name.
     [[nodiscard]] std::vector<std::filesystem::path> files_of(const char* folder,
                                                               std::string_view suffix) const {
         std::vector<std::filesystem::path> paths;

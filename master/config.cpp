@@ -53,7 +53,7 @@ double seconds(FailureTimes::Duration time) {
     return std::chrono::duration<double>(time).count();
 }
 
-/// What CLI11 reads as text and this file gives a meaning.
+/// Option values that CLI11 reads as text and this file parses.
 struct Texts {
     std::string listen = "127.0.0.1:7600";
     std::string http;
@@ -65,7 +65,7 @@ struct Texts {
     double return_within_seconds = seconds(FailureTimes().return_within);
 };
 
-/// Errors: BadInput for times that do not go together.
+/// Errors: BadInput for times that contradict each other.
 Result<FailureTimes> failure_times(const Texts& texts) {
     const auto milliseconds = [](double value) {
         return FailureTimes::Duration(std::llround(1000 * value));
@@ -179,7 +179,7 @@ MasterCommandLine parse_master_command_line(int count, const char* const* argume
                          "Version, commit, compiler, libraries; with -o json for programs");
     app.set_help_flag("-h,--help", "This text");
     add_options(app, config, texts);
-    app.fallthrough(); // So that --state may follow the word.
+    app.fallthrough(); // Lets --state follow the subcommand.
     const CLI::App* const check =
         app.add_subcommand("check", "Look through the state directory, change nothing, and report");
     const CLI::App* const init =

@@ -1,4 +1,4 @@
-// cdmaster: takes jobs from clients and has them done by workers.
+// cdmaster: accepts jobs from clients and distributes them to workers.
 #include "common/core/host/log.hpp"
 #include "master/check_state.hpp"
 #include "master/config.hpp"

@@ -24,7 +24,7 @@ namespace cd {
 
 namespace {
 
-/// Whole or not at all: a script may be waiting for the file.
+/// Writes the file atomically: a script may be waiting for it.
 Status write_port(const std::string& path, std::uint16_t port) {
     const std::string unfinished = path + ".new";
     std::ofstream file(unfinished);
@@ -40,12 +40,12 @@ Status write_port(const std::string& path, std::uint16_t port) {
     return Done{};
 }
 
-/// Connections and the results of jobs are a file each.
+/// Raises the descriptor limit: each connection and each job's results need a file.
 void allow_many_files() {
     rlimit files{};
     if (getrlimit(RLIMIT_NOFILE, &files) == 0) {
         files.rlim_cur = files.rlim_max;
-        (void)setrlimit(RLIMIT_NOFILE, &files); // Fewer will do for fewer jobs.
+        (void)setrlimit(RLIMIT_NOFILE, &files); // A lower limit still suffices for fewer jobs.
     }
 }
 
@@ -73,7 +73,7 @@ keep_valid(MasterIdentity& identity, asio::steady_timer& pause, const bool& stop
     }
 }
 
-/// Null where none is asked for.
+/// Returns null if the configuration has no HTTP endpoint.
 Result<std::unique_ptr<HttpFront>>
 listen_http(const MasterConfig& config, Coordinator& coordinator, MasterIdentity* identity) {
     if (!config.http) {
@@ -126,10 +126,11 @@ Status run_master(const MasterConfig& config) {
         !exposed) {
         return exposed;
     }
-    // A full disk or a limit of files is an error to wait with, not a reason to be killed.
+    // A full disk or a file size limit must be an error to retry, not a signal that kills the
+    // master.
     std::signal(SIGXFSZ, SIG_IGN);
     allow_many_files();
-    // What is declared first ends last: whatever runs on the pools may post to the context.
+    // The context is destroyed last: functions on the pools may post to it.
     asio::io_context context(1);
     ThreadPool compute(config.threads);
     auto geometry = GeometryStore::open(config.state, compute);
@@ -181,7 +182,7 @@ Status run_master(const MasterConfig& config) {
         }
         signals.cancel();
     });
-    // Who waits for the file may send a signal as soon as it is there.
+    // A script that waits for the file may send a signal as soon as it exists.
     if (!config.port_file.empty()) {
         if (Status written = write_port(config.port_file, port); !written) {
             return written;
@@ -203,7 +204,7 @@ Status run_master(const MasterConfig& config) {
     while (!stopping) {
         context.run_one();
     }
-    // Sessions end now; what a pool is busy with is not waited for any longer than this.
+    // Ends the sessions. Waits at most `stop_grace` for functions on the pools.
     context.run_for(limits::stop_grace);
     log_info("ended");
     return Done{};

@@ -1,4 +1,4 @@
-// A whole master, from its start to the signal that ends it.
+// Runs a master from its start to the signal that ends it.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -6,12 +6,12 @@
 
 namespace cd {
 
-/// Listens, prints the line with which a worker joins, and serves until SIGINT or SIGTERM. Errors:
-/// why it could not start.
+/// Listens, prints the command with which a worker joins, and serves until SIGINT or SIGTERM.
+/// Errors: why the master could not start.
 [[nodiscard]] Status run_master(const MasterConfig& config);
 
-/// `cdmaster init`: makes an identity in the state folder where there is none, and a new credential
-/// for an admin; prints where. Errors: those of `MasterIdentity::init`.
+/// `cdmaster init`: creates an identity in the state folder if it has none, and a new admin
+/// credential; prints its path. Errors: those of `MasterIdentity::init`.
 [[nodiscard]] Status init_master(const MasterConfig& config);
 
 } // namespace cd
