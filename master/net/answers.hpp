@@ -1,12 +1,12 @@
-// Answers to clients that may grow larger than a message.
+// Fits answers to clients into the size limit of a message.
 #pragma once
 
 #include "proto/codec/message.hpp"
 
 namespace cd {
 
-/// The answer if it fits a message. Otherwise a status with as many meshes as fit, or a Failure
-/// that says that the answer is too large.
+/// Returns the answer if it fits a message. Otherwise returns a status with as many meshes as fit,
+/// or a Failure saying that the answer is too large.
 [[nodiscard]] Message fitting(Message answer);
 
 } // namespace cd

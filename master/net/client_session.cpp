@@ -17,7 +17,7 @@ namespace cd {
 
 namespace {
 
-/// The refusal of data that the disk did not take. The path is written to the master's log only.
+/// Returns the refusal of data that the disk could not store. Only the master's log gets the path.
 Error without_room(const Error& why, const std::string& what, std::uint64_t bytes) {
     if (why.code != ErrorCode::Io) {
         return why;
@@ -43,7 +43,7 @@ asio::awaitable<void> ClientSession::run() {
     co_await converse();
     drop_upload();
     drop_poses();
-    // One that is being flushed closes by itself.
+    // A channel that is being flushed closes by itself.
     if (channel_->is_open()) {
         channel_->close();
     }
@@ -68,7 +68,7 @@ asio::awaitable<void> ClientSession::converse() {
         }
         co_await std::visit([this](auto& content) { return on(std::move(content)); },
                             message.value());
-        // Who does not read the answers is not asked for more questions.
+        // Reads no further requests from a client that does not read its answers.
         co_await channel_->wait_until_queued_below(limits::write_queue_bytes_max);
     }
 }
@@ -77,7 +77,7 @@ asio::awaitable<Result<Message>> ClientSession::receive() {
     if (!is_submitting()) {
         co_return co_await channel_->receive(limits::client_idle_max);
     }
-    // Other messages are no progress.
+    // Only submission messages count as progress.
     const auto left = progressed_ + quota_.submission_idle_max - std::chrono::steady_clock::now();
     Result<Message> message = Error{ErrorCode::Timeout, "nothing came in time"};
     if (left > std::chrono::steady_clock::duration::zero()) {
@@ -134,7 +134,7 @@ asio::awaitable<void> ClientSession::on(MeshPart message) {
     const bool is_last = message.offset + message.bytes.size() == message.bytes_total;
     const bool is_begun = upload_ != nullptr && upload_->mesh() == mesh;
     if (message.offset != 0 && !is_begun) {
-        // The rest of an upload that failed: its failure has been answered.
+        // The rest of a failed upload is dropped: its failure has been answered.
         co_return;
     }
     const std::string name = message.name;
@@ -153,7 +153,8 @@ Status ClientSession::take_bytes(std::uint64_t bytes) {
 }
 
 Status ClientSession::begin_upload(MeshPart& part) {
-    drop_upload(); // One at a time; its temporary file goes.
+    drop_upload(); // A client has one upload at a time; this deletes the temporary file of the
+                   // previous one.
     if (Status allowed = quota_.quotas->begin_upload(quota_.client); !allowed) {
         return allowed;
     }
@@ -314,7 +315,7 @@ asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<Job
     }
     const Result<JobId> job = co_await coordinator_.open_job(std::move(submit), std::move(poses));
     if (job) {
-        meshes_asked_for_.reset(); // The job has its own hold.
+        meshes_asked_for_.reset(); // The opened job has its own hold on the meshes.
         quotas.add_job(quota_.client, job.value(), {scenarios, std::exchange(queued_, 0)});
         quota_.jobs_changed();
         channel_->send(Accepted{job.value()});
@@ -467,7 +468,7 @@ asio::awaitable<void> ClientSession::watch(std::shared_ptr<ClientSession> self, 
         pause->expires_after(limits::watch_period);
         boost::system::error_code ignored;
         co_await pause->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-        // A watcher that does not read misses what it could not have read in time.
+        // Skips updates that a slow watcher could not have read in time.
         co_await self->channel_->wait_until_queued_below(limits::write_queue_bytes_max);
     }
     --self->watches_;

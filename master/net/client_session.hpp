@@ -1,4 +1,4 @@
-// One client's conversation with the master.
+// Serves one client's connection.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -18,36 +18,36 @@
 
 namespace cd {
 
-/// One client's part of the quotas.
+/// A client's name and the quotas that count it.
 struct ClientQuota {
-    Quotas* quotas; ///< Outlives the session.
+    Quotas* quotas; ///< Must outlive the session.
     std::string client;
-    std::function<void()> jobs_changed; ///< Called when one was added.
-    /// Between two messages, while a mesh or poses are coming.
+    std::function<void()> jobs_changed; ///< Called after a job was added.
+    /// Longest time between two messages of a mesh or of poses.
     std::chrono::milliseconds submission_idle_max = limits::submission_idle_max;
 };
 
-/// Answers a client's requests, one after the other; watches go on beside them. What a client did
-/// not finish (a mesh, a job's poses) goes with its connection.
+/// Answers a client's requests in order; watches run beside them. An unfinished mesh or job
+/// submission is dropped when the connection ends.
 class ClientSession : public std::enable_shared_from_this<ClientSession> {
   public:
-    /// Who asks for more than `access` allows is told so, and the connection ends; for more than
-    /// `quota` allows, and the request fails.
+    /// A request beyond `access` is answered with the reason and ends the connection. A request
+    /// beyond `quota` only fails.
     ClientSession(Coordinator& coordinator,
                   std::shared_ptr<Channel> channel,
                   Access access,
                   ClientQuota quota);
 
-    /// The whole conversation after the welcome. Ends when the connection does.
+    /// Serves the client after the welcome. Returns when the connection ends.
     [[nodiscard]] asio::awaitable<void> run();
 
   private:
     [[nodiscard]] asio::awaitable<void> converse();
-    /// Errors: those of the channel; Timeout, told, when a mesh or poses do not go on.
+    /// Errors: those of the channel; Timeout, sent to the client, when a mesh or poses stall.
     [[nodiscard]] asio::awaitable<Result<Message>> receive();
     [[nodiscard]] bool is_submitting() const { return upload_ != nullptr || spool_ != nullptr; }
 
-    // One for each message that a client sends; all others end the connection.
+    // Handlers, one per client message; any other message ends the connection.
     asio::awaitable<void> on(MeshesQuery message);
     asio::awaitable<void> on(MeshPart message);
     asio::awaitable<void> on(Submit message);
@@ -72,14 +72,14 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
 
     [[nodiscard]] asio::awaitable<Status> take_mesh_part(MeshPart message);
     [[nodiscard]] asio::awaitable<Status> begin_poses(Submit message);
-    /// No poses with a grid.
+    /// `poses` is null for a grid.
     [[nodiscard]] asio::awaitable<void> open_job(Submit submit, std::shared_ptr<JobSpool> poses);
-    /// It begins some time after it was spawned, and the session may have ended by then.
+    /// Static with a shared pointer: the session may end before the spawned watch starts.
     [[nodiscard]] static asio::awaitable<void> watch(std::shared_ptr<ClientSession> self,
                                                      JobId job);
 
     [[nodiscard]] Status take_bytes(std::uint64_t bytes);
-    /// The same, of poses or a grid.
+    /// Counts bytes of poses or of a grid against the client's quota of queued bytes.
     [[nodiscard]] Status queue_bytes(std::uint64_t bytes);
     [[nodiscard]] Status begin_upload(MeshPart& part);
     void drop_upload();
@@ -88,7 +88,7 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     void refuse_poses(const Error& error);
     template <class Answer>
     void answer(const Result<Answer>& found);
-    /// Whether the client may end or remove the job. Errors: NotFound; Refused.
+    /// Checks that the client may end or remove the job. Errors: NotFound; Refused.
     [[nodiscard]] Status check_owner(JobId job);
 
     Coordinator& coordinator_;
@@ -96,15 +96,15 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     Access access_;
     ClientQuota quota_;
     std::unique_ptr<MeshUpload> upload_;
-    /// A submitted job whose poses are coming.
+    /// The submitted job whose poses are arriving.
     Submit submit_;
     /// Keep the meshes of the last MeshesQuery and of the submission from being removed.
     std::shared_ptr<const MeshHold> meshes_asked_for_;
     std::shared_ptr<const MeshHold> meshes_submitted_;
     std::shared_ptr<JobSpool> spool_;
-    std::uint64_t queued_ = 0;                         ///< Bytes of it, in the quota.
-    std::chrono::steady_clock::time_point progressed_; ///< The mesh or the poses.
-    /// The submission was refused and the client knows it: the rest of its poses is ignored.
+    std::uint64_t queued_ = 0; ///< Bytes of the submission counted in the quota.
+    std::chrono::steady_clock::time_point progressed_; ///< Last progress of the mesh or the poses.
+    /// The submission was refused and the client informed: the rest of its poses is ignored.
     bool refused_ = false;
     std::size_t watches_ = 0;
     JobQueries queries_;

@@ -13,7 +13,7 @@ namespace cd {
 
 namespace {
 
-/// Why the master or one of its jobs is paused; empty if none is.
+/// Returns why the master or one of its jobs is paused; empty if none is.
 std::string what_waits(Coordinator& coordinator) {
     if (!coordinator.paused().empty()) {
         return "paused: " + coordinator.paused();
@@ -101,7 +101,7 @@ asio::awaitable<void> HttpFront::serve(asio::ip::tcp::socket socket, Seats::Seat
     }
     const Access access =
         identity_ == nullptr ? Access() : Access(*identity_, stream->peer_identity());
-    // The seat goes with the stream.
+    // The connection slot is released with the stream.
     serve_http(std::move(stream), [this, access, peer, seat](const HttpRequest& request) {
         return answer(request, access, peer);
     });

@@ -1,4 +1,4 @@
-// Pages for machines that watch the master: /healthz, /readyz, /metrics.
+// Serves the monitoring pages /healthz, /readyz and /metrics.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -20,9 +20,9 @@ class Access;
 class Coordinator;
 class MasterIdentity;
 
-/// HTTP/1.1, one GET for each connection. With an identity, which outlives it, TLS alone; /metrics
-/// is then for who may look at the cluster, by certificate, and the others are for everybody, since
-/// they tell nothing else. All members run on the coordinator's thread.
+/// Speaks HTTP/1.1, one GET per connection. With an identity, which must outlive this, only TLS is
+/// served, and /metrics needs a certificate that may view the cluster; the other pages reveal
+/// nothing more and are public. All members run on the coordinator's thread.
 class HttpFront {
   public:
     /// Listens at once; port 0 lets the system choose one. Errors: as those of Listener::open.
@@ -47,8 +47,8 @@ class HttpFront {
 
     std::unique_ptr<Listener> listener_;
     Coordinator& coordinator_;
-    MasterIdentity* identity_;                  ///< Null: plain.
-    Seats seats_{limits::http_connections_max}; ///< Held by each connection.
+    MasterIdentity* identity_;                  ///< Null: plain HTTP.
+    Seats seats_{limits::http_connections_max}; ///< Connection slots.
     Refusals refusals_;
 };
 

@@ -54,7 +54,7 @@ asio::awaitable<Result<Removed>> JobRemoval::remove(Remove wish) {
         co_return forgotten.error();
     }
     for (const Sha256& mesh : status.value().bodies) {
-        // What others still need, or went with the body before, stays as it is.
+        // Meshes that others still need, or that were removed with the other body, are skipped.
         auto free = [&store = coordinator_.geometry(), mesh] { return store.remove(mesh); };
         const Result<std::uint64_t> freed = co_await run_on(coordinator_.blocking(), free);
         removed.bytes += freed ? freed.value() : 0;

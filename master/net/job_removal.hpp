@@ -9,23 +9,23 @@ namespace cd {
 
 class Coordinator;
 
-/// The journal forgets a job before its files go, so that a crash leaves files without a job at
-/// most, which the next start removes. Runs on the coordinator's thread.
+/// The journal forgets a job before its files are deleted. A crash thus leaves at most files
+/// without a job, which the next start removes. Runs on the coordinator's thread.
 class JobRemoval {
   public:
-    /// The coordinator outlives this, and each removal under way.
+    /// The coordinator must outlive this and every pending removal.
     explicit JobRemoval(Coordinator& coordinator) : coordinator_(coordinator) {}
 
-    /// Removes the job with its results and poses, and the meshes that no other job names, with
-    /// their trees and blocks. Errors: NotFound; Refused for a job that runs, unless
-    /// `wish.cancel`; Io.
+    /// Removes the job with its results and poses, and the meshes that no other job uses, with
+    /// their trees and blocks. Errors: NotFound; Refused for a running job, unless `wish.cancel`;
+    /// Io.
     [[nodiscard]] asio::awaitable<Result<Removed>> remove(Remove wish);
     /// Removes the mesh with its tree and blocks. Errors: NotFound; Refused while a job or a
-    /// submission names it; Io.
+    /// submission uses it; Io.
     [[nodiscard]] asio::awaitable<Result<Removed>> remove(RemoveMesh wish);
 
   private:
-    /// Returns when the job has ended. Errors: Refused where it may not be ended; Io.
+    /// Returns when the job has ended. Errors: Refused if it may not be cancelled; Io.
     [[nodiscard]] asio::awaitable<Result<JobStatus>> ended(Remove wish);
 
     Coordinator& coordinator_;

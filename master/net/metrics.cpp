@@ -19,7 +19,7 @@ using Labels = std::vector<ClientMetric::Label>;
 
 class Page {
   public:
-    /// One more family; `add` goes to it.
+    /// Starts a metric family; later calls of `add` add samples to it.
     void family(MetricType type, const std::string& name, const std::string& help) {
         families_.push_back({"cdcluster_" + name, help, type, {}});
     }

@@ -1,4 +1,4 @@
-// What a cluster tells to Prometheus.
+// Formats the cluster status for Prometheus.
 #pragma once
 
 #include "proto/messages/client_messages.hpp"
@@ -8,11 +8,11 @@
 
 namespace cd {
 
-/// Of `metrics_text`.
+/// Content type of `metrics_text`.
 inline constexpr std::string_view metrics_content_type = "text/plain; version=0.0.4; charset=utf-8";
 
-/// In Prometheus' text format, version 0.0.4: seconds, bytes and counts. Counters begin anew with
-/// the master. Workers are labelled by number and name; of jobs, those that run.
+/// Returns the metrics in Prometheus text format 0.0.4: seconds, bytes and counts. Counters restart
+/// with the master. Workers are labelled by number and name; only running jobs are listed.
 [[nodiscard]] std::string metrics_text(const ClusterStatus& status);
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// How much of the master one client may have at a time. A state machine: no clock, no sockets.
+// Limits what one client may use of the master at a time. A state machine: no clock, no sockets.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -16,8 +16,8 @@
 
 namespace cd {
 
-/// Counts by client: the name in its certificate, or, without TLS, the host that it comes from. So
-/// that one client, gone wrong or hostile, leaves room for the others.
+/// Counts by client: the name in its certificate or, without TLS, its host. A faulty or hostile
+/// client thus leaves room for the others.
 class Quotas {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -25,26 +25,28 @@ class Quotas {
 
     struct JobSize {
         std::uint64_t scenarios = 0;
-        std::uint64_t bytes = 0; ///< Of its poses.
+        std::uint64_t bytes = 0; ///< Bytes of its poses.
     };
 
     struct Limits {
         std::size_t connections = limits::client_connections_max;
         std::size_t all_connections = limits::connections_max;
-        std::size_t jobs = limits::client_jobs_max;             ///< Running.
-        std::uint64_t scenarios = limits::client_scenarios_max; ///< Of these.
-        /// Of meshes, poses and grids, that it may send at once, and again in each `period`.
+        std::size_t jobs = limits::client_jobs_max;             ///< Running jobs.
+        std::uint64_t scenarios = limits::client_scenarios_max; ///< Unfinished scenarios.
+        /// Bytes of meshes, poses and grids that a client may send at once, and again in each
+        /// `period`.
         std::uint64_t bytes = limits::client_bytes_max;
         std::chrono::seconds period = limits::client_bytes_period;
-        std::uint64_t queued = limits::client_queued_bytes_max; ///< Poses of what is not done.
-        std::size_t uploads = limits::client_uploads_max;       ///< Of meshes, begun.
+        std::uint64_t queued =
+            limits::client_queued_bytes_max;              ///< Bytes of poses of unfinished jobs.
+        std::size_t uploads = limits::client_uploads_max; ///< Mesh uploads in progress.
     };
 
-    /// `scenarios_of` tells of jobs that were added: nothing when they do not run any more.
+    /// `scenarios_of` returns the open scenarios of an added job, or nothing if it no longer runs.
     Quotas(const Limits& limits, ScenariosOf scenarios_of)
         : limits_(limits), scenarios_of_(std::move(scenarios_of)) {}
 
-    /// Errors, of all: Refused, saying what there is too much of, and when to try again.
+    /// Errors of all members: Refused, saying which limit is exceeded and when to try again.
     [[nodiscard]] Status connect(const std::string& client);
     void disconnect(const std::string& client);
 
@@ -53,22 +55,22 @@ class Quotas {
     [[nodiscard]] Status begin_upload(const std::string& client);
     void end_upload(const std::string& client);
 
-    /// Of a job that is being submitted; they count until `unqueue`, or as long as its job runs.
+    /// Counts bytes of a submission until `unqueue`, or as long as its job runs.
     [[nodiscard]] Status queue(const std::string& client, std::uint64_t bytes);
     void unqueue(const std::string& client, std::uint64_t bytes);
 
-    /// Before a job is opened: its place is taken, until it is added or given up.
+    /// Reserves room for a job before it is opened, until it is added or abandoned.
     [[nodiscard]] Status begin_job(const std::string& client, std::uint64_t scenarios);
-    /// The last step of one that was begun. Its bytes, which were queued, are its own from now on.
+    /// Adds a job begun by `begin_job`. Its queued bytes now count for the job.
     void add_job(const std::string& client, JobId job, const JobSize& size);
     void give_up_job(const std::string& client, std::uint64_t scenarios);
 
-    /// Which jobs are whose, as text; and back, after a restart. Lines that are none are passed
-    /// over.
+    /// Writes the owners of jobs as text, and reads them after a restart. Malformed lines are
+    /// ignored.
     [[nodiscard]] std::string jobs_text();
     void restore_jobs(std::string_view text);
 
-    /// Of whom anything is remembered.
+    /// Number of remembered clients.
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 
   private:
@@ -77,9 +79,9 @@ class Quotas {
         std::size_t uploads = 0;
         std::size_t jobs_begun = 0;
         std::map<JobId, JobSize> jobs;
-        std::uint64_t scenarios = 0; ///< Of these, and of those that are begun.
-        std::uint64_t queued = 0;    ///< Bytes of these, and of what is being submitted.
-        double bytes = 0;            ///< At `since`; they leak away with time.
+        std::uint64_t scenarios = 0; ///< Scenarios of running and begun jobs.
+        std::uint64_t queued = 0;    ///< Bytes of running jobs and of submissions.
+        double bytes = 0;            ///< Level of the rate limit at `since`; it drains with time.
         Time since;
     };
 
@@ -89,7 +91,7 @@ class Quotas {
     Limits limits_;
     ScenariosOf scenarios_of_;
     std::map<std::string, Client> clients_;
-    std::size_t connections_ = 0; ///< Of all.
+    std::size_t connections_ = 0; ///< Connections of all clients.
 };
 
 } // namespace cd

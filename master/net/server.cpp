@@ -15,7 +15,7 @@ namespace cd {
 
 namespace {
 
-/// As whom the peer is counted.
+/// Returns the name under which the quotas count the peer.
 std::string name_of(const Access& access, const Channel& channel) {
     return access.holder() ? access.holder()->name : channel.peer_host();
 }
@@ -101,7 +101,7 @@ Server::serve(std::uint64_t connection, asio::ip::tcp::socket socket, Seats::Sea
     if (channel) {
         connections_[connection] = channel.value();
         co_await converse(channel.value(), seat);
-        // One that is told why it is refused is there until it has had the time to read that.
+        // A refused peer's connection stays open long enough for the peer to read the reason.
         if (channel.value()->is_open()) {
             channel.value()->close();
         }
@@ -178,8 +178,7 @@ std::filesystem::path Server::jobs_path() const {
     return coordinator_.directory() / "clients";
 }
 
-// Whole or not at all, and never waited for: where it is lost, the quotas count less than they
-// might, and nothing else follows.
+// Writes atomically and waits for no sync. If the file is lost, the quotas only count too little.
 void Server::save_jobs() {
     const std::filesystem::path unfinished = jobs_path().string() + ".new";
     std::ofstream file(unfinished);

@@ -1,4 +1,4 @@
-// Listens, greets whoever connects, and hands the connection to its kind of session.
+// Listens, greets peers, and hands each connection to the session of its role.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -21,7 +21,7 @@
 
 namespace cd {
 
-/// What clients may have; tests make it small.
+/// Limits of clients; tests lower them.
 struct ClientLimits {
     Quotas::Limits quotas = {};
     Quotas::Limits workers = {.connections = limits::worker_connections_max,
@@ -31,9 +31,9 @@ struct ClientLimits {
 
 class Server {
   public:
-    /// Listens at once; port 0 lets the system choose one. Errors: BadInput for a host that is no
-    /// address of this machine; Io when the port is taken or may not be used. With an `identity`,
-    /// which outlives the server, only TLS is spoken.
+    /// Listens at once; port 0 lets the system choose one. With an `identity`, which must outlive
+    /// the server, only TLS is spoken. Errors: BadInput for a host that is no address of this
+    /// machine; Io when the port is in use or not permitted.
     [[nodiscard]] static Result<std::unique_ptr<Server>>
     listen(const asio::any_io_executor& executor,
            const Endpoint& endpoint,
@@ -42,9 +42,9 @@ class Server {
            const ClientLimits& clients = {});
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
-    /// That are open, greeted or not.
+    /// Number of open connections, greeted or not.
     [[nodiscard]] std::size_t connections() const { return connections_.size(); }
-    /// Accepts connections from now on.
+    /// Starts accepting connections.
     void start();
     /// Closes the listener, all connections, and the coordinator.
     void close();
@@ -58,7 +58,7 @@ class Server {
     void accept(asio::ip::tcp::socket socket);
     [[nodiscard]] asio::awaitable<void>
     serve(std::uint64_t connection, asio::ip::tcp::socket socket, Seats::Seat seat);
-    // Who is welcome leaves its seat.
+    // An accepted peer releases its greeting slot.
     [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel,
                                                  Seats::Seat& seat);
     [[nodiscard]] asio::awaitable<void>
@@ -68,24 +68,23 @@ class Server {
                                                      Access access,
                                                      Seats::Seat& seat);
     void refuse_greeting(Channel& channel, const Error& error);
-    /// Which running jobs are whose outlives the master beside its journal.
+    /// File of the running jobs' owners; it survives a restart as the journal does.
     [[nodiscard]] std::filesystem::path jobs_path() const;
     void save_jobs();
     void restore_jobs();
 
     std::unique_ptr<Listener> listener_;
     Coordinator& coordinator_;
-    MasterIdentity* identity_; ///< Null: plain.
-    /// Null until it is secured, if it is to be.
+    MasterIdentity* identity_; ///< Null: no TLS.
+    /// A channel is null until its TLS handshake, if there is one, has finished.
     std::map<std::uint64_t, std::shared_ptr<Channel>> connections_;
     std::uint64_t connection_last_ = 0;
-    /// Of connections before the end of their greeting, of joiners, and of those that are refused,
-    /// until they are gone.
+    /// Slots of connections that are being greeted, join, or are being refused.
     Seats greetings_{limits::greetings_max};
     Refusals refusals_;
     ClientLimits clients_;
     Quotas quotas_;
-    Quotas worker_quotas_; ///< Of their connections.
+    Quotas worker_quotas_; ///< Quotas of workers' connections.
 };
 
 } // namespace cd

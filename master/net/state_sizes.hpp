@@ -1,4 +1,4 @@
-// How much disk space the master's state takes.
+// Measures the disk space of the master's state.
 #pragma once
 
 #include "proto/messages/client_messages.hpp"
@@ -7,8 +7,8 @@
 
 namespace cd {
 
-/// Adds up the files of a state directory. Blocks for the disk. A file that cannot be read counts
-/// as empty, since it may have been deleted meanwhile.
+/// Adds up the files of a state directory. Blocks for the disk. An unreadable file counts as empty,
+/// since it may just have been deleted.
 [[nodiscard]] StateSizes measure_state(const std::filesystem::path& state);
 
 } // namespace cd

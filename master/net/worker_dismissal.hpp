@@ -8,8 +8,8 @@ namespace cd {
 
 class Coordinator;
 
-/// Tells the workers to leave: when they have finished what runs and handed back the rest, or at
-/// once. Errors: NotFound naming a worker that is not here; then none is told.
+/// Tells the workers to leave: after they have finished what runs and returned the rest, or at
+/// once. Errors: NotFound naming an absent worker; then no worker is told.
 [[nodiscard]] Result<Draining> dismiss_workers(Coordinator& coordinator, DrainWorkers wish);
 
 } // namespace cd

@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-/// Of one message of results; left at its end at the latest, which may come with its worker's.
+/// Counts one message of results in its worker's intake, until `leave` or the destructor.
 class PlaceInHand {
   public:
     explicit PlaceInHand(std::shared_ptr<WorkerIntake> intake) : intake_(std::move(intake)) {
@@ -29,7 +29,7 @@ class PlaceInHand {
     }
 
   private:
-    std::shared_ptr<WorkerIntake> intake_; ///< Null once it is left.
+    std::shared_ptr<WorkerIntake> intake_; ///< Null after `leave`.
 };
 
 } // namespace
@@ -59,7 +59,7 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
         co_await wait_for_room();
         Result<Message> message = co_await channel_->receive(coordinator_.times().lost_after);
         if (!message && message.error().code == ErrorCode::Timeout && channel_->is_open()) {
-            continue; // Whether the worker is lost does not hang on whole messages.
+            continue; // A slow message does not make the worker lost.
         }
         if (!message) {
             why = message.error().detail;
@@ -70,7 +70,7 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
         }
         std::visit([this](auto& content) { on(content); }, message.value());
     }
-    if (channel_->is_open()) { // Else a last word may still be on its way.
+    if (channel_->is_open()) { // A closing channel may still be sending its last message.
         channel_->close();
     }
     heartbeat_.cancel();
@@ -81,15 +81,16 @@ asio::awaitable<void> WorkerSession::wait_for_room() {
     while (intake_->messages >= limits::results_in_hand_max && channel_->is_open() &&
            !mutated(Mutation::ReadsOn)) {
         coordinator_.worker_unheard(worker_, *channel_);
-        room_.expires_after(coordinator_.times().heartbeat); // The connection may end meanwhile.
+        room_.expires_after(
+            coordinator_.times().heartbeat); // The connection may end during the wait.
         boost::system::error_code ignored;
         co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-        // It is listened to again, and its silence counts from now on.
+        // Reading resumes, so the worker's silence is counted from now.
         (void)coordinator_.worker_heard(worker_, *channel_);
     }
 }
 
-// It begins some time after it was spawned, and the session may have ended by then.
+// Static with a shared pointer: the session may end before the spawned coroutine starts.
 asio::awaitable<void> WorkerSession::send_heartbeats(std::shared_ptr<WorkerSession> self) {
     Heartbeat heartbeat;
     while (self->channel_->is_open()) {
@@ -119,7 +120,7 @@ void WorkerSession::on(const Standing& message) {
 
 void WorkerSession::on(const Drain& /*message*/) {
     coordinator_.worker_draining(worker_);
-    channel_->send(Drain{}); // After all that was on its way to it.
+    channel_->send(Drain{}); // The channel sends this after everything already queued.
 }
 
 void WorkerSession::on(const Failure& message) {

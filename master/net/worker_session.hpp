@@ -1,4 +1,4 @@
-// One worker's conversation with the master.
+// Serves one worker's connection.
 #pragma once
 
 #include "master/coordinator/coordinator.hpp"
@@ -11,18 +11,18 @@
 
 namespace cd {
 
-/// Reads what the worker says, on one connection: its session may outlive it.
+/// Reads a worker's messages on one connection. The worker's session may outlive the connection.
 class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
   public:
     WorkerSession(Coordinator& coordinator,
                   std::shared_ptr<Channel> channel,
                   const Reception& reception);
 
-    /// The whole conversation after the welcome. Ends when the connection does.
+    /// Serves the worker after the welcome. Returns when the connection ends.
     [[nodiscard]] asio::awaitable<void> run(Hello hello);
 
   private:
-    // One for each message that a worker sends; all others end the connection.
+    // Handlers, one per worker message; any other message ends the connection.
     void on(const Heartbeat& message);
     void on(const WantSubtrees& message);
     void on(const Evicted& message);
@@ -39,7 +39,7 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     void on(const Other& message);
 
     [[nodiscard]] static asio::awaitable<void> send_heartbeats(std::shared_ptr<WorkerSession> self);
-    /// A worker that is faster than the merge is read more slowly.
+    /// Delays reading from a worker that is faster than the merge.
     [[nodiscard]] asio::awaitable<void> wait_for_room();
 
     Coordinator& coordinator_;
