@@ -9,7 +9,7 @@ namespace cd {
 
 namespace {
 
-/// Of clients, each may do what those before it may.
+/// Ranks of clients; each includes the rights of the lower ones.
 enum class Rank { None, Metrics, Submitter, Admin };
 
 Rank rank_of(CertifiedRole role) {

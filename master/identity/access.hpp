@@ -1,4 +1,4 @@
-// What one connection may ask of the master, by the certificate that it has shown.
+// Decides what a connection may request, by its certificate.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -13,8 +13,7 @@ namespace cd {
 
 class MasterIdentity;
 
-/// A connection without TLS, which only loopback or --insecure allow, may ask for all that there
-/// is.
+/// A connection without TLS, which only loopback or --insecure allow, may request everything.
 class Access {
   public:
     Access() = default;
@@ -23,23 +22,23 @@ class Access {
 
     /// Null without TLS.
     [[nodiscard]] MasterIdentity* identity() const { return identity_; }
-    /// Empty when the peer showed no certificate.
+    /// Empty if the peer showed no certificate.
     [[nodiscard]] const std::optional<Identity>& holder() const { return holder_; }
 
-    /// The owner of the jobs that are submitted here: the certificate's holder or, without TLS, the
-    /// user that the client names.
+    /// Owner of the jobs submitted here: the certificate's holder or, without TLS, the user named
+    /// by the client.
     [[nodiscard]] const std::string& owner() const { return holder_ ? holder_->name : user_; }
     void set_user(std::string user) { user_ = std::move(user); }
-    /// Whether a job of this owner may be ended or removed from here: by its owner, by an admin,
-    /// and by anyone without TLS. Errors: Refused naming the owner.
+    /// Checks whether this connection may end or remove a job of this owner: its owner, an admin,
+    /// and anyone without TLS may. Errors: Refused naming the owner.
     [[nodiscard]] Status check_owner(const std::string& of_job) const;
 
-    /// Whether the holder's certificate is still good, and the holder is not refused. Nobody is
-    /// anybody without TLS, or joining. Errors: Refused saying why not.
+    /// Checks that the holder's certificate is valid and the holder not refused. Always passes
+    /// without TLS or while joining. Errors: Refused with the reason.
     [[nodiscard]] Status check_holder() const;
-    /// Whether the holder may greet in this role. Errors: Refused saying why not.
+    /// Checks that the holder may greet in this role. Errors: Refused with the reason.
     [[nodiscard]] Status check(Role role) const;
-    /// Whether the holder may send this, as a client. Errors: Refused saying why not.
+    /// Checks that the holder may send this message as a client. Errors: Refused with the reason.
     [[nodiscard]] Status check(const Message& message) const;
 
   private:

@@ -1,4 +1,4 @@
-// How one who wants a certificate gets it.
+// Issues certificates to joining and renewing peers.
 #pragma once
 
 #include "master/identity/access.hpp"
@@ -8,7 +8,7 @@
 
 namespace cd {
 
-/// The conversation after the welcome: a Join or a Renew, its answer, and the end.
+/// Serves a connection after the welcome: reads a Join or a Renew, answers, and ends.
 [[nodiscard]] asio::awaitable<void> admit(std::shared_ptr<Channel> channel, Access access);
 
 } // namespace cd

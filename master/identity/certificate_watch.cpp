@@ -19,7 +19,8 @@ asio::awaitable<void> watch_certificate(std::shared_ptr<Channel> channel,
             channel->close();
             co_return;
         }
-        // The time of day may be set anew, and the list of the refused grow at any time.
+        // Checks repeatedly: the clock may be set, and the list of refused names may grow, at any
+        // time.
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
             holder->until - access.identity()->now());
         pause->expires_after(

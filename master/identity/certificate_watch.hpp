@@ -1,4 +1,4 @@
-// Whether those who are connected may still be.
+// Ends connections whose certificate is no longer valid.
 #pragma once
 
 #include "master/identity/access.hpp"
@@ -9,8 +9,8 @@
 
 namespace cd {
 
-/// Ends the connection when its holder's certificate has ended, or the holder is refused. Who may
-/// comes back with another certificate. Returns when the channel is closed and `pause` cancelled.
+/// Ends the connection when its holder's certificate expires or the holder is refused. The peer may
+/// reconnect with another certificate. Returns when the channel is closed and `pause` cancelled.
 [[nodiscard]] asio::awaitable<void> watch_certificate(std::shared_ptr<Channel> channel,
                                                       Access access,
                                                       std::shared_ptr<asio::steady_timer> pause);

@@ -49,7 +49,7 @@ constexpr const char* way_out =
     "; nothing was changed: restore it from a copy, or move the folder away, run `cdmaster init`, "
     "and have everybody join again";
 
-/// The error for a missing certificate: NotFound if the folder has no other file of an identity,
+/// Returns the error for a missing certificate: NotFound if the folder has no other identity file,
 /// else BadInput.
 Error no_authority(const std::filesystem::path& folder) {
     std::error_code error;
@@ -64,7 +64,7 @@ Error no_authority(const std::filesystem::path& folder) {
                : Error{ErrorCode::NotFound, "there is no identity in " + folder.string()};
 }
 
-/// Errors: NotFound where there is none.
+/// Errors: NotFound if there is no authority.
 Result<CertificateAuthority> read_authority(const std::filesystem::path& folder) {
     const Result<std::string> certificate = read_private(certificate_path(folder));
     if (!certificate) {
@@ -84,8 +84,8 @@ Result<CertificateAuthority> read_authority(const std::filesystem::path& folder)
     return authority;
 }
 
-/// Names that mean something else than a peer. Tools that go by a certificate's name take neither
-/// its case nor a dot at its end for a difference.
+/// Returns whether a name is reserved for other uses than a peer. Ignores case and a trailing dot,
+/// as tools that compare certificate names do.
 bool is_reserved(std::string name) {
     name.erase(name.find_last_not_of('.') + 1);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
@@ -94,7 +94,7 @@ bool is_reserved(std::string name) {
     return std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
 }
 
-/// The certificate last: where it is, all is.
+/// Writes the certificate last: if it exists, all files exist.
 Status write_authority(const std::filesystem::path& folder, const CertificateAuthority& authority) {
     if (Status key = write_private(key_path(folder), authority.key()); !key) {
         return key;
@@ -188,7 +188,7 @@ Status MasterIdentity::keep_valid() {
     const Result<Credential> admin = read_credential(folder_ / "admin.pem");
     const Result<Identity> identity =
         admin ? read_identity(admin.value().certificate) : Result<Identity>(admin.error());
-    // Who has taken it away does not want it there.
+    // A missing admin file is not recreated: its owner removed it on purpose.
     if (identity && renew_at(identity.value()) <= options_.now()) {
         return renew_admin();
     }
@@ -213,7 +213,7 @@ Identity MasterIdentity::identity_from_now(CertifiedRole role,
                                            const std::string& name,
                                            std::chrono::seconds life) const {
     const WallTime now = options_.now();
-    // Another host's clock may be behind.
+    // The peer's clock may be behind.
     return {role, name, now - limits::clock_difference_max, now + life};
 }
 
@@ -249,7 +249,7 @@ Status MasterIdentity::check_refused(const std::string& name) const {
             return Error{ErrorCode::Refused, "'" + name + "' is refused by this cluster"};
         }
     }
-    // A list that cannot be read refuses nobody in particular, so everybody.
+    // An unreadable list refuses everybody, since nobody knows whom it names.
     return file.eof() ? Status(Done{})
                       : Status(Error{ErrorCode::Refused, path.string() + " cannot be read"});
 }

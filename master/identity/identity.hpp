@@ -1,4 +1,4 @@
-// Who the master is, and whom it lets in: its authority, its own certificate, its tokens.
+// The master's authority, its own certificate, and its join tokens.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -14,48 +14,49 @@
 
 namespace cd {
 
-/// All of it stands in the folder `identity` of the state directory, for its owner alone. One
+/// Files lie in the folder `identity` of the state directory, readable by its owner only. One
 /// thread.
 class MasterIdentity {
   public:
     using Clock = std::function<WallTime()>;
 
     struct Options {
-        std::chrono::seconds certificate_life; ///< Of those that it signs for others.
+        std::chrono::seconds
+            certificate_life; ///< Validity of the certificates that the master signs for others.
         Clock now = [] { return std::chrono::system_clock::now(); };
     };
 
-    /// Makes an authority where there is none, and a new credential for an admin. Errors: Io;
-    /// BadInput for files that are damaged.
+    /// Creates an authority if there is none, and a new admin credential. Errors: Io; BadInput for
+    /// damaged files.
     [[nodiscard]] static Status init(const std::filesystem::path& state, const Options& options);
 
-    /// Null where `init` has not been. Errors: Io; BadInput; Refused for files that others may
+    /// Returns null if `init` has not run. Errors: Io; BadInput; Refused for files that others may
     /// read.
     [[nodiscard]] static Result<std::unique_ptr<MasterIdentity>>
     open(const std::filesystem::path& state, const Options& options);
 
-    /// Whether the files of an identity, where there are any, can be read; changes nothing. Errors:
-    /// those of `open`.
+    /// Checks that the identity's files, if any, can be read; changes nothing. Errors: those of
+    /// `open`.
     [[nodiscard]] static Status check(const std::filesystem::path& state);
 
-    /// With which the master listens.
+    /// The TLS context with which the master listens.
     [[nodiscard]] std::shared_ptr<const TlsSlot> tls() const { return tls_; }
     [[nodiscard]] Sha256 fingerprint() const { return authority_.fingerprint(); }
-    /// Where the credential is that `init` has made.
+    /// Path of the admin credential that `init` creates.
     [[nodiscard]] static std::filesystem::path admin_path(const std::filesystem::path& state);
 
     [[nodiscard]] WallTime now() const { return options_.now(); }
-    /// Whether the list `refused` in the state directory, one name in a line, names this holder; it
-    /// is read each time. Errors: Refused, also where there is a list that cannot be read.
+    /// Checks that the list `refused` in the state directory (one name a line) does not name this
+    /// holder. Reads the list each time. Errors: Refused, also for an unreadable list.
     [[nodiscard]] Status check_refused(const std::string& name) const;
 
-    /// A new certificate of its own, and one for the admin's file, where it is time. Errors: Io.
+    /// Renews the master's own certificate and the admin's when due. Errors: Io.
     [[nodiscard]] Status keep_valid();
 
-    /// `binding` is that of the connection. A use is on the disk before the answer. Errors: Refused
-    /// with the reason; BadInput; Io.
+    /// `binding` is that of the connection. The token's use is on disk before this returns. Errors:
+    /// Refused with the reason; BadInput; Io.
     [[nodiscard]] Result<Certified> join(const Join& message, const Sha256& binding);
-    /// Another certificate for who has this one.
+    /// Issues a new certificate to the holder of a valid one.
     [[nodiscard]] Result<Certified> renew(const Renew& message, const Identity& holder) const;
     [[nodiscard]] Result<TokenCreated> create_token(const TokenCreate& message);
 

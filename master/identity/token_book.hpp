@@ -1,4 +1,4 @@
-// The tokens of a cluster: who may still join, and as what. A state machine: no clock, no disk.
+// A cluster's join tokens, with roles and uses. A state machine: no clock, no disk.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -15,35 +15,35 @@ namespace cd {
 
 class TokenBook {
   public:
-    /// What is asked of a new token.
+    /// Requested properties of a new token.
     struct Terms {
         CertifiedRole role = CertifiedRole::Worker;
         std::uint32_t uses = 1;
         WallTime until;
     };
-    /// A proof, and what it is over.
+    /// A join proof and the data it covers.
     struct Proof {
         std::uint64_t token = 0;
         Sha256 proof;
-        Sha256 binding; ///< Of the connection that it came over.
+        Sha256 binding; ///< Binding of the connection that carried the proof.
         std::string_view request;
     };
 
-    /// Expired ones are forgotten. Errors: BadInput for terms that are none; TooLarge when there
-    /// are `limits::tokens_max`.
+    /// Forgets expired tokens first. Errors: BadInput for invalid terms; TooLarge with
+    /// `limits::tokens_max` tokens.
     [[nodiscard]] Result<JoinToken>
     create(const Terms& terms, const Sha256& authority, WallTime now);
 
     /// Counts one use. Errors: Refused with the reason.
     [[nodiscard]] Result<CertifiedRole> redeem(const Proof& proof, WallTime now);
 
-    /// All of it as text, without any secret; and back. Errors: BadInput.
+    /// Writes the book as text without secrets, and reads it back. Errors: BadInput.
     [[nodiscard]] std::string to_text() const;
     [[nodiscard]] static Result<TokenBook> parse(const std::string& text);
 
   private:
     struct Entry {
-        Sha256 stored; ///< `stored_secret`.
+        Sha256 stored; ///< `stored_secret` of the token.
         CertifiedRole role = CertifiedRole::Worker;
         std::uint32_t uses_left = 0;
         WallTime until;
