@@ -19,10 +19,10 @@ constexpr std::size_t header_bytes = sizeof magic + sizeof format_version + 32 +
                                      sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t) +
                                      sizeof(SubtreeForm);
 
-/// Roots that are encoded before they are written: bounds the memory.
+/// Subtrees encoded before each write; bounds the memory.
 constexpr std::size_t roots_at_once_per_thread = 16;
 
-/// What the file is of, then the index, then their checksum.
+/// Encodes the header, the index, and the checksum of both.
 Bytes encode_index(const ObbTree& tree,
                    std::uint32_t depth,
                    SubtreeForm form,
@@ -60,7 +60,7 @@ BlockPlace get_place(ByteReader& in) {
     return place;
 }
 
-/// One block, and its place but for the offset.
+/// One encoded block with its index entry, still without an offset.
 struct EncodedBlock {
     Bytes compressed;
     BlockPlace place;
@@ -127,7 +127,7 @@ struct WholeFile {
     Bytes index;
 };
 
-/// All that can be checked without the tree is.
+/// Checks everything that can be checked without the tree.
 Result<WholeFile> read_whole(const std::filesystem::path& path) {
     Result<DiskFile> file = DiskFile::open(path);
     if (!file) {
@@ -189,7 +189,7 @@ Result<BlocksFile> open_blocks_file(const std::filesystem::path& path,
     if (!whole) {
         return whole.error();
     }
-    // Everything before the blocks is a function of the tree, the depth and the places.
+    // The bytes before the blocks depend only on the tree, the depth and the index entries.
     BlocksFile& blocks = whole.value().blocks;
     if (blocks.places.size() != cut_nodes(tree, depth).size() ||
         encode_index(tree, depth, form, blocks.places) != whole.value().index) {

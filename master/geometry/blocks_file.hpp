@@ -19,42 +19,42 @@ namespace cd {
 
 inline constexpr std::string_view blocks_suffix = ".blocks";
 
-/// Where one root's block stands, and what it is.
+/// Index entry of one root's block.
 struct BlockPlace {
     std::uint64_t offset = 0;
     std::uint64_t compressed_bytes = 0;
-    std::uint64_t bytes = 0;    ///< Uncompressed.
-    Sha256 hash;                ///< Of the uncompressed bytes.
-    std::uint64_t checksum = 0; ///< Of the compressed ones.
+    std::uint64_t bytes = 0;    ///< Uncompressed size.
+    Sha256 hash;                ///< SHA-256 of the uncompressed bytes.
+    std::uint64_t checksum = 0; ///< Checksum of the compressed bytes.
 };
 
 struct BlocksFile {
     DiskFile file;
-    std::vector<BlockPlace> places; ///< By root.
+    std::vector<BlockPlace> places; ///< Index entries, by root.
 };
 
 /// Encodes every subtree of the cut in this form, on the pool, and writes the file. Errors:
-/// TooLarge when one is over `limits::subtree_block_bytes_max`; Io.
+/// TooLarge for a block over `limits::subtree_block_bytes_max`; Io.
 [[nodiscard]] Status write_blocks_file(const std::filesystem::path& path,
                                        const ObbTree& tree,
                                        std::uint32_t depth,
                                        SubtreeForm form,
                                        ThreadPool& pool);
 
-/// Reads all of it against its checksums. Errors: NotFound; Io naming the file.
+/// Reads the whole file against its checksums. Errors: NotFound; Io naming the file.
 [[nodiscard]] Status check_blocks_file(const std::filesystem::path& path);
 
-/// The same, and keeps the index. Errors: NotFound; Io naming the file when it is damaged, or was
-/// made of another tree, depth or form.
+/// Reads the whole file against its checksums and returns the index. Errors: NotFound; Io naming
+/// the file when it is damaged or was made from another tree, depth or form.
 [[nodiscard]] Result<BlocksFile> open_blocks_file(const std::filesystem::path& path,
                                                   const ObbTree& tree,
                                                   std::uint32_t depth,
                                                   SubtreeForm form);
 
-/// One compressed block. Errors: Io naming the file.
+/// Reads one compressed block. Errors: Io naming the file.
 [[nodiscard]] Result<Bytes> read_block(const BlocksFile& blocks, RootIndex root);
 
-/// The same as `read_block` gives of a sound file, made of the tree.
+/// Encodes one block from the tree; equals what `read_block` returns from an intact file.
 [[nodiscard]] Bytes
 make_block(const ObbTree& tree, std::uint32_t depth, SubtreeForm form, RootIndex root);
 

@@ -19,7 +19,7 @@ struct CutGeometry::State {
     SubtreeBlock top_block;
     BlocksFile blocks;
     std::uint64_t bytes = 0;
-    mutable std::atomic<bool> is_set_aside = false; ///< The blocks file was moved as damaged.
+    mutable std::atomic<bool> is_set_aside = false; ///< The blocks file was renamed as damaged.
 };
 
 namespace {

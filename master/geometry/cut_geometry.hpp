@@ -1,4 +1,4 @@
-// One cut of a tree as the master serves it: its top in memory, the roots' blocks on disk.
+// One cut of a tree as the master serves it: the upper tree in memory, the roots' blocks on disk.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -15,12 +15,12 @@
 
 namespace cd {
 
-/// A tree cut at one depth, with all its blocks encoded and on disk. Immutable, shared freely
-/// between threads; holds the file open, and the tree, but none of the blocks.
+/// A tree cut at one depth, with all its blocks encoded and on disk. Immutable and shared between
+/// threads. Keeps the file open and the tree in memory, but none of the blocks.
 class CutGeometry {
   public:
-    /// Of a file that `write_blocks_file` made. Errors: those of `open_blocks_file`; TooLarge for a
-    /// top over `limits::subtree_block_bytes_max`.
+    /// Opens a file that `write_blocks_file` made. Errors: those of `open_blocks_file`; TooLarge
+    /// for an upper tree over `limits::subtree_block_bytes_max`.
     [[nodiscard]] static Result<std::shared_ptr<const CutGeometry>>
     open(const std::filesystem::path& path,
          std::shared_ptr<const ObbTree> tree,
@@ -31,20 +31,21 @@ class CutGeometry {
     ~CutGeometry();
 
     [[nodiscard]] std::uint32_t depth() const;
-    [[nodiscard]] SubtreeForm form() const; ///< Of the blocks.
+    [[nodiscard]] SubtreeForm form() const; ///< Form of the blocks.
     [[nodiscard]] const TreeTop& top() const;
     [[nodiscard]] std::uint32_t root_count() const;
-    // Here a root may be `top_root`.
-    /// All of these, which ascend, are there.
+    // A root below may be `top_root`.
+    /// Returns whether all these roots, which ascend, exist.
     [[nodiscard]] bool has_blocks(std::span<const RootIndex> roots) const;
-    /// The name of a block's uncompressed bytes.
+    /// Returns the hash of a block's uncompressed bytes.
     [[nodiscard]] const Sha256& hash(RootIndex root) const;
     [[nodiscard]] std::uint64_t compressed_bytes(RootIndex root) const;
-    [[nodiscard]] std::uint64_t bytes_total() const; ///< Of all roots, without the top.
+    [[nodiscard]] std::uint64_t
+    bytes_total() const; ///< Bytes of all roots' blocks, without the upper tree.
 
-    /// One block as it travels. One read of the file: microseconds while the system caches it, so
-    /// it may be called from the network thread. A block that is damaged or cannot be read is made
-    /// of the tree again, and its file is set aside.
+    /// Returns one block in wire form. One file read takes microseconds from the system's cache, so
+    /// the network thread may call this. A block that is damaged or unreadable is encoded again
+    /// from the tree, and its file is renamed.
     [[nodiscard]] SubtreeBlock block(RootIndex root) const;
 
   private:

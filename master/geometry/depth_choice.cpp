@@ -8,7 +8,7 @@ namespace cd {
 
 namespace {
 
-/// The nodes of a cut, by their places in the tree.
+/// Nodes of a cut, as indices into the tree.
 using Cut = std::vector<std::uint32_t>;
 
 CutSize size_of(const ObbTree& tree, const Cut& cut) {

@@ -1,4 +1,4 @@
-// Where a body's tree is cut if nobody says: into blocks that are worth asking for one by one.
+// Chooses the depth of a body's cut if the job names none, so that blocks suit single requests.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -11,23 +11,23 @@
 
 namespace cd {
 
-/// What a cut at one depth makes of a tree.
+/// Size of the cut at one depth.
 struct CutSize {
     std::uint64_t roots = 0;
-    double triangles = 0; ///< With a triangle under its root, on the mean over all triangles.
+    double triangles = 0; ///< Triangles under a triangle's root, averaged over all triangles.
 };
 
-/// At depths 0, 1 and so on: as far as there is something left to cut, and not beyond the first
+/// Returns the cuts at depths 0, 1 and so on, while there is something left to cut, up to the first
 /// with more than `limits::roots_chosen_max` roots.
 [[nodiscard]] std::vector<CutSize> cut_sizes(const ObbTree& tree);
 
-/// The least depth at which a block takes at most `limits::block_bytes_wanted`. Smaller blocks cost
-/// more requests, more pairs of roots to be found for each scenario and begun at a worker, and more
-/// bytes a triangle; larger ones, bytes that no scenario touches. Shallower where there would be
-/// too many roots. `cuts` are those of a tree, from depth 0 on.
+/// Returns the least depth at which a block takes at most `limits::block_bytes_wanted`, or a lower
+/// one if that gives too many roots. Smaller blocks cost more requests, more root pairs per
+/// scenario, and more bytes per triangle; larger blocks carry bytes that no scenario touches.
+/// `cuts` are those of a tree, from depth 0 on.
 [[nodiscard]] std::uint32_t choose_depth(std::span<const CutSize> cuts, double bytes_per_triangle);
 
-/// The same for blocks of this form. A function of the tree alone, so that jobs share blocks.
+/// Chooses the depth for blocks of this form. Depends on the tree alone, so that jobs share blocks.
 [[nodiscard]] std::uint32_t choose_depth(const ObbTree& tree, SubtreeForm form);
 
 } // namespace cd

@@ -31,9 +31,9 @@ namespace {
 
 constexpr std::size_t hash_digits = 2 * sizeof(Sha256);
 
-/// One mesh, here or about to be.
+/// One mesh, stored or being stored.
 struct Entry {
-    std::mutex making; ///< Held while the tree or a cut of it is made; guards these three:
+    std::mutex making; ///< Held while the tree or a cut is made; guards the next three members.
     bool stored = false;
     std::weak_ptr<const ObbTree> tree;
     std::map<std::pair<std::uint32_t, SubtreeForm>, std::weak_ptr<const CutGeometry>> cuts;
@@ -57,10 +57,11 @@ struct GeometryStore::State {
 
     std::shared_ptr<MeshUses> uses = std::make_shared<MeshUses>();
 
-    mutable std::mutex mutex; ///< Guards all below; never held during work.
+    mutable std::mutex mutex; ///< Guards all members below; never held during work.
     std::map<Sha256, std::shared_ptr<Entry>> entries;
-    std::map<Sha256, MeshStatus> statuses;             ///< Of the meshes that are here.
-    std::deque<std::shared_ptr<const ObbTree>> recent; ///< Keeps trees between jobs.
+    std::map<Sha256, MeshStatus> statuses; ///< Statuses of the stored meshes.
+    std::deque<std::shared_ptr<const ObbTree>>
+        recent; ///< Keeps recent trees in memory between jobs.
 
     [[nodiscard]] std::filesystem::path mesh_path(const Sha256& mesh) const {
         return cd::mesh_path(directory, mesh);
@@ -121,7 +122,7 @@ void GeometryStore::State::find_meshes() {
 /// Lists the mesh as stored, unless its file is gone.
 void GeometryStore::State::add_stored(const Sha256& mesh) {
     const std::shared_ptr<Entry> entry = find_or_add(mesh);
-    const std::lock_guard making(entry->making); // A removal may be under way.
+    const std::lock_guard making(entry->making); // Waits for a removal in progress.
     std::error_code missing;
     const std::uintmax_t bytes = std::filesystem::file_size(mesh_path(mesh), missing);
     if (missing) {
@@ -133,7 +134,7 @@ void GeometryStore::State::add_stored(const Sha256& mesh) {
     statuses[mesh] = {mesh, info.name, info.triangles, bytes, 0};
 }
 
-/// Lists a mesh that somebody put into the folder while the master runs.
+/// Lists a mesh that a person put into the folder while the master runs.
 void GeometryStore::State::find_mesh(const Sha256& mesh) {
     std::error_code error;
     if (!has(mesh) && std::filesystem::exists(mesh_path(mesh), error)) {
@@ -152,8 +153,8 @@ bool GeometryStore::State::has(const Sha256& mesh) const {
     return statuses.contains(mesh);
 }
 
-/// Deletes the files that an interrupted removal left of meshes that are gone. Files with other
-/// names stay: the store did not make them, or it has set them aside.
+/// Deletes the files that an interrupted removal left behind. Files with other names stay: the
+/// store did not make them, or renamed them as damaged.
 void GeometryStore::State::remove_orphans() const {
     for (const char* folder : {"meshes", "trees", "blocks"}) {
         for (const auto& file : std::filesystem::directory_iterator(directory / folder)) {
@@ -227,8 +228,8 @@ void GeometryStore::State::keep(const std::shared_ptr<const ObbTree>& tree) {
     }
 }
 
-/// Checks that a file can be opened if it exists. One that cannot, for example because descriptors
-/// have run out, is not damaged. Errors: Io.
+/// Checks that a file, if it exists, can be opened. One that cannot be, for example for lack of
+/// descriptors, is not damaged. Errors: Io.
 Status check_opens(const std::filesystem::path& path) {
     const Result<DiskFile> file = DiskFile::open(path);
     return file || file.error().code == ErrorCode::NotFound ? Status(Done{}) : file.error();
@@ -238,7 +239,7 @@ Error no_mesh(const Sha256& mesh) {
     return {ErrorCode::NotFound, "no mesh " + to_short_hex(mesh) + " is stored here"};
 }
 
-/// The workers prepare it for searches.
+/// The workers, not the master, prepare trees for searches.
 BuildOptions build_options() {
     BuildOptions options;
     options.prepare_search = false;
@@ -263,7 +264,7 @@ Status GeometryStore::State::write(const ObbTree& tree) const {
         tree_path(hash), tree, tree_key(hash, build_options()), Durability::Synced);
 }
 
-/// The mesh's name on the disk comes last, so that a mesh that is there has all else.
+/// The mesh file is renamed last, so that a listed mesh has all its files.
 Status GeometryStore::State::store(Entry& entry, MeshUpload& upload) {
     const Result<std::shared_ptr<const Mesh>> mesh = upload.read();
     if (!mesh) {
@@ -298,7 +299,7 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::load_tree(Entry& en
     }
     const Result<std::shared_ptr<const Mesh>> mesh = read_mesh(mesh_path(mesh_hash), mesh_hash);
     if (!mesh && mesh.error().code == ErrorCode::NotFound) {
-        entry.stored = false; // An upload brings it back.
+        entry.stored = false; // A new upload restores the mesh.
         const std::lock_guard lock(mutex);
         statuses.erase(mesh_hash);
         return missing(mesh_hash);
@@ -438,7 +439,7 @@ Result<std::unique_ptr<MeshUpload>> GeometryStore::begin_upload(const Sha256& me
 }
 
 Status GeometryStore::finish_upload(std::unique_ptr<MeshUpload> given) {
-    // Gone, with its file, when this returns; a parameter may live a little longer.
+    // Deletes the upload and its file before this returns; a parameter may live longer.
     const std::unique_ptr<MeshUpload> upload = std::move(given);
     const Sha256 mesh = upload->mesh();
     const std::shared_ptr<Entry> entry = state_->find_or_add(mesh);
@@ -479,7 +480,7 @@ GeometryStore::cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form) {
         return tree.error();
     }
     const std::shared_ptr<Entry> entry = state_->find(mesh);
-    if (entry == nullptr) { // Removed meanwhile.
+    if (entry == nullptr) { // The mesh was removed meanwhile.
         return state_->missing(mesh);
     }
     const std::lock_guard making(entry->making);

@@ -1,4 +1,4 @@
-// Keeps meshes, their trees and their encoded subtrees on disk. Each is made only once.
+// Keeps meshes, their trees and their encoded subtrees on disk. Makes each only once.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -22,39 +22,35 @@
 
 namespace cd {
 
-/// A value of the store, or why there is none.
+/// A value of the store, or the reason why there is none.
 template <class T>
 class [[nodiscard]] StoreResult : public Result<T> {
   public:
     using Result<T>::Result;
     StoreResult(Result<T> result) : Result<T>(std::move(result)) {}
-    /// An error of the disk.
+    /// Returns a failure to write to the disk.
     [[nodiscard]] static StoreResult unwritten(Error why) {
         StoreResult result(std::move(why));
         result.is_unwritten_ = true;
         return result;
     }
 
-    /// The value was made and could not be written; it may be tried again when the disk has room.
+    /// The value was made but not written; the caller may retry when the disk has room.
     [[nodiscard]] bool is_unwritten() const { return is_unwritten_; }
 
   private:
     bool is_unwritten_ = false;
 };
 
-/// The geometry under `<state>/meshes`, `trees` and `blocks`.
-///
-/// Any thread may call any member at any time. `finish_upload`, `tree` and `cut` may take seconds
-/// (they read, build and encode, with the help of the pool handed in); two that want the same thing
-/// wait for one making of it. They must not be called from a function that runs on that pool. All
-/// others return within a file operation.
-///
-/// Damaged files are never deleted. A damaged tree or blocks file is logged, renamed and made anew.
-/// A mesh cannot be made anew, so a damaged one is an error that names the file.
+/// The geometry under `<state>/meshes`, `trees` and `blocks`. Any thread may call any member.
+/// `finish_upload`, `tree` and `cut` may take seconds: they read, build and encode on the pool, so
+/// functions on that pool must not call them. Concurrent callers of one value wait for a single
+/// computation. All other members return within a file operation. Damaged files are never deleted.
+/// A damaged tree or blocks file is logged, renamed and made again. A mesh cannot be made again, so
+/// a damaged one is an error that names the file.
 class GeometryStore {
   public:
-    /// Makes the directories where they are missing, and locks them against another process.
-    /// Errors: Io.
+    /// Makes missing directories and locks them against other processes. Errors: Io.
     [[nodiscard]] static Result<std::unique_ptr<GeometryStore>>
     open(const std::filesystem::path& directory,
          ThreadPool& pool,
@@ -64,32 +60,33 @@ class GeometryStore {
     ~GeometryStore();
 
     [[nodiscard]] bool has(const Sha256& mesh) const;
-    /// The meshes of `meshes` that are not stored, in the order given, each once.
+    /// Returns the meshes that are not stored, in the given order, each once.
     [[nodiscard]] std::vector<Sha256> missing(std::span<const Sha256> meshes) const;
 
     /// `name` is for people and is kept with the mesh. Errors: TooLarge over
-    /// `limits::mesh_bytes_max`, with `limits::mesh_uploads_max` open, or with as many meshes
-    /// stored as may be; Io.
+    /// `limits::mesh_bytes_max`, with `limits::mesh_uploads_max` open uploads, or with the maximum
+    /// of stored meshes; Io.
     [[nodiscard]] Result<std::unique_ptr<MeshUpload>>
     begin_upload(const Sha256& mesh, const std::string& name, std::uint64_t bytes_total);
 
-    /// Checks the bytes against their name, validates them as a mesh, builds the tree, and keeps
-    /// both. Of a mesh that is here already: nothing. Errors: BadInput when incomplete, of another
-    /// hash, or no valid mesh; Io.
+    /// Checks the bytes against their hash, validates the mesh, builds the tree, and keeps both.
+    /// Does nothing for a stored mesh. Errors: BadInput when incomplete, of another hash, or no
+    /// valid mesh; Io.
     [[nodiscard]] Status finish_upload(std::unique_ptr<MeshUpload> upload);
 
-    /// The tree, from memory, from disk, or built now; then it is used also if it cannot be
-    /// written. A mesh that was put into the folder by hand is found, too. Errors: NotFound naming
-    /// the file that is missing; Io naming a file that is damaged or cannot be read.
+    /// Returns the tree from memory, from disk, or newly built, even if it then cannot be written.
+    /// Also finds a mesh that a person put into the folder. Errors: NotFound naming the missing
+    /// file; Io naming a file that is damaged or unreadable.
     [[nodiscard]] Result<std::shared_ptr<const ObbTree>> tree(const Sha256& mesh);
 
-    /// The tree cut at `depth`, encoded now or earlier; wide only if it `suits_wide_tree`. Errors:
-    /// as `tree`; TooLarge over `limits::distribution_depth_max`; Io when it cannot be written.
+    /// Returns the tree cut at `depth`, encoded now or earlier; wide only if it `suits_wide_tree`.
+    /// Errors: as `tree`; TooLarge over `limits::distribution_depth_max`; Io when it cannot be
+    /// written.
     [[nodiscard]] StoreResult<std::shared_ptr<const CutGeometry>>
     cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form = SubtreeForm::Wide);
 
-    /// At most `bytes_max` of the canonical bytes of a mesh, from `offset` on. Errors: NotFound;
-    /// BadInput for an offset at or behind the end; Io.
+    /// Reads at most `bytes_max` canonical bytes of a mesh from `offset` on. Errors: NotFound;
+    /// BadInput for an offset at or past the end; Io.
     [[nodiscard]] Result<MeshBytes>
     read(const Sha256& mesh, std::uint64_t offset, std::uint64_t bytes_max) const;
 
@@ -99,7 +96,7 @@ class GeometryStore {
     /// Refused while it is held; Io.
     [[nodiscard]] Result<std::uint64_t> remove(const Sha256& mesh);
 
-    /// All meshes, by hash.
+    /// Returns all stored meshes, by hash.
     [[nodiscard]] std::vector<MeshStatus> meshes() const;
 
   private:

@@ -1,4 +1,4 @@
-// A mesh on disk: its canonical bytes, and beside them what is shown of it.
+// A mesh on disk: its canonical bytes and a description.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -15,22 +15,21 @@ namespace cd {
 
 inline constexpr std::string_view mesh_suffix = ".mesh";
 
-/// Where a state directory keeps the mesh of this hash.
+/// Returns the path of a mesh in the state directory.
 [[nodiscard]] std::filesystem::path mesh_path(const std::filesystem::path& state,
                                               const Sha256& hash);
 
-/// The description of a mesh, which is shown without opening the mesh.
+/// A mesh's description, readable without opening the mesh.
 struct MeshInfo {
     std::string name;
     std::uint64_t triangles = 0;
 };
 
 [[nodiscard]] Status write_info(const std::filesystem::path& path, const MeshInfo& info);
-/// A description that cannot be read is logged and left empty: only people use it.
+/// Reads a description. Logs an unreadable one and returns it empty: only people use it.
 [[nodiscard]] MeshInfo read_info(const std::filesystem::path& path);
 
-/// The mesh of this hash. Errors: NotFound; Io naming the file when it is damaged or cannot be
-/// read.
+/// Reads the mesh with this hash. Errors: NotFound; Io naming a file that is damaged or unreadable.
 [[nodiscard]] Result<std::shared_ptr<const Mesh>> read_mesh(const std::filesystem::path& path,
                                                             const Sha256& hash);
 

@@ -1,4 +1,4 @@
-// Reference counts of meshes, so that a mesh in use is not removed.
+// Reference counts of meshes; a mesh in use is not removed.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -24,7 +24,7 @@ class MeshUses {
     std::map<Sha256, std::size_t> counts_;
 };
 
-/// Keeps meshes from being removed as long as it lives.
+/// Prevents the removal of its meshes while it exists.
 class MeshHold {
   public:
     MeshHold(std::shared_ptr<MeshUses> uses, std::vector<Sha256> meshes);

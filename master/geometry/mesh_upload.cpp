@@ -54,7 +54,7 @@ Result<std::shared_ptr<const Mesh>> MeshUpload::read() {
     if (!mesh) {
         return Error{mesh.error().code, "the mesh '" + name_ + "': " + mesh.error().detail};
     }
-    // Bytes that say the same in another way (a minus zero, say) would be a second name for it.
+    // Another encoding of an equal mesh (a minus zero, say) would give it a second hash.
     if (mesh.value().hash() != mesh_) {
         return Error{ErrorCode::BadInput, "the mesh '" + name_ + "' is not in its canonical form"};
     }

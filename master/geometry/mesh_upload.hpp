@@ -1,4 +1,4 @@
-// A mesh that comes in pieces from a client, until it is known to be one.
+// A mesh that a client uploads in pieces, until it is validated.
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
@@ -14,10 +14,10 @@
 
 namespace cd {
 
-/// Holds the bytes in a temporary file that goes when this does. One thread at a time.
+/// Holds the bytes in a temporary file, deleted with this object. One thread at a time.
 class MeshUpload {
   public:
-    /// `open_uploads` counts those that exist. Used by the GeometryStore.
+    /// `open_uploads` counts the existing uploads. For the GeometryStore.
     MeshUpload(DiskFile file,
                const Sha256& mesh,
                std::string name,
@@ -31,16 +31,16 @@ class MeshUpload {
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] std::uint64_t bytes_total() const { return bytes_total_; }
 
-    /// The pieces must follow one another. Blocks for the write. Errors: BadInput for a gap, a
-    /// repetition or more than was announced; Io.
+    /// Appends the next piece; pieces must be contiguous. Blocks for the disk. Errors: BadInput for
+    /// a gap, a repetition, or more bytes than announced; Io.
     [[nodiscard]] Status append(std::uint64_t offset, std::span<const std::byte> bytes);
-    /// All announced bytes are there.
+    /// Returns whether all announced bytes have arrived.
     [[nodiscard]] bool is_complete() const { return bytes_here_ == bytes_total_; }
 
-    /// The mesh that the bytes are. Once. Errors: BadInput when incomplete, of another hash, or no
-    /// valid mesh in canonical form; Io.
+    /// Reads and validates the mesh. Call once. Errors: BadInput when incomplete, of another hash,
+    /// or no valid mesh in canonical form; Io.
     [[nodiscard]] Result<std::shared_ptr<const Mesh>> read();
-    /// Gives the file its name.
+    /// Renames the temporary file to its final name.
     [[nodiscard]] Status commit() { return file_.commit(); }
 
   private:

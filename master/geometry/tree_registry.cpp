@@ -7,7 +7,7 @@ namespace cd {
 
 namespace {
 
-/// Equal for equal blocks under equal roots alone.
+/// Returns a hash that is equal only for equal blocks under equal roots.
 Sha256 name_of(const CutGeometry& geometry) {
     ByteWriter out;
     out.put(static_cast<std::uint8_t>(geometry.form()));

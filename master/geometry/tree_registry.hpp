@@ -1,4 +1,4 @@
-// The cut trees that running jobs use, under the numbers by which workers know them.
+// The cut trees of running jobs, under the numbers that workers use.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -13,20 +13,19 @@
 
 namespace cd {
 
-/// Jobs that use the same mesh at the same depth in the same form share a number. A number is never
-/// used again.
+/// Jobs that use one mesh at one depth in one form share a number. Numbers are never reused.
 class TreeRegistry {
   public:
-    /// One more user of the tree.
+    /// Adds a user of the tree.
     TreeId acquire(const Sha256& mesh, std::shared_ptr<const CutGeometry> geometry);
-    /// One user less. True when that was the last one: the tree is gone.
+    /// Removes a user of the tree. Returns true if it was the last one and the tree is dropped.
     bool release(TreeId tree);
 
-    /// The name of the tree's cut, the same in every life of the master. The tree is used.
+    /// Returns the hash of a used tree's cut, equal in every incarnation of the master.
     [[nodiscard]] const Sha256& cut(TreeId tree) const { return trees_.at(tree).cut; }
-    /// The trees that are used.
+    /// Returns the used trees.
     [[nodiscard]] std::vector<TreeId> all() const;
-    /// Null for a tree that nobody uses (any more).
+    /// Null for a tree without users.
     [[nodiscard]] std::shared_ptr<const CutGeometry> find(TreeId tree) const;
 
   private:
