@@ -1,4 +1,4 @@
-// Carries blocks of geometry to the workers, or tells them from whom to fetch them.
+// Sends blocks of geometry to the workers, or tells them which peers to fetch from.
 #pragma once
 
 #include "master/blocks/block_director.hpp"
@@ -23,24 +23,24 @@ class BlockDelivery {
     BlockDelivery(asio::any_io_executor executor, const TreeRegistry& trees);
     BlockDelivery(const BlockDelivery&) = delete;
     BlockDelivery& operator=(const BlockDelivery&) = delete;
-    /// Stops all transfers and timers: the master ends.
+    /// Stops all transfers and timers when the master ends.
     void close();
 
-    /// `port` is where the worker serves others, or 0 if it does not. A worker that a probe does
+    /// `port` is the worker's port for peers, or 0 if it serves none. A worker that a probe does
     /// not reach is never a source.
     void worker_joined(WorkerId worker,
                        std::shared_ptr<Channel> channel,
                        const PeerKey& key,
                        std::uint16_t port);
     void worker_left(WorkerId worker);
-    /// The connection broke: the worker gets no blocks and is no source until it returns.
+    /// Handles a broken connection: the worker gets no blocks and is no source until it returns.
     void worker_detached(WorkerId worker);
-    /// The worker has a connection again, and then tells which blocks it holds and wants.
+    /// Handles a reconnect, after which the worker reports the blocks it holds and wants.
     void worker_returned(WorkerId worker, std::shared_ptr<Channel> channel);
 
-    /// Whether blocks of the tree may be sent to the worker.
+    /// Returns whether blocks of the tree may be sent to the worker.
     [[nodiscard]] bool knows(WorkerId worker, TreeId tree) const;
-    /// Errors of `wanted` and `held`: BadFrame for a root that the tree does not have.
+    /// Errors of `wanted` and `held`: BadFrame for a root that the tree lacks.
     [[nodiscard]] Status wanted(WorkerId worker, const WantSubtrees& want);
     [[nodiscard]] Status held(WorkerId worker, const Held& held);
     void evicted(WorkerId worker, const Evicted& evicted);
@@ -50,11 +50,11 @@ class BlockDelivery {
     /// Blocks sent by the master itself.
     struct Sent {
         std::uint64_t blocks = 0;
-        std::uint64_t bytes = 0; ///< Compressed.
+        std::uint64_t bytes = 0; ///< Compressed bytes.
     };
     [[nodiscard]] Sent sent_to(WorkerId worker) const;
-    /// The blocks that the worker reported to hold; none without a connection, or if it serves no
-    /// others.
+    /// Blocks that the worker reported to hold; none without a connection, or if it serves no
+    /// peers.
     [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
         return director_.held_by(worker);
     }
@@ -67,13 +67,13 @@ class BlockDelivery {
         PeerKey key;
         std::string host;
         std::uint16_t port = 0;
-        std::uint64_t ticket_last = 0; ///< Number of the last ticket for fetches from it.
+        std::uint64_t ticket_last = 0; ///< Number of the last ticket for fetches from this worker.
         std::deque<BlockKey> queue;    ///< Blocks that the master has yet to send.
         bool sending = false;
         Sent sent;
     };
 
-    /// The tree is known.
+    /// The tree must be known.
     [[nodiscard]] Status check_roots(TreeId tree, const std::vector<RootIndex>& roots) const;
     void probe(WorkerId worker);
     [[nodiscard]] asio::awaitable<void>

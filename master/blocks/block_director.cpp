@@ -37,7 +37,7 @@ BlockActions BlockDirector::worker_left(WorkerId worker, Time now) {
     for (const auto& [block, since] : waits_for) {
         forget_delivery(worker, block, event);
     }
-    // Who fetches from it notices, and says so.
+    // Workers that fetch from the lost one notice and report it.
     for (auto& [id, fetch] : fetches_) {
         if (fetch.source == worker) {
             fetch.source = {};
@@ -221,7 +221,7 @@ BlockDirector::first_source(const Block& block,
     const auto may_give = [&](WorkerId source) {
         return block.holders.contains(source) && can_serve(source, worker);
     };
-    // One that gives nothing in this event yet, with the fewest uploads.
+    // Picks the source with the fewest uploads among those not yet used in this event.
     WorkerId best;
     std::size_t least = limits::peer_uploads_max;
     std::size_t looked_at = 0;
@@ -262,13 +262,13 @@ void BlockDirector::want(WorkerId worker,
         return;
     }
     if (const auto comes = peer.comes.find(block); comes != peer.comes.end()) {
-        if (comes->second != 0) { // Its peers did not give it.
+        if (comes->second != 0) { // The peers failed to deliver the block.
             forget_delivery(worker, block, event);
             send_from_master(worker, block, event);
         }
         return;
     }
-    lose_hold(worker, block, event); // It says so itself.
+    lose_hold(worker, block, event); // The worker itself reports that it lacks the block.
     Block& wanted = blocks_[block];
     if (const WorkerId source = first_source(wanted, worker, given); source != WorkerId{}) {
         given[source].push_back(block.root);
@@ -387,7 +387,7 @@ void BlockDirector::free_place(Fetch& fetch, Event& event) {
 void BlockDirector::add_hold(WorkerId worker, const BlockKey& block) {
     Peer& peer = peers_.at(worker);
     if (!peer.serves) {
-        return; // Nobody gains by it.
+        return; // Peers cannot fetch from this worker.
     }
     Block& held = blocks_[block];
     peer.holds.insert(block);

@@ -1,4 +1,4 @@
-// The end of an event: who waits gets what can be given now. And what holds between two events.
+// Settles events: gives waiting workers what is available now. Checks the director's invariants.
 #include "common/core/check.hpp"
 #include "common/core/limits/wire.hpp"
 #include "master/blocks/block_director.hpp"
@@ -108,7 +108,8 @@ void BlockDirector::check_invariants() const {
         }
         for (const auto& [block, since] : peer.waits_for) {
             CD_CHECK(blocks_.at(block).awaited_by.at(peer.place) == worker);
-            CD_CHECK(is_worth_waiting(blocks_.at(block), worker)); // Or it would wait in vain.
+            CD_CHECK(is_worth_waiting(blocks_.at(block),
+                                      worker)); // Otherwise the worker would wait in vain.
         }
         for (const BlockKey& block : peer.holds) {
             const Block& held = blocks_.at(block);

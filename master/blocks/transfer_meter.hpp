@@ -1,4 +1,4 @@
-// How fast blocks reach one worker, measured from its asking for them to its holding them.
+// Measures how fast blocks reach one worker, from its request to its report of holding them.
 #pragma once
 
 #include "common/tree/cut.hpp"
@@ -12,8 +12,8 @@
 
 namespace cd {
 
-/// Takes times and returns values; no clock. Whoever gives the worker its blocks, the opening of
-/// them is part of their way.
+/// Takes times and returns values; no clock. The time includes the opening of blocks, whether the
+/// master or a peer sends them.
 class TransferMeter {
   public:
     struct Measured {
@@ -21,12 +21,12 @@ class TransferMeter {
         double seconds = 0;
     };
 
-    /// Asking again does not begin anew.
+    /// A repeated request does not restart the measurement.
     void wanted(TreeId tree, RootIndex root, std::uint64_t bytes, double now);
-    /// What of these was wanted, and how long it took: since the worker asked, but each moment
-    /// counts once, for what came after it. Nothing where nothing of it was wanted.
+    /// Returns the bytes of the wanted blocks among these, and the seconds since the request. Each
+    /// moment counts once, for the blocks that came after it. Empty if none was wanted.
     std::optional<Measured> held(TreeId tree, std::span<const RootIndex> roots, double now);
-    /// Its blocks come no more.
+    /// Drops the measurements of a removed tree's blocks.
     void tree_removed(TreeId tree);
 
   private:
