@@ -1,4 +1,4 @@
-// What of a job is read before its scenarios are looked at: trees, cuts and poses.
+// Prepares a job before its scenarios are analysed: trees, cuts and poses.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -22,19 +22,19 @@ struct JobGeometry {
     std::shared_ptr<const CutGeometry> cut_b;
 };
 
-/// Cuts the bodies' trees as the job asks for. May take seconds. Errors: those of the store.
+/// Cuts the bodies' trees as the job requests. May take seconds. Errors: those of the store.
 [[nodiscard]] StoreResult<JobGeometry> make_job_geometry(GeometryStore& store,
                                                          const Submit& submit);
 
-/// What the dispatcher has to know of a cut.
+/// Returns the dispatcher's description of a cut.
 [[nodiscard]] DispatchTree dispatch_tree(TreeId id, const CutGeometry& cut);
 
 [[nodiscard]] AnalysisInput make_analysis_input(const JobGeometry& geometry,
                                                 const Query& query,
                                                 std::shared_ptr<PoseSource> poses);
 
-/// The poses of a job that the journal holds; `path` is where they stand if it has no grid. Errors:
-/// Io, naming a file that is missing or damaged.
+/// Opens the poses of a journalled job; `path` is their file if the job has no grid. Errors: Io
+/// naming a file that is missing or damaged.
 [[nodiscard]] Result<std::shared_ptr<PoseSource>> open_poses(const Submit& submit,
                                                              const std::filesystem::path& path);
 

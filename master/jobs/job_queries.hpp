@@ -1,4 +1,4 @@
-// Answers the queries with which a client opens a job again: description, meshes, poses.
+// Answers the queries with which a client reopens a job: description, meshes, poses.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -13,24 +13,24 @@
 
 namespace cd {
 
-/// Answers one client's queries from what is on the disk, whether the job runs or has ended. All
-/// members block for the disk. One thread at a time.
+/// Answers one client's queries from the disk, for running and ended jobs. All members block for
+/// the disk. One thread at a time.
 class JobQueries {
   public:
-    /// Both outlive this.
+    /// Both must outlive this.
     JobQueries(const Journal& journal, const GeometryStore& geometry)
         : journal_(journal), geometry_(geometry) {}
 
-    /// The job as it was submitted. Errors: NotFound; Io.
+    /// Returns the job as submitted. Errors: NotFound; Io.
     [[nodiscard]] Result<JobDescription> description(JobId job) const;
-    /// The next bytes of a mesh. Errors: NotFound; BadInput for an offset behind the end; Io.
+    /// Returns the next bytes of a mesh. Errors: NotFound; BadInput for an offset past the end; Io.
     [[nodiscard]] Result<MeshBytes> mesh(const MeshQuery& query) const;
-    /// The poses of at least one scenario. Keeps the job's files open for the next query. Errors:
-    /// NotFound; BadInput for scenarios that the job does not have; Io.
+    /// Returns the poses of at least one scenario. Keeps the job's files open for the next query.
+    /// Errors: NotFound; BadInput for scenarios that the job lacks; Io.
     [[nodiscard]] Result<JobPoses> poses(const PosesQuery& query);
 
   private:
-    /// The files of the job that was asked for last.
+    /// Open files of the job last queried.
     struct OpenJob {
         JobId job;
         std::shared_ptr<PoseSource> poses;

@@ -1,4 +1,4 @@
-// How long the master keeps jobs that have ended.
+// Decides how long the master keeps ended jobs.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -17,13 +17,14 @@ struct JobRetention {
     std::size_t count = limits::jobs_ended_kept_max;
     std::optional<std::chrono::seconds> age = {};
 
-    /// Whether the retention of a job is over at `now`. The job ended at `ended` and asked to be
-    /// kept for `wished` seconds, or 0 for no wish; a wish only shortens the time. `ended` and
-    /// `now` are in seconds since 1970.
+    /// Returns whether a job's retention is over at `now`. The job ended at `ended` and asked to be
+    /// kept for `wished` seconds (0: no wish); a wish only shortens the time. `ended` and `now` are
+    /// in seconds since 1970.
     [[nodiscard]] bool is_over(std::uint64_t ended, std::uint64_t wished, std::uint64_t now) const;
 };
 
-/// A number of jobs ("1000"), or a time ("30d", "12h"). Errors: BadInput saying what it may be.
+/// Parses a number of jobs ("1000") or a time ("30d", "12h"). Errors: BadInput saying what is
+/// allowed.
 [[nodiscard]] Result<JobRetention> parse_retention(const std::string& text);
 
 } // namespace cd

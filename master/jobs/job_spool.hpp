@@ -12,19 +12,18 @@
 
 namespace cd {
 
-/// The poses of one job and, where its pose file has them, their labels. One thread at a time adds;
-/// all members block for the disk.
+/// One job's poses and, if its pose file has them, their labels. One thread at a time adds; all
+/// members block for the disk.
 class JobSpool {
   public:
-    /// New files in `directory`, for the scenarios and columns that `submit` announces. Errors:
+    /// Creates files in `directory` for the scenarios and columns that `submit` announces. Errors:
     /// those of the two spools.
     [[nodiscard]] static Result<std::shared_ptr<JobSpool>>
     create(const std::filesystem::path& directory, const Submit& submit);
 
-    /// The next scenarios. Errors: those of the two spools.
+    /// Appends the next scenarios. Errors: those of the two spools.
     [[nodiscard]] Status append(const PosesPart& part);
-    /// Finishes the files after the last part and gives them the names that the journal looks for.
-    /// Errors: Io.
+    /// Finishes the files after the last part and renames them as the journal expects. Errors: Io.
     [[nodiscard]] Status seal(const Journal& journal, JobId job, Durability durability);
 
     [[nodiscard]] const std::shared_ptr<PoseSpool>& poses() const { return poses_; }

@@ -29,7 +29,7 @@ Bytes encode(const PoseLabels& labels) {
     return out.take();
 }
 
-/// False if the bytes are not the labels of `scenarios` scenarios in these columns.
+/// Returns false if the bytes are not labels of `scenarios` scenarios in these columns.
 bool decode(std::span<const std::byte> bytes,
             LabelColumns columns,
             std::size_t scenarios,
@@ -56,8 +56,8 @@ struct LabelSpool::State {
 
     DiskFile file;
     LabelColumns columns;
-    std::uint64_t announced = 0;         ///< Scenarios.
-    std::uint64_t count = 0;             ///< Scenarios whose labels have come.
+    std::uint64_t announced = 0;         ///< Announced scenarios.
+    std::uint64_t count = 0;             ///< Scenarios with labels received.
     std::vector<std::uint64_t> run_ends; ///< Offset of the end of each run on disk.
     std::vector<std::uint64_t> run_sums; ///< Checksum of each run on disk.
     PoseLabels last;                     ///< Labels of the unfinished run, not on disk yet.

@@ -1,4 +1,4 @@
-// The ids and times of a job's scenarios as a client sends them, on disk beside the poses.
+// The ids and times of a job's scenarios on disk, beside the poses.
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
@@ -13,9 +13,9 @@
 
 namespace cd {
 
-/// A file of labels in runs of `limits::spool_run_scenarios` scenarios, with the end and the
-/// checksum of each run in an index behind them. The destructor deletes a file that was not sealed.
-/// One thread at a time; all members block for the disk.
+/// A file of labels in runs of `limits::spool_run_scenarios` scenarios. An index at its end holds
+/// each run's end and checksum. The destructor deletes an unsealed file. One thread at a time; all
+/// members block for the disk.
 class LabelSpool {
   public:
     /// Makes a new file in `directory`, which exists, for `scenarios` scenarios. Errors: Io.
@@ -38,8 +38,8 @@ class LabelSpool {
 
     /// Reads all labels of a sealed file. Errors: Io, naming the file, when it is damaged.
     [[nodiscard]] Status verify() const;
-    /// The labels of scenarios [first, first + count), which exist. Errors: Io, naming the file,
-    /// when it is damaged.
+    /// Returns the labels of scenarios [first, first + count), which must exist. Errors: Io naming
+    /// a damaged file.
     [[nodiscard]] Result<PoseLabels> read(std::uint64_t first, std::uint64_t count) const;
 
   private:

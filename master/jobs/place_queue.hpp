@@ -1,4 +1,4 @@
-// What of a job has not been handed out yet.
+// Order positions of a job that are not handed out yet.
 #pragma once
 
 #include "common/job/poses/ordered_poses.hpp"
@@ -11,33 +11,33 @@
 
 namespace cd {
 
-/// What of the runs is not in `hole`.
+/// Returns the runs without the positions in `hole`.
 [[nodiscard]] std::vector<PlaceRange> without(std::span<const PlaceRange> runs,
                                               const PlaceRange& hole);
 
-/// Places of a job's order, each once; first those that came back.
+/// Positions in a job's order, each once; returned ones come first.
 class PlaceQueue {
   public:
-    /// `lost`: before; their places are places of the job.
+    /// `lost`: positions lost before, all within the job.
     explicit PlaceQueue(std::uint64_t scenarios = 0, std::span<const LostPlaces> lost = {});
 
     struct Piece {
         PlaceRange places;
-        Losses losses = {}; ///< With whom these were lost.
+        Losses losses = {}; ///< Earlier workers that were lost with these positions.
     };
 
     [[nodiscard]] bool empty() const { return pieces_.empty(); }
     [[nodiscard]] std::uint64_t left() const { return left_; }
-    /// There is one.
+    /// The queue must not be empty.
     [[nodiscard]] const Piece& front() const { return pieces_.front(); }
-    /// Up to `most` of the first piece, all of one window.
+    /// Takes up to `most` positions of the first piece, all from one window.
     [[nodiscard]] Piece take(std::uint64_t most);
     void put_back(const Piece& piece);
-    /// In the order in which they are taken.
+    /// Pieces in the order in which they are taken.
     [[nodiscard]] const std::deque<Piece>& pieces() const { return pieces_; }
 
   private:
-    std::deque<Piece> pieces_; ///< None empty.
+    std::deque<Piece> pieces_; ///< None is empty.
     std::uint64_t left_ = 0;
 };
 

@@ -19,7 +19,7 @@ Error damaged(const DiskFile& file, const std::string& why) {
     return {ErrorCode::Io, file.path().string() + " is damaged: " + why};
 }
 
-/// What a job of two bodies can be asked.
+/// Checks a scenario of a job with two bodies.
 Status check_scenario(const Scenario& scenario, std::uint64_t expected) {
     if (scenario.index != expected) {
         return Error{ErrorCode::BadInput,
@@ -43,10 +43,10 @@ struct PoseSpool::State {
     mutable std::mutex mutex;
     DiskFile file;
     std::uint64_t announced = 0;
-    std::vector<std::uint64_t> run_ends; ///< In bytes, of each run on disk,
-    std::vector<std::uint64_t> run_sums; ///< and its checksum.
-    std::vector<Scenario> last;          ///< Fewer than a run, not on disk.
-    bool is_sealed = false;              ///< Then the last run may be a short one.
+    std::vector<std::uint64_t> run_ends; ///< End of each run on disk, in bytes.
+    std::vector<std::uint64_t> run_sums; ///< Checksum of each run on disk.
+    std::vector<Scenario> last;          ///< Fewer than a run; not on disk yet.
+    bool is_sealed = false;              ///< Only a sealed file may end with a short run.
 
     [[nodiscard]] std::uint64_t count() const {
         return is_sealed ? announced : run_ends.size() * limits::spool_run_scenarios + last.size();
@@ -72,8 +72,8 @@ Status PoseSpool::State::write_run(std::span<const Scenario> run) {
     return Done{};
 }
 
-/// The runs' ends and checksums; then the kind of file, how many scenarios and runs it has, and the
-/// checksum of all that.
+/// Writes the runs' ends and checksums, then the file kind, the numbers of scenarios and runs, and
+/// the checksum of all these.
 Status PoseSpool::State::write_index() {
     ByteWriter out;
     out.put_array(std::span<const std::uint64_t>(run_ends));
@@ -265,7 +265,7 @@ Result<std::vector<Scenario>> PoseSpool::read(std::uint64_t first, std::uint64_t
             return run.error();
         }
         const std::uint64_t skipped = next % limits::spool_run_scenarios;
-        // Less than was written can only be damage.
+        // A shorter run than was written is damaged.
         if (run.value().size() <= skipped) {
             return Error{ErrorCode::Io, state_->file.path().string() + " is damaged"};
         }

@@ -1,4 +1,4 @@
-// The poses of a job as a client sends them, on disk.
+// A job's uploaded poses on disk.
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
@@ -14,33 +14,34 @@
 
 namespace cd {
 
-/// A file of packed scenarios, each run behind a checksum in the index at its end. Until it is
-/// sealed it goes when this does. Memory: one run of scenarios, and 16 bytes for each run that is
-/// on disk. Any thread may call any member; all block for the disk.
+/// A file of packed scenarios in runs; an index at its end holds each run's checksum. The
+/// destructor deletes an unsealed file. Memory: one run of scenarios, and 16 bytes per run on disk.
+/// Any thread may call any member; all block for the disk.
 class PoseSpool final : public PoseSource {
   public:
-    /// A new file in `directory`, which is made if missing. More than `scenarios` are refused.
+    /// Creates a file in `directory`, which is made if missing, for at most `scenarios` scenarios.
     /// Errors: TooLarge over `limits::scenarios_max`; Io.
     [[nodiscard]] static Result<std::unique_ptr<PoseSpool>>
     create(const std::filesystem::path& directory, std::uint64_t scenarios);
-    /// One that was sealed. Errors: Io, naming the file, when it is damaged or has another number
-    /// of scenarios.
+    /// Opens a sealed file. Errors: Io naming a file that is damaged or has another number of
+    /// scenarios.
     [[nodiscard]] static Result<std::unique_ptr<PoseSpool>> open(const std::filesystem::path& path,
                                                                  std::uint64_t scenarios);
     ~PoseSpool() override;
 
-    /// The next scenarios, `pack_scenarios`, as received. After an error nothing of them is kept.
-    /// Errors: those of `unpack_scenarios`; BadInput when an index does not continue, the job has
-    /// no such bodies, or more come than were announced; TooLarge over
+    /// Appends the next scenarios, as received and packed by `pack_scenarios`. An error leaves the
+    /// file unchanged. Errors: those of `unpack_scenarios`; BadInput for a gap in the indices,
+    /// unknown bodies, or more scenarios than announced; TooLarge over
     /// `limits::poses_part_scenarios_max` at once; Io.
     [[nodiscard]] Status append(std::span<const std::byte> packed);
 
-    /// All have come: the file gets this name, in its folder, and stays. Errors: Io.
+    /// Finishes the file after the last scenarios and renames it to `path`, in the same folder.
+    /// Errors: Io.
     [[nodiscard]] Status seal(const std::filesystem::path& path, Durability durability);
     /// Reads all runs against their checksums. Errors: Io, naming the file.
     [[nodiscard]] Status verify() const;
 
-    /// Appended so far.
+    /// Number of scenarios appended.
     [[nodiscard]] std::uint64_t count() const override;
     [[nodiscard]] bool is_complete() const;
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,

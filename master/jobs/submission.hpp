@@ -1,4 +1,4 @@
-// Checks what a client submits, before anything is kept of it.
+// Validates a client's submission before any of it is stored.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -11,20 +11,20 @@
 namespace cd {
 
 /// `stored` are the meshes that the master has. Errors: BadInput, TooLarge and NotFound, naming the
-/// field and what it may be.
+/// field and the allowed values.
 [[nodiscard]] Status check_submission(const Submit& submit, std::span<const MeshStatus> stored);
 
 [[nodiscard]] std::vector<Sha256> meshes_of(const Submit& submit);
 
-/// The bytes of the fields that can be large: the grid and the ignored parts.
+/// Returns the bytes of the potentially large fields: the grid and the ignored parts.
 [[nodiscard]] std::uint64_t bulk_bytes(const Submit& submit);
 
-/// The bytes of a part of a job's poses and their labels.
+/// Returns the bytes of a part of a job's poses and labels.
 [[nodiscard]] std::uint64_t bulk_bytes(const PosesPart& part);
 
-/// Frees the memory that a job needs no more when it has ended: its ignored parts, and a grid over
-/// `limits::ended_grid_bytes_max`, of which empty bytes are left. Returns whether the job's
-/// scenarios can be run no more without what was freed.
+/// Frees memory that an ended job needs no more: its ignored parts, and a grid over
+/// `limits::ended_grid_bytes_max`, which is left empty. Returns whether the job's scenarios can no
+/// longer be run as a result.
 bool drop_bulk(Submit& submit);
 
 } // namespace cd

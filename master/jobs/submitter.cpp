@@ -15,11 +15,11 @@ namespace cd {
 
 namespace {
 
-/// The paper's step for one scenario, where the poses' bytes are not yet counted.
+/// Analyses one scenario as in the paper, without counting the bytes of its pose.
 Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario) {
     Analysis analysis;
     analysis.scenario = scenario;
-    // The two roots of the tops are the bodies' own boxes, so this is the broad phase as well.
+    // The roots of the upper trees are the bodies' own boxes, so this includes the broad phase.
     Result<CollidingRoots> roots = colliding_roots(*input.top_a, *input.top_b, scenario.poses);
     if (!roots) {
         analysis.finished = failed_result(scenario, input.query, roots.error());
@@ -76,7 +76,7 @@ Analysis analyse(const AnalysisInput& input, const Scenario& scenario) {
     return analysis;
 }
 
-/// Shared with the functions on the pool, which may outlive the submitter.
+/// Shared with functions on the pool, which may outlive the submitter.
 struct Submitter::State {
     AnalysisInput input;
     std::function<void(AnalysedBlock)> deliver;
@@ -85,7 +85,7 @@ struct Submitter::State {
     std::condition_variable changed;
     std::uint64_t started = 0; ///< Blocks.
     std::uint64_t delivered = 0;
-    std::map<std::uint64_t, AnalysedBlock> ready; ///< Analysed, waiting for those before them.
+    std::map<std::uint64_t, AnalysedBlock> ready; ///< Analysed blocks that wait for earlier ones.
     bool delivering = false;
     bool stopped = false;
 
@@ -104,7 +104,7 @@ void Submitter::State::run_block(std::uint64_t number, AnalysedBlock block) {
     {
         const std::lock_guard lock(mutex);
         ready.emplace(number, std::move(block));
-        // Whoever delivers goes on until nothing is ready.
+        // The thread that is delivering continues until no block is ready.
         if (delivering || stopped) {
             return;
         }

@@ -23,66 +23,65 @@ namespace cd {
 
 class Settler;
 
-/// What the analysis of a job reads. The tops are those of the trees' cuts.
+/// Inputs of a job's analysis. The upper trees are those of the trees' cuts.
 struct AnalysisInput {
     std::shared_ptr<const ObbTree> a;
     std::shared_ptr<const ObbTree> b;
     std::shared_ptr<const TreeTop> top_a;
     std::shared_ptr<const TreeTop> top_b;
     Query query;
-    std::shared_ptr<const Settler> settler; ///< Of these trees.
-    std::shared_ptr<PoseSource> poses;      ///< Its `read` must bear several threads at once.
-    /// By index: scenarios that have results before the analysis begins; they are passed over,
-    /// unless they are started as in doubt. Null: none.
+    std::shared_ptr<const Settler> settler; ///< Settler for these two trees.
+    std::shared_ptr<PoseSource> poses;      ///< `read` must be safe on several threads at once.
+    /// By index: scenarios with results from before the analysis. They are skipped, unless started
+    /// as suspect. Null: none.
     std::shared_ptr<const std::vector<bool>> done;
 };
 
-/// One scenario after the analysis: either with work for a worker, or finished.
+/// One analysed scenario: either it has work for a worker, or it is finished.
 struct Analysis {
     Scenario scenario;
-    std::uint64_t place = 0;        ///< In the job's order; of a block's.
-    std::vector<RootPair> pairs;    ///< The colliding distribution roots, sorted.
-    std::vector<RootIndex> roots_a; ///< The distinct ones of each side, ascending.
+    std::uint64_t place = 0;        ///< Position in the job's order; for a block, its first.
+    std::vector<RootPair> pairs;    ///< Colliding distribution roots, sorted.
+    std::vector<RootIndex> roots_a; ///< Distinct roots of each side, ascending.
     std::vector<RootIndex> roots_b;
-    std::uint64_t bytes = 0;        ///< What the scenario adds to a batch on the wire, about.
-    std::uint64_t predicted_ns = 0; ///< Of one thread, for the colliding pairs (cost_model.hpp).
+    std::uint64_t bytes = 0; ///< Approximate bytes that the scenario adds to a batch on the wire.
+    std::uint64_t predicted_ns = 0; ///< One thread's time for the colliding pairs (cost_model.hpp).
 
-    /// Where no roots collide: separate, or inside; or failed, where they are too many. `pairs` is
+    /// The result if no roots collide (separate or inside), or a failure if too many do. `pairs` is
     /// then empty.
     std::optional<ScenarioResult> finished;
-    JobStatistics cost; ///< Of the analysis, and of settling `finished`.
+    JobStatistics cost; ///< Cost of the analysis, and of settling `finished`.
 };
 
-/// The analysis of one scenario. Pure. A failure of it is a `finished` result that names it.
+/// Analyses one scenario. Pure. A failure becomes a `finished` result that names it.
 [[nodiscard]] Analysis analyse(const AnalysisInput& input, const Scenario& scenario);
 
-/// The scenarios at some places of a job. With an error (of reading the poses) there are none.
+/// Scenarios at consecutive positions of a job; empty after an error in reading the poses.
 struct AnalysedBlock {
     PlaceRange places;
-    Losses losses = {}; ///< As they were said when the block was started.
+    Losses losses = {}; ///< As passed when the block was started.
     std::vector<Analysis> scenarios;
-    double seconds = 0; ///< Of a thread.
+    double seconds = 0; ///< Thread time.
     std::optional<Error> error;
 };
 
-/// Analyses a job in blocks on a pool, several at once, no more of them than the owner asked for.
+/// Analyses a job in blocks on a pool, several at once, but no more than the owner started.
 class Submitter {
   public:
-    /// The places are those of `input.poses`. Blocks are delivered in the order in which they were
-    /// started, one at a time, on threads of the pool. `deliver` must neither throw nor destroy the
-    /// submitter. The pool must outlive the work posted to it.
+    /// Positions are those of `input.poses`. Blocks are delivered in the order of their start, one
+    /// at a time, on pool threads. `deliver` must neither throw nor destroy the submitter. The pool
+    /// must outlive the functions posted to it.
     Submitter(ThreadPool& pool, AnalysisInput input, std::function<void(AnalysedBlock)> deliver);
     Submitter(const Submitter&) = delete;
     Submitter& operator=(const Submitter&) = delete;
-    /// When this returns, `deliver` is not running and will not be called again. Blocks not yet
-    /// started are dropped.
+    /// Waits for a running `deliver`; none is called afterwards. Drops blocks not yet started.
     ~Submitter();
 
-    /// Starts a block of at most `limits::analysis_block_scenarios` places. After the end:
-    /// nothing.
+    /// Starts a block of at most `limits::analysis_block_scenarios` positions. Does nothing
+    /// once the submitter is being destroyed.
     void start(const PlaceRange& places, const Losses& losses = {});
 
-    /// Blocks started and not yet delivered.
+    /// Number of blocks started and not yet delivered.
     [[nodiscard]] std::uint64_t under_way() const;
 
   private:
