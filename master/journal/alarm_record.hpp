@@ -1,4 +1,4 @@
-// Alarms and quarantined workers, as the journal keeps them over restarts of the master.
+// Alarms and quarantined workers, as the journal keeps them across restarts of the master.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -13,11 +13,11 @@
 namespace cd {
 
 struct AlarmRecord {
-    std::uint64_t count = 0;                ///< Of all alarms so far.
+    std::uint64_t count = 0;                ///< Number of alarms ever raised.
     std::vector<std::string> last;          ///< The last alarms, oldest first.
-    std::vector<WorkerProcess> quarantined; ///< Gave a wrong result. Oldest first.
+    std::vector<WorkerProcess> quarantined; ///< Workers that gave a wrong result, oldest first.
 
-    /// Forgets the oldest alarm when there are too many.
+    /// Adds an alarm, and forgets the oldest when there are too many.
     void add(const std::string& text);
     void quarantine(WorkerProcess process);
 

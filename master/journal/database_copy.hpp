@@ -1,4 +1,4 @@
-// A temporary copy of an SQLite database that lies in a read-only folder.
+// A temporary copy of an SQLite database from a read-only folder.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -8,8 +8,8 @@
 
 namespace cd {
 
-/// A copy of a database and its log, to be read: SQLite reads a log only in a folder where it may
-/// write. The destructor deletes the copy.
+/// A copy of a database and its log. SQLite reads a log only in a writable folder. The destructor
+/// deletes the copy.
 class DatabaseCopy {
   public:
     /// Copies the file and its "-wal" into a temporary folder. Errors: Io.

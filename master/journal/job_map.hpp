@@ -1,4 +1,4 @@
-// The map of a job's contacts, from its first result until the job is dropped.
+// The contact map of a job, from its first result until the job is dropped.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -11,14 +11,14 @@ namespace cd {
 class JobMap {
   public:
     void add(const ContactMap& map) { total_.add(map); }
-    /// What was summed is not to be used, and nobody can tell which part of it.
+    /// Marks the map unusable: part of its sum is wrong, and nobody can tell which.
     void withdraw(const std::string& why) { withdrawn_ = withdrawn_.empty() ? why : withdrawn_; }
-    /// Nothing more comes: it is kept in little memory.
+    /// Packs the map, to which nothing more is added, to save memory.
     void finish();
 
-    /// Why it was withdrawn; else empty.
+    /// Why the map was withdrawn; empty if it is valid.
     [[nodiscard]] const std::string& withdrawn() const { return withdrawn_; }
-    /// Finished, and packed. Empty when it was withdrawn.
+    /// The finished map, packed. Empty if it was withdrawn.
     [[nodiscard]] const Bytes& packed() const { return packed_; }
 
   private:

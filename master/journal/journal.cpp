@@ -23,7 +23,7 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-/// Somebody waits for it, and nothing more of its kind comes soon.
+/// Returns whether somebody waits for the entry and no similar one follows soon.
 bool is_urgent(const JournalEntry& entry) {
     return !std::holds_alternative<AddResults>(entry);
 }
@@ -37,7 +37,7 @@ struct Journal::State {
     Recovered recovered;
     JournalEvents events;
 
-    mutable std::mutex mutex; ///< Guards these five.
+    mutable std::mutex mutex; ///< Guards the next five members.
     std::condition_variable changed;
     std::deque<JournalEntry> queue;
     std::size_t queued_rows = 0;
@@ -46,13 +46,13 @@ struct Journal::State {
     std::uint64_t added = 0;
     std::atomic<std::uint64_t> queued_bytes = 0;
 
-    std::uint64_t committed = 0; ///< Of the thread alone, as is all it calls.
+    std::uint64_t committed = 0; ///< Used by the journal's thread alone.
     std::thread thread;
 
     void run();
     [[nodiscard]] std::vector<JournalEntry> next_group(SteadyClock::time_point not_before);
     [[nodiscard]] Status write(const std::vector<JournalEntry>& group);
-    /// False when it was not written, and the journal ends.
+    /// Retries until written. False: the journal ended without writing.
     bool write_until_done(const std::vector<JournalEntry>& group);
     [[nodiscard]] std::filesystem::path jobs_folder() const { return options.directory / "jobs"; }
 };
@@ -113,7 +113,7 @@ void Journal::State::run() {
         const std::vector<JournalEntry> group = next_group(not_before);
         not_before = SteadyClock::now() + limits::journal_group_period;
         if (group.empty() || !write_until_done(group)) {
-            return; // Told to stop.
+            return; // The journal is stopping.
         }
         for (const JournalEntry& entry : group) {
             queued_bytes -= bytes_of(entry);
@@ -127,8 +127,8 @@ void Journal::State::run() {
 
 namespace {
 
-/// What a master that was killed has left half-made, and files of jobs that are no more. The
-/// journal has been found to be sound.
+/// Deletes unfinished files of a killed master, and files of dropped jobs. The journal was found
+/// intact.
 void remove_leftovers(const JournalOptions& options,
                       const std::filesystem::path& folder,
                       const Recovered& recovered) {

@@ -1,4 +1,4 @@
-// Brings jobs and results to the disk, in groups, on a thread of its own; and back after a restart.
+// Writes jobs and results to disk in groups, on its own thread, and recovers them after a restart.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -26,21 +26,21 @@ struct JournalResult {
     Bytes record;
 };
 
-// What is written, in the order in which it is added.
+// Entries, written in the order in which they are added.
 struct AcceptJob {
-    JobRecord job; ///< Its poses are on the disk.
+    JobRecord job; ///< Its poses are already on disk.
 };
 struct AddResults {
     JobId job;
-    std::shared_ptr<ResultStore> store; ///< The job's.
-    std::vector<JournalResult> results; ///< Their records can be read when they are committed.
+    std::shared_ptr<ResultStore> store; ///< The job's store.
+    std::vector<JournalResult> results; ///< Their records become readable at the commit.
     JobProgress progress;
-    Bytes map; ///< Of these results, `pack_map`; or none.
+    Bytes map; ///< `pack_map` of these results; empty: none.
     WorkerProcess author = 0;
-    std::vector<Remark> remarks = {}; ///< On these results, or earlier ones.
+    std::vector<Remark> remarks = {}; ///< Remarks on these or earlier results.
     std::vector<LostPlaces> losses = {};
-    /// As they stand from now on. They are committed with the results, so that nothing follows
-    /// from a quarantine that may be forgotten.
+    /// New state of the alarms. It is committed with the results, so that no action follows from a
+    /// quarantine that a crash could undo.
     std::optional<AlarmRecord> alarms = {};
 };
 struct EndJob {
@@ -48,82 +48,82 @@ struct EndJob {
     JobEnd end;
     JobProgress progress;
 };
-/// All that is kept of the job goes, but its files.
+/// Removes all rows of the job, but not its files.
 struct DropJob {
     JobId job;
 };
 using JournalEntry = std::variant<AcceptJob, AddResults, EndJob, DropJob>;
 
-/// A job as the journal has it.
+/// A job as recovered from the journal.
 struct RecoveredJob {
     JobRecord record;
     JobProgress progress;
-    std::optional<JobEnd> end; ///< Nothing: it is to go on.
+    std::optional<JobEnd> end; ///< Empty: the job continues.
     ResultMerger merger{0};
     JobMap map;
-    /// Scenarios that have results; of one that is to go on, as is the rest.
+    /// Scenarios with results; like all members below, only for a job that continues.
     std::vector<std::uint64_t> done;
-    /// Whose result each of these is. 0 also where somebody else vouches for it.
+    /// Author of each of these results. 0: none, or another worker has confirmed the result.
     std::vector<WorkerProcess> authors;
-    std::vector<Remark> disputes;         ///< That are not settled.
-    std::vector<LostPlaces> losses;       ///< In their order; of one that is to go on.
-    std::set<WorkerProcess> contributors; ///< All authors of results; also of one that has ended.
+    std::vector<Remark> disputes;   ///< Open disputes.
+    std::vector<LostPlaces> losses; ///< In order of the losses; only for a job that continues.
+    std::set<WorkerProcess> contributors; ///< All authors of results, also for an ended job.
     std::shared_ptr<ResultStore> results;
 };
 
 struct Recovered {
-    Sha256 cluster;                 ///< Names this state among all others.
-    JobId last_job;                 ///< The greatest number that a job has had.
-    std::vector<RecoveredJob> jobs; ///< By id.
+    Sha256 cluster;                 ///< Unique id of this state.
+    JobId last_job;                 ///< Greatest job number ever used.
+    std::vector<RecoveredJob> jobs; ///< Jobs, by id.
     AlarmRecord alarms = {};
 };
 
 struct JournalOptions {
-    std::filesystem::path directory; ///< Of the state.
-    bool synced = true; ///< False: a loss of power may cost everything, a crash nothing.
-    bool create = true; ///< Where there is none.
-    /// Read the records of jobs that are to go on against their checksums. Those of jobs that have
-    /// ended are checked when they are read.
+    std::filesystem::path directory; ///< State directory.
+    bool synced = true; ///< False: a power loss may destroy everything, a crash nothing.
+    bool create = true; ///< Create a missing journal.
+    /// Checks the records of unfinished jobs against their checksums. Records of ended jobs are
+    /// checked when read.
     bool check_records = true;
 };
 
-/// Called on the journal's thread.
+/// Callbacks on the journal's thread.
 struct JournalEvents {
-    /// All entries up to this position are on the disk.
+    /// All entries up to this position are on disk.
     std::function<void(std::uint64_t position)> committed;
-    /// It cannot write, and tries again from time to time; or, with an empty text, can again.
+    /// The journal cannot write and keeps retrying; an empty text means that it can write again.
     std::function<void(const std::string& why)> paused;
 };
 
-/// `journal.db` and, for each job, `jobs/N.results` (`result_store.hpp`). The segments are synced
-/// before the commit that names their records.
+/// Files: `journal.db` and, for each job, `jobs/N.results` (`result_store.hpp`). Segments are
+/// synced before the commit that names their records.
 class Journal {
   public:
-    /// Reads all there is. Errors: Io naming the file that is damaged or cannot be used, and what
-    /// to do; then nothing on the disk has been changed.
+    /// Reads the whole journal. Errors: Io naming a file that is damaged or unusable, with a
+    /// remedy; nothing on disk has then been changed.
     [[nodiscard]] static Result<std::unique_ptr<Journal>> open(const JournalOptions& options);
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
-    /// Writes what was added, unless that fails.
+    /// Writes all added entries, unless that fails.
     ~Journal();
 
-    /// What stood in it when it was opened; once.
+    /// Returns the content at the opening. Call once.
     [[nodiscard]] Recovered take_recovered();
 
-    /// Begins to write. Called once, before anything is added.
+    /// Starts writing. Call once, before adding entries.
     void start(JournalEvents events);
-    /// Never blocks for the disk. The position of the entry, from 1. Any thread.
+    /// Returns the entry's position, from 1. Never blocks for the disk. Any thread.
     std::uint64_t add(JournalEntry entry);
-    /// Bytes of the records that are not committed yet. Any thread.
+    /// Bytes of uncommitted records. Any thread.
     [[nodiscard]] std::uint64_t queued_bytes() const;
 
-    /// A job as it was accepted. Blocks for the disk. Any thread. Errors: NotFound; Io.
+    /// Returns a job as accepted. Blocks for the disk. Any thread. Errors: NotFound; Io.
     [[nodiscard]] Result<JobRecord> job(JobId job) const;
 
     [[nodiscard]] std::filesystem::path results_path(JobId job) const;
     [[nodiscard]] std::filesystem::path poses_path(JobId job) const;
     [[nodiscard]] std::filesystem::path labels_path(JobId job) const;
-    /// The three paths above. A job need not have all these files.
+    /// Returns the job's three possible paths. Not every file need exist.
     [[nodiscard]] std::vector<std::filesystem::path> files_of(JobId job) const {
         return {results_path(job), poses_path(job), labels_path(job)};
     }

@@ -18,7 +18,7 @@ namespace cd {
 namespace {
 
 constexpr int application_id = 0x43'44'4a'31; // "CDJ1"
-/// The version of the tables and of the encoding of their rows; no other is read.
+/// Version of the tables and of the row encoding; no other version is read.
 constexpr int schema_version = 5;
 constexpr std::uint64_t mark_magic = 0x31'4b'52'4d'44'43'00'00; // "\0\0CDMRK1"
 constexpr std::uint64_t mark_bytes = 3 * sizeof(std::uint64_t);
@@ -29,7 +29,7 @@ constexpr const char* schema =
     "CREATE TABLE results(number INTEGER PRIMARY KEY, job INTEGER NOT NULL, content BLOB NOT NULL);"
     "CREATE INDEX results_of_job ON results(job);";
 
-/// What a row's checksum covers beside its content, so that no row passes for another one.
+/// Kind of a row, covered by its checksum so that no row passes for another.
 enum class RowKind : std::uint64_t {
     Meta = 1,
     Record = 2,
@@ -63,12 +63,12 @@ std::optional<Bytes> unsealed(std::span<const std::byte> row, RowKind kind, std:
     return Bytes(content.begin(), content.end());
 }
 
-/// Numbers are stored as SQLite's signed ones.
+/// SQLite stores only signed numbers.
 sqlite3_int64 to_column(std::uint64_t value) {
     return static_cast<sqlite3_int64>(value);
 }
 
-/// The path as a file URI (RFC 3986).
+/// Returns the path as a file URI (RFC 3986).
 std::string as_uri(const std::filesystem::path& path) {
     constexpr std::string_view digits = "0123456789ABCDEF";
     constexpr std::string_view plain = "/._-";
@@ -92,7 +92,7 @@ struct FinalizeStatement {
 };
 using Database = std::unique_ptr<sqlite3, CloseDatabase>;
 
-/// A prepared statement. What goes wrong shows at the end, in `sqlite3_errmsg`.
+/// A prepared statement. Errors appear in `sqlite3_errmsg` at the end.
 class Statement {
   public:
     Statement(sqlite3* database, const char* text) {
@@ -112,7 +112,7 @@ class Statement {
         sqlite3_bind_text(statement_.get(), place, text, -1, SQLITE_STATIC);
         return *this;
     }
-    /// True with a row; false at the end, or with an error: see `failed`.
+    /// True with a row; false at the end or after an error (see `failed`).
     [[nodiscard]] bool step() {
         code_ = statement_ == nullptr ? SQLITE_ERROR : sqlite3_step(statement_.get());
         return code_ == SQLITE_ROW;
@@ -143,7 +143,7 @@ struct JournalDatabase::State {
     std::optional<DiskFile> mark;
     std::optional<DatabaseCopy> copy; ///< Read instead of `path`, if set.
     Database database;
-    bool writing = false; ///< Something was written, and what stands here is known to be sound.
+    bool writing = false; ///< A write has happened, and the database is known to be intact.
     Sha256 cluster;
     std::uint64_t last_job = 0;
     std::uint64_t commits = 0;
@@ -184,8 +184,8 @@ struct JournalDatabase::State {
 
 Status JournalDatabase::State::connect(const Options& options, bool create) {
     sqlite3* opened = nullptr;
-    // `cdmaster check` may run where nothing can be written. SQLite then needs to know that the
-    // database has no log (immutable).
+    // `cdmaster check` may run in a read-only folder. SQLite must then be told that the database
+    // has no log (immutable).
     std::error_code none;
     const std::uintmax_t log_bytes = std::filesystem::file_size(path.string() + "-wal", none);
     const bool is_at_rest = !options.create && (none || log_bytes == 0);
@@ -205,7 +205,7 @@ Status JournalDatabase::State::connect(const Options& options, bool create) {
     if (code != SQLITE_OK) {
         return failure("open");
     }
-    // Closing without having written leaves the log as it is: it may be what is damaged.
+    // Closing without a write must not touch the log: it may be what is damaged.
     sqlite3_db_config(opened, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
     sqlite3_extended_result_codes(opened, 1);
     const std::string settings =
@@ -222,7 +222,8 @@ Status JournalDatabase::State::make() {
     const bool made = run("PRAGMA journal_mode=WAL") && run("BEGIN IMMEDIATE") &&
                       run(names.c_str()) && run(schema) && set_meta("cluster", cluster.bytes) &&
                       set_number("last_job", 0) && set_number("commits", 0) && run("COMMIT") &&
-                      // So that a log which is lost later does not pass for a state that is new.
+                      // With the tables in the database file, a log lost later does not look like a
+                      // new state.
                       run("PRAGMA wal_checkpoint(TRUNCATE)");
     if (!made) {
         return failure("create");
@@ -244,7 +245,7 @@ Status JournalDatabase::State::make_mark() {
     return mark->commit();
 }
 
-/// Only one that was ended while it was made is without.
+/// Accepts a missing mark only for a journal whose creation was interrupted.
 Status JournalDatabase::State::check_unmarked(const Options& options) {
     if (commits != 0 || !options.owned.empty()) {
         return missing_mark();
@@ -259,7 +260,7 @@ Error JournalDatabase::State::missing_mark() const {
              " is missing or empty, so that nothing tells whether commits are lost"});
 }
 
-/// A master may have been ended before it had made the tables.
+/// Returns whether the tables are missing, as after an interrupted creation.
 bool JournalDatabase::State::is_empty() const {
     Statement id(database.get(), "PRAGMA application_id");
     return id.step() && id.number(0) == 0;
@@ -344,7 +345,8 @@ Result<std::uint64_t> JournalDatabase::State::read_mark() const {
     return commit;
 }
 
-// It follows the commit and need not be synced: one that is behind says less, never what is wrong.
+// Runs after the commit without a sync: an outdated mark understates the commits but is never
+// wrong.
 Status JournalDatabase::State::write_mark() const {
     ByteWriter out;
     out.put(mark_magic);
@@ -356,7 +358,7 @@ Status JournalDatabase::State::write_mark() const {
 JournalDatabase::JournalDatabase(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 JournalDatabase::~JournalDatabase() {
-    // A sound one that was written to is left in one file, without its log.
+    // An intact database that was written to is closed into one file, without a log.
     sqlite3_db_config(
         state_->database.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, state_->writing ? 0 : 1, nullptr);
 }
@@ -574,7 +576,7 @@ Status JournalDatabase::write(std::span<const DatabaseChange> changes) {
     written = written && state.set_number("commits", state.commits + 1) && state.run("COMMIT");
     if (!written) {
         const Error why = state.failure("write");
-        (void)state.run("ROLLBACK"); // Of one that has rolled back by itself: an error, no harm.
+        (void)state.run("ROLLBACK"); // Fails harmlessly if SQLite has already rolled back.
         return why;
     }
     ++state.commits;

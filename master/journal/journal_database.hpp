@@ -15,64 +15,63 @@
 
 namespace cd {
 
-/// One row that is written, or with all that belong to the job deleted. The alarms are of no job.
+/// Writes one row, or deletes it with all rows of its job. Alarms belong to no job.
 struct DatabaseChange {
     enum class Kind : std::uint8_t { Accept, Results, Progress, End, Drop, Alarms };
     Kind kind = Kind::Accept;
     JobId job;
-    Bytes content; ///< Nothing for Drop.
+    Bytes content; ///< Empty for Drop.
 };
 
-/// What stands in the index of one job.
+/// Rows of one job.
 struct DatabaseJob {
     JobId id;
     Bytes record;
-    Bytes progress; ///< Empty before the first.
-    Bytes end;      ///< Empty while it runs.
+    Bytes progress; ///< Empty before the first progress row.
+    Bytes end;      ///< Empty while the job runs.
 };
 
-/// `journal.db` with its write-ahead log, and `journal.mark`, which holds the number of the last
-/// commit: the log's own checksums make damage look like an end, and this tells the two apart. It
-/// gets its name before the first commit, so that none with commits is without it.
-/// Every row has a checksum of its own. One thread at a time.
+/// `journal.db` with its write-ahead log, and `journal.mark` with the number of the last commit. In
+/// the log alone, damage looks like its end; the mark tells them apart. The mark is created before
+/// the first commit. Every row has its own checksum. One thread at a time.
 class JournalDatabase {
   public:
     struct Options {
-        bool synced = true; ///< False: a loss of power may cost everything, a crash nothing.
-        bool create = true; ///< Where there is none.
-        /// One of the files that only a journal with commits has beside it; or none. What looks
-        /// like a new state beside such a file has lost the rest.
+        bool synced = true; ///< False: a power loss may destroy everything, a crash nothing.
+        bool create = true; ///< Create a missing database.
+        /// A file that exists only beside a journal with commits; empty: none. A seemingly new
+        /// database beside such a file has lost its data.
         std::filesystem::path owned = {};
     };
 
-    /// Errors: Io, naming the file that cannot be used or is damaged and what to do. Then, and
-    /// until `write` is called, nothing on the disk is changed.
+    /// Errors: Io naming a file that is damaged or unusable, with a remedy. Nothing on disk changes
+    /// after an error, or before `write`.
     [[nodiscard]] static Result<std::unique_ptr<JournalDatabase>>
     open(const std::filesystem::path& directory, const Options& options);
     JournalDatabase(const JournalDatabase&) = delete;
     JournalDatabase& operator=(const JournalDatabase&) = delete;
     ~JournalDatabase();
 
-    /// Names this state among all others; made with it.
+    /// Unique id of this state, created with it.
     [[nodiscard]] const Sha256& cluster() const;
-    /// The greatest number that a job has ever had.
+    /// Greatest job number ever used.
     [[nodiscard]] JobId last_job() const;
-    /// By id. Errors: Io.
+    /// Returns all jobs, by id. Errors: Io.
     [[nodiscard]] Result<std::vector<DatabaseJob>> jobs() const;
     /// The record of one job. Errors: NotFound; Io.
     [[nodiscard]] Result<Bytes> record(JobId job) const;
-    /// Empty before the first. Errors: Io.
+    /// Returns the alarms; empty before the first. Errors: Io.
     [[nodiscard]] Result<Bytes> alarms() const;
-    /// All groups of results of a job in the order of their commits. An error of `take` ends it.
-    /// Errors: Io.
+    /// Passes all groups of a job's results to `take`, in commit order. Stops at an error of
+    /// `take`. Errors: Io.
     [[nodiscard]] Status
     for_each_results(JobId job,
                      const std::function<Status(std::span<const std::byte>)>& take) const;
-    /// No job has results that is not there. Errors: Io.
+    /// Checks that all results belong to an existing job. Errors: Io.
     [[nodiscard]] Status check_owners() const;
 
-    /// All of it in one commit, which is on the disk when this returns; or, with an error, none of
-    /// it, and it may be tried again. Errors: Io.
+    /// Writes all changes in one commit, which is on disk when this returns. After an error none is
+    /// written, and the call may be repeated. Errors: Io.
     [[nodiscard]] Status write(std::span<const DatabaseChange> changes);
 
     [[nodiscard]] const std::filesystem::path& path() const;

@@ -33,7 +33,7 @@ std::size_t rows_of(const JournalEntry& entry) {
 
 namespace {
 
-/// What a group of entries adds to one job.
+/// Changes of one job in a group of entries.
 struct JobChanges {
     std::shared_ptr<ResultStore> store;
     std::vector<StoredRecord> records;
@@ -93,7 +93,8 @@ std::vector<DatabaseChange> database_changes(std::span<const JournalEntry> group
         }
         changes.push_back({Kind::Progress, job, encode_progress(*added.progress)});
     }
-    const AlarmRecord* alarms = nullptr; // The last say it all.
+    const AlarmRecord* alarms =
+        nullptr; // Only the last alarms are written: they include all earlier ones.
     for (const JournalEntry& entry : group) {
         if (const auto* add = std::get_if<AddResults>(&entry); add != nullptr && add->alarms) {
             alarms = &*add->alarms;
@@ -128,7 +129,7 @@ Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group)
         if (Status status = changes.store->write(changes.records); !status) {
             return status;
         }
-        // Also of an attempt before this one, that got no further.
+        // Includes files created by an earlier attempt that failed.
         has_new_segments = has_new_segments || changes.store->has_new_name();
         if (Status status = disk.synced && !mutated(Mutation::SegmentNotSynced)
                                 ? changes.store->sync()
@@ -171,12 +172,13 @@ struct FoundJob {
     RecoveredJob job;
     std::vector<ResultRow> rows;
     std::vector<RecordPlace> places;
-    std::vector<WorkerProcess> authors;           ///< Of the rows.
-    std::unordered_set<std::uint64_t> vouched;    ///< Scenarios: no author's word is all there is.
-    std::uint64_t end = ResultStore::first_end(); ///< Of its segment.
+    std::vector<WorkerProcess> authors; ///< Authors of the rows.
+    std::unordered_set<std::uint64_t>
+        vouched; ///< Scenarios whose result does not rest on one author's word.
+    std::uint64_t end = ResultStore::first_end(); ///< Committed end of the segment.
 };
 
-/// Of any meshes: whose they were is known when the map is used.
+/// Accepts any meshes: the map's meshes are known only when it is used.
 constexpr ContactMapBounds journal_map_bounds{
     limits::mesh_triangles_max, limits::mesh_triangles_max, limits::scenarios_max};
 
@@ -272,8 +274,8 @@ Result<FoundJob> find_job(const JournalDatabase& database, const DatabaseJob& ro
     return read ? std::move(found) : Result<FoundJob>(read.error());
 }
 
-/// One job after the other, since the rows of each take much more memory than what stays of it.
-/// An error of `take` ends it.
+/// Reads one job after the other: a job's rows take much more memory than what is kept. Stops at an
+/// error of `take`.
 Status for_each_job(const JournalDatabase& database,
                     const std::function<Status(Result<FoundJob>)>& take) {
     const Result<std::vector<DatabaseJob>> rows = database.jobs();
@@ -292,7 +294,7 @@ std::filesystem::path segment_path(const std::filesystem::path& jobs_folder, Job
     return jobs_folder / (std::to_string(job.value) + ".results");
 }
 
-/// Opens the job's segment and fills what is in memory.
+/// Opens the job's segment and restores the members in memory.
 Status restore(FoundJob& found, const std::filesystem::path& path, bool check_records) {
     RecoveredJob& job = found.job;
     const std::uint64_t scenarios = job.record.submit.scenarios;
@@ -307,7 +309,7 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
         }
         job.results = std::move(store.value());
     }
-    // The last result of a scenario counts: one before it turned out to be wrong.
+    // The last result of a scenario counts: earlier ones turned out to be wrong.
     for (std::size_t i = found.rows.size(); i-- > 0;) {
         const ResultRow& row = found.rows[i];
         const bool is_missed = mutated(Mutation::GroupNotRecovered) && i + 1 == found.rows.size();

@@ -1,4 +1,4 @@
-// What the journal keeps of jobs, as bytes that are checked when they come back.
+// Encodes what the journal keeps of a job, and validates it when reading.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -15,32 +15,33 @@
 
 namespace cd {
 
-/// A job as it was accepted.
+/// A job as accepted.
 struct JobRecord {
     JobId id;
     Submit submit;
     std::uint64_t began = 0; ///< When it was accepted, in seconds since 1970.
 };
 
-/// Scenarios that were recalled or copied at a job's end (ARCHITECTURE.md, how a job ends).
+/// Scenarios recalled or copied at a job's end (ARCHITECTURE.md, how a job ends).
 struct HelpAtEnd {
-    std::uint64_t recalled = 0;   ///< Given back by workers that had not begun them.
-    std::uint64_t copies = 0;     ///< Sent to a second worker, beside the first,
-    std::uint64_t copies_won = 0; ///< and answered by that one first.
+    std::uint64_t recalled = 0;   ///< Returned by workers that had not begun them.
+    std::uint64_t copies = 0;     ///< Sent to a second worker as speculative copies.
+    std::uint64_t copies_won = 0; ///< Speculative copies that answered first.
 
     friend bool operator==(const HelpAtEnd&, const HelpAtEnd&) = default;
 };
 
-/// What a status tells of a job beside its results.
+/// What a job's status reports beside its results.
 struct JobProgress {
-    double seconds = 0; ///< That it has run, in all lives of the master.
+    double seconds = 0; ///< Run time in all incarnations of the master.
     std::uint64_t answered_by_master = 0;
     JobStatistics statistics;
     double compute_seconds = 0;
     JobTraffic traffic;
     HelpAtEnd help;
-    std::vector<std::uint32_t> depths; ///< By body; empty before its geometry is prepared.
-    std::string map_withdrawn;         ///< Why the job's map is not to be used; else empty.
+    std::vector<std::uint32_t>
+        depths;                ///< Depth of each body's cut; empty before the geometry is prepared.
+    std::string map_withdrawn; ///< Why the job's map is unusable; empty if it is valid.
 };
 
 /// How a job ended.
@@ -48,15 +49,15 @@ struct JobEnd {
     JobState state = JobState::Done;
     std::string failure;
     std::optional<Sha256> digest;
-    std::uint64_t ended = 0; ///< When, in seconds since 1970.
+    std::uint64_t ended = 0; ///< Seconds since 1970.
 };
 
-/// Not the protocol's form of it, which may change from version to version.
+/// Differs from the protocol's encoding, which may change between versions.
 [[nodiscard]] Bytes encode_job(const JobRecord& job);
 [[nodiscard]] Bytes encode_progress(const JobProgress& progress);
 [[nodiscard]] Bytes encode_end(const JobEnd& end);
 
-// The inverses. Errors: BadFrame for bytes that are none, which only damage can make of them.
+// Inverses of the functions above. Errors: BadFrame for invalid bytes, which only damage can cause.
 [[nodiscard]] Result<JobRecord> decode_job(std::span<const std::byte> bytes);
 [[nodiscard]] Result<JobProgress> decode_progress(std::span<const std::byte> bytes);
 [[nodiscard]] Result<JobEnd> decode_end(std::span<const std::byte> bytes);

@@ -63,7 +63,7 @@ void Ledger::promise(const Delivery& delivery,
         std::any_of(scenarios.begin(), scenarios.end(), [&](std::uint64_t scenario) {
             return state(job, scenario) == State::Written && !mutated(Mutation::AnswerKeptTooEarly);
         });
-    // Which entry each stands in is not kept: the last one is after all of them.
+    // Entries of single scenarios are not tracked: the last entry follows all of them.
     promise(delivery, is_pending ? entries_.back().position : committed_);
 }
 

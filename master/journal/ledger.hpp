@@ -1,5 +1,5 @@
-// What is durable, and what may therefore be acknowledged: a state machine without files, clocks or
-// threads.
+// Tracks which results are durable and may be acknowledged: a state machine without files, clocks
+// or threads.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -18,7 +18,7 @@
 
 namespace cd {
 
-/// A message of results, as its worker numbered it.
+/// A message of results, as numbered by its worker.
 struct Delivery {
     WorkerId worker;
     std::uint64_t sequence = 0;
@@ -31,13 +31,13 @@ struct JobAccepted {
 
     friend bool operator==(const JobAccepted&, const JobAccepted&) = default;
 };
-/// How the job ended is in the journal, after all of its results.
+/// The job's end is in the journal, after all of its results.
 struct JobEnded {
     JobId job;
 
     friend bool operator==(const JobEnded&, const JobEnded&) = default;
 };
-/// The journal has forgotten the job: its files may go.
+/// The journal has forgotten the job: its files may be deleted.
 struct JobDropped {
     JobId job;
 
@@ -47,47 +47,47 @@ struct JobDropped {
 struct Dispute {
     JobId job;
     std::uint64_t scenario = 0;
-    WorkerId second; ///< Who brought the result that differs from the one that was merged,
-    Sha256 digest;   ///< and that one.
+    WorkerId second; ///< Worker whose result differs from the merged one.
+    Sha256 digest;   ///< Digest of the differing result.
 
     friend bool operator==(const Dispute&, const Dispute&) = default;
 };
 
-/// What somebody waits for until the journal has it.
+/// An event that is announced once the journal has committed it.
 using Promise = std::variant<Delivery, JobAccepted, JobEnded, JobDropped, Dispute>;
 
-/// The journal writes its entries in the order of their positions, from 1, and commits them in this
-/// order. Every scenario of an open job is unknown, written (in an entry that is not committed), or
-/// durable.
+/// The journal writes and commits its entries in the order of their positions, from 1. Every
+/// scenario of an open job is unknown, written (in an uncommitted entry), or durable.
 class Ledger {
   public:
     enum class State : std::uint8_t { Unknown, Written, Durable };
 
     void open_job(JobId job);
-    /// Its results are of no interest any more, also those that are still to be committed.
+    /// Forgets the job's results, also uncommitted ones.
     void close_job(JobId job);
 
-    /// The scenario is durable since an earlier life. The job is open.
+    /// Marks a scenario of an open job as durable since an earlier incarnation of the master.
     void restore(JobId job, std::uint64_t scenario);
-    /// The scenario's result stands in the entry of this position, which is not less than those
-    /// before. The job is open and the scenario unknown.
+    /// Records that the scenario's result is in the entry at `position`, which never decreases. The
+    /// job must be open and the scenario unknown.
     void write(JobId job, std::uint64_t scenario, std::uint64_t position);
 
-    /// Kept as soon as all entries up to this position are committed.
+    /// Keeps the promise once all entries up to this position are committed.
     void promise(const Promise& promise, std::uint64_t position);
-    /// Kept as soon as these scenarios are durable. Unknown ones, and those of a job that is not
-    /// open, are not waited for: nobody wants them.
+    /// Keeps the promise once these scenarios are durable. Ignores unknown scenarios and those of
+    /// jobs that are not open.
     void promise(const Delivery& delivery, JobId job, std::span<const std::uint64_t> scenarios);
-    /// Nothing more is owed to it.
+    /// Drops all promises to the worker.
     void forget(WorkerId worker);
 
-    /// All entries up to this one are on the disk.
+    /// All entries up to this position are on disk.
     void committed(std::uint64_t position);
-    /// What may be said since the last call, in the order of the entries.
+    /// Returns the promises kept since the last call, in the order of the entries.
     [[nodiscard]] std::vector<Promise> take_kept();
 
     [[nodiscard]] State state(JobId job, std::uint64_t scenario) const;
-    [[nodiscard]] std::uint64_t durable(JobId job) const; ///< Scenarios; 0 for no open job.
+    [[nodiscard]] std::uint64_t
+    durable(JobId job) const; ///< Number of durable scenarios; 0 if the job is not open.
     [[nodiscard]] std::uint64_t position() const { return committed_; }
     [[nodiscard]] std::size_t owed() const { return promises_.size(); }
 
@@ -96,9 +96,9 @@ class Ledger {
 
   private:
     static constexpr std::uint64_t block_scenarios = 4096;
-    /// States in bitmaps, made when first needed: the number of scenarios is a client's word.
+    /// Scenario states in bitmaps, made on demand: a client chooses the number of scenarios.
     struct Block {
-        std::bitset<block_scenarios> written; ///< Also what is durable.
+        std::bitset<block_scenarios> written; ///< Includes durable scenarios.
         std::bitset<block_scenarios> durable;
     };
     struct Job {
@@ -114,8 +114,8 @@ class Ledger {
     [[nodiscard]] static Block& block_of(Job& job, std::uint64_t scenario);
 
     std::unordered_map<JobId, Job> jobs_;
-    std::deque<Entry> entries_;                      ///< Written and not committed, by position.
-    std::multimap<std::uint64_t, Promise> promises_; ///< By the position that they wait for.
+    std::deque<Entry> entries_; ///< Written and uncommitted entries, by position.
+    std::multimap<std::uint64_t, Promise> promises_; ///< Promises, by the position they wait for.
     std::vector<Promise> kept_;
     std::uint64_t committed_ = 0;
 };

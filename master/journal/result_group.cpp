@@ -93,7 +93,7 @@ bool get_maps(ByteReader& in, std::vector<Bytes>& maps) {
     return !in.failed();
 }
 
-/// First the processes, then runs that name them by their place.
+/// Writes the processes first, then runs that refer to them by index.
 void put_authors(ByteWriter& out, std::span<const AuthorRun> runs) {
     std::vector<WorkerProcess> processes;
     for (const AuthorRun& run : runs) {

@@ -1,5 +1,5 @@
-// Results that the journal commits together: where their records stand, whose they are, and what
-// became known of results that were there before; and which scenarios were lost instead.
+// Results committed together: positions of their records, their authors, remarks on earlier
+// results, and lost scenarios.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -14,17 +14,17 @@
 
 namespace cd {
 
-/// One result, of which the record stands in the job's segment.
+/// One result, whose record is in the job's segment.
 struct ResultRow {
     std::uint64_t scenario = 0;
-    std::uint64_t length = 0; ///< Of the record.
+    std::uint64_t length = 0; ///< Length of the record, bytes.
     ScenarioFacts facts;
     Sha256 digest;
 
     friend bool operator==(const ResultRow&, const ResultRow&) = default;
 };
 
-/// So many rows, one after the other, have one author.
+/// A number of consecutive rows with one author.
 struct AuthorRun {
     std::uint64_t rows = 0;
     WorkerProcess author = 0;
@@ -32,33 +32,35 @@ struct AuthorRun {
     friend bool operator==(const AuthorRun&, const AuthorRun&) = default;
 };
 
-/// What became known of a result after it was written.
+/// A finding about a result after it was written.
 struct Remark {
     enum class Kind : std::uint8_t {
-        Disputed, ///< Another result differs from it, and the master has to compute it itself.
-        Settled,  ///< It has: of that dispute nothing is left, and no author's word counts.
-        Vouched,  ///< Another worker has answered alike: its author's word is not all there is.
+        Disputed, ///< Another result differs, and the master must recompute it.
+        Settled,  ///< The master has recomputed it: the dispute is over, and no author's word
+                  ///< counts.
+        Vouched,  ///< Another worker gave an equal result: it does not rest on its author's word
+                  ///< alone.
     };
     Kind kind = Kind::Vouched;
     std::uint64_t scenario = 0;
-    // Of a dispute: the other result, and whose that is.
+    // Digest and author of the other result in a dispute.
     Sha256 digest;
     WorkerProcess author = 0;
 
     friend bool operator==(const Remark&, const Remark&) = default;
 };
 
-/// Results that were committed together; their records follow each other in the segment.
+/// Results committed together; their records are contiguous in the segment.
 struct ResultGroup {
-    std::uint64_t begin = 0; ///< The segment's end before them.
+    std::uint64_t begin = 0; ///< End of the segment before this group.
     std::vector<ResultRow> rows;
-    std::vector<Bytes> maps;        ///< `pack_map`; together they are the map of these results.
-    std::vector<AuthorRun> authors; ///< Of all rows.
-    std::vector<Remark> remarks;    ///< In their order. On rows of this group, or before it.
-    std::vector<LostPlaces> losses; ///< In their order. Some have a result by now.
+    std::vector<Bytes> maps;        ///< `pack_map`; together they form the map of these results.
+    std::vector<AuthorRun> authors; ///< Authors of all rows.
+    std::vector<Remark> remarks; ///< In order. They refer to rows of this group or of earlier ones.
+    std::vector<LostPlaces> losses; ///< In order. Some of these scenarios may have a result by now.
 };
 
-/// Writes each process once (8 bytes); a run of rows takes 2 bytes or a few more. The runs cover
+/// Writes each process once (8 bytes); a run of rows takes 2 bytes or slightly more. The runs cover
 /// all rows.
 [[nodiscard]] Bytes encode_group(const ResultGroup& group);
 /// Errors: BadFrame for damaged bytes.

@@ -25,7 +25,8 @@ constexpr std::uint32_t version = 1;
 constexpr std::uint64_t file_header_bytes =
     sizeof magic + sizeof version + 2 * sizeof(std::uint64_t);
 constexpr std::uint64_t record_header_bytes = 2 * sizeof(std::uint64_t); // Length and scenario.
-constexpr std::uint64_t record_footer_bytes = sizeof(std::uint64_t);     // Their checksum.
+constexpr std::uint64_t record_footer_bytes =
+    sizeof(std::uint64_t); // Checksum of the header and the record.
 
 constexpr std::uint64_t places_together = 256;
 using Places = std::array<RecordPlace, places_together>;
@@ -57,23 +58,24 @@ struct ResultStore::State {
           scenarios(count),
           end(committed) {}
 
-    mutable std::mutex mutex; ///< Guards what is read by any thread.
+    mutable std::mutex mutex; ///< Guards the members that any thread reads.
     std::filesystem::path path;
     JobId job;
-    std::optional<DiskFile> file; ///< For writing; nothing before the first write.
+    std::optional<DiskFile> file; ///< For writing; empty before the first write.
     bool has_new_name = false;
     std::uint64_t scenarios = 0;
-    std::uint64_t end = 0; ///< Of what is committed.
+    std::uint64_t end = 0; ///< Committed end of the segment.
     std::uint64_t records = 0;
-    /// In pieces, made when first needed: the number of scenarios is a client's word.
+    /// Record positions in pieces, made on demand: a client chooses the number of scenarios.
     std::unordered_map<std::uint64_t, std::unique_ptr<Places>> places;
-    std::vector<std::pair<std::uint64_t, RecordPlace>> written; ///< And not committed.
+    std::vector<std::pair<std::uint64_t, RecordPlace>>
+        written; ///< Written and uncommitted records.
     std::uint64_t written_end = 0;
 
     [[nodiscard]] RecordPlace find(std::uint64_t scenario) const;
     void set(std::uint64_t scenario, const RecordPlace& place);
-    /// Opens the file for reading. Errors: Io, when it is of another kind or job, or shorter than
-    /// what is committed.
+    /// Opens the file for reading. Errors: Io for another kind or job, or a file shorter than its
+    /// committed part.
     [[nodiscard]] Result<DiskFile> open() const;
     [[nodiscard]] Result<Bytes>
     read(const DiskFile& from, std::uint64_t scenario, const RecordPlace& place) const;
@@ -167,7 +169,8 @@ Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::filesystem::pa
         return create(path, job, scenarios);
     }
     std::unique_ptr<ResultStore> store = open_to_read(path, job, scenarios, end);
-    if (const Result<DiskFile> sound = store->state_->open(); !sound) { // It must be there.
+    if (const Result<DiskFile> sound = store->state_->open();
+        !sound) { // Fails if the file is missing or unusable.
         return sound.error();
     }
     Result<DiskFile> file = DiskFile::open_to_write(path);
@@ -288,7 +291,8 @@ Status ResultStore::restore(std::uint64_t scenario, const RecordPlace& place) {
 
 Status ResultStore::verify() const {
     const std::lock_guard lock(state_->mutex);
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> in_file_order; // Offset, scenario.
+    std::vector<std::pair<std::uint64_t, std::uint64_t>>
+        in_file_order; // Pairs of offset and scenario.
     in_file_order.reserve(state_->records);
     for (const auto& [number, piece] : state_->places) {
         for (std::uint64_t i = 0; i < places_together; ++i) {
@@ -336,7 +340,7 @@ ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_
     ResultsPart part;
     part.first = first;
     part.next = std::max(first, end);
-    std::optional<DiskFile> file; // A job without a result has none yet.
+    std::optional<DiskFile> file; // A job without results has no file yet.
     for (std::uint64_t scenario = begin; scenario < end; ++scenario) {
         const RecordPlace place = state_->find(scenario);
         if (place.length == 0) {

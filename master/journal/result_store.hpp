@@ -14,81 +14,81 @@
 
 namespace cd {
 
-/// A record on its way into the segment.
+/// A record to be written into the segment.
 struct StoredRecord {
     std::uint64_t scenario = 0;
     std::span<const std::byte> record;
 };
 
-/// Where a record stands in the segment; a length of 0 is no record.
+/// Location of a record in the segment; length 0: no record.
 struct RecordPlace {
-    std::uint64_t offset = 0; ///< Of the record's own bytes.
+    std::uint64_t offset = 0; ///< Offset of the record itself, without its header.
     std::uint64_t length = 0;
 
     friend bool operator==(const RecordPlace&, const RecordPlace&) = default;
 };
 
-/// The file starts with its kind, its version, its job and their checksum; then, of each record:
+/// The file starts with its kind, its version, its job and their checksum. Each record follows as:
 ///
 ///     u64 length    u64 scenario    the record    u64 XXH3 of all three
 ///
-/// What stands behind the committed end is of no account, and is written over. Memory: 16 bytes for
-/// each scenario answered. Any thread may call `has`, `count` and `read`; one at a time the others.
-/// All block for the disk.
+/// Bytes past the committed end are ignored and overwritten. Memory: 16 bytes per answered
+/// scenario. Any thread may call `has`, `count` and `read`; one thread at a time the others. All
+/// block for the disk.
 class ResultStore {
   public:
-    /// For a job that is new: the file is made by the first `write`, and what it may hold before is
-    /// of none.
+    /// Creates the store of a new job. The first `write` makes the file and ignores any earlier
+    /// content.
     [[nodiscard]] static std::unique_ptr<ResultStore>
     create(const std::filesystem::path& path, JobId job, std::uint64_t scenarios);
-    /// With `end` committed bytes, whose records are told by `restore`; 0: the file need not be
-    /// there. Errors: Io, naming the file, when it is of another kind or job, or shorter.
+    /// Opens a store with `end` committed bytes; `restore` adds its records. With 0 the file need
+    /// not exist. Errors: Io naming a file of another kind or job, or one that is too short.
     [[nodiscard]] static Result<std::unique_ptr<ResultStore>>
     open(const std::filesystem::path& path, JobId job, std::uint64_t scenarios, std::uint64_t end);
-    /// The store of a job that has ended. It opens the file when results are read, so that a
-    /// damaged or missing file makes only these reads fail.
+    /// Returns the store of an ended job. Reads open the file, so a damaged or missing file fails
+    /// only these reads.
     [[nodiscard]] static std::unique_ptr<ResultStore> open_to_read(
         const std::filesystem::path& path, JobId job, std::uint64_t scenarios, std::uint64_t end);
     ResultStore(const ResultStore&) = delete;
     ResultStore& operator=(const ResultStore&) = delete;
     ~ResultStore();
 
-    /// The name of the file may not survive a loss of power: it is new, and nobody has called
-    /// `name_synced` since.
+    /// A power loss may remove the file's name: the file is new, and `name_synced` has not been
+    /// called since.
     [[nodiscard]] bool has_new_name() const;
     void name_synced();
-    /// Where `write` would put its first record.
+    /// Offset at which `write` puts its first record.
     [[nodiscard]] std::uint64_t end() const;
-    /// That of one without records.
+    /// Value of `end` for a store without records.
     [[nodiscard]] static std::uint64_t first_end();
-    /// Where a record stands that comes behind `end`, and where the next one would.
+    /// Returns the location of a record that is written at `end`. Its end is that of the next
+    /// record.
     [[nodiscard]] static RecordPlace place_at(std::uint64_t end, std::uint64_t length);
     [[nodiscard]] static std::uint64_t end_of(const RecordPlace& place);
 
-    /// Writes behind the committed end, one after the other; without `commit` the next call writes
-    /// there again. A record is at least one byte and at most `limits::result_record_bytes_max`.
-    /// Errors: Io.
+    /// Writes records past the committed end; without a `commit` the next call overwrites them. A
+    /// record has at least one byte and at most `limits::result_record_bytes_max`. Errors: Io.
     [[nodiscard]] Status write(std::span<const StoredRecord> records);
-    /// Brings what was written to the disk. Errors: Io.
+    /// Syncs the written records to disk. Errors: Io.
     [[nodiscard]] Status sync() const;
-    /// Closes the file until the next write. Reads open it each time.
+    /// Closes the file until the next write. Each read opens it anew.
     void close();
-    /// What was written last can be read from now on. Of several records of a scenario the last one
+    /// Makes the records of the last write readable. The last of several records of a scenario
     /// counts.
     void commit();
 
-    /// A committed record. Errors: Io, when it would not lie within the committed bytes.
+    /// Adds a committed record. Errors: Io for a location outside the committed bytes.
     [[nodiscard]] Status restore(std::uint64_t scenario, const RecordPlace& place);
-    /// Reads all committed records against their checksums. Errors: Io, naming file and scenario.
+    /// Reads all committed records against their checksums. Errors: Io naming file and scenario.
     [[nodiscard]] Status verify() const;
 
     [[nodiscard]] bool has(std::uint64_t scenario) const;
-    [[nodiscard]] std::uint64_t count() const; ///< Scenarios whose records can be read.
+    [[nodiscard]] std::uint64_t count() const; ///< Scenarios with readable records.
 
-    /// The records that are here of scenarios [first, first + count), up to the one that would
-    /// bring the uncompressed records over `bytes_max`, and at most `limits::results_scan_max`
-    /// scenarios further; the first record is given whatever its size. `job` is left for the caller
-    /// to set. Errors: Io, when a record is damaged or cannot be read.
+    /// Returns the records of scenarios [first, first + count), until their uncompressed size would
+    /// exceed `bytes_max`, and looks at no more than `limits::results_scan_max` scenarios; the
+    /// first record is returned whatever its size. The caller sets `job`. Errors: Io for a record
+    /// that is damaged or unreadable.
     [[nodiscard]] Result<ResultsPart>
     read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_max) const;
 

@@ -1,4 +1,4 @@
-// What the rows of the journal are read and written with.
+// Helpers to read and write the journal's rows.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -10,12 +10,12 @@
 
 namespace cd {
 
-/// Only damage can make such bytes of a row.
+/// Returns the error for bytes that only damage can cause.
 [[nodiscard]] inline Error damaged_row(const char* what) {
     return {ErrorCode::BadFrame, std::string(what) + " that is none"};
 }
 
-/// False where the bytes end before that many could be there, so that a damaged count costs
+/// Returns false if the bytes end before `count` items could fit, so that a damaged count allocates
 /// nothing.
 [[nodiscard]] inline bool
 may_hold(const ByteReader& in, std::uint64_t count, std::uint64_t bytes_each) {
