@@ -19,11 +19,11 @@ namespace {
 enum Turn : std::uint32_t {
     Load,
     Check, ///< Compare with the reference, untimed.
-    Pass,  ///< Time all poses as one.
-    Each,  ///< Time each pose.
+    Pass,  ///< Time all poses together.
+    Each,  ///< Time each pose alone.
 };
 
-/// What a child tells, in shared memory.
+/// A child's report, in shared memory.
 struct Told {
     double build_seconds;
     double pass_seconds;
@@ -39,7 +39,7 @@ struct Told {
     TestCosts test_costs;
 };
 
-/// Anonymous memory of this process, once what was freed is given back.
+/// Returns this process's anonymous memory after freed memory is returned to the system.
 std::uint64_t memory_in_use() {
     ::malloc_trim(0);
     std::ifstream file("/proc/self/status");
@@ -53,7 +53,7 @@ std::uint64_t memory_in_use() {
     return 0;
 }
 
-/// The level at which an engine finds all pairs, or any; nothing if it cannot.
+/// Returns the level at which an engine finds all pairs, or any; nothing if it cannot.
 std::optional<Level> level_for(const Engine& engine, Level wanted) {
     for (const Level level : engine.levels) {
         if (wanted == Level::Any ? level == Level::Any : level >= wanted) {
@@ -63,7 +63,7 @@ std::optional<Level> level_for(const Engine& engine, Level wanted) {
     return std::nullopt;
 }
 
-/// The child's side.
+/// Runs an engine in the child process.
 class Contestant {
   public:
     Contestant(const Scene& scene,
@@ -107,7 +107,7 @@ class Contestant {
     }
 
   private:
-    /// From copies of the meshes, so that an engine that keeps them is seen to.
+    /// Loads copies of the meshes, so that an engine that keeps them is charged for them.
     void load() {
         memory_before_ = memory_in_use();
         const auto a = std::make_shared<const Mesh>(*scene_.a);
@@ -129,7 +129,7 @@ class Contestant {
             const std::vector<Disagreement> all = disagreements(reference_, p, found);
             for (std::size_t i = 0; i < all.size(); ++i) {
                 (all[i].is_extra ? told_.extra : told_.missing) += 1;
-                // Spread over the pose's, and over the poses.
+                // Picks judged pairs evenly over a pose's pairs, and over the poses.
                 const bool is_picked =
                     i * judged_a_pose / all.size() != (i + 1) * judged_a_pose / all.size() ||
                     all.size() <= judged_a_pose;
@@ -162,7 +162,7 @@ class Contestant {
     std::uint64_t touches_ = 0;
 };
 
-/// The parent's side of one engine in one series of turns.
+/// Drives one engine in one series of turns, in the parent process.
 class Lane {
   public:
     Lane(const Scene& scene,
@@ -192,7 +192,7 @@ class Lane {
         }
     }
 
-    /// Nothing once the budget is used up.
+    /// Takes a timed turn, unless the budget is used up.
     void take_timed_turn(Turn turn) {
         if (!child_ || (spent_ > 0 && spent_ >= options_.budget_seconds)) {
             return;
@@ -215,7 +215,7 @@ class Lane {
         ++heat_.rounds;
     }
 
-    /// A new budget, for rounds after passes.
+    /// Renews the budget for rounds after passes.
     void renew_budget() { spent_ = 0; }
 
     [[nodiscard]] Heat heat() const {
@@ -262,7 +262,7 @@ Lanes make_lanes(const Scene& scene,
     return lanes;
 }
 
-/// `rounds` timed turns of each, every round begun by another.
+/// Gives each engine `rounds` timed turns; each round starts with another engine.
 void take_rounds(Lanes& lanes, Turn turn, std::size_t rounds) {
     for (std::size_t round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < lanes.size(); ++i) {

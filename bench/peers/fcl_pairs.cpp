@@ -43,8 +43,8 @@ struct Options {
 struct Totals {
     std::uint64_t ours = 0;
     std::uint64_t theirs = 0;
-    std::uint64_t missed = 0;   ///< By FCL, though the triangles share a point.
-    std::uint64_t invented = 0; ///< By FCL, though they do not.
+    std::uint64_t missed = 0;   ///< Missed by FCL, though the triangles share a point.
+    std::uint64_t invented = 0; ///< Reported by FCL, though the triangles are apart.
     std::uint64_t scenarios_equal = 0;
     std::uint64_t ours_wrong = 0;
     double seconds_ours = 0;
@@ -94,7 +94,7 @@ auto timed(double& seconds, const Function& function) {
     return result;
 }
 
-/// Counts the pairs of `left` that are not in `right`, as the exact decision sees them.
+/// Counts the pairs of `left` that `right` lacks, judged by the exact decision.
 std::pair<std::uint64_t, std::uint64_t> judge(const std::set<IdPair>& left,
                                               const std::set<IdPair>& right,
                                               const Mesh& a,

@@ -1,4 +1,5 @@
-// Ours and every installed peer on the same poses and meshes, in turns. See README.md.
+// Compares our engine and every installed peer on the same poses and meshes, in turns. See
+// README.md.
 #include "bench/accuracy/machine.hpp"
 #include "bench/floor_kernels.hpp"
 #include "bench/peers/contest.hpp"
@@ -32,7 +33,7 @@ struct Options {
 };
 
 struct MeshEngines {
-    std::vector<Engine> all; ///< Ours first.
+    std::vector<Engine> all; ///< Our engines first.
     std::vector<std::string> missing;
 };
 
@@ -69,7 +70,7 @@ MeshEngines mesh_engines() {
     return engines;
 }
 
-/// Those that scaling compares: the fastest of each kind.
+/// Returns the engines for scaling: the fastest of each kind.
 std::vector<Engine> scaling_engines(const std::vector<Engine>& all) {
     std::vector<Engine> engines;
     std::copy_if(all.begin(), all.end(), std::back_inserter(engines), [](const Engine& engine) {
@@ -79,7 +80,7 @@ std::vector<Engine> scaling_engines(const std::vector<Engine>& all) {
     return engines;
 }
 
-/// The last processor that this process may use: the first has more of the system's own work.
+/// Returns the last processor that this process may use: the first one does more system work.
 int last_cpu() {
     cpu_set_t set;
     int last = -1;

@@ -19,8 +19,8 @@ std::shared_ptr<const ObbTree> tree_of(const std::shared_ptr<const Mesh>& mesh, 
     return std::make_shared<const ObbTree>(build_tree(mesh, {}, pool));
 }
 
-/// Of what a search walks: the wide tree with its triangles where there is one, else the binary
-/// tree with the mesh's.
+/// Returns the bytes that a search descends through: the wide tree with its triangles if there is
+/// one, else the binary tree and the mesh's triangles.
 std::uint64_t bytes_of(const TreeView& view) {
     const TriangleBlocks& blocks = view.wide.triangles;
     if (!view.wide.nodes.empty()) {
@@ -32,8 +32,8 @@ std::uint64_t bytes_of(const TreeView& view) {
            view.triangle_ids.size_bytes();
 }
 
-/// The search for contacts without what a job makes of them: no sorting, no record, and no look
-/// for a body inside the other, which no peer takes.
+/// The search for contacts without a job's extra steps: no sorting, no record, and no containment
+/// test, which no peer does.
 class OurMeshes final : public MeshEngine {
   public:
     OurMeshes() = default;
@@ -85,7 +85,7 @@ class OurMeshes final : public MeshEngine {
   private:
     std::shared_ptr<const ObbTree> a_;
     std::shared_ptr<const ObbTree> b_;
-    // As a user keeps them: from pose to pose.
+    // Reused from pose to pose, as a user does.
     ContactSearch keeping_{PosePair{}, {}};
     ContactSearch counting_{PosePair{}, {}, {.keep_pairs = false}};
 };

@@ -1,4 +1,4 @@
-// Our engine beside the peers. Everything that the comparison knows of it stands in ours.cpp.
+// Our engine for the comparison; all knowledge of the product is in ours.cpp.
 #pragma once
 
 #include "bench/peers/engines/engine.hpp"
@@ -8,10 +8,10 @@
 
 namespace cd::bench {
 
-/// The product as this host runs it, which stands first; then the same held to narrower SIMD.
+/// Returns the product as this host runs it, then limited to narrower SIMD.
 [[nodiscard]] std::vector<Engine> our_mesh_engines();
 
-/// Builds what a mesh is searched by, on so many threads, and throws it away.
+/// Builds a mesh's search structure on so many threads, and discards it.
 void build_ours(const std::shared_ptr<const Mesh>& mesh, unsigned threads);
 
 } // namespace cd::bench

@@ -11,7 +11,7 @@ namespace cd::bench {
 
 namespace {
 
-/// 512 MiB of addresses; memory only for what is found.
+/// 512 MiB of address space; only used pages take memory.
 constexpr std::size_t keys_max = std::size_t{1} << 26;
 
 std::uint64_t key(const IdPair& pair) {
@@ -78,7 +78,7 @@ disagreements(const Reference& reference, std::size_t pose, const PairSet& found
 
 std::uint64_t ours_wrong(const Scene& scene, std::span<const Disagreement> judged) {
     const auto is_ours_wrong = [&](const Disagreement& d) {
-        // Ids that no triangle has are the engine's own mistake.
+        // Ids of missing triangles are the engine's own error.
         if (d.a >= scene.a->triangles().size() || d.b >= scene.b->triangles().size()) {
             return false;
         }

@@ -1,4 +1,4 @@
-// The pairs of a scene as our exact engine finds them, which every other engine is held against.
+// Reference pairs of a scene, found by our exact engine; other engines are compared with them.
 #pragma once
 
 #include "bench/accuracy/isolate.hpp"
@@ -12,15 +12,15 @@
 
 namespace cd::bench {
 
-/// Sorted, each pair once.
+/// Sorted and unique.
 using PairSet = std::vector<IdPair>;
 
 [[nodiscard]] PairSet pair_set(MeshAnswer answer);
 
-/// Kept in memory that children share. The bodies' triangles number below 2^32.
+/// Kept in memory shared with children. Each body has fewer than 2^32 triangles.
 class Reference {
   public:
-    /// Asks `ours` in a child. Throws if that fails: without it there is no report.
+    /// Runs `ours` in a child. Throws if that fails: without a reference there is no report.
     Reference(const Scene& scene, const Engine& ours, std::chrono::seconds limit);
 
     [[nodiscard]] std::size_t pose_count() const { return ends_.values().size() - 1; }
@@ -29,22 +29,22 @@ class Reference {
 
   private:
     SharedArray<std::uint64_t> keys_; ///< a * 2^32 + b, pose after pose.
-    SharedArray<std::uint64_t> ends_; ///< Of each pose's keys; a 0 before the first.
+    SharedArray<std::uint64_t> ends_; ///< End of each pose's keys, after a leading 0.
 };
 
-/// A pair on which an engine and ours differ.
+/// A pair on which an engine and the reference differ.
 struct Disagreement {
     std::uint64_t pose;
     std::uint32_t a;
     std::uint32_t b;
-    bool is_extra; ///< Only the engine has it; else only ours has.
+    bool is_extra; ///< Only the engine reports the pair; otherwise only the reference does.
 };
 
-/// All of one pose, missing ones first.
+/// Returns all disagreements of one pose, missing pairs first.
 [[nodiscard]] std::vector<Disagreement>
 disagreements(const Reference& reference, std::size_t pose, const PairSet& found);
 
-/// In how many of them the exact oracle finds that ours is the one that is wrong.
+/// Returns in how many of them the exact oracle contradicts the reference.
 [[nodiscard]] std::uint64_t ours_wrong(const Scene& scene, std::span<const Disagreement> judged);
 
 } // namespace cd::bench

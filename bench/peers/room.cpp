@@ -9,13 +9,13 @@ namespace cd::bench {
 
 namespace {
 
-/// Of few triangles, what does not grow with them is most.
+/// With fewer triangles, memory of constant size dominates.
 constexpr std::uint64_t triangles_enough = 100000;
-/// While it builds, an engine may take so many times what it keeps.
+/// Assumed ratio of an engine's memory while building to what it keeps.
 constexpr double while_building = 2;
 constexpr double share_of_memory = 0.8;
 
-/// Infinite where the system does not say.
+/// Returns infinity if the system does not report it.
 double available_bytes() {
     std::ifstream file("/proc/meminfo");
     for (std::string word; file >> word;) {

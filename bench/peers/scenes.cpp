@@ -25,7 +25,8 @@ namespace {
 
 using MeshPointer = std::shared_ptr<const Mesh>;
 
-/// A line a pose of B in A's frame: nine numbers of the matrix, row by row, then the translation.
+/// Reads poses of B in A's frame, one a line: nine numbers of the matrix, row by row, then the
+/// translation.
 std::vector<PosePair> read_poses(const std::filesystem::path& path) {
     std::ifstream file(path);
     std::vector<PosePair> poses;
@@ -72,14 +73,14 @@ penetrating(const MeshPointer& a, const MeshPointer& b, std::size_t count, const
     return poses;
 }
 
-/// A wheel with its axle along y in its own place, but turned about the axle, tilted a little and
-/// moved a little: its lugs lie in its own grooves, and surface lies along surface.
+/// Places a wheel, its axle along y, into itself, turned about the axle, slightly tilted and moved:
+/// lugs lie in their own grooves, and surface lies along surface.
 std::vector<PosePair> nested(const Mesh& wheel, std::size_t count) {
     const Aabb box = bounding_box(wheel.vertices());
     std::mt19937_64 draw(1);
     std::vector<PosePair> poses;
     for (std::size_t i = 0; i < count; ++i) {
-        // The quaternion of a turn holds half the angle.
+        // A quaternion contains half the angle.
         const auto [c, s] = circle_point(0.5 * tests::uniform(draw, 0, 1));
         const double tilt_x = tests::uniform(draw, -0.01, 0.01);
         const double tilt_z = tests::uniform(draw, -0.01, 0.01);
@@ -95,7 +96,7 @@ struct Couple {
     const char* name;
     Model a;
     Model b;
-    const char* poses = nullptr; ///< A file; generated without one.
+    const char* poses = nullptr; ///< A pose file; null: generated poses.
 };
 
 constexpr double inch = 0.0254;
@@ -148,7 +149,7 @@ Generated generate(std::uint64_t triangles) {
             make_vehicle(VehicleKind::Car, triangles * 3 / 10)};
 }
 
-/// Of one size, so that every size is tested in the same poses.
+/// One size for all, so that every size is tested in the same poses.
 constexpr std::uint64_t posing_triangles = 30000;
 
 Scene generated_scene(std::string suite,

@@ -1,5 +1,4 @@
-// The scenes of the comparison: real vehicles, generated ones, and those that only scaling is
-// measured on.
+// The scenes of the comparison: real vehicles, generated ones, and scenes for scaling only.
 #pragma once
 
 #include "bench/accuracy/suites/scene.hpp"
@@ -16,18 +15,19 @@ namespace cd::bench {
 struct SceneOptions {
     std::filesystem::path models;    ///< Folder of the mesh files.
     std::filesystem::path scenarios; ///< Folder of the pose files.
-    std::size_t poses = 200;         ///< Of a scene, evenly spread over its file if it has one.
+    std::size_t poses = 200; ///< Poses per scene, evenly spread over its file if it has one.
     std::size_t scaling_poses = 50;
-    std::uint64_t vehicle_triangles = 300000; ///< Of the generated truck; the car has 3 of 10.
-    std::uint64_t size_max = 10000000;        ///< The largest truck of the scaling.
+    std::uint64_t vehicle_triangles =
+        300000; ///< Triangles of the generated truck; the car has 3/10 of them.
+    std::uint64_t size_max = 10000000; ///< Triangles of the largest truck for scaling.
 };
 
-/// A scene that has not been loaded: not all fit memory at a time.
+/// A scene not yet loaded: not all fit into memory together.
 struct SceneSource {
     std::string suite; ///< "scenes", "size" (by triangles) or "depth" (by penetration).
     std::string name;
-    double x = 0; ///< What the suite varies: triangles of both bodies, or share of B's diagonal.
-    /// Nothing, and said on stderr, where a file is missing.
+    double x = 0; ///< Varied quantity: triangles of both bodies, or share of B's diagonal.
+    /// Returns nothing, with a line on stderr, if a file is missing.
     std::function<std::optional<Scene>()> load;
 };
 

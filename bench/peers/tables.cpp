@@ -10,7 +10,7 @@ namespace cd::bench {
 
 namespace {
 
-/// Nothing for what there is not.
+/// Returns an empty cell for an unknown value.
 std::string known(double value, bool is_known) {
     return is_known ? cell(value) : std::string();
 }
@@ -23,7 +23,7 @@ double mean(std::vector<double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// The smallest value that at least 95 of 100 do not exceed.
+/// Returns the least value that at least 95 % do not exceed.
 double p95(std::vector<double> values) {
     const std::size_t place = (95 * values.size() + 99) / 100 - 1;
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(place);
@@ -31,7 +31,7 @@ double p95(std::vector<double> values) {
     return *at;
 }
 
-/// The median over the poses of how many times as long one takes as the other.
+/// Returns the median over the poses of the ratio of the two times.
 std::string median_ratio(const Heat& heat, const Heat& ours) {
     if (heat.pose_seconds.empty() || ours.pose_seconds.empty()) {
         return {};

@@ -1,4 +1,4 @@
-// The outcome of the comparison as CSV files.
+// Writes the results of the comparison as CSV files.
 #pragma once
 
 #include "bench/accuracy/csv.hpp"
@@ -11,9 +11,9 @@
 namespace cd::bench {
 
 struct Tables {
-    CsvFile scenes;  ///< A row a scene.
-    CsvFile engines; ///< A row an engine and scene; ratios are against the first engine.
-    CsvFile poses;   ///< A row an engine, scene and pose.
+    CsvFile scenes;  ///< One row per scene.
+    CsvFile engines; ///< One row per engine and scene; ratios are to the first engine.
+    CsvFile poses;   ///< One row per engine, scene and pose.
 
     explicit Tables(const std::filesystem::path& folder);
 

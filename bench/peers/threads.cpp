@@ -14,13 +14,13 @@ namespace cd::bench {
 
 namespace {
 
-/// Seconds of one thread and of two, round by round, from a child.
+/// Seconds on one thread and on two, round by round, measured in a child.
 struct TwoTimes {
     double one;
     double two;
 };
 
-/// Each row begins with what was measured.
+/// Each row begins with the names in `what`.
 void measure(const std::vector<std::string>& what,
              const ThreadOptions& options,
              CsvFile& csv,
@@ -45,7 +45,7 @@ void measure(const std::vector<std::string>& what,
     }
 }
 
-/// Every pose `repeats` times, each taken by whoever comes first.
+/// Searches every pose `repeats` times; threads take poses dynamically.
 double seconds_on(const Scene& scene,
                   const std::vector<std::unique_ptr<MeshEngine>>& engines,
                   std::size_t threads,

@@ -11,13 +11,13 @@ namespace cd::bench {
 
 struct ThreadOptions {
     std::size_t rounds = 5;
-    /// As many passes over the poses as take so long on one thread: a shorter run says little.
+    /// Passes are repeated until they take this long on one thread: shorter runs are too noisy.
     double run_seconds = 0.5;
     std::chrono::seconds limit{120};
 };
 
-/// All pairs of a scene's poses, shared out to one thread and to two that search the same trees, in
-/// turn; a row a round.
+/// Searches all pairs of a scene's poses, on one thread and on two that share the trees, in turn.
+/// Writes a row for each round.
 void run_threads(const std::string& suite,
                  const Scene& scene,
                  const Engine& ours,
@@ -25,7 +25,7 @@ void run_threads(const std::string& suite,
                  CsvFile& csv);
 [[nodiscard]] CsvFile open_threads_csv(const std::filesystem::path& folder);
 
-/// What a mesh's tree takes to build on one thread and on two, in turn; a row a round.
+/// Builds a mesh's tree on one thread and on two, in turn. Writes a row for each round.
 void run_builds(const std::string& name,
                 const std::shared_ptr<const Mesh>& mesh,
                 const ThreadOptions& options,

@@ -1,5 +1,5 @@
-// Children that work in turns: each engine in a process of its own, so that a crash or a hang is a
-// row, and all of them round by round, so that what disturbs the machine disturbs all alike.
+// Children that work in turns. Each engine has its own process, so that a crash or a hang costs one
+// row. Engines alternate, so that disturbances of the machine affect all alike.
 #pragma once
 
 #include "bench/accuracy/isolate.hpp"
@@ -12,19 +12,19 @@
 
 namespace cd::bench {
 
-/// A child of this process that sleeps but for its turns. Only for a process with one thread.
+/// A child process that sleeps between its turns. Only for a process with one thread.
 class TurnTaker {
   public:
-    /// The child keeps a copy of `work` and calls it for each turn with the turn's number. What it
-    /// writes is seen here only in a SharedArray. It runs on the processor `cpu` alone; on any if
-    /// that is negative.
+    /// The child keeps a copy of `work` and calls it with each turn's number. The parent sees only
+    /// what it writes into a SharedArray. The child runs on the processor `cpu`, or on any if that
+    /// is negative.
     TurnTaker(int cpu, const std::function<void(std::uint32_t)>& work);
     TurnTaker(const TurnTaker&) = delete;
     TurnTaker& operator=(const TurnTaker&) = delete;
     ~TurnTaker();
 
     /// Waits for the end of the turn. After a crash or a hang the child is gone, and every later
-    /// turn ends as that one did.
+    /// turn ends in the same way.
     Ending take_turn(std::uint32_t number, std::chrono::seconds limit);
 
     [[nodiscard]] Ending ending() const { return ending_; }

@@ -1,4 +1,4 @@
-// Bullet's GImpact, in floats: what its collision algorithm does for two meshes, step by step.
+// Bullet's GImpact, in floats: the steps of its collision algorithm for two meshes.
 #include "bench/peers/engines/peers.hpp"
 
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
@@ -152,7 +152,7 @@ void add_bullet(std::vector<Engine>& engines) {
         return std::make_unique<WorldPairEngine<BulletPairTest>>(BulletPairTest{0});
     };
     engine.make_meshes = [] { return std::make_unique<BulletMeshEngine>(); };
-    // Its algorithm always clips, so contacts cost it no more than pairs.
+    // The algorithm always clips, so contacts cost no more than pairs.
     engine.levels = {Level::Any, Level::Count, Level::Pairs, Level::Contacts};
     engines.push_back(engine);
 

@@ -1,5 +1,4 @@
-// libccd's GJK on triangles. Its other method, MPR, does not end on some touching triangles and is
-// left out.
+// libccd's GJK on triangles. Its MPR is left out: it does not terminate on some touching triangles.
 #include "bench/peers/engines/peers.hpp"
 
 #include <ccd/ccd.h>
@@ -28,7 +27,7 @@ struct CcdPairTest {
         CCD_INIT(&settings);
         settings.support1 = furthest;
         settings.support2 = furthest;
-        // FCL's own limit for it; the default is none at all.
+        // FCL uses this limit; the default has no limit.
         settings.max_iterations = 500;
     }
 

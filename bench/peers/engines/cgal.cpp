@@ -1,4 +1,4 @@
-// CGAL's exact predicates on triangles that were put into the world in doubles: exact, but of the
+// CGAL's exact predicates on triangles transformed to the world in doubles: exact, but for the
 // rounded triangles.
 #include "bench/peers/engines/peers.hpp"
 

@@ -1,5 +1,5 @@
-// CGAL on whole meshes: its intersection of two sets of boxes with its exact test of (rounded)
-// triangles for all pairs, and its detector for rigid meshes for any contact.
+// CGAL on whole meshes: for all pairs, its box intersection with its exact test of (rounded)
+// triangles; for any contact, its detector for rigid meshes.
 #include "bench/peers/engines/peers.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -24,7 +24,7 @@ Point point(const Vec3& p) {
     return {p.x(), p.y(), p.z()};
 }
 
-/// A body's triangles in the world, with their boxes and the box of all.
+/// A body's triangles in the world, with their boxes and a bounding box.
 struct WorldTriangles {
     std::vector<Kernel::Triangle_3> triangles;
     std::vector<Box> boxes;
@@ -43,7 +43,7 @@ struct WorldTriangles {
         }
     }
 
-    /// Into `near`, which the intersection of boxes reorders.
+    /// Fills `near`, which the box intersection reorders.
     void find_near(const CGAL::Bbox_3& other, std::vector<Box>& near) const {
         near.clear();
         std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(near), [&](const Box& box) {
@@ -113,7 +113,7 @@ class CgalDetector final : public MeshEngine {
     }
 
   private:
-    /// Triangles that share no vertices: its meshes have to be manifold, those of others are not.
+    /// Returns triangles without shared vertices: CGAL's meshes must be manifold.
     static Surface soup(const Mesh& mesh) {
         Surface surface;
         const auto count = static_cast<Surface::size_type>(mesh.triangles().size());

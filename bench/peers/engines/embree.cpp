@@ -1,7 +1,6 @@
-// Embree's collision of two scenes of boxes. It has no transforms of scenes there, so B's boxes are
-// computed anew for each pose and its tree refitted to them (measured several times as fast as any
-// rebuild, search included); and no test of triangles, so it is lent ours, the exact one: what is
-// compared is its search.
+// Embree's collision of two scenes of boxes. It cannot transform scenes, so each pose needs new
+// boxes of B and a refit of its tree (measured several times as fast as any rebuild, search
+// included). It has no triangle test, so it uses our exact one: the comparison is of the search.
 #include "bench/peers/engines/peers.hpp"
 #include "common/core/check.hpp"
 
@@ -22,7 +21,7 @@ struct FloatBox {
     std::array<float, 3> max;
 };
 
-/// The box of three points, widened by what rounding to floats and `slack` can move them.
+/// Returns the box of three points, widened by the error of rounding to floats and by `slack`.
 FloatBox box_around(const Vec3& p, const Vec3& q, const Vec3& r, double slack) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const Vec3 min = p.cwiseMin(q).cwiseMin(r);
@@ -52,7 +51,7 @@ class BoxScene {
           scene_(rtcNewScene(device)),
           geometry_(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER)) {
         if (is_refitted) {
-            // Only scenes of this quality heed the geometry's.
+            // Only scenes of this quality respect the geometry's quality.
             rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_LOW);
             rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_DYNAMIC);
             rtcSetGeometryBuildQuality(geometry_.get(), RTC_BUILD_QUALITY_REFIT);
@@ -155,7 +154,7 @@ class EmbreeMeshEngine final : public MeshEngine {
     Owned<RTCDevice> device_;
     std::unique_ptr<BoxScene> a_;
     std::unique_ptr<BoxScene> b_;
-    std::vector<Vec3> moved_; ///< B's vertices as A sees them.
+    std::vector<Vec3> moved_; ///< B's vertices in A's frame.
     std::vector<Candidate> candidates_;
 };
 
@@ -165,7 +164,7 @@ void add_embree(std::vector<Engine>& engines) {
     Engine engine;
     engine.name = "Embree, our triangle test";
     engine.make_meshes = [] { return std::make_unique<EmbreeMeshEngine>(); };
-    // It cannot be stopped, so any contact costs it as much as all pairs.
+    // The search cannot be stopped, so any contact costs as much as all pairs.
     engine.levels = {Level::Any, Level::Count, Level::Pairs};
     engines.push_back(engine);
 }

@@ -1,4 +1,4 @@
-// One face for every engine that is compared: pairs of triangles, and pairs of whole meshes.
+// A common interface of the compared engines: pairs of triangles, and pairs of whole meshes.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -17,24 +17,24 @@
 
 namespace cd::bench {
 
-/// Candidates by their places in the leaves of wide trees.
+/// Candidates by their positions in the leaves of wide trees.
 struct BlockCandidates {
     TriangleBlocks a;
     TriangleBlocks b;
     std::span<const Candidate> candidates;
 };
 
-/// Candidates under one pair of poses. A view: whoever made it keeps the triangles.
+/// Candidates under one pair of poses. A view: its maker keeps the triangles.
 struct PairGroup {
     PosePair poses;
     TriangleSpan a;
     TriangleSpan b;
     std::span<const Candidate> candidates;
-    /// The same, in the same order, as a search of our trees has them; empty where none does.
+    /// These candidates, in order, in our wide trees; empty without wide trees.
     BlockCandidates in_blocks{};
 };
 
-/// Points of what a pair shares: `origin` plus each of `points`, in the world.
+/// Points of a pair's intersection: `origin` plus each of `points`, in the world.
 struct SharedPoints {
     Vec3 origin = Vec3::Zero();
     std::vector<Vec3> points;
@@ -48,16 +48,16 @@ class PairEngine {
     PairEngine& operator=(const PairEngine&) = delete;
     virtual ~PairEngine() = default;
 
-    /// Sets up what does not depend on the triangles' arithmetic. The groups outlive the decision.
+    /// Does the setup that is not timed. The groups must outlive the decision.
     virtual void prepare(std::span<const PairGroup> groups) = 0;
 
-    /// An answer for each candidate of the prepared groups, in their order: a PairClass if
-    /// `tells_class`, else 0 for apart and 1 for in contact.
+    /// Writes an answer for each candidate of the prepared groups, in order: a PairClass if
+    /// `tells_class`, else 0 for apart and 1 for contact.
     virtual void decide(std::span<std::uint8_t> answers) = 0;
 
     [[nodiscard]] virtual bool tells_class() const { return false; }
     [[nodiscard]] virtual bool gives_points() const { return false; }
-    /// Of one candidate of a group; empty where the engine sees no contact.
+    /// Returns one candidate's shared points; empty if the engine sees no contact.
     [[nodiscard]] virtual SharedPoints shared_points(const PairGroup&, const Candidate&) {
         return {};
     }
@@ -68,15 +68,14 @@ using IdPair = std::pair<std::uint32_t, std::uint32_t>;
 struct MeshAnswer {
     bool touches = false;
     std::uint64_t pair_count = 0;
-    std::vector<IdPair> pairs;      ///< At level pairs and above; in any order, perhaps repeated.
-    std::uint64_t record_bytes = 0; ///< What is sent back; 0 where the engine sends nothing.
-    std::uint64_t read_bytes = 0;   ///< Boxes and triangles read; 0 where the engine does not say.
-    std::uint64_t box_tests = 0;    ///< The paper's N_b,
-    std::uint64_t triangle_tests = 0; ///< and its N_p; 0 where the engine does not say.
+    std::vector<IdPair> pairs;        ///< At level pairs and above; unordered, may repeat.
+    std::uint64_t record_bytes = 0;   ///< Size of the result record; 0 if the engine has none.
+    std::uint64_t read_bytes = 0;     ///< Bytes of boxes and triangles read; 0 if unknown.
+    std::uint64_t box_tests = 0;      ///< The paper's N_b; 0 if unknown.
+    std::uint64_t triangle_tests = 0; ///< The paper's N_p; 0 if unknown.
 };
 
-/// What one test of boxes and one of triangles take: the paper's C_b and C_p; 0 where the engine
-/// does not say.
+/// Time per box test and per triangle test: the paper's C_b and C_p; 0 if unknown.
 struct TestCosts {
     double box_ns = 0;
     double triangle_ns = 0;
@@ -90,29 +89,29 @@ class MeshEngine {
     MeshEngine& operator=(const MeshEngine&) = delete;
     virtual ~MeshEngine() = default;
 
-    /// Builds whatever is built once for two bodies.
+    /// Builds everything that is built once for two bodies.
     virtual void load(const std::shared_ptr<const Mesh>& a,
                       const std::shared_ptr<const Mesh>& b) = 0;
     [[nodiscard]] virtual MeshAnswer ask(const PosePair& poses, Level level) = 0;
 
-    /// Everything loaded that a query may read; 0 where the engine does not say.
+    /// Returns the loaded bytes that a query may read; 0 if unknown.
     [[nodiscard]] virtual std::uint64_t resident_bytes() const { return 0; }
-    /// Of the search for all pairs, under the poses.
+    /// Returns the costs of the search for all pairs under the poses.
     [[nodiscard]] virtual TestCosts test_costs(std::span<const PosePair>) const { return {}; }
-    /// An engine for one more thread, on what this one has loaded; null where there is none.
+    /// Returns an engine for another thread on this one's data; null if unsupported.
     [[nodiscard]] virtual std::unique_ptr<MeshEngine> for_another_thread() const { return nullptr; }
 };
 
-/// An engine under one setting. What it cannot do is empty.
+/// An engine with one setting. Unsupported functions are empty.
 struct Engine {
     std::string name;
     bool is_ours = false;
     std::function<std::unique_ptr<PairEngine>()> make_pairs;
     std::function<std::unique_ptr<MeshEngine>()> make_meshes;
-    std::vector<Level> levels; ///< That `make_meshes` answers.
+    std::vector<Level> levels; ///< Levels that `make_meshes` supports.
 };
 
-/// A triangle of a body put into the world in doubles, as every other engine is given it.
+/// A triangle of a body transformed to the world in doubles: the input of every other engine.
 struct WorldFrame {
     Mat3 rotation;
     Vec3 translation;
@@ -127,8 +126,8 @@ struct WorldFrame {
     }
 };
 
-/// A test of two triangles of the world as an engine. `Test` answers `bool touches(a, b)`, and may
-/// tell `std::vector<Vec3> points(a, b)`.
+/// Wraps a test of two world triangles as an engine. `Test` provides `bool touches(a, b)`, and
+/// optionally `std::vector<Vec3> points(a, b)`.
 template <class Test>
 class WorldPairEngine final : public PairEngine {
   public:

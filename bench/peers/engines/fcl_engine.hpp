@@ -1,4 +1,4 @@
-// FCL for one type of numbers: its test of two triangles, and its meshes under its trees of boxes.
+// FCL for one number type: its triangle test, and its meshes under trees of boxes.
 #pragma once
 
 #include "bench/peers/engines/engine.hpp"
@@ -25,7 +25,7 @@ struct FclPairTest {
 
     static std::vector<Vec3> points(const Corners& a, const Corners& b) {
         const auto v = [](const Vec3& p) { return Vector(p.cast<Number>()); };
-        // More than its clipping of a triangle by a triangle can give.
+        // Larger than any result of FCL's triangle clipping.
         std::array<Vector, 16> found;
         unsigned count = 0;
         Number depth = 0;

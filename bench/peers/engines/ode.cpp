@@ -12,12 +12,12 @@ namespace cd::bench {
 
 namespace {
 
-/// ODE keeps one set of tables a process.
+/// Initialises ODE once per process.
 void start_ode() {
     static const bool started = [] {
         dInitODE2(0);
         dAllocateODEDataForThread(dAllocateMaskAll);
-        // It warns of full tables on stderr, thousands of times.
+        // Suppresses thousands of warnings about full tables on stderr.
         dSetMessageHandler([](int, const char*, va_list) {});
         return true;
     }();
@@ -120,8 +120,8 @@ class OdePairEngine final : public PairEngine {
     }
 
   private:
-    /// A triangle alone has no tree, and dCollide would crash: each gets another one, far off to
-    /// its own side.
+    /// A single triangle has no tree, and dCollide would crash: each mesh gets a second triangle,
+    /// far off on its own side.
     static std::unique_ptr<OdeMesh> made(const Pose& pose, const Corners& corners, double side) {
         const Corners t = WorldFrame(pose)(corners);
         double size = 1;
@@ -152,7 +152,7 @@ class OdeMeshEngine final : public MeshEngine {
         a_->pose(poses.a);
         b_->pose(poses.b);
         const bool any = level == Level::Any;
-        // As many contacts as its interface can return.
+        // The interface can return no more contacts than this.
         contacts_.resize(any ? 1 : std::numeric_limits<std::uint16_t>::max());
         const int count =
             collide(*a_, *b_, contacts_, any ? static_cast<int>(CONTACTS_UNIMPORTANT) : 0);
@@ -162,7 +162,7 @@ class OdeMeshEngine final : public MeshEngine {
         if (level >= Level::Pairs) {
             for (int i = 0; i < count; ++i) {
                 const dContactGeom& contact = contacts_[static_cast<std::size_t>(i)];
-                // Contacts that it has merged name no triangles.
+                // Merged contacts name no triangles.
                 if (contact.side1 >= 0 && contact.side2 >= 0) {
                     answer.pairs.emplace_back(static_cast<std::uint32_t>(contact.side1),
                                               static_cast<std::uint32_t>(contact.side2));
@@ -185,7 +185,7 @@ void add_ode(std::vector<Engine>& engines) {
     engine.name = "ODE";
     engine.make_pairs = [] { return std::make_unique<OdePairEngine>(); };
     engine.make_meshes = [] { return std::make_unique<OdeMeshEngine>(); };
-    // It always clips; it keeps no count without contacts.
+    // ODE always clips, and counts only with contacts.
     engine.levels = {Level::Any, Level::Contacts};
     engines.push_back(engine);
 }

@@ -1,5 +1,4 @@
-// The engines of others. Each function stands in a file of its own, which is built where its
-// library is installed.
+// Third-party engines. Each function has its own file, built where its library is installed.
 #pragma once
 
 #include "bench/peers/engines/engine.hpp"
@@ -15,7 +14,7 @@ void add_ode(std::vector<Engine>& engines);
 void add_ccd(std::vector<Engine>& engines);
 void add_cgal(std::vector<Engine>& engines);
 
-// Of whole meshes only.
+// Engines for whole meshes only.
 void add_fcl_obbrss(std::vector<Engine>& engines);
 void add_cgal_meshes(std::vector<Engine>& engines);
 void add_embree(std::vector<Engine>& engines);
