@@ -39,7 +39,7 @@ void CsvFile::row(const std::vector<std::string>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         file_ << (i == 0 ? "" : ",") << quoted(cells[i]);
     }
-    // Flushed at once: a child must not inherit, and write again, what waits in the buffer.
+    // Flushed at once: a child would otherwise inherit the buffer and write it again.
     file_ << std::endl;
 }
 

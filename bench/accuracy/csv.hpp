@@ -1,4 +1,4 @@
-// Tables as files of comma-separated values.
+// Tables as CSV files.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace cd::bench {
 
-/// Cells are quoted where they must be. A file that cannot be written ends the program: a report
-/// with holes is none.
+/// Quotes cells where needed. Ends the program if the file cannot be written: a report must be
+/// complete.
 class CsvFile {
   public:
     CsvFile(const std::filesystem::path& path, const std::vector<std::string>& header);
@@ -22,7 +22,7 @@ class CsvFile {
     std::size_t columns_;
 };
 
-/// Shortest decimal that reads back as the same number.
+/// Returns the shortest decimal that reads back as the same number.
 [[nodiscard]] std::string cell(double value);
 [[nodiscard]] std::string cell(std::uint64_t value);
 

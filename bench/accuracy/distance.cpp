@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Of a point from a segment, which may be a point.
+/// Returns the distance of a point from a segment, which may be a point.
 double distance_to_segment(const Vec3& p, const Vec3& from, const Vec3& to) {
     const Vec3 along = to - from;
     const double square = along.squaredNorm();
@@ -23,7 +23,7 @@ double distance_to_segment(const Vec3& p, const Vec3& from, const Vec3& to) {
     return (p - from - share * along).norm();
 }
 
-/// Of two segments: their nearest points are two inner ones, or one is an end.
+/// Returns the distance of two segments: the nearest points are both inner, or one is an end.
 double distance_of_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1) {
     double least = std::min({distance_to_segment(p0, q0, q1),
                              distance_to_segment(p1, q0, q1),
@@ -64,7 +64,7 @@ struct Sphere {
     double radius;
 };
 
-/// Spheres in the world around a tree's boxes.
+/// Returns world spheres around a tree's boxes.
 std::vector<Sphere> spheres_of(const ObbTree& tree, const WorldFrame& to_world) {
     std::vector<Sphere> spheres;
     for (const ObbNode& node : tree.nodes()) {
@@ -141,7 +141,7 @@ double distance_of_bodies(const ObbTree& a, const ObbTree& b, const PosePair& po
         std::array<std::pair<std::uint32_t, std::uint32_t>, 2> next{
             {{down_a ? ia + 1 : ia, down_a ? ib : ib + 1},
              {down_a ? node_a.right : ia, down_a ? ib : node_b.right}}};
-        // The nearer one is popped first.
+        // The nearer pair is popped first.
         if (least_between(next[0].first, next[0].second) <
             least_between(next[1].first, next[1].second)) {
             std::swap(next[0], next[1]);

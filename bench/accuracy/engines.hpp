@@ -9,7 +9,7 @@
 namespace cd::bench {
 
 struct Engines {
-    std::vector<Engine> all;          ///< Ours first.
+    std::vector<Engine> all;          ///< Our engines first.
     std::vector<std::string> missing; ///< Peers whose libraries were not installed at build time.
 };
 

@@ -1,6 +1,6 @@
-// Takes the place of TrianglePairTest in query_cost_float_only: triangle_pair.cpp without any stage
-// after the floats, so that what they leave open is answered at once, and wrongly. The linker finds
-// this before it looks in the library, and no switch for it stands in the product.
+// Replaces TrianglePairTest in query_cost_float_only: triangle_pair.cpp without the stages after
+// the floats, so that open cases are answered at once, and wrongly. The linker finds this before
+// the library, so the product needs no switch for it.
 #include "common/geometry/triangle_blocks.hpp"
 #include "common/pair/points/shared_points.hpp"
 #include "common/pair/stages/float/float_triangle_pair.hpp"

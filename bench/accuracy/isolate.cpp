@@ -29,7 +29,7 @@ Ending run_isolated(std::chrono::seconds limit, const std::function<void()>& wor
     if (child == 0) {
         const rlimit no_core{0, 0};
         static_cast<void>(::setrlimit(RLIMIT_CORE, &no_core));
-        // Its default action ends the process, wherever that is.
+        // The default action of SIGALRM ends the process anywhere.
         static_cast<void>(std::signal(SIGALRM, SIG_DFL));
         static_cast<void>(::alarm(static_cast<unsigned>(limit.count())));
         work();

@@ -1,4 +1,4 @@
-// Work in a process of its own, so that a crash or a hang is a result and not the end.
+// Runs work in its own process, so that a crash or a hang becomes a result.
 #pragma once
 
 #include "common/core/check.hpp"
@@ -18,11 +18,11 @@ enum class Ending { Done, Crashed, TimedOut };
 
 [[nodiscard]] std::string_view to_text(Ending ending);
 
-/// Runs `work` in a child of this process and waits for its end. Nothing that it changes is seen
-/// here but what it writes into a SharedArray. Only for a process with one thread.
+/// Runs `work` in a child process and waits for its end. The parent sees only what it writes into a
+/// SharedArray. Only for a process with one thread.
 [[nodiscard]] Ending run_isolated(std::chrono::seconds limit, const std::function<void()>& work);
 
-/// Zeroed memory that a child started later shares with this process.
+/// Zeroed memory shared with children started later.
 template <class T>
 class SharedArray {
     static_assert(std::is_trivially_copyable_v<T>);

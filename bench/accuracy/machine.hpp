@@ -1,4 +1,4 @@
-// What a report was measured on.
+// Records the machine on which a report was measured.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace cd::bench {
 
-/// Writes machine.csv: processor, threads, compiler, versions, and the peers that are missing.
+/// Writes machine.csv: processor, threads, compiler, versions, and missing peers.
 void write_machine(const std::filesystem::path& folder, std::span<const std::string> missing);
 
 } // namespace cd::bench

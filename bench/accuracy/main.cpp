@@ -1,5 +1,5 @@
 // Speed against error: our settings and other engines on hard pairs, whole meshes and vehicles,
-// each answer held against an exact oracle. See README.md.
+// compared with an exact oracle. See README.md.
 #include "bench/accuracy/engines.hpp"
 #include "bench/accuracy/machine.hpp"
 #include "bench/accuracy/suites/coarse_suite.hpp"
@@ -50,7 +50,7 @@ PairSuiteOptions pair_options(const Options& options) {
             std::chrono::seconds(options.limit_seconds)};
 }
 
-/// At least the pairs that were asked for.
+/// Returns at least the requested number of pairs.
 std::uint64_t pairs_of_category(const Options& options) {
     const std::uint64_t categories = tests::pair_categories().size();
     return std::max<std::uint64_t>(1, (options.pairs + categories - 1) / categories);
@@ -97,8 +97,7 @@ struct SceneFiles {
     CsvFile coarse;
 };
 
-/// The engines that take pairs, on the pairs that a scene's boxes leave; then those that take whole
-/// meshes.
+/// Runs the pair engines on the pairs that a scene's boxes leave, then the whole-mesh engines.
 void run_one_scene(const Scene& scene,
                    const Options& options,
                    std::span<const Engine> pair_engines,

@@ -17,8 +17,8 @@ namespace cd::bench {
 
 namespace {
 
-/// Floats with error bounds, or without: then a plain float evaluation, whose zeros count as
-/// contact. What is left open goes to doubles with error bounds, or counts as contact.
+/// Evaluates in floats, with error bounds or without; without bounds, zeros count as contact. Open
+/// cases go to doubles with error bounds, or count as contact.
 class Filters final : public PairEngine {
   public:
     Filters(double bound_scale, bool doubles_next)
@@ -64,7 +64,7 @@ class Filters final : public PairEngine {
     std::vector<FloatVerdict> verdicts_;
 };
 
-/// The decision as the product makes it, on one SIMD target.
+/// The product's decision, on one SIMD target.
 class Certified final : public PairEngine {
   public:
     explicit Certified(SimdTarget target) : target_(target) {}
@@ -111,14 +111,14 @@ class Certified final : public PairEngine {
     std::vector<TrianglePairTest> tests_;
 };
 
-/// What a query reads: a node for each box test, and two triangles with their corners for each
-/// candidate, wherever they lie in the caches.
+/// Returns the bytes that a query reads, cached or not: a node per box test, and two triangles with
+/// corners per candidate.
 std::uint64_t bytes_read(const QueryStatistics& statistics) {
     return statistics.box_tests * sizeof(ObbNode) +
            statistics.triangle_tests * 2 * (sizeof(Triangle) + sizeof(Corners));
 }
 
-/// A whole scenario as a worker runs it.
+/// Runs a whole scenario as a worker does.
 class CertifiedMeshes final : public MeshEngine {
   public:
     void load(const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b) override {

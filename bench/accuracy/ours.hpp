@@ -1,4 +1,4 @@
-// Our settings, as engines beside the others.
+// Our settings, as engines for the comparison.
 #pragma once
 
 #include "bench/peers/engines/engine.hpp"
@@ -7,11 +7,11 @@
 
 namespace cd::bench {
 
-/// The settings from the cheapest to the exact one, which stands last; before it the exact one on
-/// the SIMD targets that are not in use.
+/// Returns the settings from the cheapest to the exact one, which comes last. Before it come the
+/// runs of the exact setting on each SIMD target not in use.
 [[nodiscard]] std::vector<Engine> our_engines();
 
-/// The name of the exact setting.
+/// Name of the exact setting.
 inline constexpr const char* certified = "cdcluster, certified";
 
 } // namespace cd::bench

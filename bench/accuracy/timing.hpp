@@ -1,4 +1,4 @@
-// Times that are compared are taken in turn, round by round, and compared by their medians.
+// Measures times in turn, round by round, and compares their medians.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +14,15 @@ double seconds_of(const Work& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The middle one, or the lower of the two in the middle. There is at least one.
+/// Returns the median, or the lower of the two middle values. `values` must not be empty.
 [[nodiscard]] inline double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
 }
 
-/// The medians of `rounds` rounds; each runs each of `count` pieces of work once, after one round
-/// that is not counted.
+/// Returns the medians of `rounds` rounds. Each round runs each of `count` pieces of work once; one
+/// uncounted round comes first.
 template <class Work>
 std::vector<double> interleaved_medians(std::size_t rounds, std::size_t count, const Work& work) {
     std::vector<std::vector<double>> seconds(count);

@@ -19,7 +19,7 @@ namespace cd::bench {
 
 namespace {
 
-/// "Apart" and "in contact" are proofs; else the bodies are at most `distance` apart.
+/// "Apart" and "in contact" are proven; otherwise the bodies are at most `distance` apart.
 struct CoarseAnswer {
     enum class Kind { Apart, Contact, Undecided } kind = Kind::Apart;
     double distance = 0;
@@ -37,8 +37,8 @@ struct Totals {
     std::uint64_t undecided = 0;
     std::uint64_t missed = 0;       ///< "Apart" though they touch.
     std::uint64_t invented = 0;     ///< "Contact" though they do not.
-    std::uint64_t bound_broken = 0; ///< Further apart than the bound.
-    std::vector<double> errors;     ///< Bound less distance, of all poses; 0 for proofs.
+    std::uint64_t bound_broken = 0; ///< Cases whose distance exceeds the bound.
+    std::vector<double> errors;     ///< Bound minus distance for each pose; 0 for proofs.
 };
 
 CoarseAnswer
@@ -53,7 +53,7 @@ ask_with_tolerance(const ObbTree& a, const ObbTree& b, const PosePair& poses, do
     return distance ? CoarseAnswer{CoarseAnswer::Kind::Undecided, *distance} : CoarseAnswer{};
 }
 
-/// The boxes alone, down to a depth.
+/// Descends the boxes alone, down to a depth.
 CoarseAnswer ask_cut(const TreeTop& a, const TreeTop& b, const PosePair& poses) {
     const std::vector<RootPair> pairs = colliding_roots(a, b, poses).value().pairs;
     const BoxTest boxes(relative_pose(poses));
@@ -67,7 +67,7 @@ CoarseAnswer ask_cut(const TreeTop& a, const TreeTop& b, const PosePair& poses) 
 }
 
 void judge(const CoarseAnswer& answer, bool touches, double distance, Totals& totals) {
-    // Both are sums of some roundings of the bodies' size; the bound itself is rounded upwards.
+    // Both sums carry a few roundings relative to the bodies' size; the bound is rounded upwards.
     const double slack = 1e-12 * (1 + distance);
     switch (answer.kind) {
     case CoarseAnswer::Kind::Apart:

@@ -1,4 +1,4 @@
-// Coarse answers: what a tolerance or a cut of the trees saves, and how far off its bound is.
+// Coarse answers: the time saved by a tolerance or a cut, and the error of the bound.
 #pragma once
 
 #include "bench/accuracy/csv.hpp"
@@ -16,8 +16,8 @@ struct CoarseOptions {
     std::size_t rounds = 5;
 };
 
-/// Asks for any contact at each setting and exactly; compares with the truth and, where the bodies
-/// are apart, with their distance. Settings are timed in turn. Writes a row a setting.
+/// Queries any contact at each setting and exactly, and compares with the truth and, for bodies
+/// apart, with their distance. Settings are timed in turn. Writes a row for each setting.
 void run_coarse(const Scene& scene,
                 std::span<const TrueContacts> truth,
                 const CoarseOptions& options,

@@ -58,7 +58,7 @@ PairBatch PairBatch::swapped() const {
         for (const Candidate& c : group.candidates) {
             candidates.push_back({c.b, c.a});
         }
-        // From the mesh's arrays: only the answers are compared.
+        // Uses the mesh's arrays: only the answers are compared.
         other.groups_.push_back({{group.poses.b, group.poses.a}, group.b, group.a, candidates});
     }
     other.count();

@@ -1,4 +1,4 @@
-// Pairs of triangles with the truth about each, in the form in which engines take them.
+// Pairs of triangles with their true classes, in the engines' input form.
 #pragma once
 
 #include "bench/peers/engines/engine.hpp"
@@ -14,8 +14,8 @@
 
 namespace cd::bench {
 
-/// Decides a group as the product does, and calls `on_kinds` with the classes of some candidates
-/// after the other.
+/// Decides a group as the product does, and calls `on_kinds` with the classes of consecutive
+/// candidates.
 template <class OnKinds>
 void decide_as_product(TrianglePairTest& test, const PairGroup& group, const OnKinds& on_kinds) {
     const auto decide = [&](const auto& a, const auto& b, std::span<const Candidate> all) {
@@ -31,16 +31,16 @@ void decide_as_product(TrianglePairTest& test, const PairGroup& group, const OnK
     }
 }
 
-/// The first `count` candidates of a group, or all if there are fewer.
+/// Returns the first `count` candidates of a group, or all if there are fewer.
 [[nodiscard]] PairGroup first_candidates(PairGroup group, std::size_t count);
 
-/// Groups with what they refer to. Neighbours under equal poses share a group, as candidates of one
-/// scenario do.
+/// Groups with the data they refer to. Neighbours under equal poses share a group, like the
+/// candidates of a scenario.
 class PairBatch {
   public:
-    /// Pairs that stand alone.
+    /// Takes independent pairs.
     explicit PairBatch(std::span<const tests::PosedPair> pairs);
-    /// Groups whose triangles others keep.
+    /// Takes groups whose triangles the caller keeps.
     explicit PairBatch(std::vector<PairGroup> groups);
     PairBatch(const PairBatch&) = delete;
     PairBatch& operator=(const PairBatch&) = delete;
@@ -51,19 +51,20 @@ class PairBatch {
     [[nodiscard]] std::span<const PairGroup> groups() const { return groups_; }
     [[nodiscard]] std::size_t size() const { return size_; }
 
-    /// The same pairs with A and B swapped.
+    /// Returns the batch with A and B swapped.
     [[nodiscard]] PairBatch swapped() const;
-    /// The same pairs with the corners of A turned by one and those of B mirrored.
+    /// Returns the batch with the corners of A rotated and those of B mirrored.
     [[nodiscard]] PairBatch reordered() const;
 
-    /// The oracle's class of each pair, by `threads` threads, which have ended on return.
+    /// Returns the oracle's class of each pair, using `threads` threads, which have ended on
+    /// return.
     [[nodiscard]] std::vector<PairClass> truth(unsigned threads) const;
 
   private:
     PairBatch() = default;
     void count();
 
-    // Vectors in a deque stay where they are when the batch moves and when others are added.
+    // A deque keeps its vectors in place when the batch moves or grows.
     std::deque<std::vector<Vec3>> vertices_;
     std::deque<std::vector<Triangle>> triangles_;
     std::deque<std::vector<Candidate>> candidates_;

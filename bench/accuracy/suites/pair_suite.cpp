@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint8_t no_answer = 0xff;
 
-/// One engine's answers on a batch, on the batch with A and B swapped, and reordered.
+/// One engine's answers on a batch, on the swapped batch, and on the reordered batch.
 struct Answers {
     explicit Answers(std::size_t size) : plain(size), swapped(size), reordered(size) {
         for (const SharedArray<std::uint8_t>* each : {&plain, &swapped, &reordered}) {
@@ -71,7 +71,7 @@ PairTotals ask(const Engine& engine,
     return judge(answers, truth, engine.make_pairs()->tells_class(), ending);
 }
 
-/// As many whole groups from the start as hold about `pairs_max` pairs.
+/// Returns whole groups from the start with about `pairs_max` pairs in all.
 std::vector<PairGroup> first_groups(const PairBatch& batch, std::size_t pairs_max) {
     std::vector<PairGroup> first;
     std::size_t pairs = 0;
@@ -85,7 +85,7 @@ std::vector<PairGroup> first_groups(const PairBatch& batch, std::size_t pairs_ma
     return first;
 }
 
-/// Times those engines that have come through.
+/// Times the engines that neither crashed nor hung.
 void time_engines(std::span<const Engine> engines,
                   const PairBatch& batch,
                   const PairSuiteOptions& options,

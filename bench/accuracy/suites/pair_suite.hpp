@@ -1,4 +1,4 @@
-// Engines against the truth on pairs of triangles: wrong answers, symmetry, time.
+// Compares engines with the truth on pairs of triangles: wrong answers, symmetry, time.
 #pragma once
 
 #include "bench/accuracy/csv.hpp"
@@ -15,33 +15,34 @@
 
 namespace cd::bench {
 
-/// What became of one engine on one category, by the true class of the pairs.
+/// Results of one engine on one category, by the pairs' true class.
 struct PairTotals {
-    std::array<std::uint64_t, 4> pairs{}; ///< Answered.
-    std::array<std::uint64_t, 4> wrong{}; ///< Of them: contact where apart, apart where contact.
-    std::uint64_t wrong_class = 0;        ///< Contact rightly, but of another class.
-    std::uint64_t swap_differs = 0;       ///< Another answer with A and B swapped.
-    std::uint64_t order_differs = 0;      ///< Another answer with the corners in another order.
-    std::uint64_t unanswered = 0;         ///< After a crash or a hang.
+    std::array<std::uint64_t, 4> pairs{}; ///< Answered pairs.
+    std::array<std::uint64_t, 4>
+        wrong{};                     ///< Wrong answers: contact for apart, and apart for contact.
+    std::uint64_t wrong_class = 0;   ///< Contact correctly found, but in another class.
+    std::uint64_t swap_differs = 0;  ///< Different answers with A and B swapped.
+    std::uint64_t order_differs = 0; ///< Different answers with the corners reordered.
+    std::uint64_t unanswered = 0;    ///< Unanswered after a crash or a hang.
     Ending ending = Ending::Done;
-    double seconds_a_pair = 0; ///< Of `pairs_timed`; 0 where nothing was timed.
+    double seconds_a_pair = 0; ///< Mean over `pairs_timed`; 0 if not timed.
 
     void add(const PairTotals& other);
 };
 
 struct PairSuiteOptions {
-    unsigned threads = 1;   ///< Of the oracle.
-    std::size_t rounds = 5; ///< Of timing; 0 for none.
+    unsigned threads = 1;   ///< Threads of the oracle.
+    std::size_t rounds = 5; ///< Timed rounds; 0: none.
     std::size_t pairs_timed = 2000;
-    std::chrono::seconds limit{60}; ///< For one engine on one chunk.
+    std::chrono::seconds limit{60}; ///< Limit for one engine on one chunk.
 };
 
-/// Gives the next pairs of a category, and none at its end.
+/// Returns the next pairs of a category, or none at its end.
 using ChunkMaker = std::function<PairBatch()>;
 
-/// Asks every engine about every pair of the category, each in a process of its own; an engine that
-/// crashed or hung is asked no more. The first pairs are then timed, all engines in turn. Writes a
-/// row an engine and returns them.
+/// Queries every engine for every pair of the category, each in its own process; skips engines that
+/// crashed or hung. Then times the first pairs, all engines in turn. Writes and returns a row for
+/// each engine.
 std::vector<PairTotals> run_category(const std::string& suite,
                                      const std::string& category,
                                      const ChunkMaker& next_chunk,

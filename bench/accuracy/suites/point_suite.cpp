@@ -18,16 +18,16 @@ using tests::RationalPoint;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A pair in contact, with the exact corners of what it shares.
+/// A pair in contact, with the exact corners of its intersection.
 struct Contact {
     PairGroup group;
     Candidate candidate;
     RationalPoint origin;               ///< A's first corner in the world.
-    std::vector<RationalPoint> corners; ///< In the world.
-    double edge = 0;                    ///< The longest one of the two triangles.
+    std::vector<RationalPoint> corners; ///< In world coordinates.
+    double edge = 0;                    ///< Longest edge of the two triangles.
 };
 
-/// What a child writes of one pair.
+/// A child's results for one pair.
 struct Given {
     std::array<double, 3> origin;
     std::array<std::array<double, 3>, 16> points;
@@ -36,10 +36,10 @@ struct Given {
 
 struct Errors {
     std::uint64_t points = 0;
-    std::uint64_t rounded = 0; ///< Correctly.
-    std::vector<double> stray; ///< Of each point, from the exact set.
-    std::vector<double> end;   ///< Of each exact corner, from the nearest point.
-    double end_units = 0;      ///< The largest of them in model units.
+    std::uint64_t rounded = 0; ///< Correctly rounded points.
+    std::vector<double> stray; ///< Distance of each point from the exact set.
+    std::vector<double> end;   ///< Distance of each exact corner from the nearest point.
+    double end_units = 0;      ///< Largest of these distances, in model units.
 };
 
 double longest_edge(const Corners& a, const Corners& b) {
@@ -73,7 +73,7 @@ std::vector<Contact> contacts_of(const PairBatch& batch, std::size_t pairs_max) 
     return contacts;
 }
 
-/// Relative to the pair's origin, in longest edges.
+/// Returns the point relative to the pair's origin, in longest edges.
 Vec3 relative(const RationalPoint& world, const Contact& contact) {
     Vec3 result;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -88,8 +88,8 @@ bool is_finite(const Given& given, std::size_t i) {
         given.points[i].begin(), given.points[i].end(), [](double x) { return std::isfinite(x); });
 }
 
-/// Whether the point is some exact corner less the origin, rounded once, and the origin is A's
-/// exact corner, rounded once.
+/// Returns whether the point equals some exact corner minus the origin, rounded once, and the
+/// origin equals A's exact corner, rounded once.
 bool is_rounded(const Given& given, std::size_t i, const Contact& contact) {
     for (std::size_t k = 0; k < 3; ++k) {
         if (!tests::is_nearest_double(given.origin[k], contact.origin[k])) {
@@ -126,7 +126,7 @@ void judge(const Given& given, const Contact& contact, Errors& errors) {
         points.push_back(relative(world, contact));
         errors.stray.push_back(distance_to_hull(points.back(), exact));
     }
-    // Where the engine sees no contact there is no end to measure: that is a wrong answer, counted
+    // If the engine sees no contact there is nothing to measure; the wrong answer is counted
     // elsewhere.
     for (const Vec3& corner : exact) {
         double nearest = infinity;

@@ -1,4 +1,4 @@
-// The points of contact that engines give, against the exact ones.
+// Compares the contact points of engines with the exact ones.
 #pragma once
 
 #include "bench/accuracy/csv.hpp"
@@ -11,10 +11,10 @@
 
 namespace cd::bench {
 
-/// Takes up to `pairs_max` pairs of the batch that are in contact and asks each engine that gives
-/// points for theirs, in a process of its own. Writes a row an engine: how many points are the
-/// correctly rounded ones, how far points stray from the exact set, and how far the exact set's
-/// corners are from the nearest point, as shares of the longest edge and in model units.
+/// Queries each engine that returns points, in its own process, for up to `pairs_max` contacts of
+/// the batch. Writes a row for each engine: the share of correctly rounded points, the distance of
+/// points from the exact set, and the distance of exact corners from the nearest point, in longest
+/// edges and in model units.
 void run_points(const std::string& category,
                 const PairBatch& batch,
                 std::size_t pairs_max,

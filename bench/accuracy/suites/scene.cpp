@@ -23,8 +23,8 @@ struct WorldBox {
     }
 };
 
-/// Boxes around the triangles in the world, each wider than rounding can move a corner: by 32 steps
-/// of the largest number that went into it.
+/// Returns world boxes of the triangles, each wider than any rounding error of a corner: by 32 ulps
+/// of the largest number involved.
 std::vector<WorldBox> world_boxes(const Mesh& mesh, const Pose& pose) {
     const WorldFrame to_world(pose);
     const double matrix_size = to_world.rotation.cwiseAbs().maxCoeff();
@@ -47,7 +47,7 @@ std::vector<WorldBox> world_boxes(const Mesh& mesh, const Pose& pose) {
     return boxes;
 }
 
-/// Drops the boxes that are clear of all those of `others`, and sorts the rest by their least x.
+/// Drops the boxes that touch none of `others`, and sorts the rest by least x.
 void keep_near(std::vector<WorldBox>& boxes, const std::vector<WorldBox>& others) {
     WorldBox all = others.empty() ? WorldBox{} : others.front();
     for (const WorldBox& box : others) {
@@ -67,7 +67,7 @@ std::vector<IdPair> near_pairs(const Mesh& a, const Mesh& b, const PosePair& pos
     keep_near(boxes_b, boxes_a);
     std::vector<IdPair> pairs;
     const auto sweep = [&](const auto& from, const auto& to, const auto& add) {
-        // Each overlapping pair is met from the one whose x begins first; A's on a tie.
+        // Each overlapping pair is found from the box with the lower start in x; from A's on a tie.
         for (const WorldBox& box : from) {
             const auto first = std::partition_point(to.begin(), to.end(), [&](const WorldBox& o) {
                 return &from == &boxes_a ? o.min.x() < box.min.x() : o.min.x() <= box.min.x();

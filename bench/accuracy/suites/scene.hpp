@@ -1,4 +1,4 @@
-// Two bodies under a list of poses, with every contact that there is, found without the engine.
+// Two bodies under a list of poses, with all contacts, found without the engine.
 #pragma once
 
 #include "bench/peers/engines/engine.hpp"
@@ -27,16 +27,15 @@ struct TruePair {
 /// All contacts of one pose, sorted by their triangles.
 using TrueContacts = std::vector<TruePair>;
 
-/// The contacts of each pose of a scene: the triangles' boxes in the world, widened by more than
-/// rounding can do, leave the pairs that the oracle decides. By `threads` threads, which have ended
-/// on return.
+/// Returns the contacts of each pose. The oracle decides all pairs whose world boxes, widened
+/// beyond any rounding error, overlap. Uses `threads` threads, which have ended on return.
 [[nodiscard]] std::vector<TrueContacts> true_contacts(const Scene& scene, unsigned threads);
 
-/// Separate for a pair that is not in contact.
+/// Returns Separate for a pair that is not in contact.
 [[nodiscard]] PairClass true_class(const TrueContacts& contacts, const IdPair& ids);
 
-/// The pairs that our boxes leave for the triangle test: what a narrow phase is given. By places in
-/// the trees.
+/// Returns the pairs that our box tests leave for the triangle test (the narrow phase's input), by
+/// position in the trees.
 [[nodiscard]] std::vector<Candidate>
 candidates_of(const ObbTree& a, const ObbTree& b, const PosePair& poses);
 

@@ -10,7 +10,7 @@ namespace cd::bench {
 
 namespace {
 
-/// One engine at one of its levels, as it is asked, timed and written.
+/// One engine at one of its levels.
 struct Setting {
     const Engine* engine;
     Level level;
@@ -59,7 +59,7 @@ void ask(const Scene& scene,
     setting.totals = shared[0];
 }
 
-/// Times those settings that have come through.
+/// Times the settings that neither crashed nor hung.
 void time_settings(const Scene& scene,
                    const SceneSuiteOptions& options,
                    std::vector<Setting>& settings) {

@@ -1,4 +1,4 @@
-// Engines against the truth on whole meshes: wrong answers and time, by level of result.
+// Compares engines with the truth on whole meshes: wrong answers and time, by level of result.
 #pragma once
 
 #include "bench/accuracy/csv.hpp"
@@ -13,24 +13,25 @@
 
 namespace cd::bench {
 
-/// What became of one engine on one scene at one level.
+/// Results of one engine on one scene at one level.
 struct QueryTotals {
-    std::uint64_t queries = 0;            ///< Answered.
-    std::uint64_t wrong_any = 0;          ///< Whether anything touches was answered wrongly.
-    std::uint64_t wrong_count = 0;        ///< The number of pairs was wrong, from level count on.
-    std::uint64_t pairs_found = 0;        ///< Without repetitions, from level pairs on.
-    std::array<std::uint64_t, 4> wrong{}; ///< Pairs: invented, and missed by true class.
+    std::uint64_t queries = 0;     ///< Answered queries.
+    std::uint64_t wrong_any = 0;   ///< Wrong answers to whether anything touches.
+    std::uint64_t wrong_count = 0; ///< Wrong numbers of pairs, from level count on.
+    std::uint64_t pairs_found = 0; ///< Distinct pairs, from level pairs on.
+    std::array<std::uint64_t, 4>
+        wrong{}; ///< Wrong pairs: extra ones, and missed ones by true class.
     std::uint64_t record_bytes = 0;
     std::uint64_t read_bytes = 0;
 };
 
 struct SceneSuiteOptions {
     std::size_t rounds = 5;
-    std::chrono::seconds limit{120}; ///< For one engine on one scene.
+    std::chrono::seconds limit{120}; ///< Limit for one engine on one scene.
 };
 
-/// Asks every engine about every pose at each of its levels, each engine in a process of its own;
-/// then times them all in turn. Writes a row an engine and level.
+/// Queries every engine for every pose at each of its levels, each in its own process, then times
+/// them in turn. Writes a row for each engine and level.
 void run_scene(const Scene& scene,
                std::span<const TrueContacts> truth,
                std::span<const Engine> engines,

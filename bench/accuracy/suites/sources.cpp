@@ -33,7 +33,7 @@ constexpr std::pair<Model, Model> vehicle_couples[] = {
     {{"lugged_wheel.obj"}, {"lugged_wheel.obj"}},
 };
 
-/// B moved straight away from the middle of A by a share of A's diagonal.
+/// Moves B straight away from A's centre by a share of A's diagonal.
 PosePair moved_off(const PosePair& poses, const Aabb& a, double share) {
     const Vec3 away = poses.b.translation() - a.center();
     const double length = away.norm();

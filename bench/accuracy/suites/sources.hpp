@@ -12,38 +12,37 @@
 
 namespace cd::bench {
 
-/// The pairs `first` to `first + count - 1` of a category.
+/// Returns the pairs `first` to `first + count - 1` of a category.
 [[nodiscard]] PairBatch
 corpus_batch(const std::string& category, std::uint64_t first, std::uint64_t count);
 
-/// Up to `scenes_max` of the corpus's whole-mesh scenes, evenly spread.
+/// Returns up to `scenes_max` whole-mesh scenes of the corpus, evenly spread.
 [[nodiscard]] std::vector<Scene> hard_scenes(std::size_t scenes_max);
 
-/// Two tori of 9,216 triangles in random poses, about half of them clear of each other.
+/// Returns two tori of 9,216 triangles in random poses, about half of them apart.
 [[nodiscard]] Scene torus_scene(std::uint64_t poses);
 
-/// A file of a mesh, with the metres in a unit of it.
+/// A mesh file and its unit in metres.
 struct Model {
     const char* file;
     double unit = 1;
 };
 
-/// Null, and said on stderr, where the file is not in the folder or cannot be read.
+/// Returns null, with a line on stderr, if the file is missing or unreadable.
 [[nodiscard]] std::shared_ptr<const Mesh> load_model(const std::filesystem::path& folder,
                                                      const Model& model);
 
-/// How many couples of vehicles there are.
+/// Returns the number of vehicle couples.
 [[nodiscard]] std::size_t vehicle_scene_count();
 
-/// Real models against each other: `scenarios` random poses in contact, up to 5 % deep, each also
-/// with B moved off by up to a fifth of A's diagonal. Nothing, and said on stderr, where a model is
-/// not in the folder.
+/// Places real models against each other: `scenarios` random poses in contact, up to 5 % deep, each
+/// also with B moved off by up to a fifth of A's diagonal. Returns nothing, with a line on stderr,
+/// if a model is missing.
 [[nodiscard]] std::optional<Scene>
 vehicle_scene(const std::filesystem::path& models, std::size_t couple, std::uint64_t scenarios);
 
-/// The candidates of every pose of a scene, with the trees that they refer to: those that a search
-/// of the wide trees decides, in its order. Bodies that have no wide trees are searched in binary
-/// ones.
+/// Candidates of every pose of a scene, with their trees, in the order of a search of the wide
+/// trees. Bodies without wide trees are searched in binary ones.
 class SceneCandidates {
   public:
     explicit SceneCandidates(const Scene& scene);
@@ -56,8 +55,10 @@ class SceneCandidates {
     const Scene* scene_;
     ObbTree a_;
     ObbTree b_;
-    std::vector<std::vector<Candidate>> candidates_; ///< By places in the mesh or binary tree,
-    std::vector<std::vector<Candidate>> places_;     ///< and in the leaves of the wide trees.
+    std::vector<std::vector<Candidate>>
+        candidates_; ///< Candidates by position in the mesh or binary tree.
+    std::vector<std::vector<Candidate>>
+        places_; ///< Candidates by position in the leaves of the wide trees.
 };
 
 } // namespace cd::bench

@@ -20,7 +20,7 @@ std::size_t highest_stage(const PairStatistics& before, const PairStatistics& af
     return highest;
 }
 
-/// Some of a group's candidates.
+/// Part of a group's candidates.
 struct Part {
     std::vector<Candidate> candidates;
     std::vector<Candidate> in_blocks;
@@ -38,7 +38,7 @@ struct Part {
     }
 };
 
-/// The candidates of each group that a stage settles, by stage.
+/// Candidates of each group, by the stage that settles them.
 using Split = std::array<std::vector<Part>, stages>;
 
 Split split_by_stage(const PairBatch& batch) {
@@ -49,7 +49,7 @@ Split split_by_stage(const PairBatch& batch) {
         }
         TrianglePairTest test(group.poses);
         for (std::size_t i = 0; i < group.candidates.size(); ++i) {
-            // As one of many: few at once would pass over the float stage.
+            // Repeats the candidate: few at once would skip the float stage.
             std::array<Candidate, 16> alike;
             alike.fill(group.candidates[i]);
             const PairStatistics before = test.statistics();
@@ -60,7 +60,7 @@ Split split_by_stage(const PairBatch& batch) {
     return split;
 }
 
-/// Groups with the tests that decide them.
+/// Groups with their pair tests.
 struct Timed {
     std::string name;
     std::size_t pairs = 0;

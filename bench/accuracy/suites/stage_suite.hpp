@@ -1,4 +1,4 @@
-// How many pairs each stage of our decision settles, and what a pair that needs it costs in all.
+// Measures how many pairs each stage of our decision settles, and the total cost of such a pair.
 #pragma once
 
 #include "bench/accuracy/csv.hpp"
@@ -9,8 +9,9 @@
 
 namespace cd::bench {
 
-/// Writes a row a stage that settles any of the pairs: how many, and the time of a pair among its
-/// like, with what the stages before it cost. And a row "all": the pairs as they come.
+/// Writes a row for each stage that settles any pair: their number, and the time per pair among
+/// pairs of this stage, earlier stages included. The row "all" takes the pairs in their given
+/// order.
 void run_stages(const std::string& suite,
                 const std::string& category,
                 const PairBatch& batch,
