@@ -40,7 +40,7 @@ struct Options {
     }
 };
 
-/// Time and pairs of several sets.
+/// Total time and pairs of several sets.
 struct Sum {
     double nanoseconds = 0;
     double pairs = 0;
@@ -108,7 +108,7 @@ PairStatistics statistics_of(const PairBatch& batch) {
     return statistics;
 }
 
-/// Prints one row; returns its time as a query takes it.
+/// Prints one row; returns its time in a query.
 Sum print_row(const std::string& name, const PairBatch& batch, const Options& options) {
     std::vector<Contestant> contestants;
     contestants.emplace_back(batch, PairStage::Float, true);

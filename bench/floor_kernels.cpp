@@ -7,7 +7,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bench/floor_kernels.cpp"
 #include <hwy/foreach_target.h>
-// What follows is compiled for every target.
+// Highway compiles the code below once per target.
 #include <hwy/highway.h>
 
 #ifndef CD_FLOOR_KERNELS_ONCE
@@ -15,7 +15,7 @@
 namespace cd::bench {
 
 constexpr std::size_t boxes_a_node = 16;
-/// Numbers of a triangle: nine, and three that are not used.
+/// Floats per triangle: nine coordinates and three of padding.
 constexpr std::size_t numbers_a_triangle = 12;
 
 struct BoxNode {
@@ -23,15 +23,15 @@ struct BoxNode {
     alignas(64) float high[3][boxes_a_node];
 };
 
-/// Of B in A's frame.
+/// Pose of B in A's frame.
 struct FloorPose {
     float rotation[3][3];
-    float sizes[3][3]; ///< Of the same.
+    float sizes[3][3]; ///< Absolute values of the rotation matrix.
     float translation[3];
     float margin;
 };
 
-/// Indices of triangles, in two arrays.
+/// Pairs of triangle indices, in two arrays.
 struct FloorPairs {
     std::int32_t* a;
     std::int32_t* b;
@@ -50,7 +50,7 @@ using Floats = hn::CappedTag<float, boxes_a_node>;
 using V = hn::Vec<Floats>;
 using M = hn::Mask<Floats>;
 
-/// A node's boxes as the other frame has them.
+/// Transforms a node's boxes into the other frame.
 template <bool kFromA>
 HWY_INLINE void see(const BoxNode& node, const FloorPose& pose, BoxNode& seen) {
     const Floats d;
@@ -81,15 +81,15 @@ HWY_INLINE void see(const BoxNode& node, const FloorPose& pose, BoxNode& seen) {
     }
 }
 
-/// Writes the lanes that the mask names, and some that mean nothing after them; how many.
+/// Writes the lanes that the mask selects, with garbage after them; returns their number.
 template <class D>
 HWY_INLINE std::size_t keep(hn::Vec<D> values, hn::Mask<D> mask, D d, hn::TFromD<D>* to) {
-    // By way of a register: some processors take ten times as long to compress into memory.
+    // Compresses in a register: some processors compress into memory ten times as slowly.
     hn::StoreU(hn::Compress(values, mask), d, to);
     return hn::CountTrue(d, mask);
 }
 
-/// Writes which of B's boxes each of A's overlaps; how many pairs.
+/// Writes the pairs of overlapping boxes of A and B; returns their number.
 std::size_t
 pair_boxes(const BoxNode& a, const BoxNode& b, const FloorPose& pose, std::uint32_t* to) {
     const Floats d;
@@ -137,7 +137,7 @@ HWY_INLINE V sum_of_sizes(const V* x) {
     return hn::Add(hn::Abs(x[0]), hn::Add(hn::Abs(x[1]), hn::Abs(x[2])));
 }
 
-/// Whether all corners of `other` are surely on one side of the plane of `one`.
+/// Returns whether all corners of `other` are certainly on one side of the plane of `one`.
 HWY_INLINE M is_beside(const V one[3][3], const V other[3][3], float margin) {
     const Floats d;
     V p[3];
@@ -165,8 +165,8 @@ HWY_INLINE M is_beside(const V one[3][3], const V other[3][3], float margin) {
     return hn::Or(hn::Gt(least, error), hn::Lt(most, hn::Neg(error)));
 }
 
-/// Keeps, of `count` pairs, those neither of which lies beside the other's plane; how many. `count`
-/// is a multiple of sixteen.
+/// Keeps those of `count` pairs in which neither triangle lies beside the other's plane; returns
+/// their number. `count` is a multiple of sixteen.
 std::size_t pick_across(const float* triangles_a,
                         const float* triangles_b,
                         const FloorPairs& pairs,
@@ -257,7 +257,7 @@ BoxNode random_node(std::mt19937_64& random) {
     return node;
 }
 
-/// Triangles of a good third of the cube that they lie in.
+/// Random triangles about a third as large as the cube that contains them.
 MeshArrays random_soup(std::mt19937_64& random) {
     MeshArrays soup;
     for (std::uint32_t i = 0; i < soup_triangles; ++i) {
@@ -321,7 +321,7 @@ struct FloorKernels::Data {
     FloatTrianglePair in_float{poses};
     std::vector<std::int32_t> pairs_a;
     std::vector<std::int32_t> pairs_b;
-    // With room for what is written beyond.
+    // The vectors have room for the garbage lanes.
     std::vector<std::uint32_t> found =
         std::vector<std::uint32_t>(boxes_a_node * boxes_a_node + boxes_a_node);
     std::vector<std::int32_t> kept_a = std::vector<std::int32_t>(triangle_pairs + boxes_a_node);
@@ -331,7 +331,8 @@ struct FloorKernels::Data {
 };
 
 FloorKernels::FloorKernels() : data_(std::make_unique<Data>()) {
-    static_cast<void>(simd_target()); // Before the first call, so that a setting of it is heeded.
+    static_cast<void>(
+        simd_target()); // Runs before the first call, so that a setting of the target takes effect.
     for (std::size_t i = 0; i < node_pairs; ++i) {
         data_->nodes_a.push_back(random_node(data_->random));
         data_->nodes_b.push_back(random_node(data_->random));

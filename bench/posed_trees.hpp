@@ -1,4 +1,4 @@
-// What a program of measurement on two bodies takes from its command line: their trees, and poses.
+// Command-line options of benchmarks on two bodies: their trees and poses.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -19,8 +19,8 @@ struct PosedTreesOptions {
     std::string a;
     std::string b;
     double unit_a = 1;
-    std::string poses;         ///< A file; random ones without it.
-    std::uint64_t random = 50; ///< How many.
+    std::string poses;         ///< A pose file; random poses if empty.
+    std::uint64_t random = 50; ///< Number of random poses.
 
     /// MESH_A MESH_B [--unit-a 1] [--poses FILE | --random 50]
     void add_to(CLI::App& app);
@@ -31,14 +31,14 @@ struct PosedTrees {
     std::shared_ptr<const Mesh> mesh_b;
     ObbTree a;
     ObbTree b;
-    std::vector<PosePair> poses; ///< At least one.
+    std::vector<PosePair> poses; ///< Not empty.
 };
 
-/// Nothing, and a line on stderr, where a file cannot be read or holds no pose.
+/// Returns nothing, with a line on stderr, if a file cannot be read or has no pose.
 [[nodiscard]] std::optional<PosedTrees> load(const PosedTreesOptions& options);
 
-/// The poses of a file, a line each: of B in A's frame, nine numbers of the matrix, row by row,
-/// then the translation. Nothing where there is no file, or a line has not 12 numbers.
+/// Reads the poses of B in A's frame, one a line: nine numbers of the matrix, row by row, then the
+/// translation. Returns nothing if the file is missing or a line has not 12 numbers.
 [[nodiscard]] std::optional<std::vector<PosePair>> read_poses(const std::string& path);
 
 } // namespace cd::bench

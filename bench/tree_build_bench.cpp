@@ -55,7 +55,7 @@ namespace {
 
 struct Options {
     std::string a;
-    std::string b; ///< Empty for A itself.
+    std::string b; ///< Empty: A meets itself.
     std::string poses;
     std::uint64_t scenarios = 50;
     std::uint32_t depth = 12;
@@ -75,7 +75,7 @@ double processor_seconds() {
     return seconds_on(CLOCK_PROCESS_CPUTIME_ID);
 }
 
-/// The times of some rounds, in milliseconds.
+/// Times of several rounds, ms.
 struct Times {
     std::vector<double> wall;
     std::vector<double> processor;
@@ -120,7 +120,7 @@ void print_build_times(const std::string& name, const MeshPointer& mesh, std::si
     std::fflush(stdout);
 }
 
-/// A folder for files that are gone in the end.
+/// A temporary folder, deleted with its files in the destructor.
 struct ScratchFolder {
     std::filesystem::path path =
         std::filesystem::temp_directory_path() / ("tree-build-bench-" + std::to_string(::getpid()));
@@ -179,13 +179,13 @@ double largest_share(const ObbTree& tree, std::uint32_t depth) {
 }
 
 struct Costs {
-    double box_tests = 0;            ///< N_b a scenario.
-    double triangle_tests = 0;       ///< N_p a scenario.
-    double box_nanoseconds = 0;      ///< C_b
-    double triangle_nanoseconds = 0; ///< C_p
+    double box_tests = 0;            ///< N_b per scenario.
+    double triangle_tests = 0;       ///< N_p per scenario.
+    double box_nanoseconds = 0;      ///< C_b, ns.
+    double triangle_nanoseconds = 0; ///< C_p, ns.
 };
 
-/// The processor time of all searches.
+/// Returns the processor time of all searches, s.
 double search_seconds(const ObbTree& a,
                       const ObbTree& b,
                       const std::vector<Scenario>& scenarios,
@@ -236,7 +236,7 @@ struct Scene {
     MeshPointer a;
     MeshPointer b;
     std::vector<Scenario> scenarios;
-    Costs first;     ///< Of the first tree.
+    Costs first;     ///< Costs of the first tree.
     Sha256 expected; ///< The first tree's digest.
     bool same = true;
 };
@@ -301,7 +301,7 @@ std::vector<Scenario> random_poses(const Scene& scene, std::uint64_t count) {
         random, build_tree(scene.a, {}, pool), build_tree(scene.b, {}, pool), pool);
 }
 
-/// Nothing, and a line on stderr, where a file cannot be read.
+/// Returns nothing, with a line on stderr, if a file cannot be read.
 std::optional<Scene> make_scene(const Options& options) {
     Scene scene;
     for (const auto& [path, mesh] : {std::pair(options.a, &scene.a), {options.b, &scene.b}}) {
