@@ -33,11 +33,11 @@ struct Options {
 /// One cluster and its job.
 struct Case {
     std::size_t hosts = 0;
-    std::uint64_t each = 0; ///< Scenarios' groups for a host, in the mean.
+    std::uint64_t each = 0; ///< Mean number of scenario groups per host.
     double gigabits = 1;
 };
 
-/// Every second host has a tenth of the speed.
+/// Returns a tenth of the speed for every second host.
 std::vector<double> unlike_speeds(std::size_t hosts) {
     std::vector<double> speeds(hosts, 1.0);
     for (std::size_t host = 1; host < hosts; host += 2) {

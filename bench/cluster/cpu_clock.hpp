@@ -1,4 +1,4 @@
-// Processor time: what waiting for a busy machine does not enter.
+// Processor time: excludes waiting for a busy machine.
 #pragma once
 
 #include <ctime>
@@ -11,12 +11,12 @@ namespace cd::bench {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Of the calling thread.
+/// Processor time of the calling thread, s.
 [[nodiscard]] inline double cpu_seconds() {
     return seconds_by(CLOCK_THREAD_CPUTIME_ID);
 }
 
-/// Of all threads.
+/// Processor time of all threads, s.
 [[nodiscard]] inline double process_cpu_seconds() {
     return seconds_by(CLOCK_PROCESS_CPUTIME_ID);
 }

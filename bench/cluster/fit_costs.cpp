@@ -29,8 +29,8 @@ std::vector<Trace> read_all(int count, char** paths) {
     return traces;
 }
 
-/// Least squares of nanoseconds over the size that meets, at all depths of all traces. A scenario's
-/// weight is that of its time, so that neither the short nor the long ones decide alone.
+/// Fits nanoseconds to the meeting size by least squares, at all depths of all traces. A scenario
+/// is weighted by its time, so that neither short nor long ones dominate.
 Eigen::Vector2d fit(const std::vector<Trace>& traces) {
     Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
     Eigen::Vector2d right = Eigen::Vector2d::Zero();
@@ -40,7 +40,7 @@ Eigen::Vector2d fit(const std::vector<Trace>& traces) {
                 const double ns = 1e9 * scenario.work_seconds;
                 const Eigen::Vector2d terms(1, scenario.meeting_size);
                 normal += terms * terms.transpose() / ns;
-                right += terms; // Times ns / ns.
+                right += terms; // Time in ns, divided by ns.
             }
         }
     }
@@ -48,8 +48,8 @@ Eigen::Vector2d fit(const std::vector<Trace>& traces) {
 }
 
 struct Error {
-    double ratio = 0;   ///< Of the sums, predicted by measured.
-    double log_dev = 0; ///< Standard deviation of a scenario's logarithm of that ratio.
+    double ratio = 0;   ///< Predicted sum divided by measured sum.
+    double log_dev = 0; ///< Standard deviation of the logarithm of that ratio over scenarios.
 };
 
 Error error_of(const DepthTrace& depth, const std::function<double(double)>& predicted_ns) {

@@ -19,7 +19,7 @@ struct Computer {
     std::uint32_t workers = 1;
 };
 
-/// As the product does it there: its master analyses on every core.
+/// Uses the product's settings: its master analyses on every core.
 SimulationOptions options_of(const Computer& computer, Strategy strategy) {
     SimulationOptions options = measured_setting().options;
     options.cluster.shared_cores = computer.cores;
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
             make_workload(trace.value(), paper_table_heavy, {Costs::Measured, depth});
         SimulationOptions options = options_of(computer, *strategy);
         constexpr std::chrono::seconds limit{300};
-        // First for what the dispatcher's decisions take, then with it.
+        // The first run measures the dispatcher's decisions; the second charges them.
         const auto uncharged = simulate_apart(workload, options, limit);
         options.dispatch_seconds = uncharged ? 1e-6 * uncharged->dispatcher_us : 0;
         const auto outcome = simulate_apart(workload, options, limit);

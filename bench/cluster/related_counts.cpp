@@ -47,7 +47,7 @@ struct Counts {
     }
 };
 
-/// Of each triangle, in the world.
+/// Returns the world box of each triangle.
 std::vector<Aabb> boxes_of(const Mesh& mesh, const Pose& pose) {
     std::vector<Aabb> boxes;
     boxes.reserve(mesh.triangles().size());
@@ -96,7 +96,7 @@ Cell cell_of(const Vec3& point, double size) {
     return cell;
 }
 
-/// Only those near the other body: elsewhere a voxel holds one body alone.
+/// Uses only boxes near the other body: elsewhere a voxel holds one body alone.
 std::vector<InCell> in_cells(const std::vector<Aabb>& boxes, const Aabb& near, double size) {
     std::vector<InCell> entries;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
@@ -117,7 +117,7 @@ std::vector<InCell> in_cells(const std::vector<Aabb>& boxes, const Aabb& near, d
     return entries;
 }
 
-/// The voxel of the lowest corner that both boxes share counts their triangles, once.
+/// A pair of triangles counts once, in the voxel of the lowest corner that both boxes share.
 bool is_first_cell(const Aabb& one, const Aabb& other, const Cell& cell, double size) {
     return cell_of(one.min.cwiseMax(other.min), size) == cell;
 }
@@ -156,7 +156,7 @@ double mean_extent(const std::vector<Aabb>& boxes) {
 
 constexpr std::size_t parts_each = 16;
 
-/// Halves along the longest axis until there are so many parts.
+/// Halves along the longest axis until there are enough parts.
 std::vector<std::vector<std::uint32_t>>
 parts_of(const std::vector<Aabb>& boxes, std::vector<std::uint32_t> which, std::size_t parts) {
     if (parts == 1 || which.size() < 2) {
@@ -177,7 +177,7 @@ parts_of(const std::vector<Aabb>& boxes, std::vector<std::uint32_t> which, std::
     return found;
 }
 
-/// The body, its parts, and parts of these, which hold triangles.
+/// A body, its parts, and their parts, which hold triangles.
 struct ThreeLevels {
     struct Part {
         std::vector<std::vector<std::uint32_t>> leaves;
@@ -193,7 +193,7 @@ ThreeLevels three_levels(const std::vector<Aabb>& boxes) {
     return levels;
 }
 
-/// The same parts where the body is now.
+/// A part at the body's current pose.
 struct PosedPart {
     Aabb box;
     std::vector<Aabb> leaf_boxes;
@@ -228,7 +228,7 @@ Counts count_leaves(const PosedPart& a, const PosedPart& b) {
 }
 
 Counts count_three_levels(const std::vector<PosedPart>& a, const std::vector<PosedPart>& b) {
-    Counts counts{1, 0}; // The bodies' own boxes: these poses touch.
+    Counts counts{1, 0}; // The bodies' own boxes count first: these poses touch.
     for (const PosedPart& part_a : a) {
         for (const PosedPart& part_b : b) {
             ++counts.box_tests;
@@ -243,7 +243,8 @@ Counts count_three_levels(const std::vector<PosedPart>& a, const std::vector<Pos
 // ---- The program
 // -------------------------------------------------------------------------------------
 
-constexpr std::array voxel_sizes{1.0, 2.0, 4.0, 8.0}; ///< By the mean extent of a triangle.
+constexpr std::array voxel_sizes{
+    1.0, 2.0, 4.0, 8.0}; ///< Relative to the mean extent of a triangle.
 
 struct AllCounts {
     Counts obb;

@@ -36,11 +36,11 @@ struct Options {
     bool waits = true;
 };
 
-/// Of every scenario its record, as a worker makes it, and how long that took.
+/// Every scenario's record from a worker's search, and the time it took.
 struct Recorded {
     std::vector<Bytes> records;
     std::vector<float> seconds;
-    Sha256 digest; ///< Of the job, as one process has it.
+    Sha256 digest; ///< The job's digest as computed in one process.
 };
 
 Result<Recorded> record(const PreparedJob& job, ThreadPool& pool) {
@@ -60,7 +60,7 @@ Result<Recorded> record(const PreparedJob& job, ThreadPool& pool) {
         recorded.records[i] = encode_result(run.result);
         recorded.seconds[i] =
             std::chrono::duration<float>(std::chrono::steady_clock::now() - begin).count();
-        // The rest is the master's work.
+        // The master does the remaining steps.
         settler.settle(scenarios.value()[i], run.result);
         digests[i] = digest_of(run.result);
         facts[i] = facts_of(run.result);
@@ -102,7 +102,7 @@ class ReplayWorker {
                 co_return;
             }
             if (const auto* batch = std::get_if<Batch>(&message.value())) {
-                // Named: GCC 12 destroys temporaries in such a call twice.
+                // Has a name because GCC 12 destroys temporaries in such a call twice.
                 const std::vector<std::uint64_t> indices = indices_of(batch->scenarios);
                 co_await answer(batch->task, batch->job, indices);
             } else if (const auto* range = std::get_if<ScenarioRange>(&message.value())) {

@@ -15,11 +15,11 @@ namespace cd::bench {
 
 namespace {
 
-/// Lowest reaches a speed-up of 12 in the heavy case (7.2), the weighted serial time of Table 2 by
-/// the parallel time.
+/// Lowest reaches a speed-up of 12 in the heavy case (7.2): the weighted serial time of Table 2
+/// divided by the parallel time.
 constexpr double paper_lowest_seconds = 3133.0 / 12;
 
-/// What the scenarios cost, by the paper's function: N_b, C_b, N_p, C_p.
+/// Writes the scenarios' costs by the paper's function: N_b, C_b, N_p, C_p.
 void write_costs(const std::filesystem::path& out, const std::array<Scene, 2>& scenes) {
     CsvFile csv(out / "costs.csv",
                 {"scene",
@@ -114,8 +114,8 @@ void run_paper(Experiments& experiments, const Setting& setting, const Scene& sc
     experiments.vary_cores(setting, scene);
 }
 
-/// Of the product today: the paper's numbers of scenarios, ten times as many for most, and a
-/// hundred times, since its scenarios are so much shorter.
+/// Measures today's product: the paper's numbers of scenarios, mostly also ten times as many, and a
+/// hundred times, since its scenarios are much shorter.
 void run_measured(Experiments& experiments, const Scene& scene) {
     const Setting setting = measured_setting();
     const std::uint64_t count = 10 * scene.trace->whole.size();
@@ -126,13 +126,13 @@ void run_measured(Experiments& experiments, const Scene& scene) {
     experiments.vary_cores(setting, best, count);
 }
 
-/// At a depth where neither the master's analysis nor the size of blocks decides all.
+/// Uses a depth at which neither the master's analysis nor the block size dominates.
 void compare_additions(Experiments& experiments, Scene scene) {
     scene.depth = 6;
     experiments.compare_additions({paper_setting(), measured_setting()}, scene);
 }
 
-/// Without a fitted constant, and with one.
+/// Runs the experiments without a fitted constant, then with one.
 void run_both(Experiments& experiments,
               const std::filesystem::path& out,
               std::array<Scene, 2>& scenes) {

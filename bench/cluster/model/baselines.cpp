@@ -11,7 +11,7 @@ namespace {
 
 struct Share {
     double work_seconds = 0;
-    std::uint64_t bytes = 0; ///< Of the distinct blocks that it touches.
+    std::uint64_t bytes = 0; ///< Bytes of the distinct blocks that it touches.
     std::uint64_t memory_bytes = 0;
 };
 
@@ -47,7 +47,7 @@ std::uint64_t memory_of_all(const Workload& workload) {
     return bytes;
 }
 
-/// When each host has its bytes, where those that still receive share the link equally.
+/// Returns when each host has its bytes, if all receiving hosts share the link equally.
 std::vector<double> received_at(const std::vector<Share>& shares, double bytes_per_second) {
     std::vector<std::size_t> order(shares.size());
     std::iota(order.begin(), order.end(), 0);
@@ -93,9 +93,9 @@ BaselineOutcome whole_everywhere(const Workload& workload,
     BaselineOutcome outcome;
     outcome.sent_bytes = workload.geometry_bytes * speeds.size();
     outcome.memory_bytes_max = memory_of_all(workload);
-    // One host after the other: the first ones work while the last ones wait.
+    // Hosts are served in sequence: the first ones work while the last ones wait.
     const double each = static_cast<double>(workload.geometry_bytes) / bytes_per_second;
-    double done = 0; // Work, when the host before was served.
+    double done = 0; // Work done when the previous host was served.
     double power = 0;
     double now = 0;
     for (const double speed : speeds) {

@@ -48,7 +48,7 @@ double megabytes(std::uint64_t bytes) {
     return 1e-6 * static_cast<double>(bytes);
 }
 
-/// The paper's weighted serial time (7.1) by that of a fast core.
+/// Returns the paper's weighted serial time (7.1) relative to that of a fast core.
 double weighted_ratio(const ClusterSpec& cluster, double slow_ratio) {
     return (cluster.fast_cores + cluster.slow_cores * slow_ratio) / cluster.cores();
 }
@@ -180,7 +180,7 @@ std::optional<Outcome> Experiments::simulate_one(const Setting& setting,
     options.cluster.slow_cores = point.slow_cores;
     options.dispatch.strategy = strategy.strategy;
     options.dispatch.q = point.q;
-    // The paper's V is a share of the master's memory, which no batch of scenarios comes near.
+    // The paper's V is a share of the master's memory, far above any batch of scenarios.
     options.dispatch.v_kb = limits::v_kb_max;
     options.dispatch.claim = setting.may_claim && strategy.claims;
     options.dispatch.seed = seed;
@@ -381,7 +381,7 @@ double Experiments::mean_lowest(const Setting& setting, const Scene& scene) {
 }
 
 std::optional<double> Experiments::fit_pipe(const Scene& scene, double seconds) {
-    // Halved on a logarithmic scale, to one part in a hundred.
+    // Bisects on a logarithmic scale, to within 1 %.
     double slow = 1e6;
     double fast = 1e9;
     if (mean_lowest(fitted_setting(fast), scene) > seconds) {

@@ -19,37 +19,37 @@
 
 namespace cd::bench {
 
-/// Where a job runs, and what its steps cost.
+/// Location of a job, and the costs of its steps.
 struct Setting {
     std::string name;
     Costs costs = Costs::Paper;
-    SimulationOptions options; ///< Strategy, q, seed and cores are an experiment's.
+    SimulationOptions options; ///< Each experiment sets strategy, q, seed and cores.
     bool may_claim = true;     ///< False: no strategy claims.
     std::uint64_t seeds_max = 3;
 };
 
-/// No constant is fitted: the paper's master and clients (one analysis at a time, results with the
-/// end of a task) on SimGrid's network alone.
+/// Returns a setting without fitted constants: the paper's master and clients (one analysis at a
+/// time, results at the end of a task) on SimGrid's network alone.
 [[nodiscard]] Setting paper_setting();
-/// The same with a pipe.
+/// Returns the paper's setting with a pipe.
 [[nodiscard]] Setting fitted_setting(double pipe_bytes_per_second);
-/// Costs as measured, the product's ways: one worker for each computer, two tasks at a worker,
-/// analysis on the other cores of the master's computer, its limits. One seed: its jobs are so much
-/// longer than what they begin with that another order changes nothing.
+/// Returns measured costs with the product's behaviour: one worker per computer, two tasks at a
+/// worker, analysis on the other cores of the master's computer, the product's limits. One seed
+/// suffices: jobs are so long compared with their start that the order does not matter.
 [[nodiscard]] Setting measured_setting();
 
 struct Scene {
     const Trace* trace = nullptr;
     const PaperTable* table = nullptr;
-    std::uint32_t paper_depth = 12; ///< At which the paper cut the fixed body.
-    std::uint32_t depth = 12;       ///< At which the experiments do that do not vary it.
+    std::uint32_t paper_depth = 12; ///< Depth at which the paper cut the fixed body.
+    std::uint32_t depth = 12;       ///< Depth in experiments that do not vary it.
 };
 
 /// One point of an experiment.
 struct Point {
     std::string experiment;  ///< scenarios, depth, q, cores, paper depth, fit.
-    double x = 0;            ///< What it varies.
-    std::uint64_t count = 0; ///< Of scenarios; 0: all.
+    double x = 0;            ///< Varied quantity.
+    std::uint64_t count = 0; ///< Number of scenarios; 0: all.
     std::uint32_t depth = 0;
     std::uint32_t q = 20;
     std::uint32_t fast_cores = 20;
@@ -59,12 +59,12 @@ struct Point {
 struct ExperimentOptions {
     std::filesystem::path out;
     std::uint64_t seeds = 3;
-    bool quick = false;              ///< Only the ends and the middle of each series, one seed.
-    std::chrono::seconds limit{600}; ///< For one simulation.
+    bool quick = false; ///< Only the ends and the middle of each series, with one seed.
+    std::chrono::seconds limit{600}; ///< Limit for one simulation.
 };
 
-/// Runs points and writes a row for each into runs.csv. A simulation that does not end is a line on
-/// stderr and an absent row.
+/// Runs points and writes a row for each into runs.csv. A simulation that does not end causes a
+/// line on stderr and no row.
 class Experiments {
   public:
     explicit Experiments(const ExperimentOptions& options);
@@ -73,26 +73,26 @@ class Experiments {
 
     /// Speed-up against the number of scenarios (Figure 10): the rows of the paper's table.
     void vary_scenarios(const Setting& setting, const Scene& scene);
-    /// Against jobs of so many times the trace's scenarios.
+    /// Measures jobs of multiples of the trace's scenarios.
     void vary_rounds(const Setting& setting,
                      const Scene& scene,
                      const std::vector<std::uint64_t>& rounds);
-    /// All scenarios at the paper's depth, if that was recorded.
+    /// Runs all scenarios at the paper's depth, if it was recorded.
     void at_paper_depth(const Setting& setting, const Scene& scene);
-    /// Against the depth of A's cut (Figure 11). Returns the depth at which best-match is fastest.
+    /// Varies the depth of A's cut (Figure 11). Returns the depth at which best-match is fastest.
     std::uint32_t vary_depth(const Setting& setting, const Scene& scene, std::uint64_t count = 0);
-    /// Against q (Figure 12).
+    /// Varies q (Figure 12).
     void vary_q(const Setting& setting, const Scene& scene, std::uint64_t count = 0);
-    /// Against the cluster (Figure 13, Table 4).
+    /// Varies the cluster (Figure 13, Table 4).
     void vary_cores(const Setting& setting, const Scene& scene, std::uint64_t count = 0);
 
-    /// What hints, and recalls and copies at the end, give to jobs matched by time: on slow cores
-    /// as in the table, on some of a tenth of the speed, and on links of a tenth of the rate; at
-    /// the scene's depth. Rows of additions.csv.
+    /// Measures the gain of hints, and of recalls and speculative copies at the end, for jobs
+    /// matched by time: with slow cores as in the table, some of a tenth of the speed, and links of
+    /// a tenth of the rate, at the scene's depth. Writes rows of additions.csv.
     void compare_additions(const std::vector<Setting>& settings, const Scene& scene);
 
-    /// The rate of the pipe at which lowest takes so many seconds for all scenarios, mean of the
-    /// seeds. Nothing where no rate does.
+    /// Returns the pipe rate at which lowest takes so many seconds for all scenarios, as the mean
+    /// of the seeds. Returns nothing if no rate does.
     std::optional<double> fit_pipe(const Scene& scene, double seconds);
 
   private:
@@ -102,7 +102,7 @@ class Experiments {
                                         const ComparedStrategy& strategy,
                                         const Point& point,
                                         std::uint64_t seed);
-    /// What the dispatcher's decisions take for a scenario, once they have been made.
+    /// Returns the dispatcher's time per scenario, once measured.
     double dispatch_seconds(const Scene& scene,
                             const Workload& workload,
                             const Point& point,
@@ -116,9 +116,9 @@ class Experiments {
 
     ExperimentOptions options_;
     CsvFile csv_;
-    /// By scene, strategy, whether there are peers, and depth.
+    /// Keyed by scene, strategy, peers, and depth.
     std::map<std::tuple<std::string, Strategy, bool, std::uint32_t>, double> dispatch_seconds_;
-    double best_match_seconds_ = 0; ///< Of the point run last, mean of the seeds.
+    double best_match_seconds_ = 0; ///< Last point, mean of the seeds.
 };
 
 } // namespace cd::bench

@@ -8,19 +8,19 @@
 namespace cd::bench {
 
 struct FleetOptions {
-    std::uint32_t depth = 8; ///< Of each body's cut.
-    /// The fixed body is as many copies of the trace's as have this many triangles. A copy's roots
-    /// are its own.
+    std::uint32_t depth = 8; ///< Depth of each body's cut.
+    /// The fixed body consists of copies of the trace's, with this many triangles in all. Each copy
+    /// has its own roots.
     std::uint64_t triangles = 100'000'000;
-    /// What the master gives out: so many neighbouring scenarios, which touch what one recorded
-    /// scenario touches. The master analyses one of them.
+    /// Size of a group of neighbouring scenarios, which the master hands out as one. A group
+    /// touches what one recorded scenario touches, and the master analyses one of its scenarios.
     std::uint64_t together = 1000;
-    std::uint64_t count = 0;           ///< Of these.
-    std::uint64_t scenario_bytes = 16; ///< Of a scenario's result: counts, not pairs.
-    std::uint64_t seed = 1;            ///< Of the copy and the recorded scenario of each.
+    std::uint64_t count = 0;           ///< Number of groups.
+    std::uint64_t scenario_bytes = 16; ///< Bytes of a scenario's result: counts, not pairs.
+    std::uint64_t seed = 1; ///< Seed for the copy and the recorded scenario of each group.
 };
 
-/// Costs as measured. The trace has the depth.
+/// Uses measured costs. The trace must have the depth.
 [[nodiscard]] Workload make_fleet(const Trace& trace, const FleetOptions& options);
 
 } // namespace cd::bench

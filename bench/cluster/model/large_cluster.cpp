@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::uint64_t control_bytes_max = 1u << 14;
 
-/// What happens later, in the order of time and of being said.
+/// Pending events, ordered by time, then by insertion.
 class Agenda {
   public:
     void at(double time, std::function<void()> what) {
         entries_.push({std::max(time, now_), next_++, std::move(what)});
     }
-    /// False when nothing is left.
+    /// Returns false when no event is left.
     bool step() {
         if (entries_.empty()) {
             return false;
@@ -82,14 +82,14 @@ class LargeCluster {
         WorkerModel model;
         double speed = 1;
         bool is_busy = false;
-        double ends = 0;         ///< The scenario that it does.
-        double opened_until = 0; ///< Its blocks.
-        double first = 0;        ///< When its first scenario begins, and its last ends.
+        double ends = 0;         ///< End of the running scenario.
+        double opened_until = 0; ///< End of the opening of its blocks.
+        double first = 0;        ///< Start of the host's first scenario.
         double last = 0;
         double worked = 0;
     };
-    /// Until when each direction is taken, and when the last message from the master, and to it,
-    /// has come: what one says to the other keeps its order.
+    /// Times until which each direction is busy, and arrivals of the last messages from and to the
+    /// master: messages between two hosts stay in order.
     struct Link {
         double up = 0;
         double down = 0;
@@ -99,7 +99,7 @@ class LargeCluster {
 
     // ---- The network ----------------------------------------------------------------------------
 
-    /// Host 0 is the master. Returns when it has come.
+    /// Host 0 is the master. Returns the arrival time.
     double pass(std::size_t from, std::size_t to, std::uint64_t bytes) {
         const double now = agenda_.now();
         const double seconds = static_cast<double>(bytes) / options_.bytes_per_second;
@@ -137,7 +137,7 @@ class LargeCluster {
 
     // ---- The master -----------------------------------------------------------------------------
 
-    /// One message after the other.
+    /// Handles one message after the other.
     void serve() {
         if (is_serving_ || in_.empty()) {
             return;
@@ -160,7 +160,7 @@ class LargeCluster {
         });
     }
 
-    /// In blocks, as the real master.
+    /// Analyses in blocks, as the real master does.
     void analyse() {
         while (idle_analysts_ != 0) {
             const auto [first, count] =
@@ -204,7 +204,7 @@ class LargeCluster {
             tell_master(number, std::move(*wanted));
         }
     }
-    /// A group of scenarios does not keep blocks from being opened: its next scenario waits.
+    /// A group of scenarios does not delay the opening of blocks: its next scenario waits.
     void take(std::size_t to, const BlocksSent& blocks) {
         Host& here = host(to);
         const double seconds = here.model.open_seconds(blocks) / here.speed;
@@ -223,14 +223,14 @@ class LargeCluster {
         tell_master(to, host(to).model.take(asked));
         tell_results(to);
     }
-    /// What runs is not stopped.
+    /// A running scenario is not stopped.
     void take(std::size_t to, const CalledOff& loser) {
         (void)host(to).model.take(loser);
         tell_results(to);
     }
     void take(std::size_t /*to*/, const Ended& /*message*/) {}
 
-    /// What is not there any more is asked for again.
+    /// Reports missing blocks, so that they are requested again.
     void answer(std::size_t source, const PeerAsked& asked) {
         BlocksSent given;
         std::vector<BlockId> missing;

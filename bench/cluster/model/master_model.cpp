@@ -19,7 +19,7 @@ constexpr JobId the_job{1};
 constexpr double period_of_director =
     std::chrono::duration<double>(limits::peer_check_period).count();
 
-/// As the master numbers them here.
+/// Returns the number that the simulated master gives a tree.
 TreeId tree_id(std::uint8_t tree) {
     return TreeId{std::uint64_t{1} + tree};
 }
@@ -322,7 +322,7 @@ void MasterModel::perform(const Action& action, std::vector<Letter>& letters) {
         return;
     }
     const auto* batch = std::get_if<SendBatch>(&action);
-    // No worker is lost here, so none is given up.
+    // No worker is lost here, so no batch is given up.
     CD_CHECK(batch != nullptr);
     ++counts_.batches;
     counts_.copies += batch->is_copy ? batch->scenarios.size() : 0;

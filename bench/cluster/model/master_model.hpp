@@ -1,5 +1,5 @@
-// The simulated master: the real dispatcher, and what the coordinator does around it, without a
-// clock, a network or computation.
+// The simulated master: the real dispatcher and the coordinator's work around it, without a clock,
+// a network or computation.
 #pragma once
 
 #include "bench/cluster/model/messages.hpp"
@@ -18,7 +18,7 @@
 
 namespace cd::bench {
 
-/// A message on its way to a worker.
+/// A message to a worker.
 struct Letter {
     WorkerId to;
     ToWorker content;
@@ -28,23 +28,22 @@ struct Letter {
 struct MasterCounts {
     std::uint64_t batches = 0;
     std::uint64_t wants = 0;
-    std::uint64_t blocks = 0;         ///< Sent,
-    std::uint64_t block_bytes = 0;    ///< and their bytes alone.
-    std::uint64_t sent_bytes = 0;     ///< Of all letters.
+    std::uint64_t blocks = 0;         ///< Blocks sent.
+    std::uint64_t block_bytes = 0;    ///< Bytes of the blocks alone.
+    std::uint64_t sent_bytes = 0;     ///< Bytes of all letters.
     std::uint64_t answered = 0;       ///< Distinct scenarios.
-    std::uint64_t answered_again = 0; ///< Results of scenarios that had one.
+    std::uint64_t answered_again = 0; ///< Repeated results of scenarios.
     std::uint64_t recalled = 0;
     std::uint64_t copies = 0;
     std::uint64_t dispatcher_calls = 0;
-    double dispatcher_seconds = 0; ///< Of processor time, really spent in it and in the director.
+    double dispatcher_seconds = 0; ///< Real processor time in the dispatcher and the director.
 };
 
 class MasterModel {
   public:
-    /// `peers`: workers give each other blocks, as the master directs.
-    /// `ahead`: how many analysed scenarios may wait for a worker beside those in buffers; 0: as
-    /// many as the coordinator lets. `cache_bytes`: of each worker; 0: no limit. The workload
-    /// outlives the model.
+    /// `peers`: workers send each other blocks, as the master directs. `ahead`: analysed scenarios
+    /// that may wait outside buffers; 0: the coordinator's number. `cache_bytes`: cache of each
+    /// worker; 0: no limit. The workload must outlive the model.
     MasterModel(const Workload& workload,
                 const ClusterOptions& options,
                 std::uint64_t ahead,
@@ -52,16 +51,16 @@ class MasterModel {
                 std::uint64_t cache_bytes = 0,
                 bool helps_at_end = true);
 
-    /// To be called before whatever happens then. In seconds; never less than before.
+    /// Advances the time, in seconds. Call before every event; time never decreases.
     std::vector<Letter> time_is(double now);
 
-    /// The job is opened, and workers of so many threads are there, numbered from 1.
+    /// Opens the job and adds workers with so many threads, numbered from 1.
     std::vector<Letter> start(std::span<const std::uint32_t> worker_threads);
 
-    /// The next scenario to be analysed; nothing when all have been given out, or while enough wait
+    /// Returns the next scenario to analyse; nothing when all are handed out, or while enough wait
     /// for workers.
     std::optional<std::uint64_t> next_to_analyse();
-    /// The same of neighbours at once, at most so many: the first, and how many.
+    /// Returns the first and the number of up to `count_max` consecutive scenarios to analyse.
     std::pair<std::uint64_t, std::uint64_t> next_block_to_analyse(std::uint64_t count_max);
     std::vector<Letter> take(const Analysed& message);
     std::vector<Letter> take(const BlocksWanted& message);
@@ -77,22 +76,22 @@ class MasterModel {
   private:
     template <class Event>
     std::vector<Letter> dispatch(const Event& event);
-    /// Of an event without actions.
+    /// Reports an event that causes no actions.
     template <class Event>
     void report(const Event& event);
     void perform(const Action& action, std::vector<Letter>& letters);
     template <class Event>
     std::vector<Letter> direct(const Event& event);
-    /// The director's decisions. Blocks are gathered into messages as the real master does: of one
-    /// tree, until they are large enough.
+    /// Carries out the director's decisions. Gathers blocks of one tree into messages of sufficient
+    /// size, as the real master does.
     std::vector<Letter> deliver(const BlockActions& actions);
     void post(WorkerId to, ToWorker content, std::vector<Letter>& letters);
-    /// As the coordinator reports what a worker did.
+    /// Reports a worker's work as the coordinator does.
     void report_work(const ResultsSent& message);
-    /// Analysed, and in no buffer.
+    /// Number of analysed scenarios that are in no buffer.
     [[nodiscard]] std::uint64_t waiting() const;
     [[nodiscard]] bool has_enough() const;
-    /// As the coordinator does when nothing more is being analysed.
+    /// Pauses as the coordinator does when nothing more is being analysed.
     void pause_at_end(std::vector<Letter>& letters);
 
     const Workload& workload_;
@@ -100,7 +99,7 @@ class MasterModel {
     Dispatcher dispatcher_;
     std::vector<WorkerId> workers_;
     MasterCounts counts_;
-    std::uint64_t given_out_ = 0; ///< To be analysed.
+    std::uint64_t given_out_ = 0; ///< Scenarios handed out for analysis.
     std::uint64_t analysed_ = 0;
     std::uint64_t ahead_;
     std::vector<bool> is_answered_;
@@ -108,9 +107,9 @@ class MasterModel {
     double now_ = 0;
     std::map<WorkerId, TransferMeter> transfers_;
     bool peers_;
-    std::uint64_t cache_bytes_; ///< Of a worker.
+    std::uint64_t cache_bytes_; ///< Cache of one worker.
     BlockDirector director_;
-    double director_told_ = 0; ///< The time.
+    double director_told_ = 0; ///< Time last reported to the director.
 };
 
 } // namespace cd::bench

@@ -19,7 +19,7 @@ Batch empty_batch() {
     return batch;
 }
 
-/// The messages without their content, and what a block adds beside its bytes.
+/// Bytes of the messages without content, and the overhead of a block.
 struct Overheads {
     std::uint64_t batch = on_wire(empty_batch());
     std::uint64_t tree = on_wire(AddTree{});
@@ -45,7 +45,7 @@ const Overheads& overheads() {
     return measured;
 }
 
-/// A message names one tree.
+/// Returns the number of trees: a message names one tree.
 std::uint64_t trees_in(const std::vector<BlockId>& blocks) {
     const auto second = std::ranges::count(blocks, 1, &BlockId::tree);
     const bool has_second = second != 0;

@@ -1,4 +1,4 @@
-// What travels in the simulated cluster, and how many bytes that is on the real wire.
+// Messages of the simulated cluster, and their sizes on the real wire.
 #pragma once
 
 #include "bench/cluster/model/workload.hpp"
@@ -16,26 +16,26 @@ namespace cd::bench {
 struct BatchSent {
     TaskId task;
     std::vector<std::uint64_t> scenarios;
-    bool is_first = false; ///< Of the worker: the trees are named to it before.
+    bool is_first = false; ///< First to this worker: its trees are named to it before.
 };
 struct BlocksSent {
     std::vector<BlockId> blocks;
 };
-/// To be fetched from another worker.
+/// Blocks to fetch from another worker.
 struct FetchDirected {
     WorkerId source;
     std::vector<BlockId> blocks; ///< Of one tree.
 };
-/// Scenarios that wait in the worker's buffer will need these.
+/// Blocks that scenarios in the worker's buffer will need.
 struct Hinted {
     std::vector<BlockId> blocks; ///< Of one tree, ascending.
 };
-/// To give back of the task what has not begun of these.
+/// Recalls those scenarios of the task that have not begun.
 struct AskedBack {
     TaskId task;
     std::vector<std::uint64_t> scenarios;
 };
-/// Another worker has answered it.
+/// Another worker has answered the scenario.
 struct CalledOff {
     TaskId task;
     std::uint64_t scenario = 0;
@@ -58,12 +58,12 @@ struct BlocksWanted {
     WorkerId worker;
     std::vector<BlockId> blocks; ///< Ascending.
 };
-/// The worker has these no longer.
+/// The worker has evicted these blocks.
 struct BlocksEvicted {
     WorkerId worker;
     std::vector<BlockId> blocks; ///< Ascending.
 };
-/// The source did not have these.
+/// The source did not have these blocks.
 struct PeerFailed {
     WorkerId worker;
     WorkerId source;
@@ -73,30 +73,30 @@ struct ResultsSent {
     WorkerId worker;
     TaskId task;
     std::vector<std::uint64_t> scenarios;
-    double compute_seconds = 0; ///< That the worker's threads took for them.
+    double compute_seconds = 0; ///< Time of the worker's threads for these results.
     bool ends_task = false;
-    bool is_checked = false; ///< At the master: what stands in it has been unpacked and checked.
+    bool is_checked = false; ///< At the master: the content has been unpacked and checked.
 };
-/// All that was given back of the task.
+/// All returned scenarios of the task.
 struct GaveBack {
     WorkerId worker;
     TaskId task;
     std::vector<std::uint64_t> scenarios; ///< Ascending.
 };
-/// From now on the worker has these.
+/// The worker now holds these blocks.
 struct BlocksHeld {
     WorkerId worker;
     std::vector<BlockId> blocks; ///< Ascending.
 };
-/// Not on the wire: another core of the master's host has analysed it.
+/// Not on the wire: another core of the master's host has analysed the scenario.
 struct Analysed {
     std::uint64_t scenario = 0;
 };
 using ToMaster = std::
     variant<BlocksWanted, BlocksHeld, BlocksEvicted, PeerFailed, ResultsSent, GaveBack, Analysed>;
 
-/// By the codec of the real messages, their frames included; records, poses and blocks as the
-/// workload says.
+/// Returns the size by the codec of the real messages, with frames; records, poses and blocks take
+/// the workload's sizes.
 [[nodiscard]] std::uint64_t bytes_of(const ToWorker& message, const Workload& workload);
 [[nodiscard]] std::uint64_t bytes_of(const ToMaster& message, const Workload& workload);
 

@@ -46,7 +46,7 @@ class PlatformBuilder {
         return host;
     }
 
-    /// What the analysing cores say to the master takes no time.
+    /// Messages from the analysing cores to the master take no time.
     void add_loopback(s4u::Host* host) {
         s4u::Link* link = zone_->create_link("loopback", 1e12);
         link->set_latency(0)->set_sharing_policy(s4u::Link::SharingPolicy::FATPIPE)->seal();

@@ -1,5 +1,4 @@
-// The simulated cluster's hosts and network, and how its actors talk: what of SimGrid the
-// simulation uses.
+// The simulated cluster's hosts, network and messages: all uses of SimGrid.
 #pragma once
 
 #include "bench/cluster/model/simulation.hpp"
@@ -14,7 +13,7 @@
 
 namespace cd::bench {
 
-/// A fast core does so much in a second, so costs in seconds become SimGrid's operations.
+/// Operations of a fast core in a second; converts seconds to SimGrid's operations.
 inline constexpr double fast_speed = 1e9;
 
 struct WorkerPlace {
@@ -27,7 +26,8 @@ struct Platform {
     std::vector<WorkerPlace> workers; ///< Fast ones first.
 };
 
-/// In SimGrid's engine, which must exist. The master's computer has so many cores.
+/// Builds the platform in SimGrid's engine, which must exist. The master's computer has so many
+/// cores.
 [[nodiscard]] Platform
 build_platform(const ClusterSpec& spec, double slow_ratio, std::uint32_t master_cores);
 
@@ -44,17 +44,17 @@ class Inbox {
   public:
     explicit Inbox(const std::string& name) : mailbox_(simgrid::s4u::Mailbox::by_name(name)) {}
 
-    /// Called by its owner.
+    /// Call from the owning actor.
     void open() { mailbox_->set_receiver(simgrid::s4u::Actor::self()); }
     void close() { mailbox_->set_receiver(nullptr); }
-    /// The sender goes on at once.
+    /// Sends without waiting.
     void put(Message message, std::uint64_t bytes) {
         auto owned = std::make_unique<Message>(std::move(message));
         mailbox_->put_init(owned.release(), bytes)->detach([](void* lost) {
             delete static_cast<Message*>(lost); // NOLINT: SimGrid's mailboxes hold bare pointers.
         });
     }
-    /// The sender waits until it has come.
+    /// Sends and waits for the arrival.
     void put_and_wait(Message message, std::uint64_t bytes) {
         auto owned = std::make_unique<Message>(std::move(message));
         mailbox_->put(owned.release(), bytes);

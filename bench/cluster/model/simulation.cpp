@@ -133,7 +133,7 @@ class Simulation {
         spend(seconds);
     }
 
-    // With the lock, so that none misses it between its look at the master and its wait.
+    // Holds the lock, so that no analyst misses the wake-up between its check and its wait.
     void wake_analysts() {
         if (options_.analysts != 0) {
             const std::unique_lock lock(*analysts_lock_);
@@ -150,7 +150,7 @@ class Simulation {
 
     // ---- What becomes of results, as in the product: other threads check and write them ---------
 
-    /// Where the master has but one thread, results cost it nothing, as in the paper's setting.
+    /// With a single master thread, results cost it nothing, as in the paper's setting.
     [[nodiscard]] bool is_intake_apart() const { return options_.analysts != 0; }
 
     void run_intake() {
@@ -173,7 +173,7 @@ class Simulation {
         }
     }
 
-    /// Nothing at the end.
+    /// Returns nothing at the end.
     std::optional<std::uint64_t> wait_for_scenario() {
         const std::unique_lock lock(*analysts_lock_);
         while (!is_over_) {
@@ -187,7 +187,7 @@ class Simulation {
 
     // ---- A worker -----------------------------------------------------------------------------
 
-    /// A session that listens and threads that compute, as the real one.
+    /// A session that receives, and threads that compute, as in the real worker.
     struct Worker {
         Worker(std::size_t id, std::uint32_t thread_count, const Workload& workload)
             : model(WorkerId{id}, workload),
@@ -200,19 +200,19 @@ class Simulation {
         WorkerModel model;
         Inbox<ToWorker> inbox;
         std::deque<Letter> outbox;                     ///< At the master.
-        s4u::SemaphorePtr posted;                      ///< One for each letter in it.
-        std::deque<ResultsSent> unpacked;              ///< Results that are to go,
-        s4u::SemaphorePtr finished;                    ///< and one for each of these.
-        std::deque<BlocksSent> unopened;               ///< Goes before scenarios.
-        s4u::SemaphorePtr work;                        ///< One for each thing that a thread can do.
-        std::map<std::uint64_t, s4u::ExecPtr> running; ///< Scenarios.
+        s4u::SemaphorePtr posted;                      ///< Counts the letters in the outbox.
+        std::deque<ResultsSent> unpacked;              ///< Results to be sent.
+        s4u::SemaphorePtr finished;                    ///< Counts the unpacked results.
+        std::deque<BlocksSent> unopened;               ///< Opened before scenarios run.
+        s4u::SemaphorePtr work;                        ///< Counts the tasks that a thread can take.
+        std::map<std::uint64_t, s4u::ExecPtr> running; ///< By scenario.
         std::uint32_t threads;
         bool is_over = false;
     };
 
-    /// Of one thread of a worker.
+    /// Times of one worker thread.
     struct ThreadTimes {
-        double first = 0; ///< When its first scenario begins, and its last ends.
+        double first = 0; ///< Start of the thread's first scenario.
         double last = 0;
         double busy = 0;
         double speed = 1;
@@ -223,7 +223,7 @@ class Simulation {
         worker.posted->release();
     }
 
-    /// A worker has one connection: what is sent to it comes one after the other.
+    /// A worker has one connection: its messages arrive one after the other.
     static void run_connection(Worker& worker) {
         bool is_last = false;
         while (!is_last) {
@@ -256,7 +256,7 @@ class Simulation {
     void take(Worker& worker, const BatchSent& batch) {
         const std::size_t ready_before = worker.model.ready_count();
         auto wanted = worker.model.take(batch);
-        // Before anything else: whatever waits lets threads of this worker run.
+        // Runs first, so that waiting threads of this worker can start.
         offer(worker, worker.model.ready_count() - ready_before);
         if (wanted) {
             put_to_master(std::move(*wanted));
@@ -304,7 +304,7 @@ class Simulation {
 
     void take(Worker& worker, const AskedBack& asked) {
         put_to_master(worker.model.take(asked));
-        send_results(worker); // A task of which nothing is left ends.
+        send_results(worker); // A task with no scenarios left ends.
     }
 
     void take(Worker& worker, const CalledOff& loser) {
@@ -336,7 +336,7 @@ class Simulation {
                 const BlocksSent blocks = std::move(worker.unopened.front());
                 worker.unopened.pop_front();
                 open(worker, blocks);
-            } else if (worker.model.ready_count() != 0) { // Else it was given back.
+            } else if (worker.model.ready_count() != 0) { // Otherwise the scenario was returned.
                 run_scenario(worker, worker.model.next(), times);
             }
         }
@@ -362,7 +362,7 @@ class Simulation {
         try {
             exec->wait();
         } catch (const simgrid::CancelException&) {
-            // Another worker was first.
+            // Another worker answered first.
         }
         worker.running.erase(scenario);
         outcome_.work_seconds += seconds;
@@ -375,7 +375,7 @@ class Simulation {
     }
 
     void send_results(Worker& worker) {
-        // Who waits for blocks has time to send what it has.
+        // A worker that waits for blocks has time to send its results.
         const double period = worker.model.ready_count() != 0
                                   ? options_.results_period
                                   : std::min(options_.results_period, idle_period());
@@ -385,7 +385,7 @@ class Simulation {
         }
     }
 
-    /// The thread of the worker's network packs what it sends.
+    /// Packs outgoing messages on the worker's network thread.
     void run_packer(Worker& worker) {
         for (worker.finished->acquire(); !worker.is_over; worker.finished->acquire()) {
             ResultsSent results = std::move(worker.unpacked.front());
@@ -396,7 +396,7 @@ class Simulation {
         }
     }
 
-    /// Nothing is kept while idle, but where results wait for their task's end in any case.
+    /// While idle, results are kept only if they wait for their task's end anyway.
     [[nodiscard]] double idle_period() const {
         return options_.results_period == std::numeric_limits<double>::infinity()
                    ? options_.results_period
@@ -456,10 +456,10 @@ class Simulation {
     s4u::MutexPtr analysts_lock_;
     bool is_over_ = false;
     std::deque<ResultsSent> unchecked_;
-    s4u::SemaphorePtr results_came_; ///< One for each of these.
-    std::deque<std::size_t> merged_; ///< Scenarios of each message,
+    s4u::SemaphorePtr results_came_; ///< Counts the messages of results.
+    std::deque<std::size_t> merged_; ///< Number of scenarios in each message.
     s4u::SemaphorePtr results_merged_;
-    std::uint64_t unwritten_ = 0; ///< and of all.
+    std::uint64_t unwritten_ = 0; ///< Scenarios received and not yet written.
     s4u::SemaphorePtr results_written_;
     std::deque<ThreadTimes> thread_times_;
     Outcome outcome_;

@@ -1,4 +1,4 @@
-// The strategies that the experiments compare: one line each.
+// The strategies compared in the experiments, one line each.
 #pragma once
 
 #include "proto/messages/cluster_options.hpp"
@@ -10,12 +10,12 @@ namespace cd::bench {
 
 struct ComparedStrategy {
     Strategy strategy;
-    /// As the paper has it: a worker gets nothing while it has a task. Ours keep a second task
-    /// waiting at the worker.
+    /// True: as in the paper, a worker with a task gets no other. False: a second task waits at the
+    /// worker.
     bool claims;
-    /// Chooses among what waits: then as much waits as in the product, whatever the setting.
+    /// Chooses among waiting scenarios: then as many wait as in the product, whatever the setting.
     bool sees_queue;
-    bool peers = false; ///< Workers give each other blocks.
+    bool peers = false; ///< Workers send each other blocks.
 
     [[nodiscard]] std::string name() const {
         return std::string(to_text(strategy)) + (peers ? "+peers" : "");

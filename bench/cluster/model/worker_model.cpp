@@ -124,7 +124,7 @@ BlocksHeld WorkerModel::opened(const BlocksSent& message) {
     BlocksHeld held{id_, {}};
     for (const BlockId& block : message.blocks) {
         Slot& slot = slots_[block.tree][block.root];
-        // One that a peer is slow to give comes from the master as well.
+        // The master also sends a block that a slow peer was to give.
         if (slot != Slot::Wanted) {
             continue;
         }
@@ -138,7 +138,7 @@ BlocksHeld WorkerModel::opened(const BlocksSent& message) {
         }
         const auto waiting = waiting_for_.find(block);
         if (waiting == waiting_for_.end()) {
-            continue; // It was only hinted.
+            continue; // The block was only hinted.
         }
         for (const std::uint64_t scenario : waiting->second) {
             if (--scenarios_.at(scenario).missing == 0) {
@@ -175,7 +175,7 @@ void WorkerModel::unpin(const BlockId& block) {
         return;
     }
     pins_.erase(block);
-    // What is dropped may leave before its blocks have come.
+    // Blocks of a dropped scenario may not have arrived yet.
     if (has(block)) {
         set_idle(block);
     }

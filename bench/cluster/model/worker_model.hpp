@@ -1,4 +1,4 @@
-// The simulated worker: what it holds, asks for, may run and has answered, without a clock, a
+// The simulated worker: its blocks, requests, runnable scenarios and answers, without a clock, a
 // network or computation.
 #pragma once
 
@@ -16,45 +16,43 @@
 
 namespace cd::bench {
 
-/// A block is asked for once, and stays: the paper's clients never drop a subtree. But with a limit
-/// of the cache, those that no scenario here waits for or runs with leave, the one unused longest
-/// first. A scenario is ready when its blocks are here, and those that are ready run in the order
-/// in which they became so.
+/// Requests each block once and keeps it: the paper's clients never drop a subtree. With a cache
+/// limit, evicts blocks that no scenario waits for or uses, least recently used first. A scenario
+/// is ready when its blocks are here; ready scenarios run in the order in which they became ready.
 class WorkerModel {
   public:
-    /// The workload outlives the model.
-    /// `cache_bytes`: of memory; 0: no limit.
+    /// The workload must outlive the model. `cache_bytes`: limit of memory; 0: none.
     WorkerModel(WorkerId id, const Workload& workload, std::uint64_t cache_bytes = 0);
 
     [[nodiscard]] WorkerId id() const { return id_; }
-    /// What to ask the master for, if anything.
+    /// Returns the blocks to request from the master, if any.
     std::optional<BlocksWanted> take(const BatchSent& batch);
     void take(const Hinted& hint);
-    /// The same, of what was hinted: when nothing is needed at once, and as the product's limits
-    /// say.
+    /// Returns hinted blocks to request, when nothing is needed at once, within the product's
+    /// limits.
     std::optional<BlocksWanted> ahead();
     GaveBack take(const AskedBack& asked);
-    /// True: it runs here, and may stop.
+    /// Returns true if the scenario runs here and may stop.
     [[nodiscard]] bool take(const CalledOff& loser);
-    /// Of the blocks, on a fast core.
+    /// Returns the seconds to open the blocks on a fast core.
     [[nodiscard]] double open_seconds(const BlocksSent& message) const;
-    /// From now on these blocks are here; what to say of that. Those that were here already, or
-    /// that nobody wants, are of no use.
+    /// Adds blocks, and returns the report to the master. Blocks already here, or wanted by no
+    /// scenario, are dropped.
     BlocksHeld opened(const BlocksSent& message);
 
-    /// What left since it was asked last, if anything did.
+    /// Returns the blocks evicted since the last call, if any.
     std::optional<BlocksEvicted> evicted();
 
     [[nodiscard]] bool has(const BlockId& block) const {
         return slots_[block.tree][block.root] == Slot::Here;
     }
     [[nodiscard]] std::size_t ready_count() const { return ready_.size(); }
-    /// Of those that are ready the first, which is not ready any more.
+    /// Removes and returns the first ready scenario.
     std::uint64_t next();
-    /// The scenario has run, or was stopped, and took so long here.
+    /// Notes that the scenario ran, or was stopped, after so many seconds.
     void ran(std::uint64_t scenario, double now, double seconds);
-    /// The results to be sent: all of tasks that ended, and of the others those whose oldest is as
-    /// old as `period`.
+    /// Returns the results to send: all of ended tasks, and of other tasks those whose oldest
+    /// result is at least `period` old.
     std::vector<ResultsSent> due(double now, double period);
 
     [[nodiscard]] std::uint64_t memory_bytes() const { return memory_bytes_; }
@@ -63,10 +61,10 @@ class WorkerModel {
   private:
     enum class Slot : std::uint8_t { Absent, Wanted, Here };
     struct Task {
-        std::uint64_t open = 0; ///< Not yet run.
+        std::uint64_t open = 0; ///< Scenarios not yet run.
         std::vector<std::uint64_t> unsent;
         double unsent_since = 0;
-        double compute_seconds = 0; ///< Of the unsent ones.
+        double compute_seconds = 0; ///< Time of the unsent results.
         std::set<std::uint64_t> given_back;
     };
     struct Waiting {
@@ -76,7 +74,7 @@ class WorkerModel {
         bool is_called_off = false;
     };
 
-    /// It has not begun, and leaves its task.
+    /// Removes a scenario that has not begun from its task.
     void drop(std::uint64_t scenario);
 
     void want(const BlockId& block, BlocksWanted& wanted);
@@ -88,21 +86,22 @@ class WorkerModel {
     WorkerId id_;
     const Workload& workload_;
     std::uint64_t cache_bytes_;
-    // With a limit only:
-    std::map<BlockId, std::uint32_t> pins_;            ///< Scenarios here that need it.
-    std::set<std::pair<std::uint64_t, BlockId>> idle_; ///< Here and not pinned, by last use.
-    std::map<BlockId, std::uint64_t> last_use_;        ///< Of the idle ones.
+    // Used only with a cache limit:
+    std::map<BlockId, std::uint32_t> pins_; ///< Number of scenarios here that need the block.
+    std::set<std::pair<std::uint64_t, BlockId>> idle_; ///< Unpinned blocks here, by last use.
+    std::map<BlockId, std::uint64_t> last_use_;        ///< Last use of the idle blocks.
     std::uint64_t uses_ = 0;
     std::vector<BlockId> evicted_;
 
     std::array<std::vector<Slot>, 2> slots_;
-    std::map<BlockId, std::vector<std::uint64_t>> waiting_for_; ///< Scenarios.
-    std::map<std::uint64_t, Waiting> scenarios_;                ///< Not yet run.
+    std::map<BlockId, std::vector<std::uint64_t>>
+        waiting_for_;                            ///< Scenarios that wait for the block.
+    std::map<std::uint64_t, Waiting> scenarios_; ///< Scenarios not yet run.
     std::deque<std::uint64_t> ready_;
     std::map<TaskId, Task> tasks_;
-    std::deque<BlockId> hinted_; ///< Not asked for.
+    std::deque<BlockId> hinted_; ///< Hinted blocks, not yet requested.
     std::uint64_t memory_bytes_ = 0;
-    std::uint64_t wanted_bytes_ = 0; ///< Of memory, when they will be here.
+    std::uint64_t wanted_bytes_ = 0; ///< Memory of the requested blocks once they arrive.
     std::uint64_t received_blocks_ = 0;
 };
 

@@ -16,7 +16,7 @@ const PaperTable paper_table_cars{
 
 namespace {
 
-/// Fisher and Yates; std::shuffle is not the same everywhere.
+/// Fisher-Yates shuffle; std::shuffle differs between libraries.
 std::vector<std::size_t> order_of(std::size_t count, std::uint64_t seed) {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), 0);
@@ -29,7 +29,7 @@ std::vector<std::size_t> order_of(std::size_t count, std::uint64_t seed) {
     return order;
 }
 
-/// The factors from measured seconds in binary trees to the paper's.
+/// Factors from measured seconds in binary trees to the paper's.
 class PaperScale {
   public:
     PaperScale(const Trace& trace, const PaperTable& table, const std::vector<std::size_t>& order) {
@@ -50,7 +50,7 @@ class PaperScale {
         all_ = paper_before / measured_all;
     }
 
-    /// Of the scenario at this place in the order.
+    /// Returns the factor of the scenario at this position in the order.
     [[nodiscard]] double work(std::size_t place) const {
         const auto fifth = std::ranges::upper_bound(ends_, place) - ends_.begin();
         return factors_[static_cast<std::size_t>(fifth)];
@@ -89,7 +89,7 @@ std::vector<BlockId> blocks_of(const ScenarioTrace& scenario) {
     return blocks;
 }
 
-/// `master_factor`: of what the master does and expects.
+/// `master_factor` scales the master's analysis and predictions.
 ScenarioCost
 scenario_cost(const ScenarioTrace& from, Costs costs, double master_factor, double work_factor) {
     const double work = costs == Costs::Paper ? from.binary_seconds : from.work_seconds;

@@ -1,4 +1,4 @@
-// A job as the simulation runs it: what each of its steps costs in seconds and bytes.
+// A job for the simulation: the cost of each step in seconds and bytes.
 #pragma once
 
 #include "bench/cluster/trace/trace.hpp"
@@ -10,7 +10,7 @@
 
 namespace cd::bench {
 
-/// A subtree of the simulated job: which of the two trees, and which root of it.
+/// A subtree of the simulated job: its tree and its root.
 struct BlockId {
     std::uint8_t tree = 0; ///< 0: A's, 1: B's.
     RootIndex root = 0;
@@ -20,8 +20,8 @@ struct BlockId {
 
 struct BlockCost {
     std::uint32_t triangles = 0;
-    std::uint64_t bytes = 0;        ///< As it travels.
-    std::uint64_t memory_bytes = 0; ///< At a worker.
+    std::uint64_t bytes = 0;        ///< On the wire.
+    std::uint64_t memory_bytes = 0; ///< In a worker's memory.
     double open_seconds = 0;
 };
 
@@ -30,18 +30,19 @@ struct ScenarioCost {
     double work_seconds = 0; ///< On a fast core.
     std::uint64_t batch_bytes = 0;
     std::uint64_t result_bytes = 0;
-    std::uint64_t predicted_ns = 0; ///< By the master's model of costs.
+    std::uint64_t predicted_ns = 0; ///< By the master's cost model.
     std::vector<BlockId> blocks;    ///< Ascending.
 };
 
 struct Workload {
     std::array<std::vector<BlockCost>, 2> trees;
     std::vector<ScenarioCost> costs;
-    std::vector<std::uint32_t> scenarios; ///< As submitted: the place in `costs` of each.
-    ResultCosts results;                  ///< As measured; nothing with the paper's costs.
-    double serial_seconds = 0;            ///< All of it in one process on a fast core,
-    double slow_ratio = 1;                ///< and how many times as long on a slow core.
-    std::uint64_t geometry_bytes = 0;     ///< Of both bodies once, as they travel.
+    std::vector<std::uint32_t>
+        scenarios;                    ///< Index into `costs` of each scenario, in submitted order.
+    ResultCosts results;              ///< Measured costs; empty with the paper's costs.
+    double serial_seconds = 0;        ///< The whole job in one process on a fast core.
+    double slow_ratio = 1;            ///< Time on a slow core relative to a fast one.
+    std::uint64_t geometry_bytes = 0; ///< Both bodies once, on the wire.
 
     [[nodiscard]] std::uint64_t count() const { return scenarios.size(); }
     [[nodiscard]] const ScenarioCost& scenario(std::uint64_t index) const {
@@ -61,13 +62,12 @@ struct PaperTable {
 extern const PaperTable paper_table_heavy; ///< Table 2.
 extern const PaperTable paper_table_cars;  ///< Table 3.
 
-/// Where costs come from.
+/// Source of the costs.
 enum class Costs : std::uint8_t {
-    /// Searches in binary trees as measured, with one factor for each fifth of the scenarios, by
-    /// which one process takes the seconds of the paper's table; analyses (the same box tests) with
-    /// one factor for all, and predictions with the same; 207 bytes for each triangle on the wire
-    /// and in memory; opening
-    /// cost nothing.
+    /// Searches: measured in binary trees, scaled for each fifth of the scenarios so that one
+    /// process takes the seconds of the paper's table. Analyses (equal box tests) and predictions
+    /// share one factor for all. Triangles take 207 bytes on the wire and in memory; opening costs
+    /// nothing.
     Paper,
     /// As measured: wide trees, compressed blocks, opening, memory.
     Measured,
@@ -79,13 +79,13 @@ inline constexpr std::uint64_t paper_bytes_per_triangle = 207;
 struct WorkloadOptions {
     Costs costs = Costs::Paper;
     std::uint32_t depth_a = 10;
-    /// Of scenarios; 0: as many as the trace has. More are had only at measured costs, by going
-    /// through the trace again and again.
+    /// Number of scenarios; 0: all of the trace. Larger numbers repeat the trace, only with
+    /// measured costs.
     std::uint64_t count = 0;
     std::uint64_t seed = 1; ///< 1 keeps the recorded order; another draws an order.
 };
 
-/// The trace has the depth. A row of the table stands for the same share of a trace of another
+/// The trace must have the depth. A table row applies to an equal share of a trace of another
 /// length.
 [[nodiscard]] Workload
 make_workload(const Trace& trace, const PaperTable& table, const WorkloadOptions& options);

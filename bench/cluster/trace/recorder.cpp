@@ -35,8 +35,7 @@ double seconds_of(const Work& work) {
     return cpu_seconds() - start;
 }
 
-/// Something that is done for each scenario, and the seconds that it says it took: a row a
-/// scenario, a column a pass.
+/// A step of each scenario that reports its own seconds: a row per scenario, a column per pass.
 class TimedStep {
   public:
     TimedStep(std::size_t scenarios, unsigned passes, std::function<double(std::size_t)> step)
@@ -58,8 +57,8 @@ class TimedStep {
     std::vector<double> seconds_;
 };
 
-/// All steps on some scenarios, then on the next ones: how fast the machine is changes with what
-/// else it does, and steps are compared with each other.
+/// Runs all steps on some scenarios, then on the next ones: the machine's speed drifts, and the
+/// steps are compared with each other.
 void run_in_turns(std::span<TimedStep* const> steps, std::size_t scenarios, unsigned passes) {
     constexpr std::size_t together = 128;
     for (std::size_t begin = 0; begin < scenarios; begin += together) {
@@ -77,12 +76,12 @@ void run_in_turns(std::span<TimedStep* const> steps, std::size_t scenarios, unsi
 /// A body cut at a depth, with all its subtrees.
 struct CutBody {
     TreeTop top;
-    std::vector<std::shared_ptr<const Subtree>> subtrees; ///< As a worker has them.
+    std::vector<std::shared_ptr<const Subtree>> subtrees; ///< In the worker's form.
     std::vector<Subtree> binary;                          ///< In the paper's form.
     CutTrace trace;
 };
 
-/// Opens the block as a worker does, and measures that.
+/// Opens the block as a worker does, and measures the time.
 Result<std::shared_ptr<const Subtree>> open_timed(const SubtreeBlock& block, RootTrace& root) {
     const double start = cpu_seconds();
     const auto opened = open_block(block);
@@ -140,7 +139,7 @@ std::vector<std::shared_ptr<const Subtree>> subtrees_of(const CutBody& body,
     return subtrees;
 }
 
-/// The paper's form of the search.
+/// Searches in the paper's form of tree.
 double search_binary(const CutBody& a,
                      const CutBody& b,
                      const std::vector<RootPair>& roots,
@@ -175,10 +174,10 @@ ready_scenario(const CutBody& a, const CutBody& b, const Analysis& analysis, con
     return ready;
 }
 
-/// All scenarios at one depth of A's cut.
+/// Records all scenarios at one depth of A's cut.
 class DepthRecorder {
   public:
-    /// All of these outlive it.
+    /// All arguments must outlive this.
     DepthRecorder(const CutBody& a,
                   const CutBody& b,
                   const std::vector<Scenario>& scenarios,
@@ -223,7 +222,7 @@ class DepthRecorder {
     }
 
     [[nodiscard]] std::span<const Analysis> analyses() const { return analyses_; }
-    /// As a worker sends them.
+    /// Records in a worker's form.
     [[nodiscard]] std::span<const Bytes> records() const { return records_; }
 
   private:
@@ -251,10 +250,10 @@ class DepthRecorder {
     TimedStep wide_;
 };
 
-/// The search in one process; with wide trees also the record.
+/// Records the search in one process; with wide trees also the record.
 class WholeRecorder {
   public:
-    /// All of these outlive it.
+    /// All arguments must outlive this.
     WholeRecorder(const ObbTree& a,
                   const ObbTree& b,
                   const std::vector<Scenario>& scenarios,

@@ -1,4 +1,4 @@
-// Measures what a job costs, by the code that the master and the worker run.
+// Measures a job's costs with the code of the master and the worker.
 #pragma once
 
 #include "bench/cluster/trace/trace.hpp"
@@ -17,13 +17,12 @@ struct RecordOptions {
     std::string name;
     std::vector<std::uint32_t> depths_a; ///< Ascending.
     std::uint32_t depth_b = 6;
-    unsigned passes = 3;           ///< Over the scenarios; times are medians.
-    std::filesystem::path scratch; ///< A folder for blocks; they are left there.
+    unsigned passes = 3;           ///< Passes over the scenarios; times are medians.
+    std::filesystem::path scratch; ///< A folder for blocks, which are not deleted.
 };
 
-/// What is recorded stands in trace.hpp. Takes the trees' binary form alone, as a master does, and
-/// makes wide trees where it needs them; all depths are in memory at once. Prints a line for each
-/// depth. Errors: Io.
+/// Records a trace (trace.hpp). Takes binary trees only, as a master does, and makes wide trees
+/// where needed; all depths are in memory at once. Prints a line for each depth. Errors: Io.
 [[nodiscard]] Result<Trace> record_trace(const std::shared_ptr<const ObbTree>& a,
                                          const std::shared_ptr<const ObbTree>& b,
                                          const std::vector<Scenario>& scenarios,

@@ -15,11 +15,11 @@ namespace cd::bench {
 
 namespace {
 
-/// A worker keeps results for 50 ms: so many of some 200 us on two threads.
+/// A worker keeps results for 50 ms: that many of about 200 us on two threads.
 constexpr std::size_t results_together = 256;
 constexpr JobId job{1};
 
-/// A journal with one job, to which results are added, and which is waited for.
+/// A journal with one job; each write waits for the disk.
 class Writer {
   public:
     static Result<std::unique_ptr<Writer>> open(const std::filesystem::path& folder,
@@ -32,7 +32,7 @@ class Writer {
         return std::unique_ptr<Writer>(new Writer(std::move(journal.value()), scenarios));
     }
 
-    /// All of it is merged, and on the disk, when this returns.
+    /// Returns when all results are merged and on disk.
     void write(TakenResults taken) {
         AddResults add{job, store_, {}, {}, {}};
         for (TakenResult& one : taken.results) {
@@ -102,7 +102,7 @@ double seconds_of(double (*clock)(), const Work& work) {
     return clock() - start;
 }
 
-/// The results of one message, on all of their way.
+/// Measures every step of one message of results.
 Result<ResultCosts>
 cost_of_message(const TaskContent& task, std::span<const Bytes> records, Writer& writer) {
     ResultCosts costs;
@@ -113,7 +113,7 @@ cost_of_message(const TaskContent& task, std::span<const Bytes> records, Writer&
     if (!taken) {
         return taken.error();
     }
-    // Merging is the master's thread's, the rest the journal's.
+    // The master's thread merges; the journal's thread does the rest.
     costs.journal_seconds =
         seconds_of(process_cpu_seconds, [&] { writer.write(std::move(taken.value())); });
     return costs;

@@ -1,5 +1,4 @@
-// What results cost on their way from a worker's search to the master's disk, measured by the code
-// of both.
+// Costs of results from a worker's search to the master's disk, measured with the code of both.
 #pragma once
 
 #include "bench/cluster/trace/trace.hpp"
@@ -13,11 +12,10 @@
 
 namespace cd::bench {
 
-/// Of scenarios that were analysed, with the record that a worker made of each, in the same order;
-/// as many together in a message as a worker sends of such scenarios. The journal is a new one in
-/// the folder, and is left there; nothing is synced, since waiting for a disk takes no processor.
-/// Means over the scenarios, of the passes' medians. Errors: Io; BadFrame for records that are
-/// none.
+/// Takes analysed scenarios with their records from a worker, in that order, and packs as many into
+/// a message as a worker does. Makes a new journal in the folder, which is not deleted; nothing is
+/// synced, since waiting for a disk takes no processor time. Returns means over the scenarios of
+/// the passes' medians. Errors: Io; BadFrame for invalid records.
 [[nodiscard]] Result<ResultCosts>
 measure_result_costs(const std::shared_ptr<const JobMaterial>& material,
                      std::span<const Analysis> analyses,

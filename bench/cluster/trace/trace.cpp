@@ -14,7 +14,7 @@ constexpr FileKind trace_kind{0x656361727463'6463, 3}; // "cdctrace"
 constexpr std::size_t trace_bytes_max = std::size_t{1} << 32;
 constexpr int compression_level = 3;
 
-// Writes and reads the same members in the same order: `Stream` is a TraceWriter or a TraceReader.
+// Writes and reads members in one order: `Stream` is a TraceWriter or a TraceReader.
 
 template <class Stream, class T>
 void exchange(Stream& stream, std::vector<T>& values) {
@@ -24,7 +24,7 @@ void exchange(Stream& stream, std::vector<T>& values) {
     }
 }
 
-/// They ascend: the first, and the steps from each to the next.
+/// Roots ascend: writes the first, then the steps.
 template <class Stream>
 void exchange_roots(Stream& stream, std::vector<RootIndex>& roots) {
     stream.size(roots);
@@ -126,7 +126,7 @@ class TraceReader {
     }
     void real(double& value) { value = in_.get<double>(); }
     void text(std::string& value) { value = in_.get_text(); }
-    /// Each element takes a byte at least.
+    /// Each element takes at least one byte.
     template <class T>
     void size(std::vector<T>& values) {
         values.resize(std::min<std::uint64_t>(get_varint(in_).value_or(0), in_.remaining()));
@@ -147,7 +147,7 @@ const DepthTrace* Trace::at(std::uint32_t depth_a) const {
 
 Status write_trace(const std::filesystem::path& path, const Trace& trace) {
     TraceWriter writer;
-    Trace copy = trace; // `exchange` reads it here, and fills it when reading.
+    Trace copy = trace; // `exchange` needs a mutable object, which it fills when reading.
     exchange(writer, copy);
     return write_checked(path, trace_kind, compress(writer.take(), compression_level));
 }
