@@ -31,7 +31,7 @@ namespace cd::bench {
 
 namespace {
 
-/// What one pose leaves to be decided.
+/// Candidates of one pose.
 struct Work {
     PosePair poses;
     std::vector<Candidate> candidates;
@@ -55,7 +55,7 @@ TriangleSpan triangles_of(const ObbTree& tree) {
     return {tree.view().vertices, tree.view().triangles};
 }
 
-/// Blocks of triangles that follow each other in the tree: each keeps its place.
+/// Returns blocks of consecutive triangles of the tree; positions are kept.
 TriangleBlockArrays blocks_of(const ObbTree& tree, Precision precision) {
     TriangleBlockArrays blocks(precision);
     const TriangleSpan all = triangles_of(tree);
@@ -84,7 +84,7 @@ void add_candidates(const Scene& scene,
     }
 }
 
-/// The larger box is descended first, as in ContactSearch.
+/// Descends the larger box first, as ContactSearch does.
 std::vector<Candidate> candidates_of(const Scene& scene, const PosePair& poses) {
     struct NodePair {
         std::uint32_t a;
@@ -136,7 +136,7 @@ void for_each_block(const Work& work, const OnBlock& on_block) {
     }
 }
 
-/// What candidates are read from.
+/// Source of the candidates' corners: the mesh.
 struct MeshSource {
     TriangleSpan a;
     TriangleSpan b;
@@ -244,7 +244,7 @@ void run_decision(benchmark::State& state, const Scene& scene) {
     }
 }
 
-/// Nothing, and a line on stderr, where there is nothing to measure.
+/// Returns nothing, with a line on stderr, if there is nothing to measure.
 std::optional<Scene> make_scene(const PosedTreesOptions& options) {
     auto posed = load(options);
     if (!posed) {

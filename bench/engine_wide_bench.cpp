@@ -35,13 +35,13 @@ namespace cd::bench {
 
 namespace {
 
-/// What was found under one pose, and what it took.
+/// Contacts found under one pose, and their cost.
 struct Found {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>>* pairs = nullptr; ///< Kept where not null.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>>* pairs = nullptr; ///< Filled if not null.
     std::uint64_t contacts = 0;
     std::uint64_t box_tests = 0;
     std::uint64_t candidates = 0;
-    std::uint64_t visits = 0; ///< Pairs of nodes; of a descent only.
+    std::uint64_t visits = 0; ///< Pairs of nodes; for a descent only.
 };
 
 template <class Pairs>
@@ -53,7 +53,7 @@ void keep(const Pairs& pairs, Found& found) {
     }
 }
 
-/// All candidates of a pose.
+/// Finds all candidates of a pose.
 void descend(const PosedTrees& trees, const PosePair& poses, Found& found) {
     WideDescent descent(relative_pose(poses));
     descent.start(trees.a.view().wide, trees.b.view().wide);
@@ -68,7 +68,7 @@ void descend(const PosedTrees& trees, const PosePair& poses, Found& found) {
 
 void search(const PosedTrees& trees, const PosePair& poses, const char* level, Found& found) {
     const std::string_view wanted = level;
-    // As a user keeps them: from pose to pose.
+    // Reused from pose to pose, as a user does.
     static ContactSearch keeping(poses, {});
     static ContactSearch counting(poses, {}, {.keep_pairs = false});
     ContactSearch& search = wanted == "pairs" ? keeping : counting;
@@ -90,7 +90,7 @@ struct Work {
     bool is_hot;
 };
 
-/// By what must be the same, as first found.
+/// First checksum of each name; all later ones must equal it.
 using Checksums = std::map<std::string, double>;
 
 void work_on(const PosedTrees& trees, const PosePair& poses, const Work& work, Found& found) {
@@ -103,7 +103,7 @@ void work_on(const PosedTrees& trees, const PosePair& poses, const Work& work, F
 
 constexpr int repeats_when_hot = 4;
 
-/// Seconds of this thread on all poses, once each.
+/// Returns this thread's seconds for all poses, once each.
 double seconds_of_poses(const PosedTrees& trees, const Work& work) {
     double spent = 0;
     Found found;
@@ -122,7 +122,7 @@ double seconds_of_poses(const PosedTrees& trees, const Work& work) {
     return spent;
 }
 
-/// The counts of a pose, and the checksum, which all rows named `same_as` share.
+/// Reports the counts of a pose, and the checksum, which all rows named `same_as` share.
 void report(benchmark::State& state,
             const PosedTrees& trees,
             const Work& work,
@@ -134,7 +134,7 @@ void report(benchmark::State& state,
         std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
         Found found{&pairs};
         work_on(trees, poses, work, found);
-        std::sort(pairs.begin(), pairs.end()); // They come in any order.
+        std::sort(pairs.begin(), pairs.end()); // Pairs come in any order.
         checksum.add(found.contacts);
         for (const auto& [a, b] : pairs) {
             checksum.add(a);
@@ -183,7 +183,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// Of one level, the microseconds of each pose, round by round.
+/// Microseconds of each pose at one level, round by round.
 class PoseTimes {
   public:
     PoseTimes(const PosedTrees& trees, const char* level)

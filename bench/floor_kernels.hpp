@@ -1,5 +1,5 @@
-// The three kernels that a search cannot do without, each in its barest form and with all that it
-// reads in the first cache: what a whole query is held against.
+// The three kernels that every search needs, each in its barest form with all its data in the first
+// cache: a lower bound for whole queries.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,14 @@
 
 namespace cd::bench {
 
-/// How many of what they looked at they leave. The same on every SIMD target.
+/// Number of inputs that each kernel leaves. Equal on every SIMD target.
 struct FloorCounts {
     std::uint64_t looked_at = 0;
     std::uint64_t left = 0;
 };
 
-/// Fixed inputs, and the kernels on them, by the SIMD target in use. None has the margins, the
-/// walk or the memory of a real search.
+/// Fixed inputs, and the kernels on them, for the SIMD target in use. The kernels lack the margins,
+/// the descent and the memory accesses of a real search.
 class FloorKernels {
   public:
     FloorKernels();
@@ -22,13 +22,13 @@ class FloorKernels {
     FloorKernels& operator=(const FloorKernels&) = delete;
     ~FloorKernels();
 
-    /// Sixteen boxes in one frame against sixteen in another, on the six axes of both, each box
-    /// put into the other frame; pairs that overlap are listed.
+    /// Tests sixteen boxes in one frame against sixteen in another, on the six axes of both, each
+    /// box transformed to the other frame; lists the overlapping pairs.
     FloorCounts boxes();
-    /// Pairs of triangles, gathered: is one wholly on a side of the other's plane? In floats with
-    /// an error bound; pairs that are not are listed.
+    /// Tests gathered pairs of triangles: is one wholly on a side of the other's plane? Uses floats
+    /// with an error bound; lists the pairs that are not separated.
     FloorCounts sides();
-    /// The float stage of the decision (float_triangle_pair.hpp) on pairs that `sides` leaves.
+    /// Runs the decision's float stage (float_triangle_pair.hpp) on the pairs that `sides` leaves.
     FloorCounts decision();
 
   private:
@@ -36,14 +36,14 @@ class FloorKernels {
     std::unique_ptr<Data> data_;
 };
 
-/// What one box test, one look at sides and one decision take.
+/// Time of one box test, one side test and one decision.
 struct FloorTimes {
     double box_ns = 0;
     double side_ns = 0;
     double decision_ns = 0;
 };
 
-/// Of the best of many runs.
+/// Returns the best times of many runs.
 [[nodiscard]] FloorTimes measure_floor();
 
 } // namespace cd::bench

@@ -23,7 +23,7 @@ constexpr JobId job{1};
 constexpr std::uint32_t roots_per_tree = 5000;
 
 std::vector<RootIndex> some_roots(std::mt19937_64& random, std::size_t count) {
-    // A run of neighbours and some strays, as a scenario's roots are.
+    // A run of neighbours and some strays, as in a real scenario.
     const auto begin = static_cast<RootIndex>(random() % roots_per_tree);
     std::vector<RootIndex> roots;
     for (std::size_t i = 0; i < count; ++i) {
@@ -44,7 +44,7 @@ class Midway {
         : roots_touched_(roots_touched) {
         ClusterOptions options;
         options.strategy = strategy;
-        options.q = 1u << 16; // No buffer fills: a decision is a decision, not a batch.
+        options.q = 1u << 16; // Buffers never fill, so that a decision sends no batch.
         options.v_kb = 1u << 22;
         (void)dispatcher_.job_opened(job, options, tree(1), tree(2));
         for (std::uint64_t id = 1; id <= workers; ++id) {
@@ -53,7 +53,8 @@ class Midway {
         }
         std::vector<RootIndex> all_roots(roots_per_tree);
         std::iota(all_roots.begin(), all_roots.end(), 0);
-        // Who joined later was chosen for what nobody held; each lets go of another half.
+        // Workers that joined late were chosen for blocks that nobody held; each now drops another
+        // half.
         for (std::uint64_t id = 1; id <= workers; ++id) {
             for (const TreeId tree : {TreeId{1}, TreeId{2}}) {
                 std::vector<RootIndex> gone;
@@ -72,7 +73,7 @@ class Midway {
     void decide(AnalysedScenario analysed) {
         benchmark::DoNotOptimize(dispatcher_.scenario_analysed(job, std::move(analysed)));
     }
-    /// What each worker got.
+    /// Returns a checksum of each worker's scenarios.
     [[nodiscard]] double checksum() {
         Checksum sum;
         for (const Action& action : dispatcher_.input_paused()) {
@@ -120,7 +121,7 @@ double percentile(std::vector<double>& values, double share) {
 }
 
 void decide(benchmark::State& state, Strategy strategy) {
-    constexpr std::size_t decisions = 2000; // The same ones in each round.
+    constexpr std::size_t decisions = 2000; // Each round uses these decisions.
     constexpr double unknown = 1e9;
     std::vector<double> own(decisions, unknown);
     std::vector<double> wall(decisions, unknown);

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double megabyte = 1e6;
 
-/// Facets with nine digits a coordinate, as programs print floats.
+/// Writes facets with nine digits per coordinate, as programs print floats.
 void write_text_stl(const std::filesystem::path& path, double megabytes) {
     std::ofstream out(path, std::ios::binary);
     std::mt19937_64 random(1);

@@ -32,7 +32,7 @@ Subtrees some_block() {
     SubtreeBlock block;
     block.compressed.resize(block_bytes);
     for (std::size_t i = 0; i < block_bytes; ++i) {
-        block.compressed[i] = static_cast<std::byte>(i * 2654435761u >> 13); // Not all the same.
+        block.compressed[i] = static_cast<std::byte>(i * 2654435761u >> 13); // Varies the bytes.
     }
     message.blocks.push_back(std::move(block));
     return message;

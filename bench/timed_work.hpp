@@ -1,4 +1,4 @@
-// What the programs built on Google Benchmark share: a thread's own time, and a checksum.
+// Shared by the Google Benchmark programs: a thread's own time, and a checksum.
 #pragma once
 
 #include <cstdint>
@@ -6,14 +6,14 @@
 
 namespace cd::bench {
 
-/// Of this thread: others that run on the host do not count.
+/// Returns this thread's time: other processes on the host do not count.
 [[nodiscard]] inline double processor_seconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// FNV-1a over what was found.
+/// FNV-1a over the results.
 class Checksum {
   public:
     template <class Values>
@@ -23,7 +23,7 @@ class Checksum {
         }
     }
     void add(std::uint64_t value) { sum_ = (sum_ ^ value) * 0x100000001b3u; }
-    /// As a number that a double holds exactly.
+    /// Returns the sum as a number that a double holds exactly.
     [[nodiscard]] double value() const { return static_cast<double>(sum_ >> 12); }
 
   private:

@@ -39,7 +39,7 @@ struct Options {
     bool is_binary = false;
 };
 
-/// The median over rounds of a function's time.
+/// Returns the median time of a function over the rounds.
 template <class Function>
 double median_seconds(std::size_t rounds, const Function& function) {
     std::vector<double> seconds;

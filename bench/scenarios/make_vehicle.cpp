@@ -33,7 +33,7 @@ void put_floats(std::string& bytes, const Vec3& point) {
     }
 }
 
-/// Binary STL. Normals are left zero, as the format allows.
+/// Returns binary STL. Normals are zero, as the format allows.
 std::string stl_bytes(const Mesh& mesh) {
     std::string bytes(80, ' ');
     put_u32(bytes, static_cast<std::uint32_t>(mesh.triangles().size()));
@@ -71,7 +71,7 @@ std::string obj_text(const Mesh& mesh) {
     return text;
 }
 
-/// A chunk of a GLB file, filled up to a multiple of four bytes (glTF 2.0, section 4.4).
+/// Returns a GLB chunk, padded to a multiple of four bytes (glTF 2.0, section 4.4).
 std::string glb_chunk(std::string_view type, std::string data, char filler) {
     data.append((4 - data.size() % 4) % 4, filler);
     std::string chunk;
@@ -79,7 +79,7 @@ std::string glb_chunk(std::string_view type, std::string data, char filler) {
     return chunk + std::string(type) + data;
 }
 
-/// Binary glTF with one node, its mesh as one primitive.
+/// Returns binary glTF with one node, whose mesh is one primitive.
 std::string glb_bytes(const Mesh& mesh) {
     std::string data;
     for (const Vec3& vertex : mesh.vertices()) {

@@ -16,7 +16,7 @@ struct Cells {
     std::uint32_t v = 1;
 };
 
-/// The sheet's grid for so many triangles; nothing of it for fewer than its shape needs.
+/// Returns the sheet's grid for so many triangles, or nothing if its shape needs more.
 std::optional<Cells> cells_of(const Sheet& sheet, double triangles) {
     const std::uint32_t least_u = sheet.closed_u ? 4 : 1;
     const std::uint32_t least_v = sheet.closed_v ? 4 : 1;
@@ -67,7 +67,7 @@ CirclePoint circle_point(double turn) {
     const double quarters = 4 * (turn - std::floor(turn));
     const int quarter = std::min(3, static_cast<int>(quarters));
     const double part = quarters - quarter;
-    // The tangent of half the angle within the quarter, nearly.
+    // Approximates the tangent of half the angle within the quarter.
     const double t = part * (0.785 + 0.215 * part * part);
     const double c = (1 - t * t) / (1 + t * t);
     const double s = 2 * t / (1 + t * t);

@@ -1,5 +1,5 @@
-// Surfaces from which generated models are put together: each is a grid of quadrilaterals, each
-// cut in two. Only + - * / and sqrt, so that a model has the same bits on every host.
+// Surfaces of generated models: each is a grid of quadrilaterals, each split into two triangles.
+// Uses only + - * / and sqrt, so that a model has the same bits on every host.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -13,36 +13,37 @@
 
 namespace cd::bench {
 
-/// A point for u and v in [0, 1].
+/// Returns a point for u and v in [0, 1].
 using Surface = std::function<Vec3(double u, double v)>;
 
 struct Sheet {
     Surface at;
-    double share = 1;         ///< Of the model's triangles, relative to its other sheets.
-    double cells_u_per_v = 1; ///< Far from the surface's own proportions: long thin triangles.
-    bool closed_u = false;    ///< u = 1 is u = 0 again.
+    double share = 1; ///< Share of the model's triangles, relative to its other sheets.
+    double cells_u_per_v =
+        1; ///< Cell proportions; values far from the surface's own give long thin triangles.
+    bool closed_u = false; ///< u = 1 coincides with u = 0.
     bool closed_v = false;
 };
 
-/// (cos, sin) of `turn` full turns, off by up to 0.01 in the angle, on the circle to rounding.
+/// (cos, sin) of `turn` full turns: the angle is off by up to 0.01, the radius only by rounding.
 struct CirclePoint {
     double cos = 1;
     double sin = 0;
 };
 [[nodiscard]] CirclePoint circle_point(double turn);
 
-/// The same direction on a circle squeezed into its square: |c|^4 + |s|^4 = 1.
+/// Returns the direction on a rounded square: |c|^4 + |s|^4 = 1.
 [[nodiscard]] CirclePoint boxy_point(double turn);
 
-/// 0 at whole numbers, 1 halfway, straight between.
+/// Triangle wave: 0 at whole numbers, 1 halfway, linear between.
 [[nodiscard]] double saw(double x);
 
-/// One mesh with about `triangles` triangles, coordinates rounded to floats. A sheet with fewer
-/// triangles to its share than its shape needs is left out.
+/// Returns one mesh of about `triangles` triangles, coordinates rounded to floats. Omits a sheet
+/// whose share is smaller than its shape needs.
 [[nodiscard]] std::shared_ptr<const Mesh> join_sheets(std::span<const Sheet> sheets,
                                                       std::uint64_t triangles);
 
-/// A tube of half sizes `wide` and `high` along a polyline; square in section if `boxy`.
+/// A tube with half sizes `wide` and `high` along a polyline; rectangular in section if `boxy`.
 struct TubeShape {
     std::vector<Vec3> path; ///< At least two points; no piece is parallel to `up`.
     Vec3 up = Vec3(0, 0, 1);

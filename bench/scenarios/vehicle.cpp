@@ -11,7 +11,7 @@ namespace cd::bench {
 
 namespace {
 
-/// A cross-section of a body: half its width, and its lower and upper end.
+/// A cross-section of a body: half its width, and its lower and upper ends.
 struct Station {
     double x;
     double half_width;
@@ -34,7 +34,7 @@ Station between(std::span<const Station> stations, double u) {
         x, mix(from.half_width, to.half_width), mix(from.bottom, to.bottom), mix(from.top, to.top)};
 }
 
-/// A skin around stations, narrower towards the roof, drawn in by `inset` and with `ribs` waves of
+/// A skin around stations, narrower towards the roof, inset by `inset`, with `ribs` waves of
 /// `rib_depth` along it.
 struct Skin {
     std::vector<Station> stations;
@@ -60,7 +60,7 @@ struct Wheel {
     Vec3 center;
     double radius;
     double half_width;
-    double side; ///< -1 or 1: towards which y its face looks.
+    double side; ///< -1 or 1: the direction in y that its face looks towards.
 };
 
 /// A tyre with lugs, around the y axis.
@@ -88,7 +88,7 @@ Surface rim(const Wheel& wheel) {
 Surface ball(const Vec3& center, const Vec3& half) {
     return [=](double u, double v) {
         const auto [c, s] = circle_point(u);
-        // Open at both ends by a hair: no triangle is a point.
+        // Leaves a tiny hole at both ends, so that no triangle degenerates to a point.
         const auto [height, width] = circle_point(0.5 * (0.02 + 0.96 * v));
         return Vec3(center + Vec3(half.x() * c * width, half.y() * s * width, half.z() * height));
     };
@@ -140,7 +140,7 @@ class Parts {
         }
     }
 
-    /// Rivets along a line, standing out towards `out`.
+    /// Adds rivets along a line, protruding towards `out`.
     void rivets(const Vec3& from, const Vec3& to, const Vec3& out, int count, double share) {
         for (int i = 0; i < count; ++i) {
             const Vec3 at = from + (i + 0.5) / count * (to - from);
@@ -154,7 +154,7 @@ class Parts {
         closed(ball(at + Vec3(-0.27, 0, 0.75), {0.05, 0.13, 0.1}), 0.15 * share, 1);
     }
 
-    /// A block with hoses around it.
+    /// Adds a block with hoses around it.
     void engine(const Vec3& at, double share) {
         bar({at - Vec3(0.3, 0, 0), at + Vec3(0.3, 0, 0)}, 0.22, 0.2, 0.2 * share, 1);
         for (int i = 0; i < 4; ++i) {
@@ -171,7 +171,7 @@ class Parts {
         }
     }
 
-    /// Slats, long and thin, across the front at x.
+    /// Adds long thin slats across the front at x.
     void grille(double x, double half_width, double bottom, double top, int count, double share) {
         for (int i = 0; i < count; ++i) {
             const double z = bottom + (i + 0.5) / count * (top - bottom);
@@ -200,7 +200,7 @@ void add_car_body(Parts& parts) {
     parts.open(panel({0.02, -0.8, 0.5}, {0, 1.6, 0}, {-0.08, 0, -0.15}, 1, 0.05), 1.5, 8);
     parts.open(panel({4.36, -0.8, 0.35}, {0, 1.6, 0}, {0.06, 0, 0.2}, 1, -0.05), 1.5, 8);
     for (const double side : {-1.0, 1.0}) {
-        // Trims and sills: one cell wide over metres.
+        // Trims and sills: one cell wide over several metres.
         parts.bar({{0.7, 0.89 * side, 0.6}, {3.6, 0.89 * side, 0.62}}, 0.008, 0.02, 1, 0.1);
         parts.bar({{0.8, 0.84 * side, 0.25}, {3.4, 0.84 * side, 0.25}}, 0.05, 0.04, 1, 0.15);
         parts.bar({{1.5, 0.68 * side, 1.38}, {2.6, 0.68 * side, 1.41}}, 0.006, 0.01, 0.5, 0.1);
