@@ -1,14 +1,14 @@
-// What does a tie cost? Times the decision of hard pairs by category, each pair with its own poses,
-// and of the candidates of scenes in which ties are the normal case: boxes stacked on lattices, as
-// they are, moved by decimals and turned by 3-4-5, and gears.
+// Measures the cost of ties. Times the decision of hard pairs by category, each pair with its own
+// poses, and of the candidates of scenes full of ties: gears, and boxes stacked on lattices,
+// unmoved, moved by decimals and turned by 3-4-5.
 //
 //   engine_exact_bench [--pairs 300] [--rounds 9] [--stages] [--only gears]
 //
-// A Markdown row a set: pairs; nanoseconds a pair as a query decides them, the poses' tests made
-// anew in each round; the same with those tests made before; with --stages then from stage Double
-// on, from Lattice, from DoubleDouble, from WideInteger and from Arbitrary, with the tests made
-// before; the pairs that each stage settled when all may, and the sums of the classes, which must
-// be one in all columns. All times are the medians of the rounds.
+// Prints a Markdown row per set: pairs; ns per pair as in a query, with the poses' tests made anew
+// in each round; ns per pair with tests made before. With --stages follow the times (tests made
+// before) from stage Double on, from Lattice, DoubleDouble, WideInteger and Arbitrary; the pairs
+// settled by each stage when all may; and the sums of the classes, which must be equal in all
+// columns. All times are medians of the rounds.
 #include "bench/accuracy/suites/sources.hpp"
 #include "bench/accuracy/timing.hpp"
 #include "common/pair/triangle_pair.hpp"

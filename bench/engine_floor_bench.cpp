@@ -1,11 +1,11 @@
-// What do the three kernels cost that no search can do without? In their barest form, all that they
-// read in the first cache, on each SIMD target: what queries are held against.
+// Measures the three kernels that every search needs, in their barest form, with all data in the
+// first cache, on each SIMD target: a lower bound for queries.
 //
 //   engine_floor_bench [--benchmark_...]
 //
 // `boxes`, `sides` and `decision` are those of floor_kernels.hpp; `each` is the time of one test.
-// The checksum, of how many tests there were and how many were left, must be the same for all
-// targets: otherwise the program fails.
+// The program fails unless the checksum (over the numbers of tests and of inputs left) is equal for
+// all targets.
 #include "bench/floor_kernels.hpp"
 #include "bench/timed_work.hpp"
 #include "common/geometry/simd_target.hpp"

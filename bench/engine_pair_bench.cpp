@@ -1,14 +1,13 @@
-// What does deciding a candidate pair cost, and how many do floats settle? On the pairs that the
-// trees of two real bodies leave over, in the order in which a search meets them.
+// Measures the decision of candidate pairs, and how many the floats settle, on the pairs that the
+// trees of two real bodies leave, in the order of a search.
 //
 //   engine_pair_bench MESH_A MESH_B [--unit-a 1] [--poses FILE | --random 50] [--benchmark_...]
 //
-// FILE holds a pose of B in A's frame a line: the rotation by rows, then the translation. `float`
-// is the float stage alone on each SIMD target, its gathering of corners included, from blocks of
-// 16 triangles that follow each other in the tree; `mesh` reads the mesh's arrays instead. The
-// corners have been read before the clock starts; in the rows called cold they have not. `decision`
-// is the whole decision. `each` is the time of one candidate. The checksum of what was decided must
-// be the same for all targets.
+// FILE holds a pose of B in A's frame per line: the rotation by rows, then the translation. `float`
+// is the float stage alone on each SIMD target, including the gathering of corners, from blocks of
+// 16 consecutive triangles of the tree; `mesh` reads the mesh's arrays instead. Corners are read
+// before the clock starts, except in cold rows. `decision` is the whole decision. `each` is the
+// time of one candidate. The checksum of the decisions must be equal for all targets.
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
 #include "common/geometry/aabb.hpp"
@@ -136,7 +135,7 @@ void for_each_block(const Work& work, const OnBlock& on_block) {
     }
 }
 
-/// Source of the candidates' corners: the mesh.
+/// Reads the candidates' corners from the mesh.
 struct MeshSource {
     TriangleSpan a;
     TriangleSpan b;

@@ -1,17 +1,16 @@
-// What does a search in two wide trees cost, and what does it look at? Under real or random poses,
-// on each SIMD target.
+// Measures searches in two wide trees and counts their tests, under real or random poses, on each
+// SIMD target.
 //
 //   engine_wide_bench MESH_A MESH_B [--unit-a 1] [--poses FILE | --random 50] [--benchmark_...]
 //
-// FILE holds a pose of B in A's frame a line: the rotation by rows, then the translation. `descent`
-// finds the candidates and decides none; `any`, `count` and `pairs` are whole searches, without
-// sorting. In the rows called hot each pose is searched again and again before the next, and what
-// it reads is in the caches; in those called cold all poses are gone through in turn. `each` is the
-// mean time of a pose; `box_tests`, `visits` (pairs of nodes; `descent` only), `candidates` and
-// `contacts` are its mean counts. The checksum of what was found must be the same for all targets,
-// hot and cold: otherwise the program fails. `any to pairs` asks the two in turns, round by round,
-// each pose in turn, and tells the medians over the poses of their medians over the rounds, and
-// their ratio: where nothing touches, `any` costs no more than `pairs`.
+// FILE holds a pose of B in A's frame per line: the rotation by rows, then the translation.
+// `descent` finds the candidates and decides none; `any`, `count` and `pairs` are whole searches,
+// without sorting. Hot rows repeat each pose before the next, with its data in the caches; cold
+// rows search all poses in turn. `each` is the mean time of a pose; `box_tests`, `visits` (pairs of
+// nodes; `descent` only), `candidates` and `contacts` are its mean counts. The program fails unless
+// the checksum of the results is equal for all targets, hot and cold. `any to pairs` runs the two
+// levels alternately, each pose in turn. It prints the medians over the poses of their medians over
+// the rounds, and their ratio: without contact, `any` costs no more than `pairs`.
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
 #include "common/geometry/simd_target.hpp"

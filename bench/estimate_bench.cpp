@@ -1,10 +1,10 @@
-// How near is the time that `cdctl run --dry-run` tells to that of the run? Estimates a job at each
-// level, runs it, and prints both.
+// Compares the time that `cdctl run --dry-run` estimates with that of the run: estimates a job at
+// each level, runs it, and prints both.
 //
 //   estimate_bench MESH_A MESH_B [--unit-a 1] [--poses FILE | --random 50]
 //
-// A row a level: seconds of the estimate, its range, seconds of the run, and their ratio, which is
-// to lie between a half and two. On a machine that does nothing else: both are times on the wall.
+// Prints a row per level: seconds of the estimate, its range, seconds of the run, and their ratio,
+// which should lie between a half and two. Needs an idle machine: both are wall times.
 #include "client/commands/estimate.hpp"
 
 #include "bench/posed_trees.hpp"

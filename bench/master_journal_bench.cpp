@@ -1,8 +1,8 @@
-// How many results a second the journal brings to the disk, and what one commit takes alone.
+// Measures how many results per second the journal commits to disk, and the time of one commit.
 //
-// journal_results: the whole way of results through `Journal`, added one by one as fast as it
-// takes them, by size of record, synced and not. journal_commit: one result at a time, each waited
-// for. The directory is below TMPDIR; its file system and disk are what is measured.
+// journal_results: adds results to `Journal` one by one, as fast as it accepts them, by record
+// size, synced and not. journal_commit: adds one result at a time and waits for each. The directory
+// is below TMPDIR: its file system and disk are measured.
 #include "common/core/files/hash.hpp"
 #include "master/journal/journal.hpp"
 

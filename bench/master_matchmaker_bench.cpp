@@ -1,10 +1,10 @@
-// What one decision of the master costs: an analysed scenario goes into the dispatcher, which picks
-// its worker. The dispatcher is the one that cdmaster drives; 10,000 roots in the two trees, 256
-// workers that hold half of them, 500 roots touched unless the arguments say otherwise.
+// Measures one decision of the master: the dispatcher that cdmaster uses takes an analysed scenario
+// and picks its worker. By default the two trees have 10,000 roots, 256 workers hold half of them,
+// and a scenario touches 500 roots.
 //
-// Each decision is timed by itself, on this thread's clock and by the wall; counters show the
-// median and the 99th percentile in microseconds of both, and a checksum over which worker got
-// which scenario, which tells a faster wrong answer.
+// Each decision is timed alone, in this thread's time and wall time. Counters show the median and
+// the 99th percentile of both, in microseconds, and a checksum over which worker got which
+// scenario, which exposes a faster wrong answer.
 #include "bench/timed_work.hpp"
 #include "master/dispatch/dispatcher.hpp"
 

@@ -1,10 +1,10 @@
-// How long does a mesh file take to become a mesh? Imports each file so many times and prints the
-// median.
+// Measures the import of mesh files: repeats each and prints the median.
 //
 //   mesh_import_bench [MESH...] [--text-stl MB] [--rounds 5]
 //
-// A row a file: triangles, megabytes, milliseconds of this thread's own time, since others may run.
-// `--text-stl` adds a text STL file of that size, made in the folder for temporary files.
+// Prints a row per file: triangles, megabytes, and milliseconds of this thread's own time, since
+// other processes may run. `--text-stl` adds a text STL file of that size, made in the folder for
+// temporary files.
 #include "client/import/mesh_import.hpp"
 
 #include "bench/timed_work.hpp"

@@ -1,6 +1,6 @@
-// What TLS costs where most bytes go: blocks of geometry from one end of a channel to the other,
-// over loopback, each end on a thread of its own; plain and secured in turn, so that both meet the
-// same machine. Prints MB/s and the processor time of both ends together, a line for each round.
+// Measures the cost of TLS for blocks of geometry, the bulk of all traffic: over loopback, each end
+// on its own thread, plain and secured rounds in alternation. Prints MB/s and the processor time of
+// both ends, a line per round.
 //
 //   proto_tls_bench [MEGABYTES] [ROUNDS]
 #include "proto/channel/channel.hpp"

@@ -1,11 +1,10 @@
-// What do the shared points of a pair cost? Times them for the pairs in contact of each category of
-// hard pairs, and of each hard scene of two whole meshes: by the path that SharedPoints takes of
-// itself, and all in integers of any size.
+// Measures the shared points of a pair, for the contacts of each category of hard pairs and of each
+// hard scene of two meshes: by the path that SharedPoints chooses, and all in arbitrary integers.
 //
 //   shared_points_bench [--pairs 200] [--scene-pairs 3000] [--rounds 5]
 //
-// A Markdown row a set: pairs, nanoseconds a pair by both paths with the origin (the least of the
-// rounds), how many took the fast path, and whether all points came out as the same bits.
+// Prints a Markdown row per set: pairs, ns per pair by both paths with the origin (least of the
+// rounds), pairs on the fast path, and whether all points have equal bits.
 #include "common/pair/points/shared_points.hpp"
 
 #include "common/search/traverse.hpp"
@@ -32,7 +31,7 @@ struct Options {
     int rounds = 5;
 };
 
-/// Pairs in contact; those under one pair of poses stand together.
+/// Pairs in contact; pairs under equal poses are adjacent.
 struct Group {
     PosePair poses;
     std::vector<PairCorners> pairs;

@@ -1,13 +1,13 @@
-// What does a mesh cost on its way to the workers? Cuts the trees of meshes and prints what their
-// blocks take, in the form that exact jobs ask for and in that of jobs under a tolerance, and how
-// long a subtree takes from a tree to bytes and from bytes to what a search walks.
+// Measures meshes on their way to the workers. Cuts the trees of meshes and prints the size of
+// their blocks, in the forms for exact jobs and for jobs with a tolerance, and the time to encode a
+// subtree and to decode it for a search.
 //
 //   tree_blocks_bench MESH... [--depths 12,6] [--rounds 5] [--binary]
 //
-// A row a mesh and depth: triangles, roots, bytes a triangle before compression and after it (block
-// by block, as they travel), the same of each column compressed alone, then nanoseconds a triangle
-// to extract, encode, decompress, hash and decode (the median of the rounds; of one thread's own
-// time, since others may run), the decoder's GB/s of block bytes, and bytes a triangle in memory.
+// Prints a row per mesh and depth: triangles, roots, bytes per triangle before and after
+// compression (block by block, as on the wire), compressed bytes per triangle of each column alone,
+// ns per triangle to extract, encode, decompress, hash and decode (medians of the rounds, in one
+// thread's own time), the decoder's GB/s of block bytes, and bytes per triangle in memory.
 #include "bench/timed_work.hpp"
 #include "client/import/mesh_import.hpp"
 #include "common/core/check.hpp"

@@ -1,27 +1,26 @@
-// What does each way of splitting cost and give? Builds the trees of two meshes with binned splits,
-// with the paper's sweep everywhere (section 6.2), with boxes along the body's axes, and without
-// the bound of a quarter, and runs the same scenarios on each.
+// Compares ways of splitting: binned splits, the paper's sweep everywhere (section 6.2), boxes
+// along the body's axes, and no bound of a quarter. Builds the trees of two meshes in each way and
+// runs one set of scenarios on each tree.
 //
 //   tree_build_bench MESH [B] [--poses FILE | --scenarios 50] [--rounds 5] [--depth 12] [--no-bare]
 //
-// Without B the mesh meets itself. FILE holds a pose of B in A's frame a line: the rotation by
-// rows, then the translation; without it the poses are random ones in contact.
+// Without B the mesh meets itself. FILE holds a pose of B in A's frame per line: the rotation by
+// rows, then the translation. Without FILE the poses are random ones in contact.
 //
-// First a row a mesh: the time of the connections alone, and for one thread and two the least and
-// the median time of a build over the rounds, without and with the wide tree made from it; by the
-// clock and by the processor (which counts all threads, and stands still while others run on the
-// machine).
+// The first table has a row per mesh: the time of the connections alone, then the least and the
+// median time of a build over the rounds, on one thread and on two, without and with the wide tree.
+// Times are wall time and processor time (of all threads, without waits for a busy machine).
 //
-// Then a row a mesh on trees that are kept between runs, each form as a file: MB, how long it takes
-// to write one and to find it again (mapped and checked), and of the wide form the first search of
-// the mesh against itself in a tree that was just found, and in the one that was built.
+// The second table measures trees kept on disk, a row per mesh. For each form: MB, and the time to
+// write a file and to find it again (mapped and checked). For the wide form also: the first search
+// of the mesh against itself, in a tree just found and in the one just built.
 //
-// Then a row a tree: nodes and depth of A's, the share of its triangles under the largest
-// distribution root, bytes a triangle (nodes and order), N_b and N_p a scenario, C_b and C_p (the
-// processor time of a descent without triangle tests over N_b; that of the rest over N_p), the
-// paper's cost N_b C_b + N_p C_p with the first row's C_b and C_p, and the digest, which must be
-// one. All of the binary tree that the paper searches; the last row searches the wide tree, whose
-// box tests are other ones, so that only its own C_b and C_p tell what it costs.
+// The third table has a row per tree: nodes and depth of A's tree, the share of its triangles under
+// the largest distribution root, bytes per triangle (nodes and order), N_b and N_p per scenario,
+// C_b (processor time of a descent without triangle tests over N_b) and C_p (the remaining time
+// over N_p), the paper's cost N_b C_b + N_p C_p with the first row's C_b and C_p, and the digest,
+// which must be equal in all rows. All rows but the last search the paper's binary tree. The last
+// row searches the wide tree, whose box tests differ: only its own C_b and C_p tell its cost.
 #include "client/import/mesh_import.hpp"
 #include "client/trees/tree_cache.hpp"
 #include "common/core/host/thread_pool.hpp"

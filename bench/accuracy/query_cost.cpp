@@ -1,4 +1,4 @@
-// What whole queries of vehicles cost. Built twice: as the product, and with every stage after the
+// Measures whole queries of vehicles. Built twice: as the product, and with every stage after the
 // floats replaced (fallback_off.cpp); certification.py runs both in turn.
 //
 //   query_cost --save FILE [--models FOLDER] [--couple 0] [--scenarios 50]   the poses, as a file

@@ -1,4 +1,4 @@
-// Clusters far beyond the paper's, over recorded traces. See README.md.
+// Simulates clusters far larger than the paper's, over recorded traces. See README.md.
 //
 //   beyond TRACE --out FOLDER [--depth 8] [--quick] [--many]
 #include "bench/accuracy/csv.hpp"

@@ -1,4 +1,4 @@
-// Fits the two constants of the master's model of costs (master/dispatch/cost_model.cpp) to traces.
+// Fits the two constants of the master's cost model (master/dispatch/cost_model.cpp) to traces.
 //
 //   fit_costs TRACE...
 #include "bench/cluster/trace/trace.hpp"

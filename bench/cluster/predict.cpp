@@ -1,5 +1,5 @@
-// How long the simulation says that a job takes on one computer, which runs the master and workers
-// of one thread; for a comparison with the same job there. See `prediction`.
+// Predicts by simulation the time of a job on one computer that runs the master and workers of one
+// thread, to compare it with a real run there. See `prediction`.
 //
 //   predict TRACE --cores N --workers N --strategy NAME --depth D
 #include "bench/cluster/model/experiments.hpp"

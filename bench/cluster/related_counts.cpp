@@ -1,5 +1,5 @@
-// How many boxes and triangles are tested by the ways of the paper's related work (section 4), for
-// the same poses: counts, not engines. See README.md.
+// Counts the box and triangle tests of the methods in the paper's related work (section 4), on
+// equal poses: counts, not engines. See README.md.
 //
 //   related_counts MESH_A MESH_B --name heavy --out FOLDER [--count 40]
 #include "bench/accuracy/csv.hpp"

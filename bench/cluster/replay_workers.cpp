@@ -1,7 +1,7 @@
-// Workers that replay: each speaks the real protocol over its own connection and answers with the
-// true records of a job, which were found before; a task takes as long as finding them took, or no
-// time. What is measured is the master. The job's digest, as these records make it, is printed
-// first: the master has to come to the same. See README.md.
+// Measures the master with replaying workers. Each speaks the real protocol over its own connection
+// and answers with a job's true records, found in advance; a task takes as long as finding them
+// took, or no time. Prints first the job's digest by these records: the master must arrive at it
+// too. See README.md.
 //
 //   replay_workers JOB --master 127.0.0.1:7600 [--workers 64] [--no-waits]
 #include "client/job/prepared_job.hpp"

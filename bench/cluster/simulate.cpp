@@ -1,4 +1,4 @@
-// The paper's experiments over recorded traces, under SimGrid. See README.md.
+// Runs the paper's experiments over recorded traces, under SimGrid. See README.md.
 //
 //   simulate HEAVY_TRACE CARS_TRACE --out FOLDER [--only paper|measured|end] [--quick]
 #include "bench/accuracy/machine.hpp"

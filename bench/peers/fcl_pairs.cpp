@@ -1,10 +1,9 @@
-// Does FCL find the same pairs of triangles? Each difference is put to the exact decision, so that
-// the table says who is right.
+// Compares FCL's pairs of triangles with ours. The exact decision judges each difference.
 //
 //   fcl_pairs A B [--scenarios 50] [--seed 1] [--unit-a METRES] [--unit-b METRES]
 //
-// Prints a CSV row a scenario (pairs of ours and of FCL, FCL's missed and invented ones, times) and
-// a summary. Exit code 1 if ours is ever the wrong one.
+// Prints a CSV row per scenario (our pairs and FCL's, FCL's missed and invented ones, times) and a
+// summary. Exit code 1 if ours is ever wrong.
 #include "client/import/mesh_import.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/job/poses/pose_source.hpp"

@@ -24,11 +24,11 @@ struct BlocksSent {
 /// Blocks to fetch from another worker.
 struct FetchDirected {
     WorkerId source;
-    std::vector<BlockId> blocks; ///< Of one tree.
+    std::vector<BlockId> blocks; ///< Blocks of one tree.
 };
 /// Blocks that scenarios in the worker's buffer will need.
 struct Hinted {
-    std::vector<BlockId> blocks; ///< Of one tree, ascending.
+    std::vector<BlockId> blocks; ///< Blocks of one tree, ascending.
 };
 /// Recalls those scenarios of the task that have not begun.
 struct AskedBack {
@@ -47,7 +47,7 @@ struct Ended {};
 /// Answered by BlocksSent.
 struct PeerAsked {
     WorkerId asker;
-    std::vector<BlockId> blocks; ///< Of one tree.
+    std::vector<BlockId> blocks; ///< Blocks of one tree.
 };
 using ToWorker = std::
     variant<BatchSent, BlocksSent, FetchDirected, PeerAsked, Hinted, AskedBack, CalledOff, Ended>;
@@ -67,7 +67,7 @@ struct BlocksEvicted {
 struct PeerFailed {
     WorkerId worker;
     WorkerId source;
-    std::vector<BlockId> blocks; ///< Of one tree, ascending.
+    std::vector<BlockId> blocks; ///< Blocks of one tree, ascending.
 };
 struct ResultsSent {
     WorkerId worker;

@@ -1,4 +1,4 @@
-// Records what a job of random poses costs, for `simulate`. See README.md.
+// Records the costs of a job of random poses, for `simulate`. See README.md.
 //
 //   record_trace MESH_A MESH_B OUT --name heavy --count 3744 [--depths 2 4 6 ...] [--passes 3]
 #include "bench/cluster/trace/recorder.hpp"
