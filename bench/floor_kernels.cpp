@@ -331,8 +331,8 @@ struct FloorKernels::Data {
 };
 
 FloorKernels::FloorKernels() : data_(std::make_unique<Data>()) {
-    static_cast<void>(
-        simd_target()); // Runs before the first call, so that a setting of the target takes effect.
+    // Runs before the first call, so that a setting of the target takes effect.
+    static_cast<void>(simd_target());
     for (std::size_t i = 0; i < node_pairs; ++i) {
         data_->nodes_a.push_back(random_node(data_->random));
         data_->nodes_b.push_back(random_node(data_->random));

@@ -17,8 +17,8 @@ struct SceneOptions {
     std::filesystem::path scenarios; ///< Folder of the pose files.
     std::size_t poses = 200; ///< Poses per scene, evenly spread over its file if it has one.
     std::size_t scaling_poses = 50;
-    std::uint64_t vehicle_triangles =
-        300000; ///< Triangles of the generated truck; the car has 3/10 of them.
+    /// Triangles of the generated truck; the car has 3/10 of them.
+    std::uint64_t vehicle_triangles = 300000;
     std::uint64_t size_max = 10000000; ///< Triangles of the largest truck for scaling.
 };
 

@@ -19,8 +19,8 @@ using Surface = std::function<Vec3(double u, double v)>;
 struct Sheet {
     Surface at;
     double share = 1; ///< Share of the model's triangles, relative to its other sheets.
-    double cells_u_per_v =
-        1; ///< Cell proportions; values far from the surface's own give long thin triangles.
+    /// Cell proportions; values far from the surface's own give long thin triangles.
+    double cells_u_per_v = 1;
     bool closed_u = false; ///< u = 1 coincides with u = 0.
     bool closed_v = false;
 };

@@ -60,8 +60,8 @@ struct GeometryStore::State {
     mutable std::mutex mutex; ///< Guards all members below; never held during work.
     std::map<Sha256, std::shared_ptr<Entry>> entries;
     std::map<Sha256, MeshStatus> statuses; ///< Statuses of the stored meshes.
-    std::deque<std::shared_ptr<const ObbTree>>
-        recent; ///< Keeps recent trees in memory between jobs.
+    /// Keeps recent trees in memory between jobs.
+    std::deque<std::shared_ptr<const ObbTree>> recent;
 
     [[nodiscard]] std::filesystem::path mesh_path(const Sha256& mesh) const {
         return cd::mesh_path(directory, mesh);

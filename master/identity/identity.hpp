@@ -21,8 +21,8 @@ class MasterIdentity {
     using Clock = std::function<WallTime()>;
 
     struct Options {
-        std::chrono::seconds
-            certificate_life; ///< Validity of the certificates that the master signs for others.
+        /// Validity of the certificates that the master signs for others.
+        std::chrono::seconds certificate_life;
         Clock now = [] { return std::chrono::system_clock::now(); };
     };
 

@@ -37,7 +37,7 @@ struct Journal::State {
     Recovered recovered;
     JournalEvents events;
 
-    mutable std::mutex mutex; ///< Guards the next five members.
+    mutable std::mutex mutex; ///< Guards `queue` to `added`.
     std::condition_variable changed;
     std::deque<JournalEntry> queue;
     std::size_t queued_rows = 0;

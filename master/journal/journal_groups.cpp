@@ -93,8 +93,8 @@ std::vector<DatabaseChange> database_changes(std::span<const JournalEntry> group
         }
         changes.push_back({Kind::Progress, job, encode_progress(*added.progress)});
     }
-    const AlarmRecord* alarms =
-        nullptr; // Only the last alarms are written: they include all earlier ones.
+    // Only the last alarms are written: they include all earlier ones.
+    const AlarmRecord* alarms = nullptr;
     for (const JournalEntry& entry : group) {
         if (const auto* add = std::get_if<AddResults>(&entry); add != nullptr && add->alarms) {
             alarms = &*add->alarms;
@@ -173,8 +173,8 @@ struct FoundJob {
     std::vector<ResultRow> rows;
     std::vector<RecordPlace> places;
     std::vector<WorkerProcess> authors; ///< Authors of the rows.
-    std::unordered_set<std::uint64_t>
-        vouched; ///< Scenarios whose result does not rest on one author's word.
+    /// Scenarios whose result does not rest on one author's word.
+    std::unordered_set<std::uint64_t> vouched;
     std::uint64_t end = ResultStore::first_end(); ///< Committed end of the segment.
 };
 

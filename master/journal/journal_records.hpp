@@ -39,8 +39,8 @@ struct JobProgress {
     double compute_seconds = 0;
     JobTraffic traffic;
     HelpAtEnd help;
-    std::vector<std::uint32_t>
-        depths;                ///< Depth of each body's cut; empty before the geometry is prepared.
+    /// Depth of each body's cut; empty before the geometry is prepared.
+    std::vector<std::uint32_t> depths;
     std::string map_withdrawn; ///< Why the job's map is unusable; empty if it is valid.
 };
 

@@ -36,10 +36,8 @@ struct AuthorRun {
 struct Remark {
     enum class Kind : std::uint8_t {
         Disputed, ///< Another result differs, and the master must recompute it.
-        Settled,  ///< The master has recomputed it: the dispute is over, and no author's word
-                  ///< counts.
-        Vouched,  ///< Another worker gave an equal result: it does not rest on its author's word
-                  ///< alone.
+        Settled,  ///< The master has recomputed it: no author's word counts.
+        Vouched,  ///< Another worker gave an equal result.
     };
     Kind kind = Kind::Vouched;
     std::uint64_t scenario = 0;

@@ -25,8 +25,8 @@ constexpr std::uint32_t version = 1;
 constexpr std::uint64_t file_header_bytes =
     sizeof magic + sizeof version + 2 * sizeof(std::uint64_t);
 constexpr std::uint64_t record_header_bytes = 2 * sizeof(std::uint64_t); // Length and scenario.
-constexpr std::uint64_t record_footer_bytes =
-    sizeof(std::uint64_t); // Checksum of the header and the record.
+// Checksum of the header and the record.
+constexpr std::uint64_t record_footer_bytes = sizeof(std::uint64_t);
 
 constexpr std::uint64_t places_together = 256;
 using Places = std::array<RecordPlace, places_together>;
@@ -68,8 +68,8 @@ struct ResultStore::State {
     std::uint64_t records = 0;
     /// Record positions in pieces, made on demand: a client chooses the number of scenarios.
     std::unordered_map<std::uint64_t, std::unique_ptr<Places>> places;
-    std::vector<std::pair<std::uint64_t, RecordPlace>>
-        written; ///< Written and uncommitted records.
+    /// Written and uncommitted records.
+    std::vector<std::pair<std::uint64_t, RecordPlace>> written;
     std::uint64_t written_end = 0;
 
     [[nodiscard]] RecordPlace find(std::uint64_t scenario) const;
@@ -291,8 +291,8 @@ Status ResultStore::restore(std::uint64_t scenario, const RecordPlace& place) {
 
 Status ResultStore::verify() const {
     const std::lock_guard lock(state_->mutex);
-    std::vector<std::pair<std::uint64_t, std::uint64_t>>
-        in_file_order; // Pairs of offset and scenario.
+    // Pairs of offset and scenario.
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> in_file_order;
     in_file_order.reserve(state_->records);
     for (const auto& [number, piece] : state_->places) {
         for (std::uint64_t i = 0; i < places_together; ++i) {

@@ -153,8 +153,7 @@ Status ClientSession::take_bytes(std::uint64_t bytes) {
 }
 
 Status ClientSession::begin_upload(MeshPart& part) {
-    drop_upload(); // A client has one upload at a time; this deletes the temporary file of the
-                   // previous one.
+    drop_upload(); // Deletes the file of an earlier upload.
     if (Status allowed = quota_.quotas->begin_upload(quota_.client); !allowed) {
         return allowed;
     }

@@ -37,8 +37,8 @@ class Quotas {
         /// `period`.
         std::uint64_t bytes = limits::client_bytes_max;
         std::chrono::seconds period = limits::client_bytes_period;
-        std::uint64_t queued =
-            limits::client_queued_bytes_max;              ///< Bytes of poses of unfinished jobs.
+        /// Bytes of poses of unfinished jobs.
+        std::uint64_t queued = limits::client_queued_bytes_max;
         std::size_t uploads = limits::client_uploads_max; ///< Mesh uploads in progress.
     };
 

@@ -81,8 +81,8 @@ asio::awaitable<void> WorkerSession::wait_for_room() {
     while (intake_->messages >= limits::results_in_hand_max && channel_->is_open() &&
            !mutated(Mutation::ReadsOn)) {
         coordinator_.worker_unheard(worker_, *channel_);
-        room_.expires_after(
-            coordinator_.times().heartbeat); // The connection may end during the wait.
+        // The connection may end during the wait.
+        room_.expires_after(coordinator_.times().heartbeat);
         boost::system::error_code ignored;
         co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         // Reading resumes, so the worker's silence is counted from now.

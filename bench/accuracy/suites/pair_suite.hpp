@@ -18,8 +18,8 @@ namespace cd::bench {
 /// Results of one engine on one category, by the pairs' true class.
 struct PairTotals {
     std::array<std::uint64_t, 4> pairs{}; ///< Answered pairs.
-    std::array<std::uint64_t, 4>
-        wrong{};                     ///< Wrong answers: contact for apart, and apart for contact.
+    /// Wrong answers: contact for apart, and apart for contact.
+    std::array<std::uint64_t, 4> wrong{};
     std::uint64_t wrong_class = 0;   ///< Contact correctly found, but in another class.
     std::uint64_t swap_differs = 0;  ///< Different answers with A and B swapped.
     std::uint64_t order_differs = 0; ///< Different answers with the corners reordered.

@@ -55,10 +55,10 @@ class SceneCandidates {
     const Scene* scene_;
     ObbTree a_;
     ObbTree b_;
-    std::vector<std::vector<Candidate>>
-        candidates_; ///< Candidates by position in the mesh or binary tree.
-    std::vector<std::vector<Candidate>>
-        places_; ///< Candidates by position in the leaves of the wide trees.
+    /// Candidates by position in the mesh or binary tree.
+    std::vector<std::vector<Candidate>> candidates_;
+    /// Candidates by position in the leaves of the wide trees.
+    std::vector<std::vector<Candidate>> places_;
 };
 
 } // namespace cd::bench

@@ -19,8 +19,7 @@ struct ClusterSpec {
     std::uint32_t slow_cores = 8;
     std::uint32_t fast_cores_each = 4; ///< Fast cores of each fast computer.
     std::uint32_t slow_cores_each = 2;
-    bool worker_per_computer = false; ///< One worker with a thread per core on each computer;
-                                      ///< otherwise one worker per core.
+    bool worker_per_computer = false; ///< One worker per computer; else one per core.
     /// Above 0: one computer of so many fast cores, shared by the master and `fast_cores` workers
     /// of one thread each; messages cost nothing.
     std::uint32_t shared_cores = 0;

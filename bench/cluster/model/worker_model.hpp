@@ -94,8 +94,8 @@ class WorkerModel {
     std::vector<BlockId> evicted_;
 
     std::array<std::vector<Slot>, 2> slots_;
-    std::map<BlockId, std::vector<std::uint64_t>>
-        waiting_for_;                            ///< Scenarios that wait for the block.
+    /// Scenarios that wait for the block.
+    std::map<BlockId, std::vector<std::uint64_t>> waiting_for_;
     std::map<std::uint64_t, Waiting> scenarios_; ///< Scenarios not yet run.
     std::deque<std::uint64_t> ready_;
     std::map<TaskId, Task> tasks_;

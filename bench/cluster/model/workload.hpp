@@ -37,8 +37,8 @@ struct ScenarioCost {
 struct Workload {
     std::array<std::vector<BlockCost>, 2> trees;
     std::vector<ScenarioCost> costs;
-    std::vector<std::uint32_t>
-        scenarios;                    ///< Index into `costs` of each scenario, in submitted order.
+    /// Index into `costs` of each scenario, in submitted order.
+    std::vector<std::uint32_t> scenarios;
     ResultCosts results;              ///< Measured costs; empty with the paper's costs.
     double serial_seconds = 0;        ///< The whole job in one process on a fast core.
     double slow_ratio = 1;            ///< Time on a slow core relative to a fast one.
