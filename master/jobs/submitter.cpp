@@ -83,7 +83,7 @@ struct Submitter::State {
 
     mutable std::mutex mutex;
     std::condition_variable changed;
-    std::uint64_t started = 0; ///< Blocks.
+    std::uint64_t started = 0; ///< Blocks started.
     std::uint64_t delivered = 0;
     std::map<std::uint64_t, AnalysedBlock> ready; ///< Analysed blocks that wait for earlier ones.
     bool delivering = false;

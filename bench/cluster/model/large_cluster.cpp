@@ -278,7 +278,7 @@ class LargeCluster {
 
     void ran(std::size_t number, std::uint64_t scenario, double seconds) {
         Host& here = host(number);
-        if (here.ends > agenda_.now()) { // Blocks were opened meanwhile.
+        if (here.ends > agenda_.now()) { // Opening blocks delayed the scenario.
             agenda_.at(here.ends,
                        [this, number, scenario, seconds] { ran(number, scenario, seconds); });
             return;

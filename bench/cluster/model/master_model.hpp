@@ -31,7 +31,7 @@ struct MasterCounts {
     std::uint64_t blocks = 0;         ///< Blocks sent.
     std::uint64_t block_bytes = 0;    ///< Bytes of the blocks alone.
     std::uint64_t sent_bytes = 0;     ///< Bytes of all letters.
-    std::uint64_t answered = 0;       ///< Distinct scenarios.
+    std::uint64_t answered = 0;       ///< Distinct scenarios answered.
     std::uint64_t answered_again = 0; ///< Repeated results of scenarios.
     std::uint64_t recalled = 0;
     std::uint64_t copies = 0;

@@ -44,7 +44,7 @@ struct Ended {};
 
 // ---- Worker to worker -----------------------------------------------------------------------
 
-/// Answered by BlocksSent.
+/// Requests blocks; the source answers with BlocksSent.
 struct PeerAsked {
     WorkerId asker;
     std::vector<BlockId> blocks; ///< Blocks of one tree.
