@@ -92,8 +92,7 @@ class EndOfJob : public MortalCluster, public testing::WithParamInterface<Way> {
     Job job_ = make_job(8000);
     std::unique_ptr<Connection> connection_;
     JobId id_;
-    std::uint64_t answered_ = 0;        ///< Results of scenarios that were recalled from their
-                                        ///< sender.
+    std::uint64_t answered_ = 0;        ///< Scenarios of the current job that workers answered.
     std::uint64_t answered_before_ = 0; ///< Value of `answered_` before the current job.
 };
 
