@@ -22,7 +22,7 @@ struct JobRecord {
     std::uint64_t began = 0; ///< When it was accepted, in seconds since 1970.
 };
 
-/// Scenarios recalled or copied at a job's end (ARCHITECTURE.md, how a job ends).
+/// Scenarios recalled or copied at a job's end (docs/job-end.md).
 struct HelpAtEnd {
     std::uint64_t recalled = 0;   ///< Returned by workers that had not begun them.
     std::uint64_t copies = 0;     ///< Sent to a second worker as speculative copies.

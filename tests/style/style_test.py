@@ -47,7 +47,9 @@ GOOD_PAGES = {
 }
 BAD_PAGES = {
     "a long README": {"README.md": 91 * "line\n"},
+    "a long ARCHITECTURE": {"ARCHITECTURE.md": 121 * "line\n"},
     "a long page": {"docs/page.md": 161 * "line\n"},
+    "a wide line in a decision": {"docs/decisions/001-x.md": 101 * "x"},
     "a wide line": {"docs/page.md": 101 * "x"},
     "a wide table in README": {"README.md": "| " + 50 * "xx" + " |\n"},
     "a cell that is an essay": {"docs/page.md": "| " + 26 * "word " + "|\n"},
