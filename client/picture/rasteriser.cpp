@@ -87,10 +87,12 @@ Rasteriser::Point Rasteriser::project(const Vec3& world) const {
 Colour Rasteriser::shaded(const Corners& world, Colour colour) const {
     const Vector normal = cross(vector_of(world[1] - world[0]), vector_of(world[2] - world[0]));
     const double length = std::sqrt(dot(normal, normal));
-    // The light comes from slightly above the eye.
-    const Vector light = normalised({axes_[2][0] + 0.5 * axes_[1][0],
-                                     axes_[2][1] + 0.5 * axes_[1][1],
-                                     axes_[2][2] + 0.5 * axes_[1][2]});
+    // The light comes from the eye, somewhat from above and from the left.
+    Vector light{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        light[i] = axes_[2][i] + 0.5 * axes_[1][i] - 0.4 * axes_[0][i];
+    }
+    light = normalised(light);
     const double facing = length > 0 ? std::abs(dot(normal, light)) / length : 1;
     return blended({0, 0, 0}, colour, ambient + (1 - ambient) * facing);
 }
