@@ -55,7 +55,7 @@ std::string default_name() {
     return (error ? "worker" : host) + "-" + std::to_string(::getpid());
 }
 
-/// What CLI11 reads as text and this file gives a meaning.
+/// Options that CLI11 reads as text and `parse_worker_command_line` converts.
 struct Texts {
     std::string master = "127.0.0.1:7600";
     std::string cache = "auto";

@@ -1,4 +1,4 @@
-// cdworker: does the collision tests that a master gives it.
+// cdworker: runs the collision tests that a master assigns.
 #include "common/core/host/log.hpp"
 #include "worker/config.hpp"
 #include "worker/run_worker.hpp"

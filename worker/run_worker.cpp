@@ -77,7 +77,7 @@ class Daemon {
     [[nodiscard]] int exit_code() const { return exit_code_; }
 
   private:
-    /// From the greeting to the end of the session; an exit code when it was the last one.
+    /// Greets and serves the master over one connection. Returns an exit code if the worker ends.
     asio::awaitable<std::optional<int>> serve(std::shared_ptr<Channel> channel) {
         Hello hello;
         hello.role = Role::Worker;
@@ -106,11 +106,11 @@ class Daemon {
         co_return std::nullopt;
     }
 
-    /// Whether the master sent a message, so that its refusal is not one of TLS.
+    /// Whether the master sent a message; then a refusal does not come from TLS.
     static bool had_answer(const Channel& channel) { return channel.traffic().bytes_received != 0; }
 
-    /// None if the worker tries again. It ends if the master itself refused it, or if TLS has
-    /// refused its certificate for too long.
+    /// Empty if the worker retries. It ends if the master itself refused it, or if TLS has refused
+    /// its certificate for too long.
     std::optional<int> exit_code_of_failed_greeting(const Error& error, bool is_by_master) {
         log_error("not welcome: error=\"{}\"", error.detail);
         const bool tries_again = error.code != ErrorCode::Refused ||
@@ -118,7 +118,7 @@ class Daemon {
         return tries_again ? std::nullopt : std::optional<int>(exit_refused);
     }
 
-    /// Whether to try again after TLS has refused this worker or its master.
+    /// Whether to retry after TLS has refused this worker or its master.
     bool tries_again_after_refusal(const std::string& why) {
         const auto left = patience_.refused(std::chrono::steady_clock::now());
         if (left <= std::chrono::steady_clock::duration::zero()) {
@@ -135,7 +135,7 @@ class Daemon {
         return true;
     }
 
-    /// On the address by which the master sees this worker. Without it all works, too.
+    /// Listens on this end's address of the connection to the master. A failure is only logged.
     void listen_to_peers(const Channel& channel) {
         const Endpoint endpoint{channel.own_host(), config_.peer_port};
         if (config_.no_peers || peer_server_ != nullptr ||
@@ -158,7 +158,7 @@ class Daemon {
         }
         stopping_ = true;
         if (membership_.drain(config_.drain_timeout, [this] { context_.stop(); })) {
-            backoff_.reset(); // Without a connection the next one is what it waits for.
+            backoff_.reset(); // Reconnects at once, to drain over the new connection.
             pause_.cancel();
         } else {
             log_info("ended: nothing was under way, scenarios_computed={}",
@@ -174,7 +174,7 @@ class Daemon {
         membership_.end();
         keeper_->stop();
         signals_.cancel();
-        context_.stop(); // Connections of peers may stay idle for long.
+        context_.stop(); // Does not wait for idle connections of peers.
     }
 
     const WorkerConfig& config_;
@@ -186,7 +186,7 @@ class Daemon {
     StopSignals signals_;
     asio::steady_timer pause_;
     Backoff backoff_;
-    std::shared_ptr<PeerServer> peer_server_; ///< Null where others get nothing.
+    std::shared_ptr<PeerServer> peer_server_; ///< Null if peers get no blocks.
     const std::uint64_t instance_ = std::random_device{}() | std::uint64_t{std::random_device{}()}
                                                                  << 32;
     RefusalPatience patience_;
@@ -217,7 +217,7 @@ int exit_code_of(const Error& error) {
 } // namespace
 
 int join_as_worker(const WorkerConfig& config) {
-    // A token's use is spent when there is a credential to be written.
+    // Checks the file first: a join spends one use of the token.
     const std::filesystem::path path = credential_path(config.state, config.master);
     if (const Status can_write = check_can_write(path); !can_write) {
         log_error("not joined: {}", can_write.error().detail);
@@ -229,7 +229,7 @@ int join_as_worker(const WorkerConfig& config) {
     spawn(context.get_executor(), "join", join(config, std::move(name), credential));
     context.run();
     if (!credential) {
-        return exit_unreachable; // Logged by `spawn`.
+        return exit_unreachable; // `spawn` has logged the error.
     }
     const Status done =
         *credential ? write_credential(path, credential->value()) : Status(credential->error());

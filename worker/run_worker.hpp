@@ -1,4 +1,4 @@
-// The daemon: connects, serves, and connects again, until it is told to end.
+// The worker daemon: connects to the master, serves it, and reconnects until it must end.
 #pragma once
 
 #include "worker/config.hpp"
@@ -8,13 +8,13 @@
 
 namespace cd {
 
-/// The pause before the next attempt to connect: doubles from one to the next up to a limit, and
-/// varies so that workers do not come back all at once.
+/// Pauses between connection attempts. They double up to a limit, with random jitter so that
+/// workers do not reconnect all at once.
 class Backoff {
   public:
     explicit Backoff(std::uint64_t seed) : random_(seed) {}
 
-    /// A random time between half the present pause and all of it.
+    /// A random time between half the current pause and all of it.
     [[nodiscard]] std::chrono::milliseconds next();
     void reset();
 
@@ -23,10 +23,10 @@ class Backoff {
     unsigned attempts_ = 0;
 };
 
-/// Runs until the worker has drained or cannot work. Returns an exit code as listed in --help.
+/// Runs until the worker has drained or cannot work. Returns an exit code listed in --help.
 [[nodiscard]] int run_worker(const WorkerConfig& config);
 
-/// `cdworker join`: gets a credential with the token of the configuration. Returns the exit code.
+/// `cdworker join`: gets a credential with the configured token. Returns the exit code.
 [[nodiscard]] int join_as_worker(const WorkerConfig& config);
 
 } // namespace cd

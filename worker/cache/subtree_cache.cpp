@@ -33,7 +33,7 @@ Result<OpenedBlock> open_block(const SubtreeBlock& block) {
 
 namespace {
 
-/// No master comes to such numbers of trees.
+/// Parked trees are numbered from here; a master never counts this far.
 constexpr std::uint64_t parked_first = std::uint64_t{1} << 63;
 
 } // namespace
@@ -123,7 +123,7 @@ Status SubtreeCache::add_tree(const AddTree& add) {
     }
     for (auto& [id, parked] : trees_) {
         const AddTree& named = parked.named;
-        // The name says that the blocks are the same; whether it was given rightly is not believed.
+        // Equal names promise equal blocks. The other fields are compared too, to verify that.
         if (is_parked(id) && named.cut == add.cut && named.form == add.form &&
             named.top == add.top && named.roots == add.roots && named.triangles == add.triangles) {
             rename(id, add.tree);
@@ -331,7 +331,7 @@ void SubtreeCache::evict_beyond(std::uint64_t bytes_max) {
         tree.snapshot.reset();
         tree.slots[key.root].block.reset();
         if (!is_parked(key.tree)) {
-            evicted_.push_back(key); // Of the others nobody was told.
+            evicted_.push_back(key); // The master does not know of parked trees.
         }
         ++evictions_;
     }
@@ -348,7 +348,7 @@ std::uint64_t SubtreeCache::bytes_expected(const SubtreeKey& key) const {
     if (key.root == top_root) {
         return (2ull * named.roots - 1) * sizeof(ObbNode);
     }
-    // Roots of one depth have about as many triangles each.
+    // All roots of a cut have about the same number of triangles.
     const std::uint64_t triangles = (named.triangles + named.roots - 1ull) / named.roots;
     return triangles * (named.form == SubtreeForm::Wide ? limits::wide_bytes_per_triangle
                                                         : limits::binary_bytes_per_triangle);

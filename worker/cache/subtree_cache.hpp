@@ -1,4 +1,4 @@
-// The subtrees that a worker holds, within a limit of memory, and the tops of their trees.
+// A worker's cache of subtrees within a memory limit, and the upper trees above them.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -17,77 +17,77 @@ namespace cd {
 
 struct SubtreeKey {
     TreeId tree;
-    RootIndex root = 0; ///< Where documented, also `top_root`.
+    RootIndex root = 0; ///< May be `top_root` where documented.
 
     friend auto operator<=>(const SubtreeKey&, const SubtreeKey&) = default;
 };
 
-/// The decoded content of a block.
+/// A decoded block: a subtree or an upper tree.
 using OpenedBlock = std::variant<std::shared_ptr<const Subtree>, std::shared_ptr<const TreeTop>>;
 
-/// Decompresses a block, checks its hash and decodes it. Independent of any cache, for any thread.
+/// Decompresses a block, checks its hash and decodes it. Any thread may call it.
 /// Errors: BadFrame, TooLarge.
 [[nodiscard]] Result<OpenedBlock> open_block(const SubtreeBlock& block);
 
-/// The trees that the master has named, with their slots. Beyond the limit the subtrees that went
-/// unused for longest leave, except those that are pinned; so the limit may be overshot by what
-/// is pinned. A top stays with its tree. One thread at a time.
+/// Holds the trees that the master has named. Evicts the least recently used subtrees above the
+/// limit. Never evicts pinned subtrees, which may exceed the limit, nor upper trees. Not
+/// thread-safe.
 class SubtreeCache {
   public:
     explicit SubtreeCache(std::uint64_t bytes_max) : bytes_max_(bytes_max) {}
 
-    /// What is parked under this name of its blocks is there at once. Errors: BadFrame for a tree
-    /// that is there already, or has no roots, or more than triangles.
+    /// Adds a tree and reuses the parked blocks of its name (`cut`). Errors: BadFrame for a tree
+    /// that exists already, has no roots, or has more roots than triangles.
     [[nodiscard]] Status add_tree(const AddTree& add);
-    /// The numbers of all trees mean nothing any more: they wait under their names for a tree of
-    /// the same name, and may leave like any others. Nothing is pinned.
+    /// Invalidates the numbers of all trees and unpins all subtrees. Each tree keeps its blocks
+    /// until `add_tree` names it again; subtrees may be evicted meanwhile.
     void park();
-    /// The names of parked trees of which blocks are here, ascending.
+    /// The names of parked trees with cached blocks, ascending.
     [[nodiscard]] std::vector<Sha256> parked() const;
     void drop_parked();
-    /// The trees that are not parked, ascending.
+    /// The trees that are not parked, ascending by number.
     [[nodiscard]] std::vector<TreeId> trees() const;
-    /// The blocks that are here, ascending: roots, and `top_root`.
+    /// The cached blocks of the tree, ascending; includes `top_root`.
     [[nodiscard]] std::vector<RootIndex> held(TreeId tree) const;
     /// Frees the tree with its blocks. Unknown trees are ignored.
     void remove_tree(TreeId tree);
     /// Null for an unknown tree.
     [[nodiscard]] const PartialObbTree* find(TreeId tree) const;
-    /// The form of the subtrees of a known tree.
+    /// The form of the tree's subtrees. The tree must be known.
     [[nodiscard]] SubtreeForm form_of(TreeId tree) const { return trees_.at(tree).named.form; }
 
-    /// Fills a slot, or sets the top. What is there already, or of an unknown tree, is ignored.
-    /// `block`, what it was made of, is kept with it to be handed on; null: it is not. Errors:
-    /// BadFrame for a root that the tree does not have, a subtree of another form than the tree's,
-    /// a top of another number of roots or triangles, or a top and a subtree that do not agree.
+    /// Fills a slot or sets the upper tree. Ignores unknown trees and blocks that are cached
+    /// already. Keeps `block`, its encoded form, for peers unless it is null. Errors: BadFrame for
+    /// a root that the tree lacks, a subtree of the wrong form, an upper tree with a wrong number
+    /// of roots or triangles, or an upper tree and a subtree that disagree.
     [[nodiscard]] Status insert(const SubtreeKey& key,
                                 OpenedBlock opened,
                                 std::shared_ptr<const SubtreeBlock> block = nullptr);
-    /// The tree with what is here now, whatever leaves later; what has left stays in memory until
-    /// all of it have gone. Null for an unknown tree.
+    /// An immutable view of the tree with the blocks cached now. It keeps evicted subtrees in
+    /// memory until it is released. Null for an unknown tree.
     [[nodiscard]] std::shared_ptr<const PartialObbTree> snapshot(TreeId tree);
-    /// Counts as a use of a subtree, if it is here.
+    /// Marks a cached subtree as just used.
     void touch(const SubtreeKey& key);
-    /// Null while it is not here.
+    /// Null if the subtree is not cached.
     [[nodiscard]] std::shared_ptr<const Subtree> at(const SubtreeKey& key) const;
-    /// The subtree is here, or the top.
+    /// Whether the subtree, or the upper tree, is cached.
     [[nodiscard]] bool has(const SubtreeKey& key) const;
-    /// Null while it is not here, or was not kept. Of the top as well.
+    /// The encoded block of a subtree or upper tree; null if it is not cached or was not kept.
     [[nodiscard]] std::shared_ptr<const SubtreeBlock> block_at(const SubtreeKey& key) const;
 
-    /// A pinned slot keeps its subtree, also one that has yet to come. Unpinning counts as a use.
+    /// Protects a slot from eviction, even before its subtree arrives. Unpinning counts as a use.
     void pin(const SubtreeKey& key);
     void unpin(const SubtreeKey& key);
 
-    /// Evicts as if this were the limit. Returns how many subtrees left.
+    /// Evicts as if `bytes` were the limit. Returns the number of evicted subtrees.
     std::size_t let_go(std::uint64_t bytes);
     /// The subtrees evicted since the last call, in order, except those of removed trees.
     [[nodiscard]] std::vector<SubtreeKey> take_evicted();
 
-    /// What the subtree, or the top, will take in memory, roughly; known before it is here.
+    /// Estimated memory of a subtree or upper tree, bytes; known before it arrives.
     [[nodiscard]] std::uint64_t bytes_expected(const SubtreeKey& key) const;
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-    /// Counts since the start.
+    /// Number of evictions since the start.
     [[nodiscard]] std::uint64_t evictions() const { return evictions_; }
     [[nodiscard]] std::uint64_t bytes_max() const { return bytes_max_; }
 
@@ -102,14 +102,14 @@ class SubtreeCache {
         explicit Tree(const AddTree& add) : named(add), partial(add.roots), slots(add.roots) {}
         AddTree named;
         PartialObbTree partial;
-        std::shared_ptr<const PartialObbTree> snapshot; ///< Of `partial`; null when it has changed.
+        std::shared_ptr<const PartialObbTree> snapshot; ///< Null after `partial` changes.
         std::vector<Slot> slots;
         std::shared_ptr<const SubtreeBlock> top_block;
     };
 
-    /// Of a slot that is filled.
+    /// Bytes of a filled slot.
     [[nodiscard]] static std::uint64_t bytes_of(const Tree& tree, RootIndex root);
-    [[nodiscard]] static std::uint64_t bytes_of_top(const Tree& tree); ///< 0 while it is not here.
+    [[nodiscard]] static std::uint64_t bytes_of_top(const Tree& tree); ///< 0 without an upper tree.
     [[nodiscard]] Status fill(const SubtreeKey& key,
                               Tree& tree,
                               std::shared_ptr<const Subtree> subtree,
@@ -127,10 +127,10 @@ class SubtreeCache {
     std::uint64_t bytes_max_;
     std::uint64_t bytes_ = 0;
     std::map<TreeId, Tree> trees_;
-    std::list<SubtreeKey> idle_; ///< Filled and not pinned; the longest unused first.
+    std::list<SubtreeKey> idle_; ///< Filled and not pinned; least recently used first.
     std::vector<SubtreeKey> evicted_;
     std::uint64_t evictions_ = 0;
-    std::uint64_t parked_last_ = 0; ///< Parked trees have numbers of their own.
+    std::uint64_t parked_last_ = 0; ///< Counter for the numbers of parked trees.
 };
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// Runs work on the threads and brings its results back to the thread that owns the state.
+// Runs jobs on a thread pool and delivers their results to the thread that owns the state.
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
@@ -14,16 +14,16 @@
 
 namespace cd {
 
-/// Destroyed before the executor's context; submitted work runs until then.
+/// Must be destroyed before the context of `home`. Submitted jobs run until then.
 class Executor {
   public:
     using Continuation = std::function<void()>;
 
-    /// 0 threads: one for each core that this process may use. Continuations run on `home`.
+    /// 0 threads: one per core that this process may use. Continuations run on `home`.
     Executor(asio::any_io_executor home, unsigned threads);
 
-    /// Runs `job` on a thread, and the continuation that it returns at home. Neither may throw.
-    /// Continuations of jobs that end at about the same time come home together.
+    /// Runs `job` on a pool thread, then its continuation on `home`. Neither may throw.
+    /// Continuations of jobs that end close together are posted to `home` as one batch.
     void submit(std::function<Continuation()> job);
 
     [[nodiscard]] const asio::any_io_executor& home() const { return home_; }
@@ -38,18 +38,18 @@ class Executor {
     ThreadPool pool_; ///< Last: its threads use the members above.
 };
 
-/// A scenario with everything that its run needs, so that the cache may change meanwhile.
+/// A scenario with all the data that it needs to run, independent of later cache changes.
 struct ReadyScenario {
     Scenario scenario;
     std::shared_ptr<const Query> query;
     std::vector<RootPair> pairs;
     std::vector<RootIndex> roots_a; ///< Distinct, ascending.
     std::vector<RootIndex> roots_b;
-    std::vector<std::shared_ptr<const Subtree>> subtrees_a; ///< Of each of `roots_a`.
+    std::vector<std::shared_ptr<const Subtree>> subtrees_a; ///< Parallel to `roots_a`.
     std::vector<std::shared_ptr<const Subtree>> subtrees_b;
 };
 
-/// Empty if the run was told to stop.
+/// Runs one scenario. Empty if `stop` ended the run early.
 [[nodiscard]] std::optional<FinishedScenarios> execute(const ReadyScenario& ready,
                                                        const StopCheck& stop);
 

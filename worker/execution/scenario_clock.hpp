@@ -1,4 +1,4 @@
-// Tells which scenario a thread is running, and since when.
+// Records which scenario a thread runs and when it started.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// One thread sets it, any thread may read it.
+/// One thread writes; any thread may read.
 class ScenarioClock {
   public:
     using Time = std::chrono::steady_clock;
@@ -26,7 +26,7 @@ class ScenarioClock {
 
     [[nodiscard]] JobId job() const { return job_; }
     [[nodiscard]] std::uint64_t scenario() const { return scenario_.load(); }
-    /// Empty if none runs.
+    /// Empty if no scenario runs.
     [[nodiscard]] std::optional<Time::time_point> since() const {
         const Time::rep since = since_.load();
         return since == none ? std::nullopt

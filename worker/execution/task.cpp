@@ -102,7 +102,7 @@ std::vector<SubtreeKey> Task::roots_of(std::size_t scenario) const {
     for (const RootIndex root : roots_of_b(pairs_of(scenario))) {
         keys.push_back({job_->tree_b, root});
     }
-    // The bodies may share a mesh.
+    // Both bodies may use one mesh.
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
     return keys;

@@ -1,4 +1,4 @@
-// One task at this worker: its scenarios, how many are left, and the results not yet sent.
+// One task of this worker: its scenarios, how many are unanswered, and the unsent results.
 #pragma once
 
 #include "common/core/limits/worker.hpp"
@@ -19,16 +19,14 @@
 
 namespace cd {
 
-/// A Batch names the colliding roots of each scenario; for a ScenarioRange, walks over parts of it
-/// find them.
+/// A Batch lists the colliding roots of each scenario. For a ScenarioRange, descents through the
+/// upper trees find them.
 class Task {
   public:
-    /// Errors: BadFrame when the batch names a root that its tree does not have, or its poses are
-    /// none.
+    /// Errors: BadFrame if the batch names a root that its tree lacks, or its poses are invalid.
     [[nodiscard]] static Result<Task>
     make(Batch batch, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache);
-    /// Errors: BadFrame for places that the grid does not have, or poses that are not as many as
-    /// announced.
+    /// Errors: BadFrame for positions outside the grid, or a wrong number of poses.
     [[nodiscard]] static Result<Task> make(const ScenarioRange& range,
                                            std::shared_ptr<const WorkerJob> job);
 
@@ -39,29 +37,29 @@ class Task {
     // ---- Scenarios whose roots are known ----------------------------------------------------
     /// The distinct subtrees that a scenario needs, ascending.
     [[nodiscard]] std::vector<SubtreeKey> roots_of(std::size_t scenario) const;
-    /// The cache holds all of `roots_of(scenario)`.
+    /// Requires that the cache holds all of `roots_of(scenario)`.
     [[nodiscard]] ReadyScenario ready(std::size_t scenario, const SubtreeCache& cache) const;
 
     // ---- Scenarios whose roots are not known ------------------------------------------------
-    /// Whether some scenarios are neither walked nor in a walk.
+    /// Whether any scenario has not been given to a descent yet.
     [[nodiscard]] bool has_unwalked() const { return walked_ < unwalked_end_; }
-    /// The next of them, of which there are: as many as take about `limits::walk_seconds`, and
-    /// leave something for each of the worker's threads.
+    /// Takes the next scenarios: as many as take about `limits::walk_seconds`, but few enough to
+    /// leave work for every thread. Requires `has_unwalked()`.
     [[nodiscard]] Walk next_walk(SubtreeCache& cache, unsigned threads);
-    /// The scenario waits for subtrees now.
+    /// Stores the colliding roots of a scenario that waits for subtrees.
     void keep_roots(Walked::Waiting waiting);
-    /// Ends all scenarios that are in no walk, without a result.
+    /// Ends all scenarios that no descent has taken, without a result.
     void drop_unwalked() { keep_places(0); }
-    /// Ends those of them that are not among the first `count` of the range.
+    /// Like `drop_unwalked`, but keeps the first `count` scenarios of the range.
     void keep_places(std::size_t count);
 
-    // ---- Scenarios given back -----------------------------------------------------------------
+    // ---- Returned scenarios -------------------------------------------------------------------
     [[nodiscard]] std::uint64_t index_of(std::size_t scenario) const {
         return scenarios_.at(scenario).index;
     }
-    /// The scenario has ended without a result, because the master wants it back.
+    /// Records that a recalled scenario ended without a result.
     void give_back(std::uint64_t index) { given_back_.insert(index); }
-    /// Everything given back so far.
+    /// All scenarios returned so far.
     [[nodiscard]] Recalled given_back() const;
     /// Scenarios that this worker need not answer.
     [[nodiscard]] const std::shared_ptr<DroppedScenarios>& answered_elsewhere() const {
@@ -69,11 +67,11 @@ class Task {
     }
 
     void add(const FinishedScenarios& finished);
-    /// Abandons the task. Threads that run its scenarios check the flag.
+    /// Sets a flag that the threads running this task's scenarios check.
     void abandon() { abandoned_->store(true); }
     [[nodiscard]] std::shared_ptr<const std::atomic<bool>> abandoned() const { return abandoned_; }
 
-    /// Ends that many scenarios without a result.
+    /// Ends `scenarios` scenarios without a result.
     void drop(std::size_t scenarios = 1) { unanswered_ -= scenarios; }
 
     [[nodiscard]] std::uint64_t unanswered() const { return unanswered_; }
@@ -94,17 +92,17 @@ class Task {
     std::uint64_t unanswered_ = 0;
     std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false);
     std::shared_ptr<DroppedScenarios> answered_elsewhere_ = std::make_shared<DroppedScenarios>();
-    std::set<std::uint64_t> given_back_; ///< Indices; for batches.
-    FinishedScenarios results_;          ///< Not yet taken; without the map.
-    ContactMapSum map_;                  ///< The map of `results_`.
+    std::set<std::uint64_t> given_back_; ///< Scenario indices; batches only.
+    FinishedScenarios results_;          ///< Not yet taken, without the contact map.
+    ContactMapSum map_;                  ///< Contact map of `results_`.
 
-    std::vector<std::uint32_t> pair_offsets_; ///< For batches.
+    std::vector<std::uint32_t> pair_offsets_; ///< Batches only.
     std::vector<RootPair> pairs_;
 
-    std::unordered_map<std::size_t, std::vector<RootPair>> found_pairs_; ///< Found by walks.
-    std::size_t walked_ = 0; ///< Including those in a walk.
+    std::unordered_map<std::size_t, std::vector<RootPair>> found_pairs_; ///< Found by descents.
+    std::size_t walked_ = 0; ///< Given to a descent so far.
     std::size_t unwalked_end_ = 0;
-    double scenario_seconds_ = 0; ///< For one scenario, of the last that returned.
+    double scenario_seconds_ = 0; ///< Mean time per scenario in the last results.
 };
 
 } // namespace cd

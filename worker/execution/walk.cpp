@@ -10,12 +10,13 @@ namespace cd {
 
 namespace {
 
-/// Which roots of a tree are used by any of the scenarios.
+/// The roots of a tree that at least one scenario uses.
 class UsedRoots {
   public:
     explicit UsedRoots(std::uint32_t root_count) : used_by_(root_count, 0) {}
 
-    /// Scenarios count from 1. True when the root is new to this one, if it came last.
+    /// Adds the roots scenario by scenario; scenarios are numbered from 1. True if the root is new
+    /// to `scenario`.
     bool add(RootIndex root, std::uint32_t scenario) {
         return std::exchange(used_by_[root], scenario) != scenario;
     }
@@ -28,7 +29,7 @@ class UsedRoots {
     }
 
   private:
-    std::vector<std::uint32_t> used_by_; ///< The last one; 0: none.
+    std::vector<std::uint32_t> used_by_; ///< Last scenario to use each root; 0: none.
 };
 
 class Walker {
@@ -39,7 +40,7 @@ class Walker {
           used_b_of_its_own_(walk.b->root_count()),
           used_b_(walk.job->tree_a == walk.job->tree_b ? used_a_ : used_b_of_its_own_) {}
 
-    /// False when it was told to stop.
+    /// False if the run was stopped.
     bool run(std::size_t place, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
             colliding_roots(walk_.a->top(), walk_.b->top(), scenario.poses);
@@ -71,7 +72,7 @@ class Walker {
     }
 
   private:
-    /// The subtrees of the pairs; false when one is not here.
+    /// Collects the subtrees of the pairs. False if one is missing.
     bool gather(std::span<const RootPair> pairs) {
         pairs_.clear();
         ++scenario_;
@@ -93,7 +94,7 @@ class Walker {
     const Walk& walk_;
     UsedRoots used_a_;
     UsedRoots used_b_of_its_own_;
-    UsedRoots& used_b_; ///< The bodies may share a mesh.
+    UsedRoots& used_b_; ///< `used_a_` if both bodies use one tree.
     std::uint32_t scenario_ = 0;
     std::vector<SubtreePair> pairs_;
     KeptSearch kept_;

@@ -1,5 +1,5 @@
-// The scenarios of a range on one thread of a worker: the colliding roots of each are found here,
-// and what has all its subtrees runs at once.
+// Runs part of a scenario range on one thread: finds the colliding roots of each scenario, and
+// tests at once those whose subtrees are all cached.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -17,10 +17,10 @@
 
 namespace cd {
 
-/// The scenarios of a task, as they came or as a grid tells them.
+/// The scenarios of a task, from a list or from the job's grid.
 class TaskScenarios {
   public:
-    /// Places [first, first + count) of the job's grid, which exist.
+    /// Positions [first, first + count) of the job's grid, which must exist.
     TaskScenarios(std::shared_ptr<const WorkerJob> job, std::uint64_t first, std::size_t count)
         : job_(std::move(job)), first_(first), size_(count) {}
     explicit TaskScenarios(std::vector<Scenario> list)
@@ -31,49 +31,50 @@ class TaskScenarios {
     [[nodiscard]] Scenario at(std::size_t place) const;
 
   private:
-    std::shared_ptr<const std::vector<Scenario>> list_; ///< Null: the grid's.
+    std::shared_ptr<const std::vector<Scenario>> list_; ///< Null: use the grid.
     std::shared_ptr<const WorkerJob> job_;
     std::uint64_t first_ = 0;
     std::size_t size_ = 0;
 };
 
-/// Some of a task's scenarios, with all that it takes to walk them, whatever becomes of the cache
-/// meanwhile.
+/// Input of one descent: some of a task's scenarios, and snapshots of the trees that stay valid
+/// while the cache changes.
 struct Walk {
     std::shared_ptr<const WorkerJob> job;
     TaskScenarios scenarios;
-    std::size_t begin = 0; ///< Places in the task.
-    std::size_t end = 0;
+    std::size_t begin = 0; ///< First position in the task.
+    std::size_t end = 0;   ///< One past the last position in the task.
     std::shared_ptr<const PartialObbTree> a;
     std::shared_ptr<const PartialObbTree> b;
     std::shared_ptr<const DroppedScenarios> answered_elsewhere;
 };
 
-/// Results of scenarios, in bulk.
+/// Results of several scenarios.
 struct FinishedScenarios {
-    Bytes records; ///< `encode_result`, each behind its length as u32.
+    Bytes records; ///< Output of `encode_result`, each record after its length as u32.
     std::uint32_t count = 0;
     QueryStatistics statistics;
-    double seconds = 0; ///< Of one thread.
-    ContactMap map;     ///< Of these scenarios, where the query is for maps.
+    double seconds = 0; ///< Thread time.
+    ContactMap map;     ///< Empty unless the query asks for maps.
 
     void add(const Bytes& record);
 };
 
+/// Output of one descent.
 struct Walked {
     struct Waiting {
-        std::size_t scenario = 0; ///< Its place in the task.
+        std::size_t scenario = 0; ///< Position in the task.
         std::vector<RootPair> pairs;
     };
 
     FinishedScenarios finished;
-    std::vector<Waiting> waiting; ///< Lack subtrees.
-    std::vector<SubtreeKey> used; ///< Subtrees that others had,
-    std::uint64_t found = 0;      ///< and how many they had, summed over them.
-    std::size_t left = 0;         ///< Not answered: it was told to stop, or they were dropped.
+    std::vector<Waiting> waiting; ///< Scenarios that lack subtrees.
+    std::vector<SubtreeKey> used; ///< Cached subtrees that the scenarios touched.
+    std::uint64_t found = 0;      ///< Subtrees per scenario that lacks none, summed.
+    std::size_t left = 0;         ///< Scenarios not answered because of a stop or a drop.
 };
 
-/// `clock` is told which scenario runs.
+/// Runs the scenarios of `walk` in order and sets `clock` for each.
 [[nodiscard]] Walked walk(const Walk& walk, const StopCheck& stop, ScenarioClock& clock);
 
 } // namespace cd

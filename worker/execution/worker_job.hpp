@@ -1,4 +1,4 @@
-// What a worker knows of a job: its trees, its query, and its poses where a grid tells them.
+// A job at a worker: its trees, its query, and its grid of poses if it has one.
 #pragma once
 
 #include "common/job/poses/pose_source.hpp"
@@ -15,11 +15,11 @@
 
 namespace cd {
 
-/// Scenarios of a job that are not to be answered. Any thread may ask, and one adds.
+/// Scenarios that need no answer. One thread adds; any thread may call `contains`.
 class DroppedScenarios {
   public:
     void add(std::uint64_t scenario);
-    /// Cheap as long as there are none.
+    /// Takes no lock while the set is empty.
     [[nodiscard]] bool contains(std::uint64_t scenario) const;
 
   private:
@@ -39,8 +39,8 @@ struct WorkerJob {
     [[nodiscard]] bool uses(TreeId tree) const { return tree_a == tree || tree_b == tree; }
 };
 
-/// Errors: BadFrame unless there are two trees; when a tree is not here, the trees have unlike
-/// forms, wide ones under a tolerance, or the grid is none.
+/// Errors: BadFrame unless there are two trees; for an unknown tree, trees of different forms, wide
+/// trees with a tolerance, or an invalid grid.
 [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add,
                                                                        const SubtreeCache& cache);
 

@@ -56,7 +56,7 @@ asio::awaitable<void> CredentialKeeper::keep() {
     Milliseconds pause{0};
     while (!stopped_ && is_secured()) {
         const Milliseconds due = time_until(renew_at(*tls_->now->identity()));
-        // The time of day may be set anew, and a host may sleep.
+        // Checks periodically, because the clock may be set and the host may sleep.
         pause_.expires_after(std::clamp<Milliseconds>(
             due, std::max(pause, Milliseconds(1)), limits::renewal_check_period));
         boost::system::error_code ignored;
@@ -74,7 +74,7 @@ asio::awaitable<void> CredentialKeeper::keep() {
 }
 
 asio::awaitable<Status> CredentialKeeper::renew() {
-    // Another worker on this host may have done it.
+    // Another worker on this host may have renewed the file.
     const Status loaded = load();
     if (loaded && !is_due()) {
         co_return Done{};
@@ -98,7 +98,7 @@ asio::awaitable<Status> CredentialKeeper::renew() {
     co_return loaded_again;
 }
 
-/// So that there are some attempts before its end.
+/// An eighth of the remaining validity, so that several attempts fit before the expiry.
 Milliseconds CredentialKeeper::pause_after_failure() const {
     const Milliseconds left = time_until(tls_->now->identity()->until);
     return std::clamp<Milliseconds>(

@@ -1,4 +1,4 @@
-// Keeps the certificate valid that a worker shows to its master and to other workers.
+// Renews the certificate that a worker shows to its master and to other workers.
 #pragma once
 
 #include "proto/access/credential_file.hpp"
@@ -9,18 +9,18 @@
 
 namespace cd {
 
-/// Owns one credential file, which other workers on this host may share. One thread.
+/// Owns one credential file, which other workers on this host may share. Not thread-safe.
 class CredentialKeeper {
   public:
-    /// Works without a certificate if there is no file. Errors: those of
-    /// `read_credential` but NotFound.
+    /// Works without a certificate if the file does not exist. Errors: those of
+    /// `read_credential` except NotFound.
     [[nodiscard]] static Result<std::unique_ptr<CredentialKeeper>>
     open(const asio::any_io_executor& executor, std::filesystem::path path, Endpoint master);
 
     [[nodiscard]] bool is_secured() const { return tls_->now != nullptr; }
     [[nodiscard]] std::shared_ptr<const TlsSlot> tls() const { return tls_; }
 
-    /// Renews it whenever half of its time is over, until `stop`.
+    /// Renews the certificate whenever half of its validity has passed, until `stop`.
     [[nodiscard]] asio::awaitable<void> keep();
     void stop();
 

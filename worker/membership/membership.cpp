@@ -99,7 +99,7 @@ asio::awaitable<void> Membership::watch_drain(std::chrono::milliseconds to_finis
     drain_timer_.expires_after(to_finish);
     co_await drain_timer_.async_wait(asio::redirect_error(asio::use_awaitable, error));
     if (error) {
-        co_return; // It has ended.
+        co_return; // The session has ended.
     }
     if (session_ != nullptr) {
         session_->hand_back();

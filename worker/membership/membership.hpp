@@ -1,4 +1,4 @@
-// A worker's membership in its cluster, over all of its connections.
+// A worker's membership in its cluster, across connections and sessions.
 #pragma once
 
 #include "worker/session/session.hpp"
@@ -14,41 +14,40 @@ namespace cd {
 /// How a session, or its connection, ended.
 struct Served {
     SessionEnd how = SessionEnd::Lost;
-    std::string reason; ///< Of a session that was lost.
+    std::string reason; ///< Why the session was lost; for logs.
 };
 
-/// Owns the session, which may be resumed over the next connection, and what outlives a session:
-/// results that are not acknowledged, and subtrees. All members run on the executor's home.
+/// Owns the session, which the next connection may resume, and the state that outlives a session:
+/// unacknowledged results and subtrees. All members run on the executor's home.
 class Membership {
   public:
     Membership(Executor& executor, std::uint64_t cache_bytes, const UnkeptBounds& bounds = {});
     Membership(const Membership&) = delete;
     Membership& operator=(const Membership&) = delete;
 
-    /// Greets the master and serves it until the connection or the session ends. `hello`: of this
-    /// process; which session is to go on is put in here, as the peers' key is. Errors: of `greet`.
+    /// Greets the master and serves it until the connection or the session ends. Fills in the
+    /// session of `hello` and the key of `peers`. Errors: those of `greet`.
     [[nodiscard]] asio::awaitable<Result<Served>>
     serve(std::shared_ptr<Channel> channel, Hello hello, PeerParts peers);
 
-    /// The session of now or of the next connection drains, and `serve` returns Drained. Of
-    /// `timeout` the last part is for the master to take it all: before that, what still runs is
-    /// handed back, too. At its end all is dropped and `out_of_time` called. False when there is
-    /// nothing to wait for: no connection, and nothing in hand.
+    /// Drains the session, or the next one if none is connected; then `serve` returns Drained.
+    /// Shortly before `timeout` it returns the running scenarios too, so that the master has time
+    /// to acknowledge. At `timeout` it drops everything and calls `out_of_time`. False if there is
+    /// nothing to drain: no connection, no task and no unacknowledged result.
     [[nodiscard]] bool drain(std::chrono::milliseconds timeout, std::function<void()> out_of_time);
-    /// Whether the master still lacks some results.
+    /// Whether tasks or unacknowledged results remain.
     [[nodiscard]] bool has_work() const;
-    /// Drops the session, which has a share in the peers' server.
+    /// Ends the session and releases its share of the peer server.
     void end();
 
-    /// What a step of the greeting may take: while a session can go on, its time is short.
-    /// A master that has a lot to do for each worker that comes back is silent for longer than its
-    /// heartbeats promise; who then came back again would only add to that. So each silence soon
-    /// after a connection was made doubles the next one that is borne, and one that lasted ends
-    /// that.
+    /// Timeout of a greeting step; shorter while a session can resume. A master busy with
+    /// reconnecting workers may be silent for longer than its heartbeats promise, and further
+    /// reconnects would add load. So each silence soon after a connect doubles the silence timeout;
+    /// a connection that lasts resets it.
     [[nodiscard]] std::chrono::milliseconds patience() const;
-    /// The one that goes on or may go on over the next connection. Null: none.
+    /// The session that runs or may resume; null if there is none.
     [[nodiscard]] Session* session() const { return session_.get(); }
-    /// Over all sessions.
+    /// Scenarios computed in all sessions.
     [[nodiscard]] std::uint64_t scenarios_computed() const { return keep_->computed->load(); }
     [[nodiscard]] const UnkeptResults& unkept() const { return keep_->results; }
 
@@ -61,12 +60,12 @@ class Membership {
     Executor& executor_;
     std::uint64_t cache_bytes_;
     std::shared_ptr<WorkerKeep> keep_;
-    std::shared_ptr<Session> session_; ///< Also without a connection, as long as it may go on.
+    std::shared_ptr<Session> session_; ///< Kept without a connection while it may resume.
     std::uint64_t session_id_ = 0;
     std::uint64_t epoch_ = 0;
     SessionTimes times_;
     std::chrono::milliseconds silence_borne_{0};
-    bool is_connected_ = false; ///< And has been welcomed.
+    bool is_connected_ = false; ///< A master has sent its Welcome.
     bool is_draining_ = false;
     asio::steady_timer drain_timer_;
 };

@@ -9,21 +9,21 @@
 
 namespace cd {
 
-/// A worker that a master accepted before tries again for `limits::refusal_retry_max` after a
-/// refusal by TLS: a clock may be wrong, or a bit may have flipped on the way. One that no master
-/// has accepted does not.
+/// After a TLS refusal, a worker that a master has accepted before retries for
+/// `limits::refusal_retry_max`: a clock may be wrong, or a bit may have flipped in transit. A
+/// worker that was never accepted does not retry.
 class RefusalPatience {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// A master accepted the worker: refusals before count no more.
+    /// Records that a master accepted the worker, and forgets earlier refusals.
     void accepted() {
         was_accepted_ = true;
         since_.reset();
     }
     [[nodiscard]] bool was_accepted() const { return was_accepted_; }
 
-    /// TLS refused. Returns how long the worker goes on to try; zero: it ends.
+    /// Records a TLS refusal. Returns how long the worker keeps retrying; zero: it ends.
     [[nodiscard]] std::chrono::steady_clock::duration refused(Time now) {
         since_ = since_.value_or(now);
         const std::chrono::steady_clock::duration left =

@@ -12,21 +12,21 @@
 
 namespace cd {
 
-/// Queues scenarios, and tells which subtrees to ask for and which scenarios are ready.
+/// Queues scenarios and reports which subtrees to request and which scenarios are ready.
 ///
-/// Scenarios are admitted in the order in which they came: each as soon as the subtrees of all
-/// admitted ones fit the cache's limit, and always if it is the only one. From then until
-/// `finished` its subtrees are pinned, so that they stay once they have come. Admitted scenarios do
-/// not wait for each other. A missing subtree is asked for once, however many wait for it.
+/// Admits scenarios in order of arrival, each as soon as the subtrees of all admitted scenarios
+/// fit into the cache. A scenario is always admitted if it is the only one. Its subtrees stay
+/// pinned from admission to `finished`. Admitted scenarios do not wait for each other. A missing
+/// subtree is requested once, even if several scenarios wait for it.
 class Fetcher {
   public:
-    using Token = std::uint64_t; ///< Names a scenario.
+    using Token = std::uint64_t; ///< Identifies a scenario.
 
     /// The state of the cache when a scenario was admitted.
     struct Admission {
         Token token = 0;
         std::uint64_t found = 0;       ///< Subtrees in the cache.
-        std::vector<SubtreeKey> asked; ///< Subtrees that it is the first to ask for.
+        std::vector<SubtreeKey> asked; ///< Subtrees that this scenario is the first to request.
     };
     struct Hinted {
         JobId job;
@@ -34,7 +34,7 @@ class Fetcher {
     };
     struct Step {
         std::vector<SubtreeKey> want; ///< Ascending.
-        std::vector<Hinted> hinted;   ///< The part of `want` that only hints ask for.
+        std::vector<Hinted> hinted;   ///< The part of `want` that only hints request.
         std::vector<Token> ready;     ///< In the order in which they became ready.
         std::vector<Admission> admitted;
     };
@@ -43,27 +43,29 @@ class Fetcher {
 
     /// `roots` are distinct and exist in the cache's trees. The token is new.
     void add(Token token, std::vector<SubtreeKey> roots);
-    /// Future scenarios will need the subtree. Asks for it when no scenario waits and little is
-    /// under way, if nothing has to leave the cache for it; else forgets the hint, as it does the
-    /// oldest of too many. The root exists in the cache's trees.
+    /// Announces a subtree that future scenarios will need. It is requested when no scenario waits
+    /// for a subtree and few bytes are requested. The hint is dropped if the cache would have to
+    /// evict for it, or once `limits::hints_max` newer hints wait. The root must exist in the
+    /// cache's trees.
     void hint(const Hinted& hinted);
-    /// Ranges of a tree need its top, which stays once it has come. True if it is asked for now.
+    /// Requests the upper tree, which ranges need and the cache never evicts. False if it is cached
+    /// or requested already.
     bool want_top(TreeId tree);
-    /// The cache holds this block now, or has refused it as unneeded.
+    /// Tells that the cache has received this block, even if it did not keep it.
     void arrived(const SubtreeKey& key);
-    /// The scenario needs its subtrees no longer: it has run, or was given up at any stage.
+    /// Releases a scenario's subtrees after it has run or was dropped, at any stage.
     void finished(Token token);
 
-    /// Asked for and not here, ascending.
+    /// Blocks requested and not received, ascending.
     [[nodiscard]] std::vector<SubtreeKey> awaited() const;
 
-    /// Returns what has become due since the last call.
+    /// Returns the requests and ready scenarios since the last call.
     [[nodiscard]] Step advance();
 
-    /// Call before the cache removes the tree: subtrees of it no longer come.
+    /// Drops all requests for the tree. Call it before the cache removes the tree.
     void forget_requests(TreeId tree);
 
-    [[nodiscard]] std::size_t size() const { return needs_.size(); } ///< Not finished.
+    [[nodiscard]] std::size_t size() const { return needs_.size(); } ///< Unfinished scenarios.
 
   private:
     struct Need {
@@ -73,28 +75,28 @@ class Fetcher {
     };
     struct Request {
         std::set<Token> waiting; ///< May be empty.
-        std::uint64_t bytes = 0; ///< Expected.
+        std::uint64_t bytes = 0; ///< Expected size.
     };
     struct Use {
         std::uint32_t scenarios = 0;
-        std::uint64_t bytes = 0; ///< As expected when first used.
+        std::uint64_t bytes = 0; ///< Expected size at first use.
     };
 
     [[nodiscard]] bool fits(const Need& need) const;
     void admit(Token token, Need& need, Step& step);
     void ask_for_hinted(Step& step);
-    /// False if it has been asked for before.
+    /// False if the block has been requested before.
     [[nodiscard]] bool ask_once(const SubtreeKey& key);
     void drop_request(std::map<SubtreeKey, Request>::iterator request);
 
     SubtreeCache& cache_;
     std::map<Token, Need> needs_;
-    std::deque<Token> queue_; ///< Not admitted; may name finished ones.
+    std::deque<Token> queue_; ///< Not admitted; may include finished scenarios.
     std::map<SubtreeKey, Use> used_;
     std::map<SubtreeKey, Request> requested_;
     std::uint64_t requested_bytes_ = 0;
-    std::deque<Hinted> hinted_;      ///< Not asked for.
-    std::vector<SubtreeKey> wanted_; ///< Tops, since the last step.
+    std::deque<Hinted> hinted_;      ///< Not requested yet.
+    std::vector<SubtreeKey> wanted_; ///< Upper trees requested since the last step.
     std::uint64_t used_bytes_ = 0;
     std::size_t admitted_ = 0;
     std::vector<Token> ready_;

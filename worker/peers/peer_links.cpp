@@ -15,7 +15,7 @@ asio::awaitable<PeerOutcome> PeerLinks::fetch(const PeerSource& source,
     const Address address{source.host, source.port};
     if (const auto kept = take_kept(address)) {
         const Answer answer = co_await ask(kept, source, directions, on_block);
-        // The other side may just have closed what it had not heard of for long.
+        // The peer may just have closed the idle connection, so this one retries on a new one.
         if (answer.outcome != PeerOutcome::Unreachable || answer.blocks != 0) {
             co_return answer.outcome;
         }

@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// Keeps connections for the next fetch, at most `limits::peer_channels_kept_max`. One thread.
+/// Keeps at most `limits::peer_channels_kept_max` connections open for reuse. Not thread-safe.
 class PeerLinks {
   public:
     /// `name` is this worker's name, for the logs of other workers.
@@ -20,9 +20,8 @@ class PeerLinks {
                        std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>())
         : name_(std::move(name)), tls_(std::move(tls)) {}
 
-    /// Calls `on_block` once for each block of the answer, as they come. Roots and hashes are those
-    /// that were asked for; the bytes are not checked against the hashes. Given means that all
-    /// came.
+    /// Calls `on_block` once for each received block. Only requested roots and hashes are accepted;
+    /// the bytes are not hashed here. The outcome Given means that all blocks came.
     using OnBlock = std::function<void(SubtreeBlock)>;
     [[nodiscard]] asio::awaitable<PeerOutcome>
     fetch(const PeerSource& source, const FetchFromPeers& directions, const OnBlock& on_block);
@@ -38,7 +37,7 @@ class PeerLinks {
                                               const PeerSource& source,
                                               const FetchFromPeers& directions,
                                               const OnBlock& on_block);
-    /// Null when there is none.
+    /// An idle open connection to the address, or null.
     [[nodiscard]] std::shared_ptr<Channel> take_kept(const Address& address);
     [[nodiscard]] asio::awaitable<std::shared_ptr<Channel>> open(const Address& address);
     void keep(const Address& address, std::shared_ptr<Channel> channel);

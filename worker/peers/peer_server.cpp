@@ -53,7 +53,7 @@ void PeerServer::stop_serving() {
 void PeerServer::accept(asio::ip::tcp::socket socket) {
     Seats::Seat seat = greetings_.take(socket);
     if (seat == nullptr || places_.taken() >= limits::peer_connections_max) {
-        return; // It is closed, and the other worker goes to the next source.
+        return; // The socket closes, and the peer tries its next source.
     }
     spawn(executor_, "a peer", serve(shared_from_this(), std::move(socket), std::move(seat)));
 }
@@ -65,7 +65,7 @@ asio::awaitable<void> PeerServer::serve(std::shared_ptr<PeerServer> self,
     const Result<std::shared_ptr<Channel>> channel =
         co_await accept_channel(std::move(socket), tls_->now);
     if (!channel) {
-        // A probe of the master's says nothing.
+        // The master probes the port by a connection without a byte.
         const auto level =
             channel.error().code == ErrorCode::Disconnected ? LogLevel::Debug : LogLevel::Warning;
         self->refusals_.log(level, "peer refused", peer, channel.error().detail);
@@ -79,7 +79,7 @@ asio::awaitable<void> PeerServer::serve(std::shared_ptr<PeerServer> self,
 
 asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel, Seats::Seat& seat) {
     const Result<Hello> hello = co_await accept_hello(channel);
-    // One without an address shares the places of all such.
+    // Peers without an address share one limit.
     boost::system::error_code ignored;
     const Seats::Seat place = places_.take(asio::ip::make_address(channel->peer_host(), ignored));
     if (hello && hello.value().role == Role::Peer && place != nullptr) {

@@ -1,4 +1,4 @@
-// Gives this worker's blocks to other workers, as far as the master permits.
+// Serves this worker's blocks to other workers that have a ticket of the master.
 #pragma once
 
 #include "common/core/limits/wire.hpp"
@@ -16,11 +16,11 @@
 
 namespace cd {
 
-/// Serves at most `limits::peer_uploads_max` fetches at a time and answers further ones with Busy.
+/// Serves at most `limits::peer_uploads_max` fetches at a time; answers others with Busy.
 /// All members run on the executor's thread.
 class PeerServer : public std::enable_shared_from_this<PeerServer> {
   public:
-    /// The block in a slot, or null.
+    /// Returns the block in a slot, or null.
     using Blocks = std::function<std::shared_ptr<const SubtreeBlock>(const SubtreeKey&)>;
 
     /// Listens at once. Errors: those of `Listener::open`.
@@ -31,12 +31,12 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
 
-    /// Serves these blocks from now on, for tickets of this key, in place of earlier ones.
+    /// From now on serves these blocks for tickets of this key. Replaces an earlier call.
     void serve(const PeerKey& key, Blocks blocks);
-    /// Serves no blocks any more.
+    /// Refuses all tickets until the next `serve`.
     void stop_serving();
 
-    /// The compressed bytes of all blocks given.
+    /// Compressed bytes of all served blocks.
     [[nodiscard]] std::uint64_t uploaded_bytes() const { return uploaded_bytes_; }
 
   private:
@@ -45,7 +45,7 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
                std::shared_ptr<const TlsSlot> tls);
 
     void accept(asio::ip::tcp::socket socket);
-    /// It begins some time after it was spawned, and the server may have ended by then.
+    /// Holds `self`, because the coroutine may start after the server's owner is gone.
     [[nodiscard]] asio::awaitable<void>
     serve(std::shared_ptr<PeerServer> self, asio::ip::tcp::socket socket, Seats::Seat seat);
     [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel,
@@ -59,9 +59,9 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
     std::shared_ptr<const TlsSlot> tls_;
     std::optional<TicketCheck> tickets_;
     Blocks blocks_;
-    Seats greetings_{limits::peer_connections_max}; ///< Connections that have not greeted yet.
+    Seats greetings_{limits::peer_connections_max}; ///< Connections before their greeting.
     Refusals refusals_;
-    Seats places_{limits::peer_connections_max}; ///< Connections that have greeted.
+    Seats places_{limits::peer_connections_max}; ///< Connections after their greeting.
     std::size_t uploads_ = 0;
     std::uint64_t uploaded_bytes_ = 0;
 };

@@ -61,7 +61,7 @@ std::size_t Session::let_go(std::uint64_t bytes) {
     return gone;
 }
 
-// ---- What the master says -------------------------------------------------------------------
+// ---- Messages from the master ---------------------------------------------------------------
 
 Status Session::handle(AddTree& add) {
     Status added = cache_.add_tree(add);
@@ -193,11 +193,11 @@ void Session::wait_for_subtrees(const Task& task, std::size_t scenario) {
 
 Status Session::handle(ResultsKept& kept) {
     keep_->results.kept(kept.sequences);
-    settle_soon(); // There may be room for more, or nothing left to wait for.
+    settle_soon(); // There may be room for more results, or the drain may be over.
     return Done{};
 }
 
-/// Either the answer to this worker's own Drain, or the master's request to leave.
+/// Handles the answer to this worker's own Drain, or the master's request to leave.
 Status Session::handle(Drain& /*drain*/) {
     log_debug("draining: nothing more comes from the master");
     draining_ = true;
@@ -289,7 +289,7 @@ void Session::end_finished_tasks() {
         log_debug("task done: task={}", task->first.value);
         task = tasks_.erase(task);
         if (tasks_.empty()) {
-            send_heartbeat(); // The counts of a job that ends now are complete.
+            send_heartbeat(); // The master then has the final counts of a job that ends.
         }
     }
 }

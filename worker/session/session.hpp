@@ -1,4 +1,4 @@
-// One connection to a master, from the welcome to its end.
+// A worker's session with a master, from the Welcome to its end, over one or more connections.
 #pragma once
 
 #include "common/core/limits/wire.hpp"
@@ -26,80 +26,77 @@
 
 namespace cd {
 
-/// How a session ended, and what its worker does next.
+/// How a session, or its connection, ended.
 enum class SessionEnd {
-    Lost,       ///< Of the connection: the session may go on over another one.
-    Disagreed,  ///< About what the worker has: another session sets it right.
-    Drained,    ///< All that was here is answered or handed back.
-    Terminated, ///< The master said so.
+    Lost,       ///< The connection broke; another one may resume the session.
+    Disagreed,  ///< Master and worker disagree on the state; a new session follows.
+    Drained,    ///< All work is answered or returned.
+    Terminated, ///< The master sent Terminate.
 };
 
-/// What a session needs to give blocks to other workers and to take them from these.
+/// The parts of a session that exchange blocks with other workers.
 struct PeerParts {
-    std::shared_ptr<PeerServer> server; ///< Null: others get nothing here.
-    PeerKey key;                        ///< From the welcome.
-    std::string name;                   ///< Of this worker, for the others' logs.
+    std::shared_ptr<PeerServer> server; ///< Null: serves no blocks.
+    PeerKey key;                        ///< From the Welcome.
+    std::string name;                   ///< This worker's name, for the logs of peers.
     std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>();
 };
 
-/// What the master says about heartbeats.
+/// Heartbeat timing, as set by the master.
 struct SessionTimes {
     std::chrono::milliseconds heartbeat = limits::heartbeat_period;
-    /// A connection on which nothing came for so long is taken for broken.
+    /// Silence after which the worker considers its connection broken.
     std::chrono::milliseconds silent_after =
         limits::heartbeats_missed_max * std::chrono::milliseconds(limits::heartbeat_period);
-    /// After such a silence of this worker its work goes to others. Not below `silent_after`.
+    /// Silence after which the master reassigns the worker's tasks. Not below `silent_after`.
     std::chrono::milliseconds lost_after = limits::peer_lost_after;
 
     [[nodiscard]] static SessionTimes of(const Welcome& welcome);
 };
 
-/// Holds what one master has given to this worker: trees, subtrees, tasks. It outlives its
-/// connection: threads go on, and all is as it was when another connection comes. Subtrees, and
-/// results that are not acknowledged, stay with the worker when the session ends; threads that
-/// still run for it are told to skip the rest. All members run on the channel's thread.
+/// Holds the trees, subtrees and tasks that one master has assigned. Outlives its connection:
+/// threads keep computing, and the next connection finds the state unchanged. When the session
+/// ends, subtrees and unacknowledged results move to `WorkerKeep`, and threads skip its remaining
+/// work. All members run on the channel's thread.
 class Session : public std::enable_shared_from_this<Session> {
   public:
     Session(std::shared_ptr<Channel> channel,
             Executor& executor,
             std::uint64_t cache_bytes,
             PeerParts peers = {},
-            std::shared_ptr<WorkerKeep> keep = nullptr, ///< Null: nothing comes from before.
+            std::shared_ptr<WorkerKeep> keep = nullptr, ///< Null: no earlier session.
             const SessionTimes& times = {});
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
     ~Session();
 
-    /// Serves the master until the connection ends. Called once. Lost: either `resume` or `leave`
-    /// follows.
+    /// Serves the master until the connection ends. Call it once. After Lost, call `resume` or
+    /// `leave`.
     [[nodiscard]] asio::awaitable<SessionEnd> run();
-    /// Goes on over another connection, on which the master has said that it does, too.
+    /// Resumes over another connection, after a Welcome with `is_resumed`.
     [[nodiscard]] asio::awaitable<SessionEnd> resume(std::shared_ptr<Channel> channel);
-    /// From the next connection on; instead of the time that the master's heartbeats suggest.
+    /// Replaces the silence timeout of `SessionTimes`, from the next connection on.
     void bear_silence_for(std::chrono::milliseconds time) { times_.silent_after = time; }
-    /// The last connection ended because nothing came.
+    /// Whether the last connection ended by the silence timeout.
     [[nodiscard]] bool met_silence() const { return met_silence_; }
     /// Ends a session that has no connection.
     void leave();
 
-    /// Takes no more and begins nothing more; what runs is finished and sent, the rest of each task
-    /// handed back, as is what is still on its way here. When the master has said that nothing more
-    /// is, and has all results for good, `run` returns Drained. Before `run`, or in a session that
-    /// has no connection, it holds for the next one.
+    /// Drains: finishes and sends the running scenarios, and returns all others, including those
+    /// still in transit. `run` returns Drained when the master has answered Drain and acknowledged
+    /// all results. Without a connection, the drain starts on the next one.
     void stop();
-    /// After `stop`: what runs is not finished, either, but handed back.
+    /// Stops and returns the running scenarios too. Call it after `stop`.
     void hand_back();
-    /// The host needs memory: of the subtrees that nothing here waits for or uses, those leave that
-    /// went unused for longest, until all together take no more. How many.
+    /// Evicts the least recently used unpinned subtrees until the cache takes at most `bytes`, when
+    /// the host needs memory. Returns the number of evicted subtrees.
     std::size_t let_go(std::uint64_t bytes);
-    /// What is here now.
     [[nodiscard]] const SubtreeCache& cache() const { return cache_; }
-    /// Over which it goes on, until it is closed.
     [[nodiscard]] bool is_connected() const { return channel_->is_open(); }
 
-    /// There are tasks that the master has not heard the end of.
+    /// Whether any task has not ended.
     [[nodiscard]] bool has_tasks() const { return !tasks_.empty(); }
-    /// Why the session was lost.
+    /// Why the last connection or the session was lost, for logs.
     [[nodiscard]] const std::string& reason() const { return reason_; }
 
   private:
@@ -107,18 +104,19 @@ class Session : public std::enable_shared_from_this<Session> {
     struct Place {
         TaskId task;
         std::size_t scenario = 0;
-        /// Of one at the threads: whoever sets it first begins the scenario, or gives it back.
+        /// Set by the thread that begins the scenario or by its return, whichever is first. Null
+        /// before the scenario is submitted to a thread.
         std::shared_ptr<std::atomic<bool>> has_begun;
     };
 
     void take_up();
     void stand();
     asio::awaitable<SessionEnd> serve();
-    // These begin some time after they were spawned, and the session may have ended by then.
+    // Coroutines hold `self`, because they may start after the session has ended.
     static asio::awaitable<void> send_heartbeats(std::shared_ptr<Session> self);
     [[nodiscard]] std::optional<RunningScenario> longest() const;
     void send_heartbeat();
-    [[nodiscard]] std::uint64_t unanswered() const; ///< Scenarios of all tasks.
+    [[nodiscard]] std::uint64_t unanswered() const; ///< Unanswered scenarios of all tasks.
     static asio::awaitable<void> resume_when_sent(std::shared_ptr<Session> self);
 
     Status handle(Message& message);
@@ -139,9 +137,9 @@ class Session : public std::enable_shared_from_this<Session> {
     Status handle(Heartbeat& heartbeat);
     Status handle(Failure& failure);
     template <class T>
-    Status handle(T& message); ///< All others.
+    Status handle(T& message); ///< Refuses all other types.
 
-    /// Whoever gave a block; 0 is the master.
+    /// Decodes a block on a thread. `source` is the sender; 0 is the master.
     void open_soon(TreeId tree, SubtreeBlock block, WorkerId source);
     void block_opened(const SubtreeKey& key,
                       const Result<OpenedBlock>& opened,
@@ -150,18 +148,18 @@ class Session : public std::enable_shared_from_this<Session> {
     asio::awaitable<void> fetch_from_peers(std::shared_ptr<Session> self,
                                            FetchFromPeers directions);
     void serve_peers();
-    /// Errors: BadFrame for a job that is not here.
+    /// Errors: BadFrame for an unknown job.
     [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> find_job(TaskId task, JobId job) const;
-    /// Null when a task of that number is here.
+    /// Adds the task. Null if its id exists already.
     Task* take_task(Task task);
-    /// A scenario whose roots are known joins those that wait for subtrees, or for a thread.
+    /// Queues a scenario with known roots until its subtrees and a thread are available.
     void wait_for_subtrees(const Task& task, std::size_t scenario);
     void scenario_ran(Token token, const std::optional<FinishedScenarios>& finished);
     void walked(TaskId task, Walked walked);
     [[nodiscard]] std::shared_ptr<ScenarioClock> new_clock(JobId job);
     void add_results(Task& task, const FinishedScenarios& finished);
-    // What has not begun (session_recall.cpp).
-    /// Scenarios of which `concerned` is true go, unless they have begun. Those that went.
+    // ---- Scenarios that have not begun (session_recall.cpp) -----------------------------------
+    /// Drops the scenarios that match `concerned` and have not begun. Returns the dropped ones.
     std::vector<Place> drop_unbegun(const std::function<bool(const Place&)>& concerned);
     void drop_unstarted(const std::function<bool(const Task&)>& concerned);
     void abandon(const std::function<bool(const Task&)>& concerned);
@@ -172,7 +170,7 @@ class Session : public std::enable_shared_from_this<Session> {
     void note_asked(const Fetcher::Step& step);
     void send_evicted();
     void send_held();
-    /// What a walk down the job's trees needs.
+    /// Requests the upper trees that descents of the job need.
     void want_tops(const WorkerJob& job);
     [[nodiscard]] bool has_tops(const WorkerJob& job) const;
     void send_wants(const std::vector<SubtreeKey>& want);
@@ -180,7 +178,7 @@ class Session : public std::enable_shared_from_this<Session> {
     [[nodiscard]] bool start_next();
     void start(Token token);
     void start_walk(Task& task);
-    /// Null when none has anything to be walked.
+    /// The first task with scenarios for a descent, or null.
     [[nodiscard]] Task* next_to_walk();
     void flush_soon();
     void flush(Task& task);
@@ -191,31 +189,31 @@ class Session : public std::enable_shared_from_this<Session> {
     std::shared_ptr<Channel> channel_;
     Executor& executor_;
     std::shared_ptr<WorkerKeep> keep_;
-    SubtreeCache cache_; ///< Taken from `keep_`, and given back.
+    SubtreeCache cache_; ///< Moved from `keep_`, and back by `leave`.
     Fetcher fetcher_;
     PeerParts peers_;
     PeerLinks links_;
-    std::map<TreeId, std::vector<RootIndex>> held_; ///< Filled since the master was told.
+    std::map<TreeId, std::vector<RootIndex>> held_; ///< Blocks not yet reported in a Held.
     TrafficBook traffic_;
     std::uint64_t heartbeats_ = 0;
     std::map<JobId, std::shared_ptr<const WorkerJob>> jobs_;
     std::map<TaskId, Task> tasks_;
-    std::map<Token, Place> places_; ///< Of each scenario not yet answered, but those to be walked.
-    std::deque<Token> ready_;       ///< Have their subtrees, wait for a thread.
-    std::size_t running_ = 0;       ///< At the threads.
+    std::map<Token, Place> places_; ///< Unanswered scenarios with known roots.
+    std::deque<Token> ready_;       ///< Scenarios that only wait for a thread.
+    std::size_t running_ = 0;       ///< Jobs submitted to the executor.
     Token next_token_ = 1;
-    /// Of what is at the threads; gone with it.
+    /// Clocks of the submitted jobs, which own them.
     std::list<std::weak_ptr<const ScenarioClock>> clocks_;
     SessionTimes times_;
     bool met_silence_ = false;
-    std::shared_ptr<std::atomic<bool>> abandoned_; ///< Threads skip what nobody waits for.
+    std::shared_ptr<std::atomic<bool>> abandoned_; ///< Tells threads that the session is over.
 
     bool settling_ = false;
     bool waiting_for_queue_ = false;
     bool flushing_soon_ = false;
-    bool stopping_ = false;             ///< This host wants to end.
-    bool draining_ = false;             ///< No more comes: the session ends when the last task has.
-    SessionEnd end_ = SessionEnd::Lost; ///< As far as is known.
+    bool stopping_ = false;             ///< Set by `stop`.
+    bool draining_ = false;             ///< The master sends no more tasks.
+    SessionEnd end_ = SessionEnd::Lost; ///< Lost until another reason is known.
     std::string reason_;
     asio::steady_timer heartbeat_timer_;
     asio::steady_timer flush_timer_;

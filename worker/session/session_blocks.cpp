@@ -1,5 +1,4 @@
-// How blocks of geometry come to a session, from the master and from other workers, and how they
-// go.
+// Blocks of geometry in a session: hints, fetches from peers, decoding, and reports to the master.
 #include "common/core/host/log.hpp"
 #include "worker/session/session.hpp"
 
@@ -38,7 +37,7 @@ asio::awaitable<void> Session::fetch_from_peers(std::shared_ptr<Session> self,
                                                 FetchFromPeers directions) {
     std::set<RootIndex> left(directions.roots.begin(), directions.roots.end());
     for (const PeerSource& source : directions.sources) {
-        // A temporary in the call below is destroyed twice by GCC 12.
+        // GCC 12 would destroy a temporary in the call below twice.
         const PeerLinks::OnBlock on_block = [&](SubtreeBlock block) {
             left.erase(block.root);
             traffic_.came_from_peer({directions.tree, block.root}, block.compressed.size());
@@ -56,13 +55,13 @@ asio::awaitable<void> Session::fetch_from_peers(std::shared_ptr<Session> self,
         const std::vector<RootIndex> roots(left.begin(), left.end());
         channel_->send(FetchFailed{directions.tree, roots, source.worker, outcome});
         if (roots.size() != directions.roots.size()) {
-            break; // The tickets of the others are for all roots.
+            break; // Tickets of further sources cover exactly the original roots.
         }
     }
     channel_->send(WantSubtrees{directions.tree, {left.begin(), left.end()}});
 }
 
-// Hashing and decoding take a thread's time; the heartbeat does not wait for them.
+// Hashing and decoding run on a pool thread, so that they do not delay heartbeats.
 void Session::open_soon(TreeId tree, SubtreeBlock came, WorkerId source) {
     const SubtreeKey key{tree, came.root};
     const auto block = std::make_shared<const SubtreeBlock>(std::move(came));
@@ -101,8 +100,7 @@ void Session::block_opened(const SubtreeKey& key,
     if (!inserted) {
         return refuse(inserted.error());
     }
-    // Also one that nobody waits for any more, and that had to go at once: it would not be asked
-    // for again.
+    // A block that was evicted at once has arrived too; otherwise it could not be requested again.
     fetcher_.arrived(key);
     if (cache_.has(key)) {
         held_[key.tree].push_back(key.root);
@@ -110,7 +108,7 @@ void Session::block_opened(const SubtreeKey& key,
     settle_soon();
 }
 
-// ---- What the master is told ------------------------------------------------------------------
+// ---- Reports to the master ------------------------------------------------------------------
 
 void Session::note_asked(const Fetcher::Step& step) {
     for (const Fetcher::Hinted& hinted : step.hinted) {
@@ -133,7 +131,7 @@ void Session::send_evicted() {
                 traffic_.evicted(id);
             }
         }
-        // It may be back already.
+        // The subtree may be cached again.
         if (cache_.at(key) == nullptr) {
             evicted[key.tree].push_back(key.root);
         }
@@ -149,7 +147,7 @@ void Session::send_held() {
     for (auto& [tree, roots] : std::exchange(held_, {})) {
         std::sort(roots.begin(), roots.end());
         roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
-        // It may have left again.
+        // The block may have been evicted again.
         std::erase_if(roots, [&](RootIndex root) { return !cache_.has({tree, root}); });
         if (!roots.empty()) {
             channel_->send(Held{tree, std::move(roots)});

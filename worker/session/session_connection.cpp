@@ -1,4 +1,4 @@
-// A session and its connections: what is said at the start of each, heartbeats, and the end.
+// A session's connections: the messages at the start of each, heartbeats, and the end.
 #include "common/core/host/log.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
@@ -42,7 +42,7 @@ asio::awaitable<SessionEnd> Session::serve() {
     std::uint64_t bytes = 0;
     while (channel->is_open()) {
         Result<Message> message = co_await channel->receive(times_.silent_after);
-        // Over a slow line a message takes long; as long as bytes come, nothing is broken.
+        // A large message may take longer than the timeout; the connection is alive if bytes came.
         const std::uint64_t bytes_before = std::exchange(bytes, channel->traffic().bytes_received);
         if (!message && message.error().code == ErrorCode::Timeout && channel->is_open() &&
             bytes != bytes_before) {
@@ -60,7 +60,7 @@ asio::awaitable<SessionEnd> Session::serve() {
         }
     }
     heartbeat_timer_.cancel();
-    // One that was closed with a last word still sends it.
+    // A channel already closed with a flush still sends its last message.
     if (channel->is_open()) {
         channel->close();
     }
@@ -70,7 +70,7 @@ asio::awaitable<SessionEnd> Session::serve() {
     co_return end_;
 }
 
-/// What was kept from a session before.
+/// Announces the blocks, and sends the results, kept from an earlier session.
 void Session::take_up() {
     if (auto cuts = cache_.parked(); !cuts.empty()) {
         channel_->send(Holding{std::move(cuts)});
@@ -82,10 +82,11 @@ void Session::take_up() {
     for (const Results& results : again) {
         channel_->send(results);
     }
-    channel_->send(Standing{}); // That was all.
+    channel_->send(Standing{}); // Marks the end of the kept results.
 }
 
-/// All that the master may have missed, and all by which it sees what got lost on its way here.
+/// Resyncs a resumed session: sends unacknowledged results again, then the inventory, from which
+/// the master sees which of its messages were lost.
 void Session::stand() {
     Standing standing;
     for (const TreeId tree : cache_.trees()) {
@@ -100,7 +101,7 @@ void Session::stand() {
     const std::uint16_t type = message_type(Message(standing));
     if (encode_message(Message(standing)).size() > payload_bytes_max(type)) {
         reason_ = "it holds more than can be said at once";
-        end_ = SessionEnd::Disagreed; // In another session it says it tree by tree.
+        end_ = SessionEnd::Disagreed; // A new session reports tree by tree.
         return channel_->close();
     }
     for (const auto& [sequence, results] : keep_->results.messages()) {
@@ -119,7 +120,7 @@ void Session::stand() {
     }
 }
 
-/// Whatever comes back from the threads from now on finds nothing that it could change.
+/// Ends the session. Later continuations from the threads change nothing.
 void Session::leave() {
     if (abandoned_->exchange(true)) {
         return;
@@ -146,7 +147,7 @@ asio::awaitable<void> Session::send_heartbeats(std::shared_ptr<Session> self) {
 
 void Session::send_heartbeat() {
     CacheTraffic traffic{traffic_.total(), 0};
-    traffic.blocks.evictions = cache_.evictions(); // Also of trees that no job uses.
+    traffic.blocks.evictions = cache_.evictions(); // Includes trees that no job uses.
     traffic.uploaded_bytes = peers_.server == nullptr ? 0 : peers_.server->uploaded_bytes();
     channel_->send(Heartbeat{++heartbeats_, cache_.bytes(), unanswered(), traffic, longest()});
     if (std::chrono::steady_clock::now() - began_ > limits::parked_trees_kept) {

@@ -1,4 +1,4 @@
-// What a session gives back: what has not begun ends without an answer.
+// Returns and drops scenarios of a session that have not begun.
 #include "common/core/host/log.hpp"
 #include "worker/session/session.hpp"
 
@@ -14,12 +14,12 @@ bool names(const std::vector<std::uint64_t>& ascending, std::uint64_t scenario) 
 
 } // namespace
 
-// ---- What the master says -------------------------------------------------------------------
+// ---- Messages from the master ---------------------------------------------------------------
 
 Status Session::handle(Recall& recall) {
     const auto found = tasks_.find(recall.task);
     if (found == tasks_.end()) {
-        return Done{}; // It has ended: the master hears of that.
+        return Done{}; // The task has ended, and its EndOfTask is in transit.
     }
     Task& task = found->second;
     const std::vector<Place> dropped = drop_unbegun([&](const Place& place) {
@@ -58,7 +58,7 @@ Status Session::handle(DropScenario& drop) {
     return Done{};
 }
 
-// ---- What follows from it -------------------------------------------------------------------
+// ---- Dropping scenarios ---------------------------------------------------------------------
 
 std::vector<Session::Place>
 Session::drop_unbegun(const std::function<bool(const Place&)>& concerned) {
@@ -96,7 +96,7 @@ void Session::abandon(const std::function<bool(const Task&)>& concerned) {
     drop_unstarted(concerned);
     for (auto& [id, task] : tasks_) {
         if (concerned(task)) {
-            task.abandon(); // What runs ends soon, without an answer.
+            task.abandon(); // Running scenarios stop soon, without a result.
         }
     }
 }

@@ -1,4 +1,4 @@
-// What of a session's tasks runs next, on the worker's threads, and what comes back from these.
+// Schedules a session's scenarios on the worker's threads and collects their results.
 #include "common/core/host/log.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
@@ -8,7 +8,7 @@
 
 namespace cd {
 
-// ---- What comes back from the threads -------------------------------------------------------
+// ---- Results from the threads ---------------------------------------------------------------
 
 void Session::scenario_ran(Token token, const std::optional<FinishedScenarios>& finished) {
     if (abandoned_->load()) {
@@ -17,7 +17,7 @@ void Session::scenario_ran(Token token, const std::optional<FinishedScenarios>& 
     --running_;
     const auto place = places_.find(token);
     if (place == places_.end()) {
-        return settle_soon(); // It was given back before it began.
+        return settle_soon(); // The scenario was returned before it began.
     }
     Task& task = tasks_.at(place->second.task);
     places_.erase(place);
@@ -63,9 +63,9 @@ void Session::add_results(Task& task, const FinishedScenarios& finished) {
     }
 }
 
-// ---- What follows from it -------------------------------------------------------------------
+// ---- Scheduling -----------------------------------------------------------------------------
 
-// Events that come together are answered together.
+// Posts one `settle` for all events that arrive together.
 void Session::settle_soon() {
     if (std::exchange(settling_, true)) {
         return;
@@ -84,7 +84,7 @@ void Session::settle() {
     }
     const Fetcher::Step step = fetcher_.advance();
     note_asked(step);
-    // First what left: the master must not take it for an answer to what is wanted now.
+    // Evicted goes first, so that the master does not apply it to the blocks requested next.
     send_evicted();
     send_held();
     send_wants(step.want);
@@ -94,7 +94,7 @@ void Session::settle() {
     end_when_drained();
 }
 
-/// Not before the master has the last results on its disk.
+/// Ends the session once the master has written the last results to disk.
 void Session::end_when_drained() {
     if (draining_ && tasks_.empty() && keep_->results.empty() && channel_->is_open()) {
         end_ = SessionEnd::Drained;
@@ -105,7 +105,7 @@ void Session::end_when_drained() {
 void Session::start_ready() {
     const std::size_t running_max = limits::jobs_per_thread_max * executor_.threads();
     while (running_ < running_max && keep_->results.has_room()) {
-        // A master that does not take results gets no more of them.
+        // Computes no more results while the master does not read the queued ones.
         if (channel_->queued_bytes() >= limits::write_queue_bytes_max) {
             if (!std::exchange(waiting_for_queue_, true)) {
                 spawn(executor_.home(), "resume", resume_when_sent(shared_from_this()));

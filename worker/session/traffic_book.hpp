@@ -1,4 +1,4 @@
-// Counts the network traffic of a worker's geometry by job.
+// Counts a worker's network traffic of geometry, per job.
 #pragma once
 
 #include "proto/messages/traffic.hpp"
@@ -10,32 +10,32 @@
 
 namespace cd {
 
-/// A block counts for the job that asked for it last, even if it comes several times.
+/// Charges a block to the job that requested it last, once per arrival.
 class TrafficBook {
   public:
     void job_added(JobId job) { jobs_.try_emplace(job); }
     void job_removed(JobId job);
     void tree_removed(TreeId tree);
 
-    /// Scenarios of the job found that many of the subtrees that they needed.
+    /// Counts cache hits: needed subtrees that scenarios of the job found.
     void found(JobId job, std::uint64_t subtrees);
-    /// A scenario of the job is the first to ask for the subtree.
+    /// Counts a cache miss: a scenario of the job is the first to request the subtree.
     void missed(JobId job, const SubtreeKey& key);
-    /// A hint asks for the subtree before a scenario needs it.
+    /// Counts a subtree that only a hint requests.
     void hinted(JobId job, const SubtreeKey& key);
     void evicted(JobId job);
     void came_from_master(const SubtreeKey& key, std::uint64_t bytes);
     void came_from_peer(const SubtreeKey& key, std::uint64_t bytes);
 
-    /// Counts of all jobs since the start.
+    /// Traffic of all jobs since the start of the session.
     [[nodiscard]] const BlockTraffic& total() const { return total_; }
-    /// Of the job, since the call before.
+    /// Traffic of the job since the last call of `take`.
     [[nodiscard]] BlockTraffic take(JobId job);
 
   private:
-    /// In total, and for the job if it is here.
+    /// Adds to the total, and to the job if it is known.
     void add(JobId job, const BlockTraffic& traffic);
-    /// 0 where nobody did.
+    /// The job that requested the block last; 0 if none did.
     [[nodiscard]] JobId who_asked(const SubtreeKey& key) const;
 
     BlockTraffic total_;

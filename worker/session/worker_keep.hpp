@@ -1,5 +1,5 @@
-// What a worker keeps from one session to the next: results that are not acknowledged, subtrees,
-// and how much it has done.
+// State that a worker keeps between sessions: unacknowledged results, subtrees, and a count of
+// computed scenarios.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -17,51 +17,51 @@
 
 namespace cd {
 
-/// Of results that are not acknowledged; at either of them nothing new is begun.
+/// Bounds of unacknowledged results. At either of them the worker begins no new scenario.
 struct UnkeptBounds {
     std::uint64_t bytes = limits::results_unkept_bytes_max;
     std::size_t messages = limits::results_unkept_messages_max;
 };
 
-/// Messages of results that the master has not acknowledged yet.
+/// Result messages that the master has not acknowledged yet.
 class UnkeptResults {
   public:
     explicit UnkeptResults(const UnkeptBounds& bounds = {}) : bounds_(bounds) {}
 
-    /// Gives the message its number.
+    /// Stores the message and sets its sequence number.
     void add(Results& results);
-    /// The master has them. Unknown numbers are ignored.
+    /// Drops acknowledged messages. Ignores unknown numbers.
     void kept(std::span<const std::uint64_t> sequences);
     void clear();
 
-    /// To be sent again in a new session, in the order in which they were added: from now on they
-    /// are of no task, whose number may mean another one there.
+    /// The messages to send in a new session, in order. Clears their task ids for good, since a new
+    /// session numbers its tasks anew.
     [[nodiscard]] std::vector<Results> again();
-    /// To be sent again in a session that goes on.
+    /// The messages to send again in a resumed session, by sequence number.
     [[nodiscard]] const std::map<std::uint64_t, Results>& messages() const { return messages_; }
     [[nodiscard]] bool empty() const { return messages_.empty(); }
-    /// False: nothing new is to be begun.
+    /// Whether new scenarios may begin.
     [[nodiscard]] bool has_room() const;
 
   private:
     UnkeptBounds bounds_;
     std::map<std::uint64_t, Results> messages_;
     std::uint64_t last_ = 0;
-    std::uint64_t bytes_ = 0; ///< Of their records and maps.
+    std::uint64_t bytes_ = 0; ///< Total size of records and maps.
 };
 
-/// Between two sessions it holds both; during one the cache is the session's.
+/// Holds results and cache between sessions. During a session, the session owns the cache.
 struct WorkerKeep {
     explicit WorkerKeep(std::uint64_t cache_bytes, const UnkeptBounds& bounds = {})
         : results(bounds), cache(cache_bytes) {}
 
-    /// Of another cluster nothing that was kept means anything: it goes.
+    /// Drops everything kept if the cluster differs from the last one.
     void enter(const Sha256& its_cluster);
 
     UnkeptResults results;
     SubtreeCache cache;
-    Sha256 cluster; ///< Of the last session; zeros before the first.
-    /// Scenarios that were run to their end, whatever became of the results.
+    Sha256 cluster; ///< Cluster of the last session; zeros before the first.
+    /// Scenarios computed to the end, even if their results were dropped.
     std::shared_ptr<std::atomic<std::uint64_t>> computed =
         std::make_shared<std::atomic<std::uint64_t>>();
 };
