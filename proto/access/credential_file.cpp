@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view block_begin = "-----BEGIN ";
 constexpr std::uint64_t file_bytes_max = 4 * limits::certificate_bytes_max;
 
-/// The parts of a PEM file, each from its first line on.
+/// The first three blocks of a PEM file, each from its BEGIN line on.
 std::array<std::string, 3> three_blocks(std::string_view text) {
     std::array<std::string, 3> blocks;
     std::size_t begin = text.find(block_begin);
@@ -35,7 +35,7 @@ std::array<std::string, 3> three_blocks(std::string_view text) {
     return blocks;
 }
 
-/// A file that is open to be read.
+/// A file open for reading.
 class Opened {
   public:
     explicit Opened(const std::filesystem::path& path)
@@ -53,7 +53,7 @@ class Opened {
     int descriptor_;
 };
 
-/// Of the file that is open, whatever its name stands for by now.
+/// Checks owner and mode of the open file, since its path may name another file by now.
 Status check_owner_alone(const Opened& file, const std::filesystem::path& path) {
     struct stat status {};
     if (::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
@@ -64,14 +64,14 @@ Status check_owner_alone(const Opened& file, const std::filesystem::path& path) 
                      path.string() + " may be read by others than its owner: chmod 600 it, or "
                                      "better, join anew"};
     }
-    // Who may give somebody a key may know it. Root does anyway.
+    // An owner can read the key. Root can read it anyway.
     if (status.st_uid != ::geteuid() && status.st_uid != 0) {
         return Error{ErrorCode::Refused, path.string() + " belongs to another user"};
     }
     return Done{};
 }
 
-/// Up to one byte more than such files have.
+/// Reads up to one byte more than the size limit, so that the caller sees a file that is too large.
 Result<std::string> read_all(const Opened& file, const std::filesystem::path& path) {
     std::string text(file_bytes_max + 1, '\0');
     std::size_t size = 0;
@@ -89,7 +89,7 @@ Result<std::string> read_all(const Opened& file, const std::filesystem::path& pa
     return text;
 }
 
-/// A temporary file in the folder of `path`, which is made if it is missing.
+/// Creates a temporary file in the folder of `path`, and the folder if it is missing.
 Result<DiskFile> create_private(const std::filesystem::path& path) {
     std::error_code error;
     const std::filesystem::path whole = std::filesystem::absolute(path, error);

@@ -11,28 +11,28 @@
 
 namespace cd {
 
-/// Where a program keeps what it shows to this master.
+/// The file of a program's credential for this master.
 [[nodiscard]] std::filesystem::path credential_path(const std::filesystem::path& folder,
                                                     const Endpoint& master);
 
-/// One PEM file: key, certificate, authority. For its owner alone (0600), and replaced whole. Makes
-/// its folder. Errors: Io; BadInput for what is no name of a file.
+/// Writes key, certificate and authority to one PEM file, atomically, with mode 0600. Creates its
+/// folder. Errors: Io; BadInput if the path names no file.
 [[nodiscard]] Status write_credential(const std::filesystem::path& path,
                                       const Credential& credential);
 
-/// Errors: NotFound; Io; BadInput for what is no such file; Refused for one that others may read.
+/// Errors: NotFound; Io; BadInput for any other content; Refused if other users may read the file.
 [[nodiscard]] Result<Credential> read_credential(const std::filesystem::path& path);
 
-/// Whether a file of that name can be written: what cannot be done again is done after this. Makes
-/// its folder. Errors: BadInput for what is no name of a file; Io.
+/// Checks that the file can be written, before a step that cannot be repeated. Creates its folder.
+/// Errors: BadInput if the path names no file; Io.
 [[nodiscard]] Status check_can_write(const std::filesystem::path& path);
-/// A small file for its owner alone, replaced whole. Makes its folder. Errors: as above.
+/// Writes a small file atomically, with mode 0600. Creates its folder. Errors: BadInput; Io.
 [[nodiscard]] Status write_private(const std::filesystem::path& path, std::string_view text);
-/// Errors: NotFound; Io; TooLarge; Refused for one that others may read, or that belongs to
-/// another.
+/// Errors: NotFound; Io; TooLarge; Refused if other users may read the file, or if it belongs to
+/// another user than the process or root.
 [[nodiscard]] Result<std::string> read_private(const std::filesystem::path& path);
 
-/// From then on it is time for a new one.
+/// When to renew the certificate: after half of its validity.
 [[nodiscard]] WallTime renew_at(const Identity& identity);
 
 } // namespace cd

@@ -10,7 +10,7 @@ namespace cd {
 
 namespace {
 
-/// Past the greeting.
+/// Connects and greets as a Joiner.
 asio::awaitable<Result<std::shared_ptr<Channel>>> open(Target target, std::string name) {
     Result<std::shared_ptr<Channel>> channel = co_await connect(std::move(target));
     if (!channel) {

@@ -1,4 +1,4 @@
-// How a program gets its certificate from a master, the first time and again.
+// Getting a certificate from a master: joining and renewing.
 #pragma once
 
 #include "proto/access/join_token.hpp"
@@ -8,13 +8,14 @@
 
 namespace cd {
 
-/// Proves the token to the master that it pins, and gets a certificate for a new key. `name` is for
-/// people. Errors: BadInput for a name that is not good; those of `connect` and `greet`; Refused
-/// with the master's reason.
+/// Proves the token to the master that it pins, and gets a certificate for a new key. `name` is a
+/// display name. Errors: BadInput for an invalid name; those of `connect` and `greet`; Refused with
+/// the master's reason.
 [[nodiscard]] asio::awaitable<Result<Credential>>
 join_cluster(Endpoint master, JoinToken token, std::string name);
 
-/// A certificate like the one that `tls` shows, for a new key, with a new end. Errors: as above.
+/// Gets a certificate with the role and name of the one in `tls`, for a new key and validity.
+/// Errors: those of `connect` and `greet`; Refused with the master's reason.
 [[nodiscard]] asio::awaitable<Result<Credential>> renew_credential(Endpoint master,
                                                                    std::shared_ptr<const Tls> tls);
 

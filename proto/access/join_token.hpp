@@ -1,4 +1,4 @@
-// Tokens: what lets someone join a cluster who has no certificate yet.
+// Join tokens: they let a program without a certificate join a cluster.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -10,23 +10,23 @@
 
 namespace cd {
 
-/// Given to who is to join, by a way that is trusted.
+/// A secret that an admin passes to a new member over a trusted channel.
 struct JoinToken {
     std::uint64_t id = 0;
-    Sha256 secret;    ///< Never sent, and not kept by the master.
-    Sha256 authority; ///< Fingerprint: whom to believe that it is the master.
+    Sha256 secret;    ///< Never sent, and not stored by the master.
+    Sha256 authority; ///< Fingerprint of the authority that the master must prove.
 };
 
-/// "cdt1." and the three in hexadecimal, with points between them.
+/// "cdt1." and the three members in hexadecimal, separated by dots.
 [[nodiscard]] std::string to_text(const JoinToken& token);
-/// Errors: BadInput, not repeating the text.
+/// Errors: BadInput, without the text itself.
 [[nodiscard]] Result<JoinToken> parse_join_token(std::string_view text);
 
-/// What the master keeps of a token: enough to check a proof, not to make one.
+/// The master's form of the secret. It can check a proof but not make one.
 [[nodiscard]] Sha256 stored_secret(const JoinToken& token);
 
-// The proof is that of SCRAM (RFC 5802, section 3): who sees it learns nothing to join with, and it
-// holds on one connection for one request alone. `binding` is that of the connection.
+// The proof of SCRAM (RFC 5802, section 3). It reveals nothing that lets an observer join, and is
+// valid on one connection for one request. `binding` is the channel binding of the connection.
 [[nodiscard]] Sha256
 join_proof(const JoinToken& token, const Sha256& binding, std::string_view request);
 [[nodiscard]] bool is_join_proof(const Sha256& proof,

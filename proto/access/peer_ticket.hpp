@@ -1,4 +1,4 @@
-// Tickets by which the master lets one worker fetch blocks from another, once.
+// Single-use tickets of the master that let one worker fetch blocks from another.
 #pragma once
 
 #include "common/core/limits/wire.hpp"
@@ -11,26 +11,26 @@
 
 namespace cd {
 
-/// What the master shows for a ticket of this number, for these roots, to the worker whose key it
-/// is.
+/// The master's proof of a ticket: it authorises a fetch of these roots from the worker with this
+/// key.
 [[nodiscard]] Sha256 ticket_proof(const PeerKey& key,
                                   std::uint64_t ticket,
                                   TreeId tree,
                                   std::span<const RootIndex> roots);
 
-/// The tickets that came to one source. The master counts them from 1 up.
+/// Checks the tickets that one source receives. The master numbers them from 1.
 class TicketCheck {
   public:
     explicit TicketCheck(const PeerKey& key) : key_(key) {}
 
-    /// True once for each ticket of the master, while it is among the last
+    /// True once for each valid ticket, while it is among the last
     /// `limits::peer_tickets_remembered`.
     [[nodiscard]] bool take(const PeerFetch& fetch);
 
   private:
     PeerKey key_;
-    std::uint64_t forgotten_ = 0;   ///< Tickets up to here are not taken.
-    std::set<std::uint64_t> taken_; ///< All greater.
+    std::uint64_t forgotten_ = 0;   ///< Tickets up to this number are refused.
+    std::set<std::uint64_t> taken_; ///< Used tickets, all above `forgotten_`.
 };
 
 } // namespace cd

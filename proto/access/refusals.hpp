@@ -1,4 +1,4 @@
-// Log lines about peers that have proven nothing, and may come as often as they like.
+// Rate-limited log lines about unauthenticated peers.
 #pragma once
 
 #include "common/core/host/log.hpp"
@@ -13,21 +13,21 @@
 
 namespace cd {
 
-/// So many lines about a host in `limits::refusal_log_period`; how many were left out then stands
-/// in the next one. All hosts beyond those that are remembered count as one. One thread.
+/// Limits the log lines about one host in each `limits::refusal_log_period`. The next line reports
+/// how many were suppressed. Hosts beyond the remembered ones share one limit. Not thread-safe.
 class Refusals {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// How many were left out since the last line; nothing: leave out this one, too.
+    /// Number of lines suppressed since the last one; empty: suppress this one too.
     [[nodiscard]] std::optional<std::uint64_t> admit(const std::string& host, Time now);
 
-    /// Logs "WHAT: peer=PEER reason=REASON", or leaves it out. A peer is HOST:PORT.
+    /// Logs "WHAT: peer=PEER reason=REASON" unless it is suppressed. PEER is HOST:PORT.
     void log(LogLevel level, const char* what, const std::string& peer, const std::string& reason);
 
   private:
     struct Host {
-        Time since; ///< Of the period.
+        Time since; ///< Start of the period.
         std::size_t lines = 0;
         std::uint64_t left_out = 0;
     };

@@ -1,4 +1,4 @@
-// The one way Boost.Asio's TLS, and OpenSSL's with it, enters this project.
+// The only header that includes Boost.Asio's TLS, and OpenSSL's with it.
 #pragma once
 
 #include "proto/channel/asio.hpp"

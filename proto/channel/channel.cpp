@@ -20,11 +20,11 @@ using Clock = std::chrono::steady_clock;
 
 enum class Phase {
     Open,
-    Flushing, ///< Sends what is queued, then waits for the peer's end; drops what comes in.
+    Flushing, ///< Sends the queue, then waits for the peer's end; drops input.
     Closed,
 };
 
-/// A message on its way out. It keeps its place in its lane until its last frame is written.
+/// An outgoing message. It stays in its lane until its last frame is written.
 struct Outgoing {
     std::uint16_t type = 0;
     Bytes payload;
@@ -50,7 +50,7 @@ std::string own_address(const asio::ip::tcp::socket& socket) {
     return socket.local_endpoint(ignored).address().to_string();
 }
 
-/// Asked by the systems of both ends, whatever the programs do.
+/// Enables TCP keepalive: the operating systems probe the connection without the programs.
 void keep_alive(asio::ip::tcp::socket& socket) {
     error_code ignored;
     socket.set_option(asio::socket_base::keep_alive(true), ignored);
@@ -63,7 +63,7 @@ void keep_alive(asio::ip::tcp::socket& socket) {
 
 } // namespace
 
-// The operations under way share the state, so it outlives the channel until they have ended. All
+// Pending operations share the state, so it outlives the channel until they have ended. All
 // handlers run on the socket's executor.
 struct Channel::State : std::enable_shared_from_this<State> {
     State(std::unique_ptr<Stream> connected, const StallBounds& longest_stalls)
@@ -118,21 +118,21 @@ struct Channel::State : std::enable_shared_from_this<State> {
     std::array<std::byte, frame_header_bytes> header_bytes{};
     FrameHeader header;
     Bytes frame;          ///< Grows to the largest frame seen.
-    std::size_t came = 0; ///< Bytes of the header, or of the payload.
+    std::size_t came = 0; ///< Received bytes of the header or the payload.
     MessageAssembler assembler;
-    std::optional<Clock::time_point> rest_due; ///< Of what has begun to come.
+    std::optional<Clock::time_point> rest_due; ///< Deadline of a partial message.
     bool watching_read = false;
-    std::optional<Message> incoming; ///< The one message that has come and nobody has taken.
+    std::optional<Message> incoming; ///< The one message received and not taken.
     bool reading = false;
     bool receiving = false;
-    asio::steady_timer received; ///< Ends early when `incoming` or `failure` is there.
+    asio::steady_timer received; ///< Cancelled when `incoming` or `failure` is set.
     asio::steady_timer read_deadline;
 
     std::array<std::deque<Outgoing>, 2> lanes;
     std::size_t queued_bytes = 0;
     bool writing = false;
     std::uint64_t frames_begun = 0;
-    asio::steady_timer written; ///< Never expires; cancelled when there is news of the queue.
+    asio::steady_timer written; ///< Never expires; cancelled when the queue changes.
     asio::steady_timer write_deadline;
     asio::steady_timer flush_deadline;
 };
@@ -158,7 +158,7 @@ void Channel::State::read_payload() {
     read_part(asio::buffer(frame.data(), header.payload_bytes) + came, &State::payload_came);
 }
 
-/// Reads some of the rest, and then does what is next.
+/// Reads some bytes into `rest`, then calls `next`.
 void Channel::State::read_part(asio::mutable_buffer rest, void (State::*next)()) {
     reading = true;
     stream->read_some(
@@ -175,7 +175,7 @@ void Channel::State::read_part(asio::mutable_buffer rest, void (State::*next)())
 
 void Channel::State::header_came() {
     if (came < header_bytes.size()) {
-        // The answer of a foreign protocol may be shorter than a header.
+        // An answer in another protocol may be shorter than a header.
         if (auto foreign = foreign_answer(std::span(header_bytes).first(came))) {
             return fail(std::move(*foreign));
         }
@@ -190,7 +190,7 @@ void Channel::State::header_came() {
     if (header.has_more && header.payload_bytes < limits::frame_with_more_bytes_min) {
         return fail({ErrorCode::BadFrame, "a message in pieces that are too small"});
     }
-    // Before memory is taken for it.
+    // Checks the header before allocating memory for the payload.
     if (const Status good = assembler.check(header); !good) {
         return refuse(good.error());
     }
@@ -230,8 +230,8 @@ bool Channel::State::may_be_large() const {
     return !stream->is_secured() || stream->peer_identity();
 }
 
-/// From now on, for this frame. One timer serves many frames: it looks how things are when it ends,
-/// and most often finds that the frame is there.
+/// Starts the deadline of the current frame. One timer serves many frames: it checks the deadline
+/// when it expires, and usually finds the frame complete.
 void Channel::State::watch_read() {
     if (!rest_due) {
         rest_due = Clock::now() + stalls.read;
@@ -285,14 +285,14 @@ void Channel::State::read_failed(const error_code& error) {
     if (!error) {
         return drop_incoming();
     }
-    // The peer may have ended its half only, and still read what is queued here.
+    // The peer may have closed its half only, and may still read the queued messages.
     if (error != asio::error::eof || lanes[lane_control].size() + lanes[lane_data].size() == 0) {
         shut();
     }
 }
 
-// Reads on while closing: unread bytes at a close would reset the connection, and with it what is
-// still on its way to the peer.
+// Keeps reading while closing: unread bytes at a close would reset the connection and lose data
+// still in transit to the peer.
 void Channel::State::drop_incoming() {
     if (reading || phase != Phase::Flushing) {
         return;
@@ -342,7 +342,7 @@ void Channel::State::write_next() {
     out.payload_checksum = checksum(slice);
 
     writing = true;
-    // Shared with the handler: the bytes must stay where they are while they are written.
+    // The handler shares the bytes, which must not move while they are written.
     const auto bytes =
         std::make_shared<const std::array<std::byte, frame_header_bytes>>(encode_header(out));
     const std::array<asio::const_buffer, 2> buffers{asio::buffer(*bytes),

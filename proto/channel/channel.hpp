@@ -23,80 +23,80 @@ struct Endpoint {
     std::uint16_t port = 0;
 };
 
-/// Errors: BadInput saying what is expected.
+/// Errors: BadInput naming the expected form.
 [[nodiscard]] Result<Endpoint> parse_endpoint(const std::string& text);
 /// True for 127.0.0.0/8, ::1 and "localhost".
 [[nodiscard]] bool is_loopback(const Endpoint& endpoint);
 
 /// How a program is about to use an endpoint.
 struct Exposure {
-    bool secured = false;  ///< By TLS.
+    bool secured = false;  ///< Uses TLS.
     bool insecure = false; ///< --insecure was given.
     bool listening = false;
 };
-/// Without TLS nothing leaves or enters beyond loopback unless `insecure` says so. Errors: Refused
-/// saying how TLS is had, and naming the option; with `insecure` a warning is logged, whatever the
-/// level.
+/// Forbids plain TCP beyond loopback, unless `insecure` is set; then it logs a warning at any log
+/// level. Errors: Refused, with the way to get TLS and the option.
 [[nodiscard]] Status check_exposure(const Endpoint& endpoint, const Exposure& exposure);
 
-/// Counts of one connection.
+/// Byte counts of one connection.
 struct Traffic {
     std::uint64_t bytes_sent = 0;
     std::uint64_t bytes_received = 0;
 };
 
-/// How long a frame may take. Then the channel closes.
+/// Time limits for frames; a channel that exceeds one closes.
 struct StallBounds {
-    /// The next one of a message that has begun to come.
+    /// For the next frame of a message that has begun to arrive.
     std::chrono::steady_clock::duration read = limits::read_stall_max;
-    /// One that is sent, until the operating system has taken it.
+    /// For the operating system to take a frame.
     std::chrono::steady_clock::duration write = limits::write_stall_max;
 };
 
-/// One peer. All members run on the executor of the socket, on one thread. Control messages go
-/// before data messages; a data message goes in frames, so that a heartbeat waits for one at most.
+/// A connection to one peer. All members run on the socket's executor, on one thread. Control
+/// messages are sent before data messages. Data messages are sent in frames, so that a heartbeat
+/// waits for one frame at most.
 class Channel : public std::enable_shared_from_this<Channel> {
   public:
-    /// The stream is connected, and secured if it is to be.
+    /// The stream must be connected, and secured if the channel uses TLS.
     [[nodiscard]] static std::shared_ptr<Channel> make(std::unique_ptr<Stream> stream,
                                                        const StallBounds& stalls = {});
 
-    /// The next message. Nothing is read from the socket beyond one message that nobody awaits, so
-    /// a slow caller slows the peer. Errors: Timeout when `timeout` passes without one (the channel
-    /// stays usable); Disconnected, also when a frame stands still; Refused, by a peer that does
-    /// not take this end's certificate; BadFrame or TooLarge for bytes that are none, or are not
-    /// for the other end to send, after which the channel is closed. The first message must be a
-    /// Hello, Welcome or Failure, and small. One caller at a time.
+    /// Receives the next message. Reads at most one message ahead, so that a slow caller slows the
+    /// peer. Errors: Timeout (the channel stays usable); Disconnected, also for a stalled frame;
+    /// Refused if the peer rejects this end's certificate; BadFrame or TooLarge for invalid bytes
+    /// or a message that the peer may not send, which close the channel. The first message must be
+    /// a small Hello, Welcome or Failure. One caller at a time.
     [[nodiscard]] asio::awaitable<Result<Message>>
     receive(std::chrono::steady_clock::duration timeout);
 
-    /// What the other end is, past its greeting: by that goes what it may send, and memory for it.
+    /// Sets the peer's party after its greeting. It decides which messages, and how large, the peer
+    /// may send.
     void expect(Party party);
 
-    /// Queues the message, which must not be over its type's limit (`payload_bytes_max`). Never
-    /// blocks; after `close` it does nothing. Who sends much awaits `wait_until_queued_below`.
+    /// Queues the message, at most `payload_bytes_max` of its type. Never blocks; does nothing
+    /// after `close`. Senders of much data await `wait_until_queued_below`.
     void send(const Message& message);
 
-    /// Not yet handed to the operating system.
+    /// Bytes not yet handed to the operating system.
     [[nodiscard]] std::size_t queued_bytes() const;
-    /// Returns when less than `bytes` are queued, or the channel is closed.
+    /// Returns when fewer than `bytes` bytes are queued, or the channel is closed.
     [[nodiscard]] asio::awaitable<void> wait_until_queued_below(std::size_t bytes);
 
-    /// Ends the connection; a waiting `receive` fails. With `flush`, what is queued goes out first,
-    /// within `limits::close_flush_max`, also after the last owner has dropped the channel; without
-    /// it, dropping the channel closes it at once.
+    /// Closes the connection; a waiting `receive` fails. With `flush`, queued messages are sent
+    /// first, within `limits::close_flush_max`, even if the channel is destroyed meanwhile. Without
+    /// a flush, destroying the channel closes it at once.
     void close(bool flush = false);
     [[nodiscard]] bool is_open() const;
-    /// Returns when the connection has ended, which a `close` with `flush` does not do at once.
+    /// Returns when the connection has ended, that is after the flush of `close`.
     [[nodiscard]] asio::awaitable<void> wait_until_closed();
 
     [[nodiscard]] const Traffic& traffic() const;
     /// The other end's address, for logs.
     [[nodiscard]] const std::string& peer() const;
-    /// The addresses of both ends, without their ports.
+    /// The addresses of both ends, without ports.
     [[nodiscard]] const std::string& peer_host() const;
     [[nodiscard]] const std::string& own_host() const;
-    /// Those of its stream.
+    /// Forwards to the stream; so do `peer_identity` and `binding`.
     [[nodiscard]] bool is_secured() const;
     [[nodiscard]] const std::optional<Identity>& peer_identity() const;
     [[nodiscard]] std::optional<Sha256> binding() const;
@@ -104,7 +104,7 @@ class Channel : public std::enable_shared_from_this<Channel> {
   private:
     struct State;
     explicit Channel(std::shared_ptr<State> state);
-    std::shared_ptr<State> state_; ///< Operations under way share it.
+    std::shared_ptr<State> state_; ///< Shared with pending operations.
 
   public:
     Channel(const Channel&) = delete;
@@ -112,53 +112,51 @@ class Channel : public std::enable_shared_from_this<Channel> {
     ~Channel();
 };
 
-/// Whom a connection is made to.
+/// The endpoint, security and role of a peer to connect to.
 struct Target {
-    Target(Endpoint there, // Where plain TCP is meant, the endpoint says it all.
+    Target(Endpoint there, // Enough by itself for plain TCP.
            std::shared_ptr<const Tls> secured_by = nullptr,
            CertifiedRole expected = CertifiedRole::Master)
         : endpoint(std::move(there)), tls(std::move(secured_by)), role(expected) {}
 
     Endpoint endpoint;
-    std::shared_ptr<const Tls> tls; ///< Null: plain.
+    std::shared_ptr<const Tls> tls; ///< Null: plain TCP.
     CertifiedRole role;
 };
 
-/// Connects, each step within the timeout. Errors: Disconnected naming host and port; Refused when
-/// one end does not take the other's certificate, or the other end is of another role.
+/// Connects; each step must finish within the timeout. Errors: Disconnected naming host and port;
+/// Refused if one end rejects the other's certificate, or the peer has another role.
 [[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
 connect(Target target, std::chrono::seconds timeout = limits::connect_timeout);
 
-/// Somebody takes connections there, whatever they speak. Errors: Disconnected naming host and
-/// port.
+/// Checks that the endpoint accepts TCP connections, with any protocol. Errors: Disconnected naming
+/// host and port.
 [[nodiscard]] asio::awaitable<Status> reach(Endpoint endpoint, std::chrono::seconds timeout);
 
-/// What follows when a socket was accepted, within the timeout. A peer that speaks TLS where `tls`
-/// is null, or does not where it is there, is told so in its own terms. Errors: those of
+/// Makes a channel of an accepted socket, within the timeout. A peer that uses TLS when `tls` is
+/// null, or plain TCP otherwise, gets an error in its own protocol. Errors: those of
 /// `Stream::secure`.
 [[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
 accept_channel(asio::ip::tcp::socket socket,
                std::shared_ptr<const Tls> tls,
                std::chrono::steady_clock::duration timeout = limits::connect_timeout);
 
-/// Says hello and awaits the answer within the timeout; a channel then expects what the role asked
-/// for. Errors: Refused with the other side's
-/// reason, and those of `receive`.
+/// Sends a Hello and awaits the answer within the timeout. The channel then expects the messages of
+/// the requested role. Errors: Refused with the peer's reason, and those of `receive`.
 [[nodiscard]] asio::awaitable<Result<Welcome>>
 greet(std::shared_ptr<Channel> channel,
       Hello hello,
       std::chrono::steady_clock::duration timeout = limits::connect_timeout);
 
-/// Errors: Refused naming the versions of both sides, where they differ.
+/// Errors: Refused naming both versions, if they differ.
 [[nodiscard]] Status check_version(const Hello& hello);
 
-/// Awaits the hello of whoever connected, within `limits::connect_timeout`. A peer of another
-/// version, or that says something else, is told so and the channel closed; else it expects what
-/// the role sends. The caller answers with a Welcome. Errors: Refused, BadFrame, and those of
-/// `receive`.
+/// Awaits the Hello of an accepted peer within `limits::connect_timeout`. The channel then expects
+/// the messages of its role, and the caller answers with a Welcome. A wrong version or message gets
+/// a Failure and a close. Errors: Refused, BadFrame, and those of `receive`.
 [[nodiscard]] asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel);
 
-/// Runs a coroutine on its own; what escapes from it is logged under `name`.
+/// Runs a detached coroutine. Logs an exception that escapes from it under `name`.
 void spawn(asio::any_io_executor executor, std::string name, asio::awaitable<void> coroutine);
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// How connections begin: connecting and accepting.
+// Opening connections: connecting and accepting.
 #include "common/core/host/log.hpp"
 #include "common/core/limits/wire.hpp"
 #include "proto/channel/channel.hpp"
@@ -13,9 +13,9 @@ namespace {
 
 using boost::system::error_code;
 
-/// The first byte of a TLS record with a handshake in it (RFC 8446, section 5.1).
+/// First byte of a TLS handshake record (RFC 8446, section 5.1).
 constexpr std::byte tls_handshake{22};
-/// A fatal alert: the version is not spoken. OpenSSL's clients name it in their error.
+/// A fatal alert: protocol version not supported. OpenSSL's clients name it in their error.
 constexpr std::array<unsigned char, 7> tls_not_spoken{21, 3, 3, 0, 2, 2, 70};
 
 using Addresses = std::vector<asio::ip::tcp::endpoint>;
@@ -29,7 +29,7 @@ asio::awaitable<Addresses> resolve(const Endpoint& endpoint, error_code& error) 
     }
     asio::ip::tcp::resolver resolver(co_await asio::this_coro::executor);
     const Deadline deadline(resolver, limits::connect_timeout);
-    // GCC 12 may destroy a temporary twice that stands beside a co_await: it gets a name.
+    // GCC 12 may destroy a temporary twice in an expression with co_await, so it gets a name.
     const std::string port = std::to_string(endpoint.port);
     const auto found = co_await resolver.async_resolve(
         endpoint.host, port, asio::redirect_error(asio::use_awaitable, error));
@@ -47,7 +47,7 @@ Error unreachable(const Endpoint& endpoint, const std::string& why) {
     return {ErrorCode::Disconnected, "cannot connect to " + name_of(endpoint) + ": " + why};
 }
 
-/// TLS at the connecting end, where there is to be one.
+/// Secures the connecting end if the target uses TLS.
 asio::awaitable<Status> secure(Stream& stream, const Target& target, std::chrono::seconds timeout) {
     if (target.tls == nullptr) {
         co_return Done{};
@@ -67,8 +67,8 @@ asio::awaitable<Status> secure(Stream& stream, const Target& target, std::chrono
     co_return Done{};
 }
 
-/// Closes so that the peer reads what was sent to it: unread bytes at a close would reset the
-/// connection.
+/// Closes the socket after reading the peer's bytes, since unread bytes would reset the connection
+/// before the peer has read the last answer.
 asio::awaitable<void> end_gently(asio::ip::tcp::socket& socket) {
     error_code error;
     socket.shutdown(asio::ip::tcp::socket::shutdown_send, error);
@@ -99,7 +99,7 @@ asio::awaitable<Error> refuse_plaintext(asio::ip::tcp::socket socket) {
     co_return Error{ErrorCode::Refused, "plaintext at a port of TLS"};
 }
 
-/// To the first of its addresses that answers, each within the timeout.
+/// Connects to the first address that answers; each attempt has the full timeout.
 asio::awaitable<Result<asio::ip::tcp::socket>> open_socket(Endpoint endpoint,
                                                            std::chrono::seconds timeout) {
     error_code error;

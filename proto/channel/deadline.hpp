@@ -1,4 +1,4 @@
-// Ends a wait for the network when its time is up.
+// A time limit for network operations.
 #pragma once
 
 #include "common/core/limits/wire.hpp"
@@ -9,9 +9,9 @@
 
 namespace cd {
 
-/// While alive, cancels the pending operations of a socket or resolver once the time is up, and
-/// soon after whatever is begun then: what is composed of many may be between two of them. Both and
-/// their coroutine share one thread.
+/// While alive, cancels the pending operations of a socket or resolver at the timeout, and again
+/// periodically, because a composed operation may be between two steps. Target, deadline and
+/// coroutine share one thread.
 template <class Cancellable>
 class Deadline {
   public:
@@ -41,7 +41,7 @@ class Deadline {
 
     static void watch(const std::shared_ptr<State>& state) {
         state->timer.async_wait([state](const boost::system::error_code&) {
-            // An expiry already queued is delivered even after the owner is gone.
+            // A queued expiry is delivered even after the owner is gone.
             if (state->target == nullptr) {
                 return;
             }
@@ -52,7 +52,7 @@ class Deadline {
         });
     }
 
-    std::shared_ptr<State> state_; ///< Shared with what waits for the timer.
+    std::shared_ptr<State> state_; ///< Shared with the timer's handler.
 };
 
 } // namespace cd

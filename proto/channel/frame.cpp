@@ -20,7 +20,7 @@ std::uint32_t header_checksum(std::span<const std::byte> bytes) {
 } // namespace
 
 std::optional<Error> foreign_answer(std::span<const std::byte> first_bytes) {
-    // A TLS record with an alert in it (RFC 8446, section 5.1), of any version.
+    // Start of a TLS alert record (RFC 8446, section 5.1), of any version.
     constexpr std::string_view tls_alert = "\x15\x03";
     const std::string_view start(reinterpret_cast<const char*>(first_bytes.data()),
                                  first_bytes.size());
@@ -96,7 +96,7 @@ Status MessageAssembler::check(const FrameHeader& header) const {
                          ? "message '" + name + "' before a greeting"
                          : std::string(to_text(sender_)) + " does not send '" + name + "'"};
     }
-    // Otherwise a peer could send frames for ever without getting anywhere.
+    // Otherwise a peer could send empty frames forever without progress.
     if (header.has_more && header.payload_bytes == 0) {
         return Error{ErrorCode::BadFrame, "an empty frame that promises more"};
     }

@@ -1,4 +1,4 @@
-// Frames: how messages are cut into pieces on a stream of bytes (PROTOCOL.md).
+// Frames: the pieces of messages on a byte stream (PROTOCOL.md).
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -20,7 +20,7 @@ inline constexpr std::size_t frame_header_bytes = 32;
 /// epoch, checksum of the payload, checksum of the header.
 struct FrameHeader {
     std::uint16_t type = 0;
-    bool has_more = false; ///< The next frame of this stream goes on with the same message.
+    bool has_more = false; ///< The next frame of this stream continues the message.
     std::uint32_t stream = 0;
     std::uint32_t payload_bytes = 0;
     std::uint32_t epoch = 0;
@@ -41,8 +41,8 @@ inline constexpr std::string_view speaks_tls_text =
 /// An error if the first bytes come from a web server or a TLS endpoint instead of this protocol.
 [[nodiscard]] std::optional<Error> foreign_answer(std::span<const std::byte> first_bytes);
 
-/// Puts messages together from frames; a pure state machine, no I/O. Holds at most what
-/// `payload_bytes_max_from` their sender allows, over few streams.
+/// Assembles messages from frames; a state machine without I/O. Holds at most
+/// `payload_bytes_max_from` bytes per message, on at most `streams_max_of` streams.
 class MessageAssembler {
   public:
     struct Whole {
@@ -50,19 +50,19 @@ class MessageAssembler {
         Bytes payload;
     };
 
-    /// Who sends from now on. At first it is anyone.
+    /// Sets the party of the sender; initially Anyone.
     void expect(Party sender) { sender_ = sender; }
     [[nodiscard]] Party sender() const { return sender_; }
 
-    /// Whether such a frame may come now, by its header alone. Errors: those of `add`.
+    /// Checks by its header alone whether a frame is allowed now. Errors: those of `add`.
     [[nodiscard]] Status check(const FrameHeader& header) const;
 
-    /// Nothing while the message is not whole. Errors: BadFrame, TooLarge; the connection then
-    /// ends.
+    /// Adds a frame. Empty until the message is complete. Errors: BadFrame, TooLarge; the caller
+    /// then ends the connection.
     [[nodiscard]] Result<std::optional<Whole>> add(const FrameHeader& header,
                                                    std::span<const std::byte> payload);
 
-    /// Some message has begun to come and is not whole.
+    /// Whether any message is incomplete.
     [[nodiscard]] bool has_begun() const { return !open_.empty(); }
 
   private:

@@ -1,4 +1,4 @@
-// The greeting on both sides of a new channel, and how conversations are started.
+// The greeting on both sides of a new channel, and the start of coroutines.
 #include "common/core/host/log.hpp"
 #include "common/core/limits/wire.hpp"
 #include "proto/channel/channel.hpp"

@@ -17,7 +17,7 @@ namespace {
 namespace http = boost::beast::http;
 using boost::system::error_code;
 
-/// Lives as long as its stream is read or written.
+/// Keeps itself alive while its stream is read or written.
 class Exchange : public std::enable_shared_from_this<Exchange> {
   public:
     using Answer = std::function<HttpAnswer(const HttpRequest&)>;
@@ -78,8 +78,8 @@ class Exchange : public std::enable_shared_from_this<Exchange> {
     Answer answer_;
     http::request_parser<http::empty_body> parser_;
     std::array<char, 4096> part_{};
-    std::string head_;  ///< What the parser has not taken.
-    std::string bytes_; ///< Of the response.
+    std::string head_;  ///< Received bytes that the parser has not consumed.
+    std::string bytes_; ///< The encoded response.
 };
 
 } // namespace

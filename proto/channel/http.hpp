@@ -22,9 +22,9 @@ struct HttpAnswer {
     std::string content_type = "text/plain; charset=utf-8";
 };
 
-/// Reads a request's head, answers it, and ends the stream, all within the timeout.
-/// What is no request gets 400; a body is not read. `answer` is called once at most, and goes with
-/// the stream.
+/// Reads a request's head, answers it, and ends the stream, all within the timeout. Invalid
+/// requests get status 400. The body is not read. `answer` is called at most once and is destroyed
+/// with the stream.
 void serve_http(std::unique_ptr<Stream> stream,
                 std::function<HttpAnswer(const HttpRequest&)> answer,
                 std::chrono::steady_clock::duration timeout = limits::http_exchange_max);

@@ -95,7 +95,7 @@ asio::awaitable<void> Listener::accept_all(std::shared_ptr<State> state) {
             co_return;
         }
         if (error) {
-            // Out of file descriptors, most likely: some will be free again.
+            // The process is probably out of file descriptors; retries when some may be free.
             log_warning("cannot accept: error=\"{}\"", error.message());
             state->pause.expires_after(limits::accept_retry_period);
             co_await state->pause.async_wait(asio::redirect_error(asio::use_awaitable, error));

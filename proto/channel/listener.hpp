@@ -10,12 +10,12 @@
 
 namespace cd {
 
-/// Listens from `open` on, accepts from `start` on, until closed or destroyed.
+/// Listens after `open` and accepts after `start`, until it is closed or destroyed.
 class Listener {
   public:
     using OnSocket = std::function<void(asio::ip::tcp::socket)>;
 
-    /// Port 0 lets the system choose one. Errors: BadInput for a host that is no address; Io.
+    /// Port 0: the system chooses. Errors: BadInput for a host that is no address; Io.
     [[nodiscard]] static Result<std::unique_ptr<Listener>>
     open(const asio::any_io_executor& executor, const Endpoint& endpoint);
     Listener(const Listener&) = delete;

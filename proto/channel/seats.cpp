@@ -33,9 +33,9 @@ Seats::Seat Seats::take(const asio::ip::address& from) {
     }
     const asio::ip::address host = host_of(from);
     std::size_t& held = state_->of_host[host];
-    const bool is_known = !from.is_unspecified(); // The network of ::1 is ::, which is.
+    const bool is_known = !from.is_unspecified(); // Not `host`: the /64 of ::1 is ::.
     if (is_known && held >= state_->seats_max - state_->taken) {
-        return nullptr; // It holds some, so its entry is in use.
+        return nullptr; // The host holds slots, so its map entry is in use.
     }
     ++held;
     ++state_->taken;

@@ -1,4 +1,4 @@
-// Where those wait of whom nobody knows anything yet.
+// Connection slots for peers that are not authenticated yet.
 #pragma once
 
 #include "proto/channel/asio.hpp"
@@ -10,19 +10,20 @@
 
 namespace cd {
 
-/// So many connections at a time, of which no host takes all: one may hold as many as are left
-/// free. So a host alone gets half of them, n that want all get the n+1-th part each, and whoever
-/// comes after them finds as many free. One thread.
+/// Limits simultaneous connections, and shares the slots fairly: a host may hold at most as many
+/// as remain free. One host gets at most half of them; n greedy hosts get 1/(n+1) each, and leave
+/// as many for a newcomer. Not thread-safe.
 class Seats {
   public:
-    /// Taken while anything shares it; it may outlive the seats.
+    /// A taken slot, released with its last owner. It may outlive the `Seats`.
     using Seat = std::shared_ptr<const void>;
 
     explicit Seats(std::size_t seats_max);
 
-    /// Null where there is none for it.
+    /// Null if no slot is available to this address.
     [[nodiscard]] Seat take(const asio::ip::address& from);
-    /// By its other end. Of one that has gone already nothing but the whole number counts.
+    /// Takes a slot for the peer's address. A socket that is disconnected already counts only
+    /// against the total.
     [[nodiscard]] Seat take(const asio::ip::tcp::socket& socket);
     [[nodiscard]] std::size_t taken() const { return state_->taken; }
 
@@ -35,11 +36,11 @@ class Seats {
     std::shared_ptr<State> state_;
 };
 
-/// Whom an address belongs to: an IPv4 address stands for itself, however it is written, and an
-/// IPv6 address for its network of 64 bits, in which a host has as many as it likes.
+/// The host of an address: an IPv4 address in any notation, or the /64 network of an IPv6 address,
+/// since a host can use any address in it.
 [[nodiscard]] asio::ip::address host_of(const asio::ip::address& address);
 
-/// The other end of a connection for logs: HOST:PORT.
+/// The peer of a connection, as HOST:PORT, for logs.
 [[nodiscard]] std::string peer_name(const asio::ip::tcp::socket& socket);
 
 } // namespace cd

@@ -35,7 +35,7 @@ StopSignals::~StopSignals() {
 }
 
 void StopSignals::cancel() {
-    // A signal already queued is delivered even after the cancel.
+    // A queued signal is delivered even after the cancel.
     state_->cancelled = true;
     boost::system::error_code ignored;
     state_->signals.cancel(ignored);

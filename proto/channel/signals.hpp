@@ -8,9 +8,9 @@
 
 namespace cd {
 
-/// While alive, calls `act(n)` on the executor's thread for the n-th SIGINT or SIGTERM, from 1: a
-/// daemon drains at the first and ends at the second. Keeps the executor's context busy until it is
-/// destroyed or `cancel` is called; from then on a signal ends the process.
+/// While alive, calls `act(n)` on the executor's thread for the n-th SIGINT or SIGTERM, from 1. A
+/// daemon drains at the first and ends at the second. Keeps the executor's context busy until
+/// destruction or `cancel`; after that a signal ends the process.
 class StopSignals {
   public:
     StopSignals(const asio::any_io_executor& executor, std::function<void(unsigned)> act);

@@ -19,12 +19,12 @@ namespace {
 
 using boost::system::error_code;
 
-/// An alert of the other end has its number above this in OpenSSL's reasons.
+/// OpenSSL's reason for a peer's alert is this offset plus the alert's number.
 constexpr int alert_reason = SSL_AD_REASON_OFFSET;
-/// RFC 9266, section 4.2.
+/// Label of the channel binding (RFC 9266, section 4.2).
 constexpr std::string_view binding_label = "EXPORTER-Channel-Binding";
 
-/// All of the buffer, in as few system calls as it takes.
+/// Completion condition: transfers the whole buffer in as few system calls as possible.
 std::size_t whole(const error_code& error, std::size_t /*transferred*/) {
     return error ? 0 : std::numeric_limits<std::size_t>::max();
 }
@@ -37,12 +37,12 @@ int reason_of(const error_code& error) {
     return ERR_GET_REASON(static_cast<unsigned long>(error.value()));
 }
 
-/// Other reasons are of bytes that came damaged.
+/// Whether the peer speaks another protocol; other reasons mean damaged bytes.
 bool is_other_protocol(int reason) {
     return reason == SSL_R_WRONG_VERSION_NUMBER || reason == SSL_R_UNSUPPORTED_PROTOCOL;
 }
 
-/// Of bytes that came damaged, and not of who sent them (RFC 8446, section 6.2).
+/// Whether an alert is about damaged bytes, not about the peer's identity (RFC 8446, section 6.2).
 bool tells_of_damage(int alert) {
     switch (alert) {
     case SSL_AD_UNEXPECTED_MESSAGE:
@@ -109,10 +109,10 @@ struct Stream::State {
     explicit State(asio::ip::tcp::socket connected) : socket(std::move(connected)) {}
 
     asio::ip::tcp::socket socket;
-    std::shared_ptr<const Tls> tls; ///< Outlives the session, whose contexts it has.
+    std::shared_ptr<const Tls> tls; ///< Owns the session's context; must outlive it.
     std::unique_ptr<asio::ssl::stream<asio::ip::tcp::socket&>> session; ///< Null: plain.
     std::optional<Identity> peer;
-    std::uint64_t key_bytes = 0; ///< Written with the present key.
+    std::uint64_t key_bytes = 0; ///< Written with the current key.
 };
 
 Stream::Stream(asio::ip::tcp::socket socket) : state_(std::make_unique<State>(std::move(socket))) {}
@@ -181,7 +181,7 @@ void Stream::write(const std::array<asio::const_buffer, 2>& buffers, Handler han
         asio::async_write(state_->socket, buffers, whole, std::move(handler));
         return;
     }
-    // A key is good for some 2^24 records of AES-GCM (RFC 8446, section 5.5).
+    // A key may encrypt about 2^24 records of AES-GCM (RFC 8446, section 5.5).
     state_->key_bytes += buffers[0].size() + buffers[1].size();
     if (state_->key_bytes > limits::tls_key_bytes_max) {
         state_->key_bytes = 0;

@@ -1,4 +1,4 @@
-// The bytes of one TCP connection, plain or inside TLS.
+// The byte stream of one TCP connection, plain or in TLS.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -14,42 +14,42 @@
 
 namespace cd {
 
-/// Which end of a connection this one is.
+/// The end of a connection that a program is.
 enum class TlsEnd { Connecting, Accepting };
 
-/// One end. Plain until it is secured; what reads and writes it sees no difference. It must outlive
-/// its operations. Its end is not authenticated, and means no more than a lost connection: what
-/// ends well says so by a message.
+/// One end of a connection; plain until `secure`. Readers and writers see no difference. It must
+/// outlive its operations. The end of the stream is not authenticated and means only a lost
+/// connection; a regular end is announced by a message.
 class Stream {
   public:
     using Handler = std::function<void(const boost::system::error_code&, std::size_t)>;
 
-    /// The socket is connected.
+    /// The socket must be connected.
     explicit Stream(asio::ip::tcp::socket socket);
     Stream(const Stream&) = delete;
     Stream& operator=(const Stream&) = delete;
     ~Stream();
 
-    /// From now on everything goes through TLS. Nothing has been read or written, and `tls` shows a
-    /// credential where this end accepts. Errors: Refused, where one end does not take the other
-    /// and says so; Disconnected; Timeout.
+    /// Switches to TLS. Nothing may have been read or written, and an accepting end needs a `tls`
+    /// with a credential. Errors: Refused if either end rejects the other with an alert;
+    /// Disconnected; Timeout.
     [[nodiscard]] asio::awaitable<Status>
     secure(std::shared_ptr<const Tls> tls, TlsEnd end, std::chrono::steady_clock::duration timeout);
 
-    /// What the other end has proven to be. Nothing of a plain stream, or of who showed nothing.
+    /// The peer's proven identity. Empty for a plain stream or a peer without a certificate.
     [[nodiscard]] const std::optional<Identity>& peer_identity() const;
     [[nodiscard]] bool is_secured() const;
-    /// Bytes that both ends of this connection know and nobody else (RFC 9266). Nothing of a plain
+    /// Channel binding: a secret of both ends of this connection (RFC 9266). Empty for a plain
     /// stream.
     [[nodiscard]] std::optional<Sha256> binding() const;
 
-    /// At least one byte, as far as they have come. At the stream's end: asio::error::eof.
+    /// Reads at least one byte. Reports asio::error::eof at the end of the stream.
     void read_some(asio::mutable_buffer buffer, Handler handler);
-    /// All of both.
+    /// Writes both buffers completely.
     void write(const std::array<asio::const_buffer, 2>& buffers, Handler handler);
-    /// Nothing more comes from this end.
+    /// Closes the sending half.
     void end_writing();
-    /// Ends what is under way.
+    /// Closes the socket and cancels pending operations.
     void close();
 
     [[nodiscard]] asio::ip::tcp::socket& socket();
@@ -59,7 +59,7 @@ class Stream {
     std::unique_ptr<State> state_;
 };
 
-/// What an error of a stream means.
+/// Translates an error of a stream.
 [[nodiscard]] Error stream_error(const boost::system::error_code& error);
 
 } // namespace cd

@@ -12,9 +12,9 @@ namespace cd {
 
 namespace {
 
-/// A certificate, and the authority's that signed it.
+/// A chain has one certificate and the authority that signed it.
 constexpr int chain_depth = 1;
-/// The first is the fastest on processors with instructions for it, and strong enough for years.
+/// AES-128 is preferred: it is the fastest with AES instructions, and strong enough for years.
 constexpr const char* cipher_suites =
     "TLS_AES_128_GCM_SHA256:TLS_AES_256_GCM_SHA384:TLS_CHACHA20_POLY1305_SHA256";
 
@@ -23,12 +23,12 @@ void prepare(asio::ssl::context& context) {
     CD_CHECK(SSL_CTX_set_min_proto_version(raw, TLS1_3_VERSION) == 1);
     CD_CHECK(SSL_CTX_set_max_proto_version(raw, TLS1_3_VERSION) == 1);
     CD_CHECK(SSL_CTX_set_ciphersuites(raw, cipher_suites) == 1);
-    // Each connection proves itself anew, so that a certificate's end is an end.
+    // No resumption: each connection checks the certificate, so that its expiry takes effect.
     CD_CHECK(SSL_CTX_set_num_tickets(raw, 0) == 1);
     SSL_CTX_set_session_cache_mode(raw, SSL_SESS_CACHE_OFF);
     SSL_CTX_set_max_cert_list(raw, 2 * limits::certificate_bytes_max);
     SSL_CTX_set_verify_depth(raw, chain_depth);
-    // Of who connects without a certificate the program hears, and says what is missing.
+    // Does not require a certificate, so that the program can name what is missing.
     SSL_CTX_set_verify(raw, SSL_VERIFY_PEER, nullptr);
 }
 
@@ -36,7 +36,7 @@ void show(asio::ssl::context& context, X509* certificate, EVP_PKEY* key, X509* a
     SSL_CTX* const raw = context.native_handle();
     CD_CHECK(SSL_CTX_use_certificate(raw, certificate) == 1);
     CD_CHECK(SSL_CTX_use_PrivateKey(raw, key) == 1);
-    // Sent along, for those who join and know but its fingerprint.
+    // Sends the authority too, for joiners that know only its fingerprint.
     CD_CHECK(SSL_CTX_add1_chain_cert(raw, authority) == 1);
 }
 
@@ -50,8 +50,8 @@ struct FreeStack {
     void operator()(STACK_OF(X509) * stack) const { sk_X509_free(stack); }
 };
 
-/// In place of OpenSSL's own verification: trusts the pinned authority, if it was sent along, and
-/// then verifies as usual.
+/// Replaces OpenSSL's verification: trusts the pinned authority if the peer sent it, then verifies
+/// as usual.
 int verify_pinned(X509_STORE_CTX* verification, void* pinned) {
     const STACK_OF(X509)* const sent = X509_STORE_CTX_get0_untrusted(verification);
     const std::unique_ptr<STACK_OF(X509), FreeStack> trusted(sk_X509_new_null());

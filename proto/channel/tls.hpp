@@ -1,4 +1,4 @@
-// What one end of secured connections shows, and whom it takes.
+// The TLS configuration of one end: its credential and the authority that it trusts.
 #pragma once
 
 #include "proto/identity/certificate.hpp"
@@ -8,24 +8,24 @@
 
 namespace cd {
 
-/// TLS 1.3 alone, by certificates of one authority. Never changes, and serves any number of
-/// connections, on both of their ends.
+/// TLS 1.3 only, with certificates of one authority. Immutable; serves any number of connections,
+/// connecting and accepting.
 class Tls {
   public:
-    /// Shows this credential, and takes who shows one of the same authority. Errors: BadInput for
-    /// texts that do not belong together.
+    /// Shows this credential and trusts its authority. Errors: BadInput for texts that do not
+    /// belong together.
     [[nodiscard]] static Result<std::shared_ptr<const Tls>> make(const Credential& credential);
-    /// Shows nothing, and takes whom the authority of this fingerprint has signed.
+    /// Shows no certificate and trusts the authority with this fingerprint.
     [[nodiscard]] static std::shared_ptr<const Tls> make_joining(const Sha256& authority);
 
     Tls(const Tls&) = delete;
     Tls& operator=(const Tls&) = delete;
     ~Tls();
 
-    /// What it shows; nothing while joining.
+    /// The identity in its own certificate; empty while joining.
     [[nodiscard]] const std::optional<Identity>& identity() const;
 
-    struct State; ///< Known to stream.cpp.
+    struct State; ///< Defined in tls_state.hpp.
     [[nodiscard]] State& state() const { return *state_; }
 
   private:
@@ -33,10 +33,9 @@ class Tls {
     std::unique_ptr<State> state_;
 };
 
-/// What a program shows from now on: another Tls when its certificate has been renewed. One
-/// thread's.
+/// A program's current Tls, replaced when its certificate is renewed. Not thread-safe.
 struct TlsSlot {
-    std::shared_ptr<const Tls> now; ///< Null: plain.
+    std::shared_ptr<const Tls> now; ///< Null: plain TCP.
 };
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// The contexts behind a Tls. Included by tls.cpp and stream.cpp alone.
+// The contexts of a Tls. Only tls.cpp and stream.cpp include this.
 #pragma once
 
 #include "proto/channel/asio_tls.hpp"
@@ -10,7 +10,7 @@ struct Tls::State {
     asio::ssl::context accepting{asio::ssl::context::tls_server};
     asio::ssl::context connecting{asio::ssl::context::tls_client};
     std::optional<Identity> identity;
-    Sha256 pinned; ///< The authority, while joining.
+    Sha256 pinned; ///< Fingerprint of the authority, while joining.
 };
 
 } // namespace cd

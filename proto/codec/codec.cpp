@@ -12,8 +12,8 @@
 namespace cd {
 namespace {
 
-// What the members say of each other; nothing when all is well. Checked before encoding, where a
-// problem is a bug, and after decoding, where it is the peer's.
+// A violated invariant of a message's members; null if there is none. Checked before encoding,
+// where it is a bug, and after decoding, where it is the peer's fault.
 using Problem = const char*;
 
 template <class T>
@@ -40,7 +40,7 @@ Problem problem_of(const AddJob& add) {
     return add.query.tolerance < 0 ? "a negative tolerance" : nullptr;
 }
 
-/// The runs in `held` ascend within [first, next) and have as many scenarios as there are records.
+/// The intervals in `held` must ascend within [first, next) and have `count` scenarios in total.
 Problem problem_of(const ResultsPart& part) {
     std::uint64_t end = part.first;
     std::uint64_t count = 0;
@@ -202,7 +202,7 @@ Problem problem_of(const TokenCreated& created) {
                : nullptr;
 }
 
-/// Spares large messages the growth of their buffer.
+/// Initial buffer size; avoids reallocations for large messages.
 template <class T>
 std::size_t bytes_expected(const T& /*message*/) {
     return 256;

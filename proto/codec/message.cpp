@@ -13,7 +13,7 @@ namespace {
 
 enum class Lane { Control, Data };
 
-// Who sends a type; one bit each.
+// The senders of a message type, as bits.
 constexpr unsigned of_stranger = 1;
 constexpr unsigned of_joiner = 2;
 constexpr unsigned of_client = 4;
@@ -23,7 +23,7 @@ constexpr unsigned of_giver = 32;
 constexpr unsigned of_master = 64;
 constexpr unsigned of_all = 127;
 
-/// What the wire knows of a type beside its members.
+/// Properties of a message type on the wire.
 struct Kind {
     std::string_view name;
     unsigned senders = 0;
@@ -31,8 +31,8 @@ struct Kind {
     std::uint64_t bytes_max = limits::message_control_bytes_max;
 };
 
-// In the order of `Message`. What must not overtake data (the end of something, a removal) travels
-// in the lane of data itself.
+// In the order of `Message`. Messages that must not overtake data, such as ends and removals, are
+// data too.
 constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"hello", of_stranger, Lane::Control, limits::greeting_bytes_max},
     {"welcome", of_stranger},
@@ -113,7 +113,7 @@ unsigned sender_bit(Party party) {
         return of_all;
     case Party::Joiner:
         return of_joiner;
-    case Party::Observer: // Whether it may ask is another question, which it gets an answer to.
+    case Party::Observer: // The master checks an observer's rights and answers it.
     case Party::Client:
         return of_client;
     case Party::Worker:

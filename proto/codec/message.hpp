@@ -1,4 +1,4 @@
-// What travels between the programs: one struct a message. PROTOCOL.md tells the order of play.
+// The messages between the programs, one struct each. PROTOCOL.md describes their order.
 #pragma once
 
 #include "proto/messages/client_messages.hpp"

@@ -1,5 +1,5 @@
-// The two cereal archives of the wire: flat little-endian bytes, each size checked before it is
-// believed. Included by the codec alone.
+// The two cereal archives of the wire: flat little-endian bytes, with every size checked before
+// use. Only the codec includes this.
 #pragma once
 
 #include "common/core/check.hpp"
@@ -23,7 +23,7 @@
 
 namespace cd {
 
-/// Stops the reading of a message; never leaves the codec.
+/// Aborts the decoding of a message. Never leaves the codec.
 struct WireError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -79,8 +79,8 @@ class WireInput : public cereal::InputArchive<WireInput, cereal::AllowEmptyClass
     std::span<const std::byte> rest_;
 };
 
-/// Types whose memory is their wire form, on the little-endian hosts that we support: no padding,
-/// and every value of every byte is legal here (what the numbers mean is checked where they go).
+/// Types whose memory layout is their wire form on little-endian hosts, the only supported ones.
+/// They have no padding, and every byte value is legal; receivers check the meaning.
 template <class T>
 inline constexpr bool
     is_flat = (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || std::is_same_v<T, std::byte>;
@@ -94,7 +94,7 @@ static_assert(sizeof(Sha256) == 32);
 static_assert(sizeof(RootPair) == 2 * 4);
 static_assert(sizeof(IgnoredRange) == 6 * 4);
 
-/// The fewest bytes that a T can take: everything in it that has a size is empty by default.
+/// The smallest encoded size of a T: a default T has only empty containers.
 template <class T>
 std::size_t wire_bytes_min() {
     if constexpr (is_flat<T>) {

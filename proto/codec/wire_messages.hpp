@@ -1,4 +1,4 @@
-// Which members of a message travel, in which order (PROTOCOL.md). Included by the codec alone.
+// The encoded members of each message, in order (PROTOCOL.md). Only the codec includes this.
 #pragma once
 
 #include "proto/codec/message.hpp"

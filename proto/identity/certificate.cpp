@@ -25,7 +25,7 @@ using openssl::Request;
 
 constexpr std::array<std::string_view, 5> role_names{
     "master", "worker", "submitter", "admin", "metrics"};
-/// The role as a name of the holder (RFC 5280, section 4.2.1.6), which nothing else means.
+/// Prefix of the role in the subject alternative name (RFC 5280, section 4.2.1.6).
 constexpr std::string_view role_uri = "urn:cdcluster:role:";
 constexpr std::size_t serial_bytes = 16;
 constexpr long version_3 = 2;
@@ -50,7 +50,7 @@ std::string text_in(const Bio& bio) {
     return {data, static_cast<std::size_t>(size)};
 }
 
-/// No passphrase is ever asked for.
+/// Makes OpenSSL fail on an encrypted key instead of prompting for a passphrase.
 int no_passphrase(char* /*buffer*/, int /*size*/, int /*writes*/, void* /*data*/) {
     return -1;
 }
@@ -82,7 +82,7 @@ Key make_key() {
 void set_serial(X509* certificate) {
     std::array<unsigned char, serial_bytes> bytes{};
     CD_CHECK(RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) == 1);
-    bytes[0] = static_cast<unsigned char>((bytes[0] & 0x7fU) | 0x40U); // Positive, and full length.
+    bytes[0] = static_cast<unsigned char>((bytes[0] & 0x7fU) | 0x40U); // Positive, full length.
     const Owner<BIGNUM, BN_free> number(
         BN_bin2bn(bytes.data(), static_cast<int>(bytes.size()), nullptr));
     CD_CHECK(number != nullptr);
@@ -108,7 +108,7 @@ void add_extension(X509* certificate, X509* issuer, int kind, const std::string&
     CD_CHECK(X509_add_ext(certificate, extension.get(), -1) == 1);
 }
 
-/// What all certificates of a cluster have. Who signs them is added by the caller.
+/// Makes an unsigned certificate; the caller adds the issuer.
 Certificate make_certificate(EVP_PKEY* key, const Identity& identity, std::string_view unit) {
     Certificate certificate(X509_new());
     CD_CHECK(certificate != nullptr);
@@ -131,12 +131,12 @@ void sign_with(X509* certificate, X509* issuer, EVP_PKEY* issuer_key) {
     CD_CHECK(X509_sign(certificate, issuer_key, EVP_sha256()) > 0);
 }
 
-/// Which end of a connection a role may be.
+/// The ends of a TLS connection that a role may take.
 std::string key_usage_of(CertifiedRole role) {
     switch (role) {
     case CertifiedRole::Master:
         return "serverAuth";
-    case CertifiedRole::Worker: // Of other workers.
+    case CertifiedRole::Worker: // Server for other workers.
         return "serverAuth,clientAuth";
     default:
         return "clientAuth";
@@ -164,7 +164,7 @@ bool is_p256(const EVP_PKEY* key) {
 
 // ---- Reading a certificate ------------------------------------------------------------------
 
-/// A certificate that can be parsed may have any text for a time.
+/// Empty for an invalid time: a certificate can be parsed with any text in it.
 std::optional<WallTime> to_wall_time(const ASN1_TIME* time) {
     std::tm fields{};
     return ASN1_TIME_to_tm(time, &fields) == 1 ? wall_time(timegm(&fields)) : std::nullopt;

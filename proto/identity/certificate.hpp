@@ -1,4 +1,4 @@
-// The certificates of a cluster: who signs them, and what they say.
+// The certificates of a cluster: their authority and content.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -14,48 +14,48 @@
 namespace cd {
 
 using WallTime = std::chrono::system_clock::time_point;
-/// Nothing where the clock does not reach: it ends in the year 2262.
+/// Empty outside the range of the clock, which ends in the year 2262.
 [[nodiscard]] std::optional<WallTime> wall_time(std::int64_t seconds_since_1970);
 
-/// What the holder of a certificate may be. One certificate names one role.
+/// The role of a certificate's holder. One certificate names one role.
 enum class CertifiedRole : std::uint8_t {
     Master = 0,
     Worker = 1,
-    Submitter = 2, ///< Gives jobs, and sees and ends them.
-    Admin = 3,     ///< A submitter who also lets others in.
-    Metrics = 4,   ///< Looks at the state of the cluster.
+    Submitter = 2, ///< Submits jobs, and observes and cancels them.
+    Admin = 3,     ///< A submitter that also creates join tokens.
+    Metrics = 4,   ///< Reads the state of the cluster.
 };
 
 [[nodiscard]] std::string_view to_text(CertifiedRole role);
 [[nodiscard]] std::optional<CertifiedRole> certified_role_from_text(std::string_view text);
 
-/// What a certificate says of its holder.
+/// The holder and validity in a certificate.
 struct Identity {
     CertifiedRole role = CertifiedRole::Submitter;
-    std::string name; ///< For people; a good one.
+    std::string name; ///< Display name that satisfies `is_good_name`.
     WallTime from;
     WallTime until;
 };
 
-/// A new private key (ECDSA, P-256), and a request for a certificate that proves that the key is
-/// there. Both are PEM. The key never leaves the process but into a file of its own.
+/// A new private key (ECDSA, P-256), and a certificate request that proves its possession. Both are
+/// PEM. The key leaves the process only into the owner's credential file.
 struct CertificateRequest {
     std::string key;
     std::string request;
 };
 [[nodiscard]] CertificateRequest make_certificate_request();
 
-/// What one end of a connection shows: PEM texts that belong together.
+/// The credential of one end of a connection: PEM texts that belong together.
 struct Credential {
     std::string key;
     std::string certificate;
-    std::string authority; ///< The certificate that all others are signed with.
+    std::string authority; ///< Certificate of the authority that signs all others.
 };
 
 /// Signs the certificates of one cluster.
 class CertificateAuthority {
   public:
-    /// A new one, with a key of its own.
+    /// Makes a new authority with a new key.
     [[nodiscard]] static CertificateAuthority make(WallTime now);
     /// Errors: BadInput for texts that are not a certificate and its key.
     [[nodiscard]] static Result<CertificateAuthority> parse(const std::string& certificate,
@@ -67,15 +67,15 @@ class CertificateAuthority {
 
     [[nodiscard]] const std::string& certificate() const;
     [[nodiscard]] std::string key() const;
-    /// By which tokens pin it.
+    /// The fingerprint that pins the authority in join tokens.
     [[nodiscard]] Sha256 fingerprint() const;
 
-    /// A certificate for the key of the request, of which nothing else is looked at. The bytes may
-    /// be hostile. Errors: BadInput.
+    /// Signs a certificate for the key of the request, and ignores its other fields. The request
+    /// may be hostile. Errors: BadInput.
     [[nodiscard]] Result<std::string> sign(const std::string& request,
                                            const Identity& identity) const;
 
-    /// A new key with a certificate for it.
+    /// Makes a new key and a certificate for it.
     [[nodiscard]] Credential issue(const Identity& identity) const;
 
   private:
@@ -84,8 +84,8 @@ class CertificateAuthority {
     std::unique_ptr<State> state_;
 };
 
-/// What a certificate (PEM) says; whether it may be believed is not looked at. Errors: BadInput for
-/// one that is not of such a cluster.
+/// Reads a PEM certificate without verifying it. Errors: BadInput if it is no certificate of a
+/// cdcluster.
 [[nodiscard]] Result<Identity> read_identity(const std::string& certificate);
 
 /// SHA-256 of a certificate's DER form.

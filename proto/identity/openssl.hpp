@@ -1,4 +1,4 @@
-// Owners of OpenSSL's objects. Included by certificate.cpp and tls.cpp alone.
+// Owners of OpenSSL objects, for the units of proto that call OpenSSL, and for fuzz targets.
 #pragma once
 
 #include "common/core/check.hpp"
@@ -32,11 +32,12 @@ using Key = Owner<EVP_PKEY, EVP_PKEY_free>;
 using Certificate = Owner<X509, X509_free>;
 using Request = Owner<X509_REQ, X509_REQ_free>;
 
-/// Null for what is none. At most `limits::certificate_bytes_max` are looked at.
+/// Parsers of PEM texts, of which they read `limits::certificate_bytes_max` at most. Null if
+/// invalid.
 [[nodiscard]] Certificate parse_certificate(const std::string& pem);
 [[nodiscard]] Key parse_key(const std::string& pem);
 
-/// Errors: BadInput for a certificate that names no role, name or times as `sign` writes them.
+/// Errors: BadInput unless role, name and times are in the form that `sign` writes.
 [[nodiscard]] Result<Identity> identity_of(X509* certificate);
 [[nodiscard]] Sha256 fingerprint_of(const X509* certificate);
 

@@ -34,7 +34,7 @@ struct MeshesMissing {
 /// the mesh has been validated and its tree built.
 struct MeshPart {
     Sha256 mesh;
-    std::string name; ///< For people: the file's name.
+    std::string name; ///< File name, for display.
     std::uint64_t bytes_total = 0;
     std::uint64_t offset = 0;
     Bytes bytes;
@@ -47,7 +47,7 @@ struct MeshStored {
 struct JobBody {
     Sha256 mesh = {};      ///< Hash of the canonical bytes, in the job's unit.
     std::string name = {}; ///< "a" or "b" unless the job gives a name.
-    std::string file = {}; ///< Path of the mesh file, for people.
+    std::string file = {}; ///< Path of the mesh file, for display.
     std::string unit = {}; ///< Unit of the file's coordinates.
     /// The job gives `unit`; otherwise it is declared in the file, or is the job's own.
     bool is_unit_given = false;
@@ -101,7 +101,7 @@ struct Submit {
     /// How long the job is kept after its end, in seconds. 0, or more than the master's own bound:
     /// as long as the master keeps any job.
     std::uint64_t retention_seconds = 0;
-    std::vector<IgnoreLine> ignore = {}; ///< The source of `query.ignored`, for people.
+    std::vector<IgnoreLine> ignore = {}; ///< The source of `query.ignored`, for display.
 };
 
 /// The next scenarios in order.
@@ -123,7 +123,7 @@ struct JobQuery {
 /// The `Submit` of a job and the fields that the master added.
 struct JobDescription {
     JobId job;
-    std::uint64_t began = 0; ///< When it was accepted, in seconds since 1970.
+    std::uint64_t began = 0; ///< Time of acceptance, in seconds since 1970.
     Submit submit;
 };
 
@@ -162,12 +162,12 @@ enum class JobState : std::uint8_t { Running = 0, Done = 1, Cancelled = 2, Faile
 
 [[nodiscard]] std::string_view to_text(JobState state);
 
-/// A scenario that takes long, and where.
+/// A long-running scenario and its worker.
 struct LongScenario {
     std::uint64_t scenario = 0;
     WorkerId worker;
-    std::string name;   ///< Of the worker.
-    double seconds = 0; ///< Since it was begun.
+    std::string name;   ///< Name of the worker.
+    double seconds = 0; ///< Time since its start.
 };
 
 struct JobStatus {
@@ -175,30 +175,29 @@ struct JobStatus {
     std::string name;
     JobState state = JobState::Running;
     Summary summary;
-    std::optional<Sha256> digest; ///< When Done.
-    double seconds = 0;           ///< Since it was accepted; of a finished job, how long it took.
+    std::optional<Sha256> digest; ///< Set if Done.
+    double seconds = 0;           ///< Time from acceptance until now or the end.
     double scenarios_per_second = 0;
     std::string failure;
     std::vector<Sha256> bodies;           ///< Meshes of the bodies.
-    std::uint64_t answered_by_master = 0; ///< No pair of distribution roots: no worker was asked.
-    JobStatistics statistics; ///< Of the scenarios whose results came, also those that came twice.
+    std::uint64_t answered_by_master = 0; ///< Scenarios without colliding roots.
+    JobStatistics statistics;             ///< Sum over all received results, including duplicates.
     double compute_seconds = 0;
-    std::string paused; ///< Why it waits; empty: it does not.
+    std::string paused; ///< Why the job is paused; empty if it is not.
     std::vector<LongScenario> long_scenarios;
-    std::uint64_t doubted = 0; ///< Results of a quarantined worker that are being computed again.
-    // Of scenarios at its end:
-    std::uint64_t recalled = 0;   ///< Given back by workers that had not begun them.
-    std::uint64_t copies = 0;     ///< Sent to a second worker, beside the first,
-    std::uint64_t copies_won = 0; ///< and answered by that one first.
+    std::uint64_t doubted = 0;    ///< Suspect results of quarantined workers, being recomputed.
+    std::uint64_t recalled = 0;   ///< Scenarios returned by workers near the job's end.
+    std::uint64_t copies = 0;     ///< Speculative copies of scenarios near the job's end.
+    std::uint64_t copies_won = 0; ///< Speculative copies answered before their originals.
     JobTraffic traffic;
     /// The distribution depth of each body's tree; empty until the geometry is prepared.
     std::vector<std::uint32_t> depths;
     std::string owner;
-    std::uint64_t began = 0; ///< When it was accepted, in seconds since 1970.
+    std::uint64_t began = 0; ///< Time of acceptance, in seconds since 1970.
 };
 
-/// Answered by JobStatus at once and whenever something changed, at most some five times a second,
-/// until the state is not Running.
+/// Answered by JobStatus at once and after each change, at most about five times a second, until
+/// the state is not Running.
 struct Watch {
     JobId job;
 };
@@ -206,11 +205,11 @@ struct Watch {
 /// Answered by ClusterStatus.
 struct StatusQuery {};
 
-/// What is known of a worker by what it says, and when.
+/// A worker's liveness by the time of its last message.
 enum class WorkerState : std::uint8_t {
     Alive = 0,
-    Silent = 1, ///< Suspected to be lost: it gets no new work, and keeps what it has.
-    Lost = 2,   ///< Its work went to others.
+    Silent = 1, ///< Suspected lost: it gets no new tasks and keeps its own.
+    Lost = 2,   ///< Its tasks were reassigned.
 };
 
 [[nodiscard]] std::string_view to_text(WorkerState state);
@@ -226,28 +225,28 @@ struct WorkerStatus {
     std::uint64_t buffered = 0; ///< Scenarios in the proxy's buffer.
     std::uint64_t working = 0;  ///< Scenarios at the worker.
     std::uint64_t tasks = 0;
-    std::uint64_t scenarios = 0;     ///< Answered.
-    double scenarios_per_second = 0; ///< Over the time that it had work.
+    std::uint64_t scenarios = 0;     ///< Answered scenarios.
+    double scenarios_per_second = 0; ///< Rate while it had work.
     std::uint64_t bytes_sent = 0;
     std::uint64_t bytes_received = 0;
     std::uint64_t subtrees_sent = 0;
     std::uint64_t subtree_bytes_sent = 0;
     CacheTraffic cache;
-    bool quarantined = false; ///< A result of it was wrong: it gets nothing more.
+    bool quarantined = false; ///< One of its results was wrong; it gets no more work.
     WorkerState state = WorkerState::Alive;
-    double silent_seconds = 0;              ///< Since it was heard of.
-    std::optional<RunningScenario> longest; ///< As its last heartbeat said.
+    double silent_seconds = 0;              ///< Time since its last message.
+    std::optional<RunningScenario> longest; ///< From its last heartbeat.
 };
 
 struct MeshStatus {
     Sha256 mesh;
     std::string name;
     std::uint64_t triangles = 0;
-    std::uint64_t bytes = 0;  ///< Canonical.
-    double build_seconds = 0; ///< 0 when its tree was found on disk.
+    std::uint64_t bytes = 0;  ///< Size of the canonical form.
+    double build_seconds = 0; ///< 0 if the tree was loaded from disk.
 };
 
-/// Bytes that the state directory takes on the disk.
+/// Disk usage of the state directory, bytes.
 struct StateSizes {
     std::uint64_t results = 0;
     std::uint64_t poses = 0; ///< Including labels.
@@ -262,15 +261,15 @@ struct StateSizes {
 struct ClusterStatus {
     std::string build;
     double uptime_seconds = 0;
-    double cpu_seconds = 0; ///< Of the master, user and system.
+    double cpu_seconds = 0; ///< CPU time of the master, user and system.
     std::vector<WorkerStatus> workers;
     std::vector<JobStatus> jobs;
     std::vector<MeshStatus> meshes;
-    std::vector<std::string> alarms;        ///< What somebody has to look at, the last ones.
-    std::uint64_t alarm_count = 0;          ///< All of them, in all lives of the master.
-    std::uint64_t workers_lost = 0;         ///< Since the master started: workers that were lost,
-    std::uint64_t sessions_resumed = 0;     ///< and that came back in time,
-    std::uint64_t scenarios_given_back = 0; ///< and scenarios that stood at lost ones.
+    std::vector<std::string> alarms;        ///< The most recent alarms for the operator.
+    std::uint64_t alarm_count = 0;          ///< All alarms, over all incarnations of the master.
+    std::uint64_t workers_lost = 0;         ///< Workers lost since the master started.
+    std::uint64_t sessions_resumed = 0;     ///< Sessions resumed since the master started.
+    std::uint64_t scenarios_given_back = 0; ///< Scenarios of lost workers since the master started.
     StateSizes sizes;
 };
 
@@ -307,8 +306,8 @@ struct ContactMapQuery {
 
 struct ContactMapAnswer {
     JobId job;
-    bool is_asked = false; ///< The job's query is for maps.
-    std::string withdrawn; ///< Why there is none, though one was asked for; else empty.
+    bool is_asked = false; ///< The job's query asks for maps.
+    std::string withdrawn; ///< Why a requested map does not exist; otherwise empty.
     Bytes map;             ///< `pack_map`.
 };
 
@@ -319,8 +318,8 @@ struct Cancel {
     std::optional<std::uint64_t> scenario = {};
 };
 
-/// Removes a job and everything that no other job uses. Answered by Removed when this is on the
-/// disk. Errors: NotFound; Refused for a running job unless `cancel` is set.
+/// Removes a job and the meshes that no other job uses. Answered by Removed once this is on disk.
+/// Errors: NotFound; Refused for a running job unless `cancel` is set.
 struct Remove {
     JobId job;
     bool cancel = false; ///< Cancel the job first if it is running.
@@ -336,12 +335,11 @@ struct Removed {
     std::uint64_t bytes = 0; ///< Bytes freed on the disk.
 };
 
-/// Drains workers: they accept no more work and leave when they have returned their results.
-/// Answered by Draining. Errors: NotFound naming a worker that is not connected; then nothing is
-/// done.
+/// Drains workers: they get no more work and leave when their results are acknowledged. Answered by
+/// Draining. Errors: NotFound naming a worker that is not connected; then no worker drains.
 struct DrainWorkers {
     std::vector<WorkerId> workers; ///< Empty: all.
-    /// They exit at once, and their work is reassigned without counting as lost.
+    /// The workers exit at once, and their work is reassigned without counting as lost.
     bool now = false;
 };
 
@@ -357,34 +355,34 @@ struct Explain {
     std::uint64_t scenario = 0;
 };
 
-/// How a worker scores for a scenario.
+/// A worker's score for a scenario.
 struct WorkerScore {
     WorkerId worker;
     std::string name;
-    bool may_take = false; ///< It could be given the scenario now.
+    bool may_take = false; ///< The worker is eligible for the scenario now.
     bool is_chosen = false;
-    std::uint64_t scenarios = 0;      ///< Buffered for it, or at it and unanswered.
+    std::uint64_t scenarios = 0;      ///< Scenarios buffered for the worker, or unanswered there.
     double load = 0;                  ///< Buffered scenarios of the job / q.
-    std::uint64_t held_triangles = 0; ///< Of those under the roots that the scenario touches;
-    std::uint64_t missing_triangles = 0;
-    // Of `earliest-finish`, in seconds; 0 for the others.
-    double backlog = 0;  ///< Its other work, over all its threads.
-    double coming = 0;   ///< The rest of the blocks under way.
-    double transfer = 0; ///< The bytes that it lacks.
-    double blocks = 0;   ///< Asking for each block, and opening it.
-    double eviction = 0; ///< What must leave its cache, and will have to come again.
+    std::uint64_t held_triangles = 0; ///< Triangles of the scenario's roots in its cache.
+    std::uint64_t missing_triangles = 0; ///< Triangles of the scenario's roots that it lacks.
+    // The cost terms of `earliest-finish`, in seconds; 0 for other strategies.
+    double backlog = 0;  ///< The worker's other work, divided among its threads.
+    double coming = 0;   ///< The remaining transfer of blocks in flight.
+    double transfer = 0; ///< The transfer of the missing bytes.
+    double blocks = 0;   ///< Requesting and decoding each missing block.
+    double eviction = 0; ///< Fetching evicted blocks again later.
     double work = 0;     ///< The scenario itself.
 };
 
-/// Scores are those of now, not those of when the scenario was given out. For a job that has ended
-/// `why`, the roots and the workers are empty.
+/// Current scores, not those at the time of distribution. For an ended job, `why`, the roots and
+/// the workers are empty.
 struct Explained {
     JobId job;
     std::uint64_t scenario = 0;
     Strategy strategy = Strategy::BestMatch;
-    std::string where; ///< The scenario is, in words.
-    std::string why;   ///< The chosen worker is chosen, in words.
-    std::string note;  ///< What these scores are not, in words; mostly empty.
+    std::string where; ///< Where the scenario is, in words.
+    std::string why;   ///< Why the chosen worker is chosen, in words.
+    std::string note;  ///< Limits of these scores, in words; usually empty.
     std::uint32_t roots_a = 0;
     std::uint32_t roots_b = 0;
     std::vector<WorkerScore> workers; ///< Ascending.

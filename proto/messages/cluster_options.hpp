@@ -1,4 +1,4 @@
-// How a job is given out: the [cluster] table of a job.
+// The [cluster] table of a job: how its scenarios are distributed.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 
 namespace cd {
 
-/// Whether the master analyses a scenario before it goes to a worker (paper, 6.4.6), or the worker
-/// finds the colliding roots of a whole range of scenarios itself.
+/// Whether the master finds the colliding roots of each scenario (paper, 6.4.6), or workers do for
+/// whole ranges of scenarios.
 enum class AnalysisMode : std::uint8_t {
-    Auto = 0, ///< Whichever costs less, as measured.
+    Auto = 0, ///< The cheaper mode by measurement.
     Always = 1,
-    Never = 2, ///< But for scenarios that were lost with a worker.
+    Never = 2, ///< Except for scenarios of lost workers.
 };
 
 [[nodiscard]] std::string_view to_text(AnalysisMode mode);
@@ -28,31 +28,31 @@ enum class Strategy : std::uint8_t {
     BestMatchLoad = 1,
     Random = 2,
     Lowest = 3,
-    BestMatchPull = 4,  ///< The paper's first form (5.1): a free worker takes what is most similar.
-    EarliestFinish = 5, ///< Ours, in seconds. Batches follow time; q and claim are not looked at.
+    BestMatchPull = 4,  ///< Paper, 5.1: idle workers pull the most similar work.
+    EarliestFinish = 5, ///< Ours: sizes batches by time; ignores q and claim.
 };
 
 [[nodiscard]] std::string_view to_text(Strategy strategy);
 [[nodiscard]] std::optional<Strategy> strategy_from_text(std::string_view text);
-/// In the order of their numbers.
+/// Names in the order of the enumerators.
 [[nodiscard]] std::span<const std::string_view> strategy_names();
 
-/// The [cluster] table of a job. Under a tolerance the depths are `tolerance_depth` of the trees,
-/// and those given here are not looked at.
+/// The [cluster] table of a job. With a tolerance, `tolerance_depth` of the trees replaces
+/// `depths`.
 struct ClusterOptions {
     Strategy strategy = Strategy::EarliestFinish;
     /// Distribution depths by body (paper: 12 or 10 for the fixed body, 6 for the moved one).
     std::vector<std::optional<std::uint32_t>> depths = {};
-    std::uint32_t q = 20;      ///< A buffer is full at q scenarios
-    std::uint32_t v_kb = 4096; ///< or V kB.
-    bool claim = false;        ///< The paper's strict claiming: one task at a worker at a time.
-    std::uint64_t seed = 1;    ///< Of the random strategy.
-    /// With strict claiming it is Always.
+    std::uint32_t q = 20;      ///< Buffer capacity, scenarios.
+    std::uint32_t v_kb = 4096; ///< Buffer capacity, kB.
+    bool claim = false;        ///< The paper's strict claiming: one task per worker at a time.
+    std::uint64_t seed = 1;    ///< Seed of the random strategy.
+    /// Strict claiming implies Always.
     AnalysisMode analysis = AnalysisMode::Auto;
-    /// Workers hear what they will need next. Looked at by `earliest-finish` alone.
+    /// Sends workers hints of subtrees that they will need. `earliest-finish` only.
     bool hints = true;
 
-    /// The distribution depth given for a body; nothing if it follows from the body's tree.
+    /// The distribution depth set for a body; empty if it follows from the body's tree.
     [[nodiscard]] std::optional<std::uint32_t> depth(std::size_t body) const {
         return body < depths.size() ? depths[body] : std::nullopt;
     }

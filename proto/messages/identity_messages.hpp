@@ -1,4 +1,4 @@
-// What is said by who wants to belong to the cluster; over TLS alone.
+// Messages for joining a cluster, over TLS only.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -9,33 +9,33 @@
 
 namespace cd {
 
-/// Of a Joiner without a certificate. Answered by Certified.
+/// From a Joiner without a certificate. Answered by Certified.
 struct Join {
-    std::uint64_t token = 0; ///< Its number.
+    std::uint64_t token = 0; ///< Number of the token.
     Sha256 proof;            ///< `join_proof` (join_token.hpp).
-    std::string name;        ///< For people: what the certificate will call its holder.
-    std::string request;     ///< PEM, of `make_certificate_request`.
+    std::string name;        ///< Display name in the certificate.
+    std::string request;     ///< PEM from `make_certificate_request`.
 };
 
-/// Of a Joiner with a certificate: another one like it. Answered by Certified.
+/// From a Joiner with a certificate: requests one with its role and name. Answered by Certified.
 struct Renew {
     std::string request; ///< PEM.
 };
 
 struct Certified {
-    std::string certificate; ///< PEM, like
-    std::string authority;   ///< the certificate that it is signed with.
+    std::string certificate; ///< PEM.
+    std::string authority;   ///< PEM certificate of the authority that signed it.
 };
 
-/// Of an admin, as a client. Answered by TokenCreated.
+/// From a client with the role of an admin. Answered by TokenCreated.
 struct TokenCreate {
     CertifiedRole role = CertifiedRole::Worker;
-    std::uint64_t seconds = 0; ///< From now on.
+    std::uint64_t seconds = 0; ///< Lifetime of the token.
     std::uint32_t uses = 1;
 };
 
 struct TokenCreated {
-    std::string token; ///< As `to_text` writes it.
+    std::string token; ///< Output of `to_text`.
 };
 
 } // namespace cd

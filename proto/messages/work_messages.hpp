@@ -1,4 +1,4 @@
-// What master and workers say of work and geometry, and workers to each other.
+// Messages about work and geometry between master and workers, and between workers.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -19,29 +19,30 @@
 
 namespace cd {
 
-/// A tree cut at a depth, as the master numbers them while it runs.
+/// A tree cut at a depth, numbered by one incarnation of the master.
 using TreeId = Id<struct TreeTag>;
 
 // ---- Master to worker -----------------------------------------------------------------------
 
-/// From now on the worker may be asked about this tree. Nothing of it is there, but for what the
-/// worker kept of the same cut from a session before. Its top is a block like those of its roots,
-/// under the number `top_root`, and is asked for by who needs it.
+/// Announces a tree that later messages may name. The worker has none of its blocks, except those
+/// kept from an earlier session with this cut. The upper tree is a block with the number `top_root`
+/// and is sent on request.
 struct AddTree {
     TreeId tree;
-    SubtreeForm form = SubtreeForm::Wide; ///< Of its blocks.
-    Sha256 cut;                           ///< Names all of its blocks; the same in every session.
-    Sha256 top;                           ///< Names the block of the top (`encode_top`).
+    SubtreeForm form = SubtreeForm::Wide; ///< Form of its blocks.
+    Sha256 cut;                           ///< Identifies all of its blocks, in every session.
+    Sha256 top;                           ///< Hash of the upper tree's block (`encode_top`).
     std::uint32_t roots = 0;
-    std::uint32_t triangles = 0; ///< Of the whole tree.
+    std::uint32_t triangles = 0; ///< Triangles of the whole tree.
 };
 
-/// Frees the tree, its blocks and what waits for them. Comes when no job uses the tree.
+/// Frees the tree and its blocks, and drops scenarios that wait for them. Sent when no job uses the
+/// tree.
 struct RemoveTree {
     TreeId tree;
 };
 
-/// A block, compressed: of one distribution root, or of the top. The hash names the uncompressed
+/// A compressed block of one distribution root or the upper tree. `hash` covers the uncompressed
 /// bytes.
 struct SubtreeBlock {
     RootIndex root = 0;
@@ -54,79 +55,79 @@ struct Subtrees {
     std::vector<SubtreeBlock> blocks;
 };
 
-/// From now on tasks of this job may come. Its trees have been added.
+/// Announces a job, before its tasks and after its trees.
 struct AddJob {
     JobId job;
     std::vector<TreeId> trees; ///< The tree of each body.
     Query query;
-    std::optional<Bytes> grid; ///< `encode_grid`, of a job whose poses it tells.
+    std::optional<Bytes> grid; ///< `encode_grid`; empty for a job with a list of poses.
 };
 
-/// Frees the job, and drops what waits or runs for it. Its trees may stay.
+/// Frees the job and drops its waiting and running scenarios. Its trees may stay.
 struct RemoveJob {
     JobId job;
 };
 
-/// The scenario is not to be answered: what runs for it stops, what waits for it goes.
+/// Stops a running scenario or drops a waiting one; it needs no answer.
 struct DropScenario {
     JobId job;
     std::uint64_t scenario = 0;
-    TaskId task = {}; ///< Of this one alone: another worker has answered it. 0: of all of the job.
+    TaskId task = {}; ///< Task to drop it from, answered elsewhere; 0: all tasks.
 };
 
-/// A task: scenarios that one worker gets together (paper, 6.4.3), analysed by the master.
+/// A task of scenarios analysed by the master (paper, 6.4.3).
 struct Batch {
     TaskId task;
     JobId job;
     Bytes scenarios;                         ///< `pack_scenarios`.
-    std::vector<std::uint32_t> pair_offsets; ///< scenarios + 1 entries, from 0.
-    std::vector<RootPair> pairs;             ///< The colliding distribution roots.
+    std::vector<std::uint32_t> pair_offsets; ///< Scenarios + 1 entries, starting with 0.
+    std::vector<RootPair> pairs;             ///< Colliding distribution roots.
 };
 
 /// A task whose worker finds the colliding roots itself.
 struct ScenarioRange {
     TaskId task;
     JobId job;
-    std::uint64_t first = 0; ///< Of a job with a grid: these places on it.
+    std::uint64_t first = 0; ///< First position on the job's grid; 0 without a grid.
     std::uint64_t count = 0;
-    Bytes scenarios; ///< Of a job without: `pack_scenarios`, so many; `first` is 0.
+    Bytes scenarios; ///< `pack_scenarios` of `count` scenarios; empty with a grid.
 };
 
-/// Others have nothing to do: give back of this task what has not begun. Answered by Recalled.
+/// Requests the return of scenarios that have not begun, for idle workers. Answered by Recalled.
 struct Recall {
     TaskId task;
-    std::vector<std::uint64_t> scenarios; ///< Of a Batch: these, ascending.
-    std::uint64_t places = 0;             ///< Of a ScenarioRange: all but the first so many.
+    std::vector<std::uint64_t> scenarios; ///< Batch: the scenarios to return, ascending.
+    std::uint64_t places = 0; ///< ScenarioRange: how many of its first positions to keep.
 };
 
-/// Scenarios of the job that are likely to come to the worker will need these subtrees. Whoever has
-/// room for them and nothing better to do asks for them; nothing follows from it otherwise.
+/// Names subtrees that the worker's future scenarios of the job are likely to need. An idle worker
+/// with free cache requests them; others may ignore the message.
 struct Hint {
     JobId job;
     TreeId tree;
     std::vector<RootIndex> roots; ///< Ascending.
 };
 
-/// To a worker: nothing more comes, finish what is there, then close. From a worker that its own
-/// host ends: give me nothing more; what I have not begun comes back with EndOfTask.
+/// To a worker: no more work comes; finish the running scenarios, then close. From a worker: send
+/// no more work; EndOfTask returns the scenarios that have not begun.
 struct Drain {};
 
-/// End now.
+/// The worker must close at once.
 struct Terminate {
     std::string reason;
 };
 
-/// One worker as a source of blocks for another one.
+/// A worker that can serve blocks to another one.
 struct PeerSource {
     WorkerId worker;
     std::string host;
     std::uint16_t port = 0;
-    std::uint64_t ticket = 0; ///< Good for one PeerFetch of these roots,
-    Sha256 proof;             ///< by this `ticket_proof` (peer_ticket.hpp).
+    std::uint64_t ticket = 0; ///< Valid for one PeerFetch of the roots.
+    Sha256 proof;             ///< `ticket_proof` of the ticket (peer_ticket.hpp).
 };
 
-/// An answer to WantSubtrees: the blocks of these roots come from another worker, the first of the
-/// sources that gives them. What none gives is wanted again. Roots ascend; `hashes` are theirs.
+/// An answer to WantSubtrees: the worker fetches these blocks from the sources, in order, and
+/// requests those that no source gives again. `roots` ascend; `hashes` are parallel to them.
 struct FetchFromPeers {
     TreeId tree;
     std::vector<RootIndex> roots;
@@ -141,51 +142,50 @@ struct WantSubtrees {
     std::vector<RootIndex> roots;
 };
 
-/// Results of some of a task's scenarios, in bulk: canonical records, packed together
-/// (packed_records.hpp).
+/// Results of some of a task's scenarios: canonical records, packed together (packed_records.hpp).
 struct Results {
-    TaskId task; ///< 0: of a task of an earlier session.
+    TaskId task; ///< 0: a task of an earlier session.
     JobId job;
     std::uint32_t count = 0;
     Bytes records;
     QueryStatistics statistics;
-    double compute_seconds = 0; ///< Summed over the worker's threads.
-    std::uint64_t sequence = 0; ///< The worker's number for the message, until it is acknowledged.
-    BlockTraffic traffic;       ///< Of the job, since the worker's message of its results before.
-    Bytes map;                  ///< `pack_map` of all these scenarios, where the query is for maps.
+    double compute_seconds = 0; ///< Sum over the worker's threads.
+    std::uint64_t sequence = 0; ///< Number by which ResultsKept acknowledges the message.
+    BlockTraffic traffic;       ///< Traffic of the job since the worker's last Results of it.
+    Bytes map; ///< `pack_map` of these scenarios; empty unless the query asks for maps.
 };
 
-/// These messages of results are on the master's disk, or nobody wants them: the worker drops them.
-/// Others it sends again in its next session.
+/// Acknowledges Results that are on the master's disk or no longer needed; the worker drops them.
+/// It sends all others again in its next session.
 struct ResultsKept {
     std::vector<std::uint64_t> sequences;
 };
 
-/// First in a session: of these cuts the worker still has blocks. The master adds those trees that
-/// it uses, and the worker says Held.
+/// Starts a session: lists the cuts of which the worker has kept blocks. The master adds the trees
+/// that it uses, and the worker answers with Held.
 struct Holding {
     std::vector<Sha256> cuts;
 };
 
-/// All that was given back of a task, since it came: the worker neither begins nor answers it.
+/// All scenarios of a task returned so far; the worker neither begins nor answers them.
 struct Recalled {
     TaskId task;
-    std::vector<std::uint64_t> scenarios; ///< Of a Batch, ascending.
-    std::uint64_t places = 0;             ///< Of a ScenarioRange: it keeps the first so many.
+    std::vector<std::uint64_t> scenarios; ///< Batch: the returned scenarios, ascending.
+    std::uint64_t places = 0; ///< ScenarioRange: how many of its first positions it keeps.
 };
 
-/// A tree that the worker has, and which of its slots are filled; roots ascend.
+/// A tree that the worker has, and its filled slots, ascending.
 struct StandingTree {
     TreeId tree;
     std::vector<RootIndex> held;
 };
 
-/// What the worker has of a session that goes on, after the results that it sends again: what is
-/// not named got lost on its way, or has ended.
+/// The worker's inventory when a session resumes, sent after its unacknowledged results. Anything
+/// not listed was lost in transit or has ended.
 struct Standing {
     std::vector<StandingTree> trees;
     std::vector<JobId> jobs;
-    std::vector<Recalled> tasks; ///< Each with what was given back of it.
+    std::vector<Recalled> tasks; ///< Each task with its returned scenarios.
 };
 
 /// All results of the task have been sent.
@@ -193,13 +193,13 @@ struct EndOfTask {
     TaskId task;
 };
 
-/// These slots are empty again.
+/// Reports slots that are empty again.
 struct Evicted {
     TreeId tree;
     std::vector<RootIndex> roots;
 };
 
-/// These slots are filled. Only from then on they count as held.
+/// Reports filled slots. The master counts blocks as held only after this.
 struct Held {
     TreeId tree;
     std::vector<RootIndex> roots;
@@ -207,16 +207,16 @@ struct Held {
 
 enum class PeerOutcome : std::uint8_t {
     Given = 0,
-    Busy = 1,        ///< It serves as many others as it may.
-    Missing = 2,     ///< It does not hold them (any more).
+    Busy = 1,        ///< The source is at its limit of uploads.
+    Missing = 2,     ///< The source does not have all blocks.
     Unreachable = 3, ///< No connection, or no answer in time.
-    Damaged = 4,     ///< What it gave has not its hash.
-    Refused = 5,     ///< It does not take the ticket.
+    Damaged = 4,     ///< A block does not match its hash.
+    Refused = 5,     ///< The source rejects the ticket.
 };
 
 [[nodiscard]] std::string_view to_text(PeerOutcome outcome);
 
-/// The source did not give these roots.
+/// Reports roots that a source did not give.
 struct FetchFailed {
     TreeId tree;
     std::vector<RootIndex> roots;
@@ -226,7 +226,7 @@ struct FetchFailed {
 
 // ---- Worker to worker -----------------------------------------------------------------------
 
-/// Answered by Subtrees with what is there, if the ticket is good, and then by PeerFetched.
+/// Answered by Subtrees with the cached blocks, if the ticket is valid, then by PeerFetched.
 struct PeerFetch {
     TreeId tree;
     std::vector<RootIndex> roots;
@@ -234,7 +234,7 @@ struct PeerFetch {
     Sha256 proof;
 };
 
-/// The end of the answer. `missing`: the roots that were asked for and did not come.
+/// Ends the answer to a PeerFetch. `missing`: requested roots that were not sent.
 struct PeerFetched {
     TreeId tree;
     std::vector<RootIndex> missing;
