@@ -89,8 +89,8 @@ class Coordinator {
     [[nodiscard]] const FailureTimes& times() const { return parts_.times; }
     [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
     /// Decides how to answer a Hello; `holder` is the holder of the certificate, empty without one.
-    /// Resumes the session if this master process created it for the same process and holder and has
-    /// not declared the worker lost.
+    /// Resumes the session if this master process created it for the same process and holder and
+    /// has not declared the worker lost.
     [[nodiscard]] Reception receive_worker(const Hello& hello, const std::string& holder);
     /// Call after the Welcome has been sent. A new worker gets work at once; a resumed one gets
     /// work after its Standing.

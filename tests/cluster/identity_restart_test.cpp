@@ -66,7 +66,8 @@ TEST_F(SecuredRestart, AKnownWorkerRetriesAfterTlsRefusals) {
     const auto refusals = [&] {
         const std::string log = worker.errors();
         std::size_t count = 0;
-        for (std::size_t at = 0; (at = log.find("tries again", at + 1)) != std::string::npos;) {
+        for (std::size_t at = 0;
+             (at = log.find("refused, retrying for", at + 1)) != std::string::npos;) {
             ++count;
         }
         return count;
