@@ -65,7 +65,7 @@ ORDERED = {
         "": [],
     },
 }
-# Rooms that see less than the order allows.
+# NARROW restricts these rooms to fewer includes than their place in the order allows.
 NARROW = {"master/dispatch": ["master/base", "proto/messages"]}
 for _program, _rooms in ORDERED.items():
     _before = []
