@@ -64,7 +64,16 @@ class FakeWorker {
         work();
     }
 
+    /// A status shows this once the master has read all results of the earlier session.
+    static constexpr std::uint64_t cached_bytes = 1;
+
   private:
+    [[nodiscard]] static Heartbeat busy() {
+        Heartbeat heartbeat;
+        heartbeat.cached_bytes = cached_bytes;
+        return heartbeat;
+    }
+
     struct Tree {
         std::optional<TreeTop> top;
         bool is_top_wanted = false;
@@ -89,6 +98,7 @@ class FakeWorker {
             channel_->send(results);
         }
         channel_->send(Standing{}); // All results of the earlier session are sent.
+        channel_->send(busy());
         for (;;) {
             Result<Message> message = co_await channel_->receive(patience);
             if (!message) {
@@ -106,7 +116,7 @@ class FakeWorker {
                 ++sent_to_peers;
                 channel_->send(WantSubtrees{directions->tree, directions->roots});
             } else if (std::holds_alternative<Heartbeat>(message.value())) {
-                channel_->send(Heartbeat{});
+                channel_->send(busy());
             } else if (const auto* drop = std::get_if<DropScenario>(&message.value())) {
                 dropped = drop->scenario;
             } else if (const auto* acknowledged = std::get_if<ResultsKept>(&message.value())) {

@@ -5,8 +5,6 @@
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
 
-#include <gmock/gmock.h>
-
 #include <latch>
 
 namespace cd::tests {
@@ -51,6 +49,21 @@ class DamagedMaster : public Master {
         EXPECT_NE(status().paused.find(damage.name()), std::string::npos) << status().paused;
         EXPECT_EQ(status().state, JobState::Running);
         EXPECT_EQ(coordinator.cluster_status().jobs.at(0).paused, status().paused);
+    }
+
+    /// Runs until the results with which the only worker came are read and checked.
+    void finish_checks_of_results() {
+        run_until([&] {
+            const auto workers = coordinator.cluster_status().workers;
+            return !workers.empty() && workers[0].cached_bytes == FakeWorker::cached_bytes;
+        });
+        // When all threads meet, what was posted before has ended.
+        const auto all_meet = std::make_shared<std::latch>(blocking.size() + 1);
+        for (unsigned thread = 0; thread < blocking.size(); ++thread) {
+            blocking.post([all_meet] { all_meet->arrive_and_wait(); });
+        }
+        all_meet->arrive_and_wait();
+        context.poll();
     }
 
     void expect_right_end() {
@@ -165,11 +178,11 @@ TEST(ServerDamage, RepeatedUncheckableResultsAreParkedOnce) {
     twice.sequence = 1;
     const FakeWorker worker(master, {.comes_with = {twice, twice, twice}});
     master.expect_to_wait_for(damage);
+    master.finish_checks_of_results();
     damage.mend();
     master.run_until([&] { return worker.kept_of_before != 0; });
     master.expect_right_end();
-    // Parked messages are acknowledged once. Messages that arrive after the mending are not parked.
-    EXPECT_THAT(worker.kept_of_before, testing::AnyOf(1u, 3u));
+    EXPECT_EQ(worker.kept_of_before, 1u);
 }
 
 /// Results come as from an earlier session, so the master must read their poses.
