@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <string>
 #include <system_error>
@@ -47,7 +48,7 @@ bool add_time(PoseLabels& labels, const std::string& text) {
     double time = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), time);
     labels.times.push_back(time);
-    return error == std::errc() && end == text.data() + text.size();
+    return error == std::errc() && end == text.data() + text.size() && std::isfinite(time);
 }
 
 } // namespace

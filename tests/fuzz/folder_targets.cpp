@@ -1,10 +1,13 @@
 #include "client/folder/run_manifest.hpp"
+#include "client/poses/label_file.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/job/result/record_file.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace cd::fuzz {
@@ -95,6 +98,21 @@ void run_json(Input input) {
     require(again && manifest_json(again.value()) == text, "a manifest's text is one of the same");
     require(is_same_job(again.value(), again.value()) || !again.value().poses.hash,
             "a run is of its own job");
+}
+
+void labels(Input input) {
+    const MemoryFile file(input);
+    const auto read = read_labels(file.path());
+    if (!read) {
+        require(!read.error().detail.empty(), "the refusal says why");
+        return;
+    }
+    const PoseLabels& labels = read.value();
+    const std::size_t rows =
+        std::max({labels.integers.size(), labels.texts.size(), labels.times.size()});
+    require(labels.columns().fit(labels, rows), "every column has an entry for each scenario");
+    require(std::ranges::all_of(labels.times, [](double time) { return std::isfinite(time); }),
+            "times are finite, as in pose files");
 }
 
 } // namespace cd::fuzz

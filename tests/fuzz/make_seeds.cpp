@@ -4,6 +4,7 @@
 #include "client/folder/run_manifest.hpp"
 #include "client/formats/npy.hpp"
 #include "client/formats/npz.hpp"
+#include "client/poses/label_file.hpp"
 #include "common/core/files/compress.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/host/thread_pool.hpp"
@@ -46,6 +47,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace cd::fuzz {
 namespace {
@@ -498,6 +500,16 @@ void add_folders(Seeds& seeds) {
         std::exit(1);
     }
     add_both(seeds, "record_file", "two_blocks", 0, bytes_of(read_file(folder / "records")));
+
+    for (const auto& [name, labels] :
+         {std::pair<std::string, PoseLabels>{"integers", {{7, -3}, {}, {}}},
+          {"texts_and_times", {{}, {"a, b", "say \"x\"\nand y"}, {0.1, -1e300}}},
+          {"times", {{}, {}, {0.25, 2}}}}) {
+        if (!write_labels(folder / "ids", labels)) {
+            std::exit(1);
+        }
+        seeds.add("labels", name, read_file(folder / "ids"));
+    }
 
     RunManifest manifest;
     manifest.name = "car";

@@ -39,6 +39,7 @@ std::span<const Target> targets() {
         Target{"tree_file", tree_file},
         Target{"record_file", record_file},
         Target{"run_json", run_json},
+        Target{"labels", labels},
     };
     return list;
 }

@@ -56,6 +56,7 @@ void tree_file(Input input);  ///< Odd or even, next bit: wide; a tree of `sampl
 // Results folders.
 void record_file(Input input); ///< Odd or even, then a record file.
 void run_json(Input input);
+void labels(Input input); ///< The file `inputs/ids`.
 
 struct Target {
     std::string_view name; ///< Name of the function and of its corpus folder.

@@ -126,7 +126,8 @@ TEST_F(PoseFile, AFileOfLabelsGivesThemBack) {
         ASSERT_TRUE(read) << read.error().detail;
         EXPECT_EQ(read.value(), labels);
     }
-    for (const char* text : {"", "id,t\n1\n", "t\nnoon\n", "t,id\n1,1\n", "x\n1\n"}) {
+    for (const char* text :
+         {"", "id,t\n1\n", "t\nnoon\n", "t,id\n1,1\n", "x\n1\n", "t\nnan\n", "t\ninf\n"}) {
         write_text(path, text);
         EXPECT_FALSE(read_labels(path)) << text;
     }
