@@ -2,7 +2,6 @@
 
 #include "common/core/check.hpp"
 #include "common/core/files/bytes.hpp"
-#include "common/core/files/hash.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 
@@ -17,7 +16,6 @@ namespace cd {
 namespace {
 
 constexpr std::uint64_t magic = 0x31'42'41'4c'44'43'00'00; // "\0\0CDLAB1"
-constexpr std::uint64_t footer_bytes = 6 * sizeof(std::uint64_t);
 
 Bytes encode(const PoseLabels& labels) {
     ByteWriter out;
@@ -44,141 +42,55 @@ bool decode(std::span<const std::byte> bytes,
     return in.complete();
 }
 
-Error damaged(const DiskFile& file, const std::string& why) {
-    return {ErrorCode::Io, file.path().string() + " is damaged: " + why};
+SpoolFile::Content content_of(LabelColumns columns, std::uint64_t scenarios) {
+    return {{magic, static_cast<std::uint64_t>(columns.ids), columns.has_times}, scenarios};
 }
 
 } // namespace
 
-struct LabelSpool::State {
-    State(DiskFile spool, LabelColumns which, std::uint64_t scenarios)
-        : file(std::move(spool)), columns(which), announced(scenarios) {}
-
-    DiskFile file;
-    LabelColumns columns;
-    std::uint64_t announced = 0;         ///< Announced scenarios.
-    std::uint64_t count = 0;             ///< Scenarios with labels received.
-    std::vector<std::uint64_t> run_ends; ///< Offset of the end of each run on disk.
-    std::vector<std::uint64_t> run_sums; ///< Checksum of each run on disk.
-    PoseLabels last;                     ///< Labels of the unfinished run, not on disk yet.
-    std::size_t last_count = 0;
-
-    [[nodiscard]] std::uint64_t runs_in_all() const {
-        return (announced + limits::spool_run_scenarios - 1) / limits::spool_run_scenarios;
+Status LabelSpool::write_last() {
+    if (Status written = file_.append(encode(last_)); !written) {
+        return written;
     }
-    [[nodiscard]] Status write_last();
-    [[nodiscard]] Status write_index();
-    [[nodiscard]] Status read_index();
-    [[nodiscard]] Result<PoseLabels> read_run(std::uint64_t run) const;
-};
-
-Status LabelSpool::State::write_last() {
-    const std::uint64_t offset = run_ends.empty() ? 0 : run_ends.back();
-    const Bytes bytes = encode(last);
-    if (Status status = file.write_at(offset, bytes); !status) {
-        return status;
-    }
-    run_ends.push_back(offset + bytes.size());
-    run_sums.push_back(checksum(bytes));
-    last = {};
-    last_count = 0;
+    last_ = {};
+    last_count_ = 0;
     return Done{};
 }
 
-/// Writes the runs' ends and checksums, then the magic number, the columns, the numbers of
-/// scenarios and runs, and the checksum of all these.
-Status LabelSpool::State::write_index() {
-    ByteWriter out;
-    out.put_array(std::span<const std::uint64_t>(run_ends));
-    out.put_array(std::span<const std::uint64_t>(run_sums));
-    out.put(magic);
-    out.put(static_cast<std::uint64_t>(columns.ids));
-    out.put(std::uint64_t{columns.has_times});
-    out.put(announced);
-    out.put(std::uint64_t{run_ends.size()});
-    out.put(checksum(out.bytes()));
-    return file.write_at(run_ends.empty() ? 0 : run_ends.back(), out.bytes());
-}
-
-Status LabelSpool::State::read_index() {
-    const Result<std::uint64_t> size = file.size();
-    if (!size) {
-        return size.error();
-    }
-    const std::uint64_t runs = runs_in_all();
-    const std::uint64_t index_bytes = 2 * sizeof(std::uint64_t) * runs + footer_bytes;
-    if (size.value() < index_bytes) {
-        return damaged(file, "it is too short");
-    }
-    const std::uint64_t begin = size.value() - index_bytes;
-    const Result<Bytes> bytes = file.read_at(begin, index_bytes);
+Result<PoseLabels> LabelSpool::read_run(std::uint64_t run) const {
+    const Result<Bytes> bytes = file_.read(file_.run(run));
     if (!bytes) {
         return bytes.error();
     }
-    ByteReader in(bytes.value());
-    run_ends = in.get_array<std::uint64_t>(runs);
-    run_sums = in.get_array<std::uint64_t>(runs);
-    const bool is_ours = in.get<std::uint64_t>() == magic &&
-                         in.get<std::uint64_t>() == static_cast<std::uint64_t>(columns.ids) &&
-                         in.get<std::uint64_t>() == std::uint64_t{columns.has_times} &&
-                         in.get<std::uint64_t>() == announced && in.get<std::uint64_t>() == runs;
-    const std::uint64_t sum =
-        checksum(std::span(bytes.value()).first(index_bytes - sizeof(std::uint64_t)));
-    const bool fits = std::is_sorted(run_ends.begin(), run_ends.end()) &&
-                      (run_ends.empty() ? begin == 0 : run_ends.back() == begin);
-    if (!is_ours || in.get<std::uint64_t>() != sum || !fits) {
-        return damaged(file, "its index has a wrong checksum, or is of another job");
-    }
-    count = announced;
-    return Done{};
-}
-
-Result<PoseLabels> LabelSpool::State::read_run(std::uint64_t run) const {
-    const std::uint64_t begin = run == 0 ? 0 : run_ends[run - 1];
-    const Result<Bytes> bytes = file.read_at(begin, run_ends[run] - begin);
-    if (!bytes) {
-        return bytes.error();
-    }
-    const std::uint64_t scenarios = std::min<std::uint64_t>(
-        limits::spool_run_scenarios, announced - run * limits::spool_run_scenarios);
+    const std::uint64_t scenarios = std::min(limits::spool_run_scenarios,
+                                             file_.scenarios() - run * limits::spool_run_scenarios);
     PoseLabels labels;
-    if (checksum(bytes.value()) != run_sums[run] ||
-        !decode(bytes.value(), columns, scenarios, labels)) {
-        return damaged(file, "a run of labels has a wrong checksum");
-    }
-    return labels;
+    return decode(bytes.value(), columns_, scenarios, labels)
+               ? Result(std::move(labels))
+               : file_.damaged("a run does not hold labels of its scenarios");
 }
-
-LabelSpool::LabelSpool(std::unique_ptr<State> state) : state_(std::move(state)) {}
-LabelSpool::~LabelSpool() = default;
 
 Result<std::unique_ptr<LabelSpool>> LabelSpool::create(const std::filesystem::path& directory,
                                                        LabelColumns columns,
                                                        std::uint64_t scenarios) {
-    Result<DiskFile> file = DiskFile::create_for(directory / "labels");
+    auto file = SpoolFile::create(directory / "labels", content_of(columns, scenarios));
     if (!file) {
         return file.error();
     }
-    return std::unique_ptr<LabelSpool>(
-        new LabelSpool(std::make_unique<State>(std::move(file.value()), columns, scenarios)));
+    return std::unique_ptr<LabelSpool>(new LabelSpool(std::move(file.value()), columns));
 }
 
 Result<std::unique_ptr<LabelSpool>>
 LabelSpool::open(const std::filesystem::path& path, LabelColumns columns, std::uint64_t scenarios) {
-    Result<DiskFile> file = DiskFile::open(path);
+    auto file = SpoolFile::open(path, content_of(columns, scenarios));
     if (!file) {
-        return Error{ErrorCode::Io, file.error().detail};
+        return file.error();
     }
-    auto state = std::make_unique<State>(std::move(file.value()), columns, scenarios);
-    if (const Status read = state->read_index(); !read) {
-        return read.error();
-    }
-    return std::unique_ptr<LabelSpool>(new LabelSpool(std::move(state)));
+    return std::unique_ptr<LabelSpool>(new LabelSpool(std::move(file.value()), columns));
 }
 
 Status LabelSpool::append(const PoseLabels& labels, std::size_t scenarios) {
-    State& state = *state_;
-    if (!state.columns.fit(labels, scenarios)) {
+    if (!columns_.fit(labels, scenarios)) {
         return Error{ErrorCode::BadInput,
                      "ids or times of scenarios that are not those that were announced"};
     }
@@ -190,42 +102,37 @@ Status LabelSpool::append(const PoseLabels& labels, std::size_t scenarios) {
                      "the id of a scenario is longer than " +
                          std::to_string(limits::label_bytes_max) + " bytes"};
     }
-    if (scenarios > state.announced - state.count) {
+    if (scenarios > file_.scenarios() - count_) {
         return Error{ErrorCode::BadInput, "labels of more scenarios than were announced"};
     }
-    for (std::size_t taken = 0; taken < scenarios;) {
-        const std::size_t room = limits::spool_run_scenarios - state.last_count;
-        const std::size_t count = std::min(scenarios - taken, room);
-        state.last.append(labels.slice(taken, count));
-        state.last_count += count;
-        taken += count;
-        if (state.last_count == limits::spool_run_scenarios) {
-            if (Status status = state.write_last(); !status) {
+    std::size_t taken = 0;
+    for (const SpoolFile::Slice& slice : SpoolFile::slices(count_, scenarios)) {
+        last_.append(labels.slice(taken, slice.count));
+        last_count_ += slice.count;
+        taken += slice.count;
+        if (last_count_ == limits::spool_run_scenarios) {
+            if (Status status = write_last(); !status) {
                 return status;
             }
         }
     }
-    state.count += scenarios;
+    count_ += scenarios;
     return Done{};
 }
 
 Status LabelSpool::seal(const std::filesystem::path& path, Durability durability) {
-    State& state = *state_;
-    CD_CHECK(state.count == state.announced);
-    if (state.last_count != 0) {
-        if (Status status = state.write_last(); !status) {
+    CD_CHECK(count_ == file_.scenarios());
+    if (last_count_ != 0) {
+        if (Status status = write_last(); !status) {
             return status;
         }
     }
-    if (Status status = state.write_index(); !status) {
-        return status;
-    }
-    return state.file.commit_as(path, durability);
+    return file_.seal(path, durability);
 }
 
 Status LabelSpool::verify() const {
-    for (std::uint64_t run = 0; run < state_->run_ends.size(); ++run) {
-        if (const auto labels = state_->read_run(run); !labels) {
+    for (std::uint64_t run = 0; run < file_.runs(); ++run) {
+        if (const auto labels = read_run(run); !labels) {
             return labels.error();
         }
     }
@@ -233,21 +140,14 @@ Status LabelSpool::verify() const {
 }
 
 Result<PoseLabels> LabelSpool::read(std::uint64_t first, std::uint64_t count) const {
-    CD_CHECK(first <= state_->announced && count <= state_->announced - first);
+    CD_CHECK(first <= file_.scenarios() && count <= file_.scenarios() - first);
     PoseLabels labels;
-    for (std::uint64_t taken = 0; taken < count;) {
-        const std::uint64_t next = first + taken;
-        const std::uint64_t run = next / limits::spool_run_scenarios;
-        const Result<PoseLabels> read = state_->read_run(run);
-        if (!read) {
-            return read.error();
+    for (const SpoolFile::Slice& slice : SpoolFile::slices(first, count)) {
+        const Result<PoseLabels> run = read_run(slice.run);
+        if (!run) {
+            return run.error();
         }
-        const std::uint64_t skipped = next % limits::spool_run_scenarios;
-        const std::uint64_t there = std::min<std::uint64_t>(
-            limits::spool_run_scenarios, state_->announced - run * limits::spool_run_scenarios);
-        const std::uint64_t here = std::min(there - skipped, count - taken);
-        labels.append(read.value().slice(skipped, here));
-        taken += here;
+        labels.append(run.value().slice(slice.first, slice.count));
     }
     return labels;
 }

@@ -2,20 +2,19 @@
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
-#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_labels.hpp"
+#include "master/jobs/spool_file.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace cd {
 
-/// A file of labels in runs of `limits::spool_run_scenarios` scenarios. An index at its end holds
-/// each run's end and checksum. The destructor deletes an unsealed file. One thread at a time; all
-/// members block for the disk.
+/// A spool file of labels. One thread at a time; all members block for the disk.
 class LabelSpool {
   public:
     /// Makes a new file in `directory`, which exists, for `scenarios` scenarios. Errors: Io.
@@ -25,9 +24,6 @@ class LabelSpool {
     /// or another number of scenarios.
     [[nodiscard]] static Result<std::unique_ptr<LabelSpool>>
     open(const std::filesystem::path& path, LabelColumns columns, std::uint64_t scenarios);
-    LabelSpool(const LabelSpool&) = delete;
-    LabelSpool& operator=(const LabelSpool&) = delete;
-    ~LabelSpool();
 
     /// Adds the labels of the next `scenarios` scenarios. Errors: BadInput for other columns than
     /// were announced, more scenarios, or an id that is too long; Io.
@@ -43,9 +39,15 @@ class LabelSpool {
     [[nodiscard]] Result<PoseLabels> read(std::uint64_t first, std::uint64_t count) const;
 
   private:
-    struct State;
-    explicit LabelSpool(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    LabelSpool(SpoolFile file, LabelColumns columns) : file_(std::move(file)), columns_(columns) {}
+    [[nodiscard]] Status write_last();
+    [[nodiscard]] Result<PoseLabels> read_run(std::uint64_t run) const;
+
+    SpoolFile file_;
+    LabelColumns columns_;
+    std::uint64_t count_ = 0; ///< Scenarios with labels received.
+    PoseLabels last_;         ///< Labels of the unfinished run, not on disk yet.
+    std::size_t last_count_ = 0;
 };
 
 } // namespace cd

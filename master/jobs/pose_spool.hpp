@@ -2,21 +2,22 @@
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
-#include "common/core/limits/engine.hpp"
-#include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_source.hpp"
+#include "master/jobs/spool_file.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace cd {
 
-/// A file of packed scenarios in runs; an index at its end holds each run's checksum. The
-/// destructor deletes an unsealed file. Memory: one run of scenarios, and 16 bytes per run on disk.
-/// Any thread may call any member; all block for the disk.
+/// A spool file of packed scenarios. Memory: one run of scenarios besides the file's. Any thread
+/// may call any member; all block for the disk.
 class PoseSpool final : public PoseSource {
   public:
     /// Creates a file in `directory`, which is made if missing, for at most `scenarios` scenarios.
@@ -27,7 +28,6 @@ class PoseSpool final : public PoseSource {
     /// scenarios.
     [[nodiscard]] static Result<std::unique_ptr<PoseSpool>> open(const std::filesystem::path& path,
                                                                  std::uint64_t scenarios);
-    ~PoseSpool() override;
 
     /// Appends the next scenarios, as received and packed by `pack_scenarios`. An error leaves the
     /// file unchanged. Errors: those of `unpack_scenarios`; BadInput for a gap in the indices,
@@ -48,9 +48,15 @@ class PoseSpool final : public PoseSource {
                                                      std::uint64_t count) override;
 
   private:
-    struct State;
-    explicit PoseSpool(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    PoseSpool(SpoolFile file, bool is_sealed) : file_(std::move(file)), is_sealed_(is_sealed) {}
+    [[nodiscard]] std::uint64_t count_locked() const;
+    [[nodiscard]] Error too_many() const;
+    [[nodiscard]] Result<std::vector<Scenario>> read_run(std::uint64_t run) const;
+
+    mutable std::mutex mutex_;
+    SpoolFile file_;
+    std::vector<Scenario> last_; ///< Fewer than a run; not on disk yet.
+    bool is_sealed_ = false;     ///< Only a sealed file may end with a short run.
 };
 
 } // namespace cd

@@ -30,8 +30,8 @@ void sum_up(Bytes& file, std::size_t begin, std::size_t size, std::size_t to) {
     std::memcpy(file.data() + to, &sum, sizeof sum);
 }
 
-/// Corrects the checksums of a spool's runs (pose_spool.cpp) that lie in the file, then its counts
-/// and its index's checksum.
+/// Corrects the checksums of a spool file's runs (spool_file.cpp) that lie in the file, then its
+/// counts and its index's checksum.
 void sum_up_spool(Bytes& file, std::uint64_t scenarios) {
     const std::uint64_t runs =
         (scenarios + limits::spool_run_scenarios - 1) / limits::spool_run_scenarios;
