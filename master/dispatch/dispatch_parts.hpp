@@ -1,0 +1,29 @@
+// The parts of the dispatcher.
+#pragma once
+
+#include "master/dispatch/allocator.hpp"
+#include "master/dispatch/block_needs.hpp"
+#include "master/dispatch/endgame/endgame.hpp"
+#include "master/dispatch/policy/rebalancer.hpp"
+#include "master/dispatch/range_sender.hpp"
+#include "master/dispatch/task_table.hpp"
+#include "master/dispatch/work_queue.hpp"
+#include "master/dispatch/workers/cluster_pace.hpp"
+#include "master/dispatch/workers/worker_pool.hpp"
+
+namespace cd {
+
+struct DispatchParts {
+    ClusterPace pace;
+    WorkerPool pool;
+    WorkQueue queue;
+    MatchingContext context{pool, queue, pace};
+    TaskTable tasks{pool, queue, pace};
+    BlockNeeds blocks{pool, pace};
+    RangeSender ranges{context, queue, tasks};
+    Allocator allocator{context, queue, tasks, blocks};
+    Rebalancer rebalancer{context, queue, blocks, allocator};
+    Endgame endgame{context, queue, tasks, blocks};
+};
+
+} // namespace cd

@@ -1,0 +1,110 @@
+#include "master/dispatch/endgame/stragglers.hpp"
+
+#include "common/core/limits/master.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace cd {
+
+bool Stragglers::is_pending(const PendingRecall& recall) const {
+    return context_.pace.now() - recall.since < limits::recall_answer_seconds;
+}
+
+bool Stragglers::can_help(const WorkerProxy& proxy) const {
+    const bool is_expecting = std::ranges::any_of(tasks_.recalls(), [&](const auto& recall) {
+        return recall.second.helper == proxy.id() && is_pending(recall.second);
+    });
+    return proxy.takes_work() && !proxy.is_claimed() && !is_expecting &&
+           proxy.tasks.left() < proxy.facts().threads;
+}
+
+std::vector<WorkerProxy*> Stragglers::helpers() const {
+    std::vector<WorkerProxy*> found;
+    for (WorkerProxy* proxy : context_.pool.in_order()) {
+        if (can_help(*proxy)) {
+            found.push_back(proxy);
+        }
+    }
+    std::ranges::stable_sort(found, std::greater<>(), [this](const WorkerProxy* proxy) {
+        return context_.pace.power_of(*proxy);
+    });
+    return found;
+}
+
+double Stragglers::ends_in(const WorkerProxy& proxy) const {
+    const std::uint64_t left = proxy.tasks.left();
+    if (left == 0) {
+        return 0;
+    }
+    double seconds = 0; // For one thread.
+    for (const auto& [id, task] : proxy.tasks.all()) {
+        if (!task.is_range()) {
+            seconds += 1e-9 * static_cast<double>(task.cost_ns) / context_.pace.speed_of(proxy);
+        } else if (const DispatchJob* job = context_.queue.find(task.job)) {
+            seconds += static_cast<double>(task.places_left) * proxy.facts().threads /
+                       context_.pace.places_per_second(proxy, *job);
+        }
+    }
+    seconds /= static_cast<double>(std::min<std::uint64_t>(left, proxy.facts().threads));
+    // An overdue worker is assumed to need as long again as it is overdue.
+    return std::abs(std::max(proxy.tasks.progressed(), proxy.transfers_end()) + seconds -
+                    context_.pace.now());
+}
+
+std::vector<WorkerProxy*> Stragglers::late() const {
+    std::vector<std::pair<double, WorkerProxy*>> late;
+    for (WorkerProxy* proxy : context_.pool.in_order()) {
+        const double seconds = may_be_helped(*proxy) ? ends_in(*proxy) : 0;
+        if (seconds > limits::end_gain_seconds_min) {
+            late.emplace_back(seconds, proxy);
+        }
+    }
+    const std::size_t most = std::max(
+        limits::late_looked_at_min, context_.pool.in_order().size() / limits::late_looked_at_part);
+    if (late.size() > most) {
+        std::ranges::stable_sort(
+            late, {}, [](const auto& entry) { return entry.second->looked_at(); });
+        late.resize(most);
+    }
+    std::ranges::stable_sort(late, std::greater<>(), &std::pair<double, WorkerProxy*>::first);
+    std::vector<WorkerProxy*> workers;
+    for (const auto& [seconds, proxy] : late) {
+        workers.push_back(proxy);
+    }
+    return workers;
+}
+
+bool Stragglers::may_be_asked(const WorkerProxy& from) const {
+    return !tasks_.recalls().contains(from.id()) && from.takes_work();
+}
+
+bool Stragglers::may_answer_recall(const WorkerProxy& from) const {
+    const auto asked = tasks_.recalls().find(from.id());
+    return asked != tasks_.recalls().end() && from.takes_work() && is_pending(asked->second);
+}
+
+bool Stragglers::may_be_helped(const WorkerProxy& from) const {
+    return !may_answer_recall(from) &&
+           std::ranges::any_of(from.tasks.all(), [&](const auto& entry) {
+               const TaskInFlight& task = entry.second;
+               return task.left() != 0 && !task.is_copy &&
+                      ((may_be_asked(from) && !task.has_begun) || can_be_copied(task));
+           });
+}
+
+bool Stragglers::can_be_copied(const TaskInFlight& task) const {
+    if (task.is_range()) {
+        return task.places_left > task.places_copied;
+    }
+    const DispatchJob& job = context_.queue.at(task.job);
+    const auto may_be = [&](std::uint64_t index) {
+        const auto found = job.scenarios.find(index);
+        return found != job.scenarios.end() && found->second.may_be_copied();
+    };
+    return job.policy->is_by_time() && std::ranges::any_of(task.scenarios, may_be);
+}
+
+} // namespace cd

@@ -1,0 +1,48 @@
+#include "master/dispatch/job/job_meters.hpp"
+
+#include "common/core/limits/master.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cd {
+
+void RangePace::add(WorkerId worker, std::uint64_t scenarios, double seconds) {
+    general_.add(static_cast<double>(scenarios), seconds);
+    of_workers_[worker].add(static_cast<double>(scenarios), seconds);
+}
+
+double RangePace::per_thread(WorkerId worker, double otherwise) const {
+    const double general = general_.value_or(otherwise);
+    const auto own = of_workers_.find(worker);
+    return own == of_workers_.end() ? general : own->second.value_or(general);
+}
+
+void MissingMeter::add_sample(double seconds_any) {
+    any_.add(seconds_any, 1);
+    matched_.add(seconds_, period);
+    seconds_ = 0;
+}
+
+void MissingMeter::ranges_answered(std::uint64_t scenarios) {
+    any_.add(std::exchange(in_ranges_, 0), static_cast<double>(scenarios));
+}
+
+void MissingMeter::tell(MissingCosts& costs) const {
+    if (matched_.is_known() && any_.is_known()) {
+        costs.matched = matched_.value();
+        costs.any = any_.value();
+    }
+}
+
+void CopyBudget::remove_work(std::uint64_t cost_ns) {
+    work_ns_ -= std::min(work_ns_, cost_ns);
+}
+
+std::uint64_t CopyBudget::left_ns() const {
+    const auto most =
+        static_cast<std::uint64_t>(limits::copies_share_max * static_cast<double>(work_ns_));
+    return most - std::min(most, copied_ns_);
+}
+
+} // namespace cd

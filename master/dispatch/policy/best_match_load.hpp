@@ -1,0 +1,22 @@
+// The strategy `best-match-load` (paper, section 7).
+#pragma once
+
+#include "master/dispatch/policy/score_policy.hpp"
+
+namespace cd {
+
+class BestMatchLoad final : public ScorePolicy {
+  public:
+    using ScorePolicy::ScorePolicy;
+
+    [[nodiscard]] std::string_view why() const override {
+        return "it holds the most triangles of the scenario, times the free share of its buffer";
+    }
+
+  protected:
+    [[nodiscard]] double worth(const WorkerCandidate& candidate) const override {
+        return static_cast<double>(candidate.held_triangles) * (1.0 - candidate.load);
+    }
+};
+
+} // namespace cd

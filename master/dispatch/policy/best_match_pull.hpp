@@ -1,0 +1,36 @@
+// The strategy `best-match-pull`: a free worker takes from the waiting scenarios (paper, 5.1).
+#pragma once
+
+#include "master/dispatch/policy/matching_policy.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+class BestMatchPull final : public MatchingPolicy {
+  public:
+    using MatchingPolicy::MatchingPolicy;
+
+    [[nodiscard]] WorkerProxy* would_choose(const DispatchJob& /*job*/,
+                                            const DispatchScenario& /*scenario*/) const override {
+        return nullptr;
+    }
+    [[nodiscard]] bool may_take(const WorkerProxy& proxy, const DispatchJob& job) const override;
+    [[nodiscard]] std::string_view why() const override {
+        return "no worker is chosen: a free one takes the q scenarios of which it holds most";
+    }
+    [[nodiscard]] bool is_pulled() const override { return true; }
+    /// Takes less than a task's worth only if nothing more comes and the worker needs it.
+    [[nodiscard]] bool can_pull(const WorkerProxy& proxy, const DispatchJob& job) const override;
+    [[nodiscard]] std::vector<std::size_t> pulled(const WorkerProxy& proxy,
+                                                  const DispatchJob& job) const override;
+
+    /// The indices of the `count` highest scores, ascending. Ties go to the smaller index.
+    [[nodiscard]] static std::vector<std::size_t>
+    most_similar(std::span<const std::uint64_t> scores, std::size_t count);
+};
+
+} // namespace cd

@@ -1,0 +1,188 @@
+#include "master/dispatch/policy/earliest_finish.hpp"
+
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace cd {
+
+namespace {
+
+/// Sums, by slot, of the scenario's blocks that each worker holds, over both trees. Roots held by
+/// all workers are left out, since they cancel.
+class HeldSums {
+  public:
+    explicit HeldSums(std::size_t count)
+        : bytes_64_(count, 0), blocks_(count, 0), coming_64_(count, 0) {}
+
+    void add(const PooledTree& tree, std::span<const WeightedRoot> roots, std::size_t workers) {
+        std::vector<WeightedRoot> bytes_64;
+        std::vector<WeightedRoot> ones;
+        std::vector<WeightedRoot> coming_64;
+        bytes_64.reserve(roots.size());
+        ones.reserve(roots.size());
+        for (const WeightedRoot& root : roots) {
+            const std::uint32_t weight = tree.bytes_64[root.root];
+            if (tree.held.holders_of(root.root) < workers) {
+                bytes_64.push_back({root.root, weight});
+                ones.push_back({root.root, 1});
+                bytes_64_touched_ += weight;
+            }
+            if (tree.coming.holders_of(root.root) != 0) {
+                coming_64.push_back({root.root, weight});
+            }
+        }
+        tree.held.add_held(bytes_64, bytes_64_);
+        tree.held.add_held(ones, blocks_);
+        tree.coming.add_held(coming_64, coming_64_);
+        blocks_touched_ += ones.size();
+    }
+
+    void tell(std::uint32_t slot, ScenarioNeeds& needs) const {
+        needs.missing_bytes = PooledTree::bytes_unit * (bytes_64_touched_ - bytes_64_[slot]);
+        needs.missing_blocks = blocks_touched_ - blocks_[slot];
+        needs.coming_bytes = PooledTree::bytes_unit * coming_64_[slot];
+    }
+
+  private:
+    std::vector<std::uint64_t> bytes_64_;
+    std::vector<std::uint64_t> blocks_;
+    std::vector<std::uint64_t> coming_64_;
+    std::uint64_t bytes_64_touched_ = 0;
+    std::uint64_t blocks_touched_ = 0;
+};
+
+double bytes_of_memory(const PooledTree& a, const PooledTree& b) {
+    const auto memory = static_cast<double>((a.triangles_total + b.triangles_total) *
+                                            limits::wide_bytes_per_triangle);
+    return memory > 0 ? static_cast<double>(a.bytes_total + b.bytes_total) / memory : 0;
+}
+
+} // namespace
+
+WorkerProxy* EarliestFinish::would_choose(const DispatchJob& job,
+                                          const DispatchScenario& scenario) const {
+    const WorkerPool& pool = context().pool;
+    const PooledTree& a = pool.tree(job.a.tree);
+    const PooledTree& b = pool.tree(job.b.tree);
+    const std::size_t workers = pool.in_order().size();
+    HeldSums sums(a.held.sum_count());
+    sums.add(a, scenario.roots.a, workers);
+    sums.add(b, scenario.roots.b, workers);
+
+    ScenarioNeeds needs;
+    needs.cost_ns = scenario.weight.cost_ns;
+    needs.bytes_of_memory = bytes_of_memory(a, b);
+    const WorkerProxy* excluded = context().reserved();
+    WorkerProxy* best = nullptr;
+    double best_seconds = 0;
+    for (WorkerProxy* proxy : pool.in_order()) {
+        if (!proxy->takes_work() || proxy == excluded) {
+            continue;
+        }
+        sums.tell(proxy->slot(), needs);
+        const double seconds = estimate_finish(context().pace.powers_of(*proxy), needs).total();
+        // Ties go to the worker with the fewest scenarios, then to the smallest id.
+        const std::uint64_t scenarios = proxy->scenarios();
+        if (best == nullptr ||
+            std::tuple(seconds, scenarios) < std::tuple(best_seconds, best->scenarios())) {
+            best = proxy;
+            best_seconds = seconds;
+        }
+    }
+    return best;
+}
+
+bool EarliestFinish::is_full(const WorkerProxy& proxy, const DispatchJob& job) const {
+    const ScenarioBuffer& buffer = proxy.buffers.of(job.id);
+    return !buffer.scenarios.empty() && buffer.cost_ns >= proxy.batch.cost_ns();
+}
+
+bool EarliestFinish::has_room_for_task(const WorkerProxy& proxy, const DispatchJob& job) const {
+    if (proxy.is_claimed()) {
+        return false;
+    }
+    if (proxy.tasks.left() < proxy.facts().threads) {
+        return true;
+    }
+    return proxy.tasks.count_of(job.id) < limits::batches_at_worker &&
+           !ends_with_long_ones(context().queue, proxy, job);
+}
+
+std::vector<std::uint64_t> EarliestFinish::take_batch(WorkerProxy& proxy,
+                                                      const DispatchJob& job) const {
+    if (ends_with_long_ones(context().queue, proxy, job)) {
+        proxy.buffers.sort(job.id, [&](std::uint64_t one, std::uint64_t other) {
+            return job.at(one).weight.cost_ns > job.at(other).weight.cost_ns;
+        });
+    }
+    std::vector<std::uint64_t> batch;
+    ScenarioWeight sum;
+    for (const std::uint64_t index : proxy.buffers.of(job.id).scenarios) {
+        // At least one scenario, whatever the estimates are.
+        const bool is_enough = sum.cost_ns >= proxy.batch.cost_ns() ||
+                               sum.bytes > std::uint64_t{job.options.v_kb} * 1000 ||
+                               batch.size() == limits::q_max;
+        if (is_enough && !batch.empty()) {
+            break;
+        }
+        const ScenarioWeight& weight = job.at(index).weight;
+        batch.push_back(index);
+        sum.cost_ns += weight.cost_ns;
+        sum.bytes += weight.bytes;
+    }
+    proxy.buffers.remove_first(job.id, batch.size(), sum);
+    return batch;
+}
+
+std::uint64_t EarliestFinish::enough(const DispatchJob& /*job*/) const {
+    double wanted_ns = 0;
+    for (const WorkerProxy* proxy : context().pool.in_order()) {
+        wanted_ns += 4e9 * proxy->batch.seconds() * context().pace.power_of(*proxy);
+    }
+    return static_cast<std::uint64_t>(std::min(wanted_ns / context().pace.mean_cost_ns(),
+                                               static_cast<double>(limits::unsent_by_time_max)));
+}
+
+std::uint64_t EarliestFinish::batch_max(const DispatchJob& /*job*/) const {
+    return limits::q_max;
+}
+
+std::size_t EarliestFinish::tasks_max(const WorkerProxy& /*proxy*/,
+                                      const DispatchJob& /*job*/) const {
+    return limits::batches_at_worker;
+}
+
+FinishTerms finish_on(const WorkerPool& pool,
+                      const ClusterPace& pace,
+                      const WorkerProxy& proxy,
+                      const DispatchJob& job,
+                      const DispatchScenario& scenario) {
+    const PooledTree& a = pool.tree(job.a.tree);
+    const PooledTree& b = pool.tree(job.b.tree);
+    ScenarioNeeds needs;
+    needs.cost_ns = scenario.weight.cost_ns;
+    needs.bytes_of_memory = bytes_of_memory(a, b);
+    const auto add = [&](const PooledTree& tree, std::span<const WeightedRoot> roots) {
+        for (const WeightedRoot& root : roots) {
+            const std::uint64_t bytes = tree.bytes_of(root.root);
+            if (!tree.held.holds(proxy.slot(), root.root)) {
+                needs.missing_bytes += bytes;
+                ++needs.missing_blocks;
+            } else if (tree.coming.holds(proxy.slot(), root.root)) {
+                needs.coming_bytes += bytes;
+            }
+        }
+    };
+    add(a, scenario.roots.a);
+    add(b, scenario.roots.b);
+    return estimate_finish(pace.powers_of(proxy), needs);
+}
+
+bool ends_with_long_ones(const WorkQueue& queue, const WorkerProxy& proxy, const DispatchJob& job) {
+    return queue.nothing_comes(job) && proxy.batch.are_long();
+}
+
+} // namespace cd

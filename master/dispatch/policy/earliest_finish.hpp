@@ -1,0 +1,64 @@
+// The strategy `earliest-finish`. Each scenario goes at once to the buffer of the worker with the
+// earliest estimated finish, even a busy one that holds its blocks. A worker that runs dry takes
+// over scenarios it would finish earlier, transfers included. So no scenario waits longer than its
+// transfer would take, and at the end of a job a slow worker gets nothing that others would finish
+// earlier.
+#pragma once
+
+#include "master/dispatch/policy/matching_policy.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace cd {
+
+class EarliestFinish final : public MatchingPolicy {
+  public:
+    using MatchingPolicy::MatchingPolicy;
+
+    [[nodiscard]] WorkerProxy* would_choose(const DispatchJob& job,
+                                            const DispatchScenario& scenario) const override;
+    [[nodiscard]] bool may_take(const WorkerProxy& proxy,
+                                const DispatchJob& /*job*/) const override {
+        return proxy.takes_work() && &proxy != context().reserved();
+    }
+    [[nodiscard]] std::string_view why() const override {
+        return "the scenario would be done there first";
+    }
+
+    [[nodiscard]] bool is_full(const WorkerProxy& proxy, const DispatchJob& job) const override;
+    /// At the end no scenario waits behind a long one at a busy worker: an idle worker could take
+    /// it.
+    [[nodiscard]] bool has_room_for_task(const WorkerProxy& proxy,
+                                         const DispatchJob& job) const override;
+    [[nodiscard]] bool would_run_dry(const WorkerProxy& proxy,
+                                     const DispatchJob& /*job*/) const override {
+        return proxy.would_run_dry_by_time();
+    }
+    /// Takes the head of the buffer, up to the batch size. The last long scenarios go longest
+    /// first, so that the workers finish together.
+    [[nodiscard]] std::vector<std::uint64_t> take_batch(WorkerProxy& proxy,
+                                                        const DispatchJob& job) const override;
+    [[nodiscard]] bool claims(const DispatchJob& /*job*/) const override { return false; }
+    /// Fills two batches per worker, and as many again to choose from.
+    [[nodiscard]] std::uint64_t enough(const DispatchJob& job) const override;
+    [[nodiscard]] std::uint64_t batch_max(const DispatchJob& job) const override;
+    [[nodiscard]] std::size_t tasks_max(const WorkerProxy& proxy,
+                                        const DispatchJob& job) const override;
+
+    [[nodiscard]] bool is_by_time() const override { return true; }
+    [[nodiscard]] bool hints(const DispatchJob& job) const override { return job.options.hints; }
+};
+
+/// When the worker would finish the scenario, from now.
+[[nodiscard]] FinishTerms finish_on(const WorkerPool& pool,
+                                    const ClusterPace& pace,
+                                    const WorkerProxy& proxy,
+                                    const DispatchJob& job,
+                                    const DispatchScenario& scenario);
+
+/// True if the job's scenarios are so long that each is a batch, and no more will arrive.
+[[nodiscard]] bool
+ends_with_long_ones(const WorkQueue& queue, const WorkerProxy& proxy, const DispatchJob& job);
+
+} // namespace cd

@@ -1,0 +1,22 @@
+// The strategy `lowest` (paper, section 7).
+#pragma once
+
+#include "master/dispatch/policy/score_policy.hpp"
+
+namespace cd {
+
+class Lowest final : public ScorePolicy {
+  public:
+    using ScorePolicy::ScorePolicy;
+
+    [[nodiscard]] std::string_view why() const override {
+        return "it holds the fewest triangles of the scenario";
+    }
+
+  protected:
+    [[nodiscard]] double worth(const WorkerCandidate& candidate) const override {
+        return -static_cast<double>(candidate.held_triangles);
+    }
+};
+
+} // namespace cd

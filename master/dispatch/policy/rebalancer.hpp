@@ -1,0 +1,50 @@
+// Moves buffered scenarios to workers that run dry, in matching by time.
+#pragma once
+
+#include "master/dispatch/allocator.hpp"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace cd {
+
+/// A worker that runs dry takes over scenarios from the worker with the latest estimated finish, as
+/// far as it would finish them earlier, transfers included.
+class Rebalancer {
+  public:
+    Rebalancer(const MatchingContext& context,
+               WorkQueue& queue,
+               BlockNeeds& blocks,
+               Allocator& allocator)
+        : context_(context), queue_(queue), blocks_(blocks), allocator_(allocator) {}
+
+    void rebalance(Actions& actions);
+
+  private:
+    /// A worker with buffered work, and the estimated time until it finishes everything.
+    struct Backlog {
+        double seconds = 0;
+        WorkerProxy* worker = nullptr;
+
+        /// Ties are ordered by id, the smallest last.
+        friend bool operator<(const Backlog& one, const Backlog& other) {
+            return std::pair(one.seconds, other.worker->id()) <
+                   std::pair(other.seconds, one.worker->id());
+        }
+    };
+
+    void add_backlog(std::vector<Backlog>& full, WorkerProxy& proxy) const;
+    /// Moves scenarios that `to` would finish earlier, until it has enough.
+    void move(WorkerProxy& from, WorkerProxy& to);
+    [[nodiscard]] bool move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob& job);
+    [[nodiscard]] bool
+    move_if_earlier(WorkerProxy& from, WorkerProxy& to, DispatchJob& job, std::uint64_t index);
+
+    MatchingContext context_;
+    WorkQueue& queue_;
+    BlockNeeds& blocks_;
+    Allocator& allocator_;
+};
+
+} // namespace cd

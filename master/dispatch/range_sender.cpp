@@ -1,0 +1,120 @@
+#include "master/dispatch/range_sender.hpp"
+
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
+#include "master/dispatch/round_robin.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+void RangeSender::give(Actions& actions) {
+    if (std::ranges::all_of(queue_.jobs(),
+                            [](const auto& job) { return job.second.places.is_empty(); })) {
+        return;
+    }
+    forget_totals();
+    for (WorkerProxy* proxy : context_.pool.in_order()) {
+        send_to(*proxy, actions);
+    }
+}
+
+void RangeSender::give_to(WorkerProxy& proxy, Actions& actions) {
+    forget_totals();
+    send_to(proxy, actions);
+}
+
+void RangeSender::send_to(WorkerProxy& proxy, Actions& actions) {
+    const auto takes = [&](const auto& job) { return would_take(proxy, job.second); };
+    while (auto* job = next_in_turn(queue_.jobs(), proxy.tasks.last_job(), takes)) {
+        send(proxy, job->second, actions);
+    }
+}
+
+std::uint64_t RangeSender::enough(const DispatchJob& job) const {
+    forget_totals();
+    std::uint64_t enough = 0;
+    for (const WorkerProxy* proxy : context_.pool.in_order()) {
+        enough += proxy->takes_work() ? places_at_once(*proxy, job) : 0;
+    }
+    return enough;
+}
+
+void RangeSender::forget_totals() const {
+    for (const auto& [id, job] : queue_.jobs()) {
+        job.place_totals.reset();
+    }
+}
+
+const PlaceTotals& RangeSender::totals(const DispatchJob& job) const {
+    if (job.place_totals) {
+        return *job.place_totals;
+    }
+    PlaceTotals totals;
+    totals.left = job.places.rest();
+    for (const WorkerProxy* proxy : context_.pool.in_order()) {
+        if (!proxy->takes_work()) {
+            continue;
+        }
+        const double rate = context_.pace.places_per_second(*proxy, job);
+        totals.rate += rate;
+        if (proxy->is_claimed()) {
+            continue;
+        }
+        totals.unclaimed += rate;
+        totals.left += proxy->tasks.left();
+        const double of_thread = rate / proxy->facts().threads;
+        totals.quickest_but = std::max(totals.quickest_but, std::min(of_thread, totals.quickest));
+        if (of_thread > totals.quickest) {
+            totals.quickest = of_thread;
+            totals.quickest_worker = proxy->id();
+        }
+    }
+    return job.place_totals.emplace(totals);
+}
+
+bool RangeSender::would_take(const WorkerProxy& proxy, const DispatchJob& job) const {
+    if (job.places.is_empty() || !proxy.takes_work() || proxy.is_claimed() ||
+        &proxy == context_.reserved() ||
+        proxy.tasks.count_of(job.id) >= limits::batches_at_worker) {
+        return false;
+    }
+    // Sends the next range before the current one is finished.
+    return proxy.tasks.left() < places_at_once(proxy, job) && !would_be_late(proxy, job);
+}
+
+bool RangeSender::would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const {
+    const PlaceTotals& of_all = totals(job);
+    const bool is_quickest = of_all.quickest_worker == proxy.id();
+    const double quickest = is_quickest ? of_all.quickest_but : of_all.quickest;
+    if (quickest <= 0) {
+        return false;
+    }
+    // Compares one scenario on one thread with everything left on the other workers.
+    const double rate = context_.pace.places_per_second(proxy, job);
+    const double others = std::max(of_all.unclaimed - rate, quickest);
+    const auto left = static_cast<double>(of_all.left - proxy.tasks.left());
+    return proxy.facts().threads / rate >
+           limits::copy_gain_min * std::max(left / others, 1 / quickest);
+}
+
+std::uint64_t RangeSender::places_at_once(const WorkerProxy& proxy, const DispatchJob& job) const {
+    const double rate = context_.pace.places_per_second(proxy, job);
+    const double all = totals(job).rate;
+    const double left = static_cast<double>(job.places.rest());
+    // Each worker gets two such shares; the rest is divided again.
+    const double share = all > 0 ? left * rate / all / 2 : left;
+    const double most = std::min(proxy.batch.seconds() * rate, share);
+    return static_cast<std::uint64_t>(std::clamp(most,
+                                                 static_cast<double>(proxy.facts().threads),
+                                                 static_cast<double>(limits::range_scenarios_max)));
+}
+
+void RangeSender::send(WorkerProxy& proxy, DispatchJob& job, Actions& actions) {
+    const PlaceRange sent = job.places.take_first(places_at_once(proxy, job));
+    queue_.note_served(job.id);
+    const auto each_ns = static_cast<std::uint64_t>(context_.pace.mean_cost_ns());
+    tasks_.send_places(proxy, job, sent, each_ns, actions);
+}
+
+} // namespace cd

@@ -1,0 +1,218 @@
+#include "master/dispatch/view/dispatch_invariants.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits/master.hpp"
+#include "common/core/limits/wire.hpp"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+std::uint64_t cost_of(const DispatchJob& job, std::span<const std::uint64_t> scenarios) {
+    std::uint64_t cost_ns = 0;
+    for (const std::uint64_t index : scenarios) {
+        cost_ns += job.at(index).weight.cost_ns;
+    }
+    return cost_ns;
+}
+
+void check_counts(const DispatchParts& parts) {
+    std::uint64_t known = 0;
+    std::uint64_t placed = parts.queue.suspects().size();
+    std::uint64_t not_sent = parts.queue.suspects().size();
+    for (const auto& [id, job] : parts.queue.jobs()) {
+        known += job.scenarios.size();
+        known += static_cast<std::uint64_t>(std::ranges::count_if(
+            job.scenarios, [](const auto& scenario) { return scenario.second.copy.has_value(); }));
+        placed += job.waiting.size();
+        not_sent += job.waiting.size();
+    }
+    for (const auto& [id, proxy] : parts.pool.all()) {
+        placed += proxy.buffers.count();
+        for (const auto& [task_id, task] : proxy.tasks.all()) {
+            placed += task.scenarios.size();
+        }
+        not_sent += proxy.buffers.count();
+    }
+    // Each scenario and copy is somewhere (check_job), and the counts match, so nothing is
+    // duplicated.
+    CD_CHECK(known == placed);
+    const std::uint64_t unsent = parts.queue.unsent();
+    CD_CHECK(unsent == not_sent);
+}
+
+void check_copy(const DispatchParts& parts,
+                const DispatchJob& job,
+                std::uint64_t index,
+                const DispatchScenario& scenario) {
+    if (!scenario.copy) {
+        return;
+    }
+    CD_CHECK(scenario.was_copied);
+    CD_CHECK(scenario.copy->worker != scenario.worker);
+    const WorkerProxy* proxy = parts.pool.find(scenario.copy->worker);
+    CD_CHECK(proxy != nullptr);
+    const TaskInFlight& task = proxy->tasks.at(scenario.copy->task);
+    CD_CHECK(task.is_copy);
+    CD_CHECK(task.job == job.id);
+    CD_CHECK(task.scenarios == std::vector<std::uint64_t>{index});
+}
+
+void check_job(const DispatchParts& parts, const DispatchJob& job) {
+    const auto holds = [](const auto& list, std::uint64_t index) {
+        return std::count(list.begin(), list.end(), index) == 1;
+    };
+    std::vector<std::uint64_t> waiting(job.waiting.begin(), job.waiting.end());
+    std::ranges::sort(waiting); // Linear search would cost quadratic time.
+    CD_CHECK(std::ranges::adjacent_find(waiting) == waiting.end());
+    std::uint64_t unsent_places = 0;
+    for (const PlaceRange& range : job.places.all()) {
+        CD_CHECK(range.count != 0);
+        unsent_places += range.count;
+    }
+    CD_CHECK(unsent_places == job.places.count());
+    for (const auto& [index, scenario] : job.scenarios) {
+        CD_CHECK(scenario.losses.count() < limits::scenario_losses_max);
+        CD_CHECK(!scenario.copy || scenario.where == Whereabouts::Sent);
+        switch (scenario.where) {
+        case Whereabouts::Waiting:
+            CD_CHECK(std::ranges::binary_search(waiting, index));
+            break;
+        case Whereabouts::Suspect:
+            CD_CHECK(std::any_of(parts.queue.suspects().begin(),
+                                 parts.queue.suspects().end(),
+                                 [&](const Suspect& suspect) {
+                                     return suspect.job == job.id && suspect.scenario == index;
+                                 }));
+            break;
+        case Whereabouts::Buffered: {
+            const WorkerProxy* proxy = parts.pool.find(scenario.worker);
+            CD_CHECK(proxy != nullptr);
+            CD_CHECK(holds(proxy->buffers.of(job.id).scenarios, index));
+            break;
+        }
+        case Whereabouts::Sent: {
+            const WorkerProxy* proxy = parts.pool.find(scenario.worker);
+            CD_CHECK(proxy != nullptr);
+            CD_CHECK(holds(proxy->tasks.at(scenario.task).scenarios, index));
+            check_copy(parts, job, index, scenario);
+            break;
+        }
+        }
+    }
+}
+
+void check_recalls(const DispatchParts& parts) {
+    for (const auto& [worker, recall] : parts.tasks.recalls()) {
+        const WorkerProxy* proxy = parts.pool.find(worker);
+        CD_CHECK(proxy != nullptr);
+        CD_CHECK(proxy->tasks.contains(recall.task));
+        CD_CHECK(!proxy->is_silent());
+        CD_CHECK(recall.asked != 0);
+    }
+}
+
+void check_worker(const DispatchParts& parts, const WorkerProxy& proxy) {
+    std::uint64_t cost_ns = 0;
+    std::uint64_t buffered = 0;
+    for (const auto& [id, buffer] : proxy.buffers.all()) {
+        CD_CHECK(parts.queue.find(id) != nullptr);
+        CD_CHECK(!buffer.scenarios.empty());
+        const DispatchJob& job = parts.queue.at(id);
+        CD_CHECK(job.policy->is_by_time() || buffer.scenarios.size() <= job.options.q);
+        CD_CHECK(!job.policy->is_pulled());
+        CD_CHECK(buffer.cost_ns == cost_of(job, buffer.scenarios));
+        cost_ns += buffer.cost_ns;
+        // Ripe buffers must have been flushed.
+        CD_CHECK(!parts.allocator.is_ripe(proxy, job));
+        buffered += buffer.scenarios.size();
+    }
+    CD_CHECK(buffered == proxy.buffers.count());
+    CD_CHECK(proxy.takes_work() || buffered == 0);
+
+    std::uint64_t working = 0;
+    std::uint64_t working_ns = 0;
+    std::size_t claiming = 0;
+    for (const auto& [id, task] : proxy.tasks.all()) {
+        CD_CHECK(id <= parts.tasks.last());
+        working += task.left();
+        claiming += task.claims ? 1 : 0;
+        CD_CHECK(!task.is_range() || task.places_left <= task.places->count);
+        CD_CHECK(!task.is_range() || task.places_copied <= task.places->count);
+        CD_CHECK(task.is_range()
+                     ? task.scenarios.empty()
+                     : task.cost_ns == (task.scenarios.empty()
+                                            ? 0
+                                            : cost_of(parts.queue.at(task.job), task.scenarios)));
+        working_ns += task.cost_ns;
+    }
+    CD_CHECK(working_ns == proxy.tasks.cost_ns());
+    CD_CHECK(cost_ns + working_ns == proxy.backlog_ns());
+    CD_CHECK(working == proxy.tasks.left());
+    CD_CHECK(claiming <= 1);
+    CD_CHECK((claiming == 1) == proxy.is_claimed());
+}
+
+/// Bounds the work at a worker: for each job the allowed number of unanswered tasks or, where a
+/// worker has less work than threads, as many as it has threads.
+void check_flight(const DispatchParts& parts, const WorkerProxy& proxy) {
+    std::map<JobId, std::size_t> unanswered;
+    for (const auto& [id, task] : proxy.tasks.all()) {
+        if (task.left() == 0) {
+            continue; // The end message is under way.
+        }
+        const DispatchJob& job = parts.queue.at(task.job);
+        const std::uint64_t batch_max = job.policy->batch_max(job);
+        CD_CHECK(task.left() <= (task.is_range() ? limits::range_scenarios_max : batch_max));
+        ++unanswered[task.job];
+    }
+    for (const auto& [id, tasks] : unanswered) {
+        const DispatchJob& job = parts.queue.at(id);
+        const std::size_t tasks_max = job.policy->tasks_max(proxy, job);
+        CD_CHECK(tasks <= std::max<std::size_t>(tasks_max, proxy.facts().threads));
+    }
+}
+
+void check_progress(const DispatchParts& parts) {
+    parts.ranges.forget_totals();
+    for (const auto& [id, proxy] : parts.pool.all()) {
+        if (!proxy.takes_work()) {
+            continue;
+        }
+        CD_CHECK(parts.queue.suspects().empty() || !proxy.is_idle());
+        for (const auto& [job_id, job] : parts.queue.jobs()) {
+            // Range sizes depend on other workers' load, but some worker must be working.
+            CD_CHECK(!parts.ranges.would_take(proxy, job) ||
+                     std::ranges::any_of(parts.pool.all(), [](const auto& one) {
+                         return !one.second.tasks.all().empty();
+                     }));
+            if (job.policy->is_pulled()) {
+                CD_CHECK(!job.policy->can_pull(proxy, job));
+                continue;
+            }
+            CD_CHECK(job.waiting.empty() || !job.policy->may_take(proxy, job));
+        }
+    }
+}
+
+} // namespace
+
+void check_invariants_of(const DispatchParts& parts) {
+    check_counts(parts);
+    parts.pool.check();
+    for (const auto& [id, job] : parts.queue.jobs()) {
+        check_job(parts, job);
+    }
+    for (const auto& [id, proxy] : parts.pool.all()) {
+        check_worker(parts, proxy);
+        check_flight(parts, proxy);
+    }
+    check_recalls(parts);
+    check_progress(parts);
+}
+
+} // namespace cd

@@ -1,0 +1,84 @@
+#include "master/dispatch/view/dispatch_view.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits/master.hpp"
+#include "master/dispatch/dispatch_parts.hpp"
+#include "master/dispatch/view/dispatch_invariants.hpp"
+#include "master/dispatch/view/explain.hpp"
+
+#include <algorithm>
+#include <ranges>
+
+namespace cd {
+
+DispatchView::DispatchView() : parts_(std::make_unique<DispatchParts>()) {}
+DispatchView::~DispatchView() = default;
+
+std::uint64_t DispatchView::unsent() const {
+    return parts_->queue.unsent();
+}
+
+bool DispatchView::is_at_end() const {
+    return parts_->endgame.has_begun();
+}
+
+std::uint64_t DispatchView::unsent_enough() const {
+    std::uint64_t enough = 0;
+    for (const auto& [id, job] : parts_->queue.jobs()) {
+        enough = std::max(enough, job.policy->enough(job));
+    }
+    // Leaves enough for other jobs and workers when all buffers are full.
+    return limits::unsent_scenarios_max + enough;
+}
+
+std::uint64_t DispatchView::places_unsent(JobId job) const {
+    return parts_->queue.at(job).places.count();
+}
+
+std::uint64_t DispatchView::places_enough(JobId job) const {
+    return parts_->ranges.enough(parts_->queue.at(job));
+}
+
+MissingCosts DispatchView::missing_costs(JobId job) const {
+    return parts_->blocks.costs_of(parts_->queue.at(job));
+}
+
+WorkerStatus DispatchView::worker_status(WorkerId worker) const {
+    const WorkerProxy* proxy = parts_->pool.find(worker);
+    return proxy == nullptr ? WorkerStatus{} : proxy->status();
+}
+
+std::vector<WorkerId> DispatchView::workers() const {
+    const auto ids = std::views::keys(parts_->pool.all());
+    return {ids.begin(), ids.end()};
+}
+
+std::vector<TaskId> DispatchView::tasks_of(WorkerId worker) const {
+    const auto ids = std::views::keys(parts_->pool.at(worker).tasks.all());
+    return {ids.begin(), ids.end()};
+}
+
+std::uint64_t DispatchView::owed(WorkerId worker, TaskId task) const {
+    return parts_->tasks.owed(worker, task);
+}
+
+std::uint64_t DispatchView::unanswered(JobId job) const {
+    const DispatchJob* const found = parts_->queue.find(job);
+    return found == nullptr ? 0 : found->scenarios.size();
+}
+
+std::vector<PlaceRange> DispatchView::places_of(JobId job) const {
+    return parts_->queue.at(job).places.all();
+}
+
+Explained DispatchView::explain(JobId job, const AnalysedScenario& scenario) const {
+    const DispatchJob* found = parts_->queue.find(job);
+    CD_CHECK(found != nullptr);
+    return explain_choice(parts_->context, *found, scenario);
+}
+
+void DispatchView::check_invariants() const {
+    check_invariants_of(*parts_);
+}
+
+} // namespace cd

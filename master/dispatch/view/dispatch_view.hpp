@@ -1,0 +1,63 @@
+// What can be asked of the dispatcher between two events.
+#pragma once
+
+#include "common/core/id.hpp"
+#include "common/job/poses/ordered_poses.hpp"
+#include "master/dispatch/dispatch_inputs.hpp"
+#include "master/dispatch/range_choice.hpp"
+#include "proto/messages/client_messages.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace cd {
+
+struct DispatchParts;
+
+/// Owns the dispatcher's parts, which events of `Dispatcher` change and these questions do not.
+class DispatchView {
+  public:
+    /// Scenarios that wait or are buffered; this number throttles the submitter.
+    [[nodiscard]] std::uint64_t unsent() const;
+    /// True if nothing waits and some workers are idle while others work. Call `input_paused` from
+    /// time to time then, to find stragglers.
+    [[nodiscard]] bool is_at_end() const;
+    /// Number of unsent scenarios that gives enough choice; more only take memory.
+    [[nodiscard]] std::uint64_t unsent_enough() const;
+    /// Positions given and not sent, and the number that suffices for all workers. The job must be
+    /// open.
+    [[nodiscard]] std::uint64_t places_unsent(JobId job) const;
+    [[nodiscard]] std::uint64_t places_enough(JobId job) const;
+    /// Cost of the blocks that analysed scenarios lack at their chosen worker and at an average
+    /// one, in seconds per scenario, and of filling every cache. The job must be open.
+    [[nodiscard]] MissingCosts missing_costs(JobId job) const;
+    /// The parts of a WorkerStatus that the dispatcher knows: claimed, draining, buffered, working,
+    /// tasks, scenarios.
+    [[nodiscard]] WorkerStatus worker_status(WorkerId worker) const;
+    [[nodiscard]] std::vector<WorkerId> workers() const;
+    /// Tasks at the worker, which must exist.
+    [[nodiscard]] std::vector<TaskId> tasks_of(WorkerId worker) const;
+    /// Scenarios of the task that must be answered before it ends; 0 if the worker drains or does
+    /// not exist.
+    [[nodiscard]] std::uint64_t owed(WorkerId worker, TaskId task) const;
+    /// Scenarios analysed but not answered; 0 if the job is not open.
+    [[nodiscard]] std::uint64_t unanswered(JobId job) const;
+    [[nodiscard]] std::vector<PlaceRange> places_of(JobId job) const;
+    /// Scores every worker for the scenario as of now, and tells which would be chosen. Changes
+    /// nothing. The job must be open.
+    [[nodiscard]] Explained explain(JobId job, const AnalysedScenario& scenario) const;
+
+    /// Aborts if an invariant is broken. For tests; call it after each event.
+    void check_invariants() const;
+
+  protected:
+    DispatchView();
+    ~DispatchView();
+    [[nodiscard]] DispatchParts& parts() const { return *parts_; }
+
+  private:
+    std::unique_ptr<DispatchParts> parts_;
+};
+
+} // namespace cd

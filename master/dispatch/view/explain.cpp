@@ -1,0 +1,95 @@
+#include "master/dispatch/view/explain.hpp"
+
+#include "master/dispatch/policy/earliest_finish.hpp"
+
+#include <string>
+
+namespace cd {
+
+namespace {
+
+std::uint64_t sum_of(std::span<const WeightedRoot> roots) {
+    std::uint64_t sum = 0;
+    for (const WeightedRoot& root : roots) {
+        sum += root.weight;
+    }
+    return sum;
+}
+
+std::string whereabouts(const WorkerPool& pool, const DispatchJob& job, std::uint64_t index) {
+    const auto found = job.scenarios.find(index);
+    if (found == job.scenarios.end()) {
+        return "not analysed yet, or in a range at a worker";
+    }
+    const auto name_of = [&](WorkerId worker) { return pool.find(worker)->facts().name; };
+    switch (found->second.where) {
+    case Whereabouts::Waiting:
+        return "waits";
+    case Whereabouts::Suspect:
+        return "was lost with workers, waits for an idle one";
+    case Whereabouts::Buffered:
+        return "in the buffer of " + name_of(found->second.worker);
+    case Whereabouts::Sent:
+        break;
+    }
+    const auto& copy = found->second.copy;
+    return "at " + name_of(found->second.worker) +
+           (copy ? ", and a copy at " + name_of(copy->worker) : "");
+}
+
+WorkerScore score_of(const MatchingContext& context,
+                     const WorkerProxy& proxy,
+                     const DispatchJob& job,
+                     const DispatchScenario& scenario) {
+    const ScenarioRoots& roots = scenario.roots;
+    WorkerScore score;
+    score.worker = proxy.id();
+    score.name = proxy.facts().name;
+    score.may_take = job.policy->may_take(proxy, job);
+    score.scenarios = proxy.scenarios();
+    score.load = static_cast<double>(proxy.buffers.of(job.id).scenarios.size()) / job.options.q;
+    score.held_triangles = context.pool.tree(job.a.tree).held.held(proxy.slot(), roots.a) +
+                           context.pool.tree(job.b.tree).held.held(proxy.slot(), roots.b);
+    score.missing_triangles = sum_of(roots.a) + sum_of(roots.b) - score.held_triangles;
+    if (job.policy->is_by_time()) {
+        const FinishTerms terms = finish_on(context.pool, context.pace, proxy, job, scenario);
+        score.backlog = terms.backlog;
+        score.coming = terms.coming;
+        score.transfer = terms.transfer;
+        score.blocks = terms.blocks;
+        score.eviction = terms.eviction;
+        score.work = terms.work;
+    }
+    return score;
+}
+
+} // namespace
+
+Explained explain_choice(const MatchingContext& context,
+                         const DispatchJob& job,
+                         const AnalysedScenario& analysed) {
+    Explained explained;
+    explained.job = job.id;
+    explained.scenario = analysed.index;
+    explained.strategy = job.options.strategy;
+    explained.roots_a = static_cast<std::uint32_t>(analysed.roots_a.size());
+    explained.roots_b = static_cast<std::uint32_t>(analysed.roots_b.size());
+    if (analysed.roots_a.empty()) {
+        explained.where = "answered by the master";
+        explained.why = "no distribution roots collide, so no worker is asked";
+        return explained;
+    }
+    const DispatchScenario scenario = job.scenario_of(analysed);
+    const WorkerProxy* chosen = job.policy->would_choose(job, scenario);
+    explained.where = whereabouts(context.pool, job, analysed.index);
+    explained.why = chosen == nullptr && !job.policy->is_pulled()
+                        ? "no worker may take a scenario now"
+                        : job.policy->why();
+    for (const WorkerProxy* proxy : context.pool.in_order()) {
+        explained.workers.push_back(score_of(context, *proxy, job, scenario));
+        explained.workers.back().is_chosen = proxy == chosen;
+    }
+    return explained;
+}
+
+} // namespace cd

@@ -1,0 +1,42 @@
+#include "master/dispatch/workers/cluster_pace.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits/master.hpp"
+
+namespace cd {
+
+void ClusterPace::time_is(double seconds) {
+    CD_CHECK(seconds >= now_);
+    now_ = seconds;
+}
+
+void ClusterPace::add_work(WorkerProxy& proxy, const MeasuredWork& work) {
+    const double predicted = 1e-9 * static_cast<double>(work.predicted_ns);
+    proxy.pace.work.add(predicted, work.seconds);
+    general_.work.add(predicted, work.seconds);
+    proxy.tasks.note_busy(work.task, work.seconds);
+}
+
+void ClusterPace::add_transfer(WorkerProxy& proxy, std::uint64_t bytes, double seconds) {
+    proxy.pace.bytes.add(static_cast<double>(bytes), seconds);
+    general_.bytes.add(static_cast<double>(bytes), seconds);
+}
+
+void ClusterPace::add_scenario(std::uint64_t cost_ns) {
+    mean_cost_ns_.add(static_cast<double>(cost_ns), 1);
+}
+
+double ClusterPace::mean_cost_ns() const {
+    return mean_cost_ns_.value_or(static_cast<double>(limits::scenario_ns_unknown));
+}
+
+double ClusterPace::places_per_second(const WorkerProxy& proxy, const DispatchJob& job) const {
+    return job.range_pace.per_thread(proxy.id(), 1e9 / mean_cost_ns()) * proxy.facts().threads;
+}
+
+double ClusterPace::seconds_of(const WorkerPool::Missing& missing, const WorkerProxy& proxy) const {
+    return static_cast<double>(missing.bytes) / link_of(proxy) +
+           static_cast<double>(missing.roots.size()) * limits::block_seconds;
+}
+
+} // namespace cd

@@ -1,0 +1,76 @@
+// How fast workers compute and receive blocks: as measured or, until then, as others do.
+#pragma once
+
+#include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
+#include "master/dispatch/dispatch_inputs.hpp"
+#include "master/dispatch/job/dispatch_job.hpp"
+#include "master/dispatch/policy/finish_estimate.hpp"
+#include "master/dispatch/workers/worker_pool.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace cd {
+
+/// The time, and the measured speeds of all workers together. A worker's own are in its proxy.
+class ClusterPace {
+  public:
+    /// Seconds since any fixed point; must not decrease.
+    void time_is(double seconds);
+    [[nodiscard]] double now() const { return now_; }
+
+    void add_work(WorkerProxy& proxy, const MeasuredWork& work);
+    void add_transfer(WorkerProxy& proxy, std::uint64_t bytes, double seconds);
+    void add_scenario(std::uint64_t cost_ns);
+
+    /// Predicted nanoseconds per scenario, recent ones.
+    [[nodiscard]] double mean_cost_ns() const;
+    /// Predicted seconds of work that one thread of the worker does per second.
+    [[nodiscard]] double speed_of(const WorkerProxy& proxy) const;
+    /// Predicted seconds of work that all its threads do per second.
+    [[nodiscard]] double power_of(const WorkerProxy& proxy) const;
+    /// Bytes of blocks per second.
+    [[nodiscard]] double link_of(const WorkerProxy& proxy) const;
+    [[nodiscard]] WorkerPowers powers_of(const WorkerProxy& proxy) const;
+    /// Range scenarios of the job that the worker's threads finish per second.
+    [[nodiscard]] double places_per_second(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// Estimated seconds until the blocks arrive and are open.
+    [[nodiscard]] double seconds_of(const WorkerPool::Missing& missing,
+                                    const WorkerProxy& proxy) const;
+
+  private:
+    double now_ = 0;
+    WorkerPace general_;
+    LearnedRate mean_cost_ns_;
+};
+
+// Matching by time asks these of every worker for every scenario.
+
+inline double ClusterPace::speed_of(const WorkerProxy& proxy) const {
+    return proxy.facts().weight * proxy.pace.work.value_or(general_.work.value_or(1));
+}
+
+inline double ClusterPace::power_of(const WorkerProxy& proxy) const {
+    return speed_of(proxy) * proxy.facts().threads;
+}
+
+inline double ClusterPace::link_of(const WorkerProxy& proxy) const {
+    return proxy.pace.bytes.value_or(general_.bytes.value_or(limits::link_bytes_per_second_start));
+}
+
+inline WorkerPowers ClusterPace::powers_of(const WorkerProxy& proxy) const {
+    WorkerPowers powers;
+    powers.speed = speed_of(proxy);
+    powers.bytes_per_second = link_of(proxy);
+    powers.threads = proxy.facts().threads;
+    powers.backlog_ns = static_cast<double>(proxy.backlog_ns());
+    powers.transfers_seconds = std::max(0.0, proxy.transfers_end() - now_);
+    if (proxy.facts().cache_bytes != 0) {
+        const std::uint64_t used = proxy.held_triangles() * limits::wide_bytes_per_triangle;
+        powers.room_bytes = proxy.facts().cache_bytes - std::min(used, proxy.facts().cache_bytes);
+    }
+    return powers;
+}
+
+} // namespace cd

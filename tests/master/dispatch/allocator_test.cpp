@@ -1,0 +1,109 @@
+// Proves how scenarios move through buffers into tasks: jobs in turn, full buffers at once, others
+// when nothing more comes.
+#include "master/dispatch/round_robin.hpp"
+#include "tests/master/dispatch/dispatch_stage.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+class Allocating : public testing::Test, protected DispatchStage {
+  protected:
+    [[nodiscard]] std::vector<std::vector<std::uint64_t>> sent() const {
+        std::vector<std::vector<std::uint64_t>> lists;
+        for (const Action& action : actions) {
+            lists.push_back(std::get<SendBatch>(action).scenarios);
+        }
+        return lists;
+    }
+};
+
+using Lists = std::vector<std::vector<std::uint64_t>>;
+
+TEST_F(Allocating, AFullBufferGoesAtOnceAndTheRestOnceTheInputRests) {
+    DispatchJob& job = open(Strategy::BestMatch, 2);
+    WorkerProxy& one = join(1);
+    queue.set_paused(false);
+    add(job, 3);
+    allocator.settle(actions);
+    EXPECT_EQ(sent(), (Lists{{0, 1}}));
+    EXPECT_EQ(one.buffers.count(), 1u);
+    queue.set_paused(true);
+    EXPECT_FALSE(allocator.is_ripe(one, job)); // The worker has q scenarios.
+    one.tasks.answer(last<SendBatch>().task, 0, 1'000'000, true);
+    EXPECT_TRUE(allocator.is_ripe(one, job));
+    allocator.refill(one, actions);
+    EXPECT_EQ(sent(), (Lists{{0, 1}, {2}}));
+}
+
+TEST_F(Allocating, JobsAreServedInTurn) {
+    DispatchJob& first = open(Strategy::BestMatch, 4, 1);
+    DispatchJob& second = open(Strategy::BestMatch, 4, 2);
+    WorkerProxy& one = join(1);
+    WorkerProxy& two = join(2);
+    queue.set_paused(false);
+    add(first, 2);
+    add(second, 2);
+    allocator.settle(actions);
+    EXPECT_EQ(queue.served_last(), second.id);
+    EXPECT_EQ(one.buffers.count() + two.buffers.count(), 4u);
+    EXPECT_EQ(one.buffers.of(first.id).scenarios.size() + two.buffers.of(first.id).scenarios.size(),
+              2u);
+}
+
+TEST_F(Allocating, ABufferTakenBackWaitsBeforeTheOthers) {
+    DispatchJob& job = open(Strategy::BestMatch, 2);
+    WorkerProxy& one = join(1);
+    queue.set_paused(false);
+    tasks.send_places(one, job, {0, 9}, 1, actions);
+    tasks.send_places(one, job, {9, 9}, 1, actions); // No room for a third task.
+    actions.clear();
+    add(job, 3);
+    allocator.settle(actions);
+    EXPECT_EQ(one.buffers.count(), 2u);
+    allocator.take_back_buffers(one);
+    EXPECT_EQ(job.waiting, (std::deque<std::uint64_t>{0, 1, 2}));
+    EXPECT_TRUE(actions.empty());
+}
+
+TEST_F(Allocating, ASuspectTravelsAloneToAnIdleWorkerThatItClaims) {
+    DispatchJob& job = open(Strategy::BestMatch, 2);
+    WorkerProxy& one = join(1);
+    add(job, 1);
+    DispatchScenario suspect = scenario(job);
+    suspect.losses.add(1);
+    suspect.losses.add(2);
+    queue.add(job, next++, suspect);
+    allocator.settle(actions);
+    EXPECT_EQ(sent(), Lists{{1}});
+    EXPECT_TRUE(one.is_claimed());
+    EXPECT_EQ(job.waiting.size(), 1u);
+}
+
+TEST_F(Allocating, AFreeWorkerPulls) {
+    DispatchJob& job = open(Strategy::BestMatchPull, 2);
+    WorkerProxy& one = join(1);
+    queue.set_paused(false);
+    add(job, 1);
+    allocator.take_up(job, false, true, actions);
+    EXPECT_TRUE(actions.empty());
+    add(job, 1);
+    allocator.take_up(job, false, false, actions);
+    EXPECT_EQ(sent(), (Lists{{0, 1}}));
+    EXPECT_EQ(one.buffers.count(), 0u);
+}
+
+TEST(RoundRobin, BeginsAfterTheLastAndEndsWithIt) {
+    std::map<int, bool> wanted = {{1, true}, {2, false}, {3, true}};
+    const auto is_wanted = [](const auto& entry) { return entry.second; };
+    EXPECT_EQ(next_in_turn(wanted, 1, is_wanted)->first, 3);
+    EXPECT_EQ(next_in_turn(wanted, 3, is_wanted)->first, 1);
+    wanted[1] = false;
+    EXPECT_EQ(next_in_turn(wanted, 3, is_wanted)->first, 3);
+    wanted[3] = false;
+    EXPECT_EQ(next_in_turn(wanted, 0, is_wanted), nullptr);
+}
+
+} // namespace
+} // namespace cd::tests

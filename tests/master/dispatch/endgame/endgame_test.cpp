@@ -1,0 +1,89 @@
+// Proves what is asked back and copied at the end of a job.
+#include "tests/master/dispatch/dispatch_stage.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+class Endgames : public testing::Test, protected DispatchStage {
+  protected:
+    TaskId give(std::uint64_t count, std::uint64_t cost_ns = 100'000'000) {
+        add(job_, count, cost_ns);
+        send(one_, job_, count);
+        return last<SendBatch>().task;
+    }
+
+    DispatchJob& job_ = open(Strategy::EarliestFinish);
+    WorkerProxy& one_ = join(1);
+    WorkerProxy& two_ = join(2);
+};
+
+TEST_F(Endgames, BeginsWhenNothingWaitsAndSomebodyIsFree) {
+    EXPECT_FALSE(endgame.has_begun());
+    give(2);
+    EXPECT_TRUE(endgame.has_begun());
+    queue.set_paused(false);
+    EXPECT_FALSE(endgame.has_begun());
+    endgame.help(0, actions);
+    EXPECT_EQ(actions.size(), 1u);
+}
+
+TEST_F(Endgames, AsksBackTheLastScenariosThatTheOtherWouldEndEarlier) {
+    const TaskId task = give(4);
+    endgame.help(0, actions);
+    EXPECT_EQ(last<AskBack>(), (AskBack{one_.id(), task, {2, 3}, 0}));
+    EXPECT_EQ(tasks.recalls().at(one_.id()).asked, 2u);
+}
+
+TEST_F(Endgames, LooksOnceInAPeriod) {
+    endgame.help(1, actions);
+    give(4);
+    pace.time_is(0.2);
+    endgame.help(1, actions);
+    EXPECT_TRUE(tasks.recalls().empty());
+    endgame.help(0.1, actions);
+    EXPECT_FALSE(tasks.recalls().empty());
+}
+
+TEST_F(Endgames, AsksForAsManyPositionsAsLetBothEndTogether) {
+    job_.range_pace.add(one_.id(), 100, 1);
+    tasks.send_places(one_, job_, {0, 100}, 1, actions);
+    endgame.help(0, actions);
+    EXPECT_EQ(last<AskBack>().places, 51u); // 0.49 s of the other, which begins 0.02 s later.
+}
+
+TEST_F(Endgames, CopiesWhatHasBegunWithinTheBudget) {
+    const TaskId task = give(1, 1'000'000'000);
+    one_.tasks.set_begun(task);
+    pace.time_is(3); // Overdue by two seconds.
+    endgame.help(0, actions);
+    EXPECT_EQ(actions.size(), 1u); // A copy would double all work.
+    job_.copies.add_work(20'000'000'000);
+    endgame.help(0, actions);
+    EXPECT_EQ(last<SendBatch>(), (SendBatch{two_.id(), TaskId{2}, job_.id, {0}, true}));
+    endgame.help(0, actions);
+    EXPECT_EQ(actions.size(), 2u); // One copy of each.
+}
+
+TEST_F(Endgames, CopiesTheLastPositionsOfARangeThatHasBegun) {
+    job_.range_pace.add(one_.id(), 1, 1);
+    job_.range_pace.add(two_.id(), 1000, 1);
+    tasks.send_places(one_, job_, {0, 10}, 1'000'000'000, actions);
+    one_.tasks.set_begun(last<SendRange>().task);
+    job_.copies.add_work(50'000'000'000); // Three of 60 may be copied.
+    endgame.help(0, actions);
+    EXPECT_EQ(last<SendRange>().places, (PlaceRange{7, 3}));
+    EXPECT_EQ(last<SendRange>().copy_of, TaskId{1});
+}
+
+TEST_F(Endgames, ThePapersStrategiesAreLeftAlone) {
+    DispatchJob& paper = open(Strategy::BestMatch, 8, 2);
+    add(paper, 4, 100'000'000);
+    send(one_, paper, 4);
+    endgame.help(0, actions);
+    EXPECT_EQ(actions.size(), 1u);
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,50 @@
+// Proves that batches get longer where a worker's threads were idle between them, and only there.
+#include "master/dispatch/workers/batch_size.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+/// A task of two threads, sent at 0 s, that worked so long.
+TaskInFlight task(double busy_seconds, bool fetches = false) {
+    TaskInFlight ended;
+    ended.busy_seconds = busy_seconds;
+    ended.fetches = fetches;
+    return ended;
+}
+
+double after(const TaskInFlight& ended, bool has_successor) {
+    BatchSize size;
+    size.judge(ended, has_successor, 2, 1.0);
+    return size.seconds();
+}
+
+TEST(BatchSize, GrowsByHalfIfTheThreadsWereIdle) {
+    EXPECT_DOUBLE_EQ(after(task(1.9), true), 1.5 * limits::batch_seconds_start);
+    EXPECT_EQ(after(task(2), true), limits::batch_seconds_start);
+}
+
+TEST(BatchSize, IgnoresTheLastBatchAndOneThatWaitedForBlocks) {
+    EXPECT_EQ(after(task(1), false), limits::batch_seconds_start);
+    EXPECT_EQ(after(task(1, true), true), limits::batch_seconds_start);
+    EXPECT_EQ(after(task(0), true), limits::batch_seconds_start);
+}
+
+TEST(BatchSize, CountsFromTheEndOfTheTaskBefore) {
+    BatchSize size;
+    size.judge(task(0), true, 2, 1.0);
+    size.judge(task(2), true, 2, 2.0); // One second on two threads, all of it busy.
+    EXPECT_EQ(size.seconds(), limits::batch_seconds_start);
+}
+
+TEST(BatchSize, HasABound) {
+    BatchSize size;
+    for (int i = 1; i < 100; ++i) {
+        size.judge(task(0.1), true, 2, i);
+    }
+    EXPECT_EQ(size.seconds(), limits::batch_seconds_max);
+}
+
+} // namespace
+} // namespace cd::tests
