@@ -13,27 +13,23 @@ namespace cd {
 // ---- Events -----------------------------------------------------------------------------------
 
 void BlockDirector::worker_joined(WorkerId worker, bool serves) {
-    const bool is_new = peers_.try_emplace(worker).second;
-    CD_CHECK(is_new);
-    peers_.at(worker).serves = serves;
-    servers_ += serves ? 1 : 0;
-    note_places(worker);
+    index_.join(worker, serves);
 }
 
 BlockActions BlockDirector::worker_left(WorkerId worker, Time now) {
-    const auto found = peers_.find(worker);
-    if (found == peers_.end()) {
+    const BlockIndex::Peer* found = index_.find(worker);
+    if (found == nullptr) {
         return {};
     }
     Event event{now, {}, {}, {}};
-    for (const BlockKey& block : std::set<BlockKey>(found->second.holds)) {
+    for (const BlockKey& block : std::set<BlockKey>(found->holds)) {
         lose_hold(worker, block, event);
     }
-    const auto comes = found->second.comes;
+    const auto comes = found->comes;
     for (const auto& [block, fetch] : comes) {
         forget_delivery(worker, block, event);
     }
-    const auto waits_for = found->second.waits_for;
+    const auto waits_for = found->waits_for;
     for (const auto& [block, since] : waits_for) {
         forget_delivery(worker, block, event);
     }
@@ -43,9 +39,7 @@ BlockActions BlockDirector::worker_left(WorkerId worker, Time now) {
             fetch.source = {};
         }
     }
-    servers_ -= found->second.serves ? 1 : 0;
-    peers_.erase(found);
-    free_.erase(worker);
+    index_.leave(worker);
     return settle(std::move(event));
 }
 
@@ -68,7 +62,7 @@ BlockDirector::held(WorkerId worker, TreeId tree, std::span<const RootIndex> roo
     for (const RootIndex root : roots) {
         const BlockKey block{tree, root};
         forget_delivery(worker, block, event);
-        add_hold(worker, block);
+        index_.add_hold(worker, block);
     }
     return settle(std::move(event));
 }
@@ -92,15 +86,16 @@ BlockActions BlockDirector::peer_failed(WorkerId worker,
                                         std::span<const RootIndex> roots,
                                         PeerOutcome how,
                                         Time now) {
-    if (!peers_.contains(worker)) {
+    const BlockIndex::Peer* peer = index_.find(worker);
+    if (peer == nullptr) {
         return {};
     }
     Event event{now, {}, {}, {}};
     bool was_named = false;
     for (const RootIndex root : roots) {
         const BlockKey block{tree, root};
-        const auto comes = peers_.at(worker).comes.find(block);
-        if (comes == peers_.at(worker).comes.end() || comes->second == 0) {
+        const auto comes = peer->comes.find(block);
+        if (comes == peer->comes.end() || comes->second == 0) {
             continue;
         }
         Fetch& fetch = fetches_.at(comes->second);
@@ -115,13 +110,12 @@ BlockActions BlockDirector::peer_failed(WorkerId worker,
             lose_hold(source, block, event);
         }
     }
-    const auto found = peers_.find(source);
-    if (was_named && found != peers_.end() &&
+    if (was_named && index_.find(source) != nullptr &&
         (how == PeerOutcome::Unreachable || how == PeerOutcome::Damaged)) {
-        Peer& peer = found->second;
-        peer.cannot_reach_it.insert(worker);
-        peer.is_avoided |= how == PeerOutcome::Damaged ||
-                           peer.cannot_reach_it.size() >= limits::peer_unreachable_by_max;
+        index_.set_unreachable(source, worker);
+        if (how == PeerOutcome::Damaged) {
+            index_.avoid(source);
+        }
         serves_fewer(source, event);
     }
     return settle(std::move(event));
@@ -129,8 +123,8 @@ BlockActions BlockDirector::peer_failed(WorkerId worker,
 
 BlockActions BlockDirector::not_reached(WorkerId source, Time now) {
     Event event{now, {}, {}, {}};
-    if (const auto found = peers_.find(source); found != peers_.end()) {
-        found->second.is_avoided = true;
+    if (index_.find(source) != nullptr) {
+        index_.avoid(source);
         serves_fewer(source, event);
     }
     return settle(std::move(event));
@@ -138,34 +132,26 @@ BlockActions BlockDirector::not_reached(WorkerId source, Time now) {
 
 BlockActions BlockDirector::tree_removed(TreeId tree, Time now) {
     Event event{now, {}, {}, {}};
-    const auto begin = blocks_.lower_bound({tree, 0});
-    auto end = begin;
-    for (; end != blocks_.end() && end->first.tree == tree; ++end) {
-        const BlockKey& block = end->first;
-        for (auto& [worker, peer] : peers_) {
-            peer.holds.erase(block);
-            peer.could_give.erase(block);
-            stop_waiting(worker, block);
-            const auto comes = peer.comes.find(block);
-            if (comes != peer.comes.end()) {
-                if (const auto fetch = fetches_.find(comes->second);
-                    fetch != fetches_.end() && --fetch->second.left == 0) {
-                    free_place(fetch->second, event);
-                    fetches_.erase(fetch);
-                }
-                peer.comes.erase(comes);
+    auto place = index_.blocks().lower_bound({tree, 0});
+    while (place != index_.blocks().end() && place->first.tree == tree) {
+        const BlockKey block = (place++)->first;
+        for (const auto& [worker, peer] : index_.peers()) {
+            index_.lose_hold(worker, block);
+            index_.stop_waiting(worker, block);
+            if (const auto fetch = index_.stop_sending(worker, block)) {
+                end_part(*fetch, event);
             }
         }
+        index_.forget_if_unused(block);
     }
-    blocks_.erase(begin, end);
     return settle(std::move(event));
 }
 
 BlockActions BlockDirector::time_is(Time now) {
     Event event{now, {}, {}, {}};
-    const auto line = line_;
+    const auto line = index_.line();
     for (const auto& [place, worker] : line) {
-        const auto waits_for = peers_.at(worker).waits_for;
+        const auto waits_for = index_.at(worker).waits_for;
         for (const auto& [block, since] : waits_for) {
             if (now - since >= limits::peer_wait_max) {
                 send_from_master(worker, block, event);
@@ -173,7 +159,7 @@ BlockActions BlockDirector::time_is(Time now) {
         }
     }
     std::vector<std::pair<WorkerId, BlockKey>> late;
-    for (const auto& [worker, peer] : peers_) {
+    for (const auto& [worker, peer] : index_.peers()) {
         for (const auto& [block, id] : peer.comes) {
             if (id != 0 && now >= fetches_.at(id).deadline) {
                 late.emplace_back(worker, block);
@@ -191,45 +177,34 @@ BlockActions BlockDirector::time_is(Time now) {
 
 std::size_t BlockDirector::open() const {
     std::size_t open = 0;
-    for (const auto& [worker, peer] : peers_) {
+    for (const auto& [worker, peer] : index_.peers()) {
         open += peer.comes.size() + peer.waits_for.size();
     }
     return open;
 }
 
 bool BlockDirector::is_avoided(WorkerId worker) const {
-    const auto peer = peers_.find(worker);
-    return peer != peers_.end() && peer->second.is_avoided;
-}
-
-bool BlockDirector::can_serve(WorkerId source, WorkerId worker) const {
-    const auto peer = peers_.find(source);
-    return source != worker && peer != peers_.end() && peer->second.serves &&
-           !peer->second.is_avoided && !peer->second.cannot_reach_it.contains(worker);
-}
-
-bool BlockDirector::is_worth_waiting(const Block& block, WorkerId worker) const {
-    const auto serves = [&](WorkerId other) { return can_serve(other, worker); };
-    return servers_ != 0 && (std::ranges::any_of(block.holders, serves) ||
-                             std::ranges::any_of(block.on_the_way_to, serves));
+    const BlockIndex::Peer* peer = index_.find(worker);
+    return peer != nullptr && peer->is_avoided;
 }
 
 WorkerId
-BlockDirector::first_source(const Block& block,
+BlockDirector::first_source(const BlockIndex::Block& block,
                             WorkerId worker,
                             const std::map<WorkerId, std::vector<RootIndex>>& given) const {
     const auto may_give = [&](WorkerId source) {
-        return block.holders.contains(source) && can_serve(source, worker);
+        return block.holders.contains(source) && index_.can_serve(source, worker);
     };
     // Picks the source with the fewest uploads among those not yet used in this event.
     WorkerId best;
     std::size_t least = limits::peer_uploads_max;
     std::size_t looked_at = 0;
-    for (const WorkerId source : free_.size() < block.holders.size() ? free_ : block.holders) {
-        if (!free_.contains(source) || given.contains(source) || !may_give(source)) {
+    const std::set<WorkerId>& free = index_.free();
+    for (const WorkerId source : free.size() < block.holders.size() ? free : block.holders) {
+        if (!free.contains(source) || given.contains(source) || !may_give(source)) {
             continue;
         }
-        if (const std::size_t uploads = peers_.at(source).uploads; uploads < least) {
+        if (const std::size_t uploads = index_.at(source).uploads; uploads < least) {
             best = source;
             least = uploads;
         }
@@ -242,7 +217,7 @@ BlockDirector::first_source(const Block& block,
     }
     std::pair<std::size_t, std::size_t> best_load;
     for (const auto& [source, roots] : given) {
-        const std::pair load{roots.size(), peers_.at(source).uploads};
+        const std::pair load{roots.size(), index_.at(source).uploads};
         if (may_give(source) && (best == WorkerId{} || load < best_load)) {
             best = source;
             best_load = load;
@@ -257,7 +232,7 @@ void BlockDirector::want(WorkerId worker,
                          const BlockKey& block,
                          std::map<WorkerId, std::vector<RootIndex>>& given,
                          Event& event) {
-    Peer& peer = peers_.at(worker);
+    const BlockIndex::Peer& peer = index_.at(worker);
     if (peer.waits_for.contains(block)) {
         return;
     }
@@ -269,55 +244,21 @@ void BlockDirector::want(WorkerId worker,
         return;
     }
     lose_hold(worker, block, event); // The worker itself reports that it lacks the block.
-    Block& wanted = blocks_[block];
+    const BlockIndex::Block& wanted = index_.known(block);
     if (const WorkerId source = first_source(wanted, worker, given); source != WorkerId{}) {
         given[source].push_back(block.root);
-    } else if (is_worth_waiting(wanted, worker)) {
-        wait_for(worker, block, event);
+    } else if (index_.is_worth_waiting(wanted, worker)) {
+        index_.wait(worker, block, event.now);
     } else {
         send_from_master(worker, block, event);
     }
 }
 
-void BlockDirector::wait_for(WorkerId worker, const BlockKey& block, Event& event) {
-    Peer& peer = peers_.at(worker);
-    if (peer.waits_for.empty()) {
-        peer.place = ++place_last_;
-        line_.emplace(peer.place, worker);
-    }
-    peer.waits_for.emplace(block, event.now);
-    Block& awaited = blocks_.at(block);
-    if (awaited.awaited_by.empty()) {
-        for (const WorkerId holder : awaited.holders) {
-            peers_.at(holder).could_give.insert(block);
-        }
-    }
-    awaited.awaited_by.emplace(peer.place, worker);
-}
-
-void BlockDirector::stop_waiting(WorkerId worker, const BlockKey& block) {
-    Peer& peer = peers_.at(worker);
-    if (peer.waits_for.erase(block) == 0) {
-        return;
-    }
-    Block& awaited = blocks_.at(block);
-    awaited.awaited_by.erase(peer.place);
-    if (awaited.awaited_by.empty()) {
-        for (const WorkerId holder : awaited.holders) {
-            peers_.at(holder).could_give.erase(block);
-        }
-    }
-    if (peer.waits_for.empty()) {
-        line_.erase(peer.place);
-    }
-}
-
 void BlockDirector::send_from_master(WorkerId worker, const BlockKey& block, Event& event) {
     forget_delivery(worker, block, event);
-    peers_.at(worker).comes.emplace(block, FetchId{0});
-    blocks_[block].on_the_way_to.insert(worker);
+    index_.send(worker, block, 0);
     if (mutated(Mutation::HeldWhenSent)) {
-        add_hold(worker, block);
+        index_.add_hold(worker, block);
     }
     event.actions.emplace_back(SendBlock{worker, block});
 }
@@ -330,27 +271,24 @@ void BlockDirector::fetch(
             .emplace(id,
                      Fetch{worker, source, {}, roots.size(), event.now + limits::peer_fetch_max})
             .first->second;
-    ++peers_.at(source).uploads;
-    note_places(source);
+    index_.add_upload(source);
     for (const RootIndex root : roots) {
         const BlockKey block{tree, root};
         forget_delivery(worker, block, event);
-        Block& wanted = blocks_[block];
-        wanted.on_the_way_to.insert(worker);
-        peers_.at(worker).comes.emplace(block, id);
+        index_.send(worker, block, id);
     }
     std::vector<WorkerId> sources{source};
     std::size_t looked_at = 0;
-    for (const WorkerId other : blocks_.at({tree, roots.front()}).holders) {
+    for (const WorkerId other : index_.blocks().at({tree, roots.front()}).holders) {
         if (sources.size() == limits::peer_sources_max ||
             ++looked_at > limits::sources_looked_at_max) {
             break;
         }
         const bool has_all =
             mutated(Mutation::OthersSourceNamed) || std::ranges::all_of(roots, [&](RootIndex root) {
-                return blocks_.at({tree, root}).holders.contains(other);
+                return index_.blocks().at({tree, root}).holders.contains(other);
             });
-        if (other != source && has_all && can_serve(other, worker)) {
+        if (other != source && has_all && index_.can_serve(other, worker)) {
             sources.push_back(other);
         }
     }
@@ -359,47 +297,31 @@ void BlockDirector::fetch(
 }
 
 void BlockDirector::forget_delivery(WorkerId worker, const BlockKey& block, Event& event) {
-    Peer& peer = peers_.at(worker);
-    const auto known = blocks_.find(block);
-    if (const auto comes = peer.comes.find(block); comes != peer.comes.end()) {
-        const FetchId id = comes->second;
-        peer.comes.erase(comes);
-        known->second.on_the_way_to.erase(worker);
+    if (const auto fetch = index_.stop_sending(worker, block)) {
         event.less_hope.insert(block);
-        if (const auto fetch = fetches_.find(id);
-            fetch != fetches_.end() && --fetch->second.left == 0) {
-            free_place(fetch->second, event);
-            fetches_.erase(fetch);
-        }
+        end_part(*fetch, event);
     }
-    stop_waiting(worker, block);
+    index_.stop_waiting(worker, block);
+}
+
+void BlockDirector::end_part(FetchId id, Event& event) {
+    if (const auto fetch = fetches_.find(id);
+        fetch != fetches_.end() && --fetch->second.left == 0) {
+        free_place(fetch->second, event);
+        fetches_.erase(fetch);
+    }
 }
 
 void BlockDirector::free_place(Fetch& fetch, Event& event) {
-    if (const auto source = peers_.find(fetch.source); source != peers_.end()) {
-        --source->second.uploads;
-        note_places(fetch.source);
+    if (index_.find(fetch.source) != nullptr) {
+        index_.remove_upload(fetch.source);
         event.have_places.insert(fetch.source);
     }
     fetch.source = {};
 }
 
-void BlockDirector::add_hold(WorkerId worker, const BlockKey& block) {
-    Peer& peer = peers_.at(worker);
-    if (!peer.serves) {
-        return; // Peers cannot fetch from this worker.
-    }
-    Block& held = blocks_[block];
-    peer.holds.insert(block);
-    held.holders.insert(worker);
-    if (!held.awaited_by.empty()) {
-        peer.could_give.insert(block);
-    }
-}
-
 void BlockDirector::serves_fewer(WorkerId source, Event& event) {
-    const Peer& peer = peers_.at(source);
-    note_places(source);
+    const BlockIndex::Peer& peer = index_.at(source);
     event.less_hope.insert(peer.holds.begin(), peer.holds.end());
     for (const auto& [block, fetch] : peer.comes) {
         event.less_hope.insert(block);
@@ -407,19 +329,82 @@ void BlockDirector::serves_fewer(WorkerId source, Event& event) {
 }
 
 void BlockDirector::lose_hold(WorkerId worker, const BlockKey& block, Event& event) {
-    const auto peer = peers_.find(worker);
-    if (peer != peers_.end() && peer->second.holds.erase(block) != 0) {
-        peer->second.could_give.erase(block);
-        blocks_.at(block).holders.erase(worker);
+    if (index_.lose_hold(worker, block)) {
         event.less_hope.insert(block);
     }
 }
 
-void BlockDirector::forget_if_unused(const BlockKey& block) {
-    const auto found = blocks_.find(block);
-    if (found != blocks_.end() && found->second.holders.empty() &&
-        found->second.on_the_way_to.empty() && found->second.awaited_by.empty()) {
-        blocks_.erase(found);
+// ---- What becomes possible at the end of an event -----------------------------------------------
+
+BlockActions BlockDirector::settle(Event event) {
+    while (!event.have_places.empty()) {
+        const WorkerId source = *event.have_places.begin();
+        event.have_places.erase(event.have_places.begin());
+        offer(source, event);
+    }
+    while (!event.less_hope.empty()) {
+        const BlockKey block = *event.less_hope.begin();
+        event.less_hope.erase(event.less_hope.begin());
+        rescue(block, event);
+        index_.forget_if_unused(block);
+    }
+    return std::move(event.actions);
+}
+
+void BlockDirector::offer(WorkerId source, Event& event) {
+    while (index_.free().contains(source)) {
+        const WorkerId worker = index_.next_for(source);
+        if (worker == WorkerId{}) {
+            return;
+        }
+        std::map<TreeId, std::vector<RootIndex>> roots;
+        for (const auto& [block, since] : index_.at(worker).waits_for) {
+            if (index_.at(source).holds.contains(block)) {
+                roots[block.tree].push_back(block.root);
+            }
+        }
+        for (auto& [tree, of_tree] : roots) {
+            if (!index_.free().contains(source)) {
+                return;
+            }
+            fetch(worker, tree, std::move(of_tree), source, event);
+        }
+    }
+}
+
+void BlockDirector::rescue(const BlockKey& block, Event& event) {
+    const auto found = index_.blocks().find(block);
+    if (found == index_.blocks().end()) {
+        return;
+    }
+    const auto awaited_by = found->second.awaited_by;
+    for (const auto& [place, worker] : awaited_by) {
+        if (!index_.is_worth_waiting(found->second, worker)) {
+            send_from_master(worker, block, event);
+        }
+    }
+}
+
+void BlockDirector::check_invariants() const {
+    index_.check_invariants();
+    std::map<WorkerId, std::size_t> uploads;
+    std::map<FetchId, std::size_t> left;
+    for (const auto& [id, fetch] : fetches_) {
+        ++uploads[fetch.source];
+        CD_CHECK(fetch.left != 0);
+    }
+    for (const auto& [worker, peer] : index_.peers()) {
+        CD_CHECK(peer.uploads == uploads[worker]);
+        for (const auto& [block, id] : peer.comes) {
+            left[id] += 1;
+        }
+        for (const auto& [block, since] : peer.waits_for) {
+            // Otherwise the worker would wait in vain.
+            CD_CHECK(index_.is_worth_waiting(index_.blocks().at(block), worker));
+        }
+    }
+    for (const auto& [id, fetch] : fetches_) {
+        CD_CHECK(left[id] == fetch.left);
     }
 }
 

@@ -6,10 +6,10 @@
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/tree/cut.hpp"
+#include "master/blocks/block_index.hpp"
 #include "proto/messages/work_messages.hpp"
 
 #include <chrono>
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -18,13 +18,6 @@
 #include <vector>
 
 namespace cd {
-
-struct BlockKey {
-    TreeId tree;
-    RootIndex root = 0;
-
-    friend auto operator<=>(const BlockKey&, const BlockKey&) = default;
-};
 
 /// The master sends the block itself.
 struct SendBlock {
@@ -56,7 +49,7 @@ using BlockActions = std::vector<BlockAction>;
 /// peers were to send it, comes from the master.
 class BlockDirector {
   public:
-    using Time = std::chrono::steady_clock::time_point;
+    using Time = BlockIndex::Time;
 
     /// `serves`: peers can fetch blocks from this worker.
     void worker_joined(WorkerId worker, bool serves);
@@ -85,7 +78,7 @@ class BlockDirector {
     [[nodiscard]] std::size_t open() const;
     /// Blocks that a connected worker which serves peers reported to hold.
     [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
-        return peers_.at(worker).holds;
+        return index_.at(worker).holds;
     }
     /// Returns whether the worker is no longer named as a source.
     [[nodiscard]] bool is_avoided(WorkerId worker) const;
@@ -94,31 +87,14 @@ class BlockDirector {
     void check_invariants() const;
 
   private:
-    using FetchId = std::uint64_t;     ///< 0: the master sends the block.
-    using PlaceInLine = std::uint64_t; ///< A waiting worker's position in the queue.
+    using FetchId = BlockIndex::FetchId;
 
-    struct Peer {
-        bool serves = false;
-        bool is_avoided = false;
-        std::set<WorkerId> cannot_reach_it;
-        std::size_t uploads = 0; ///< Fetches for which it is the first source.
-        std::set<BlockKey> holds;
-        std::set<BlockKey> could_give;      ///< Held blocks that some worker waits for.
-        std::map<BlockKey, Time> waits_for; ///< Awaited blocks, with the start of each wait.
-        PlaceInLine place = 0;
-        std::map<BlockKey, FetchId> comes;
-    };
     struct Fetch {
         WorkerId to;
         WorkerId source; ///< First source, whose upload slot is taken; 0: it no longer has one.
         std::vector<WorkerId> named; ///< All sources named to the worker.
         std::size_t left = 0;
         Time deadline;
-    };
-    struct Block {
-        std::set<WorkerId> holders;
-        std::set<WorkerId> on_the_way_to;
-        std::map<PlaceInLine, WorkerId> awaited_by;
     };
     /// Consequences of one event, settled at its end.
     struct Event {
@@ -128,12 +104,9 @@ class BlockDirector {
         BlockActions actions;
     };
 
-    [[nodiscard]] bool can_serve(WorkerId source, WorkerId worker) const;
-    /// Returns whether peers that hold the block, or soon will, could give it later.
-    [[nodiscard]] bool is_worth_waiting(const Block& block, WorkerId worker) const;
     /// Returns the least loaded source with a free upload slot; 0: none.
     [[nodiscard]] WorkerId
-    first_source(const Block& block,
+    first_source(const BlockIndex::Block& block,
                  WorkerId worker,
                  const std::map<WorkerId, std::vector<RootIndex>>& given) const;
 
@@ -141,40 +114,27 @@ class BlockDirector {
               const BlockKey& block,
               std::map<WorkerId, std::vector<RootIndex>>& given,
               Event& event);
-    void wait_for(WorkerId worker, const BlockKey& block, Event& event);
-    /// Ends the worker's wait for the block, if any.
-    void stop_waiting(WorkerId worker, const BlockKey& block);
     void send_from_master(WorkerId worker, const BlockKey& block, Event& event);
     void fetch(
         WorkerId worker, TreeId tree, std::vector<RootIndex> roots, WorkerId source, Event& event);
     /// Ends both the block's delivery to the worker and the worker's wait for it.
     void forget_delivery(WorkerId worker, const BlockKey& block, Event& event);
+    /// One block of the fetch has arrived, or will not arrive.
+    void end_part(FetchId fetch, Event& event);
     void free_place(Fetch& fetch, Event& event);
-    void add_hold(WorkerId worker, const BlockKey& block);
     void lose_hold(WorkerId worker, const BlockKey& block, Event& event);
     /// Handles a source that some or all workers may no longer use: waits for it may be in vain.
     void serves_fewer(WorkerId source, Event& event);
-    void forget_if_unused(const BlockKey& block);
 
     BlockActions settle(Event event);
     /// Gives the source's blocks to workers waiting for them, while it has upload slots.
     void offer(WorkerId source, Event& event);
-    /// Returns the first waiting worker that may get a block from the source; 0: none.
-    [[nodiscard]] WorkerId next_for(WorkerId source) const;
-    /// Call when the source's uploads change, or whether it is avoided.
-    void note_places(WorkerId source);
     /// Sends a block that no peer can give any more from the master to all who wait.
     void rescue(const BlockKey& block, Event& event);
 
-    std::map<WorkerId, Peer> peers_;
-    std::map<BlockKey, Block> blocks_; ///< Blocks held, awaited, or in transit.
+    BlockIndex index_;
     std::map<FetchId, Fetch> fetches_;
     FetchId fetch_last_ = 0;
-    PlaceInLine place_last_ = 0;
-    std::size_t servers_ = 0; ///< Number of workers that serve peers.
-    // Indices that keep an event's cost proportional to what it touches:
-    std::map<PlaceInLine, WorkerId> line_; ///< Waiting workers in order of arrival.
-    std::set<WorkerId> free_;              ///< Sources with a free upload slot.
 };
 
 } // namespace cd
