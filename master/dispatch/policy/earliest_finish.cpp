@@ -146,15 +146,6 @@ std::uint64_t EarliestFinish::enough(const DispatchJob& /*job*/) const {
                                                static_cast<double>(limits::unsent_by_time_max)));
 }
 
-std::uint64_t EarliestFinish::batch_max(const DispatchJob& /*job*/) const {
-    return limits::q_max;
-}
-
-std::size_t EarliestFinish::tasks_max(const WorkerProxy& /*proxy*/,
-                                      const DispatchJob& /*job*/) const {
-    return limits::batches_at_worker;
-}
-
 FinishTerms finish_on(const WorkerPool& pool,
                       const ClusterPace& pace,
                       const WorkerProxy& proxy,

@@ -42,9 +42,6 @@ class EarliestFinish final : public MatchingPolicy {
     [[nodiscard]] bool claims(const DispatchJob& /*job*/) const override { return false; }
     /// Fills two batches per worker, and as many again to choose from.
     [[nodiscard]] std::uint64_t enough(const DispatchJob& job) const override;
-    [[nodiscard]] std::uint64_t batch_max(const DispatchJob& job) const override;
-    [[nodiscard]] std::size_t tasks_max(const WorkerProxy& proxy,
-                                        const DispatchJob& job) const override;
 
     [[nodiscard]] bool is_by_time() const override { return true; }
     [[nodiscard]] bool hints(const DispatchJob& job) const override { return job.options.hints; }

@@ -1,6 +1,5 @@
 #include "master/dispatch/policy/matching_policy.hpp"
 
-#include "common/core/check.hpp"
 #include "master/base/mutation.hpp"
 #include "master/dispatch/policy/best_match.hpp"
 #include "master/dispatch/policy/best_match_load.hpp"
@@ -38,14 +37,6 @@ std::uint64_t MatchingPolicy::enough(const DispatchJob& job) const {
     return job.options.q * context_.pool.in_order().size();
 }
 
-std::uint64_t MatchingPolicy::batch_max(const DispatchJob& job) const {
-    return job.options.q;
-}
-
-std::size_t MatchingPolicy::tasks_max(const WorkerProxy& proxy, const DispatchJob& job) const {
-    return proxy.tasks_max(job.options);
-}
-
 std::unique_ptr<MatchingPolicy> make_policy(const ClusterOptions& options,
                                             const MatchingContext& context) {
     // A strategy is a file of this folder, and a line here.
@@ -61,10 +52,9 @@ std::unique_ptr<MatchingPolicy> make_policy(const ClusterOptions& options,
     case Strategy::BestMatchPull:
         return std::make_unique<BestMatchPull>(context);
     case Strategy::EarliestFinish:
-        return std::make_unique<EarliestFinish>(context);
+        break;
     }
-    CD_CHECK(false);
-    return nullptr;
+    return std::make_unique<EarliestFinish>(context);
 }
 
 } // namespace cd

@@ -76,10 +76,6 @@ class MatchingPolicy {
     [[nodiscard]] virtual bool claims(const DispatchJob& job) const { return job.options.claim; }
     /// Number of unsent scenarios that gives all workers enough choice.
     [[nodiscard]] virtual std::uint64_t enough(const DispatchJob& job) const;
-    /// Bounds of a task's scenarios, and of a job's tasks at a worker.
-    [[nodiscard]] virtual std::uint64_t batch_max(const DispatchJob& job) const;
-    [[nodiscard]] virtual std::size_t tasks_max(const WorkerProxy& proxy,
-                                                const DispatchJob& job) const;
 
     // ---- Time -----------------------------------------------------------------------------------
     /// The policy estimates when a scenario is done (`finish_on`): its scenarios move between

@@ -166,13 +166,14 @@ void check_flight(const DispatchParts& parts, const WorkerProxy& proxy) {
             continue; // The end message is under way.
         }
         const DispatchJob& job = parts.queue.at(task.job);
-        const std::uint64_t batch_max = job.policy->batch_max(job);
+        const std::uint64_t batch_max = job.policy->is_by_time() ? limits::q_max : job.options.q;
         CD_CHECK(task.left() <= (task.is_range() ? limits::range_scenarios_max : batch_max));
         ++unanswered[task.job];
     }
     for (const auto& [id, tasks] : unanswered) {
         const DispatchJob& job = parts.queue.at(id);
-        const std::size_t tasks_max = job.policy->tasks_max(proxy, job);
+        const std::size_t tasks_max =
+            job.policy->is_by_time() ? limits::batches_at_worker : proxy.tasks_max(job.options);
         CD_CHECK(tasks <= std::max<std::size_t>(tasks_max, proxy.facts().threads));
     }
 }
